@@ -1,0 +1,39 @@
+# Settings that every target of the project shares, in one place.
+
+option(FFSTUDY_CONTRACTS "Check FF_EXPECT and FF_ENSURE at run time" OFF)
+option(FFSTUDY_WERROR "Treat warnings as errors" ON)
+set(FFSTUDY_SANITIZE "" CACHE STRING "Sanitizers for -fsanitize=, e.g. address,undefined")
+
+add_library(ff_settings INTERFACE)
+target_compile_features(ff_settings INTERFACE cxx_std_20)
+target_compile_options(ff_settings INTERFACE
+  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion -Wnon-virtual-dtor
+  -Wold-style-cast -Woverloaded-virtual -Wnull-dereference
+  # a*b+c must round twice on every CPU, or hit counts would differ between machines.
+  -ffp-contract=off)
+if(FFSTUDY_WERROR)
+  target_compile_options(ff_settings INTERFACE -Werror)
+endif()
+if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
+  # Highway's dispatch starts here and chooses AVX2 or AVX-512 at run time.
+  target_compile_options(ff_settings INTERFACE -march=x86-64-v2)
+endif()
+if(FFSTUDY_SANITIZE)
+  target_compile_options(ff_settings INTERFACE -fsanitize=${FFSTUDY_SANITIZE} -fno-omit-frame-pointer)
+  target_link_options(ff_settings INTERFACE -fsanitize=${FFSTUDY_SANITIZE})
+endif()
+
+# ff_library(core SOURCES a.cpp b.cpp LINKS fmt::fmt PRIVATE_LINKS embree)
+#
+# One folder, one library: core/ -> target ff_core, alias ff::core, include "core/...".
+function(ff_library name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;LINKS;PRIVATE_LINKS" ${ARGN})
+  add_library(ff_${name} STATIC ${ARG_SOURCES})
+  add_library(ff::${name} ALIAS ff_${name})
+  target_include_directories(ff_${name} PUBLIC
+    $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}> $<INSTALL_INTERFACE:include/ffstudy>)
+  target_link_libraries(ff_${name} PUBLIC ${ARG_LINKS} PRIVATE $<BUILD_INTERFACE:ff_settings> ${ARG_PRIVATE_LINKS})
+  target_compile_features(ff_${name} PUBLIC cxx_std_20)
+  target_compile_definitions(ff_${name} PUBLIC FF_CONTRACTS=$<BOOL:${FFSTUDY_CONTRACTS}>)
+  set_target_properties(ff_${name} PROPERTIES EXPORT_NAME ${name})
+endfunction()

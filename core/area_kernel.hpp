@@ -1,0 +1,24 @@
+#pragma once
+
+#include "core/points.hpp"
+#include "core/scene.hpp"
+
+#include <Eigen/Core>
+
+#include <cstdint>
+
+namespace ff {
+
+/// One trial of the area-to-area estimator in an unoccluded convex scene: the integral over both patches of
+/// cos_i cos_j / (pi r^2), divided by the source area, with the 4-D points (2 on the source, 2 on the target patch) and
+/// weights of `points`; patch factors are averaged over source patches and summed over target patches into faces.
+/// The patch-to-patch matrix is never formed.
+///
+/// Unbiased with random points, but of infinite variance where patches share an edge (tail index 3/2) or a vertex (2).
+/// With tensor Gauss-Legendre points it is the paper's PDM. Streams are keyed by ordered patch pair.
+/// Points that coincide (r = 0) count as 0.
+/// @return face-to-face matrix, every entry estimated directly (no reciprocity), diagonal 0
+Eigen::MatrixXd area_kernel(const Scene& scene, Subdivision subdivision, const PointSource& points, StreamKey key,
+                            std::uint32_t trial);
+
+}  // namespace ff

@@ -1,0 +1,37 @@
+#pragma once
+
+#include "core/points.hpp"
+#include "core/scene.hpp"
+#include "core/tracer.hpp"
+
+#include <cstdint>
+#include <vector>
+
+namespace ff {
+
+/// Who owns a sequence of points.
+enum class Allocation {
+    patch,  ///< every patch has its own stream
+    face,   ///< one stream for all patches of a surface: patch p takes points p*n .. (p+1)*n - 1
+};
+
+/// Integer outcome of one trial of ray shooting.
+struct RayTally {
+    std::vector<std::uint64_t> hits;  ///< [from_face * faces + to_face]
+    std::vector<std::uint64_t> rays;  ///< [from_face]
+    std::vector<std::uint64_t> lost;  ///< [from_face]
+};
+
+/// Sums over trials of patch-to-face hits and of their squares, [patch * faces + face]; exact integers.
+struct PatchSums {
+    std::vector<std::uint64_t> hits;
+    std::vector<std::uint64_t> hits_squared;
+};
+
+/// One trial of ray shooting (the paper's SR): `samples_per_patch` cosine-distributed rays from every patch.
+/// @pre points.equal_weights()   `key` and `trial` select the streams
+void ray_shooting(const Scene& scene, Subdivision subdivision, const Tracer& tracer, const PointSource& points,
+                  std::uint64_t samples_per_patch, Allocation allocation, StreamKey key, std::uint32_t trial,
+                  RayTally& tally, PatchSums& sums);
+
+}  // namespace ff

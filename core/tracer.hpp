@@ -1,0 +1,74 @@
+#pragma once
+
+#include "core/points.hpp"
+#include "core/scene.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string_view>
+#include <vector>
+
+namespace ff {
+
+/// Rays in single precision, one array a component; they start on surface `source`, which they cannot hit.
+struct RayBatch {
+    std::vector<float> origin_x, origin_y, origin_z;
+    std::vector<float> direction_x, direction_y, direction_z;  ///< not necessarily of unit length
+    std::uint32_t source = 0;
+
+    [[nodiscard]] std::size_t size() const { return origin_x.size(); }
+};
+
+inline constexpr std::uint32_t no_surface = 0xffffffffu;
+
+/// The first surface that a ray meets, and where, in the surface's own coordinates in [0, 1].
+struct Hit {
+    std::uint32_t surface = no_surface;  ///< no_surface: the ray met nothing
+    float s = 0;
+    float t = 0;
+};
+
+/// Hits of the rays of one patch by face; entry faces() is the number of lost rays.
+using FaceHits = std::vector<std::uint64_t>;
+
+/// Finds what rays hit. Patches are found from hit coordinates by arithmetic, so the cost does not grow with them.
+class Tracer {
+  public:
+    virtual ~Tracer() = default;
+    [[nodiscard]] virtual std::string_view name() const = 0;
+
+    /// Shoots one cosine-distributed ray for each 4-D point (s, t on the patch; direction) of `block` from patch
+    /// `patch` of surface `source` and adds the hits by face to `hits` (faces + 1 entries, the last for lost rays).
+    virtual void shoot(std::uint32_t source, Subdivision subdivision, std::uint32_t patch, const PointBlock& block,
+                       std::span<std::uint64_t> hits) const = 0;
+
+    /// Traces rays one by one; `hits` has room for rays.size().
+    virtual void trace(const RayBatch& rays, std::span<Hit> hits) const = 0;
+
+  protected:
+    Tracer() = default;
+    Tracer(const Tracer&) = default;
+    Tracer& operator=(const Tracer&) = default;
+    Tracer(Tracer&&) = default;
+    Tracer& operator=(Tracer&&) = default;
+};
+
+/// The rays that `Tracer::shoot` shoots for these points, in single precision and the same to the bit on every CPU.
+void generate_rays(const Surface& surface, std::uint32_t source, Subdivision subdivision, std::uint32_t patch,
+                   const PointBlock& block, RayBatch& rays);
+
+/// Analytic vectorised tracer for the inside of an empty box. @pre scene.empty_box
+std::unique_ptr<Tracer> make_box_tracer(const Scene& scene);
+
+/// Embree in robust mode, for any scene.
+std::unique_ptr<Tracer> make_embree_tracer(const Scene& scene);
+
+enum class TracerChoice { automatic, box, embree };
+
+/// The box tracer where it applies, unless told otherwise.
+/// @throws UserError where the box tracer is asked for in a scene that is not an empty box
+std::unique_ptr<Tracer> make_tracer(const Scene& scene, TracerChoice choice);
+
+}  // namespace ff

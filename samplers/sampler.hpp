@@ -1,0 +1,62 @@
+#pragma once
+
+#include "core/points.hpp"
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace ff::samplers {
+
+/// Sizes that a sampler is made for.
+enum class Sizes {
+    any,           ///< every number of points
+    power_of_two,  ///< 2^m keeps the net property; others are allowed with a warning
+    fourth_power,  ///< k^4, one point a cell; others are impossible
+    nodes,         ///< n nodes a side, n^4 points in 4-D
+};
+
+/// What a sampler declares about itself; `ffstudy list`, `explain`, the contract tests and the reports read it.
+struct SamplerInfo {
+    std::string_view name;
+    std::string_view summary;    ///< one line, shown by `ffstudy list samplers`
+    std::string_view details;    ///< a paragraph or two: what it is, its limits; shown by `ffstudy explain`
+    std::string_view reference;  ///< key of docs/references.md
+    Sizes sizes = Sizes::any;
+    bool randomised = true;     ///< trials differ
+    bool equal_weights = true;  ///< points can be tallied as hits
+    bool independent = false;   ///< points are independent draws, so binomial intervals hold within one set
+};
+
+/// What a point set is made from.
+struct PointSetSpec {
+    std::uint64_t points = 0;  ///< size of the set; for Sizes::nodes it follows from the nodes
+    std::size_t dimension = 4;
+    std::uint32_t source_nodes = 0;  ///< nodes a side on the source patch, Sizes::nodes only
+    std::uint32_t target_nodes = 0;  ///< nodes a side on the target patch
+};
+
+/// A sampler in the catalogue: its declaration and how to make a point set of it.
+struct CatalogueEntry {
+    SamplerInfo info;
+    /// @throws UserError where the size cannot be done
+    std::unique_ptr<PointSource> (*make)(const PointSetSpec& spec);
+};
+
+/// All samplers, in the order in which they are listed.
+std::span<const CatalogueEntry> catalogue();
+
+/// @throws UserError with the nearest known name
+const CatalogueEntry& find(std::string_view name);
+
+/// Why `points` is not a size the sampler is made for, and what is near: empty where it is fine. `fatal` tells whether
+/// the sampler cannot do it at all or only loses its net property.
+struct SizeProblem {
+    std::string message;
+    bool fatal = false;
+};
+SizeProblem check_size(const SamplerInfo& info, std::uint64_t points);
+
+}  // namespace ff::samplers
