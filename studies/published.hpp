@@ -1,0 +1,89 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace ff::studies {
+
+/// What a printed figure tells about the faces of a scene.
+enum class FigureKind {
+    form_factor,           ///< F(from, to)
+    row_sum,               ///< sum over `to` of F(from, to)
+    relative_error,        ///< 100 |F(from, to) - reference| / reference, percent
+    sum_relative_error,    ///< sum over all faces of 100 |row sum - 1|, percent
+};
+
+/// One printed figure of a published table.
+struct Figure {
+    std::string table;     ///< table id
+    std::size_t row = 0;   ///< position in the table as printed, from 0
+    std::size_t column = 0;
+    std::string method;    ///< as the study file names it, e.g. "SR"
+    std::uint32_t patches_per_face = 1;
+    std::optional<std::uint64_t> samples_per_patch;  ///< empty for a deterministic method
+    FigureKind kind = FigureKind::form_factor;
+    std::string from;      ///< face label; empty for sum_relative_error
+    std::string to;        ///< face label; empty for sums
+    std::string printed;   ///< digits exactly as printed
+    int line = 0;          ///< of the file, for messages
+    int character = 0;
+};
+
+/// A printed table: `figures` indexes PublishedTables::figures, row by row; an index may be missing (blank cell).
+struct PublishedTable {
+    std::string id;
+    std::string title;
+    std::vector<std::string> column_titles;
+    std::vector<std::string> row_titles;
+    std::vector<std::optional<std::size_t>> figures;  ///< [row * columns + column]
+    std::string note;
+};
+
+/// A claim that the publication makes in words, in the small vocabulary of studies/claims.hpp.
+struct PublishedClaim {
+    std::string id;
+    std::string section;
+    std::string statement;
+    std::string kind;
+    std::vector<std::string> methods;
+    std::string pair_class;                          ///< "parallel", "adjacent", "all" or empty
+    std::vector<std::uint32_t> patches_per_face;
+    std::vector<std::uint64_t> samples_per_patch;
+    std::optional<double> number;
+};
+
+/// How a publication says that it prints numbers.
+enum class PrintingRule { unstated, rounded, truncated };
+
+/// Another way to read what a table's columns mean, e.g. "rays in total" for "rays per patch".
+struct Reading {
+    std::string table;
+    std::string statement;
+    std::vector<std::uint64_t> rays_per_face;  ///< one a column
+};
+
+/// The tables of one publication: what was printed, and what each figure means.
+struct PublishedTables {
+    std::string source;
+    std::string scene;
+    PrintingRule rule = PrintingRule::unstated;
+    int decimals = 6;                                ///< printed decimals the publication claims
+    std::optional<std::string> reference_parallel;   ///< exact values as printed
+    std::optional<std::string> reference_adjacent;
+    std::vector<std::string> reciprocal_methods;     ///< methods whose (j, i) follows from (i, j), i < j, by reciprocity
+    std::vector<std::string> sampling_methods;       ///< methods whose estimates are hits / rays
+    std::vector<PublishedTable> tables;
+    std::vector<Figure> figures;
+    std::vector<Reading> readings;
+    std::vector<PublishedClaim> claims;
+};
+
+/// Reads a tables file (docs/published-tables.md).
+/// @throws IoError where the file cannot be read; UserError "file:line:column: ..." where it is malformed
+PublishedTables read_published_tables(const std::filesystem::path& file);
+
+}  // namespace ff::studies
