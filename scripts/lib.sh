@@ -1,0 +1,75 @@
+# What the scripts share; sourced, never run.
+# shellcheck shell=bash
+
+set -euo pipefail
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+cd "$root"
+
+step=starting
+trap 'status=$?; [ $status -eq 0 ] || echo "$(basename "$0"): stopped while $step (exit $status)." >&2' EXIT
+
+# begin "building the program": names what happens now, on the screen and in the message if it fails.
+begin() {
+    step=$1
+    echo "== $step" >&2
+}
+
+# jobs_at_once: one compiler a processor, as far as memory allows 1.5 GiB for each.
+jobs_at_once() {
+    local processors memory
+    processors=$(nproc)
+    memory=$(awk '/^MemAvailable/ {print int($2 / 1572864)}' /proc/meminfo 2>/dev/null) || memory=$processors
+    [ "${memory:-0}" -ge 1 ] || memory=1
+    echo $((processors < memory ? processors : memory))
+}
+
+# packages_of GROUP...: the packages of these groups in scripts/packages.txt.
+packages_of() {
+    local group
+    for group in "$@"; do
+        awk -v group="$group" '$1 == group {print $2}' scripts/packages.txt
+    done
+}
+
+# missing_of PACKAGE...: those that are not installed.
+missing_of() {
+    comm -13 \
+        <(dpkg-query --show --showformat='${db:Status-Status} ${Package}\n' "$@" 2>/dev/null |
+            sed -n 's/^installed //p' | sort -u) \
+        <(printf '%s\n' "$@" | sort -u)
+}
+
+# as_root COMMAND...: runs it as root, asking sudo where needed.
+as_root() {
+    if [ "$(id -u)" -eq 0 ]; then
+        "$@"
+    elif command -v sudo >/dev/null; then
+        sudo "$@"
+    else
+        echo "Packages are missing, and installing them needs root (no sudo here). As root, run: $*" >&2
+        return 1
+    fi
+}
+
+# install_packages GROUP...: installs what is missing of these groups. Calls apt-get only when something is.
+install_packages() {
+    local wanted missing
+    mapfile -t wanted < <(packages_of "$@")
+    if ! command -v apt-get >/dev/null || ! command -v dpkg-query >/dev/null; then
+        echo "This set-up installs Debian packages, and this system has no apt-get. Install what these packages" >&2
+        echo "contain in your system's way, then configure with CMake as CONTRIBUTING.md shows: ${wanted[*]}" >&2
+        return 2
+    fi
+    mapfile -t missing < <(missing_of "${wanted[@]}")
+    [ ${#missing[@]} -gt 0 ] || return 0
+
+    begin "installing ${missing[*]}"
+    local get=(env DEBIAN_FRONTEND=noninteractive apt-get --quiet --quiet --yes -o Dpkg::Use-Pty=0)
+    local install=("${get[@]}" install --no-install-recommends "${missing[@]}")
+    if apt-cache show "${missing[@]}" >/dev/null 2>&1 && as_root "${install[@]}" >&2; then
+        return 0
+    fi
+    # The package lists are absent or older than the archive.
+    as_root "${get[@]}" update >&2
+    as_root "${install[@]}" >&2
+}
