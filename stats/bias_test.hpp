@@ -1,0 +1,45 @@
+#pragma once
+
+#include "stats/interval.hpp"
+#include "stats/moments.hpp"
+
+#include <cstddef>
+#include <optional>
+
+namespace ff::stats {
+
+/// Student's test of "mean = reference". A large p is no proof of unbiasedness: print the minimum detectable bias
+/// (stats/power.hpp) beside it, or test equivalence.
+struct BiasTest {
+    double bias = 0;            ///< mean - reference
+    double standard_error = 0;  ///< of the mean
+    double t = 0;
+    double freedom = 0;  ///< n - 1
+    double p = 0;        ///< two-sided
+};
+
+/// Empty below two values and for values that are all equal.
+std::optional<BiasTest> test_bias(const Moments& moments);
+
+/// Two one-sided tests of "|bias| >= margin" [schuirmann1987].
+struct EquivalenceTest {
+    Interval interval;        ///< of the bias, level 1 - 2 alpha
+    double margin = 0;        ///< > 0
+    double p = 0;             ///< the larger of the two one-sided p-values
+    bool equivalent = false;  ///< the interval lies inside +- margin, that is p < alpha
+    bool different = false;   ///< the interval lies wholly outside +- margin
+};
+
+/// Empty below two values and for values that are all equal. @pre 0 < alpha < 0.5, margin > 0
+std::optional<EquivalenceTest> test_equivalence(const Moments& moments, double margin, double alpha);
+
+/// What a gate with the composite null |bias| <= margin says.
+enum class BiasVerdict { pass, fail, inconclusive };
+
+/// Fail: the (1 - fail_alpha) interval lies wholly outside +- margin. Pass: the (1 - 2 pass_alpha) interval lies
+/// inside. Otherwise, or without an interval, inconclusive.
+/// @param fail_alpha  of this pair, already adjusted for the number of pairs (sidak_level)
+/// @param pass_alpha  uncorrected: all pairs passing is an intersection-union test
+BiasVerdict judge_bias(const Moments& moments, double margin, double fail_alpha, double pass_alpha = 0.05);
+
+}  // namespace ff::stats

@@ -1,0 +1,30 @@
+#pragma once
+
+namespace ff::stats {
+
+/// Tail probabilities and critical values. All are computed from the far tail itself, never as 1 - cdf, so that they
+/// stay accurate down to 1e-300.
+
+/// z with P(Z > z) = tail. @pre 0 < tail < 1
+double normal_critical(double tail);
+/// P(Z > z).
+double normal_tail(double z);
+/// P(|Z| > |z|).
+double normal_two_sided_p(double z);
+
+/// t with P(T > t) = tail for `freedom` > 0 degrees of freedom. @pre 0 < tail < 1
+double student_critical(double freedom, double tail);
+/// P(T > t).
+double student_tail(double t, double freedom);
+/// P(|T| > |t|).
+double student_two_sided_p(double t, double freedom);
+
+/// x with P(X > x) = tail, X chi-squared. @pre 0 < tail < 1
+double chi_squared_critical(double freedom, double tail);
+/// P(X > x). @pre x >= 0, freedom > 0
+double chi_squared_tail(double x, double freedom);
+
+/// P(F > f). @pre f >= 0
+double fisher_tail(double f, double freedom_above, double freedom_below);
+
+}  // namespace ff::stats

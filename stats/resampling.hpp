@@ -1,0 +1,46 @@
+#pragma once
+
+#include "core/stream.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace ff::stats {
+
+/// What random numbers are drawn for; two uses of one key never share a number.
+enum class Resampling : std::uint32_t { bootstrap = 1, permutation = 2, jitter = 3 };
+
+/// A sequence of random numbers for resampling: Philox words in counter order, so that replicate r is the same
+/// whatever was drawn for the others.
+class Draws {
+  public:
+    Draws(StreamKey key, Resampling use, std::uint32_t replicate);
+
+    /// Uniform in [0, 1), 53 bits.
+    double uniform();
+    /// Uniform in 0 .. n - 1, without modulo bias. @pre 1 <= n < 2^32
+    std::size_t below(std::size_t n);
+
+  private:
+    std::uint32_t word();
+
+    Stream stream_;
+    Words words_{};
+    std::uint32_t block_ = 0;
+    std::uint32_t used_ = 4;
+};
+
+/// Fills `sample` with values drawn from `data` with replacement. @pre data not empty
+void resample(std::span<const double> data, Draws& draws, std::span<double> sample);
+
+/// Random order (Fisher-Yates).
+void shuffle(std::span<double> values, Draws& draws);
+
+/// How much resampling, and with which random numbers.
+struct ResamplingPlan {
+    StreamKey key;                    ///< e.g. derive_key(seed, "bootstrap SR 1-2")
+    std::uint32_t replicates = 1999;  ///< (replicates + 1) * alpha / 2 should be whole
+};
+
+}  // namespace ff::stats

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+
+namespace ff::stats {
+
+/// How heavy the upper tail is: P(X > x) ~ x^-index. The variance is infinite for an index below 2, the mean for one
+/// below 1. (MCNP's tail slope is index + 1.)
+struct TailFit {
+    double shape = 0;           ///< xi of the generalised Pareto distribution: 1 / index; <= 0 for light tails
+    double standard_error = 0;  ///< of shape: (1 + shape) / sqrt(exceedances)
+    std::size_t exceedances = 0;
+    double threshold = 0;
+    std::optional<double> index;  ///< 1 / shape; empty where shape <= 0 (lighter than any power)
+};
+
+/// Generalised Pareto fit (Zhang and Stephens [zhang2009]) to the values above the (1 - fraction) quantile. Invariant
+/// under shift and scale. Empty below 20 exceedances or where they are all equal.
+std::optional<TailFit> fit_tail(std::span<const double> values, double fraction = 0.1);
+
+/// Hill's estimate of 1 / index from the `exceedances` largest of positive values [hill1975]; sensitive to shift.
+/// Empty unless more than `exceedances` >= 2 values are positive.
+std::optional<TailFit> fit_tail_hill(std::span<const double> values, std::size_t exceedances);
+
+/// What the tail says about the variance.
+enum class VarianceHealth { finite, infinite, undecided };
+
+/// infinite: the upper confidence bound of the index (one-sided, `alpha`) lies below 2; finite: the lower one lies
+/// above 2; otherwise undecided.
+VarianceHealth judge_variance(const TailFit& fit, double alpha = 0.01);
+
+}  // namespace ff::stats
