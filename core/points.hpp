@@ -45,6 +45,9 @@ class PointSource {
     [[nodiscard]] virtual bool randomised() const = 0;
     /// False where points have unequal weights and cannot be tallied as hits.
     [[nodiscard]] virtual bool equal_weights() const = 0;
+    /// True where swapping source and target coordinates (0, 1 with 2, 3) gives the same weighted set, so that one
+    /// evaluation of a symmetric kernel serves both (i, j) and (j, i).
+    [[nodiscard]] virtual bool exchangeable() const { return false; }
 
     /// Fills `block.size` points from `first` on. @pre equal_weights()
     virtual void fill(const Stream& stream, PointIndex first, PointBlock& block) const = 0;
