@@ -33,43 +33,53 @@ packages_of() {
 
 # missing_of PACKAGE...: those that are not installed.
 missing_of() {
-    comm -13 \
-        <(dpkg-query --show --showformat='${db:Status-Status} ${Package}\n' "$@" 2>/dev/null |
-            sed -n 's/^installed //p' | sort -u) \
-        <(printf '%s\n' "$@" | sort -u)
+    local package installed
+    installed=$(dpkg-query --show --showformat='${db:Status-Status} ${Package}\n' "$@" 2>/dev/null) || true
+    for package in "$@"; do
+        grep -Fqx "installed $package" <<<"$installed" || echo "$package"
+    done
 }
 
-# as_root COMMAND...: runs it as root, asking sudo where needed.
+# quietly COMMAND...: shows what it prints only if it fails.
+quietly() {
+    local log status=0
+    log=$(mktemp)
+    "$@" >"$log" 2>&1 || status=$?
+    [ $status -eq 0 ] || cat "$log" >&2
+    rm -f "$log"
+    return $status
+}
+
+# as_root COMMAND...: runs it as root, with sudo where needed.
 as_root() {
-    if [ "$(id -u)" -eq 0 ]; then
-        "$@"
-    elif command -v sudo >/dev/null; then
-        sudo "$@"
-    else
-        echo "Packages are missing, and installing them needs root (no sudo here). As root, run: $*" >&2
-        return 1
-    fi
+    if [ "$(id -u)" -eq 0 ]; then "$@"; else sudo "$@"; fi
 }
 
 # install_packages GROUP...: installs what is missing of these groups. Calls apt-get only when something is.
 install_packages() {
     local wanted missing
-    mapfile -t wanted < <(packages_of "$@")
+    wanted=($(packages_of "$@"))
     if ! command -v apt-get >/dev/null || ! command -v dpkg-query >/dev/null; then
         echo "This set-up installs Debian packages, and this system has no apt-get. Install what these packages" >&2
         echo "contain in your system's way, then configure with CMake as CONTRIBUTING.md shows: ${wanted[*]}" >&2
         return 2
     fi
-    mapfile -t missing < <(missing_of "${wanted[@]}")
+    missing=($(missing_of "${wanted[@]}"))
     [ ${#missing[@]} -gt 0 ] || return 0
+    if [ "$(id -u)" -ne 0 ] && ! command -v sudo >/dev/null; then
+        echo "Packages are missing, and installing them needs root or sudo. As root, run:" >&2
+        echo "apt-get update && apt-get install --no-install-recommends ${missing[*]}" >&2
+        return 1
+    fi
 
     begin "installing ${missing[*]}"
-    local get=(env DEBIAN_FRONTEND=noninteractive apt-get --quiet --quiet --yes -o Dpkg::Use-Pty=0)
+    local get=(env DEBIAN_FRONTEND=noninteractive apt-get --quiet --quiet --yes)
     local install=("${get[@]}" install --no-install-recommends "${missing[@]}")
-    if apt-cache show "${missing[@]}" >/dev/null 2>&1 && as_root "${install[@]}" >&2; then
+    if [ "$(apt-cache show --no-all-versions "${missing[@]}" 2>/dev/null | grep -c '^Package:')" -eq ${#missing[@]} ] &&
+        quietly as_root "${install[@]}"; then
         return 0
     fi
     # The package lists are absent or older than the archive.
-    as_root "${get[@]}" update >&2
-    as_root "${install[@]}" >&2
+    quietly as_root "${get[@]}" update
+    quietly as_root "${install[@]}"
 }
