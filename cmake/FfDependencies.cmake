@@ -1,16 +1,21 @@
-# Every library the project uses, all packaged in Debian 12.
+# Every library the project uses, all packaged in Debian 12 (scripts/packages.txt). Those that installed targets link to
+# are looked up again by cmake/ffstudyConfig.cmake.in: keep the two in step.
 
 find_package(Threads REQUIRED)
 find_package(Boost 1.74 REQUIRED)          # Random, Math: headers only
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)
 find_package(embree 3 REQUIRED)
 find_package(fmt 9 REQUIRED)
+find_package(hwy 1.0 REQUIRED)
 find_package(CLI11 2 REQUIRED)
 find_package(nlohmann_json 3.11 REQUIRED)
 find_package(SQLite3 3.40 REQUIRED)
+find_package(tomlplusplus 3.3 REQUIRED)
+
 find_package(PkgConfig REQUIRED)
 pkg_check_modules(tomlplusplus REQUIRED IMPORTED_TARGET tomlplusplus)
 pkg_check_modules(hwy REQUIRED IMPORTED_TARGET libhwy)
+
 find_path(RANDOM123_INCLUDE_DIR Random123/philox.h REQUIRED)
 add_library(ff_random123 INTERFACE)
 target_include_directories(ff_random123 SYSTEM INTERFACE $<BUILD_INTERFACE:${RANDOM123_INCLUDE_DIR}>)

@@ -8,16 +8,19 @@ add_library(ff_settings INTERFACE)
 target_compile_features(ff_settings INTERFACE cxx_std_20)
 target_compile_options(ff_settings INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion -Wnon-virtual-dtor
-  -Wold-style-cast -Woverloaded-virtual -Wnull-dereference
-  # a*b+c must round twice on every CPU, or hit counts would differ between machines.
-  -ffp-contract=off)
+  -Wold-style-cast -Woverloaded-virtual -Wnull-dereference)
 if(FFSTUDY_WERROR)
   target_compile_options(ff_settings INTERFACE -Werror)
 endif()
+
+# Flags that decide results; the program reports them. a*b+c must round twice on every CPU, or hit counts would differ
+# between machines.
+set(FF_CODE_GENERATION -ffp-contract=off)
 if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
   # Highway's dispatch starts here and chooses AVX2 or AVX-512 at run time.
-  target_compile_options(ff_settings INTERFACE -march=x86-64-v2)
+  list(APPEND FF_CODE_GENERATION -march=x86-64-v2)
 endif()
+target_compile_options(ff_settings INTERFACE ${FF_CODE_GENERATION})
 if(FFSTUDY_SANITIZE)
   target_compile_options(ff_settings INTERFACE -fsanitize=${FFSTUDY_SANITIZE} -fno-omit-frame-pointer)
   target_link_options(ff_settings INTERFACE -fsanitize=${FFSTUDY_SANITIZE})
