@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -11,25 +12,25 @@ namespace ff::studies {
 
 /// What a printed figure tells about the faces of a scene.
 enum class FigureKind {
-    form_factor,           ///< F(from, to)
-    row_sum,               ///< sum over `to` of F(from, to)
-    relative_error,        ///< 100 |F(from, to) - reference| / reference, percent
-    sum_relative_error,    ///< sum over all faces of 100 |row sum - 1|, percent
+    form_factor,         ///< F(from, to)
+    row_sum,             ///< sum over `to` of F(from, to)
+    relative_error,      ///< 100 |F(from, to) - reference| / reference, percent
+    sum_relative_error,  ///< sum over all faces of 100 |row sum - 1|, percent
 };
 
 /// One printed figure of a published table.
 struct Figure {
-    std::string table;     ///< table id
-    std::size_t row = 0;   ///< position in the table as printed, from 0
+    std::string table;    ///< table id
+    std::size_t row = 0;  ///< position in the table as printed, from 0
     std::size_t column = 0;
-    std::string method;    ///< as the study file names it, e.g. "SR"
+    std::string method;  ///< as the study file names it, e.g. "SR"
     std::uint32_t patches_per_face = 1;
     std::optional<std::uint64_t> samples_per_patch;  ///< empty for a deterministic method
     FigureKind kind = FigureKind::form_factor;
-    std::string from;      ///< face label; empty for sum_relative_error
-    std::string to;        ///< face label; empty for sums
-    std::string printed;   ///< digits exactly as printed
-    int line = 0;          ///< of the file, for messages
+    std::string from;     ///< face label; empty for sum_relative_error
+    std::string to;       ///< face label; empty for sums
+    std::string printed;  ///< digits exactly as printed
+    int line = 0;         ///< of the file, for messages
     int character = 0;
 };
 
@@ -43,14 +44,14 @@ struct PublishedTable {
     std::string note;
 };
 
-/// A claim that the publication makes in words, in the small vocabulary of studies/claims.hpp.
+/// A claim that the publication makes in words, in the small vocabulary of docs/published-tables.md.
 struct PublishedClaim {
     std::string id;
     std::string section;
     std::string statement;
     std::string kind;
     std::vector<std::string> methods;
-    std::string pair_class;                          ///< "parallel", "adjacent", "all" or empty
+    std::string pair_class;  ///< "parallel", "adjacent", "all" or empty
     std::vector<std::uint32_t> patches_per_face;
     std::vector<std::uint64_t> samples_per_patch;
     std::optional<double> number;
@@ -63,6 +64,7 @@ enum class PrintingRule { unstated, rounded, truncated };
 struct Reading {
     std::string table;
     std::string statement;
+    std::string stated_in;                     ///< where the publication says so, e.g. "text"; empty for a conjecture
     std::vector<std::uint64_t> rays_per_face;  ///< one a column
 };
 
@@ -71,19 +73,26 @@ struct PublishedTables {
     std::string source;
     std::string scene;
     PrintingRule rule = PrintingRule::unstated;
-    int decimals = 6;                                ///< printed decimals the publication claims
-    std::optional<std::string> reference_parallel;   ///< exact values as printed
+    int decimals = 6;                               ///< printed decimals the publication claims
+    std::optional<std::string> reference_parallel;  ///< exact values as printed
     std::optional<std::string> reference_adjacent;
-    std::vector<std::string> reciprocal_methods;     ///< methods whose (j, i) follows from (i, j), i < j, by reciprocity
-    std::vector<std::string> sampling_methods;       ///< methods whose estimates are hits / rays
+    std::vector<std::string> reciprocal_methods;  ///< methods whose (j, i) follows from (i, j), i < j, by reciprocity
+    std::vector<std::string> sampling_methods;    ///< methods whose estimates are hits / rays
     std::vector<PublishedTable> tables;
     std::vector<Figure> figures;
     std::vector<Reading> readings;
     std::vector<PublishedClaim> claims;
 };
 
-/// Reads a tables file (docs/published-tables.md).
-/// @throws IoError where the file cannot be read; UserError "file:line:column: ..." where it is malformed
+/// Parses the text of a tables file (docs/published-tables.md); `origin` names it in messages.
+/// @throws UserError "origin:line:column: ..." where it is malformed
+PublishedTables parse_published_tables(std::string_view text, std::string_view origin);
+
+/// Reads a tables file.
+/// @throws IoError where the file cannot be read; UserError as above
 PublishedTables read_published_tables(const std::filesystem::path& file);
+
+/// The figure in words, e.g. "table4, row 3 (Σ of face 3), column SR".
+std::string describe(const PublishedTables& tables, std::size_t figure);
 
 }  // namespace ff::studies

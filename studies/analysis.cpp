@@ -1,0 +1,162 @@
+#include "studies/analysis.hpp"
+
+#include "core/exact.hpp"
+#include "core/pair_class.hpp"
+#include "stats/bias_test.hpp"
+#include "stats/moments.hpp"
+#include "stats/multiplicity.hpp"
+#include "stats/power.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace ff::studies {
+namespace {
+
+/// The area kernel is unbounded where patches touch: tail index 3/2 at an edge, 2 at a vertex.
+VarianceStatus variance_status(const Method& method, bool deterministic, std::optional<PairClass> pair_class) {
+    if (deterministic) return VarianceStatus::none;
+    const bool touching = !pair_class || *pair_class == PairClass::adjacent;
+    return method.estimator == Estimator::area_kernel && touching ? VarianceStatus::infinite : VarianceStatus::finite;
+}
+
+std::optional<double> reference_of(const Scene& scene, const std::optional<Eigen::MatrixXd>& exact, Quantity quantity) {
+    switch (quantity.kind) {
+        case QuantityKind::form_factor:
+            if (exact) return (*exact)(quantity.from - 1, quantity.to - 1);
+            return std::nullopt;
+        case QuantityKind::row_sum:
+            if (scene.closed) return 1.0;
+            if (exact) return exact->row(quantity.from - 1).sum();
+            return std::nullopt;
+        case QuantityKind::sum_relative_error:
+            break;  // its expectation is no property of the scene
+    }
+    return std::nullopt;
+}
+
+BiasFamily judge_family(const CellEstimates& estimates, const std::vector<Quantity>& pairs,
+                        const CellFindings& findings, const StudySpec& spec, bool& refuted) {
+    BiasFamily family;
+    family.pairs = pairs.size();
+    family.margin = spec.equivalence_margin;
+    const double alpha = 1.0 - spec.level;
+    const double pair_alpha = stats::sidak_level(alpha, pairs.size());
+    std::vector<double> p_values;
+    double largest_std = 0;
+    for (const Quantity pair : pairs) {
+        const Summary& summary = findings.summary(pair);
+        const auto moments = stats::moments_of(estimates.values(pair), summary.reference.value_or(0.0));
+        const auto test =
+            summary.variance == VarianceStatus::finite && summary.reference ? stats::test_bias(moments) : std::nullopt;
+        if (!test) {
+            ++family.untestable;
+            continue;
+        }
+        p_values.push_back(test->p);
+        largest_std = std::max(largest_std, summary.std.value_or(0.0));
+        if (std::abs(test->t) > family.largest_z) {
+            family.largest_z = std::abs(test->t);
+            family.largest_pair = pair;
+        }
+        family.minimum_detectable_bias =
+            std::max(family.minimum_detectable_bias, summary.minimum_detectable_bias.value_or(0.0));
+        const double margin = spec.equivalence_margin.value_or(1.0);
+        if (const auto equivalence = stats::test_equivalence(moments, margin, alpha)) {
+            const double reach = std::max(std::abs(equivalence->interval.low), std::abs(equivalence->interval.high));
+            family.shown_below = std::max(family.shown_below, reach);
+        }
+        if (const auto strict = stats::test_equivalence(moments, margin, pair_alpha / 2))
+            refuted = refuted || strict->different;
+    }
+    if (p_values.empty()) return family;
+    const auto adjusted = stats::holm(p_values);
+    family.adjusted_p = *std::min_element(adjusted.begin(), adjusted.end());
+    if (largest_std > 0 && estimates.trials() >= 2) {
+        family.planned_margin =
+            stats::equivalence_margin(largest_std, estimates.trials(), {alpha, spec.power}, pairs.size());
+    }
+    return family;
+}
+
+}  // namespace
+
+BiasFinding bias_finding(const BiasFamily& family, double level) {
+    if (family.untestable == family.pairs) return BiasFinding::untestable;
+    return family.adjusted_p < 1.0 - level ? BiasFinding::biased : BiasFinding::no_bias_found;
+}
+
+EquivalenceFinding equivalence_finding(const BiasFamily& family, bool refuted) {
+    if (!family.margin) return EquivalenceFinding::not_asked;
+    if (refuted) return EquivalenceFinding::refuted;
+    return family.untestable == 0 && family.shown_below < *family.margin ? EquivalenceFinding::shown
+                                                                         : EquivalenceFinding::inconclusive;
+}
+
+const Summary& CellFindings::summary(Quantity quantity) const {
+    return *std::find_if(summaries.begin(), summaries.end(), [&](const Summary& s) { return s.quantity == quantity; });
+}
+
+CellFindings analyse_cell(const Store& store, std::size_t cell_index) {
+    const StudyPlan& plan = store.plan();
+    const Cell& cell = plan.cells[cell_index];
+    const Method& method = plan.spec.methods[cell.method];
+    const Scene& scene = plan.scenes[cell.scene];
+    const CellEstimates estimates = load_estimates(store, cell_index);
+    const auto exact = exact_form_factors(scene);
+    const auto pairs = distinct_pairs(estimates.faces, method.completion);
+
+    CellFindings findings;
+    findings.cell = cell_index;
+    findings.trials = estimates.trials();
+    findings.trials_planned = cell.trials;
+    findings.lost_rays = estimates.lost_rays;
+    findings.evaluations_per_face = estimates.evaluations_per_face;
+    if (estimates.trials() == 0) return findings;
+    const bool equal_areas = [&] {
+        for (std::size_t face = 1; face < estimates.faces; ++face) {
+            if (face_area(scene, static_cast<int>(face)) != face_area(scene, 0)) return false;
+        }
+        return true;
+    }();
+    for (const Quantity quantity : all_quantities(estimates)) {
+        SummaryRequest request;
+        request.quantity = quantity;
+        if (quantity.kind == QuantityKind::form_factor)
+            request.pair_class = pair_class(scene, quantity.from - 1, quantity.to - 1);
+        request.variance = variance_status(method, cell.deterministic, request.pair_class);
+        request.reference = reference_of(scene, exact, quantity);
+        const bool counts = quantity.kind != QuantityKind::sum_relative_error &&
+                            (equal_areas || method.completion == Completion::direct);
+        if (counts) request.lattice = estimates.lattice;
+        request.evaluations_per_face =
+            quantity.kind == QuantityKind::sum_relative_error ? 0 : estimates.evaluations_per_face;
+        request.level = plan.spec.level;
+        request.test_alpha = stats::sidak_level(1.0 - plan.spec.level, pairs.size());
+        request.power = plan.spec.power;
+        request.key = derive_key(plan.spec.seed, fmt::format("summary|{}|{}|{}|{}", cell.canonical,
+                                                             name(method.completion), quantity.from, quantity.to));
+        findings.summaries.push_back(summarise(estimates.values(quantity), request));
+    }
+    if (!cell.deterministic) {
+        bool refuted = false;
+        findings.bias = judge_family(estimates, pairs, findings, plan.spec, refuted);
+        findings.bias_finding = bias_finding(*findings.bias, plan.spec.level);
+        findings.equivalence = equivalence_finding(*findings.bias, refuted);
+    }
+    return findings;
+}
+
+Findings analyse(const Store& store) {
+    Findings findings;
+    findings.plan = store.plan();
+    const auto finished = store.finished_units();
+    findings.complete = std::all_of(finished.begin(), finished.end(), [](bool done) { return done; });
+    for (std::size_t cell = 0; cell < findings.plan.cells.size(); ++cell)
+        findings.cells.push_back(analyse_cell(store, cell));
+    return findings;
+}
+
+}  // namespace ff::studies

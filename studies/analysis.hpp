@@ -1,0 +1,60 @@
+#pragma once
+
+#include "studies/store.hpp"
+#include "studies/summary.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace ff::studies {
+
+/// What the trials say about bias on all distinct pairs of a cell together.
+struct BiasFamily {
+    std::size_t pairs = 0;       ///< 30 in a box, or 15 under reciprocal completion
+    std::size_t untestable = 0;  ///< of them, pairs without a variance
+    double largest_z = 0;        ///< largest |bias| / standard error
+    Quantity largest_pair;
+    double adjusted_p = 1;               ///< smallest Holm-adjusted p-value: the family-wise verdict
+    double minimum_detectable_bias = 0;  ///< on the worst pair, at the family-wise level and the study's power
+    double shown_below = 0;              ///< smallest margin within which every pair is equivalent (level 1 - 2 alpha)
+    std::optional<double> margin;        ///< the study's equivalence margin
+    double planned_margin = 0;           ///< margin that an unbiased method would pass with the study's power
+};
+
+enum class BiasFinding { no_bias_found, biased, untestable };
+enum class EquivalenceFinding { shown, refuted, inconclusive, not_asked };
+
+BiasFinding bias_finding(const BiasFamily& family, double level);
+/// Shown: every pair's interval lies inside the margin. Refuted: some pair's adjusted interval lies outside.
+EquivalenceFinding equivalence_finding(const BiasFamily& family, bool refuted);
+
+/// Statistics of one cell.
+struct CellFindings {
+    std::size_t cell = 0;
+    std::uint64_t trials = 0;  ///< saved
+    std::uint64_t trials_planned = 0;
+    std::uint64_t lost_rays = 0;
+    std::uint64_t evaluations_per_face = 0;
+    std::vector<Summary> summaries;  ///< in the order of `all_quantities`
+    std::optional<BiasFamily> bias;  ///< empty for deterministic methods
+    BiasFinding bias_finding = BiasFinding::untestable;
+    EquivalenceFinding equivalence = EquivalenceFinding::not_asked;
+
+    [[nodiscard]] const Summary& summary(Quantity quantity) const;
+};
+
+/// All that a study found; every report is made from it. Pure: the same store gives the same findings to the bit.
+struct Findings {
+    StudyPlan plan;
+    bool complete = false;  ///< every planned unit is there
+    std::vector<CellFindings> cells;
+};
+
+Findings analyse(const Store& store);
+
+/// Summaries of one cell.
+CellFindings analyse_cell(const Store& store, std::size_t cell);
+
+}  // namespace ff::studies

@@ -1,0 +1,121 @@
+#include "studies/estimates.hpp"
+
+#include "core/contract.hpp"
+#include "core/error.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace ff::studies {
+namespace {
+
+/// Direct estimates of one pair, by trial.
+std::vector<double> direct_factors(const Store& store, std::size_t cell, int from, int to, double rays) {
+    const bool counted =
+        store.plan().spec.methods[store.plan().cells[cell].method].estimator == Estimator::ray_shooting;
+    auto values = store.series(cell, counted ? observable::hits : observable::estimate, from, to).value;
+    if (counted) {
+        for (double& value : values) value /= rays;
+    }
+    return values;
+}
+
+void add_sums(const Scene& scene, CellEstimates& estimates) {
+    const std::size_t faces = estimates.faces;
+    std::size_t trials = 0;
+    for (const auto& values : estimates.factors) trials = std::max(trials, values.size());
+    estimates.row_sums.assign(faces, std::vector<double>(trials, 0.0));
+    for (std::size_t i = 0; i < faces; ++i) {
+        for (std::size_t j = 0; j < faces; ++j) {
+            const auto& values = estimates.factors[i * faces + j];
+            for (std::size_t trial = 0; trial < values.size(); ++trial) estimates.row_sums[i][trial] += values[trial];
+        }
+    }
+    if (!scene.closed) return;
+    estimates.sum_relative_error.assign(trials, 0.0);
+    for (const auto& sums : estimates.row_sums) {
+        for (std::size_t trial = 0; trial < trials; ++trial) {
+            estimates.sum_relative_error[trial] += 100.0 * std::abs(sums[trial] - 1.0);
+        }
+    }
+}
+
+}  // namespace
+
+const std::vector<double>& CellEstimates::values(Quantity quantity) const {
+    switch (quantity.kind) {
+        case QuantityKind::form_factor: {
+            FF_EXPECT(quantity.from >= 1 && quantity.to >= 1);
+            return factors[static_cast<std::size_t>(quantity.from - 1) * faces +
+                           static_cast<std::size_t>(quantity.to - 1)];
+        }
+        case QuantityKind::row_sum:
+            return row_sums[static_cast<std::size_t>(quantity.from - 1)];
+        case QuantityKind::sum_relative_error:
+            break;
+    }
+    return sum_relative_error;
+}
+
+CellEstimates load_estimates(const Store& store, std::size_t cell) {
+    return load_estimates(store, cell, store.plan().spec.methods[store.plan().cells[cell].method].completion);
+}
+
+CellEstimates load_estimates(const Store& store, std::size_t cell_index, Completion completion) {
+    const Cell& cell = store.plan().cells[cell_index];
+    const Method& method = store.plan().spec.methods[cell.method];
+    const Scene& scene = store.plan().scenes[cell.scene];
+    CellEstimates estimates;
+    estimates.cell = cell_index;
+    estimates.faces = scene.faces.size();
+    estimates.factors.resize(estimates.faces * estimates.faces);
+    estimates.evaluations_per_face = cell.subdivision.per_surface() * cell.samples;
+    if (method.estimator == Estimator::area_kernel) estimates.evaluations_per_face *= cell.subdivision.per_surface();
+
+    const int faces = static_cast<int>(estimates.faces);
+    const bool counted = method.estimator == Estimator::ray_shooting;
+    const auto rays = static_cast<double>(estimates.evaluations_per_face);
+    if (counted) {
+        estimates.lattice = 1.0 / rays;
+        for (int i = 1; i <= faces; ++i) {
+            estimates.lost_rays += static_cast<std::uint64_t>(store.total(cell_index, observable::lost, i, 0));
+        }
+    }
+    for (int i = 1; i <= faces; ++i) {
+        for (int j = 1; j <= faces; ++j) {
+            if (i == j) continue;
+            const bool by_reciprocity = completion == Completion::reciprocal && j < i;
+            auto& target = estimates.factors[static_cast<std::size_t>((i - 1) * faces + j - 1)];
+            if (!by_reciprocity) {
+                target = direct_factors(store, cell_index, i, j, rays);
+                continue;
+            }
+            target = estimates.factors[static_cast<std::size_t>((j - 1) * faces + i - 1)];
+            const double ratio = face_area(scene, j - 1) / face_area(scene, i - 1);
+            for (double& value : target) value *= ratio;
+        }
+    }
+    add_sums(scene, estimates);
+    return estimates;
+}
+
+std::vector<Quantity> distinct_pairs(std::size_t faces, Completion completion) {
+    std::vector<Quantity> pairs;
+    const int count = static_cast<int>(faces);
+    for (int i = 1; i <= count; ++i) {
+        for (int j = completion == Completion::reciprocal ? i + 1 : 1; j <= count; ++j) {
+            if (i != j) pairs.push_back({QuantityKind::form_factor, i, j});
+        }
+    }
+    return pairs;
+}
+
+std::vector<Quantity> all_quantities(const CellEstimates& estimates) {
+    auto quantities = distinct_pairs(estimates.faces, Completion::direct);
+    for (int i = 1; i <= static_cast<int>(estimates.faces); ++i) quantities.push_back({QuantityKind::row_sum, i, 0});
+    if (!estimates.sum_relative_error.empty()) quantities.push_back({QuantityKind::sum_relative_error, 0, 0});
+    return quantities;
+}
+
+}  // namespace ff::studies

@@ -1,0 +1,49 @@
+#pragma once
+
+#include "studies/store.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace ff::studies {
+
+/// What a row of results is about.
+enum class QuantityKind { form_factor, row_sum, sum_relative_error };
+
+/// A quantity that every trial of a cell gives one value of. Faces count from 1; 0 where there is none.
+struct Quantity {
+    QuantityKind kind = QuantityKind::form_factor;
+    int from = 0;
+    int to = 0;
+    auto operator<=>(const Quantity&) const = default;
+};
+
+/// All trials of one cell after completion.
+struct CellEstimates {
+    std::size_t cell = 0;
+    std::size_t faces = 0;
+    std::vector<std::vector<double>> factors;   ///< [(from - 1) * faces + to - 1], by trial; diagonal empty
+    std::vector<std::vector<double>> row_sums;  ///< [from - 1]
+    std::vector<double> sum_relative_error;     ///< percent, over all faces; empty in an open scene
+    std::optional<double> lattice;              ///< hits / rays: values are multiples of this, for equal face areas
+    std::uint64_t lost_rays = 0;
+    std::uint64_t evaluations_per_face = 0;  ///< N: rays from a face, or kernel values of a face pair, in a trial
+
+    [[nodiscard]] const std::vector<double>& values(Quantity quantity) const;
+    [[nodiscard]] std::size_t trials() const { return row_sums.empty() ? 0 : row_sums.front().size(); }
+};
+
+/// Reads the direct estimates of a cell and completes them as its method says. The same rays serve both completions.
+CellEstimates load_estimates(const Store& store, std::size_t cell);
+
+/// The same with a completion of the caller's choice.
+CellEstimates load_estimates(const Store& store, std::size_t cell, Completion completion);
+
+/// Pairs of faces whose estimates are free: all ordered pairs, or those with from < to under reciprocal completion.
+std::vector<Quantity> distinct_pairs(std::size_t faces, Completion completion);
+
+/// Every pair, every row sum and, in a closed scene, the sum of relative errors; the order of all result tables.
+std::vector<Quantity> all_quantities(const CellEstimates& estimates);
+
+}  // namespace ff::studies

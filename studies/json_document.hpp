@@ -1,0 +1,38 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace ff::studies {
+
+/// A place in a text file, both counted from 1; columns count bytes.
+struct TextPosition {
+    int line = 1;
+    int column = 1;
+};
+
+/// A JSON value that knows where it stands, so that messages about its meaning can point at it.
+struct JsonValue {
+    enum class Kind { null, boolean, number, string, array, object };
+
+    Kind kind = Kind::null;
+    TextPosition position;
+    double number = 0;  ///< 0 or 1 for booleans
+    std::string text;   ///< strings only
+    std::vector<JsonValue> items;
+    std::vector<std::pair<std::string, JsonValue>> members;  ///< in file order
+
+    /// The member called `key`, or nullptr.
+    [[nodiscard]] const JsonValue* find(std::string_view key) const;
+};
+
+/// Parses a whole JSON text. @param origin names the text in messages, usually a file name.
+/// @throws UserError "origin:line:column: ..." where it is malformed or an object has the same key twice
+JsonValue parse_json(std::string_view text, std::string_view origin);
+
+/// "origin:line:column: ", the start of every message about a file.
+std::string describe(std::string_view origin, TextPosition position);
+
+}  // namespace ff::studies

@@ -1,0 +1,126 @@
+#include "studies/plan.hpp"
+
+#include "core/box.hpp"
+#include "core/error.hpp"
+#include "core/tracer.hpp"
+#include "samplers/sampler.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace ff::studies {
+namespace {
+
+constexpr double unit_seconds = 0.2;
+
+/// Nanoseconds on one core of a current server; only their ratios matter, for units of about equal length.
+constexpr double tracing_nanoseconds = 1.0;
+constexpr double embree_nanoseconds = 60.0;
+constexpr double kernel_nanoseconds = 1.5;
+
+double sampling_nanoseconds(std::string_view sampler) {
+    if (sampler == "halton" || sampler == "random_mt") return 15.0;
+    return 1.5;
+}
+
+std::uint64_t sample_count(const Method& method, const Size& size) {
+    if (method.nodes) {
+        const std::uint64_t source = method.nodes->source;
+        const std::uint64_t target = method.nodes->target;
+        return source * source * target * target;
+    }
+    return size.samples_per_patch.value_or(0);
+}
+
+bool is_deterministic(const Method& method) {
+    return method.estimator == Estimator::closed_form || !samplers::find(method.sampler).info.randomised;
+}
+
+std::string canonical_text(const Scene& scene, const Method& method, const Cell& cell) {
+    std::string text = fmt::format("{}|{}|{}|m={}|n={}", scene.canonical, method.sampler, name(method.estimator),
+                                   cell.subdivision.m, cell.samples);
+    if (method.nodes) text += fmt::format("|nodes={},{}", method.nodes->source, method.nodes->target);
+    if (method.estimator == Estimator::ray_shooting) text += fmt::format("|allocation={}", name(method.allocation));
+    return text;
+}
+
+void warn_about_size(StudyPlan& plan, const Method& method, const Cell& cell) {
+    if (method.sampler.empty() || method.nodes) return;
+    const auto problem = samplers::check_size(samplers::find(method.sampler).info, cell.samples);
+    if (problem.message.empty()) return;
+    std::string text = fmt::format("method '{}': {}", method.name, problem.message);
+    if (std::find(plan.warnings.begin(), plan.warnings.end(), text) == plan.warnings.end())
+        plan.warnings.push_back(std::move(text));
+}
+
+void add_units(StudyPlan& plan, std::size_t cell_index) {
+    const Cell& cell = plan.cells[cell_index];
+    const double seconds = expected_seconds_per_trial(plan, cell);
+    const auto batch = static_cast<std::uint64_t>(std::clamp(unit_seconds / seconds, 1.0, 1e6));
+    for (std::uint64_t first = 0; first < cell.trials; first += batch) {
+        plan.units.push_back({plan.units.size(), cell_index, first, std::min(batch, cell.trials - first)});
+    }
+}
+
+}  // namespace
+
+std::uint64_t evaluations_per_trial(const StudyPlan& plan, const Cell& cell) {
+    const std::uint64_t patches = cell.subdivision.patches(plan.scenes[cell.scene]);
+    if (plan.spec.methods[cell.method].estimator != Estimator::area_kernel) return patches * cell.samples;
+    const std::uint64_t other_faces = patches - cell.subdivision.per_surface();
+    return patches * other_faces * cell.samples;
+}
+
+double expected_seconds_per_trial(const StudyPlan& plan, const Cell& cell) {
+    const Method& method = plan.spec.methods[cell.method];
+    const auto evaluations = static_cast<double>(evaluations_per_trial(plan, cell));
+    switch (method.estimator) {
+        case Estimator::closed_form:
+            return 1e-3;
+        case Estimator::area_kernel: {
+            const double sampling = cell.deterministic ? 0.0 : sampling_nanoseconds(method.sampler);
+            return 1e-9 * evaluations * (kernel_nanoseconds + sampling);
+        }
+        case Estimator::ray_shooting: {
+            const bool analytic = plan.scenes[cell.scene].empty_box && method.tracer != TracerChoice::embree;
+            const double tracing = analytic ? tracing_nanoseconds : embree_nanoseconds;
+            return 1e-9 * evaluations * (tracing + sampling_nanoseconds(method.sampler));
+        }
+    }
+    return 1e-3;
+}
+
+StudyPlan plan_study(StudySpec spec) {
+    StudyPlan plan;
+    plan.spec = std::move(spec);
+    for (const std::string& scene : plan.spec.scenes) plan.scenes.push_back(built_in_scene(scene));
+    for (std::size_t scene = 0; scene < plan.scenes.size(); ++scene) {
+        for (std::size_t m = 0; m < plan.spec.methods.size(); ++m) {
+            const Method& method = plan.spec.methods[m];
+            if (method.tracer == TracerChoice::box && !plan.scenes[scene].empty_box) {
+                throw UserError(fmt::format(
+                    "method '{}' asks for the box tracer (scene '{}' is not an empty box). Use tracer = \"embree\".",
+                    method.name, plan.scenes[scene].name));
+            }
+            for (const Size& size : method.sizes) {
+                Cell cell;
+                cell.scene = scene;
+                cell.method = m;
+                cell.subdivision.m = static_cast<std::uint32_t>(std::lround(std::sqrt(size.patches_per_face)));
+                cell.samples = sample_count(method, size);
+                cell.deterministic = is_deterministic(method);
+                cell.trials = cell.deterministic ? 1 : size.trials.value_or(plan.spec.trials);
+                cell.canonical = canonical_text(plan.scenes[scene], method, cell);
+                cell.key = derive_key(plan.spec.seed, cell.canonical);
+                warn_about_size(plan, method, cell);
+                plan.cells.push_back(std::move(cell));
+                add_units(plan, plan.cells.size() - 1);
+            }
+        }
+    }
+    return plan;
+}
+
+}  // namespace ff::studies

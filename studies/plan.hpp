@@ -1,0 +1,51 @@
+#pragma once
+
+#include "core/scene.hpp"
+#include "core/stream.hpp"
+#include "studies/spec.hpp"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace ff::studies {
+
+/// One (scene, method, size) of a study: what a set of trials is made of.
+struct Cell {
+    std::size_t scene = 0;   ///< index into StudyPlan::scenes
+    std::size_t method = 0;  ///< index into StudySpec::methods
+    Subdivision subdivision;
+    std::uint64_t samples = 0;  ///< points per patch, or per ordered patch pair; 0 for closed_form
+    std::uint64_t trials = 0;   ///< 1 for a deterministic method
+    bool deterministic = false;
+    std::string canonical;  ///< names scene, sampler, estimator and size, never their order or the completion
+    StreamKey key;          ///< of `canonical` and the seed
+};
+
+/// Consecutive trials of one cell: the unit of work, of saving and of sharing out.
+struct WorkUnit {
+    std::size_t index = 0;
+    std::size_t cell = 0;
+    std::uint64_t first_trial = 0;
+    std::uint64_t trials = 0;
+};
+
+/// A validated study with every seed and work unit fixed; the same on every machine.
+struct StudyPlan {
+    StudySpec spec;
+    std::vector<Scene> scenes;
+    std::vector<Cell> cells;
+    std::vector<WorkUnit> units;
+    std::vector<std::string> warnings;  ///< for the user: sizes at which a sampler is not at its best
+};
+
+/// @throws UserError where scene, sampler and estimator do not fit
+StudyPlan plan_study(StudySpec spec);
+
+/// Evaluations (rays, or kernel values) of one trial of a cell.
+std::uint64_t evaluations_per_trial(const StudyPlan& plan, const Cell& cell);
+
+/// Expected seconds of one trial on one core, from a table of costs; never measured, so that plans are repeatable.
+double expected_seconds_per_trial(const StudyPlan& plan, const Cell& cell);
+
+}  // namespace ff::studies

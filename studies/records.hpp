@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace ff::studies {
+
+/// Names of observables in the store. More can be added without a new schema.
+namespace observable {
+inline constexpr std::string_view hits = "hits";  ///< rays from a face that hit a face, an integer
+inline constexpr std::string_view rays = "rays";  ///< rays shot from a face; to_face is 0
+inline constexpr std::string_view lost = "lost";  ///< rays from a face that hit nothing; to_face is 0; absent where 0
+inline constexpr std::string_view estimate = "estimate";  ///< a form factor estimated directly, a real number
+}  // namespace observable
+
+/// One observed value of one trial. Faces count from 1, in the order of the scene; 0 means none.
+struct Observation {
+    std::string_view observable;
+    int from_face = 0;
+    int to_face = 0;
+    std::uint64_t trial = 0;
+    std::variant<std::int64_t, double> value;
+};
+
+/// What a work unit leaves behind.
+struct UnitRecord {
+    std::size_t unit = 0;
+    std::vector<Observation> observations;
+    std::vector<std::uint64_t> patch_hits;  ///< sum over the unit's trials, [patch * faces + face]; may be empty
+    std::vector<std::uint64_t> patch_hits_squared;  ///< sum of squares
+};
+
+}  // namespace ff::studies

@@ -1,0 +1,123 @@
+#include "studies/run.hpp"
+
+#include "core/contract.hpp"
+#include "studies/work.hpp"
+
+#include <condition_variable>
+#include <deque>
+#include <exception>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+namespace ff::studies {
+namespace {
+
+/// Hands out units to threads and their records back to the thread that saves them.
+class Workshop {
+  public:
+    Workshop(const Worker& worker, std::vector<const WorkUnit*> units, const RunOptions& options)
+        : worker_(worker), units_(std::move(units)), options_(options), active_(options.threads) {
+        for (unsigned i = 0; i < options.threads; ++i) threads_.emplace_back([this] { work(); });
+    }
+
+    ~Workshop() {
+        {
+            const std::lock_guard lock(mutex_);
+            cancelled_ = true;
+        }
+        changed_.notify_all();
+        for (std::thread& thread : threads_) thread.join();
+    }
+
+    Workshop(const Workshop&) = delete;
+    Workshop& operator=(const Workshop&) = delete;
+
+    /// The next finished record; empty when all threads are done. @throws what a unit threw
+    std::optional<UnitRecord> take() {
+        std::unique_lock lock(mutex_);
+        changed_.wait(lock, [this] { return !records_.empty() || active_ == 0 || failure_; });
+        if (failure_) std::rethrow_exception(failure_);
+        if (records_.empty()) return std::nullopt;
+        UnitRecord record = std::move(records_.front());
+        records_.pop_front();
+        changed_.notify_all();
+        return record;
+    }
+
+  private:
+    /// The next unit, when there is room for its record; null at the end.
+    const WorkUnit* next() {
+        std::unique_lock lock(mutex_);
+        changed_.wait(lock, [this] { return records_.size() < 2 * threads_.size() + 2 || cancelled_; });
+        const bool stop = options_.stop != nullptr && options_.stop->load();
+        return cancelled_ || stop || failure_ || next_ == units_.size() ? nullptr : units_[next_++];
+    }
+
+    void work() {
+        try {
+            while (const WorkUnit* unit = next()) {
+                UnitRecord record = worker_.carry_out(*unit);
+                const std::lock_guard lock(mutex_);
+                records_.push_back(std::move(record));
+                changed_.notify_all();
+            }
+        } catch (...) {
+            const std::lock_guard lock(mutex_);
+            failure_ = std::current_exception();
+        }
+        const std::lock_guard lock(mutex_);
+        --active_;
+        changed_.notify_all();
+    }
+
+    const Worker& worker_;
+    std::vector<const WorkUnit*> units_;
+    const RunOptions& options_;
+    std::mutex mutex_;
+    std::condition_variable changed_;
+    std::deque<UnitRecord> records_;
+    std::exception_ptr failure_;
+    std::size_t next_ = 0;
+    unsigned active_;
+    bool cancelled_ = false;
+    std::vector<std::thread> threads_;
+};
+
+double expected_seconds(const StudyPlan& plan, const WorkUnit& unit) {
+    return static_cast<double>(unit.trials) * expected_seconds_per_trial(plan, plan.cells[unit.cell]);
+}
+
+}  // namespace
+
+RunOutcome run_study(Store& store, const RunOptions& options) {
+    FF_EXPECT(options.threads >= 1);
+    const StudyPlan& plan = store.plan();
+    const std::vector<bool> finished = store.finished_units();
+    Progress progress;
+    progress.units = plan.units.size();
+    std::vector<const WorkUnit*> missing;
+    for (const WorkUnit& unit : plan.units) {
+        progress.expected_seconds += expected_seconds(plan, unit);
+        if (!finished[unit.index]) {
+            missing.push_back(&unit);
+            continue;
+        }
+        ++progress.units_done;
+        progress.expected_seconds_done += expected_seconds(plan, unit);
+    }
+    const Worker worker(plan);
+    Workshop workshop(worker, std::move(missing), options);
+    while (const auto record = workshop.take()) {
+        store.commit(*record);
+        const WorkUnit& unit = plan.units[record->unit];
+        ++progress.units_done;
+        progress.expected_seconds_done += expected_seconds(plan, unit);
+        progress.evaluations += unit.trials * evaluations_per_trial(plan, plan.cells[unit.cell]);
+        progress.cell = unit.cell;
+        if (options.report) options.report(progress);
+    }
+    return progress.units_done == progress.units ? RunOutcome::complete : RunOutcome::stopped;
+}
+
+}  // namespace ff::studies

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "studies/plan.hpp"
+#include "studies/store.hpp"
+
+#include <atomic>
+#include <cstdint>
+#include <functional>
+
+namespace ff::studies {
+
+/// How far a run has come; `evaluations` are rays and kernel values.
+struct Progress {
+    std::size_t units_done = 0;
+    std::size_t units = 0;
+    double expected_seconds_done = 0;  ///< by the plan's cost table, of one core
+    double expected_seconds = 0;
+    std::uint64_t evaluations = 0;  ///< in this run
+    std::size_t cell = 0;           ///< of the unit saved last
+};
+
+struct RunOptions {
+    unsigned threads = 1;
+    const std::atomic<bool>* stop = nullptr;      ///< finish the units in hand, save them, return
+    std::function<void(const Progress&)> report;  ///< called on the calling thread after each saved unit
+};
+
+enum class RunOutcome { complete, stopped };
+
+/// Carries out the units of the plan that the store does not hold yet and saves each in one transaction.
+/// The saved observations do not depend on threads, order or interruptions. Memory is bounded: a few units wait to be
+/// saved at any time, whatever the number of trials.
+/// @throws what a unit or the store throws; what was saved stays
+RunOutcome run_study(Store& store, const RunOptions& options);
+
+}  // namespace ff::studies

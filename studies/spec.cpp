@@ -1,0 +1,336 @@
+#include "studies/spec.hpp"
+
+#include "core/box.hpp"
+#include "core/error.hpp"
+#include "core/nearest_name.hpp"
+#include "samplers/sampler.hpp"
+#include "studies/toml_reader.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <fstream>
+#include <set>
+#include <sstream>
+
+namespace ff::studies {
+namespace {
+
+using Keys = std::array<std::string_view, 11>;
+
+constexpr std::array<std::string_view, 3> estimator_names{"ray_shooting", "area_kernel", "closed_form"};
+constexpr std::array<std::string_view, 2> completion_names{"direct", "reciprocal"};
+constexpr std::array<std::string_view, 2> allocation_names{"patch", "face"};
+constexpr std::array<std::string_view, 3> tracer_names{"automatic", "box", "embree"};
+
+constexpr std::uint64_t max_trials = 1ULL << 32;   // a stream addresses trials with 32 bits
+constexpr std::uint64_t max_samples = 1ULL << 32;  // and points as well
+constexpr std::uint32_t max_patches_per_face = 1u << 20;
+
+/// The enumerator whose name is the text at `key`; `fallback` where the key is missing.
+template <typename Enum, std::size_t N>
+Enum choice(const TomlReader& reader, std::string_view key, const std::array<std::string_view, N>& names,
+            Enum fallback) {
+    const auto text = reader.optional_text(key);
+    if (!text) return fallback;
+    const auto found = std::find(names.begin(), names.end(), *text);
+    if (found == names.end()) {
+        reader.fail(key, fmt::format("is unknown. Did you mean '{}'? Known: {}.", nearest_name(*text, names),
+                                     fmt::join(names, ", ")));
+    }
+    return static_cast<Enum>(found - names.begin());
+}
+
+std::uint64_t checked_trials(const TomlReader& reader, std::uint64_t trials) {
+    if (trials == 0) reader.fail("trials", "(nothing would be run). Try 64.");
+    if (trials == 1) reader.fail("trials", "(a confidence interval needs at least 2). Try 64.");
+    if (trials > max_trials)
+        reader.fail("trials", fmt::format("(at most {} trials are told apart). Take fewer.", max_trials));
+    return trials;
+}
+
+std::vector<std::uint32_t> read_patches_per_face(const TomlReader& reader) {
+    if (!reader.has("patches_per_face")) return {1};
+    std::vector<std::uint32_t> patches;
+    for (const std::uint64_t value : reader.counts("patches_per_face")) {
+        if (value == 0 || value > max_patches_per_face) {
+            reader.fail("patches_per_face",
+                        fmt::format("(a face is divided into 1 to {} patches). Try 169.", max_patches_per_face));
+        }
+        const auto m = static_cast<std::uint64_t>(std::lround(std::sqrt(static_cast<double>(value))));
+        if (m * m != value) {
+            reader.fail("patches_per_face",
+                        fmt::format("({} is not a square; faces are divided into m x m patches). Try {} or {}.", value,
+                                    (m > 1 ? m * m : 1), (m + 1) * (m + 1)));
+        }
+        patches.push_back(static_cast<std::uint32_t>(value));
+    }
+    return patches;
+}
+
+void check_samples(const TomlReader& reader, const samplers::SamplerInfo& sampler, std::uint64_t samples) {
+    if (samples > max_samples)
+        reader.fail("samples_per_patch",
+                    fmt::format("(at most {} points a patch). Take more trials instead.", max_samples));
+    const auto problem = samplers::check_size(sampler, samples);
+    if (problem.fatal) reader.fail("samples_per_patch", problem.message);
+}
+
+/// The product of both lists, or the entries of `sizes`.
+std::vector<Size> read_sizes(const TomlReader& reader, const samplers::SamplerInfo* sampler,
+                             std::optional<std::uint64_t> trials) {
+    const bool sampled = sampler != nullptr && sampler->sizes != samplers::Sizes::nodes;
+    if (reader.has("samples_per_patch") && !sampled) {
+        reader.fail("samples_per_patch",
+                    "(this method takes no samples). Remove the key; Gauss-Legendre takes 'nodes'.");
+    }
+    std::vector<Size> sizes;
+    const std::vector<std::uint64_t> none{0};
+    const auto samples = sampled ? reader.counts("samples_per_patch") : none;
+    for (const std::uint32_t patches : read_patches_per_face(reader)) {
+        for (const std::uint64_t count : samples) {
+            if (sampled) check_samples(reader, *sampler, count);
+            sizes.push_back({patches, sampled ? std::optional(count) : std::nullopt, trials});
+        }
+    }
+    return sizes;
+}
+
+std::optional<Nodes> read_nodes(const TomlReader& reader, const samplers::SamplerInfo* sampler) {
+    const bool wanted = sampler != nullptr && sampler->sizes == samplers::Sizes::nodes;
+    if (!wanted) {
+        if (reader.has("nodes"))
+            reader.fail("nodes",
+                        "(only quadrature rules have nodes). Remove the key, or set sampler = \"gauss_legendre\".");
+        return std::nullopt;
+    }
+    const auto nodes = reader.counts("nodes");
+    if (nodes.size() > 2) reader.fail("nodes", "(one number, or two: source and target patch). Give 5 or [5, 6].");
+    for (const std::uint64_t n : nodes) {
+        if (n == 0 || n > 64) reader.fail("nodes", "(1 to 64 nodes a side are possible). Try 5.");
+    }
+    return Nodes{static_cast<std::uint32_t>(nodes.front()), static_cast<std::uint32_t>(nodes.back())};
+}
+
+const samplers::SamplerInfo* read_sampler(const TomlReader& reader, Estimator estimator) {
+    if (estimator == Estimator::closed_form) {
+        if (reader.has("sampler"))
+            reader.fail("sampler", "(closed_form evaluates a formula at no points). Remove the key.");
+        return nullptr;
+    }
+    const std::string name = reader.text("sampler");
+    const samplers::SamplerInfo* info = nullptr;
+    try {
+        info = &samplers::find(name).info;
+    } catch (const UserError& error) {
+        reader.fail("sampler", fmt::format("is refused: {}", error.what()));
+    }
+    if (estimator == Estimator::ray_shooting && !info->equal_weights) {
+        reader.fail("sampler",
+                    "cannot shoot rays (its points have unequal weights and hits are counted). Use estimator = "
+                    "\"area_kernel\".");
+    }
+    return info;
+}
+
+Method read_method(const TomlReader& reader) {
+    static constexpr Keys known{"name",  "sampler", "estimator",        "completion",        "allocation", "tracer",
+                                "nodes", "sizes",   "patches_per_face", "samples_per_patch", "trials"};
+    reader.expect_only(known);
+    Method method;
+    method.name = reader.text("name");
+    if (!reader.has("estimator"))
+        reader.fail("estimator", fmt::format("missing. Choose one of {}.", fmt::join(estimator_names, ", ")));
+    method.estimator = choice(reader, "estimator", estimator_names, Estimator::ray_shooting);
+    const samplers::SamplerInfo* sampler = read_sampler(reader, method.estimator);
+    method.sampler = sampler == nullptr ? std::string() : std::string(sampler->name);
+    method.completion = choice(reader, "completion", completion_names, Completion::direct);
+    method.allocation = choice(reader, "allocation", allocation_names, Allocation::patch);
+    method.tracer = choice(reader, "tracer", tracer_names, TracerChoice::automatic);
+    if (method.estimator != Estimator::ray_shooting) {
+        for (const std::string_view key : {"allocation", "tracer"}) {
+            if (reader.has(key)) reader.fail(key, "(only ray_shooting has it). Remove the key.");
+        }
+    }
+    method.nodes = read_nodes(reader, sampler);
+
+    const auto own_trials = [](const TomlReader& table) {
+        const auto trials = table.optional_count("trials");
+        return trials ? std::optional(checked_trials(table, *trials)) : std::nullopt;
+    };
+    if (!reader.has("sizes")) {
+        method.sizes = read_sizes(reader, sampler, own_trials(reader));
+        return method;
+    }
+    for (const std::string_view key : {"patches_per_face", "samples_per_patch", "trials"}) {
+        if (reader.has(key)) reader.fail(key, "(stands beside 'sizes', which says it for each size). Move it there.");
+    }
+    static constexpr std::array<std::string_view, 3> size_keys{"patches_per_face", "samples_per_patch", "trials"};
+    for (const TomlReader& table : reader.tables("sizes")) {
+        table.expect_only(size_keys);
+        for (const Size& size : read_sizes(table, sampler, own_trials(table))) method.sizes.push_back(size);
+    }
+    if (method.sizes.empty()) reader.fail("sizes", "(an empty list leaves nothing to do). Give at least one size.");
+    return method;
+}
+
+void expect_unique_sizes(const TomlReader& reader, const Method& method) {
+    for (auto a = method.sizes.begin(); a != method.sizes.end(); ++a) {
+        for (auto b = std::next(a); b != method.sizes.end(); ++b) {
+            if (a->patches_per_face == b->patches_per_face && a->samples_per_patch == b->samples_per_patch) {
+                reader.fail("name", "has the same size twice (their trials would share random numbers). Keep one.");
+            }
+        }
+    }
+}
+
+std::string toml_text(std::string_view text) {
+    std::string out = "\"";
+    for (const char c : text) {
+        if (c == '"' || c == '\\') out += '\\';
+        if (static_cast<unsigned char>(c) < 0x20) {
+            out += fmt::format("\\u{:04x}", static_cast<unsigned>(static_cast<unsigned char>(c)));
+        } else {
+            out += c;
+        }
+    }
+    return out + "\"";
+}
+
+std::string read_file(const std::filesystem::path& file) {
+    std::ifstream in(file, std::ios::binary);
+    std::ostringstream text;
+    text << in.rdbuf();
+    if (!in || !text)
+        throw IoError(
+            fmt::format("{}: cannot be read. Check that the file exists and its permissions.", file.string()));
+    return text.str();
+}
+
+}  // namespace
+
+std::string_view name(Estimator estimator) {
+    return estimator_names.at(static_cast<std::size_t>(estimator));
+}
+std::string_view name(Completion completion) {
+    return completion_names.at(static_cast<std::size_t>(completion));
+}
+std::string_view name(Allocation allocation) {
+    return allocation_names.at(static_cast<std::size_t>(allocation));
+}
+std::string_view name(TracerChoice tracer) {
+    return tracer_names.at(static_cast<std::size_t>(tracer));
+}
+
+StudySpec parse_study(std::string_view text, std::string_view origin) {
+    const toml::table root = parse_toml(text, origin);
+    const TomlReader file(root, origin);
+    static constexpr std::array<std::string_view, 3> sections{"study", "method", "published"};
+    file.expect_only(sections);
+    const auto study = file.optional_table("study");
+    if (!study) file.fail("study", "missing. Begin the file with [study].");
+    static constexpr std::array<std::string_view, 8> known{"name", "title", "scene", "trials",
+                                                           "seed", "level", "power", "equivalence_margin"};
+    study->expect_only(known);
+
+    StudySpec spec;
+    spec.name = study->text("name");
+    spec.title = study->optional_text("title").value_or(spec.name);
+    spec.scenes = study->texts("scene");
+    for (const std::string& scene : spec.scenes) {
+        try {
+            static_cast<void>(built_in_scene(scene));
+        } catch (const UserError& error) {
+            study->fail("scene", fmt::format("is refused: {}", error.what()));
+        }
+    }
+    if (std::set<std::string>(spec.scenes.begin(), spec.scenes.end()).size() != spec.scenes.size()) {
+        study->fail("scene", "names a scene twice. Keep one.");
+    }
+    spec.trials = checked_trials(*study, study->count("trials"));
+    spec.seed = Seed{study->count("seed")};
+    const auto fraction = [&](std::string_view key, double fallback) {
+        const double value = study->optional_number(key).value_or(fallback);
+        if (value <= 0 || value >= 1) study->fail(key, "(a probability between 0 and 1 is wanted). Try 0.95.");
+        return value;
+    };
+    spec.level = fraction("level", spec.level);
+    spec.power = fraction("power", spec.power);
+    spec.equivalence_margin = study->optional_number("equivalence_margin");
+    if (spec.equivalence_margin && *spec.equivalence_margin <= 0) {
+        study->fail("equivalence_margin", "(no number of trials shows a bias of exactly 0). Try 1e-4.");
+    }
+
+    std::set<std::string> names;
+    for (const TomlReader& table : file.tables("method")) {
+        Method method = read_method(table);
+        if (!names.insert(method.name).second)
+            table.fail("name", "is used twice (results are found by it). Rename one.");
+        expect_unique_sizes(table, method);
+        spec.methods.push_back(std::move(method));
+    }
+    if (spec.methods.empty()) file.fail("method", "missing (nothing would be run). Add a [[method]].");
+
+    if (const auto published = file.optional_table("published")) {
+        static constexpr std::array<std::string_view, 1> published_keys{"tables"};
+        published->expect_only(published_keys);
+        spec.published = Published{published->text("tables"), {}};
+    }
+    return spec;
+}
+
+StudySpec load_study(const std::filesystem::path& file) {
+    StudySpec spec = parse_study(read_file(file), file.string());
+    if (spec.published) spec.published->text = read_file(file.parent_path() / spec.published->file);
+    return spec;
+}
+
+std::string to_toml(const StudySpec& spec) {
+    std::vector<std::string> scenes;
+    for (const std::string& scene : spec.scenes) scenes.push_back(toml_text(scene));
+    std::string out =
+        fmt::format("[study]\nname = {}\ntitle = {}\nscene = [{}]\ntrials = {}\nseed = {}\nlevel = {}\npower = {}\n",
+                    toml_text(spec.name), toml_text(spec.title), fmt::join(scenes, ", "), spec.trials, spec.seed.value,
+                    spec.level, spec.power);
+    if (spec.equivalence_margin) out += fmt::format("equivalence_margin = {}\n", *spec.equivalence_margin);
+    for (const Method& method : spec.methods) {
+        out += fmt::format("\n[[method]]\nname = {}\n", toml_text(method.name));
+        if (!method.sampler.empty()) out += fmt::format("sampler = {}\n", toml_text(method.sampler));
+        out +=
+            fmt::format("estimator = \"{}\"\ncompletion = \"{}\"\n", name(method.estimator), name(method.completion));
+        if (method.estimator == Estimator::ray_shooting) {
+            out += fmt::format("allocation = \"{}\"\ntracer = \"{}\"\n", name(method.allocation), name(method.tracer));
+        }
+        if (method.nodes) out += fmt::format("nodes = [{}, {}]\n", method.nodes->source, method.nodes->target);
+        out += "sizes = [\n";
+        for (const Size& size : method.sizes) {
+            out += fmt::format("    {{ patches_per_face = {}", size.patches_per_face);
+            if (size.samples_per_patch) out += fmt::format(", samples_per_patch = {}", *size.samples_per_patch);
+            if (size.trials) out += fmt::format(", trials = {}", *size.trials);
+            out += " },\n";
+        }
+        out += "]\n";
+    }
+    if (spec.published) out += fmt::format("\n[published]\ntables = {}\n", toml_text(spec.published->file));
+    return out;
+}
+
+void set_trials(StudySpec& spec, std::uint64_t trials) {
+    if (trials == 0) throw UserError("--trials 0 (nothing would be run). Try 64.");
+    if (trials == 1) throw UserError("--trials 1 (a confidence interval needs at least 2). Try 64.");
+    if (trials > max_trials)
+        throw UserError(fmt::format("--trials {} (at most {} trials are told apart). Take fewer.", trials, max_trials));
+    for (Method& method : spec.methods) {
+        for (Size& size : method.sizes) {
+            if (!size.trials) continue;
+            const double share = static_cast<double>(*size.trials) / static_cast<double>(spec.trials);
+            const auto scaled = static_cast<std::uint64_t>(std::ceil(share * static_cast<double>(trials)));
+            size.trials = std::max<std::uint64_t>(2, std::min(scaled, max_trials));
+        }
+    }
+    spec.trials = trials;
+}
+
+}  // namespace ff::studies

@@ -1,0 +1,93 @@
+#pragma once
+
+#include "core/ray_shooting.hpp"
+#include "core/stream.hpp"
+#include "core/tracer.hpp"
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace ff::studies {
+
+enum class Estimator { ray_shooting, area_kernel, closed_form };
+
+/// How the face-to-face matrix is filled from direct estimates.
+enum class Completion {
+    direct,      ///< every row from its own samples
+    reciprocal,  ///< (j, i) with j > i follows from (i, j): A_j F_ji = A_i F_ij; what the paper does
+};
+
+std::string_view name(Estimator estimator);
+std::string_view name(Completion completion);
+std::string_view name(Allocation allocation);
+std::string_view name(TracerChoice tracer);
+
+/// Gauss-Legendre nodes a side on the source and on the target patch.
+struct Nodes {
+    std::uint32_t source = 0;
+    std::uint32_t target = 0;
+    auto operator<=>(const Nodes&) const = default;
+};
+
+/// One size at which a method is run.
+struct Size {
+    std::uint32_t patches_per_face = 1;              ///< a square m * m
+    std::optional<std::uint64_t> samples_per_patch;  ///< empty for methods that take no samples
+    std::optional<std::uint64_t> trials;             ///< where it differs from the study's
+    auto operator<=>(const Size&) const = default;
+};
+
+/// A method: sampler x estimator, with its sizes.
+struct Method {
+    std::string name;
+    std::string sampler;  ///< empty for closed_form
+    Estimator estimator = Estimator::ray_shooting;
+    Completion completion = Completion::direct;
+    Allocation allocation = Allocation::patch;
+    TracerChoice tracer = TracerChoice::automatic;
+    std::optional<Nodes> nodes;
+    std::vector<Size> sizes;
+    auto operator<=>(const Method&) const = default;
+};
+
+/// A tables file that a study is compared with; its text is kept with the results.
+struct Published {
+    std::string file;
+    std::string text;
+    auto operator<=>(const Published&) const = default;
+};
+
+/// What a study file says. Everything that results depend on is here.
+struct StudySpec {
+    std::string name;
+    std::string title;
+    std::vector<std::string> scenes;
+    std::uint64_t trials = 0;
+    Seed seed;
+    double level = 0.95;  ///< of every interval, and 1 - the family-wise error rate of the bias tests
+    double power = 0.9;   ///< at which minimum detectable biases are stated
+    std::optional<double> equivalence_margin;  ///< |bias| to be shown smaller than this, in units of the form factor
+    std::vector<Method> methods;
+    std::optional<Published> published;
+    auto operator<=>(const StudySpec&) const = default;
+};
+
+/// Parses the text of a study file; `origin` names it in messages.
+/// @throws UserError "origin:line:column: problem (why). Suggestion."
+StudySpec parse_study(std::string_view text, std::string_view origin);
+
+/// Reads a study file and the tables file that it names.
+/// @throws IoError, UserError
+StudySpec load_study(const std::filesystem::path& file);
+
+/// The spec as a study file in canonical form: `parse_study(to_toml(spec))` is `spec`, but for the text of the tables.
+std::string to_toml(const StudySpec& spec);
+
+/// Sets the number of trials; sizes with a number of their own keep their share of it, at least 2.
+void set_trials(StudySpec& spec, std::uint64_t trials);
+
+}  // namespace ff::studies

@@ -1,0 +1,108 @@
+#include "studies/sqlite.hpp"
+
+#include "core/error.hpp"
+
+#include <fmt/format.h>
+#include <sqlite3.h>
+
+#include <bit>
+#include <cstring>
+
+namespace ff::studies {
+namespace {
+
+static_assert(std::endian::native == std::endian::little, "blobs are little-endian");
+
+[[noreturn]] void fail(sqlite3* database) {
+    const char* file = sqlite3_db_filename(database, "main");
+    throw IoError(fmt::format(
+        "{}: {} (SQLite error {}). Check the disk, the permissions and that the file is a result store.",
+        file == nullptr ? "result store" : file, sqlite3_errmsg(database), sqlite3_extended_errcode(database)));
+}
+
+}  // namespace
+
+Statement::Statement(sqlite3* database, std::string_view sql) : database_(database) {
+    check(sqlite3_prepare_v2(database, sql.data(), static_cast<int>(sql.size()), &statement_, nullptr));
+}
+
+Statement::~Statement() {
+    sqlite3_finalize(statement_);
+}
+
+void Statement::check(int status) const {
+    if (status != SQLITE_OK && status != SQLITE_ROW && status != SQLITE_DONE) fail(database_);
+}
+
+Statement& Statement::bind(int parameter, std::int64_t value) {
+    check(sqlite3_bind_int64(statement_, parameter + 1, value));
+    return *this;
+}
+
+Statement& Statement::bind(int parameter, double value) {
+    check(sqlite3_bind_double(statement_, parameter + 1, value));
+    return *this;
+}
+
+Statement& Statement::bind(int parameter, std::string_view value) {
+    check(sqlite3_bind_text64(statement_, parameter + 1, value.data(), value.size(), SQLITE_TRANSIENT, SQLITE_UTF8));
+    return *this;
+}
+
+Statement& Statement::bind(int parameter, std::span<const std::uint64_t> values) {
+    check(sqlite3_bind_blob64(statement_, parameter + 1, values.data(), values.size_bytes(), SQLITE_TRANSIENT));
+    return *this;
+}
+
+bool Statement::step() {
+    const int status = sqlite3_step(statement_);
+    check(status);
+    return status == SQLITE_ROW;
+}
+
+void Statement::run() {
+    check(sqlite3_step(statement_));
+    check(sqlite3_reset(statement_));
+}
+
+std::int64_t Statement::integer(int column) const {
+    return sqlite3_column_int64(statement_, column);
+}
+
+double Statement::real(int column) const {
+    return sqlite3_column_double(statement_, column);
+}
+
+std::string Statement::text(int column) const {
+    const auto* text = reinterpret_cast<const char*>(sqlite3_column_text(statement_, column));
+    return text == nullptr ? std::string()
+                           : std::string(text, static_cast<std::size_t>(sqlite3_column_bytes(statement_, column)));
+}
+
+std::vector<std::uint64_t> Statement::integers(int column) const {
+    const void* blob = sqlite3_column_blob(statement_, column);
+    std::vector<std::uint64_t> values(static_cast<std::size_t>(sqlite3_column_bytes(statement_, column)) /
+                                      sizeof(std::uint64_t));
+    if (!values.empty()) std::memcpy(values.data(), blob, values.size() * sizeof(std::uint64_t));
+    return values;
+}
+
+Database::Database(const std::filesystem::path& file, Mode mode) {
+    const int flags = mode == Mode::read_only ? SQLITE_OPEN_READONLY : SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE;
+    if (sqlite3_open_v2(file.c_str(), &handle_, flags | SQLITE_OPEN_FULLMUTEX, nullptr) != SQLITE_OK) {
+        const std::string reason = handle_ == nullptr ? "out of memory" : sqlite3_errmsg(handle_);
+        sqlite3_close_v2(handle_);
+        throw IoError(fmt::format("{}: {}. Check that the folder exists and can be written.", file.string(), reason));
+    }
+    sqlite3_busy_timeout(handle_, 10'000);
+}
+
+Database::~Database() {
+    sqlite3_close_v2(handle_);
+}
+
+void Database::execute(const char* sql) {
+    if (sqlite3_exec(handle_, sql, nullptr, nullptr, nullptr) != SQLITE_OK) fail(handle_);
+}
+
+}  // namespace ff::studies

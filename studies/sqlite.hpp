@@ -1,0 +1,61 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+struct sqlite3;
+struct sqlite3_stmt;
+
+namespace ff::studies {
+
+/// A prepared statement. Parameters and columns count from 0.
+class Statement {
+  public:
+    Statement(sqlite3* database, std::string_view sql);
+    ~Statement();
+    Statement(const Statement&) = delete;
+    Statement& operator=(const Statement&) = delete;
+
+    Statement& bind(int parameter, std::int64_t value);
+    Statement& bind(int parameter, double value);
+    Statement& bind(int parameter, std::string_view value);
+    Statement& bind(int parameter,
+                    std::span<const std::uint64_t> values);  ///< as a blob of little-endian 64-bit integers
+
+    /// True where there is a row to read.
+    bool step();
+    /// Steps a statement without rows and makes it ready for the next use.
+    void run();
+
+    [[nodiscard]] std::int64_t integer(int column) const;
+    [[nodiscard]] double real(int column) const;
+    [[nodiscard]] std::string text(int column) const;
+    [[nodiscard]] std::vector<std::uint64_t> integers(int column) const;
+
+  private:
+    void check(int status) const;
+    sqlite3* database_;
+    sqlite3_stmt* statement_ = nullptr;
+};
+
+/// One SQLite file. Every failure is an IoError that names it.
+class Database {
+  public:
+    enum class Mode { create_or_open, read_only };
+    Database(const std::filesystem::path& file, Mode mode);
+    ~Database();
+    Database(const Database&) = delete;
+    Database& operator=(const Database&) = delete;
+
+    void execute(const char* sql);
+    [[nodiscard]] sqlite3* handle() const { return handle_; }
+
+  private:
+    sqlite3* handle_ = nullptr;
+};
+
+}  // namespace ff::studies

@@ -1,0 +1,225 @@
+#include "studies/store.hpp"
+
+#include "core/error.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <sstream>
+
+namespace ff::studies {
+namespace {
+
+constexpr const char* schema = R"(
+CREATE TABLE meta(key TEXT PRIMARY KEY, value TEXT NOT NULL) WITHOUT ROWID;
+CREATE TABLE context(key TEXT PRIMARY KEY, value TEXT NOT NULL) WITHOUT ROWID;
+CREATE TABLE cells(cell INTEGER PRIMARY KEY, scene TEXT NOT NULL, method TEXT NOT NULL, sampler TEXT NOT NULL,
+  estimator TEXT NOT NULL, patches_per_face INTEGER NOT NULL, samples_per_patch INTEGER NOT NULL,
+  trials INTEGER NOT NULL);
+CREATE TABLE units(unit INTEGER PRIMARY KEY, cell INTEGER NOT NULL, first_trial INTEGER NOT NULL, trials INTEGER NOT NULL,
+  patch_hits BLOB NOT NULL, patch_hits_squared BLOB NOT NULL);
+CREATE TABLE observations(cell INTEGER NOT NULL, observable TEXT NOT NULL, from_face INTEGER NOT NULL,
+  to_face INTEGER NOT NULL, trial INTEGER NOT NULL, value NUMERIC NOT NULL,
+  PRIMARY KEY(cell, observable, from_face, to_face, trial)) WITHOUT ROWID;
+)";
+
+std::optional<std::string> read_meta(const Database& database, std::string_view key) {
+    Statement query(database.handle(), "SELECT value FROM meta WHERE key = ?");
+    query.bind(0, key);
+    return query.step() ? std::optional(query.text(0)) : std::nullopt;
+}
+
+void write_meta(const Database& database, std::string_view key, std::string_view value) {
+    Statement(database.handle(), "INSERT INTO meta VALUES(?, ?)").bind(0, key).bind(1, value).run();
+}
+
+bool has_table(const Database& database, std::string_view table) {
+    Statement query(database.handle(), "SELECT 1 FROM sqlite_master WHERE type = 'table' AND name = ?");
+    return query.bind(0, table).step();
+}
+
+void write_cells(const Database& database, const StudyPlan& plan) {
+    Statement insert(database.handle(), "INSERT INTO cells VALUES(?, ?, ?, ?, ?, ?, ?, ?)");
+    for (std::size_t i = 0; i < plan.cells.size(); ++i) {
+        const Cell& cell = plan.cells[i];
+        const Method& method = plan.spec.methods[cell.method];
+        insert.bind(0, static_cast<std::int64_t>(i))
+            .bind(1, std::string_view(plan.scenes[cell.scene].name))
+            .bind(2, std::string_view(method.name))
+            .bind(3, std::string_view(method.sampler))
+            .bind(4, name(method.estimator))
+            .bind(5, static_cast<std::int64_t>(cell.subdivision.per_surface()))
+            .bind(6, static_cast<std::int64_t>(cell.samples))
+            .bind(7, static_cast<std::int64_t>(cell.trials))
+            .run();
+    }
+}
+
+/// The first line in which two texts differ, for a message.
+std::string first_difference(const std::string& stored, const std::string& wanted) {
+    std::istringstream a(stored);
+    std::istringstream b(wanted);
+    std::string line_a;
+    std::string line_b;
+    while (true) {
+        const bool more_a = static_cast<bool>(std::getline(a, line_a));
+        const bool more_b = static_cast<bool>(std::getline(b, line_b));
+        if (!more_a) line_a = "(nothing)";
+        if (!more_b) line_b = "(nothing)";
+        if ((!more_a && !more_b) || line_a != line_b) return fmt::format("'{}' there, '{}' here", line_a, line_b);
+    }
+}
+
+void expect_same_study(const Database& database, const std::filesystem::path& file, const StudySpec& wanted) {
+    const std::string stored = read_meta(database, "study").value_or("");
+    const std::string text = to_toml(wanted);
+    std::string difference;
+    if (stored != text) {
+        difference = first_difference(stored, text);
+    } else if (read_meta(database, "published").value_or("") != (wanted.published ? wanted.published->text : "")) {
+        difference = "the published tables";
+    }
+    if (difference.empty()) return;
+    throw UserError(fmt::format("{}: holds another study (differs in {}). Choose another --out, or remove the folder.",
+                                file.string(), difference));
+}
+
+/// @throws UserError unless the file is a store of a version that this program reads
+void expect_readable(const Database& database, const std::filesystem::path& file) {
+    if (!has_table(database, "meta")) {
+        throw UserError(
+            fmt::format("{}: not a result store (no table 'meta'). Give a file written by ffstudy.", file.string()));
+    }
+    const std::string version = read_meta(database, "schema_version").value_or("none");
+    if (version != std::to_string(store_schema_version)) {
+        throw UserError(
+            fmt::format("{}: schema version {} (this program reads {}). Use the version of ffstudy that wrote it.",
+                        file.string(), version, store_schema_version));
+    }
+}
+
+void create(Database& database, const StudyPlan& plan) {
+    database.execute("BEGIN IMMEDIATE");
+    database.execute(schema);
+    write_meta(database, "schema_version", std::to_string(store_schema_version));
+    write_meta(database, "study", to_toml(plan.spec));
+    write_meta(database, "published", plan.spec.published ? plan.spec.published->text : "");
+    write_cells(database, plan);
+    database.execute("COMMIT");
+}
+
+}  // namespace
+
+Store::Store(std::unique_ptr<Database> database, StudyPlan plan)
+    : database_(std::move(database)), plan_(std::move(plan)) {}
+
+Store Store::create_or_resume(const std::filesystem::path& file, const StudyPlan& plan) {
+    auto database = std::make_unique<Database>(file, Database::Mode::create_or_open);
+    // With a write-ahead log a killed run loses at most the unit that it was saving.
+    database->execute("PRAGMA journal_mode = WAL; PRAGMA synchronous = NORMAL; PRAGMA cache_size = -65536;");
+    Statement objects(database->handle(), "SELECT count(*) FROM sqlite_master");
+    objects.step();
+    if (objects.integer(0) == 0) {
+        create(*database, plan);
+    } else {
+        expect_readable(*database, file);
+        expect_same_study(*database, file, plan.spec);
+    }
+    return {std::move(database), plan};
+}
+
+Store Store::open(const std::filesystem::path& file) {
+    if (!std::filesystem::exists(file)) {
+        throw IoError(fmt::format("{}: no such file. Give a folder or file written by ffstudy.", file.string()));
+    }
+    auto database = std::make_unique<Database>(file, Database::Mode::read_only);
+    expect_readable(*database, file);
+    StudySpec spec = parse_study(read_meta(*database, "study").value_or(""), file.string() + " (stored study)");
+    if (spec.published) spec.published->text = read_meta(*database, "published").value_or("");
+    return {std::move(database), plan_study(std::move(spec))};
+}
+
+void Store::commit(const UnitRecord& record) {
+    const WorkUnit& unit = plan_.units.at(record.unit);
+    const auto cell = static_cast<std::int64_t>(unit.cell);
+    database_->execute("BEGIN IMMEDIATE");
+    Statement insert(database_->handle(), "INSERT OR IGNORE INTO observations VALUES(?, ?, ?, ?, ?, ?)");
+    for (const Observation& observation : record.observations) {
+        insert.bind(0, cell)
+            .bind(1, observation.observable)
+            .bind(2, std::int64_t{observation.from_face})
+            .bind(3, std::int64_t{observation.to_face})
+            .bind(4, static_cast<std::int64_t>(observation.trial));
+        std::visit([&](const auto value) { insert.bind(5, value); }, observation.value);
+        insert.run();
+    }
+    Statement(database_->handle(), "INSERT OR IGNORE INTO units VALUES(?, ?, ?, ?, ?, ?)")
+        .bind(0, static_cast<std::int64_t>(unit.index))
+        .bind(1, cell)
+        .bind(2, static_cast<std::int64_t>(unit.first_trial))
+        .bind(3, static_cast<std::int64_t>(unit.trials))
+        .bind(4, std::span<const std::uint64_t>(record.patch_hits))
+        .bind(5, std::span<const std::uint64_t>(record.patch_hits_squared))
+        .run();
+    database_->execute("COMMIT");
+}
+
+void Store::set_context(const Context& context) {
+    database_->execute("BEGIN IMMEDIATE; DELETE FROM context;");
+    Statement insert(database_->handle(), "INSERT INTO context VALUES(?, ?)");
+    for (const auto& [key, value] : context)
+        insert.bind(0, std::string_view(key)).bind(1, std::string_view(value)).run();
+    database_->execute("COMMIT");
+}
+
+Context Store::context() const {
+    Context context;
+    Statement query(database_->handle(), "SELECT key, value FROM context");
+    while (query.step()) context[query.text(0)] = query.text(1);
+    return context;
+}
+
+std::vector<bool> Store::finished_units() const {
+    std::vector<bool> finished(plan_.units.size(), false);
+    Statement query(database_->handle(), "SELECT unit FROM units");
+    while (query.step()) finished.at(static_cast<std::size_t>(query.integer(0))) = true;
+    return finished;
+}
+
+std::uint64_t Store::saved_trials(std::size_t cell) const {
+    Statement query(database_->handle(), "SELECT coalesce(sum(trials), 0) FROM units WHERE cell = ?");
+    query.bind(0, static_cast<std::int64_t>(cell)).step();
+    return static_cast<std::uint64_t>(query.integer(0));
+}
+
+Store::Series Store::series(std::size_t cell, std::string_view observable, int from_face, int to_face) const {
+    Statement query(
+        database_->handle(),
+        "SELECT trial, value FROM observations WHERE cell = ? AND observable = ? AND from_face = ? AND to_face = ? "
+        "ORDER BY trial");
+    query.bind(0, static_cast<std::int64_t>(cell))
+        .bind(1, observable)
+        .bind(2, std::int64_t{from_face})
+        .bind(3, std::int64_t{to_face});
+    Series series;
+    while (query.step()) {
+        series.trial.push_back(static_cast<std::uint64_t>(query.integer(0)));
+        series.value.push_back(query.real(1));
+    }
+    return series;
+}
+
+std::int64_t Store::total(std::size_t cell, std::string_view observable, int from_face, int to_face) const {
+    Statement query(
+        database_->handle(),
+        "SELECT coalesce(sum(value), 0) FROM observations WHERE cell = ? AND observable = ? AND from_face = ? AND "
+        "to_face = ?");
+    query.bind(0, static_cast<std::int64_t>(cell))
+        .bind(1, observable)
+        .bind(2, std::int64_t{from_face})
+        .bind(3, std::int64_t{to_face});
+    query.step();
+    return query.integer(0);
+}
+
+}  // namespace ff::studies

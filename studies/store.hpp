@@ -1,0 +1,57 @@
+#pragma once
+
+#include "studies/plan.hpp"
+#include "studies/records.hpp"
+#include "studies/sqlite.hpp"
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace ff::studies {
+
+/// Version of the tables in a store; docs/results.md describes them.
+inline constexpr int store_schema_version = 1;
+
+/// What is known about the circumstances of a run: host, compiler, dates. Outside the promise of repeatability.
+using Context = std::map<std::string, std::string>;
+
+/// The saved result of a study: its spec, and the trial records. One SQLite file; one transaction a work unit.
+class Store {
+  public:
+    /// Creates the file for this plan, or opens it to go on where it stopped.
+    /// @throws UserError where the file belongs to another study, with what differs; IoError
+    static Store create_or_resume(const std::filesystem::path& file, const StudyPlan& plan);
+    /// Opens an existing file to read. @throws UserError where it is no store, or a newer one; IoError
+    static Store open(const std::filesystem::path& file);
+
+    /// Saves a unit in one transaction; saving it again changes nothing.
+    void commit(const UnitRecord& record);
+    void set_context(const Context& context);
+
+    [[nodiscard]] const StudyPlan& plan() const { return plan_; }
+    [[nodiscard]] Context context() const;
+    /// Which of plan().units are saved, by index.
+    [[nodiscard]] std::vector<bool> finished_units() const;
+    /// Trials of a cell that are saved.
+    [[nodiscard]] std::uint64_t saved_trials(std::size_t cell) const;
+
+    /// Values of one observable of one pair of faces (numbers from 1; 0 for none), by ascending trial.
+    struct Series {
+        std::vector<std::uint64_t> trial;
+        std::vector<double> value;
+    };
+    [[nodiscard]] Series series(std::size_t cell, std::string_view observable, int from_face, int to_face) const;
+    /// Sum over all trials of an observable of a pair; 0 where there is none.
+    [[nodiscard]] std::int64_t total(std::size_t cell, std::string_view observable, int from_face, int to_face) const;
+
+  private:
+    Store(std::unique_ptr<Database> database, StudyPlan plan);
+    std::unique_ptr<Database> database_;
+    StudyPlan plan_;
+};
+
+}  // namespace ff::studies

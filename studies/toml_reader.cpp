@@ -1,0 +1,140 @@
+#include "studies/toml_reader.hpp"
+
+#include "core/error.hpp"
+#include "core/nearest_name.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace ff::studies {
+namespace {
+
+std::string place(std::string_view origin, const toml::source_region& region) {
+    return fmt::format("{}:{}:{}", origin, region.begin.line, region.begin.column);
+}
+
+std::string shown(const toml::node& node) {
+    std::ostringstream out;
+    if (node.is_table() || node.is_array_of_tables()) return {};
+    node.visit([&](const auto& value) { out << value; });
+    return " = " + out.str();
+}
+
+}  // namespace
+
+toml::table parse_toml(std::string_view text, std::string_view origin) {
+    try {
+        return toml::parse(text);
+    } catch (const toml::parse_error& error) {
+        throw UserError(
+            fmt::format("{}: {}. See docs/study-files.md.", place(origin, error.source()), error.description()));
+    }
+}
+
+void TomlReader::expect_only(std::span<const std::string_view> known) const {
+    for (const auto& [key, node] : *table_) {
+        if (std::find(known.begin(), known.end(), key.str()) != known.end()) continue;
+        throw UserError(fmt::format("{}: unknown key '{}' (it would be ignored). Did you mean '{}'?",
+                                    place(origin_, key.source()), key.str(), nearest_name(key.str(), known)));
+    }
+}
+
+void TomlReader::fail(std::string_view key, std::string_view problem) const {
+    const toml::node* node = find(key);
+    if (node == nullptr) throw UserError(fmt::format("{}: {}: {}", place(origin_, table_->source()), key, problem));
+    throw UserError(fmt::format("{}: {}{} {}", place(origin_, node->source()), key, shown(*node), problem));
+}
+
+std::optional<std::string> TomlReader::optional_text(std::string_view key) const {
+    const toml::node* node = find(key);
+    if (node == nullptr) return std::nullopt;
+    const auto value = node->value_exact<std::string>();
+    if (!value || value->empty()) fail(key, "(not a text). Put a text in quotes.");
+    return *value;
+}
+
+std::string TomlReader::text(std::string_view key) const {
+    auto value = optional_text(key);
+    if (!value) fail(key, "missing. Add the key with a text in quotes.");
+    return *value;
+}
+
+std::vector<std::string> TomlReader::texts(std::string_view key) const {
+    const toml::node* node = find(key);
+    const toml::array* list = node == nullptr ? nullptr : node->as_array();
+    if (list == nullptr) return {text(key)};
+    std::vector<std::string> values;
+    for (const toml::node& item : *list) {
+        const auto value = item.value_exact<std::string>();
+        if (!value || value->empty()) fail(key, "(a list of texts is wanted). Put each in quotes.");
+        values.push_back(*value);
+    }
+    if (values.empty()) fail(key, "(an empty list leaves nothing to do). Name at least one.");
+    return values;
+}
+
+std::optional<std::uint64_t> TomlReader::optional_count(std::string_view key) const {
+    if (!has(key)) return std::nullopt;
+    const auto values = counts(key);
+    if (values.size() != 1) fail(key, "(one number is wanted here, not a list). Give one.");
+    return values.front();
+}
+
+std::uint64_t TomlReader::count(std::string_view key) const {
+    const auto value = optional_count(key);
+    if (!value) fail(key, "missing. Add the key with a whole number.");
+    return *value;
+}
+
+std::vector<std::uint64_t> TomlReader::counts(std::string_view key) const {
+    const toml::node* node = find(key);
+    if (node == nullptr) fail(key, "missing. Add the key with a whole number or a list of them.");
+    std::vector<std::uint64_t> values;
+    const auto add = [&](const toml::node& item) {
+        const auto value = item.value_exact<std::int64_t>();
+        if (!value || *value < 0) fail(key, "(not a whole number from 0 up). Write it like 1000.");
+        values.push_back(static_cast<std::uint64_t>(*value));
+    };
+    if (const toml::array* list = node->as_array()) {
+        for (const toml::node& item : *list) add(item);
+    } else {
+        add(*node);
+    }
+    if (values.empty()) fail(key, "(an empty list leaves nothing to do). Give at least one number.");
+    return values;
+}
+
+std::optional<double> TomlReader::optional_number(std::string_view key) const {
+    const toml::node* node = find(key);
+    if (node == nullptr) return std::nullopt;
+    const auto value = node->value<double>();
+    if (!value || !node->is_number() || !std::isfinite(*value)) fail(key, "(not a finite number). Write it like 1e-4.");
+    return *value;
+}
+
+std::vector<TomlReader> TomlReader::tables(std::string_view key) const {
+    const toml::node* node = find(key);
+    if (node == nullptr) return {};
+    const toml::array* list = node->as_array();
+    if (list == nullptr) fail(key, fmt::format("(a list of tables is wanted). Write [[{}]].", key));
+    std::vector<TomlReader> readers;
+    for (const toml::node& item : *list) {
+        const toml::table* table = item.as_table();
+        if (table == nullptr) fail(key, "(a list of tables is wanted). Write each as { key = value }.");
+        readers.emplace_back(*table, origin_);
+    }
+    return readers;
+}
+
+std::optional<TomlReader> TomlReader::optional_table(std::string_view key) const {
+    const toml::node* node = find(key);
+    if (node == nullptr) return std::nullopt;
+    const toml::table* table = node->as_table();
+    if (table == nullptr) fail(key, fmt::format("(a table is wanted). Write [{}].", key));
+    return TomlReader(*table, origin_);
+}
+
+}  // namespace ff::studies

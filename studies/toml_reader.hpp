@@ -1,0 +1,53 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <toml++/toml.h>
+
+namespace ff::studies {
+
+/// A table of a TOML file, read with messages that name file, line and column. Every key has to be read or listed:
+/// `expect_only` refuses the others.
+class TomlReader {
+  public:
+    TomlReader(const toml::table& table, std::string_view origin) : table_(&table), origin_(origin) {}
+
+    /// @throws UserError at the first key that is not in `known`, with the nearest known key
+    void expect_only(std::span<const std::string_view> known) const;
+
+    [[nodiscard]] bool has(std::string_view key) const { return table_->contains(key); }
+    [[nodiscard]] const toml::node* find(std::string_view key) const { return table_->get(key); }
+
+    [[nodiscard]] std::string text(std::string_view key) const;
+    [[nodiscard]] std::optional<std::string> optional_text(std::string_view key) const;
+    /// A string, or a list of at least one.
+    [[nodiscard]] std::vector<std::string> texts(std::string_view key) const;
+
+    [[nodiscard]] std::uint64_t count(std::string_view key) const;
+    [[nodiscard]] std::optional<std::uint64_t> optional_count(std::string_view key) const;
+    /// A positive integer, or a list of at least one.
+    [[nodiscard]] std::vector<std::uint64_t> counts(std::string_view key) const;
+    [[nodiscard]] std::optional<double> optional_number(std::string_view key) const;
+
+    /// Tables of an array `[[key]]` or of a list of inline tables; empty where the key is missing.
+    [[nodiscard]] std::vector<TomlReader> tables(std::string_view key) const;
+    [[nodiscard]] std::optional<TomlReader> optional_table(std::string_view key) const;
+
+    /// Fails at the value of `key` (at the table itself where it is missing): "origin:line:column: key = value (why).
+    /// Suggestion."
+    [[noreturn]] void fail(std::string_view key, std::string_view problem) const;
+
+  private:
+    const toml::table* table_;
+    std::string_view origin_;
+};
+
+/// @throws UserError with the parser's own message and place
+toml::table parse_toml(std::string_view text, std::string_view origin);
+
+}  // namespace ff::studies

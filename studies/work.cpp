@@ -1,0 +1,101 @@
+#include "studies/work.hpp"
+
+#include "core/area_kernel.hpp"
+#include "core/error.hpp"
+#include "core/exact.hpp"
+#include "core/ray_shooting.hpp"
+#include "core/tracer.hpp"
+#include "samplers/sampler.hpp"
+
+#include <fmt/format.h>
+
+namespace ff::studies {
+namespace {
+
+void add_matrix(const Eigen::MatrixXd& factors, std::uint64_t trial, UnitRecord& record) {
+    for (int i = 0; i < factors.rows(); ++i) {
+        for (int j = 0; j < factors.cols(); ++j) {
+            if (i != j) record.observations.push_back({observable::estimate, i + 1, j + 1, trial, factors(i, j)});
+        }
+    }
+}
+
+void add_tally(const RayTally& tally, std::uint64_t trial, UnitRecord& record) {
+    const std::size_t faces = tally.rays.size();
+    for (std::size_t i = 0; i < faces; ++i) {
+        const int from = static_cast<int>(i) + 1;
+        record.observations.push_back({observable::rays, from, 0, trial, static_cast<std::int64_t>(tally.rays[i])});
+        if (tally.lost[i] != 0) {
+            record.observations.push_back({observable::lost, from, 0, trial, static_cast<std::int64_t>(tally.lost[i])});
+        }
+        for (std::size_t j = 0; j < faces; ++j) {
+            if (i == j) continue;
+            const auto hits = static_cast<std::int64_t>(tally.hits[i * faces + j]);
+            record.observations.push_back({observable::hits, from, static_cast<int>(j) + 1, trial, hits});
+        }
+    }
+}
+
+}  // namespace
+
+struct Worker::Tools {
+    const Scene* scene = nullptr;
+    const Method* method = nullptr;
+    std::unique_ptr<Tracer> tracer;
+    std::unique_ptr<PointSource> points;
+};
+
+Worker::Worker(const StudyPlan& plan) : plan_(plan) {
+    for (const Cell& cell : plan.cells) {
+        auto tools = std::make_unique<Tools>();
+        tools->scene = &plan.scenes[cell.scene];
+        tools->method = &plan.spec.methods[cell.method];
+        if (!tools->method->sampler.empty()) {
+            const Nodes nodes = tools->method->nodes.value_or(Nodes{});
+            tools->points = samplers::find(tools->method->sampler).make({cell.samples, 4, nodes.source, nodes.target});
+        }
+        if (tools->method->estimator == Estimator::ray_shooting) {
+            tools->tracer = make_tracer(*tools->scene, tools->method->tracer);
+        }
+        tools_.push_back(std::move(tools));
+    }
+}
+
+Worker::~Worker() = default;
+
+UnitRecord Worker::carry_out(const WorkUnit& unit) const {
+    const Cell& cell = plan_.cells[unit.cell];
+    const Tools& tools = *tools_[unit.cell];
+    UnitRecord record;
+    record.unit = unit.index;
+    PatchSums sums;
+    RayTally tally;
+    for (std::uint64_t trial = unit.first_trial; trial < unit.first_trial + unit.trials; ++trial) {
+        const auto stream_trial = static_cast<std::uint32_t>(trial);
+        switch (tools.method->estimator) {
+            case Estimator::closed_form: {
+                const auto factors = exact_form_factors(*tools.scene);
+                if (!factors) {
+                    throw UserError(fmt::format("method '{}': scene '{}' has no closed form. Use another estimator.",
+                                                tools.method->name, tools.scene->name));
+                }
+                add_matrix(*factors, trial, record);
+                break;
+            }
+            case Estimator::area_kernel:
+                add_matrix(area_kernel(*tools.scene, cell.subdivision, *tools.points, cell.key, stream_trial), trial,
+                           record);
+                break;
+            case Estimator::ray_shooting:
+                ray_shooting(*tools.scene, cell.subdivision, *tools.tracer, *tools.points, cell.samples,
+                             tools.method->allocation, cell.key, stream_trial, tally, sums);
+                add_tally(tally, trial, record);
+                break;
+        }
+    }
+    record.patch_hits = std::move(sums.hits);
+    record.patch_hits_squared = std::move(sums.hits_squared);
+    return record;
+}
+
+}  // namespace ff::studies
