@@ -1,1 +1,52 @@
-#include "samplers/sampler.hpp"
+#include "core/error.hpp"
+#include "core/nearest_name.hpp"
+#include "samplers/entry.hpp"
+#include "samplers/gauss_legendre.hpp"
+#include "samplers/halton.hpp"
+#include "samplers/random.hpp"
+#include "samplers/random_mt.hpp"
+#include "samplers/sobol.hpp"
+#include "samplers/stratified.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include <fmt/format.h>
+
+namespace ff::samplers {
+namespace {
+
+/// The only list of samplers.
+constexpr std::array all_samplers{
+    entry<Random>(),         //
+    entry<RandomMt>(),       //
+    entry<Stratified>(),     //
+    entry<Halton>(),         //
+    entry<Sobol>(),          //
+    entry<GaussLegendre>(),  //
+};
+
+constexpr auto all_names = [] {
+    std::array<std::string_view, all_samplers.size()> names;
+    std::transform(all_samplers.begin(), all_samplers.end(), names.begin(),
+                   [](const CatalogueEntry& sampler) { return sampler.info.name; });
+    return names;
+}();
+
+}  // namespace
+
+std::span<const CatalogueEntry> catalogue() {
+    return all_samplers;
+}
+
+const CatalogueEntry& find(std::string_view name) {
+    for (const CatalogueEntry& sampler : all_samplers) {
+        if (sampler.info.name == name) return sampler;
+    }
+    const std::string near = nearest_name(name, all_names);
+    const std::string suggestion = near.empty() ? "" : fmt::format("Did you mean \"{}\"? ", near);
+    throw UserError(fmt::format("sampler \"{}\" (there is none of this name). {}Known samplers: {}.", name, suggestion,
+                                fmt::join(all_names, ", ")));
+}
+
+}  // namespace ff::samplers

@@ -2,6 +2,7 @@
 
 #include "core/points.hpp"
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -14,7 +15,7 @@ namespace ff::samplers {
 enum class Sizes {
     any,           ///< every number of points
     power_of_two,  ///< 2^m keeps the net property; others are allowed with a warning
-    fourth_power,  ///< k^4, one point a cell; others are impossible
+    fourth_power,  ///< k^dimension (k^4 in 4-D), one point a cell; others are impossible
     nodes,         ///< n nodes a side, n^4 points in 4-D
 };
 
@@ -33,9 +34,9 @@ struct SamplerInfo {
 /// What a point set is made from.
 struct PointSetSpec {
     std::uint64_t points = 0;  ///< size of the set; for Sizes::nodes it follows from the nodes
-    std::size_t dimension = 4;
-    std::uint32_t source_nodes = 0;  ///< nodes a side on the source patch, Sizes::nodes only
-    std::uint32_t target_nodes = 0;  ///< nodes a side on the target patch
+    std::size_t dimension = max_dimension;
+    std::uint32_t source_nodes = 0;  ///< nodes a side on the source patch (coordinates 0 and 1), Sizes::nodes only
+    std::uint32_t target_nodes = 0;  ///< nodes a side on the target patch (coordinates 2 and 3)
 };
 
 /// A sampler in the catalogue: its declaration and how to make a point set of it.
@@ -51,12 +52,15 @@ std::span<const CatalogueEntry> catalogue();
 /// @throws UserError with the nearest known name
 const CatalogueEntry& find(std::string_view name);
 
+/// Most points in one set: an index has 32 bits.
+inline constexpr std::uint64_t max_points = std::uint64_t{1} << 32;
+
 /// Why `points` is not a size the sampler is made for, and what is near: empty where it is fine. `fatal` tells whether
 /// the sampler cannot do it at all or only loses its net property.
 struct SizeProblem {
     std::string message;
     bool fatal = false;
 };
-SizeProblem check_size(const SamplerInfo& info, std::uint64_t points);
+SizeProblem check_size(const SamplerInfo& info, std::uint64_t points, std::size_t dimension = max_dimension);
 
 }  // namespace ff::samplers

@@ -1,0 +1,69 @@
+#include "samplers/sizes.hpp"
+
+#include "core/contract.hpp"
+#include "samplers/sampler.hpp"
+
+#include <bit>
+
+#include <fmt/format.h>
+
+namespace ff::samplers {
+namespace {
+
+/// "625 = 5^4", or the two sizes around `points` where both exist.
+std::string nearest_powers(std::uint64_t points, std::size_t dimension) {
+    const std::uint64_t below = floor_root(points, dimension);
+    const std::uint64_t above_size = integer_power(below + 1, dimension);
+    std::string nearest = fmt::format("{} = {}^{}", integer_power(below, dimension), below, dimension);
+    if (above_size <= max_points) nearest += fmt::format(" or {} = {}^{}", above_size, below + 1, dimension);
+    return nearest;
+}
+
+SizeProblem check_power(const SamplerInfo& info, std::uint64_t points, std::size_t dimension) {
+    if (integer_power(floor_root(points, dimension), dimension) == points) return {};
+    return {fmt::format("{} points ({} puts one point into each of k^{} cells). Nearest: {}.", points, info.name,
+                        dimension, nearest_powers(points, dimension)),
+            true};
+}
+
+SizeProblem check_power_of_two(const SamplerInfo& info, std::uint64_t points) {
+    if (std::has_single_bit(points)) return {};
+    const std::uint64_t below = std::bit_floor(points);
+    return {fmt::format("{} points ({} has its net property at powers of two only). Nearest: {} = 2^{} or {} = 2^{}.",
+                        points, info.name, below, std::bit_width(below) - 1, 2 * below, std::bit_width(below)),
+            false};
+}
+
+}  // namespace
+
+std::uint64_t floor_root(std::uint64_t points, std::size_t dimension) {
+    FF_EXPECT(points <= max_points && dimension >= 1);
+    if (dimension == 1) return points;
+    std::uint64_t low = 0;
+    std::uint64_t high = 1 + (std::uint64_t{1} << 32 / dimension);  // high^dimension > 2^32 >= points
+    while (high - low > 1) {
+        const std::uint64_t middle = (low + high) / 2;
+        (integer_power(middle, dimension) <= points ? low : high) = middle;
+    }
+    return low;
+}
+
+SizeProblem check_size(const SamplerInfo& info, std::uint64_t points, std::size_t dimension) {
+    if (points == 0) return {fmt::format("0 points ({} needs at least one). Try 625.", info.name), true};
+    if (points > max_points)
+        return {fmt::format("{} points (the index of a point has 32 bits). Use at most {} = 2^32, and more trials.",
+                            points, max_points),
+                true};
+    switch (info.sizes) {
+        case Sizes::any:
+        case Sizes::nodes:
+            return {};
+        case Sizes::power_of_two:
+            return check_power_of_two(info, points);
+        case Sizes::fourth_power:
+            return check_power(info, points, dimension);
+    }
+    return {};
+}
+
+}  // namespace ff::samplers

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+namespace ff::samplers {
+
+/// base^exponent. @pre the result is below 2^64
+constexpr std::uint64_t integer_power(std::uint64_t base, std::size_t exponent) {
+    std::uint64_t result = 1;
+    for (std::size_t i = 0; i < exponent; ++i) result *= base;
+    return result;
+}
+
+/// The largest k with k^dimension <= points. @pre points <= 2^32, dimension >= 1
+std::uint64_t floor_root(std::uint64_t points, std::size_t dimension);
+
+}  // namespace ff::samplers
