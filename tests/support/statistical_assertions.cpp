@@ -1,0 +1,69 @@
+#include "tests/support/statistical_assertions.hpp"
+
+#include "stats/bias_test.hpp"
+#include "stats/binomial.hpp"
+#include "stats/distributions.hpp"
+#include "stats/power.hpp"
+
+#include <cmath>
+
+namespace ff::test {
+namespace {
+
+using testing::AssertionFailure;
+using testing::AssertionResult;
+using testing::AssertionSuccess;
+
+/// Fails where `detectable`, the effect noticed with the stated power, is larger than promised.
+AssertionResult sharp_enough(double detectable, StatisticalRisk risk) {
+    if (detectable <= risk.detects) return AssertionSuccess();
+    return AssertionFailure() << "the test would notice " << detectable << " with probability " << risk.power
+                              << ", but must notice " << risk.detects << ". Use more trials";
+}
+
+AssertionResult judge(double p, double detectable, StatisticalRisk risk) {
+    if (p < risk.alpha) return AssertionFailure() << "p = " << p << " < alpha = " << risk.alpha;
+    return sharp_enough(detectable, risk);
+}
+
+/// Shift that a one-sided binomial test notices: as the two-sided one at twice the alpha.
+double detectable_shift(std::uint64_t trials, double probability, StatisticalRisk risk, double sides) {
+    return stats::minimum_detectable_shift(probability, trials, {.alpha = risk.alpha * 2 / sides, .power = risk.power});
+}
+
+AssertionResult describe(AssertionResult result, std::uint64_t hits, std::uint64_t trials, double probability) {
+    if (result) return result;
+    return result << ": " << hits << " of " << trials << " against probability " << probability;
+}
+
+}  // namespace
+
+AssertionResult unbiased(std::span<const double> replicates, double truth, StatisticalRisk risk) {
+    const auto moments = stats::moments_of(replicates, truth);
+    const auto test = stats::test_bias(moments);
+    if (!test) return AssertionFailure() << replicates.size() << " replicates without spread show nothing";
+    const double detectable = stats::minimum_detectable_bias(*moments.standard_deviation(), replicates.size(),
+                                                             {.alpha = risk.alpha, .power = risk.power});
+    AssertionResult result = judge(test->p, detectable, risk);
+    if (result) return result;
+    return result << ": bias " << test->bias << " with standard error " << test->standard_error;
+}
+
+AssertionResult has_probability(std::uint64_t hits, std::uint64_t trials, double probability, StatisticalRisk risk) {
+    const double p = stats::binomial_two_sided_p({hits, trials}, probability);
+    return describe(judge(p, detectable_shift(trials, probability, risk, 2), risk), hits, trials, probability);
+}
+
+AssertionResult has_probability_at_least(std::uint64_t hits, std::uint64_t trials, double probability,
+                                         StatisticalRisk risk) {
+    const double p = stats::binomial_lower_p({hits, trials}, probability);
+    return describe(judge(p, detectable_shift(trials, probability, risk, 1), risk), hits, trials, probability);
+}
+
+AssertionResult has_probability_at_most(std::uint64_t hits, std::uint64_t trials, double probability,
+                                        StatisticalRisk risk) {
+    const double p = stats::binomial_upper_p({hits, trials}, probability);
+    return describe(judge(p, detectable_shift(trials, probability, risk, 1), risk), hits, trials, probability);
+}
+
+}  // namespace ff::test
