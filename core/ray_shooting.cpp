@@ -1,0 +1,62 @@
+#include "core/ray_shooting.hpp"
+
+#include "core/contract.hpp"
+
+#include <algorithm>
+
+namespace ff {
+namespace {
+
+/// Adds the hits of one patch to the sums over trials and to the hits of its face.
+void collect(const std::vector<std::uint64_t>& patch_hits, std::size_t patch, std::size_t from_face, RayTally& tally,
+             PatchSums& sums) {
+    const std::size_t faces = patch_hits.size() - 1;
+    for (std::size_t to = 0; to < faces; ++to) {
+        const std::uint64_t hits = patch_hits[to];
+        tally.hits[from_face * faces + to] += hits;
+        sums.hits[patch * faces + to] += hits;
+        sums.hits_squared[patch * faces + to] += hits * hits;
+    }
+    tally.lost[from_face] += patch_hits[faces];
+}
+
+}  // namespace
+
+void ray_shooting(const Scene& scene, Subdivision subdivision, const Tracer& tracer, const PointSource& points,
+                  std::uint64_t samples_per_patch, Allocation allocation, StreamKey key, std::uint32_t trial,
+                  RayTally& tally, PatchSums& sums) {
+    FF_EXPECT(points.equal_weights());
+    const std::size_t faces = scene.faces.size();
+    const std::uint32_t per_surface = subdivision.per_surface();
+    const std::size_t patches = subdivision.patches(scene);
+    tally.hits.assign(faces * faces, 0);
+    tally.rays.assign(faces, 0);
+    tally.lost.assign(faces, 0);
+    FF_EXPECT(sums.hits.size() == sums.hits_squared.size());
+    FF_EXPECT(sums.hits.empty() || sums.hits.size() == patches * faces);
+    sums.hits.resize(patches * faces);
+    sums.hits_squared.resize(patches * faces);
+
+    PointBlock block;
+    FaceHits patch_hits(faces + 1);
+    for (std::uint32_t surface = 0; surface < scene.surfaces.size(); ++surface) {
+        const auto from_face = static_cast<std::size_t>(scene.surfaces[surface].face);
+        for (std::uint32_t p = 0; p < per_surface; ++p) {
+            const std::uint32_t patch = surface * per_surface + p;
+            const bool own_stream = allocation == Allocation::patch;
+            const Stream stream{.key = key, .trial = trial, .source = own_stream ? patch : surface};
+            const PointIndex first = own_stream ? 0 : p * samples_per_patch;
+            std::fill(patch_hits.begin(), patch_hits.end(), 0);
+            for (std::uint64_t done = 0; done < samples_per_patch; done += block.size) {
+                block.size =
+                    static_cast<std::size_t>(std::min<std::uint64_t>(block_capacity, samples_per_patch - done));
+                points.fill(stream, first + done, block);
+                tracer.shoot(surface, subdivision, p, block, patch_hits);
+            }
+            collect(patch_hits, patch, from_face, tally, sums);
+        }
+        tally.rays[from_face] += per_surface * samples_per_patch;
+    }
+}
+
+}  // namespace ff
