@@ -8,20 +8,27 @@
 
 namespace ff {
 
-/// A_1 F_12 of two unoccluded axis-aligned rectangles in parallel or perpendicular planes, anywhere to each other, with
-/// or without a common edge or corner; only the parts in front of each other's `normal` side count.
-/// Error about 1e-15 of the squared extent of the pair. Empty where no elementary formula applies (not axis-aligned).
+/// Exact form factors by elementary formulas: axis-aligned rectangles in parallel or perpendicular planes, anywhere to
+/// each other, overlapping, offset, with or without a common edge or corner. Only the parts in front of each other's
+/// `normal` side count; whether something stands in between is the caller's to know.
+
+/// Exchange area A_1 F_12, in squared units of length, within 1e-15 of the squared extent (the diagonal of the box
+/// around both surfaces) plus rounding of the coordinates. The error is not relative to the result: of two small
+/// surfaces far apart fewer digits are right. Symmetric up to this error.
+/// @return empty unless both are rectangles along the axes
 /// @see [howell] C-11 to C-15, [ehlert1993]
 std::optional<double> exact_exchange_area(const Surface& from, const Surface& to);
 
-/// Exact form factor between two faces of a scene in which nothing stands in between (the caller knows that);
-/// empty where a pair of surfaces has no elementary formula.
+/// Form factor between two faces. This and the functions below compute in extended precision (where the machine has
+/// it), some ten times slower: the error is that of the coordinates, a few 1e-16 for faces of similar size.
+/// @return empty where some pair of surfaces has no elementary formula
+/// @pre both are indices into scene.faces
 std::optional<double> exact_form_factor(const Scene& scene, int from_face, int to_face);
 
-/// Exact factors from every patch (rows) to every face (columns) of an unoccluded scene. Empty as above.
+/// Factors from every patch (rows, in the order of Subdivision) to every face (columns). Empty as above.
 std::optional<Eigen::MatrixXd> exact_patch_to_face(const Scene& scene, Subdivision subdivision);
 
-/// Exact face-to-face matrix.
+/// Factors from every face (rows) to every face (columns). Empty as above.
 std::optional<Eigen::MatrixXd> exact_form_factors(const Scene& scene);
 
 }  // namespace ff

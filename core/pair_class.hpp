@@ -10,12 +10,15 @@ namespace ff {
 enum class PairClass {
     self,      ///< the same face
     parallel,  ///< every two of their surfaces are parallel
-    adjacent,  ///< some of their surfaces share (part of) an edge
-    other,
+    adjacent,  ///< some of their surfaces meet along a line, as a rule a shared edge or part of one
+    other,     ///< all else; they may still share a corner
 };
 
+/// "self", "parallel", "adjacent" or "other".
 std::string_view name(PairClass pair_class);
 
+/// Symmetric in the two faces. Angles below 1e-12 and gaps below 1e-12 of the surfaces' size count as none.
+/// @pre both are indices into scene.faces
 PairClass pair_class(const Scene& scene, int from_face, int to_face);
 
 }  // namespace ff

@@ -1,0 +1,116 @@
+#include "core/exact.hpp"
+
+#include "core/aligned_rectangle.hpp"
+#include "core/contract.hpp"
+#include "core/rectangle_formulas.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace ff {
+namespace {
+
+/// The part of `rectangle` in front of the plane of `viewer`, as heights above that plane.
+/// @pre the planes are perpendicular
+Interval heights_above(const AlignedRectangle& viewer, const AlignedRectangle& rectangle) {
+    const Interval& extent = rectangle.extent[viewer.axis];
+    const long double a = viewer.side * (extent.low - viewer.plane());
+    const long double b = viewer.side * (extent.high - viewer.plane());
+    return {std::max(0.0L, std::min(a, b)), std::max(0.0L, std::max(a, b))};
+}
+
+template <class Real>
+Real parallel_pair(const AlignedRectangle& from, const AlignedRectangle& to) {
+    const long double gap = from.side * (to.plane() - from.plane());
+    if (gap <= 0 || from.side == to.side) return 0;
+    const std::size_t x = (from.axis + 1) % 3;
+    const std::size_t y = (from.axis + 2) % 3;
+    return parallel_exchange_area<Real>(from.extent[x], from.extent[y], to.extent[x], to.extent[y], gap);
+}
+
+template <class Real>
+Real perpendicular_pair(const AlignedRectangle& from, const AlignedRectangle& to) {
+    const Interval height_from = heights_above(to, from);
+    const Interval height_to = heights_above(from, to);
+    if (height_from.high <= 0 || height_to.high <= 0) return 0;
+    const std::size_t along = 3 - from.axis - to.axis;
+    return perpendicular_exchange_area<Real>(from.extent[along], to.extent[along], height_from, height_to);
+}
+
+template <class Real>
+Real exchange_area(const AlignedRectangle& from, const AlignedRectangle& to) {
+    return from.axis == to.axis ? parallel_pair<Real>(from, to) : perpendicular_pair<Real>(from, to);
+}
+
+/// The surfaces of a scene as rectangles, in the same order; empty if one of them is none.
+std::optional<std::vector<AlignedRectangle>> aligned_rectangles(const Scene& scene) {
+    std::vector<AlignedRectangle> rectangles;
+    for (const Surface& surface : scene.surfaces) {
+        const auto rectangle = aligned_rectangle(surface);
+        if (!rectangle) return std::nullopt;
+        rectangles.push_back(*rectangle);
+    }
+    return rectangles;
+}
+
+}  // namespace
+
+std::optional<double> exact_exchange_area(const Surface& from, const Surface& to) {
+    const auto from_rectangle = aligned_rectangle(from);
+    const auto to_rectangle = aligned_rectangle(to);
+    if (!from_rectangle || !to_rectangle) return std::nullopt;
+    return exchange_area<double>(*from_rectangle, *to_rectangle);
+}
+
+std::optional<double> exact_form_factor(const Scene& scene, int from_face, int to_face) {
+    FF_EXPECT(from_face >= 0 && static_cast<std::size_t>(from_face) < scene.faces.size());
+    FF_EXPECT(to_face >= 0 && static_cast<std::size_t>(to_face) < scene.faces.size());
+    long double sum = 0;
+    for (const Surface& from : scene.surfaces) {
+        if (from.face != from_face) continue;
+        for (const Surface& to : scene.surfaces) {
+            if (to.face != to_face) continue;
+            const auto from_rectangle = aligned_rectangle(from);
+            const auto to_rectangle = aligned_rectangle(to);
+            if (!from_rectangle || !to_rectangle) return std::nullopt;
+            sum += exchange_area<long double>(*from_rectangle, *to_rectangle);
+        }
+    }
+    return static_cast<double>(sum / face_area(scene, from_face));
+}
+
+std::optional<Eigen::MatrixXd> exact_patch_to_face(const Scene& scene, Subdivision subdivision) {
+    const auto surfaces = aligned_rectangles(scene);
+    if (!surfaces) return std::nullopt;
+    Eigen::MatrixXd factors = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(subdivision.patches(scene)),
+                                                    static_cast<Eigen::Index>(scene.faces.size()));
+    Eigen::Index row = 0;
+    for (const Surface& source : scene.surfaces) {
+        for (std::uint32_t p = 0; p < subdivision.per_surface(); ++p, ++row) {
+            const Surface piece{patch(source.shape, subdivision, p), source.normal, source.face};
+            const auto from = aligned_rectangle(piece);
+            FF_ENSURE(from.has_value());
+            for (std::size_t s = 0; s < surfaces->size(); ++s) {
+                factors(row, scene.surfaces[s].face) +=
+                    static_cast<double>(exchange_area<long double>(*from, (*surfaces)[s]) / area(piece.shape));
+            }
+        }
+    }
+    return factors;
+}
+
+std::optional<Eigen::MatrixXd> exact_form_factors(const Scene& scene) {
+    const auto faces = static_cast<int>(scene.faces.size());
+    Eigen::MatrixXd factors(faces, faces);
+    for (int from = 0; from < faces; ++from) {
+        for (int to = 0; to < faces; ++to) {
+            const auto factor = exact_form_factor(scene, from, to);
+            if (!factor) return std::nullopt;
+            factors(from, to) = *factor;
+        }
+    }
+    return factors;
+}
+
+}  // namespace ff
