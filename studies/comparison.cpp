@@ -1,0 +1,177 @@
+#include "studies/comparison.hpp"
+
+#include "core/contract.hpp"
+#include "core/error.hpp"
+#include "stats/distributions.hpp"
+#include "stats/moments.hpp"
+#include "stats/multiplicity.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <map>
+
+namespace ff::studies {
+namespace {
+
+/// Number from 1 of the face with this label; 0 for an empty label.
+int face_number(const Scene& scene, const std::string& label) {
+    if (label.empty()) return 0;
+    const auto found = std::find(scene.faces.begin(), scene.faces.end(), label);
+    if (found == scene.faces.end()) {
+        throw UserError(fmt::format("published tables: face '{}' (scene '{}' has no such face). Use its face labels.",
+                                    label, scene.name));
+    }
+    return static_cast<int>(found - scene.faces.begin()) + 1;
+}
+
+Quantity quantity_of(const Scene& scene, const Figure& figure) {
+    switch (figure.kind) {
+        case FigureKind::row_sum:
+            return {QuantityKind::row_sum, face_number(scene, figure.from), 0};
+        case FigureKind::sum_relative_error:
+            return {QuantityKind::sum_relative_error, 0, 0};
+        case FigureKind::form_factor:
+        case FigureKind::relative_error:
+            break;
+    }
+    return {QuantityKind::form_factor, face_number(scene, figure.from), face_number(scene, figure.to)};
+}
+
+/// Values of the printed quantity in every trial: the estimates, or their relative errors in percent.
+std::vector<double> printed_values(const CellEstimates& estimates, const Figure& figure, Quantity quantity,
+                                   std::optional<double> reference) {
+    std::vector<double> values = estimates.values(quantity);
+    if (figure.kind != FigureKind::relative_error) return values;
+    if (!reference) return {};
+    for (double& value : values) value = 100.0 * std::abs(value - *reference) / *reference;
+    return values;
+}
+
+void compare(const CellEstimates& estimates, const CellFindings& findings, const Figure& figure, double level,
+             FigureComparison& comparison) {
+    const Summary& summary = findings.summary(comparison.quantity);
+    const auto values = printed_values(estimates, figure, comparison.quantity, summary.reference);
+    if (values.empty()) return;
+    const auto moments = stats::moments_of(values, values.front());
+    comparison.ours = moments.mean();
+    if (comparison.deterministic) return;
+    comparison.single_run = stats::central_range(values, level);
+    comparison.rank = stats::rank_among(values, comparison.printed, level, half_printed_unit(figure.printed));
+    const auto sigma = moments.standard_deviation();
+    const bool gaussian = figure.kind == FigureKind::form_factor || figure.kind == FigureKind::row_sum;
+    if (gaussian && sigma && *sigma > 0) comparison.z = (comparison.printed - *comparison.ours) / *sigma;
+}
+
+/// The p-value of one figure: normal for estimates, which are sums of many hits; by rank for errors.
+double p_value(const FigureComparison& comparison, const std::string& printed) {
+    if (comparison.z) return stats::normal_two_sided_p(*comparison.z);
+    const bool constant = comparison.single_run->low == comparison.single_run->high;
+    if (!constant) return comparison.rank->p;
+    return std::abs(comparison.printed - *comparison.ours) <= half_printed_unit(printed) ? 1.0 : 0.0;
+}
+
+void adjust_for_multiplicity(const PublishedTables& tables, TableComparison& table) {
+    std::vector<double> p;
+    std::vector<FigureComparison*> tested;
+    for (FigureComparison& comparison : table.figures) {
+        if (!comparison.rank) continue;
+        p.push_back(p_value(comparison, tables.figures[comparison.figure].printed));
+        tested.push_back(&comparison);
+    }
+    if (p.empty()) return;
+    const auto adjusted = stats::holm(p);
+    for (std::size_t i = 0; i < tested.size(); ++i) tested[i]->adjusted_p = adjusted[i];
+}
+
+Eigen::MatrixXd covariance(const std::vector<const std::vector<double>*>& samples) {
+    const auto k = static_cast<Eigen::Index>(samples.size());
+    const auto n = static_cast<Eigen::Index>(samples.front()->size());
+    Eigen::MatrixXd data(n, k);
+    for (Eigen::Index j = 0; j < k; ++j) {
+        data.col(j) = Eigen::Map<const Eigen::VectorXd>(samples[static_cast<std::size_t>(j)]->data(), n);
+    }
+    const Eigen::RowVectorXd first = data.row(0);
+    data.rowwise() -= first;  // keeps a tiny spread beside a large mean
+    const Eigen::RowVectorXd mean = data.colwise().mean();
+    data.rowwise() -= mean;
+    return data.transpose() * data / static_cast<double>(n - 1);
+}
+
+void add_chi_squared(const PublishedTables& tables, const std::map<std::size_t, CellEstimates>& estimates,
+                     TableComparison& table) {
+    std::map<std::size_t, std::vector<const FigureComparison*>> columns;
+    for (const FigureComparison& comparison : table.figures) {
+        const FigureKind kind = tables.figures[comparison.figure].kind;
+        const bool estimate = kind == FigureKind::form_factor || kind == FigureKind::row_sum;
+        if (estimate && comparison.rank) columns[tables.figures[comparison.figure].column].push_back(&comparison);
+    }
+    for (const auto& [column, figures] : columns) {
+        std::vector<double> deviations;
+        std::vector<const std::vector<double>*> samples;
+        for (const FigureComparison* figure : figures) {
+            deviations.push_back(figure->printed - *figure->ours);
+            samples.push_back(&estimates.at(*figure->cell).values(figure->quantity));
+        }
+        if (samples.front()->size() < 2 * samples.size()) continue;  // too few trials for a covariance
+        if (const auto form = stats::combine_deviations(deviations, covariance(samples))) {
+            table.chi_squared.push_back({column, figures.size(), *form});
+        }
+    }
+}
+
+}  // namespace
+
+double half_printed_unit(const std::string& printed) {
+    const auto point = printed.find('.');
+    const auto decimals = point == std::string::npos ? 0 : printed.size() - point - 1;
+    return 0.5 * std::pow(10.0, -static_cast<double>(decimals));
+}
+
+std::optional<std::size_t> find_cell(const StudyPlan& plan, std::string_view method, std::uint32_t patches_per_face,
+                                     std::optional<std::uint64_t> samples_per_patch) {
+    for (std::size_t i = 0; i < plan.cells.size(); ++i) {
+        const Cell& cell = plan.cells[i];
+        if (plan.spec.methods[cell.method].name != method || cell.subdivision.per_surface() != patches_per_face)
+            continue;
+        if (!samples_per_patch || cell.samples == *samples_per_patch) return i;
+    }
+    return std::nullopt;
+}
+
+std::vector<TableComparison> compare_with_published(const Store& store, const Findings& findings,
+                                                    const PublishedTables& tables) {
+    std::map<std::size_t, CellEstimates> estimates;
+    std::vector<TableComparison> comparisons;
+    for (const PublishedTable& published : tables.tables) {
+        TableComparison table;
+        table.table = published.id;
+        for (const auto& index : published.figures) {
+            if (!index) continue;
+            const Figure& figure = tables.figures[*index];
+            FigureComparison comparison;
+            comparison.figure = *index;
+            comparison.printed = std::strtod(figure.printed.c_str(), nullptr);
+            comparison.cell =
+                find_cell(findings.plan, figure.method, figure.patches_per_face, figure.samples_per_patch);
+            if (comparison.cell && findings.cells[*comparison.cell].trials > 0) {
+                const Cell& cell = findings.plan.cells[*comparison.cell];
+                comparison.deterministic = cell.deterministic;
+                comparison.quantity = quantity_of(findings.plan.scenes[cell.scene], figure);
+                const auto loaded = estimates.try_emplace(*comparison.cell);
+                if (loaded.second) loaded.first->second = load_estimates(store, *comparison.cell);
+                compare(loaded.first->second, findings.cells[*comparison.cell], figure, findings.plan.spec.level,
+                        comparison);
+            }
+            table.figures.push_back(std::move(comparison));
+        }
+        adjust_for_multiplicity(tables, table);
+        add_chi_squared(tables, estimates, table);
+        comparisons.push_back(std::move(table));
+    }
+    return comparisons;
+}
+
+}  // namespace ff::studies

@@ -1,0 +1,23 @@
+#include "studies/results.hpp"
+
+namespace ff::studies {
+
+StudyResults evaluate(const Store& store) {
+    StudyResults results;
+    results.findings = analyse(store);
+    results.context = store.context();
+    for (std::size_t cell = 0; cell < results.findings.cells.size(); ++cell) {
+        if (auto check = check_variance(results.findings, cell)) results.variance_checks.push_back(std::move(*check));
+    }
+    const auto& published = results.findings.plan.spec.published;
+    if (published) {
+        PublishedResults& compared = results.published.emplace();
+        compared.tables = parse_published_tables(published->text, published->file);
+        compared.comparisons = compare_with_published(store, results.findings, compared.tables);
+        compared.claims = judge_claims(store, results.findings, compared.tables);
+    }
+    results.error_laws = fit_error_laws(results.findings, results.published ? &results.published->tables : nullptr);
+    return results;
+}
+
+}  // namespace ff::studies

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "studies/analysis.hpp"
+#include "studies/claims.hpp"
+#include "studies/comparison.hpp"
+#include "studies/error_law.hpp"
+#include "studies/published.hpp"
+#include "studies/variance_check.hpp"
+
+#include <optional>
+#include <vector>
+
+namespace ff::studies {
+
+/// What a study says about the tables of a publication.
+struct PublishedResults {
+    PublishedTables tables;
+    std::vector<TableComparison> comparisons;
+    std::vector<JudgedClaim> claims;
+};
+
+/// Everything that reports show, made from a store alone. Context (host, dates) stands apart.
+struct StudyResults {
+    Findings findings;
+    std::vector<VarianceCheck> variance_checks;
+    std::vector<ErrorLaw> error_laws;
+    std::optional<PublishedResults> published;
+    Context context;
+};
+
+/// Pure but for the reading of the store: the same observations give the same results to the bit.
+StudyResults evaluate(const Store& store);
+
+}  // namespace ff::studies
