@@ -8,7 +8,7 @@ add_library(ff_settings INTERFACE)
 target_compile_features(ff_settings INTERFACE cxx_std_20)
 target_compile_options(ff_settings INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion -Wnon-virtual-dtor
-  -Wold-style-cast -Woverloaded-virtual -Wnull-dereference)
+  -Wold-style-cast -Woverloaded-virtual)
 if(FFSTUDY_WERROR)
   target_compile_options(ff_settings INTERFACE -Werror)
 endif()
