@@ -1,5 +1,7 @@
 #include "samplers/halton.hpp"
 
+#include "samplers/sizes.hpp"
+
 #include <algorithm>
 #include <utility>
 
@@ -15,11 +17,6 @@ std::uint32_t count_digits(std::uint64_t points, std::uint32_t base) {
     std::uint32_t digits = 1;
     for (std::uint64_t size = base; size < points; size *= base) ++digits;
     return digits;
-}
-
-/// floor(2^64 / base)
-constexpr std::uint64_t first_scale(std::uint32_t base) {
-    return (~std::uint64_t{0} - (base - 1)) / base + 1;
 }
 
 /// What each digit, permuted, adds to the coordinate times 2^64.
@@ -42,7 +39,7 @@ class RadicalInverse {
   public:
     RadicalInverse(const Stream& stream, std::size_t d, std::uint32_t digits, PointIndex first)
         : base_(bases[d]), digits_(digits) {
-        std::uint64_t scale = first_scale(base_);
+        std::uint64_t scale = reciprocal(base_);
         Words words{};
         for (std::uint32_t j = 0; j < digits; ++j) {
             if (j % 4 == 0) words = philox(stream, block_index(d, j / 4), Purpose::permutation);

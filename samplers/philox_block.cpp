@@ -1,5 +1,8 @@
 #include "samplers/philox_block.hpp"
 
+#include <array>
+#include <utility>
+
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "samplers/philox_block.cpp"
 #include <hwy/foreach_target.h>
@@ -12,12 +15,24 @@ namespace ff::samplers {
 
 /// Philox4x32 [salmon2011]: the two multipliers, and what the two words of the key grow by in every round.
 struct Philox {
-    static constexpr int rounds = 10;
+    static constexpr std::size_t rounds = 10;
     static constexpr std::uint32_t multiplier0 = 0xD2511F53;
     static constexpr std::uint32_t multiplier1 = 0xCD9E8D57;
     static constexpr std::uint32_t weyl0 = 0x9E3779B9;
     static constexpr std::uint32_t weyl1 = 0xBB67AE85;
 };
+
+using RoundKeys = std::array<StreamKey, Philox::rounds>;
+
+inline RoundKeys round_keys(StreamKey key) {
+    RoundKeys keys;
+    for (StreamKey& round_key : keys) {
+        round_key = key;
+        key.word0 += Philox::weyl0;
+        key.word1 += Philox::weyl1;
+    }
+    return keys;
+}
 
 }  // namespace ff::samplers
 #endif
@@ -42,43 +57,66 @@ HWY_INLINE Vec32 multiply(Vec32 word, std::uint32_t multiplier) {
     return hn::BitCast(d, hn::MulEven(word, hn::Set(d, multiplier)));
 }
 
-HWY_INLINE Counters next_round(const Counters& c, std::uint32_t key0, std::uint32_t key1) {
+HWY_INLINE Counters next_round(const Counters& c, const StreamKey& key) {
     const Lanes32 d;
     const Vec32 product0 = multiply(c.word0, Philox::multiplier0);
     const Vec32 product1 = multiply(c.word2, Philox::multiplier1);
-    return {hn::Xor3(hn::Shuffle2301(product1), c.word1, hn::Set(d, key0)), product1,
-            hn::Xor3(hn::Shuffle2301(product0), c.word3, hn::Set(d, key1)), product0};
+    return {hn::Xor3(hn::Shuffle2301(product1), c.word1, hn::Set(d, key.word0)), product1,
+            hn::Xor3(hn::Shuffle2301(product0), c.word3, hn::Set(d, key.word1)), product0};
 }
 
-/// Words in point order from the lanes of even points and the lanes of odd points.
+/// Even and odd points of one vector, in lanes of their own.
+struct Points {
+    Counters even, odd;
+};
+
+HWY_INLINE Points first_counters(std::uint32_t first, const Words& counter) {
+    const Lanes32 d;
+    const Vec32 index = hn::Iota(d, first);
+    const Vec32 word1 = hn::Set(d, counter[1]);
+    const Vec32 word2 = hn::Set(d, counter[2]);
+    const Vec32 word3 = hn::Set(d, counter[3]);
+    return {{index, word1, word2, word3}, {hn::Shuffle2301(index), word1, word2, word3}};
+}
+
+HWY_INLINE void next_round(Points& points, const StreamKey& key) {
+    points.even = next_round(points.even, key);
+    points.odd = next_round(points.odd, key);
+}
+
+/// Two vectors at a time hide the latency of the multiplications. Unrolled, since the first two rounds work mostly on
+/// words that all points share: the compiler takes those out of the loop over points.
+template <std::size_t... round>
+HWY_INLINE void apply_rounds(Points& low, Points& high, const RoundKeys& keys, std::index_sequence<round...> /*all*/) {
+    ((next_round(low, keys[round]), next_round(high, keys[round])), ...);
+}
+
 HWY_INLINE void store_joined(Vec32 even, Vec32 odd, std::uint32_t* HWY_RESTRICT out) {
     hn::StoreU(hn::OddEven(hn::Shuffle2301(odd), even), Lanes32(), out);
 }
 
-void philox_block_impl(const Stream& stream, Purpose purpose, std::uint32_t first, PointBlock& block) {
-    const Lanes32 d;
-    const std::size_t lanes = hn::Lanes(d);
-    const Vec32 word1 = hn::Set(d, stream.trial);
-    const Vec32 word2 = hn::Set(d, stream.source);
-    const Vec32 word3 = hn::Set(d, stream.target << 8 | static_cast<std::uint32_t>(purpose));
+HWY_INLINE void store(const Points& points, std::size_t i, PointBlock& block) {
+    const auto& [even, odd] = points;
+    auto& out = block.coordinate;
+    store_joined(even.word0, odd.word0, &out[0][i]);
+    if (block.dimension > 1) store_joined(even.word1, odd.word1, &out[1][i]);
+    if (block.dimension > 2) store_joined(even.word2, odd.word2, &out[2][i]);
+    if (block.dimension > 3) store_joined(even.word3, odd.word3, &out[3][i]);
+}
 
-    for (std::size_t i = 0; i < block.size; i += lanes) {
-        const Vec32 index = hn::Iota(d, first + static_cast<std::uint32_t>(i));
-        Counters even{index, word1, word2, word3};
-        Counters odd{hn::Shuffle2301(index), word1, word2, word3};
-        std::uint32_t key0 = stream.key.word0;
-        std::uint32_t key1 = stream.key.word1;
-        for (int round = 0; round < Philox::rounds; ++round) {
-            even = next_round(even, key0, key1);
-            odd = next_round(odd, key0, key1);
-            key0 += Philox::weyl0;
-            key1 += Philox::weyl1;
-        }
-        auto& out = block.coordinate;
-        store_joined(even.word0, odd.word0, &out[0][i]);
-        if (block.dimension > 1) store_joined(even.word1, odd.word1, &out[1][i]);
-        if (block.dimension > 2) store_joined(even.word2, odd.word2, &out[2][i]);
-        if (block.dimension > 3) store_joined(even.word3, odd.word3, &out[3][i]);
+void philox_block_impl(const Stream& stream, Purpose purpose, std::uint32_t first, PointBlock& block) {
+    const std::size_t lanes = hn::Lanes(Lanes32());
+    const RoundKeys keys = round_keys(stream.key);
+    const Words counter{0, stream.trial, stream.source, stream.target << 8 | static_cast<std::uint32_t>(purpose)};
+
+    // The last two vectors may end past `size`; they stay within the capacity.
+    for (std::size_t i = 0; i < block.size; i += 2 * lanes) {
+        const auto index = static_cast<std::uint32_t>(first + i);
+        Points low = first_counters(index, counter);
+        Points high = first_counters(index + static_cast<std::uint32_t>(lanes), counter);
+        apply_rounds(low, high, keys, std::make_index_sequence<Philox::rounds>());
+        store(low, i, block);
+        store(high, i + lanes, block);
     }
 }
 

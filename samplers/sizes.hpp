@@ -12,6 +12,11 @@ constexpr std::uint64_t integer_power(std::uint64_t base, std::size_t exponent) 
     return result;
 }
 
+/// floor(2^64 / divisor): a fraction of the unit interval in 64-bit fixed point. @pre divisor >= 2
+constexpr std::uint64_t reciprocal(std::uint64_t divisor) {
+    return (~std::uint64_t{0} - (divisor - 1)) / divisor + 1;
+}
+
 /// The largest k with k^dimension <= points. @pre points <= 2^32, dimension >= 1
 std::uint64_t floor_root(std::uint64_t points, std::size_t dimension);
 

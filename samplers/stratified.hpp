@@ -13,8 +13,7 @@ class Stratified {
         .details =
             "Jittered sampling: every side of the unit cube is cut into k equal parts, and each of the k^4 cells gets "
             "one uniform point (Philox), independent of the others. The digits of the index in base k are the cell, "
-            "first coordinate fastest. x = floor((2^32 c + u) / k) in exact integers, so that the set as a whole is "
-            "exactly uniform.\n"
+            "first coordinate fastest. Cells have edges in 64-bit fixed point, so k need not divide 2^32.\n"
             "Sizes: k^4 in 4-D (k^2 in 2-D), nothing else: 256, 625, 1296, 2401, 4096, 6561, 10000, ... Never worse "
             "than `random` of the same size; the error falls as N^-5/8 for discontinuous integrands (tallies of rays) "
             "and N^-3/4 for smooth ones. A single point is uniform in its cell only, so a part of a set is no smaller "
