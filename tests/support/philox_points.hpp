@@ -1,0 +1,35 @@
+#pragma once
+
+#include "core/points.hpp"
+
+namespace ff::test {
+
+/// Independent points straight from `ff::philox`, so that tests of `core` need no sampler.
+class PhiloxPoints : public PointSource {
+  public:
+    explicit PhiloxPoints(std::uint64_t points) : points_(points) {}
+
+    [[nodiscard]] std::uint64_t points() const override { return points_; }
+    [[nodiscard]] bool randomised() const override { return true; }
+    [[nodiscard]] bool equal_weights() const override { return true; }
+
+    void fill(const Stream& stream, PointIndex first, PointBlock& block) const override {
+        for (std::size_t i = 0; i < block.size; ++i) {
+            const Words words = philox(stream, static_cast<std::uint32_t>(first + i), Purpose::coordinates);
+            for (std::size_t d = 0; d < max_dimension; ++d) block.coordinate[d][i] = words[d];
+        }
+    }
+
+    void fill(const Stream& stream, PointIndex first, WeightedBlock& block) const override {
+        for (std::size_t i = 0; i < block.size; ++i) {
+            const Words words = philox(stream, static_cast<std::uint32_t>(first + i), Purpose::coordinates);
+            for (std::size_t d = 0; d < max_dimension; ++d) block.coordinate[d][i] = (words[d] + 0.5) * 0x1p-32;
+            block.weight[i] = 1 / static_cast<double>(points_);
+        }
+    }
+
+  private:
+    std::uint64_t points_;
+};
+
+}  // namespace ff::test
