@@ -67,16 +67,15 @@ class Builder : public nlohmann::json_sax<nlohmann::json> {
     bool number_unsigned(number_unsigned_t value) override { return add_number(static_cast<double>(value)); }
     bool number_float(number_float_t value, const string_t& /*text*/) override { return add_number(value); }
     bool binary(binary_t& /*value*/) override { return false; }
-    bool string(string_t& value) override {
-        return add(string_start(), JsonValue::Kind::string, 0, std::move(value));
-    }
+    bool string(string_t& value) override { return add(string_start(), JsonValue::Kind::string, 0, std::move(value)); }
     bool key(string_t& value) override {
         const TextPosition position = position_of(text_, string_start());
         for (const auto& member : open_.back()->members) {
             if (member.first == value) {
-                throw UserError(fmt::format("{}the key \"{}\" stands twice in one object (only one could be used). "
-                                            "Remove one.",
-                                            describe(origin_, position), value));
+                throw UserError(
+                    fmt::format("{}the key \"{}\" stands twice in one object (only one could be used). "
+                                "Remove one.",
+                                describe(origin_, position), value));
             }
         }
         key_ = std::move(value);
@@ -86,7 +85,8 @@ class Builder : public nlohmann::json_sax<nlohmann::json> {
     bool start_array(std::size_t /*size*/) override { return open(JsonValue::Kind::array); }
     bool end_object() override { return close(); }
     bool end_array() override { return close(); }
-    bool parse_error(std::size_t byte, const std::string& /*token*/, const nlohmann::detail::exception& error) override {
+    bool parse_error(std::size_t byte, const std::string& /*token*/,
+                     const nlohmann::detail::exception& error) override {
         const std::string what = error.what();
         const std::size_t colon = what.find(": ");  // drops the library's own prefix and position
         throw UserError(fmt::format("{}this is not JSON ({}). Check quotes, commas and brackets here and just before.",

@@ -28,7 +28,8 @@ class Reader {
         throw UserError(describe(origin_, at.position) + message);
     }
 
-    void expect_object(const JsonValue& value, std::string_view what, std::initializer_list<std::string_view> keys) const {
+    void expect_object(const JsonValue& value, std::string_view what,
+                       std::initializer_list<std::string_view> keys) const {
         if (value.kind != Kind::object) fail(value, fmt::format("{} must be an object {{...}}.", what));
         for (const auto& [key, member] : value.members) {
             if (std::find(keys.begin(), keys.end(), key) != keys.end()) continue;
@@ -147,9 +148,9 @@ Column read_column(const Reader& reader, const JsonValue& value, const Published
     column.method = reader.text(method, "method");
     if (std::find(methods.begin(), methods.end(), column.method) == methods.end()) {
         const std::string nearest = nearest_name(column.method, methods);
-        reader.fail(method, fmt::format("\"{}\" is not among the file's \"methods\".{}", column.method,
-                                        nearest.empty() ? std::string{}
-                                                        : fmt::format(" Did you mean \"{}\"?", nearest)));
+        reader.fail(method,
+                    fmt::format("\"{}\" is not among the file's \"methods\".{}", column.method,
+                                nearest.empty() ? std::string{} : fmt::format(" Did you mean \"{}\"?", nearest)));
     }
     column.patches_per_face = reader.patches(reader.member(value, "patches_per_face", "the column"));
     if (const JsonValue* samples = value.find("samples_per_patch")) {
@@ -167,16 +168,17 @@ Column read_column(const Reader& reader, const JsonValue& value, const Published
     return column;
 }
 
-void read_row(const Reader& reader, const JsonValue& value, const std::vector<Column>& columns,
-              PublishedTables& tables, PublishedTable& table) {
+void read_row(const Reader& reader, const JsonValue& value, const std::vector<Column>& columns, PublishedTables& tables,
+              PublishedTable& table) {
     reader.expect_object(value, "a row", {"title", "quantity", "printed"});
     const JsonValue& quantity_value = reader.member(value, "quantity", "the row");
     const Quantity quantity = read_quantity(reader, quantity_value);
     const JsonValue& printed = reader.member(value, "printed", "the row");
     const auto& cells = reader.array(printed, "printed");
     if (cells.size() != columns.size()) {
-        reader.fail(printed, fmt::format("the row has {} figures but the table {} columns. Write null for a blank cell.",
-                                         cells.size(), columns.size()));
+        reader.fail(printed,
+                    fmt::format("the row has {} figures but the table {} columns. Write null for a blank cell.",
+                                cells.size(), columns.size()));
     }
     const std::size_t row = table.row_titles.size();
     const std::string title = reader.optional_text(value, "title");
@@ -196,8 +198,9 @@ void read_row(const Reader& reader, const JsonValue& value, const std::vector<Co
         figure.kind = quantity.kind;
         if (columns[c].relative_error) {
             if (quantity.kind != FigureKind::form_factor) {
-                reader.fail(cells[c], "a column of relative errors has figures only in rows of form factors \"F i-j\". "
-                                      "Write null here.");
+                reader.fail(cells[c],
+                            "a column of relative errors has figures only in rows of form factors \"F i-j\". "
+                            "Write null here.");
             }
             figure.kind = FigureKind::relative_error;
         }
@@ -259,8 +262,9 @@ void read_reading(const Reader& reader, const JsonValue& value, PublishedTables&
 }
 
 PublishedClaim read_claim(const Reader& reader, const JsonValue& value) {
-    reader.expect_object(value, "a claim", {"id", "section", "statement", "kind", "methods", "pair_class",
-                                            "patches_per_face", "samples_per_patch", "number"});
+    reader.expect_object(value, "a claim",
+                         {"id", "section", "statement", "kind", "methods", "pair_class", "patches_per_face",
+                          "samples_per_patch", "number"});
     PublishedClaim claim;
     claim.id = reader.text(reader.member(value, "id", "the claim"), "id");
     claim.section = reader.optional_text(value, "section");
@@ -316,8 +320,8 @@ std::vector<std::string_view> read_methods(const Reader& reader, const JsonValue
 void read_printing(const Reader& reader, const JsonValue& value, PublishedTables& tables) {
     reader.expect_object(value, "\"printing\"", {"rule", "decimals"});
     constexpr std::array rules{PrintingRule::unstated, PrintingRule::rounded, PrintingRule::truncated};
-    tables.rule =
-        rules[reader.choice(reader.member(value, "rule", "\"printing\""), "rule", {"unstated", "rounded", "truncated"})];
+    tables.rule = rules[reader.choice(reader.member(value, "rule", "\"printing\""), "rule",
+                                      {"unstated", "rounded", "truncated"})];
     if (const JsonValue* decimals = value.find("decimals")) {
         tables.decimals = static_cast<int>(reader.count(*decimals, "decimals", 12));
     }
@@ -351,7 +355,8 @@ PublishedTables parse_published_tables(std::string_view text, std::string_view o
         for (const JsonValue& reading : reader.array(*readings, "readings")) read_reading(reader, reading, tables);
     }
     if (const JsonValue* claims = root.find("claims")) {
-        for (const JsonValue& claim : reader.array(*claims, "claims")) tables.claims.push_back(read_claim(reader, claim));
+        for (const JsonValue& claim : reader.array(*claims, "claims"))
+            tables.claims.push_back(read_claim(reader, claim));
     }
     return tables;
 }

@@ -18,8 +18,7 @@ void complete_entry(const Scene& scene, Index i, Index j, Completion completion,
         map(i * faces + j, i * faces + j) = 1;
         return;
     }
-    map(i * faces + j, j * faces + i) =
-        face_area(scene, static_cast<int>(j)) / face_area(scene, static_cast<int>(i));
+    map(i * faces + j, j * faces + i) = face_area(scene, static_cast<int>(j)) / face_area(scene, static_cast<int>(i));
 }
 
 /// Sum over the patches of a face of the multinomial covariance of one ray.
@@ -35,7 +34,9 @@ double SrDistribution::pair_sigma(int from, int to) const {
     return std::sqrt(std::max(0.0, pair_covariance(k, k)));
 }
 
-double SrDistribution::sum_sigma(int face) const { return std::sqrt(std::max(0.0, sum_covariance(face, face))); }
+double SrDistribution::sum_sigma(int face) const {
+    return std::sqrt(std::max(0.0, sum_covariance(face, face)));
+}
 
 SrDistribution sr_distribution(const Scene& scene, const Eigen::MatrixXd& patch_to_face, double rays_per_patch,
                                Completion completion) {

@@ -1,0 +1,88 @@
+#pragma once
+
+#include "studies/audit/printed_number.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace ff::studies {
+
+/// What ties printed figures to each other and to the truth.
+enum class Relation {
+    printing_rule,           ///< how the publication says that it prints
+    printing,                ///< a figure has digits that the format cannot print
+    print,                   ///< a figure is the print of its quantity
+    integrality,             ///< hits over rays
+    row_sum,                 ///< a row sum is the sum of its pairs
+    relative_error,          ///< an error belongs to its value and reference
+    sum_of_relative_errors,  ///< the sum over all rows of their errors
+    reference,               ///< the reference that errors are relative to
+    closure,                 ///< a face whose rays make up its whole row sums to 1
+    parity,                  ///< with reciprocity every pair counts twice in the row sums
+    plausibility,            ///< a Monte Carlo value so far off that chance does not explain it
+    spread,                  ///< Monte Carlo values that are together too far from or too close to the truth
+    reading,                 ///< what a column means
+};
+
+std::string_view name(Relation relation);
+
+/// Something that may be wrong: figures that print the same quantity with the same digits (one cause, if they are
+/// wrong), or an assumption about the method.
+struct Suspect {
+    std::vector<std::size_t> figures;  ///< indices into PublishedTables::figures; empty for an assumption
+    std::string assumption;            ///< in words; empty for figures
+    double cost = 1;                   ///< of blaming it
+};
+
+/// An unknown true quantity. Where `rays` is given it is a whole number of hits divided by that.
+struct Variable {
+    Range range;
+    std::optional<std::uint64_t> rays;
+};
+
+struct Term {
+    std::size_t variable = 0;
+    double factor = 1;
+};
+
+enum class ConstraintKind {
+    linear,     ///< sum of factor * x lies in `values`
+    deviation,  ///< sum of factor * 100 |x - reference| / reference lies in `values`
+    even,       ///< sum of the numbers of hits is even
+};
+
+/// A relation between variables. It holds unless its suspect is to blame.
+struct Constraint {
+    ConstraintKind kind = ConstraintKind::linear;
+    Relation relation = Relation::print;
+    std::vector<Term> terms{};  ///< every variable once
+    Range values{};
+    double reference = 1;
+    std::optional<std::size_t> suspect{};  ///< empty: holds in any case
+};
+
+/// Unknown quantities and what is known about them.
+struct ConstraintSystem {
+    std::vector<Variable> variables;
+    std::vector<Constraint> constraints;
+    std::vector<Suspect> suspects;
+};
+
+/// Which suspects are taken to be wrong: [suspect].
+using Blame = std::vector<bool>;
+
+/// The values that one constraint leaves to the variable of its term `term`, given ranges of all variables. Empty
+/// ranges have low > high.
+Range project(const Constraint& constraint, const ConstraintSystem& system, const std::vector<Range>& ranges,
+              std::size_t term);
+
+/// Narrows all ranges until no constraint narrows them further, leaving out constraints of blamed suspects.
+/// @return [variable], or empty where the constraints contradict each other. What is returned may still be
+///         contradictory in ways that ranges cannot show; what is empty is contradictory for certain.
+std::optional<std::vector<Range>> propagate(const ConstraintSystem& system, const Blame& blame);
+
+}  // namespace ff::studies

@@ -1,0 +1,101 @@
+#include "studies/audit/correction.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+namespace ff::studies {
+namespace {
+
+/// Trailing zeros behind the point say nothing.
+std::string_view without_zeros(std::string_view text) {
+    if (text.find('.') == std::string_view::npos) return text;
+    while (text.size() > 1 && text.back() == '0' && text[text.size() - 2] != '.') text.remove_suffix(1);
+    return text;
+}
+
+int distance(std::string_view printed, std::string_view meant) {
+    return std::min(misprint_distance(printed, meant), misprint_distance(without_zeros(printed), without_zeros(meant)));
+}
+
+/// Whether a number that is printed so can lie in the range.
+bool is_possible(std::string_view text, Range values, NumberFormat format, std::optional<std::uint64_t> rays) {
+    const auto number = parse_printed(text);
+    const auto range = number ? printed_range(*number, format) : std::nullopt;
+    if (!range) return false;
+    const double slack = 1e-6 * printed_unit(number->value(), format);
+    const Range both{std::max(range->low, values.low - slack), std::min(range->high, values.high + slack)};
+    if (both.low > both.high) return false;
+    return !rays || possible_hits(both, *rays).has_value();
+}
+
+/// Calls `visit` with every text in which one digit is replaced, inserted, dropped or swapped with the next.
+void visit_misprints(const std::string& text, const std::function<void(const std::string&)>& visit) {
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        if (text[i] == '.') continue;
+        std::string changed = text;
+        for (char digit = '0'; digit <= '9'; ++digit) {
+            changed[i] = digit;
+            visit(changed);
+        }
+        std::string dropped = text;
+        visit(dropped.erase(i, 1));
+        if (i + 1 < text.size() && text[i + 1] != '.') {
+            std::string swapped = text;
+            std::swap(swapped[i], swapped[i + 1]);
+            visit(swapped);
+        }
+    }
+    for (std::size_t i = 0; i <= text.size(); ++i) {
+        for (char digit = '0'; digit <= '9'; ++digit) {
+            std::string inserted = text;
+            visit(inserted.insert(i, 1, digit));
+        }
+    }
+}
+
+}  // namespace
+
+Correction correct(std::string_view printed, Range values, NumberFormat format, std::optional<std::uint64_t> rays) {
+    Correction result;
+    result.printed = printed;
+    result.values = values;
+    if (rays) result.hits = possible_hits(values, *rays);
+    const double middle = values.middle();
+    const double unit = printed_unit(middle, format);
+    result.meant = print(std::max(0.0, middle), format);
+    result.edits = distance(printed, result.meant);
+
+    double gap = std::abs(parse_printed(result.meant)->value() - middle);
+    std::size_t possible = 0;
+    const auto offer = [&](const std::string& text) {
+        if (!is_possible(text, values, format, rays)) return;
+        ++possible;
+        const int edits = distance(printed, text);
+        const double away = std::abs(parse_printed(text)->value() - middle);
+        if (edits > result.edits || (edits == result.edits && away >= gap && possible > 1)) return;
+        result.meant = text;
+        result.edits = edits;
+        gap = away;
+    };
+    const double width = (values.high - values.low) / unit;
+    constexpr double few = 200;
+    if (width <= few) {
+        const auto steps = static_cast<int>(std::ceil(width / 2)) + 1;
+        for (int k = -steps; k <= steps; ++k) offer(print(std::max(0.0, middle + k * unit), format));
+        result.certain = possible == 1;
+    } else {
+        visit_misprints(std::string(printed), offer);
+        if (possible == 0) {
+            visit_misprints(std::string(printed), [&](const std::string& once) {
+                if (result.edits > 2) visit_misprints(once, offer);
+            });
+        }
+    }
+    const double value = parse_printed(printed)->value();
+    const double nearest = std::clamp(value, values.low, values.high);
+    result.units = std::abs(value - nearest) / printed_unit(value, format);
+    return result;
+}
+
+}  // namespace ff::studies

@@ -1,0 +1,307 @@
+#include "studies/audit/experiment.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace ff::studies {
+namespace {
+
+bool contains(const std::vector<std::string>& list, const std::string& item) {
+    return std::find(list.begin(), list.end(), item) != list.end();
+}
+
+/// Fills the model step by step.
+class ModelBuilder {
+  public:
+    ModelBuilder(const PublishedTables& tables, const SceneFacts& facts, const Experiment& experiment,
+                 const Interpretation& interpretation, DistributionCache& cache, double z_limit)
+        : tables_(tables),
+          facts_(facts),
+          experiment_(experiment),
+          interpretation_(interpretation),
+          z_limit_(z_limit),
+          faces_(facts.faces()) {
+        if (sampled()) {
+            model_.distribution =
+                cache.at(facts, experiment.patches_per_face, *experiment.rays_per_face, experiment.completion);
+        }
+    }
+
+    ExperimentModel build() {
+        add_sums();
+        const bool pairs = std::any_of(experiment_.figures.begin(), experiment_.figures.end(),
+                                       [&](std::size_t f) { return !tables_.figures[f].to.empty(); });
+        if (pairs) {
+            add_pairs();
+            add_row_sums();
+        }
+        if (sampled()) {
+            add_closure();
+            add_parity();
+        }
+        for (const std::size_t figure : experiment_.figures) add_figure(figure);
+        return std::move(model_);
+    }
+
+  private:
+    [[nodiscard]] bool sampled() const { return experiment_.rays_per_face.has_value(); }
+    [[nodiscard]] bool reciprocal() const { return experiment_.completion == Completion::reciprocal; }
+    [[nodiscard]] double area(std::size_t face) const { return face_area(facts_.scene, static_cast<int>(face)); }
+    /// Whether hits of other faces count as hits of this one when they are completed.
+    [[nodiscard]] bool equal_areas() const {
+        for (std::size_t i = 1; i < faces_; ++i) {
+            if (std::abs(area(i) / area(0) - 1) > 1e-12) return false;
+        }
+        return true;
+    }
+
+    std::size_t add_variable(Range range, bool lattice) {
+        Variable variable{range, std::nullopt};
+        if (lattice && sampled()) variable.rays = experiment_.rays_per_face;
+        model_.system.variables.push_back(variable);
+        return model_.system.variables.size() - 1;
+    }
+    std::size_t add_constraint(Constraint constraint) {
+        model_.system.constraints.push_back(std::move(constraint));
+        return model_.system.constraints.size() - 1;
+    }
+    void add_plausible_range(std::size_t variable, double mean, double sigma) {
+        if (sigma <= 0) return;
+        add_constraint({.relation = Relation::plausibility,
+                        .terms = {{variable, 1}},
+                        .values = {mean - z_limit_ * sigma, mean + z_limit_ * sigma},
+                        .suspect = std::nullopt});
+    }
+
+    void add_sums() {
+        const bool lattice = !reciprocal() || equal_areas();
+        std::map<std::size_t, std::size_t> of_class;
+        for (std::size_t i = 0; i < faces_; ++i) {
+            // A deterministic method treats faces alike that look alike; a random one does not.
+            const auto known = sampled() ? of_class.end() : of_class.find(facts_.face_congruence[i]);
+            if (known != of_class.end()) {
+                model_.sums.push_back(known->second);
+                continue;
+            }
+            const std::size_t variable = add_variable({0, static_cast<double>(faces_)}, lattice);
+            of_class[facts_.face_congruence[i]] = variable;
+            model_.sums.push_back(variable);
+            if (model_.distribution) {
+                const int face = static_cast<int>(i);
+                add_plausible_range(variable, model_.distribution->mean.row(face).sum(),
+                                    model_.distribution->sum_sigma(face));
+            }
+        }
+    }
+
+    void add_pairs() {
+        std::map<std::size_t, std::size_t> of_class;
+        for (std::size_t i = 0; i < faces_; ++i) {
+            for (std::size_t j = 0; j < faces_; ++j) {
+                if (i == j) continue;
+                const std::size_t pair = i * faces_ + j;
+                if (reciprocal() && i > j) {
+                    const Term& other = model_.pairs.at(j * faces_ + i);
+                    model_.pairs[pair] = {other.variable, other.factor * area(j) / area(i)};
+                    continue;
+                }
+                const auto known = sampled() ? of_class.end() : of_class.find(facts_.pair_congruence[pair]);
+                if (known != of_class.end()) {
+                    model_.pairs[pair] = {known->second, 1};
+                    continue;
+                }
+                const std::size_t variable = add_variable({0, 2}, true);
+                of_class[facts_.pair_congruence[pair]] = variable;
+                model_.pairs[pair] = {variable, 1};
+                if (model_.distribution) {
+                    const int from = static_cast<int>(i);
+                    const int to = static_cast<int>(j);
+                    add_plausible_range(variable, model_.distribution->mean(from, to),
+                                        model_.distribution->pair_sigma(from, to));
+                }
+            }
+        }
+    }
+
+    /// Adds a term, merging terms of the same variable.
+    static void add_term(std::vector<Term>& terms, Term term) {
+        for (Term& other : terms) {
+            if (other.variable != term.variable) continue;
+            other.factor += term.factor;
+            return;
+        }
+        terms.push_back(term);
+    }
+
+    void add_row_sums() {
+        std::vector<bool> done(model_.system.variables.size(), false);
+        for (std::size_t i = 0; i < faces_; ++i) {
+            if (done[model_.sums[i]]) continue;
+            done[model_.sums[i]] = true;
+            Constraint constraint{.relation = Relation::row_sum, .terms = {{model_.sums[i], -1}}, .suspect = {}};
+            for (std::size_t j = 0; j < faces_; ++j) {
+                if (i != j) add_term(constraint.terms, model_.pairs.at(i * faces_ + j));
+            }
+            add_constraint(std::move(constraint));
+        }
+    }
+
+    /// A face whose row consists of its own rays sums to 1 in a closed scene, unless rays are lost.
+    void add_closure() {
+        if (!facts_.scene.closed) return;
+        model_.system.suspects.push_back(
+            {.figures = {}, .assumption = fmt::format("no ray is lost ({})", describe(experiment_)), .cost = 1.5});
+        const std::size_t suspect = model_.system.suspects.size() - 1;
+        for (std::size_t i = 0; i < (reciprocal() ? 1 : faces_); ++i) {
+            add_constraint(
+                {.relation = Relation::closure, .terms = {{model_.sums[i], 1}}, .values = {1, 1}, .suspect = suspect});
+        }
+    }
+
+    /// Every pair of faces counts in two row sums.
+    void add_parity() {
+        if (!reciprocal() || !equal_areas()) return;
+        Constraint constraint{.kind = ConstraintKind::even, .relation = Relation::parity, .suspect = {}};
+        for (const std::size_t sum : model_.sums) constraint.terms.push_back({sum, 1});
+        add_constraint(std::move(constraint));
+    }
+
+    Constraint constraint_of(const Figure& figure) const {
+        Constraint constraint;
+        const auto number = parse_printed(figure.printed);
+        const auto range = number ? printed_range(*number, format_of(figure, interpretation_)) : std::nullopt;
+        constraint.values = range.value_or(Range{1, 0});
+        constraint.relation = range ? Relation::print : Relation::printing;
+        switch (figure.kind) {
+            case FigureKind::form_factor:
+                constraint.terms = {pair(figure)};
+                break;
+            case FigureKind::row_sum:
+                constraint.terms = {{model_.sums[*facts_.face(figure.from)], 1}};
+                break;
+            case FigureKind::relative_error:
+                constraint.kind = ConstraintKind::deviation;
+                constraint.relation = Relation::relative_error;
+                constraint.terms = {{pair(figure).variable, 1}};
+                break;
+            case FigureKind::sum_relative_error:
+                constraint.kind = ConstraintKind::deviation;
+                constraint.relation = Relation::sum_of_relative_errors;
+                for (const std::size_t sum : model_.sums) add_term(constraint.terms, {sum, 1});
+                break;
+        }
+        return constraint;
+    }
+
+    [[nodiscard]] Term pair(const Figure& figure) const {
+        return model_.pairs.at(*facts_.face(figure.from) * faces_ + *facts_.face(figure.to));
+    }
+
+    void add_figure(std::size_t index) {
+        const Figure& figure = tables_.figures[index];
+        FigureLink link{.figure = index, .quantity = std::nullopt};
+        Constraint constraint = constraint_of(figure);
+        if (figure.kind != FigureKind::sum_relative_error) link.quantity = constraint.terms.front();
+        if (figure.kind == FigureKind::relative_error) {
+            if (!interpretation_.reference[index]) return;
+            constraint.reference = *interpretation_.reference[index] / pair(figure).factor;
+        }
+        if (const auto same = same_print(figure, constraint)) {
+            const Constraint& known = model_.system.constraints[*same];
+            Suspect& suspect = model_.system.suspects[*known.suspect];
+            suspect.figures.push_back(index);
+            suspect.cost += 0.01;  // between equally many causes, the one behind fewer figures
+            link.constraint = *same;
+        } else {
+            constraint.suspect = model_.system.suspects.size();
+            model_.system.suspects.push_back({.figures = {index}, .assumption = {}, .cost = 1});
+            link.constraint = add_constraint(std::move(constraint));
+        }
+        model_.links.push_back(link);
+    }
+
+    /// The constraint of an earlier figure that prints the same quantity with the same digits.
+    [[nodiscard]] std::optional<std::size_t> same_print(const Figure& figure, const Constraint& constraint) const {
+        for (const FigureLink& link : model_.links) {
+            const Figure& other = tables_.figures[link.figure];
+            const Constraint& known = model_.system.constraints[link.constraint];
+            if (other.kind == figure.kind && other.printed == figure.printed &&
+                known.reference == constraint.reference &&
+                known.terms.front().variable == constraint.terms.front().variable &&
+                known.terms.front().factor == constraint.terms.front().factor) {
+                return link.constraint;
+            }
+        }
+        return std::nullopt;
+    }
+
+    const PublishedTables& tables_;
+    const SceneFacts& facts_;
+    const Experiment& experiment_;
+    const Interpretation& interpretation_;
+    double z_limit_;
+    std::size_t faces_;
+    ExperimentModel model_;
+};
+
+}  // namespace
+
+std::vector<Experiment> collect_experiments(const PublishedTables& tables) {
+    std::vector<Experiment> experiments;
+    for (std::size_t f = 0; f < tables.figures.size(); ++f) {
+        const Figure& figure = tables.figures[f];
+        const auto same = std::find_if(experiments.begin(), experiments.end(), [&](const Experiment& e) {
+            return e.method == figure.method && e.patches_per_face == figure.patches_per_face &&
+                   e.samples_per_patch == figure.samples_per_patch;
+        });
+        if (same != experiments.end()) {
+            same->figures.push_back(f);
+            continue;
+        }
+        Experiment experiment{.method = figure.method,
+                              .patches_per_face = figure.patches_per_face,
+                              .samples_per_patch = figure.samples_per_patch,
+                              .rays_per_face = std::nullopt,
+                              .figures = {f}};
+        if (contains(tables.sampling_methods, figure.method) && figure.samples_per_patch) {
+            experiment.rays_per_face = *figure.samples_per_patch * figure.patches_per_face;
+        }
+        if (contains(tables.reciprocal_methods, figure.method)) experiment.completion = Completion::reciprocal;
+        experiments.push_back(std::move(experiment));
+    }
+    return experiments;
+}
+
+std::string describe(const Experiment& experiment) {
+    std::string text = fmt::format("{}, {} patches per face", experiment.method, experiment.patches_per_face);
+    if (experiment.samples_per_patch) text += fmt::format(", {} rays per patch", *experiment.samples_per_patch);
+    return text;
+}
+
+NumberFormat format_of(const Figure& figure, const Interpretation& interpretation) {
+    if (figure.kind == FigureKind::form_factor || figure.kind == FigureKind::row_sum) return interpretation.values;
+    const auto number = parse_printed(figure.printed);
+    return {interpretation.errors, Layout::fixed_decimals, number ? number->decimals : 0};
+}
+
+ExperimentModel build_model(const PublishedTables& tables, const SceneFacts& facts, const Experiment& experiment,
+                            const Interpretation& interpretation, DistributionCache& cache, double z_limit) {
+    return ModelBuilder(tables, facts, experiment, interpretation, cache, z_limit).build();
+}
+
+std::optional<Expectation> expectation(const SceneFacts& facts, const SrDistribution& distribution,
+                                       const Figure& figure) {
+    if (figure.kind == FigureKind::form_factor) {
+        const int from = static_cast<int>(*facts.face(figure.from));
+        const int to = static_cast<int>(*facts.face(figure.to));
+        return Expectation{distribution.mean(from, to), distribution.pair_sigma(from, to)};
+    }
+    if (figure.kind == FigureKind::row_sum) {
+        const int face = static_cast<int>(*facts.face(figure.from));
+        return Expectation{distribution.mean.row(face).sum(), distribution.sum_sigma(face)};
+    }
+    return std::nullopt;
+}
+
+}  // namespace ff::studies

@@ -1,0 +1,72 @@
+#pragma once
+
+#include "studies/audit/constraint_system.hpp"
+#include "studies/audit/printed_number.hpp"
+#include "studies/audit/scene_facts.hpp"
+#include "studies/published.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace ff::studies {
+
+/// One method at one size: all figures about it, in whichever table, concern the same unknown quantities.
+struct Experiment {
+    std::string method;
+    std::uint32_t patches_per_face = 1;
+    std::optional<std::uint64_t> samples_per_patch;
+    std::optional<std::uint64_t> rays_per_face;  ///< of a sampling method
+    Completion completion = Completion::direct;
+    std::vector<std::size_t> figures;  ///< indices into PublishedTables::figures
+};
+
+/// The experiments of the tables, in order of first appearance, with columns read as the file says.
+std::vector<Experiment> collect_experiments(const PublishedTables& tables);
+
+/// "SR, 169 patches per face, 625 rays per patch".
+std::string describe(const Experiment& experiment);
+
+/// How figures are printed and what errors are relative to.
+struct Interpretation {
+    NumberFormat values;                           ///< of form factors and row sums
+    Rounding errors = Rounding::rounded;           ///< of relative errors, which keep their own decimals
+    std::vector<std::optional<double>> reference;  ///< [figure], of relative errors
+};
+
+/// The format of a figure: errors are printed to as many decimals as they show.
+NumberFormat format_of(const Figure& figure, const Interpretation& interpretation);
+
+/// Which variable a figure prints (none for sums of relative errors), and which constraint says so.
+struct FigureLink {
+    std::size_t figure = 0;
+    std::optional<Term> quantity;
+    std::size_t constraint = 0;
+};
+
+/// An experiment as unknown quantities and relations.
+struct ExperimentModel {
+    ConstraintSystem system;
+    std::vector<FigureLink> links;
+    std::vector<std::size_t> sums;               ///< [face]: variable
+    std::map<std::size_t, Term> pairs;           ///< [from * faces + to]: variable; empty unless a pair is printed
+    std::optional<SrDistribution> distribution;  ///< of a sampling method
+};
+
+/// Builds the model.
+/// @param z_limit  standard deviations beyond which a Monte Carlo value counts as impossible
+ExperimentModel build_model(const PublishedTables& tables, const SceneFacts& facts, const Experiment& experiment,
+                            const Interpretation& interpretation, DistributionCache& cache, double z_limit);
+
+/// Exact mean and standard deviation of what a figure of a sampling method prints; empty for errors and where unknown.
+struct Expectation {
+    double mean = 0;
+    double sigma = 0;
+};
+std::optional<Expectation> expectation(const SceneFacts& facts, const SrDistribution& distribution,
+                                       const Figure& figure);
+
+}  // namespace ff::studies

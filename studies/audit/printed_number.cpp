@@ -1,0 +1,105 @@
+#include "studies/audit/printed_number.hpp"
+
+#include "core/contract.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace ff::studies {
+namespace {
+
+double power_of_ten(int exponent) {
+    return std::pow(10.0, exponent);
+}
+
+/// k with 10^k <= value < 10^(k+1), numbers a hair below a power of ten belonging to it; 0 for 0.
+int decade(double value) {
+    return value <= 0 ? 0 : static_cast<int>(std::floor(std::log10(value) + 1e-12));
+}
+
+int decimals_of(double value, NumberFormat format) {
+    return format.layout == Layout::fixed_decimals ? format.digits : format.digits - 1 - decade(value);
+}
+
+}  // namespace
+
+double PrintedNumber::value() const {
+    return static_cast<double>(digits) / power_of_ten(decimals);
+}
+
+std::optional<PrintedNumber> parse_printed(std::string_view text) {
+    PrintedNumber number;
+    bool point = false;
+    bool any = false;
+    if (text.size() > 16) return std::nullopt;
+    for (const char c : text) {
+        if (c == '.' && !point) {
+            point = true;
+            continue;
+        }
+        if (c < '0' || c > '9') return std::nullopt;
+        any = true;
+        number.digits = 10 * number.digits + (c - '0');
+        if (point) ++number.decimals;
+    }
+    if (!any) return std::nullopt;
+    return number;
+}
+
+std::string describe(NumberFormat format) {
+    return fmt::format("{} to {} {}", format.rounding == Rounding::rounded ? "rounded" : "truncated", format.digits,
+                       format.layout == Layout::fixed_decimals ? "decimals" : "significant digits");
+}
+
+double printed_unit(double value, NumberFormat format) {
+    return power_of_ten(-decimals_of(value, format));
+}
+
+std::optional<Range> printed_range(PrintedNumber number, NumberFormat format) {
+    const double value = number.value();
+    const int decimals = decimals_of(value, format);
+    PrintedNumber stripped = number;
+    while (stripped.decimals > decimals && stripped.digits % 10 == 0) {
+        stripped.digits /= 10;
+        --stripped.decimals;
+    }
+    if (stripped.decimals > decimals) return std::nullopt;
+    const double unit = power_of_ten(-decimals);
+    if (format.rounding == Rounding::truncated) return Range{value, value + unit * (1 - 1e-6)};
+    // Below a power of ten significant digits are finer.
+    const double below = printed_unit(value - 0.01 * unit, format);
+    return Range{value - 0.5 * below, value + 0.5 * unit};
+}
+
+std::string print(double value, NumberFormat format) {
+    FF_EXPECT(value >= 0);
+    const int decimals = std::max(0, decimals_of(value, format));
+    const double scaled = value * power_of_ten(decimals);
+    // The hair keeps numbers such as 0.29 = 28.999... / 100 from losing a digit.
+    const double whole = format.rounding == Rounding::rounded ? std::round(scaled) : std::floor(scaled + 1e-7);
+    return fmt::format("{:.{}f}", whole / power_of_ten(decimals), decimals);
+}
+
+int misprint_distance(std::string_view printed, std::string_view meant) {
+    // Optimal string alignment: Levenshtein's distance with swaps of neighbours.
+    const std::size_t columns = meant.size() + 1;
+    std::vector<int> table((printed.size() + 1) * columns);
+    const auto at = [&](std::size_t i, std::size_t j) -> int& { return table[i * columns + j]; };
+    for (std::size_t i = 0; i <= printed.size(); ++i) at(i, 0) = static_cast<int>(i);
+    for (std::size_t j = 0; j <= meant.size(); ++j) at(0, j) = static_cast<int>(j);
+    for (std::size_t i = 1; i <= printed.size(); ++i) {
+        for (std::size_t j = 1; j <= meant.size(); ++j) {
+            const int replaced = at(i - 1, j - 1) + (printed[i - 1] == meant[j - 1] ? 0 : 1);
+            at(i, j) = std::min({replaced, at(i - 1, j) + 1, at(i, j - 1) + 1});
+            if (i > 1 && j > 1 && printed[i - 1] == meant[j - 2] && printed[i - 2] == meant[j - 1]) {
+                at(i, j) = std::min(at(i, j), at(i - 2, j - 2) + 1);
+            }
+        }
+    }
+    return at(printed.size(), meant.size());
+}
+
+}  // namespace ff::studies

@@ -1,0 +1,47 @@
+#pragma once
+
+#include "core/pair_class.hpp"
+#include "core/scene.hpp"
+#include "studies/published.hpp"
+#include "studies/sr_distribution.hpp"
+
+#include <Eigen/Core>
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string_view>
+#include <tuple>
+#include <vector>
+
+namespace ff::studies {
+
+/// What is known exactly about the scene of published tables.
+struct SceneFacts {
+    Scene scene;
+    std::optional<Eigen::MatrixXd> exact;      ///< [from, to]; empty where no elementary formula applies
+    std::vector<std::size_t> pair_congruence;  ///< [from * faces + to]: equal numbers for pairs that look alike
+    std::vector<std::size_t> face_congruence;  ///< [face]: equal numbers for faces with alike pairs
+
+    [[nodiscard]] std::size_t faces() const { return scene.faces.size(); }
+    [[nodiscard]] std::optional<std::size_t> face(std::string_view label) const;
+};
+
+/// @throws UserError where the scene is unknown or a figure names a face that it does not have
+SceneFacts scene_facts(const PublishedTables& tables);
+
+/// Exact distributions of ray shooting by size. Most of an audit's time goes here, so audits of tables of the same
+/// scene may share one; the results do not depend on it.
+class DistributionCache {
+  public:
+    /// Empty where patches_per_face is no square or the scene has no elementary formula.
+    const std::optional<SrDistribution>& at(const SceneFacts& facts, std::uint32_t patches_per_face,
+                                            std::uint64_t rays_per_face, Completion completion);
+
+  private:
+    std::map<std::uint32_t, std::optional<Eigen::MatrixXd>> patch_to_face_;
+    std::map<std::tuple<std::uint32_t, std::uint64_t, Completion>, std::optional<SrDistribution>> distributions_;
+};
+
+}  // namespace ff::studies

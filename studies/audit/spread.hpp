@@ -1,0 +1,54 @@
+#pragma once
+
+#include "stats/chi_squared.hpp"
+#include "studies/audit/experiment.hpp"
+#include "studies/audit/hit_counts.hpp"
+#include "studies/published.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace ff::studies {
+
+/// A published value of a sampling method with its quantity.
+struct SampledValue {
+    std::size_t figure = 0;
+    double value = 0;
+};
+
+/// How far Monte Carlo values lie from the truth together, against their exact covariance.
+struct Spread {
+    stats::ChiSquared chi_squared;
+    double too_far = 1;    ///< P(at least as far)
+    double too_close = 1;  ///< P(at least as close)
+    std::vector<std::size_t> figures;
+};
+
+/// Pairs where there are any, otherwise row sums; each quantity once. Empty where nothing can vary.
+std::optional<Spread> weigh_spread(const PublishedTables& tables, const SceneFacts& facts,
+                                   const SrDistribution& distribution, std::span<const SampledValue> values);
+
+/// A way to understand the columns of a table, judged by its figures.
+struct ReadingEvidence {
+    std::string table;
+    std::string statement;
+    std::string stated_in;
+    std::vector<std::uint64_t> rays_per_face{};  ///< one a column
+    FormatEvidence hits{};
+    std::vector<std::optional<Spread>> spread{};  ///< one a column
+    double log_odds = 0;                        ///< natural, against the likeliest reading of the table
+    bool refuted = false;                       ///< less likely than the best one by more than `refuting_odds`
+};
+
+inline constexpr double refuting_odds = 1e4;
+
+/// The columns' own reading ("as the columns say") and all others of every table with readings. A figure is a
+/// whole number of hits from the exact normal distribution, or one in fifty times a misprint.
+std::vector<ReadingEvidence> weigh_readings(const PublishedTables& tables, const SceneFacts& facts, NumberFormat format,
+                                            DistributionCache& cache);
+
+}  // namespace ff::studies
