@@ -1,0 +1,52 @@
+# What a command-line case says; sourced by each file of cases/. A case runs in an empty folder of its own.
+# shellcheck shell=bash
+
+set -euo pipefail
+
+program=${1:?usage: CASE PROGRAM DATA_FOLDER}
+data=${2:?usage: CASE PROGRAM DATA_FOLDER}
+export LC_ALL=C
+unset COLUMNS
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+mkdir "$folder/work"
+cd "$folder/work"
+
+# ffstudy ARGUMENTS...: runs the program; its output and exit code are what the expectations speak of.
+ffstudy() {
+    command_line="ffstudy $*"
+    status=0
+    "$program" "$@" >"$folder/stdout" 2>"$folder/stderr" </dev/null || status=$?
+}
+
+# fail WHY: shows the last run and ends the case.
+fail() {
+    {
+        echo "$(basename "$0"): $1"
+        echo "--- $command_line -> exit code $status"
+        echo "--- stdout" && cat "$folder/stdout"
+        echo "--- stderr" && cat "$folder/stderr"
+    } >&2
+    exit 1
+}
+
+expect_status() { [ "$status" -eq "$1" ] || fail "expected exit code $1"; }
+
+# expect_stdout TEXT, expect_stderr TEXT: it is part of what was printed there.
+expect_stdout() { grep -Fq -e "$1" "$folder/stdout" || fail "expected on stdout: $1"; }
+expect_stderr() { grep -Fq -e "$1" "$folder/stderr" || fail "expected on stderr: $1"; }
+expect_no_stdout() { [ ! -s "$folder/stdout" ] || fail "expected nothing on stdout"; }
+expect_no_stderr() { [ ! -s "$folder/stderr" ] || fail "expected nothing on stderr"; }
+
+expect_file() { [ -s "$1" ] || fail "expected a file that is not empty: $1"; }
+expect_in_file() { grep -Fq -e "$2" "$1" || fail "expected in $1: $2"; }
+expect_nothing_written() { [ -z "$(ls -A .)" ] || fail "expected no files, found: $(ls -A .)"; }
+expect_equal_files() { cmp "$1" "$2" >&2 || fail "expected equal bytes: $1 and $2"; }
+
+# expect_refused CODE TEXT: the exit code, TEXT on stderr, nothing on stdout, nothing written.
+expect_refused() {
+    expect_status "$1"
+    expect_stderr "$2"
+    expect_no_stdout
+    expect_nothing_written
+}
