@@ -40,7 +40,7 @@ std::uint64_t floor_root(std::uint64_t points, std::size_t dimension) {
     FF_EXPECT(points <= max_points && dimension >= 1);
     if (dimension == 1) return points;
     std::uint64_t low = 0;
-    std::uint64_t high = 1 + (std::uint64_t{1} << 32 / dimension);  // high^dimension > 2^32 >= points
+    std::uint64_t high = 1 + (std::uint64_t{1} << (32 + dimension - 1) / dimension);  // high^dimension > 2^32
     while (high - low > 1) {
         const std::uint64_t middle = (low + high) / 2;
         (integer_power(middle, dimension) <= points ? low : high) = middle;

@@ -1,0 +1,54 @@
+#include "samplers/sampler.hpp"
+
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+#include <string>
+
+// Time per 4-D point of every sampler, in the sizes that matter: one short stream a patch, or one long stream a face.
+
+namespace {
+
+using namespace ff;
+
+/// Fills a whole set block by block, with a new stream (and so a new randomisation) every time.
+template <class Block>
+void fill_sets(benchmark::State& state, const PointSource& source) {
+    Stream stream{.key = {1, 2}};
+    Block block;
+    for (auto _ : state) {
+        ++stream.source;
+        for (PointIndex first = 0; first < source.points(); first += block.size) {
+            block.size = std::min<std::size_t>(block_capacity, source.points() - first);
+            source.fill(stream, first, block);
+            benchmark::DoNotOptimize(block.coordinate[0][0]);
+            benchmark::ClobberMemory();
+        }
+    }
+    state.counters["per_point"] =
+        benchmark::Counter(static_cast<double>(source.points()),
+                           benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+}
+
+void register_sampler(const samplers::CatalogueEntry& sampler, std::uint64_t points) {
+    const samplers::PointSetSpec spec{.points = points, .source_nodes = 5, .target_nodes = 5};
+    const std::string name = "samplers/" + std::string(sampler.info.name) + "/" + std::to_string(points);
+    benchmark::RegisterBenchmark(name.c_str(), [&sampler, spec](benchmark::State& state) {
+        const auto source = sampler.make(spec);
+        if (sampler.info.equal_weights) {
+            fill_sets<PointBlock>(state, *source);
+        } else {
+            fill_sets<WeightedBlock>(state, *source);
+        }
+    });
+}
+
+const bool registered = [] {
+    for (const samplers::CatalogueEntry& sampler : samplers::catalogue()) {
+        register_sampler(sampler, 625);
+        if (sampler.info.sizes != samplers::Sizes::nodes) register_sampler(sampler, 65536);
+    }
+    return true;
+}();
+
+}  // namespace
