@@ -87,7 +87,7 @@ double binomial_two_sided_p(Proportion counts, double probability) {
     const auto mode =
         std::min(static_cast<std::uint64_t>((static_cast<double>(counts.trials) + 1) * probability), counts.trials);
 
-    if (counts.hits == mode) return 1;
+    if (likelihood(mode) <= seen) return 1;
     // On the far side of the mode likelihood is monotone: bisect for the first outcome that is no more likely.
     if (counts.hits < mode) {
         std::uint64_t likely = mode;

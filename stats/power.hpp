@@ -6,20 +6,21 @@ namespace ff::stats {
 
 /// The two risks of a test: alpha of rejecting a true null, 1 - power of missing the effect that was planned for.
 struct Risks {
-    double alpha = 0.05;
-    double power = 0.9;
+    double alpha = 0.05;  ///< of this one test, in (0, 1)
+    double power = 0.9;   ///< above alpha, at most 1 - 1e-9
 };
 
 /// Probability that the two-sided t test at `alpha` rejects, exact for normal data (noncentral t).
 /// @pre sigma > 0, trials >= 2
 double bias_test_power(double bias, double sigma, std::size_t trials, double alpha);
 
-/// The bias that the two-sided t test finds with the given power, in units of sigma's. Close to
-/// (t_{alpha/2} + z_beta) sigma / sqrt(trials), but exact for normal data.
-/// @param risks  alpha of this one test: divide a family's by the number of pairs (sidak_level)
+/// The bias that the two-sided t test finds with the given power, in the unit of sigma. Close to
+/// (t_{alpha/2} + z_beta) sigma / sqrt(trials), but exact for normal data. 0 for sigma = 0.
+/// @param sigma  standard deviation of one trial, known or estimated; >= 0     @param trials  at least 2
+/// @param risks  alpha of this one test: for a family of pairs, sidak_level(alpha, pairs)
 double minimum_detectable_bias(double sigma, std::size_t trials, Risks risks);
 
-/// Trials with which minimum_detectable_bias is at most `bias`. At least 2.
+/// Trials with which minimum_detectable_bias is at most `bias`. At least 2. @pre bias > 0, sigma > 0
 std::size_t trials_for_bias(double bias, double sigma, Risks risks);
 
 /// Probability that two one-sided t tests at `alpha` find |bias| < margin, exact for normal data.
@@ -30,7 +31,7 @@ double equivalence_power(double margin, double bias, double sigma, std::size_t t
 /// (t_alpha + z_{beta / (2 pairs)}) sigma / sqrt(trials).
 double equivalence_margin(double sigma, std::size_t trials, Risks risks, std::size_t pairs = 1);
 
-/// Trials with which equivalence_margin is at most `margin`. At least 2.
+/// Trials with which equivalence_margin is at most `margin`. At least 2. @pre margin > 0, sigma > 0
 std::size_t trials_for_equivalence(double margin, double sigma, Risks risks, std::size_t pairs = 1);
 
 /// Shift of a hit probability that the exact two-sided binomial test finds with the given power (normal approximation
