@@ -134,25 +134,25 @@ void EmbreeTracer::intersect(const RayPointers& rays, std::size_t count, std::ui
     Context context{};
     rtcInitIntersectContext(&context.embree);
     context.source = source;
-    const unsigned mask = by_mask_ ? ~(1u << source) : ~0u;
     alignas(32) std::array<int, packet> valid{};
-    RTCRayHit8 p{};
+    valid.fill(-1);
+    RTCRayHit8 p{};  // tnear is 0 and stays so
+    std::fill_n(p.ray.mask, packet, by_mask_ ? ~(1u << source) : ~0u);
     for (std::size_t first = 0; first < count; first += packet) {
         const std::size_t n = std::min(packet, count - first);
-        const auto load = [first, n](const float* from, float* to) { std::copy_n(from + first, n, to); };
+        const auto load = [first, n](const float* from, float* to) {
+            // A copy of known length is two instructions, one of unknown length is a call.
+            n == packet ? std::copy_n(from + first, packet, to) : std::copy_n(from + first, n, to);
+        };
         load(rays.origin_x, p.ray.org_x);
         load(rays.origin_y, p.ray.org_y);
         load(rays.origin_z, p.ray.org_z);
         load(rays.direction_x, p.ray.dir_x);
         load(rays.direction_y, p.ray.dir_y);
         load(rays.direction_z, p.ray.dir_z);
-        for (std::size_t i = 0; i < packet; ++i) {
-            valid[i] = i < n ? -1 : 0;
-            p.ray.tnear[i] = 0;
-            p.ray.tfar[i] = std::numeric_limits<float>::infinity();
-            p.ray.mask[i] = mask;
-            p.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
-        }
+        std::fill_n(p.ray.tfar, packet, std::numeric_limits<float>::infinity());
+        std::fill_n(p.hit.geomID, packet, RTC_INVALID_GEOMETRY_ID);
+        if (n < packet) std::fill(valid.begin() + n, valid.end(), 0);
         rtcIntersect8(valid.data(), scene_.get(), &context.embree, &p);
         for (std::size_t i = 0; i < n; ++i) visit(first + i, p.hit.geomID[i], p.hit.u[i], p.hit.v[i]);
     }
