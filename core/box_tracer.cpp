@@ -26,6 +26,7 @@ struct LocalBox {
     float extent_u = 0;
     float extent_v = 0;
     float height = 0;
+    float inverse_height = 0;
 };
 
 using WallHits = std::array<std::uint64_t, walls>;
@@ -56,9 +57,9 @@ struct Exits {
 /// Compares distances gap / size without dividing; all arguments are at least 0. Equal distances, that is hits on an
 /// edge, go to the opposite wall first, then to the wall across v.
 HWY_INLINE Exits exits(const LocalBox& box, Floats gap_u, Floats gap_v, Floats size_u, Floats size_v, Floats normal) {
-    const auto height = hn::Set(FloatTag(), box.height);
-    const auto u_before_opposite = hn::Lt(hn::Mul(gap_u, normal), hn::Mul(height, size_u));
-    const auto v_before_opposite = hn::Lt(hn::Mul(gap_v, normal), hn::Mul(height, size_v));
+    const auto slope = hn::Mul(normal, hn::Set(FloatTag(), box.inverse_height));
+    const auto u_before_opposite = hn::Lt(hn::Mul(gap_u, slope), size_u);
+    const auto v_before_opposite = hn::Lt(hn::Mul(gap_v, slope), size_v);
     const auto u_before_v = hn::Lt(hn::Mul(gap_u, size_v), hn::Mul(gap_v, size_u));
     return {.across_u = hn::And(u_before_opposite, u_before_v), .across_v = hn::AndNot(u_before_v, v_before_opposite)};
 }
@@ -71,16 +72,17 @@ HWY_INLINE Floats gap(Floats position, float extent, FloatMask negative) {
 void shoot_block(const LocalBox& box, const PatchMap& map, const PointBlock& points, WallHits& hits) {
     const FloatTag df;
     const WordTag dw;
+    const auto step_u = hn::Set(df, patch_step(box.extent_u, map.m));
+    const auto step_v = hn::Set(df, patch_step(box.extent_v, map.m));
     std::size_t across_u = 0, across_v = 0, at_low_u = 0, at_low_v = 0;
-    const auto add = [&](std::size_t i, FloatMask wanted) HWY_ATTR {
+    const auto add = [&](std::size_t i, const auto... wanted) HWY_ATTR {
         const auto word = [&](std::size_t d) HWY_ATTR { return hn::Load(dw, &points.coordinate[d][i]); };
-        const auto u = hn::Mul(surface_coordinate(word(0), map.column, map.scale), hn::Set(df, box.extent_u));
-        const auto v = hn::Mul(surface_coordinate(word(1), map.row, map.scale), hn::Set(df, box.extent_v));
+        const auto u = hn::Mul(place(word(0), map.first_u), step_u);
+        const auto v = hn::Mul(place(word(1), map.first_v), step_v);
         const auto d = cosine_direction(word(2), word(3));
-        const auto exit = exits(box, gap(u, box.extent_u, d.negative_u), gap(v, box.extent_v, d.negative_v), d.size_u,
-                                d.size_v, d.normal);
-        const auto by_u = hn::And(exit.across_u, wanted);
-        const auto by_v = hn::And(exit.across_v, wanted);
+        auto [by_u, by_v] = exits(box, gap(u, box.extent_u, d.negative_u), gap(v, box.extent_v, d.negative_v), d.size_u,
+                                  d.size_v, d.normal);
+        ((by_u = hn::And(by_u, wanted), by_v = hn::And(by_v, wanted)), ...);  // only in the last, partial vector
         across_u += hn::CountTrue(df, by_u);
         across_v += hn::CountTrue(df, by_v);
         at_low_u += hn::CountTrue(df, hn::And(by_u, d.negative_u));
@@ -88,8 +90,7 @@ void shoot_block(const LocalBox& box, const PatchMap& map, const PointBlock& poi
     };
     const std::size_t lanes = hn::Lanes(df);
     const std::size_t whole = points.size / lanes * lanes;
-    const auto all = hn::FirstN(df, lanes);
-    for (std::size_t i = 0; i < whole; i += lanes) add(i, all);
+    for (std::size_t i = 0; i < whole; i += lanes) add(i);
     if (whole < points.size) add(whole, hn::FirstN(df, points.size - whole));
 
     hits[opposite] = points.size - across_u - across_v;
@@ -183,6 +184,7 @@ BoxTracer::BoxTracer(const Scene& scene) {
         s.box.extent_u = frame.edge_u[s.axis_u];
         s.box.extent_v = frame.edge_v[s.axis_v];
         s.box.height = static_cast<float>((*scene.empty_box)[s.axis_n]);
+        s.box.inverse_height = 1 / s.box.height;
         edges_[s.axis_n] = s.box.height;
         surface_at_end[s.axis_n][s.on_low_side ? 0 : 1] = i;
         face_of_[i] = static_cast<std::size_t>(surface.face);

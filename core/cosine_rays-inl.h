@@ -25,18 +25,20 @@ using Floats = hn::Vec<FloatTag>;
 using FloatMask = hn::Mask<FloatTag>;
 using Words32 = hn::Vec<WordTag>;
 
-/// The coordinate's upper 24 bits, made odd: (0, 2^24), exact as float and symmetric, u -> 1 - u included. Never 0 or
-/// 2^24, so that no ray is undefined and none starts between two patches.
-HWY_INLINE Floats odd_24_bits(Words32 word) {
+/// 1 + x * 2^-23 in [1, 2), x the coordinate's upper 23 bits: put where a float has its fraction.
+HWY_INLINE Floats one_plus_fraction(Words32 word) {
     const WordTag dw;
-    const auto odd = hn::Or(hn::ShiftRight<8>(word), hn::Set(dw, 1));
-    return hn::ConvertTo(FloatTag(), hn::BitCast(IntegerTag(), odd));
+    return hn::BitCast(FloatTag(), hn::Or(hn::ShiftRight<9>(word), hn::Set(dw, 0x3f800000u)));
 }
 
-/// Surface coordinate in [0, 1] of a point of a patch; `first` and `scale` are those of PatchMap.
-HWY_INLINE Floats surface_coordinate(Words32 word, float first, float scale) {
-    const FloatTag df;
-    return hn::Mul(hn::Add(hn::Set(df, first), odd_24_bits(word)), hn::Set(df, scale));
+/// The middle of the 2^-23 cell, an odd multiple of 2^-24: never 0 or 1, exact and symmetric, u -> 1 - u included.
+HWY_INLINE Floats coordinate(Words32 word) {
+    return hn::Sub(one_plus_fraction(word), hn::Set(FloatTag(), 1 - 0x1p-24f));
+}
+
+/// Place on the surface in units of a patch: column + u, or row + u; `first` is that of PatchMap.
+HWY_INLINE Floats place(Words32 word, float first) {
+    return hn::Add(one_plus_fraction(word), hn::Set(FloatTag(), first));
 }
 
 /// True where the top bit is set.
@@ -45,7 +47,7 @@ HWY_INLINE FloatMask top_bit(Words32 word) {
     return hn::RebindMask(FloatTag(), hn::Lt(hn::BitCast(di, word), hn::Zero(di)));
 }
 
-/// A direction in the frame of the surface that it leaves, of length between 2^12 and 2^24: absolute values of its
+/// A direction in the frame of the surface that it leaves, of length between 2^-12 and 1: absolute values of its
 /// tangential components, where they are negative, and the component along the normal.
 struct LocalDirection {
     Floats size_u, size_v, normal;
@@ -57,16 +59,16 @@ struct LocalDirection {
 HWY_INLINE LocalDirection cosine_direction(Words32 x, Words32 y) {
     const FloatTag df;
     const WordTag dw;
-    const IntegerTag di;
-    const auto sin2 = odd_24_bits(x);
-    const auto normal = hn::Sub(hn::Set(df, 0x1p24f), sin2);
+    const auto sin2 = coordinate(x);
+    const auto normal = hn::Sub(hn::Set(df, 1), sin2);
     const auto radius = hn::Sqrt(hn::Mul(sin2, normal));
 
-    // The angle in turns is turn * 2^-32. Its distance to the nearest quarter turn, in quarters: q in (-1/2, 1/2),
-    // never 0 because the 24-bit angle is odd.
-    const auto turn = hn::And(hn::Or(y, hn::Set(dw, 0x100)), hn::Set(dw, 0xffffff00u));
-    const auto quarters = hn::ConvertTo(df, hn::BitCast(di, hn::ShiftLeft<2>(turn)));
-    const auto q = hn::Mul(hn::Abs(quarters), hn::Set(df, 0x1p-32f));
+    // The angle in turns is y * 2^-32. An eighth of a turn further, the two top bits of `turn` number the nearest
+    // quarter turn, and the others tell how far from it the angle is, in quarters: q in (-1/2, 1/2). Its last bit is
+    // set, so it is never 0 and its sign is that of the angle's sine or cosine.
+    const auto turn = hn::Add(y, hn::Set(dw, 0x20000000u));
+    const auto fraction = hn::And(hn::ShiftRight<7>(turn), hn::Set(dw, 0x007fffffu));
+    const auto q = hn::Sub(hn::BitCast(df, hn::Or(fraction, hn::Set(dw, 0x3f800001u))), hn::Set(df, 1.5f));
     // sin(q pi/2)/q and cos(q pi/2) in q^2: numpy.polynomial.Chebyshev.interpolate(f, 3, domain=[0, .25]), rounded to
     // float; absolute error below 1.4e-7 with these operations.
     const auto q2 = hn::Mul(q, q);
@@ -77,16 +79,16 @@ HWY_INLINE LocalDirection cosine_direction(Words32 x, Words32 y) {
     auto cosine = hn::Add(hn::Mul(hn::Set(df, -2.040815912e-2f), q2), hn::Set(df, 2.535985708e-1f));
     cosine = hn::Add(hn::Mul(cosine, q2), hn::Set(df, -1.233697057f));
     cosine = hn::Add(hn::Mul(cosine, q2), hn::Set(df, 1.0f));
-    const auto small = hn::Mul(radius, sine);
+    const auto small = hn::Mul(radius, hn::Abs(sine));
     const auto large = hn::Mul(radius, cosine);
 
-    // Nearest quarter turn odd (second bit after rounding): cosine and sine change places.
-    const auto odd = top_bit(hn::ShiftLeft<1>(hn::Add(turn, hn::Set(dw, 0x20000000u))));
+    // Nearest quarter turn odd: cosine and sine change places.
+    const auto odd = hn::RebindMask(df, hn::TestBit(turn, hn::Set(dw, 0x40000000u)));
     return {.size_u = hn::IfThenElse(odd, small, large),
             .size_v = hn::IfThenElse(odd, large, small),
             .normal = normal,
-            .negative_u = top_bit(hn::Add(turn, hn::Set(dw, 0x40000000u))),
-            .negative_v = top_bit(turn)};
+            .negative_u = top_bit(hn::Add(turn, hn::Set(dw, 0x20000000u))),
+            .negative_v = top_bit(y)};
 }
 
 }  // namespace HWY_NAMESPACE

@@ -17,10 +17,11 @@ HWY_BEFORE_NAMESPACE();
 namespace ff {
 namespace HWY_NAMESPACE {
 
-/// (base + s * along_s) + t * along_t: the one order of additions.
-HWY_INLINE Floats on_plane(float base, Floats s, float along_s, Floats t, float along_t) {
+/// (corner + place_u * step_u) + place_v * step_v: the one order of additions.
+HWY_INLINE Floats on_plane(float corner, Floats place_u, float step_u, Floats place_v, float step_v) {
     const FloatTag df;
-    return hn::Add(hn::Add(hn::Set(df, base), hn::Mul(s, hn::Set(df, along_s))), hn::Mul(t, hn::Set(df, along_t)));
+    return hn::Add(hn::Add(hn::Set(df, corner), hn::Mul(place_u, hn::Set(df, step_u))),
+                   hn::Mul(place_v, hn::Set(df, step_v)));
 }
 
 HWY_INLINE Floats in_frame(const SurfaceFrame& frame, std::size_t axis, Floats u, Floats v, Floats n) {
@@ -33,22 +34,24 @@ HWY_INLINE Floats in_frame(const SurfaceFrame& frame, std::size_t axis, Floats u
 void generate(const SurfaceFrame& frame, const PatchMap& map, const PointBlock& points, RayBlock& rays) {
     const FloatTag df;
     const WordTag dw;
-    const auto unit = hn::Set(df, 0x1p-24f);  // exact: only the exponents change
-    const auto minus_unit = hn::Set(df, -0x1p-24f);
+    SurfaceFrame::Vector step_u, step_v;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        step_u[axis] = patch_step(frame.edge_u[axis], map.m);
+        step_v[axis] = patch_step(frame.edge_v[axis], map.m);
+    }
     RayBlock::Component* const origin[] = {&rays.origin_x, &rays.origin_y, &rays.origin_z};
     RayBlock::Component* const direction[] = {&rays.direction_x, &rays.direction_y, &rays.direction_z};
     for (std::size_t i = 0; i < points.size; i += hn::Lanes(df)) {
         const auto word = [&](std::size_t d) HWY_ATTR { return hn::Load(dw, &points.coordinate[d][i]); };
-        const auto s = surface_coordinate(word(0), map.column, map.scale);
-        const auto t = surface_coordinate(word(1), map.row, map.scale);
+        const auto place_u = place(word(0), map.first_u);
+        const auto place_v = place(word(1), map.first_v);
         const auto local = cosine_direction(word(2), word(3));
-        const auto u = hn::Mul(local.size_u, hn::IfThenElse(local.negative_u, minus_unit, unit));
-        const auto v = hn::Mul(local.size_v, hn::IfThenElse(local.negative_v, minus_unit, unit));
-        const auto n = hn::Mul(local.normal, unit);
+        const auto u = hn::IfThenElse(local.negative_u, hn::Neg(local.size_u), local.size_u);
+        const auto v = hn::IfThenElse(local.negative_v, hn::Neg(local.size_v), local.size_v);
         for (std::size_t axis = 0; axis < 3; ++axis) {
-            hn::Store(on_plane(frame.corner[axis], s, frame.edge_u[axis], t, frame.edge_v[axis]), df,
+            hn::Store(on_plane(frame.corner[axis], place_u, step_u[axis], place_v, step_v[axis]), df,
                       &(*origin[axis])[i]);
-            hn::Store(in_frame(frame, axis, u, v, n), df, &(*direction[axis])[i]);
+            hn::Store(in_frame(frame, axis, u, v, local.normal), df, &(*direction[axis])[i]);
         }
     }
 }
@@ -86,10 +89,14 @@ SurfaceFrame surface_frame(const Surface& surface) {
 
 PatchMap patch_map(Subdivision subdivision, std::uint32_t patch) {
     FF_EXPECT(patch < subdivision.per_surface());
-    // m * fl(1/m) rounds to at most 1, so surface coordinates never leave [0, 1].
-    return {.column = 0x1p24f * static_cast<float>(patch % subdivision.m),
-            .row = 0x1p24f * static_cast<float>(patch / subdivision.m),
-            .scale = 0x1p-24f / static_cast<float>(subdivision.m)};
+    const auto first = [](std::uint32_t place) { return static_cast<float>(place) - (1 - 0x1p-24f); };
+    return {.first_u = first(patch % subdivision.m), .first_v = first(patch / subdivision.m), .m = subdivision.m};
+}
+
+float patch_step(float edge, std::uint32_t m) {
+    const float parts = static_cast<float>(m);
+    const float step = edge / parts;
+    return std::abs(step * parts) > std::abs(edge) ? std::nextafter(step, 0.0f) : step;
 }
 
 HWY_EXPORT(generate);

@@ -19,15 +19,19 @@ struct SurfaceFrame {
 /// @throws UserError where a coordinate is not finite in single precision
 SurfaceFrame surface_frame(const Surface& surface);
 
-/// A patch as the affine map from 24-bit coordinates x to surface coordinates: s = (column + x) * scale.
-/// All three are scaled by a power of two, so that the conversion from integers needs no multiplication of its own.
+/// Where a patch lies in the m x m grid of its surface. A coordinate of a point is put in the fraction of a float,
+/// which makes it 1 + x; `first_u` takes the one away, adds the column and goes to the middle of the last bit.
 struct PatchMap {
-    float column = 0;  ///< column * 2^24
-    float row = 0;     ///< row * 2^24
-    float scale = 0;   ///< 2^-24 / m
+    float first_u = 0;  ///< column - 1 + 2^-24
+    float first_v = 0;  ///< row - 1 + 2^-24
+    std::uint32_t m = 1;
 };
 
 PatchMap patch_map(Subdivision subdivision, std::uint32_t patch);
+
+/// Length of one of m equal parts of an edge, rounded such that m of them are not longer than the edge: no ray starts
+/// outside its surface.
+float patch_step(float edge, std::uint32_t m);
 
 /// Rays of one block, one array a component, in the first-level cache.
 struct RayBlock {
