@@ -1,1 +1,119 @@
-int main() { return 0; }
+#include "app/commands.hpp"
+#include "app/study_files.hpp"
+
+#include "core/error.hpp"
+
+#include "app/build_info.hpp"
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+#include <exception>
+#include <functional>
+#include <new>
+
+namespace {
+
+using namespace ff::app;
+
+/// What main does once the command line is understood.
+using Action = std::function<ExitCode()>;
+
+void add_run_options(CLI::App& app, RunCommand& command) {
+    app.add_option("--trials", command.trials, "Repetitions of every sampled size (default: the study's)");
+    app.add_option("--seed", command.seed, "Seed of all random numbers (default: the study's)");
+    app.add_option("--threads", command.threads, "Threads; results do not depend on them (default: all cores)");
+    app.add_option("--out", command.out, "Folder for the results (default: results/<study>)");
+    app.add_flag("--quiet", command.quiet, "Print errors only");
+    app.add_flag("--dry-run", command.dry_run, "Show work units and expected time, run nothing");
+}
+
+void add_run(CLI::App& app, RunCommand& command, Action& action) {
+    CLI::App* sub = app.add_subcommand("run", "Run a study file, or go on with it");
+    sub->add_option("STUDY", command.study, "Study file (.toml) or built-in name")->required();
+    add_run_options(*sub, command);
+    sub->callback([&] { action = [&] { return run(command); }; });
+    for (const BuiltInStudy& study : built_in_studies()) {
+        CLI::App* alias = app.add_subcommand(study.name, study.title);
+        add_run_options(*alias, command);
+        alias->callback([&command, &action, name = study.name] {
+            command.study = name;
+            action = [&command] { return run(command); };
+        });
+    }
+}
+
+void add_report(CLI::App& app, ReportCommand& command, Action& action) {
+    CLI::App* sub = app.add_subcommand("report", "Write the reports of a finished study again");
+    sub->add_option("RESULTS", command.results, "Folder of a study, or its results.sqlite")->required();
+    sub->add_option("--format", command.formats, "markdown, csv, json (default: all)")->delimiter(',');
+    sub->add_option("--out", command.out, "Folder for the files (default: where the results lie)");
+    sub->add_flag("--quiet", command.quiet, "Print errors only");
+    sub->callback([&] { action = [&] { return report(command); }; });
+}
+
+void add_audit(CLI::App& app, AuditCommand& command, Action& action) {
+    CLI::App* sub = app.add_subcommand("audit", "Find contradictions in published tables");
+    sub->add_option("TABLES", command.tables, "Tables file (.json)")->required();
+    sub->add_option("--out", command.out, "Folder for audit.md (default: none is written)");
+    sub->add_flag("--quiet", command.quiet, "Print errors only");
+    sub->callback([&] { action = [&] { return audit(command); }; });
+}
+
+void add_catalogue(CLI::App& app, std::string& name, Action& action) {
+    CLI::App* listing = app.add_subcommand("list", "List samplers, estimators, scenes, studies or formats");
+    listing->add_option("KIND", name, "samplers, estimators, scenes, studies or formats")->required();
+    listing->callback([&] { action = [&] { return list(name); }; });
+    CLI::App* explanation = app.add_subcommand("explain", "Say what a sampler, estimator, scene or study is");
+    explanation->add_option("NAME", name, "A name that 'list' shows")->required();
+    explanation->callback([&] { action = [&] { return explain(name); }; });
+}
+
+ExitCode parse_and_act(int argc, char** argv) {
+    CLI::App app("Form-factor methods under honest statistics.", "ffstudy");
+    app.set_version_flag("--version", fmt::format("ffstudy {} ({})", build_info::version, build_info::revision));
+    app.require_subcommand(1);
+    app.footer(
+        "Exit codes: 0 passed, 1 out of tolerance or a contradiction, 2 usage or input, 3 input/output,\n4 "
+        "inconclusive, 130 interrupted (what was done is saved).");
+    Action action;
+    RunCommand run_command;
+    ReportCommand report_command;
+    AuditCommand audit_command;
+    std::string name;
+    add_run(app, run_command, action);
+    add_report(app, report_command, action);
+    add_audit(app, audit_command, action);
+    add_catalogue(app, name, action);
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        return app.exit(error) == 0 ? ExitCode::passed : ExitCode::usage;
+    }
+    return action();
+}
+
+ExitCode fail(ExitCode code, const std::string& message) {
+    fmt::print(stderr, "ffstudy: {}\n", message);
+    return code;
+}
+
+ExitCode guarded(int argc, char** argv) {
+    try {
+        return parse_and_act(argc, argv);
+    } catch (const ff::UserError& error) {
+        return fail(ExitCode::usage, error.what());
+    } catch (const ff::IoError& error) {
+        return fail(ExitCode::io, error.what());
+    } catch (const std::filesystem::filesystem_error& error) {
+        return fail(ExitCode::io, error.what());
+    } catch (const std::bad_alloc&) {
+        return fail(ExitCode::usage, "out of memory. Take fewer patches or threads.");
+    }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    return static_cast<int>(guarded(argc, argv));
+}

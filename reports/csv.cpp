@@ -1,1 +1,133 @@
-#include "core/contract.hpp"
+#include "reports/csv.hpp"
+
+#include "reports/labels.hpp"
+#include "reports/numbers.hpp"
+
+#include <fmt/format.h>
+
+#include <iterator>
+#include <string>
+#include <vector>
+
+namespace ff::reports {
+namespace {
+
+/// A cell of a CSV file; quoted where it has to be (RFC 4180).
+std::string field(std::string_view text) {
+    if (text.find_first_of(",\"\r\n") == std::string_view::npos) return std::string(text);
+    std::string quoted = "\"";
+    for (const char c : text) {
+        if (c == '"') quoted += '"';
+        quoted += c;
+    }
+    return quoted + "\"";
+}
+
+std::string nodes_field(const studies::Method& method) {
+    if (!method.nodes) return {};
+    const auto [source, target] = *method.nodes;
+    return source == target ? fmt::format("{}", source) : fmt::format("{}x{}", source, target);
+}
+
+constexpr std::string_view summary_header =
+    "study,scene,method,sampler,estimator,completion,nodes,allocation,patches_per_face,samples_per_patch,trials,from_"
+    "face,to_face,"
+    "pair_class,reference,mean,bias,bias_se,bias_ci_low,bias_ci_high,interval_method,level,minimum_detectable_bias,std,"
+    "std_ci_low,"
+    "std_ci_high,rmse,median_abs_error,relative_error_percent,skewness,excess_kurtosis,min,q05,median,q95,max,"
+    "normality_p,vov,"
+    "tail_index,efficiency_samples,lost_rays\n";
+
+/// Columns that are the same for all rows of a cell: study .. trials.
+std::string cell_fields(const studies::StudyPlan& plan, const studies::CellFindings& found) {
+    const studies::Cell& cell = plan.cells[found.cell];
+    const studies::Method& method = plan.spec.methods[cell.method];
+    const bool shoots = method.estimator == studies::Estimator::ray_shooting;
+    const std::string samples = cell.samples == 0 ? std::string() : std::to_string(cell.samples);
+    return fmt::format("{},{},{},{},{},{},{},{},{},{},{}", field(plan.spec.name), field(plan.scenes[cell.scene].name),
+                       field(method.name), method.sampler, name(method.estimator), name(method.completion),
+                       nodes_field(method), shoots ? studies::name(method.allocation) : "",
+                       cell.subdivision.per_surface(), samples, found.trials);
+}
+
+std::string low(const std::optional<stats::Interval>& interval) {
+    return interval ? exact(interval->low) : std::string();
+}
+std::string high(const std::optional<stats::Interval>& interval) {
+    return interval ? exact(interval->high) : std::string();
+}
+
+std::string summary_fields(const Scene& scene, const studies::Summary& s, const studies::CellFindings& found,
+                           double level) {
+    const std::vector<std::string> fields{field(from_label(scene, s.quantity)),
+                                          field(to_label(scene, s.quantity)),
+                                          s.pair_class ? std::string(name(*s.pair_class)) : std::string(),
+                                          exact(s.reference),
+                                          exact(s.mean),
+                                          exact(s.bias),
+                                          exact(s.bias_se),
+                                          low(s.bias_interval),
+                                          high(s.bias_interval),
+                                          s.bias_interval ? std::string(s.bias_interval->method) : std::string(),
+                                          s.bias_interval || s.std_interval ? exact(level) : std::string(),
+                                          exact(s.minimum_detectable_bias),
+                                          exact(s.std),
+                                          low(s.std_interval),
+                                          high(s.std_interval),
+                                          exact(s.rmse),
+                                          exact(s.median_abs_error),
+                                          exact(s.relative_error_percent),
+                                          exact(s.skewness),
+                                          exact(s.excess_kurtosis),
+                                          exact(s.min),
+                                          exact(s.q05),
+                                          exact(s.median),
+                                          exact(s.q95),
+                                          exact(s.max),
+                                          exact(s.normality_p),
+                                          exact(s.vov),
+                                          exact(s.tail_index),
+                                          exact(s.efficiency_samples),
+                                          std::to_string(found.lost_rays)};
+    return fmt::format("{}", fmt::join(fields, ","));
+}
+
+}  // namespace
+
+void write_summary_csv(std::ostream& out, const studies::Findings& findings) {
+    out << summary_header;
+    for (const studies::CellFindings& found : findings.cells) {
+        const Scene& scene = findings.plan.scenes[findings.plan.cells[found.cell].scene];
+        const std::string prefix = cell_fields(findings.plan, found);
+        for (const studies::Summary& summary : found.summaries) {
+            out << prefix << ',' << summary_fields(scene, summary, found, findings.plan.spec.level) << '\n';
+        }
+    }
+}
+
+void write_trials_csv(std::ostream& out, const studies::Store& store) {
+    out << "study,scene,method,patches_per_face,samples_per_patch,trial,from_face,to_face,estimate\n";
+    const studies::StudyPlan& plan = store.plan();
+    for (std::size_t index = 0; index < plan.cells.size(); ++index) {
+        const studies::Cell& cell = plan.cells[index];
+        const Scene& scene = plan.scenes[cell.scene];
+        const auto estimates = studies::load_estimates(store, index, studies::Completion::direct);
+        const std::string samples = cell.samples == 0 ? std::string() : std::to_string(cell.samples);
+        const std::string prefix =
+            fmt::format("{},{},{},{},{}", field(plan.spec.name), field(scene.name),
+                        field(plan.spec.methods[cell.method].name), cell.subdivision.per_surface(), samples);
+        for (const studies::Quantity pair : studies::distinct_pairs(estimates.faces, studies::Completion::direct)) {
+            const std::string faces =
+                fmt::format("{},{}", field(from_label(scene, pair)), field(to_label(scene, pair)));
+            const auto& values = estimates.values(pair);
+            fmt::memory_buffer rows;
+            for (std::size_t i = 0; i < values.size(); ++i) {
+                fmt::format_to(std::back_inserter(rows), "{},{},{},{}\n", prefix, estimates.trial_numbers[i], faces,
+                               values[i]);
+            }
+            out.write(rows.data(), static_cast<std::streamsize>(rows.size()));
+        }
+    }
+}
+
+}  // namespace ff::reports

@@ -99,6 +99,17 @@ const Summary& CellFindings::summary(Quantity quantity) const {
     return *std::find_if(summaries.begin(), summaries.end(), [&](const Summary& s) { return s.quantity == quantity; });
 }
 
+std::optional<double> CellFindings::class_rmse(PairClass pair_class) const {
+    double sum = 0;
+    std::size_t pairs = 0;
+    for (const Summary& summary : summaries) {
+        if (summary.pair_class != pair_class || !summary.rmse) continue;
+        sum += *summary.rmse * *summary.rmse;
+        ++pairs;
+    }
+    return pairs == 0 ? std::nullopt : std::optional(std::sqrt(sum / static_cast<double>(pairs)));
+}
+
 CellFindings analyse_cell(const Store& store, std::size_t cell_index) {
     const StudyPlan& plan = store.plan();
     const Cell& cell = plan.cells[cell_index];

@@ -43,6 +43,8 @@ struct CellFindings {
     EquivalenceFinding equivalence = EquivalenceFinding::not_asked;
 
     [[nodiscard]] const Summary& summary(Quantity quantity) const;
+    /// Root mean square, over the pairs of a class, of their RMSE; empty where the cell has no such pair or reference.
+    [[nodiscard]] std::optional<double> class_rmse(PairClass pair_class) const;
 };
 
 /// All that a study found; every report is made from it. Pure: the same store gives the same findings to the bit.

@@ -11,14 +11,13 @@ namespace ff::studies {
 namespace {
 
 /// Direct estimates of one pair, by trial.
-std::vector<double> direct_factors(const Store& store, std::size_t cell, int from, int to, double rays) {
-    const bool counted =
-        store.plan().spec.methods[store.plan().cells[cell].method].estimator == Estimator::ray_shooting;
-    auto values = store.series(cell, counted ? observable::hits : observable::estimate, from, to).value;
+std::vector<double> direct_factors(const Store& store, CellEstimates& estimates, int from, int to, bool counted) {
+    auto series = store.series(estimates.cell, counted ? observable::hits : observable::estimate, from, to);
     if (counted) {
-        for (double& value : values) value /= rays;
+        for (double& value : series.value) value /= static_cast<double>(estimates.evaluations_per_face);
     }
-    return values;
+    estimates.trial_numbers = std::move(series.trial);
+    return std::move(series.value);
 }
 
 void add_sums(const Scene& scene, CellEstimates& estimates) {
@@ -75,9 +74,8 @@ CellEstimates load_estimates(const Store& store, std::size_t cell_index, Complet
 
     const int faces = static_cast<int>(estimates.faces);
     const bool counted = method.estimator == Estimator::ray_shooting;
-    const auto rays = static_cast<double>(estimates.evaluations_per_face);
     if (counted) {
-        estimates.lattice = 1.0 / rays;
+        estimates.lattice = 1.0 / static_cast<double>(estimates.evaluations_per_face);
         for (int i = 1; i <= faces; ++i) {
             estimates.lost_rays += static_cast<std::uint64_t>(store.total(cell_index, observable::lost, i, 0));
         }
@@ -88,7 +86,7 @@ CellEstimates load_estimates(const Store& store, std::size_t cell_index, Complet
             const bool by_reciprocity = completion == Completion::reciprocal && j < i;
             auto& target = estimates.factors[static_cast<std::size_t>((i - 1) * faces + j - 1)];
             if (!by_reciprocity) {
-                target = direct_factors(store, cell_index, i, j, rays);
+                target = direct_factors(store, estimates, i, j, counted);
                 continue;
             }
             target = estimates.factors[static_cast<std::size_t>((j - 1) * faces + i - 1)];

@@ -23,6 +23,7 @@ struct Quantity {
 struct CellEstimates {
     std::size_t cell = 0;
     std::size_t faces = 0;
+    std::vector<std::uint64_t> trial_numbers;   ///< ascending; all of them in a complete study
     std::vector<std::vector<double>> factors;   ///< [(from - 1) * faces + to - 1], by trial; diagonal empty
     std::vector<std::vector<double>> row_sums;  ///< [from - 1]
     std::vector<double> sum_relative_error;     ///< percent, over all faces; empty in an open scene

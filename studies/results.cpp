@@ -15,6 +15,7 @@ StudyResults evaluate(const Store& store) {
         compared.tables = parse_published_tables(published->text, published->file);
         compared.comparisons = compare_with_published(store, results.findings, compared.tables);
         compared.claims = judge_claims(store, results.findings, compared.tables);
+        compared.audit = audit(compared.tables);
     }
     results.error_laws = fit_error_laws(results.findings, results.published ? &results.published->tables : nullptr);
     return results;

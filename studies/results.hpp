@@ -1,6 +1,7 @@
 #pragma once
 
 #include "studies/analysis.hpp"
+#include "studies/audit.hpp"
 #include "studies/claims.hpp"
 #include "studies/comparison.hpp"
 #include "studies/error_law.hpp"
@@ -17,6 +18,7 @@ struct PublishedResults {
     PublishedTables tables;
     std::vector<TableComparison> comparisons;
     std::vector<JudgedClaim> claims;
+    AuditReport audit;
 };
 
 /// Everything that reports show, made from a store alone. Context (host, dates) stands apart.

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "app/exit_code.hpp"
+#include "app/options.hpp"
+
+#include <string>
+
+namespace ff::app {
+
+/// Runs a study, or goes on with it, writes its reports, prints a short result.
+ExitCode run(const RunCommand& command);
+
+/// Writes reports from a store.
+ExitCode report(const ReportCommand& command);
+
+/// Checks published tables for contradictions; failed where there are some.
+ExitCode audit(const AuditCommand& command);
+
+/// Lists samplers, estimators, scenes, studies or formats.
+ExitCode list(const std::string& kind);
+
+/// Prints what a sampler, estimator, scene or study is, its source and its limits.
+ExitCode explain(const std::string& name);
+
+}  // namespace ff::app

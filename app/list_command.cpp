@@ -1,0 +1,101 @@
+#include "app/commands.hpp"
+
+#include "app/result_files.hpp"
+#include "app/study_files.hpp"
+
+#include "core/error.hpp"
+#include "core/nearest_name.hpp"
+#include "samplers/sampler.hpp"
+#include "studies/descriptions.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <string_view>
+
+namespace ff::app {
+namespace {
+
+void print_row(std::string_view name, std::string_view summary) {
+    fmt::print("{:<16} {}\n", name, summary);
+}
+
+void print_all(std::span<const studies::Description> descriptions) {
+    for (const auto& description : descriptions) print_row(description.name, description.summary);
+}
+
+constexpr std::array<std::string_view, 5> kinds{"samplers", "estimators", "scenes", "studies", "formats"};
+
+void print_description(std::string_view kind, std::string_view name, std::string_view summary, std::string_view details,
+                       std::string_view reference) {
+    fmt::print("{} ({})\n{}\n\n{}\n", name, kind, summary, details);
+    if (!reference.empty()) fmt::print("\nSource: [{}], see docs/references.md\n", reference);
+}
+
+std::string_view sizes_in_words(samplers::Sizes sizes) {
+    switch (sizes) {
+        case samplers::Sizes::any:
+            return "any number of points";
+        case samplers::Sizes::power_of_two:
+            return "powers of two; others lose the net property";
+        case samplers::Sizes::fourth_power:
+            return "fourth powers k^4 only";
+        case samplers::Sizes::nodes:
+            break;
+    }
+    return "n nodes a side, 1 to 64";
+}
+
+}  // namespace
+
+ExitCode list(const std::string& kind) {
+    if (kind == "samplers") {
+        for (const auto& entry : samplers::catalogue()) print_row(entry.info.name, entry.info.summary);
+    } else if (kind == "estimators") {
+        print_all(studies::estimator_descriptions());
+    } else if (kind == "scenes") {
+        print_all(studies::scene_descriptions());
+    } else if (kind == "studies") {
+        for (const auto& study : built_in_studies()) print_row(study.name, study.title);
+    } else if (kind == "formats") {
+        for (const std::string_view format : all_formats()) fmt::print("{}\n", format);
+    } else {
+        throw UserError(fmt::format("'{}' cannot be listed. Did you mean '{}'? Known: {}.", kind,
+                                    nearest_name(kind, kinds), fmt::join(kinds, ", ")));
+    }
+    return ExitCode::passed;
+}
+
+ExitCode explain(const std::string& name) {
+    std::vector<std::string> names;
+    for (const auto& entry : samplers::catalogue()) {
+        names.emplace_back(entry.info.name);
+        if (entry.info.name != name) continue;
+        print_description("sampler", name, entry.info.summary, entry.info.details, entry.info.reference);
+        fmt::print("Sizes:  {}\n", sizes_in_words(entry.info.sizes));
+        return ExitCode::passed;
+    }
+    for (const auto& [kind, descriptions] : {std::pair("estimator", studies::estimator_descriptions()),
+                                             std::pair("scene", studies::scene_descriptions())}) {
+        for (const auto& description : descriptions) {
+            names.emplace_back(description.name);
+            if (description.name != name) continue;
+            print_description(kind, name, description.summary, description.details, description.reference);
+            return ExitCode::passed;
+        }
+    }
+    for (const auto& study : built_in_studies()) {
+        names.push_back(study.name);
+        if (study.name != name) continue;
+        print_description("study", name, study.title,
+                          fmt::format("{}\n{}", study.file.string(), studies::to_toml(studies::load_study(study.file))),
+                          "");
+        return ExitCode::passed;
+    }
+    const std::vector<std::string_view> known(names.begin(), names.end());
+    throw UserError(fmt::format(
+        "'{}' is unknown. Did you mean '{}'? See 'ffstudy list samplers', 'estimators', 'scenes' and 'studies'.", name,
+        nearest_name(name, known)));
+}
+
+}  // namespace ff::app

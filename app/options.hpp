@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace ff::app {
+
+/// What the commands that run something take.
+struct RunCommand {
+    std::string study;  ///< built-in name, or a file
+    std::optional<std::uint64_t> trials;
+    std::optional<std::uint64_t> seed;
+    std::optional<unsigned> threads;
+    std::filesystem::path out;  ///< empty: results/<study>
+    bool quiet = false;
+    bool dry_run = false;
+};
+
+struct ReportCommand {
+    std::filesystem::path results;  ///< folder or store
+    std::filesystem::path out;      ///< empty: where the store lies
+    std::vector<std::string> formats;
+    bool quiet = false;
+};
+
+struct AuditCommand {
+    std::filesystem::path tables;
+    std::filesystem::path out;  ///< empty: nothing is written
+    bool quiet = false;
+};
+
+}  // namespace ff::app

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "studies/run.hpp"
+
+#include <chrono>
+#include <cstdint>
+
+namespace ff::app {
+
+/// Shows how far a run is, on stderr: a bar that rewrites itself on a terminal, a line every ten seconds elsewhere.
+class ProgressDisplay {
+  public:
+    enum class Style { silent, lines, bar };
+    explicit ProgressDisplay(Style style) : style_(style) {}
+
+    void show(const studies::Progress& progress);
+    /// Leaves the bar's line.
+    void finish();
+
+    /// The style for this stderr.
+    static Style style(bool quiet);
+
+  private:
+    using Clock = std::chrono::steady_clock;
+    Style style_;
+    Clock::time_point start_ = Clock::now();
+    Clock::time_point last_ = start_;
+    double already_done_ = -1;  // expected seconds that an earlier run did
+    bool shown_ = false;
+};
+
+}  // namespace ff::app

@@ -1,0 +1,11 @@
+#pragma once
+
+#include <atomic>
+
+namespace ff::app {
+
+/// Makes SIGINT, SIGTERM and SIGUSR1 ask for an orderly end: the first sets the flag, a second ends at once (130).
+/// @return the flag
+const std::atomic<bool>& stop_on_signals();
+
+}  // namespace ff::app

@@ -1,0 +1,215 @@
+#include "reports/json.hpp"
+
+#include "reports/labels.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace ff::reports {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json optional(const std::optional<double>& value) {
+    return value ? Json(*value) : Json(nullptr);
+}
+
+Json interval_json(const std::optional<stats::Interval>& interval) {
+    if (!interval) return nullptr;
+    return {{"low", interval->low},
+            {"high", interval->high},
+            {"level", interval->level},
+            {"method", interval->method},
+            {"n", interval->n}};
+}
+
+std::string_view name(studies::BiasFinding finding) {
+    switch (finding) {
+        case studies::BiasFinding::no_bias_found:
+            return "no_bias_found";
+        case studies::BiasFinding::biased:
+            return "biased";
+        case studies::BiasFinding::untestable:
+            break;
+    }
+    return "untestable";
+}
+
+std::string_view name(studies::EquivalenceFinding finding) {
+    switch (finding) {
+        case studies::EquivalenceFinding::shown:
+            return "shown";
+        case studies::EquivalenceFinding::refuted:
+            return "refuted";
+        case studies::EquivalenceFinding::inconclusive:
+            return "inconclusive";
+        case studies::EquivalenceFinding::not_asked:
+            break;
+    }
+    return "not_asked";
+}
+
+std::string_view name(studies::VarianceStatus status) {
+    switch (status) {
+        case studies::VarianceStatus::finite:
+            return "finite";
+        case studies::VarianceStatus::infinite:
+            return "infinite";
+        case studies::VarianceStatus::none:
+            break;
+    }
+    return "none";
+}
+
+Json summary_json(const Scene& scene, const studies::Summary& s) {
+    return {{"from_face", from_label(scene, s.quantity)},
+            {"to_face", to_label(scene, s.quantity)},
+            {"pair_class", s.pair_class ? Json(ff::name(*s.pair_class)) : Json(nullptr)},
+            {"variance", name(s.variance)},
+            {"reference", optional(s.reference)},
+            {"mean", optional(s.mean)},
+            {"bias", optional(s.bias)},
+            {"bias_se", optional(s.bias_se)},
+            {"bias_interval", interval_json(s.bias_interval)},
+            {"minimum_detectable_bias", optional(s.minimum_detectable_bias)},
+            {"std", optional(s.std)},
+            {"std_interval", interval_json(s.std_interval)},
+            {"rmse", optional(s.rmse)},
+            {"median_abs_error", optional(s.median_abs_error)},
+            {"relative_error_percent", optional(s.relative_error_percent)},
+            {"skewness", optional(s.skewness)},
+            {"excess_kurtosis", optional(s.excess_kurtosis)},
+            {"quantiles",
+             {{"min", optional(s.min)},
+              {"q025", optional(s.q025)},
+              {"q05", optional(s.q05)},
+              {"median", optional(s.median)},
+              {"q95", optional(s.q95)},
+              {"q975", optional(s.q975)},
+              {"max", optional(s.max)}}},
+            {"normality_p", optional(s.normality_p)},
+            {"vov", optional(s.vov)},
+            {"tail_index", optional(s.tail_index)},
+            {"efficiency_samples", optional(s.efficiency_samples)}};
+}
+
+Json bias_json(const studies::StudyPlan& plan, const studies::CellFindings& found) {
+    if (!found.bias) return nullptr;
+    const studies::BiasFamily& family = *found.bias;
+    const Scene& scene = plan.scenes[plan.cells[found.cell].scene];
+    return {{"finding", name(found.bias_finding)},
+            {"pairs", family.pairs},
+            {"untestable", family.untestable},
+            {"largest_z", family.largest_z},
+            {"largest_pair", family.largest_z > 0 ? Json(quantity_label(scene, family.largest_pair)) : Json(nullptr)},
+            {"adjusted_p", family.adjusted_p},
+            {"multiplicity", "holm"},
+            {"alpha", 1.0 - plan.spec.level},
+            {"power", plan.spec.power},
+            {"minimum_detectable_bias", family.minimum_detectable_bias},
+            {"equivalence",
+             {{"finding", name(found.equivalence)},
+              {"margin", optional(family.margin)},
+              {"shown_below", family.shown_below},
+              {"planned_margin", family.planned_margin}}}};
+}
+
+Json cell_json(const studies::StudyPlan& plan, const studies::CellFindings& found) {
+    const studies::Cell& cell = plan.cells[found.cell];
+    const studies::Method& method = plan.spec.methods[cell.method];
+    Json json{{"scene", plan.scenes[cell.scene].name},
+              {"method", method.name},
+              {"sampler", method.sampler.empty() ? Json(nullptr) : Json(method.sampler)},
+              {"estimator", studies::name(method.estimator)},
+              {"completion", studies::name(method.completion)},
+              {"patches_per_face", cell.subdivision.per_surface()},
+              {"samples_per_patch", cell.samples == 0 ? Json(nullptr) : Json(cell.samples)},
+              {"deterministic", cell.deterministic},
+              {"trials", found.trials},
+              {"trials_planned", found.trials_planned},
+              {"lost_rays", found.lost_rays},
+              {"evaluations_per_face", found.evaluations_per_face},
+              {"bias_test", bias_json(plan, found)}};
+    Json& summaries = json["summaries"] = Json::array();
+    for (const studies::Summary& summary : found.summaries)
+        summaries.push_back(summary_json(plan.scenes[cell.scene], summary));
+    return json;
+}
+
+Json comparison_json(const studies::PublishedResults& published, const studies::TableComparison& table) {
+    Json figures = Json::array();
+    for (const studies::FigureComparison& c : table.figures) {
+        figures.push_back({{"figure", studies::describe(published.tables, c.figure)},
+                           {"printed", published.tables.figures[c.figure].printed},
+                           {"ours", optional(c.ours)},
+                           {"single_run_low", c.single_run ? Json(c.single_run->low) : Json(nullptr)},
+                           {"single_run_high", c.single_run ? Json(c.single_run->high) : Json(nullptr)},
+                           {"z", optional(c.z)},
+                           {"percentile", c.rank ? Json(100 * c.rank->percentile) : Json(nullptr)},
+                           {"adjusted_p", optional(c.adjusted_p)}});
+    }
+    Json chi_squared = Json::array();
+    for (const studies::ColumnChiSquared& column : table.chi_squared) {
+        chi_squared.push_back({{"column", column.column},
+                               {"statistic", column.form.chi_squared.statistic},
+                               {"freedom", column.form.chi_squared.freedom},
+                               {"p", column.form.chi_squared.p}});
+    }
+    return {{"table", table.table}, {"figures", std::move(figures)}, {"chi_squared", std::move(chi_squared)}};
+}
+
+Json published_json(const studies::PublishedResults& published) {
+    Json tables = Json::array();
+    for (const studies::TableComparison& table : published.comparisons)
+        tables.push_back(comparison_json(published, table));
+    Json claims = Json::array();
+    for (const studies::JudgedClaim& claim : published.claims) {
+        claims.push_back({{"id", claim.claim.id},
+                          {"section", claim.claim.section},
+                          {"statement", claim.claim.statement},
+                          {"verdict", studies::name(claim.verdict)},
+                          {"evidence", claim.evidence}});
+    }
+    return {{"source", published.tables.source}, {"tables", std::move(tables)}, {"claims", std::move(claims)}};
+}
+
+}  // namespace
+
+std::string results_json(const studies::StudyResults& results) {
+    const studies::StudyPlan& plan = results.findings.plan;
+    Json json{{"schema", fmt::format("ffstudy.results/{}", results_json_version)},
+              {"study", plan.spec.name},
+              {"title", plan.spec.title},
+              {"complete", results.findings.complete},
+              {"seed", plan.spec.seed.value},
+              {"level", plan.spec.level},
+              {"warnings", plan.warnings}};
+    Json& cells = json["cells"] = Json::array();
+    for (const studies::CellFindings& found : results.findings.cells) cells.push_back(cell_json(plan, found));
+    Json& checks = json["variance_checks"] = Json::array();
+    for (const studies::VarianceCheck& check : results.variance_checks) {
+        checks.push_back({{"cell", cell_label(plan, plan.cells[check.cell])},
+                          {"quantities", check.quantities.size()},
+                          {"smallest_ratio", check.smallest_ratio},
+                          {"largest_ratio", check.largest_ratio},
+                          {"adjusted_p", check.adjusted_p}});
+    }
+    Json& laws = json["error_laws"] = Json::array();
+    for (const studies::ErrorLaw& law : results.error_laws) {
+        laws.push_back({{"method", law.method},
+                        {"published", law.published},
+                        {"m", law.m},
+                        {"closure_errors", law.closure_errors},
+                        {"c", law.first_order.coefficient},
+                        {"largest_residual", law.first_order.largest_residual},
+                        {"free_exponent", law.free ? Json(law.free->exponent) : Json(nullptr)}});
+    }
+    json["published"] = results.published ? published_json(*results.published) : Json(nullptr);
+    return json.dump(2) + "\n";
+}
+
+std::string context_json(const studies::Context& context) {
+    return Json(context).dump(2) + "\n";
+}
+
+}  // namespace ff::reports

@@ -1,0 +1,142 @@
+#include "reports/markdown_sections.hpp"
+#include "reports/numbers.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace ff::reports {
+namespace {
+
+using studies::FigureComparison;
+using studies::FigureKind;
+
+/// Decimals that a single run's spread warrants, or those of the print for a deterministic value.
+std::string ours_text(const FigureComparison& c, const std::string& printed) {
+    if (!c.ours) return "–";
+    const double unit = studies::half_printed_unit(printed);
+    if (c.deterministic || !c.single_run) return to_error(*c.ours, 20 * unit);
+    const double spread = c.single_run->high - c.single_run->low;
+    if (spread == 0) return fmt::format("{:g} always", *c.ours);
+    return fmt::format("{} [{}, {}]", to_error(*c.ours, spread / 20), to_error(c.single_run->low, spread / 5),
+                       to_error(c.single_run->high, spread / 5));
+}
+
+std::string percentile_text(const stats::Rank& rank) {
+    const double percentile = 100 * rank.percentile;
+    const double step = 100.0 / static_cast<double>(rank.n);
+    if (percentile < step) return fmt::format("below {:.2g} %", step);
+    if (percentile > 100 - step) return fmt::format("above {:.4g} %", 100 - step);
+    return fmt::format("{:.3g} %", percentile);
+}
+
+std::string place_text(const FigureComparison& c, const std::string& printed) {
+    if (!c.ours) return "–";
+    if (c.deterministic) {
+        const double difference = c.printed - *c.ours;
+        return std::abs(difference) <= 2 * studies::half_printed_unit(printed)
+                   ? "equal"
+                   : fmt::format("off by {:+.3g}", difference);
+    }
+    if (c.single_run->low == c.single_run->high) return *c.adjusted_p > 0 ? "equal" : "**impossible**";
+    const std::string place =
+        c.z ? fmt::format("z {:+.2f}, {}", *c.z, percentile_text(*c.rank)) : percentile_text(*c.rank);
+    return *c.adjusted_p < 0.05 ? fmt::format("**{}**", place) : place;
+}
+
+std::string table_text(const studies::PublishedResults& published, std::size_t index,
+                       const std::set<std::size_t>& blamed) {
+    const studies::PublishedTable& table = published.tables.tables[index];
+    const studies::TableComparison& comparison = published.comparisons[index];
+    std::string out = fmt::format("### {}: {}\n\n", table.id, table.title);
+    if (!table.note.empty()) out += fmt::format("*{}*\n\n", table.note);
+    out += "| |";
+    std::string rule = "|---|";
+    for (const std::string& column : table.column_titles) {
+        out += fmt::format(" {}: printed | ours | where it falls |", column);
+        rule += "--:|--:|:--|";
+    }
+    out += "\n" + rule + "\n";
+    const std::size_t columns = table.column_titles.size();
+    for (std::size_t row = 0; row < table.row_titles.size(); ++row) {
+        out += fmt::format("| {} |", table.row_titles[row]);
+        for (std::size_t column = 0; column < columns; ++column) {
+            const auto figure = table.figures[row * columns + column];
+            if (!figure) {
+                out += " | | |";
+                continue;
+            }
+            const auto& c = *std::find_if(comparison.figures.begin(), comparison.figures.end(),
+                                          [&](const auto& f) { return f.figure == *figure; });
+            const std::string& printed = published.tables.figures[*figure].printed;
+            out += fmt::format(" {}{} | {} | {} |", printed, blamed.contains(*figure) ? " †" : "",
+                               ours_text(c, printed), place_text(c, printed));
+        }
+        out += "\n";
+    }
+    out += "\n";
+    for (const studies::ColumnChiSquared& column : comparison.chi_squared) {
+        const auto& chi = column.form.chi_squared;
+        out +=
+            fmt::format("- {}: χ² of its {} figures together = {:.1f} with {} degrees of freedom, p = {}.\n",
+                        table.column_titles[column.column], column.figures, chi.statistic, chi.freedom, p_value(chi.p));
+    }
+    double least = 2;
+    for (const FigureComparison& c : comparison.figures) least = std::min(least, c.adjusted_p.value_or(2));
+    if (least <= 1)
+        out += fmt::format("- Most surprising sampled figure of the table: Holm-adjusted p = {}.\n", p_value(least));
+    return out + "\n";
+}
+
+}  // namespace
+
+std::string published_tables_section(const studies::StudyResults& results) {
+    if (!results.published) return {};
+    const studies::PublishedResults& published = *results.published;
+    std::set<std::size_t> blamed;
+    for (const studies::Finding& finding : published.audit.findings) {
+        if (finding.severity == studies::Severity::contradiction)
+            blamed.insert(finding.figures.begin(), finding.figures.end());
+    }
+    std::string out = fmt::format(
+        "## The published tables, three things side by side\n\n"
+        "{}\n\n"
+        "*Printed* is the figure as published († : the audit finds that it contradicts others). *Ours* is the value of "
+        "a "
+        "deterministic method; of a sampled one the mean over trials and the range [2.5 %, 97.5 %] of a single run. "
+        "*Where it "
+        "falls*: (printed − mean) in standard deviations of a single run, and the share of our runs below it; bold "
+        "where a "
+        "run as described would give it, or something further out, less often than 5 % allows over the whole table "
+        "(Holm).\n\n",
+        published.tables.source);
+    for (std::size_t i = 0; i < published.tables.tables.size(); ++i) out += table_text(published, i, blamed);
+    return out;
+}
+
+std::string claims_section(const studies::StudyResults& results) {
+    if (!results.published || results.published->claims.empty()) return {};
+    std::string out = "## The paper's claims, judged\n\n| claim (section) | verdict | evidence |\n|---|---|---|\n";
+    for (const studies::JudgedClaim& claim : results.published->claims) {
+        out += fmt::format("| {} ({}) | **{}** | {} |\n", claim.claim.statement, claim.claim.section,
+                           studies::name(claim.verdict), claim.evidence);
+    }
+    return out + "\n";
+}
+
+std::string audit_section(const studies::StudyResults& results) {
+    if (!results.published) return {};
+    const studies::PublishedResults& published = *results.published;
+    std::string out = fmt::format(
+        "## The audit\n\nFrom the printed figures alone: **{} contradictions**; details in [audit.md](audit.md).\n\n",
+        published.audit.contradictions());
+    for (const studies::Finding& finding : published.audit.findings) {
+        const bool note = finding.severity == studies::Severity::note;
+        out += fmt::format("1. {}{}\n", note ? "(note) " : "", finding.statement);
+    }
+    return out + "\n";
+}
+
+}  // namespace ff::reports

@@ -1,0 +1,20 @@
+#pragma once
+
+#include "studies/results.hpp"
+
+#include <string>
+
+namespace ff::reports {
+
+/// Sections of report.md, each with its heading; empty where the study has nothing for them.
+std::string brief_section(const studies::StudyResults& results);
+std::string methods_section(const studies::StudyResults& results);
+std::string published_tables_section(const studies::StudyResults& results);
+std::string claims_section(const studies::StudyResults& results);
+std::string audit_section(const studies::StudyResults& results);
+std::string error_law_section(const studies::StudyResults& results);
+std::string bias_section(const studies::StudyResults& results);
+std::string variance_section(const studies::StudyResults& results);
+std::string reproduction_section(const studies::StudyResults& results);
+
+}  // namespace ff::reports

@@ -1,0 +1,28 @@
+#include "reports/numbers.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace ff::reports {
+
+std::string exact(std::optional<double> value) {
+    return value && std::isfinite(*value) ? fmt::format("{}", *value) : std::string();
+}
+
+std::string to_error(double value, double error) {
+    if (!(error > 0)) return fmt::format("{:.8g}", value);
+    const int decimals = std::clamp(1 - static_cast<int>(std::floor(std::log10(error))), 0, 15);
+    return fmt::format("{:.{}f}", value, decimals);
+}
+
+std::string brief(double value, int digits) {
+    return fmt::format("{:.{}g}", value, digits);
+}
+
+std::string p_value(double p) {
+    return p < 1e-10 ? "< 1e-10" : fmt::format("{:.2g}", p);
+}
+
+}  // namespace ff::reports

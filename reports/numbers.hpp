@@ -1,0 +1,21 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+namespace ff::reports {
+
+/// The shortest decimal that reads back as the same double; empty text for no value or one that is not finite.
+std::string exact(std::optional<double> value);
+
+/// As many decimals as the error warrants: its second significant digit is the last one shown. An error of 0 shows
+/// eight significant digits.
+std::string to_error(double value, double error);
+
+/// A few significant digits, with an exponent below 1e-4: "0.0123", "7.7e-05".
+std::string brief(double value, int digits = 3);
+
+/// A p-value: two significant digits, "< 1e-10" below that.
+std::string p_value(double p);
+
+}  // namespace ff::reports

@@ -1,0 +1,56 @@
+#include "reports/output_file.hpp"
+
+#include "core/error.hpp"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+
+namespace ff::reports {
+namespace {
+
+[[noreturn]] void fail(const std::filesystem::path& file, int error) {
+    throw IoError(fmt::format("{}: cannot be written ({}). Check the folder, its permissions and the free space.",
+                              file.string(), error == 0 ? "output error" : std::strerror(error)));
+}
+
+void synchronise(const std::filesystem::path& file) {
+    const int descriptor = ::open(file.c_str(), O_RDONLY | O_CLOEXEC);
+    if (descriptor < 0) fail(file, errno);
+    const int status = ::fsync(descriptor);
+    const int error = errno;
+    ::close(descriptor);
+    if (status != 0) fail(file, error);
+}
+
+}  // namespace
+
+void write_file(const std::filesystem::path& file, const std::function<void(std::ostream&)>& write) {
+    std::filesystem::path temporary = file;
+    temporary += ".part";
+    try {
+        errno = 0;
+        std::ofstream out(temporary, std::ios::binary | std::ios::trunc);
+        if (!out) fail(file, errno);
+        write(out);
+        out.close();
+        if (!out) fail(file, errno);
+        synchronise(temporary);
+        std::filesystem::rename(temporary, file);
+    } catch (...) {
+        std::error_code ignored;
+        std::filesystem::remove(temporary, ignored);
+        throw;
+    }
+}
+
+void write_file(const std::filesystem::path& file, std::string_view text) {
+    write_file(file, [&](std::ostream& out) { out << text; });
+}
+
+}  // namespace ff::reports

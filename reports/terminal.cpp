@@ -1,0 +1,64 @@
+#include "reports/terminal.hpp"
+
+#include "reports/labels.hpp"
+#include "reports/numbers.hpp"
+#include "reports/published_summary.hpp"
+#include "reports/verdicts.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+
+namespace ff::reports {
+namespace {
+
+std::string rmse(const studies::CellFindings& found, PairClass pair_class) {
+    const auto value = found.class_rmse(pair_class);
+    return value ? fmt::format("{:.2e}", *value) : "-";
+}
+
+std::string seconds_in_words(double seconds) {
+    return seconds < 100 ? fmt::format("{:.1f} s", seconds) : fmt::format("{:.1f} min", seconds / 60);
+}
+
+}  // namespace
+
+std::string terminal_summary(const studies::StudyResults& results) {
+    const studies::StudyPlan& plan = results.findings.plan;
+    std::string out = fmt::format("{}: {}\nseed {}{}\n\n", plan.spec.name, plan.spec.title, plan.spec.seed.value,
+                                  results.findings.complete ? "" : "  (PARTIAL: stopped early)");
+    out += fmt::format("{:<15} {:<20} {:>6}  {:>8}  {:>8}  {}\n", "method", "size", "trials", "RMSE", "RMSE", "bias");
+    out += fmt::format("{:<15} {:<20} {:>6}  {:>8}  {:>8}  {}\n", "", "(per face × patch)", "", "parallel", "adjacent",
+                       "(all pairs together)");
+    for (const studies::CellFindings& found : results.findings.cells) {
+        const studies::Cell& cell = plan.cells[found.cell];
+        const std::string scene = plan.scenes.size() == 1 ? std::string() : plan.scenes[cell.scene].name + " ";
+        const std::string margin = equivalence_in_words(found);
+        out += fmt::format("{:<15} {:<20} {:>6}  {:>8}  {:>8}  {}{}{}\n", scene + plan.spec.methods[cell.method].name,
+                           size_label(plan, cell), found.trials, rmse(found, PairClass::parallel),
+                           rmse(found, PairClass::adjacent), bias_in_words(found, plan.spec.level),
+                           margin.empty() ? "" : "; ", margin);
+        if (found.lost_rays > 0) out += fmt::format("{:<15} {} rays LOST\n", "", found.lost_rays);
+    }
+    if (results.published) out += fmt::format("\n{}", published_in_brief(*results.published));
+    return out;
+}
+
+std::string terminal_plan(const studies::StudyPlan& plan, unsigned threads) {
+    std::string out = fmt::format("{}: {} work units\n\n{:<15} {:<20} {:>8} {:>14} {:>12}\n", plan.spec.name,
+                                  plan.units.size(), "method", "size", "trials", "samples/trial", "core time");
+    double total = 0;
+    for (const studies::Cell& cell : plan.cells) {
+        const double seconds = static_cast<double>(cell.trials) * studies::expected_seconds_per_trial(plan, cell);
+        total += seconds;
+        out += fmt::format("{:<15} {:<20} {:>8} {:>14} {:>12}\n", plan.spec.methods[cell.method].name,
+                           size_label(plan, cell), cell.trials, studies::evaluations_per_trial(plan, cell),
+                           seconds_in_words(seconds));
+    }
+    out +=
+        fmt::format("\nabout {} on {} thread{}\n", seconds_in_words(total / threads), threads, threads == 1 ? "" : "s");
+    return out;
+}
+
+}  // namespace ff::reports

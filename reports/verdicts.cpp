@@ -1,0 +1,46 @@
+#include "reports/verdicts.hpp"
+
+#include "reports/numbers.hpp"
+
+#include <fmt/format.h>
+
+namespace ff::reports {
+
+std::string bias_in_words(const studies::CellFindings& found, double level) {
+    if (!found.bias) return "deterministic: the error is the bias";
+    switch (found.bias_finding) {
+        case studies::BiasFinding::untestable:
+            return "no test: infinite variance";
+        case studies::BiasFinding::biased:
+            return fmt::format("BIASED (largest |z| {:.1f}, p = {})", found.bias->largest_z,
+                               p_value(found.bias->adjusted_p));
+        case studies::BiasFinding::no_bias_found:
+            break;
+    }
+    const std::string untested =
+        found.bias->untestable == 0
+            ? std::string()
+            : fmt::format(" on {} of {} pairs", found.bias->pairs - found.bias->untestable, found.bias->pairs);
+    return fmt::format("none found{} at {:g} % (would detect {})", untested, 100 * level,
+                       brief(found.bias->minimum_detectable_bias, 2));
+}
+
+std::string equivalence_in_words(const studies::CellFindings& found) {
+    if (!found.bias || !found.bias->margin) return "";
+    const std::string margin = brief(*found.bias->margin, 2);
+    const std::string reach = brief(found.bias->shown_below, 2);
+    switch (found.equivalence) {
+        case studies::EquivalenceFinding::shown:
+            return fmt::format("|bias| < {} shown (even < {})", margin, reach);
+        case studies::EquivalenceFinding::refuted:
+            return fmt::format("|bias| < {} refuted", margin);
+        case studies::EquivalenceFinding::inconclusive:
+            return found.bias->untestable > 0 ? "inconclusive: infinite variance"
+                                              : fmt::format("|bias| < {} not shown (only < {})", margin, reach);
+        case studies::EquivalenceFinding::not_asked:
+            break;
+    }
+    return "";
+}
+
+}  // namespace ff::reports

@@ -1,0 +1,55 @@
+#include "studies/descriptions.hpp"
+
+#include <array>
+
+namespace ff::studies {
+namespace {
+
+constexpr std::array estimators{
+    Description{
+        "ray_shooting", "rays from every patch, cosine distributed; counts what they hit (the paper's SR)",
+        "A 4-D point gives the origin on the source patch (2) and the direction (2). The estimate of F(i, j) is the "
+        "share\n"
+        "of the rays from face i that hit face j: integer counts, unbiased, and nothing is chosen about the target.\n"
+        "Works with every sampler of equal weights. allocation = \"face\" runs one sequence over all patches of a "
+        "face.\n"
+        "Rays that leave a closed scene are lost rays; they are counted and reported.",
+        "shirley1991"},
+    Description{
+        "area_kernel", "cos·cos/(pi r^2) at pairs of points on two patches (with gauss_legendre: the paper's PDM)",
+        "A 4-D point gives a point on each patch of an ordered pair; samples_per_patch counts points a pair. Unbiased "
+        "with\n"
+        "random points, but where patches share an edge or a vertex the kernel is unbounded: the tail index is 3/2 or "
+        "2, the\n"
+        "variance infinite, and no interval is shown. With Gauss-Legendre nodes on both patches it is the parametric\n"
+        "differential method (PDM); its error near common edges falls as 1/m only. Unoccluded convex scenes.",
+        "baranoski1992"},
+    Description{
+        "closed_form", "exact formulas for parallel and perpendicular rectangles",
+        "Takes no points and has no error but rounding (about 1e-15 of the squared extent). Axis-aligned rectangles "
+        "with\n"
+        "nothing in between. The reference that bias is measured from, and the baseline that others have to beat.",
+        "howell"},
+};
+
+constexpr std::array scenes{
+    Description{
+        "cube", "the inside of the paper's cube, edges of 6",
+        "Faces as in the paper: 1 opposite 6, 2 opposite 3, 4 opposite 5; 3 is frontal. The same scene as box:6x6x6.",
+        "baranoski1999"},
+    Description{"box:AxBxC", "the inside of any box, e.g. box:2x1x0.5",
+                "Faces 1 and 6 are A x B at distance C, faces 2 and 3 are A x C at distance B, faces 4 and 5 are B x C "
+                "at distance A.",
+                "howell"},
+};
+
+}  // namespace
+
+std::span<const Description> estimator_descriptions() {
+    return estimators;
+}
+std::span<const Description> scene_descriptions() {
+    return scenes;
+}
+
+}  // namespace ff::studies
