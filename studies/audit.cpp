@@ -269,7 +269,7 @@ class Auditor {
             }
         }
         for (Finding& finding :
-             explain_diagnosis(tables_, experiment, judged.model, judged.interpretation, judged.diagnoses)) {
+             explain_diagnosis(tables_, facts_, experiment, judged.model, judged.interpretation, judged.diagnoses)) {
             add_hints(finding, judged.interpretation);
             add(std::move(finding));
         }

@@ -37,18 +37,34 @@ std::optional<std::uint64_t> rays_of(const ExperimentModel& model, const Constra
     return model.system.variables[constraint.terms.front().variable].rays;
 }
 
+/// Whether the blamed suspect could print `values` with everything that is not blamed.
+bool agrees(ConstraintSystem system, const std::vector<std::size_t>& blamed, std::size_t suspect, Range values) {
+    Blame blame(system.suspects.size(), false);
+    for (const std::size_t s : blamed) blame[s] = s != suspect;
+    for (Constraint& constraint : system.constraints) {
+        if (constraint.suspect == suspect) constraint.values = values;
+    }
+    return propagate(system, blame).has_value();
+}
+
+constexpr double broken_assumption = 2;  // as unlikely as two wrong digits
+
 JudgedDiagnosis judge(const PublishedTables& tables, const SceneFacts& facts, const ExperimentModel& model,
                       const Interpretation& interpretation, Diagnosis diagnosis) {
     JudgedDiagnosis judged;
     for (const std::size_t s : diagnosis.blamed) {
         const Suspect& suspect = model.system.suspects[s];
-        if (suspect.figures.empty()) continue;
+        if (suspect.figures.empty()) {
+            judged.improbability += broken_assumption;
+            continue;
+        }
         const Constraint& constraint = constraint_of(model, s);
         const Figure& figure = tables.figures[suspect.figures.front()];
+        const auto is_consistent = [&](Range values) { return agrees(model.system, diagnosis.blamed, s, values); };
         Correction correction = correct(figure.printed, predicted(constraint, diagnosis.ranges),
-                                        format_of(figure, interpretation), rays_of(model, constraint));
+                                        format_of(figure, interpretation), rays_of(model, constraint), is_consistent);
         correction.figure = suspect.figures.front();
-        judged.improbability += correction.edits;
+        judged.improbability += suspect.weight * correction.edits;
         if (const auto expected = model.distribution ? expectation(facts, *model.distribution, figure) : std::nullopt;
             expected && expected->sigma > 0) {
             const double z = (parse_printed(correction.meant)->value() - expected->mean) / expected->sigma;
@@ -58,6 +74,13 @@ JudgedDiagnosis judge(const PublishedTables& tables, const SceneFacts& facts, co
     }
     judged.diagnosis = std::move(diagnosis);
     return judged;
+}
+
+/// "0.19902" or "0.19902 to 0.19903".
+std::string in_words(Range range) {
+    const std::string low = fmt::format("{:.7g}", range.low);
+    const std::string high = fmt::format("{:.7g}", range.high);
+    return low == high ? low : low + " to " + high;
 }
 
 std::vector<std::size_t> figures_of(const ConstraintSystem& system, const std::vector<std::size_t>& suspects) {
@@ -78,9 +101,11 @@ std::vector<std::size_t> without(const std::vector<std::size_t>& all, const std:
 /// Speaks about the figures of one experiment.
 class Explainer {
   public:
-    Explainer(const PublishedTables& tables, const Experiment& experiment, const ExperimentModel& model,
-              const Interpretation& interpretation, const std::vector<JudgedDiagnosis>& diagnoses)
+    Explainer(const PublishedTables& tables, const SceneFacts& facts, const Experiment& experiment,
+              const ExperimentModel& model, const Interpretation& interpretation,
+              const std::vector<JudgedDiagnosis>& diagnoses)
         : tables_(tables),
+          facts_(facts),
           experiment_(experiment),
           model_(model),
           interpretation_(interpretation),
@@ -142,14 +167,12 @@ class Explainer {
         finding.statement = fmt::format("{}", fmt::join(sentences, " "));
         if (!finding.evidence.empty()) finding.relation = finding.evidence.front().relation;
         add_alternatives(group, finding);
-        finding.id = finding.figures.empty() ? experiment_.method : std::string{};
-        for (const std::size_t f : finding.figures) {
-            const Figure& figure = tables_.figures[f];
-            finding.id += fmt::format("{}{}.{}.{}", finding.id.empty() ? "" : "+", figure.table, figure.row + 1,
-                                      figure.column + 1);
-        }
         if (finding.figures.empty()) {
-            finding.id = fmt::format("assumption: {}", model_.system.suspects[group.front()].assumption);
+            finding.id = fmt::format("not so: {}", model_.system.suspects[group.front()].assumption);
+        } else {
+            const Figure& figure = tables_.figures[finding.figures.front()];
+            finding.id = fmt::format("{}.{}.{}", figure.table, figure.row + 1, figure.column + 1);
+            if (finding.figures.size() > 1) finding.id += fmt::format("+{}", finding.figures.size() - 1);
         }
         finding.involved.insert(finding.involved.end(), finding.figures.begin(), finding.figures.end());
         for (const Evidence& evidence : finding.evidence) {
@@ -165,8 +188,7 @@ class Explainer {
         std::string text = fmt::format("{} is printed as {} but should be {}{}.", describe(tables_, figures.front()),
                                        correction.printed, correction.certain ? "" : "near ", correction.meant);
         if (!correction.certain) {
-            text +=
-                fmt::format(" Everything else leaves {:.7g} to {:.7g}.", correction.values.low, correction.values.high);
+            text += fmt::format(" Everything else leaves {}.", in_words(correction.values));
         }
         if (figures.size() > 1) text += fmt::format(" The same holds for {} equal figures.", figures.size() - 1);
         return text;
@@ -187,8 +209,8 @@ class Explainer {
             if (link.quantity && link.quantity->variable == sum) evidence.figures.push_back(link.figure);
         }
         finding.evidence.push_back(evidence);
-        std::string text = fmt::format("{}: a row sum must be 1 exactly but is {:.7g} to {:.7g}, as if {:.0f}",
-                                       describe(experiment_), range.low, range.high, rays * (1 - range.high));
+        std::string text = fmt::format("{}: a row sum must be 1 exactly but is {}, as if {:.0f}", describe(experiment_),
+                                       in_words(range), rays * (1 - range.high));
         if (range.high > range.low) text += fmt::format(" to {:.0f}", rays * (1 - range.low));
         text += fmt::format(" of {:.0f} rays were lost", rays);
         for (const std::size_t f : evidence.figures) text += fmt::format("; {}", quote(tables_, f));
@@ -234,13 +256,11 @@ class Explainer {
     void explain_error(const Constraint& own, const Correction& correction, Finding& finding) const {
         Evidence evidence{own.relation, {}, {}};
         if (own.relation == Relation::relative_error) {
-            evidence.text = fmt::format("A value of {:.7g} to {:.7g} lies {:.4f} to {:.4f} % off the reference {:.9g}.",
-                                        best_.diagnosis.ranges[own.terms.front().variable].low,
-                                        best_.diagnosis.ranges[own.terms.front().variable].high, correction.values.low,
-                                        correction.values.high, own.reference);
+            evidence.text = fmt::format("A value of {} lies {} % off the reference {:.9g}.",
+                                        in_words(best_.diagnosis.ranges[own.terms.front().variable]),
+                                        in_words(correction.values), own.reference);
         } else {
-            evidence.text = fmt::format("The errors of the rows add up to {:.4f} to {:.4f} %.", correction.values.low,
-                                        correction.values.high);
+            evidence.text = fmt::format("The errors of the rows add up to {} %.", in_words(correction.values));
         }
         for (const FigureLink& link : model_.links) {
             if (!link.quantity || model_.system.constraints[link.constraint].kind != ConstraintKind::linear) continue;
@@ -257,14 +277,14 @@ class Explainer {
         const double high = allowed.high * quantity.factor;
         if (high >= printed.low && low <= printed.high) return;
         Evidence evidence{constraint.relation, {}, figures_behind(constraint)};
-        evidence.text = fmt::format("{} leaves {:.7g} to {:.7g}.", reason(constraint), low, high);
+        evidence.text = fmt::format("{} leaves {}.", reason(constraint), in_words({low, high}));
         finding.evidence.push_back(std::move(evidence));
     }
 
-    static std::string reason(const Constraint& constraint) {
+    std::string reason(const Constraint& constraint) const {
         switch (constraint.relation) {
             case Relation::row_sum:
-                return "The sum of a row";
+                return fmt::format("The sum of row {}", row_of(constraint.terms.front().variable));
             case Relation::closure:
                 return "Closure (a row of own rays sums to 1)";
             case Relation::parity:
@@ -278,6 +298,12 @@ class Explainer {
             default:
                 return "Another print of the same quantity";
         }
+    }
+
+    /// Label of the face whose row sum is `variable`; the first of faces that look alike.
+    [[nodiscard]] std::string row_of(std::size_t variable) const {
+        const auto found = std::find(model_.sums.begin(), model_.sums.end(), variable);
+        return facts_.scene.faces[static_cast<std::size_t>(found - model_.sums.begin())];
     }
 
     /// Figures that a constraint is about: its own, or all prints of its variables.
@@ -321,6 +347,7 @@ class Explainer {
     }
 
     const PublishedTables& tables_;
+    const SceneFacts& facts_;
     const Experiment& experiment_;
     const ExperimentModel& model_;
     const Interpretation& interpretation_;
@@ -346,11 +373,12 @@ std::vector<JudgedDiagnosis> judge_diagnoses(const PublishedTables& tables, cons
     return judged;
 }
 
-std::vector<Finding> explain_diagnosis(const PublishedTables& tables, const Experiment& experiment,
-                                       const ExperimentModel& model, const Interpretation& interpretation,
+std::vector<Finding> explain_diagnosis(const PublishedTables& tables, const SceneFacts& facts,
+                                       const Experiment& experiment, const ExperimentModel& model,
+                                       const Interpretation& interpretation,
                                        const std::vector<JudgedDiagnosis>& diagnoses) {
     if (diagnoses.empty()) return {};
-    return Explainer(tables, experiment, model, interpretation, diagnoses).explain();
+    return Explainer(tables, facts, experiment, model, interpretation, diagnoses).explain();
 }
 
 }  // namespace ff::studies

@@ -24,8 +24,9 @@ std::vector<JudgedDiagnosis> judge_diagnoses(const PublishedTables& tables, cons
 
 /// The findings that the first diagnosis amounts to; the others become alternatives. Blamed figures about the same
 /// quantity make one finding.
-std::vector<Finding> explain_diagnosis(const PublishedTables& tables, const Experiment& experiment,
-                                       const ExperimentModel& model, const Interpretation& interpretation,
+std::vector<Finding> explain_diagnosis(const PublishedTables& tables, const SceneFacts& facts,
+                                       const Experiment& experiment, const ExperimentModel& model,
+                                       const Interpretation& interpretation,
                                        const std::vector<JudgedDiagnosis>& diagnoses);
 
 /// A figure's place and digits, e.g. `table4, Σ of face 3, SR ("0.97264")`.

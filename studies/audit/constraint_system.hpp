@@ -36,6 +36,7 @@ struct Suspect {
     std::vector<std::size_t> figures;  ///< indices into PublishedTables::figures; empty for an assumption
     std::string assumption;            ///< in words; empty for figures
     double cost = 1;                   ///< of blaming it
+    double weight = 1;                 ///< of each digit that it must change, against digits of other suspects
 };
 
 /// An unknown true quantity. Where `rays` is given it is a whole number of hits divided by that.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <set>
 
 namespace ff::studies {
 namespace {
@@ -54,9 +55,24 @@ void visit_misprints(const std::string& text, const std::function<void(const std
     }
 }
 
+/// Calls `visit` with every text in which two digits are replaced.
+void visit_double_replacements(const std::string& text, const std::function<void(const std::string&)>& visit) {
+    std::string changed = text;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        for (std::size_t j = i + 1; j < text.size(); ++j) {
+            if (text[i] == '.' || text[j] == '.') continue;
+            for (changed[i] = '0'; changed[i] <= '9'; ++changed[i]) {
+                for (changed[j] = '0'; changed[j] <= '9'; ++changed[j]) visit(changed);
+            }
+            changed = text;
+        }
+    }
+}
+
 }  // namespace
 
-Correction correct(std::string_view printed, Range values, NumberFormat format, std::optional<std::uint64_t> rays) {
+Correction correct(std::string_view printed, Range values, NumberFormat format, std::optional<std::uint64_t> rays,
+                   const std::function<bool(Range)>& is_consistent) {
     Correction result;
     result.printed = printed;
     result.values = values;
@@ -68,12 +84,15 @@ Correction correct(std::string_view printed, Range values, NumberFormat format, 
 
     double gap = std::abs(parse_printed(result.meant)->value() - middle);
     std::size_t possible = 0;
+    std::set<std::string> tried;
     const auto offer = [&](const std::string& text) {
         if (!is_possible(text, values, format, rays)) return;
+        if (!tried.insert(text).second || !is_consistent(*printed_range(*parse_printed(text), format))) return;
         ++possible;
         const int edits = distance(printed, text);
         const double away = std::abs(parse_printed(text)->value() - middle);
-        if (edits > result.edits || (edits == result.edits && away >= gap && possible > 1)) return;
+        const bool better = edits < result.edits || (edits == result.edits && away < gap);
+        if (possible > 1 && !better) return;
         result.meant = text;
         result.edits = edits;
         gap = away;
@@ -86,10 +105,10 @@ Correction correct(std::string_view printed, Range values, NumberFormat format, 
         result.certain = possible == 1;
     } else {
         visit_misprints(std::string(printed), offer);
-        if (possible == 0) {
-            visit_misprints(std::string(printed), [&](const std::string& once) {
-                if (result.edits > 2) visit_misprints(once, offer);
-            });
+        if (possible == 0) visit_double_replacements(std::string(printed), offer);
+        for (int k = 0; possible == 0 && k < 20; ++k) {  // then whatever is left at the ends
+            offer(print(std::max(0.0, values.low + k * unit), format));
+            offer(print(std::max(0.0, values.high - k * unit), format));
         }
     }
     const double value = parse_printed(printed)->value();

@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -26,6 +27,8 @@ struct Correction {
 /// Looks for the print that remains possible and is typographically nearest to what is printed; between equally near
 /// ones, nearest to the middle of the range.
 /// @param rays  of a figure that is hits over rays
-Correction correct(std::string_view printed, Range values, NumberFormat format, std::optional<std::uint64_t> rays);
+/// @param is_consistent  whether numbers in a range agree with everything else; `values` may be wider than that
+Correction correct(std::string_view printed, Range values, NumberFormat format, std::optional<std::uint64_t> rays,
+                   const std::function<bool(Range)>& is_consistent);
 
 }  // namespace ff::studies

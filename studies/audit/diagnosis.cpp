@@ -3,19 +3,28 @@
 #include "core/contract.hpp"
 
 #include <algorithm>
+#include <deque>
+#include <limits>
 #include <optional>
+#include <set>
 
 namespace ff::studies {
 namespace {
 
 using Conflict = std::vector<std::size_t>;
+using Spared = std::set<std::size_t>;  ///< suspects that must not be blamed
 
 /// Branch and bound for the cheapest set of suspects that has one of every conflict.
 class HittingSet {
   public:
-    HittingSet(const ConstraintSystem& system, const std::vector<Conflict>& conflicts,
-               std::optional<std::size_t> spared, double limit)
-        : system_(system), conflicts_(conflicts), spared_(spared), chosen_(system.suspects.size()), bound_(limit) {
+    HittingSet(const ConstraintSystem& system, const std::vector<Conflict>& conflicts, const Spared& spared,
+               double limit)
+        : system_(system),
+          conflicts_(conflicts),
+          chosen_(system.suspects.size()),
+          excluded_(system.suspects.size()),
+          bound_(limit) {
+        for (const std::size_t s : spared) excluded_[s] = true;
         search(0);
     }
     [[nodiscard]] const std::optional<Blame>& best() const { return best_; }
@@ -26,38 +35,63 @@ class HittingSet {
         return std::any_of(conflict.begin(), conflict.end(), [&](std::size_t s) { return chosen_[s]; });
     }
 
-    void search(double cost) {
-        constexpr double equal = 1e-9;
-        const Conflict* smallest = nullptr;
+    /// What is left to do: the conflict with the fewest ways to hit it, and the least that hitting all will cost.
+    struct Rest {
+        std::optional<Conflict> narrowest;  ///< only suspects that may be chosen
+        double least_cost = 0;
+    };
+    [[nodiscard]] Rest rest() const {
+        Rest rest;
+        Blame touched(system_.suspects.size());
         for (const Conflict& conflict : conflicts_) {
             if (is_hit(conflict)) continue;
-            if (smallest == nullptr || conflict.size() < smallest->size()) smallest = &conflict;
+            Conflict free;
+            double cheapest = std::numeric_limits<double>::infinity();
+            bool disjoint = true;
+            for (const std::size_t s : conflict) {
+                if (excluded_[s]) continue;
+                free.push_back(s);
+                cheapest = std::min(cheapest, system_.suspects[s].cost);
+                disjoint = disjoint && !touched[s];
+            }
+            if (disjoint) {
+                rest.least_cost += cheapest;
+                for (const std::size_t s : free) touched[s] = true;
+            }
+            if (!rest.narrowest || free.size() < rest.narrowest->size()) rest.narrowest = std::move(free);
         }
-        if (smallest == nullptr) {
+        return rest;
+    }
+
+    void search(double cost) {
+        constexpr double equal = 1e-9;
+        const Rest rest = this->rest();
+        if (cost + rest.least_cost > bound_) return;
+        if (!rest.narrowest) {
             best_ = chosen_;
             bound_ = cost - equal;
             return;
         }
-        for (const std::size_t suspect : *smallest) {
-            const double with = cost + system_.suspects[suspect].cost;
-            if (suspect == spared_ || with > bound_) continue;
+        for (const std::size_t suspect : *rest.narrowest) {
             chosen_[suspect] = true;
-            search(with);
+            search(cost + system_.suspects[suspect].cost);
             chosen_[suspect] = false;
+            excluded_[suspect] = true;  // sets with it have been searched
         }
+        for (const std::size_t suspect : *rest.narrowest) excluded_[suspect] = false;
     }
 
     const ConstraintSystem& system_;
     const std::vector<Conflict>& conflicts_;
-    std::optional<std::size_t> spared_;
     Blame chosen_;
+    Blame excluded_;
     double bound_;
     std::optional<Blame> best_;
 };
 
 /// The cheapest diagnosis without `spared` that costs at most `limit`; adds the conflicts it comes across.
 std::optional<Diagnosis> cheapest(const ConstraintSystem& system, std::vector<Conflict>& conflicts,
-                                  std::optional<std::size_t> spared, double limit) {
+                                  const Spared& spared, double limit) {
     for (;;) {
         const HittingSet hitting(system, conflicts, spared, limit);
         if (!hitting.best()) return std::nullopt;
@@ -86,8 +120,14 @@ std::vector<std::size_t> find_conflict(const ConstraintSystem& system, const Bla
     if (propagate(system, blame)) return {};
     Blame without = blame;
     Conflict conflict;
+    std::vector<std::size_t> order;
     for (std::size_t s = 0; s < system.suspects.size(); ++s) {
-        if (blame[s]) continue;
+        if (!blame[s]) order.push_back(s);
+    }
+    // Cheap suspects are the weak relations: conflicts without them are smaller and fewer.
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return system.suspects[a].cost < system.suspects[b].cost; });
+    for (const std::size_t s : order) {
         without[s] = true;
         if (propagate(system, without)) {  // needed for the contradiction
             without[s] = false;
@@ -99,21 +139,30 @@ std::vector<std::size_t> find_conflict(const ConstraintSystem& system, const Bla
 }
 
 std::vector<Diagnosis> diagnose(const ConstraintSystem& system) {
-    double everything = 0;
-    for (const Suspect& suspect : system.suspects) everything += suspect.cost;
+    double limit = 0;
+    for (const Suspect& suspect : system.suspects) limit += suspect.cost;
+    constexpr double half_a_figure = 0.5;
+    constexpr int most_searches = 60;
     std::vector<Conflict> conflicts;
     std::vector<Diagnosis> found;
-    auto best = cheapest(system, conflicts, std::nullopt, everything);
-    FF_ENSURE(best.has_value());
-    if (!best) return found;
-    found.push_back(std::move(*best));
-    const std::vector<std::size_t> blamed = found.front().blamed;
-    for (const std::size_t suspect : blamed) {
-        auto other = cheapest(system, conflicts, suspect, found.front().cost + 0.5);
-        if (!other) continue;
+    std::set<Spared> seen{{}};
+    std::deque<Spared> open{{}};
+    for (int search = 0; search < most_searches && !open.empty() && found.size() < most_diagnoses; ++search) {
+        const Spared spared = open.front();
+        open.pop_front();
+        auto diagnosis = cheapest(system, conflicts, spared, limit);
+        FF_ENSURE(diagnosis || !spared.empty());
+        if (!diagnosis) continue;
+        if (found.empty()) limit = diagnosis->cost + half_a_figure;
+        // Whatever differs from this diagnosis spares one of its suspects.
+        for (const std::size_t suspect : diagnosis->blamed) {
+            Spared more = spared;
+            more.insert(suspect);
+            if (seen.insert(more).second) open.push_back(std::move(more));
+        }
         const bool known =
-            std::any_of(found.begin(), found.end(), [&](const Diagnosis& d) { return d.blamed == other->blamed; });
-        if (!known) found.push_back(std::move(*other));
+            std::any_of(found.begin(), found.end(), [&](const Diagnosis& d) { return d.blamed == diagnosis->blamed; });
+        if (!known) found.push_back(std::move(*diagnosis));
     }
     return found;
 }

@@ -14,12 +14,14 @@ struct Diagnosis {
     std::vector<Range> ranges{};  ///< of the variables, from everything that is not blamed
 };
 
-/// The cheapest diagnosis first, then the alternatives: for every suspect in it, the cheapest diagnosis that leaves
-/// this one alone, where it blames no more than half a figure more. A consistent system has one empty diagnosis.
+/// The cheapest diagnosis first, then others that cost at most half a figure more (at most `most_diagnoses` in all).
+/// None contains another. A consistent system has one empty diagnosis.
 ///
 /// Minimal sets of figures that contradict each other ("conflicts") are found one by one, and the cheapest set that
 /// hits them all is tried until nothing is contradictory any more.
 /// @see [reiter1987], [moreno2013]
+inline constexpr std::size_t most_diagnoses = 12;
+
 std::vector<Diagnosis> diagnose(const ConstraintSystem& system);
 
 /// A minimal set of suspects that cannot all be right, among those not blamed; empty where there is no contradiction.

@@ -1,8 +1,11 @@
 #include "studies/audit/experiment.hpp"
 
+#include "studies/audit/references.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace ff::studies {
 namespace {
@@ -10,6 +13,8 @@ namespace {
 bool contains(const std::vector<std::string>& list, const std::string& item) {
     return std::find(list.begin(), list.end(), item) != list.end();
 }
+
+constexpr double consequence = 0.05;
 
 /// Fills the model step by step.
 class ModelBuilder {
@@ -151,7 +156,7 @@ class ModelBuilder {
     void add_closure() {
         if (!facts_.scene.closed) return;
         model_.system.suspects.push_back(
-            {.figures = {}, .assumption = fmt::format("no ray is lost ({})", describe(experiment_)), .cost = 1.5});
+            {.figures = {}, .assumption = fmt::format("no ray is lost ({})", describe(experiment_)), .cost = 1.2});
         const std::size_t suspect = model_.system.suspects.size() - 1;
         for (std::size_t i = 0; i < (reciprocal() ? 1 : faces_); ++i) {
             add_constraint(
@@ -215,10 +220,26 @@ class ModelBuilder {
             link.constraint = *same;
         } else {
             constraint.suspect = model_.system.suspects.size();
-            model_.system.suspects.push_back({.figures = {index}, .assumption = {}, .cost = 1});
+            Suspect suspect{.figures = {index}, .assumption = {}};
+            if (figure.kind == FigureKind::relative_error &&
+                follows_from_print(figure, constraint.values, *interpretation_.reference[index])) {
+                suspect.cost = suspect.weight = consequence;
+            }
+            model_.system.suspects.push_back(std::move(suspect));
             link.constraint = add_constraint(std::move(constraint));
         }
         model_.links.push_back(link);
+    }
+
+    /// An error that fits its value as printed is wrong only as a consequence: it was computed from that value.
+    [[nodiscard]] bool follows_from_print(const Figure& error, Range percent, double reference) const {
+        return std::any_of(experiment_.figures.begin(), experiment_.figures.end(), [&](std::size_t f) {
+            const Figure& value = tables_.figures[f];
+            if (value.kind != FigureKind::form_factor || value.from != error.from || value.to != error.to) return false;
+            const auto number = parse_printed(value.printed);
+            const auto range = number ? printed_range(*number, interpretation_.values) : std::nullopt;
+            return range && error_fits(*range, percent, reference);
+        });
     }
 
     /// The constraint of an earlier figure that prints the same quantity with the same digits.

@@ -40,8 +40,8 @@ struct ReadingEvidence {
     std::vector<std::uint64_t> rays_per_face{};  ///< one a column
     FormatEvidence hits{};
     std::vector<std::optional<Spread>> spread{};  ///< one a column
-    double log_odds = 0;                        ///< natural, against the likeliest reading of the table
-    bool refuted = false;                       ///< less likely than the best one by more than `refuting_odds`
+    double log_odds = 0;                          ///< natural, against the likeliest reading of the table
+    bool refuted = false;                         ///< less likely than the best one by more than `refuting_odds`
 };
 
 inline constexpr double refuting_odds = 1e4;
