@@ -16,7 +16,8 @@ namespace ff {
 ///
 /// Unbiased with random points, but of infinite variance where patches share an edge (tail index 3/2) or a vertex (2).
 /// With tensor Gauss-Legendre points it is the paper's PDM. Streams are keyed by ordered patch pair.
-/// Points that coincide (r = 0) count as 0.
+/// Points that are not randomised serve all pairs; where they are exchangeable as well, the sum for (j, i) is the one
+/// for (i, j) and is done once. Points that coincide (r = 0) count as 0. The same bits on every CPU.
 /// @return face-to-face matrix, every entry estimated directly (no reciprocity), diagonal 0
 Eigen::MatrixXd area_kernel(const Scene& scene, Subdivision subdivision, const PointSource& points, StreamKey key,
                             std::uint32_t trial);

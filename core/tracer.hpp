@@ -33,7 +33,9 @@ struct Hit {
 /// Hits of the rays of one patch by face; entry faces() is the number of lost rays.
 using FaceHits = std::vector<std::uint64_t>;
 
-/// Finds what rays hit. Patches are found from hit coordinates by arithmetic, so the cost does not grow with them.
+/// Finds what rays hit. Surfaces are opaque from both sides: a ray that comes from behind ends there too, and counts as
+/// a hit (in a closed scene whose normals point inward there is none). The surface that a ray starts on is excluded as
+/// such, never by a distance. Safe to use from several threads at once. Patches are found from hit coordinates by arithmetic, so the cost does not grow with them.
 class Tracer {
   public:
     virtual ~Tracer() = default;
@@ -56,13 +58,18 @@ class Tracer {
 };
 
 /// The rays that `Tracer::shoot` shoots for these points, in single precision and the same to the bit on every CPU.
+/// Coordinates 0 and 1 place the origin along edge_u and edge_v of the patch, at the middle of one of 2^23 cells;
+/// coordinate 2 is the squared sine of the angle to the normal, coordinate 3 the azimuth in turns from edge_u towards
+/// edge_v. @throws UserError where the surface does not fit single precision
 void generate_rays(const Surface& surface, std::uint32_t source, Subdivision subdivision, std::uint32_t patch,
                    const PointBlock& block, RayBatch& rays);
 
-/// Analytic vectorised tracer for the inside of an empty box. @pre scene.empty_box
+/// Analytic vectorised tracer for the inside of an empty box; equal hits on every CPU. A ray that meets an edge hits the
+/// opposite surface first, then the one across edge_v. @pre scene.empty_box
 std::unique_ptr<Tracer> make_box_tracer(const Scene& scene);
 
-/// Embree in robust mode, for any scene.
+/// Embree in robust mode, for any scene. Rays that pass within rounding of an edge may be seen differently by its code
+/// for different CPUs; in a closed box none is lost. @see [wald2014]
 std::unique_ptr<Tracer> make_embree_tracer(const Scene& scene);
 
 enum class TracerChoice { automatic, box, embree };
