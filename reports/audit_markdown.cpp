@@ -188,11 +188,13 @@ std::string audit_markdown(const PublishedTables& tables, const AuditReport& rep
     return text;
 }
 
-std::string audit_summary(const AuditReport& report) {
+std::string audit_summary(const PublishedTables& tables, const AuditReport& report) {
     std::string text = verdict(report) + "\n";
     std::size_t number = 0;
     for (const Finding& f : report.findings) {
-        text += fmt::format("{:3}. {}\n", ++number, f.statement);
+        const std::string line =
+            f.figures.empty() ? std::string{} : fmt::format(" (line {})", tables.figures[f.figures.front()].line);
+        text += fmt::format("{:3}. {}{}\n", ++number, f.statement, line);
     }
     return text;
 }

@@ -7,14 +7,16 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdlib>
 #include <vector>
 
 namespace ff::studies {
 namespace {
 
 double power_of_ten(int exponent) {
-    return std::pow(10.0, exponent);
+    constexpr std::array<double, 13> powers{1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12};
+    if (exponent < 0) return 1 / power_of_ten(-exponent);
+    const auto index = static_cast<std::size_t>(exponent);
+    return index < powers.size() ? powers[index] : std::pow(10.0, exponent);
 }
 
 /// k with 10^k <= value < 10^(k+1), numbers a hair below a power of ten belonging to it; 0 for 0.
