@@ -12,12 +12,15 @@
 namespace ff::stats {
 namespace {
 
-TailFit with_shape(double shape, double standard_error, double threshold, std::size_t exceedances) {
-    return {.shape = shape,
-            .standard_error = standard_error,
-            .exceedances = exceedances,
-            .threshold = threshold,
-            .index = shape > 0 ? std::optional(1 / shape) : std::nullopt};
+constexpr double critical_shape = 0.5;  // index 2
+
+TailFit with_shape(double shape, double threshold, std::size_t exceedances) {
+    TailFit fit;
+    fit.shape = shape;
+    fit.exceedances = exceedances;
+    fit.threshold = threshold;
+    if (shape > 0) fit.index = 1 / shape;
+    return fit;
 }
 
 double mean_log1p(std::span<const double> excesses, double factor) {
@@ -68,9 +71,12 @@ std::optional<TailFit> fit_tail(std::span<const double> values, double fraction)
     for (double& excess : excesses) excess -= threshold;
     // Ties at the threshold: too discrete to say.
     if (excesses[exceedances / 4 - 1] <= 0) return std::nullopt;
-    const double shape = pareto_shape(excesses);
-    return with_shape(shape, (1 + std::max(shape, -0.5)) / std::sqrt(static_cast<double>(exceedances)), threshold,
-                      exceedances);
+    TailFit fit = with_shape(pareto_shape(excesses), threshold, exceedances);
+    const double root = std::sqrt(static_cast<double>(exceedances));
+    // The asymptotic error holds for shapes above -1/2 and keeps its value there for the lightest tails.
+    fit.standard_error = (1 + std::max(fit.shape, -0.5)) / root;
+    fit.error_at_two = (1 + critical_shape) / root;
+    return fit;
 }
 
 std::optional<TailFit> fit_tail_hill(std::span<const double> values, std::size_t exceedances) {
@@ -83,15 +89,16 @@ std::optional<TailFit> fit_tail_hill(std::span<const double> values, std::size_t
     double sum = 0;
     for (std::size_t i = first; i < ascending.size(); ++i) sum += std::log(ascending[i] / threshold);
     const double count = static_cast<double>(exceedances);
-    const double shape = sum / count;
-    return with_shape(shape, shape / std::sqrt(count), threshold, exceedances);
+    TailFit fit = with_shape(sum / count, threshold, exceedances);
+    fit.standard_error = fit.shape / std::sqrt(count);
+    fit.error_at_two = critical_shape / std::sqrt(count);
+    return fit;
 }
 
 VarianceHealth judge_variance(const TailFit& fit, double alpha) {
-    constexpr double critical_shape = 0.5;  // index 2
-    const double reach = normal_critical(alpha) * fit.standard_error;
-    if (fit.shape - reach > critical_shape) return VarianceHealth::infinite;
-    if (fit.shape + reach < critical_shape) return VarianceHealth::finite;
+    const double significant = normal_critical(alpha) * fit.error_at_two;
+    if (fit.shape > critical_shape + significant) return VarianceHealth::infinite;
+    if (fit.shape < critical_shape - significant) return VarianceHealth::finite;
     return VarianceHealth::undecided;
 }
 

@@ -10,7 +10,8 @@ namespace ff::stats {
 /// below 1. (MCNP's tail slope is index + 1.)
 struct TailFit {
     double shape = 0;           ///< xi of the generalised Pareto distribution: 1 / index; <= 0 for light tails
-    double standard_error = 0;  ///< of shape: (1 + shape) / sqrt(exceedances)
+    double standard_error = 0;  ///< of shape: (1 + shape) / sqrt(exceedances); Hill's: shape / sqrt(exceedances)
+    double error_at_two = 0;    ///< what that would be for an index of 2
     std::size_t exceedances = 0;
     double threshold = 0;
     std::optional<double> index;  ///< 1 / shape; empty where shape <= 0 (lighter than any power)
@@ -27,8 +28,10 @@ std::optional<TailFit> fit_tail_hill(std::span<const double> values, std::size_t
 /// What the tail says about the variance.
 enum class VarianceHealth { finite, infinite, undecided };
 
-/// infinite: the upper confidence bound of the index (one-sided, `alpha`) lies below 2; finite: the lower one lies
-/// above 2; otherwise undecided.
+/// Tests the index 2, at which the variance just becomes infinite: infinite where the index is significantly below 2,
+/// finite where it is significantly above (one-sided, `alpha` each; standard error at the index tested), otherwise
+/// undecided. Measured for a tenth of 1000 values: index 1.5 called finite in none of 500 cases, normal data always
+/// finite.
 VarianceHealth judge_variance(const TailFit& fit, double alpha = 0.01);
 
 }  // namespace ff::stats

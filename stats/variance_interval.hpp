@@ -20,14 +20,15 @@ std::optional<Interval> variance_interval_chi2(const Moments& moments, double le
 inline constexpr std::size_t fewest_for_variance_bootstrap = 8;
 
 /// Seeded studentised bootstrap of the log variance, with the standard error sqrt((excess kurtosis + 2) / n) of each
-/// resample. Measured coverage at nominal .95, n = 30 and 100: normal .94 and .94, Laplace .94 and .95, exponential .89
-/// and .95, Student t(5) .94 and .93. Percentile and BCa intervals were worse everywhere (exponential, n = 30: .73,
-/// .79). Empty below `fewest_for_variance_bootstrap` values or where they take two values half each.
+/// resample. Coverage measured at nominal .95 for n = 10, 30, 100, 1000 (+-.01): normal .93 .94 .95 .94, Laplace .89
+/// .91 .93 .94, exponential .85 .91 .91 .96. Percentile and BCa intervals covered less at n = 10 to 100 (exponential, n
+/// = 30: .73 and .79). Empty below `fewest_for_variance_bootstrap` values or where they take two values half each.
 std::optional<Interval> variance_interval_bootstrap(std::span<const double> values, double level,
                                                     const ResamplingPlan& plan);
 
 /// Chi-squared where the sample's excess kurtosis G2 lies within two of its standard errors (for normal data) of 0 or
-/// there are too few values to resample; else the bootstrap. `method` says which.
+/// there are too few values to resample; else the bootstrap. `method` says which. Few values do not show their
+/// kurtosis: measured coverage for Laplace data is .86 .87 .92 .94 (n as above), for normal data at least .95.
 std::optional<Interval> variance_interval(std::span<const double> values, double level, const ResamplingPlan& plan);
 
 /// Square root of `variance_interval`.
