@@ -92,7 +92,8 @@ class HittingSet {
 /// The cheapest diagnosis without `spared` that costs at most `limit`; adds the conflicts it comes across.
 std::optional<Diagnosis> cheapest(const ConstraintSystem& system, std::vector<Conflict>& conflicts,
                                   const Spared& spared, double limit) {
-    for (;;) {
+    constexpr int most_rounds_for_alternatives = 30;
+    for (int round = 0; spared.empty() || round < most_rounds_for_alternatives; ++round) {
         const HittingSet hitting(system, conflicts, spared, limit);
         if (!hitting.best()) return std::nullopt;
         const Blame& blame = *hitting.best();
@@ -112,6 +113,7 @@ std::optional<Diagnosis> cheapest(const ConstraintSystem& system, std::vector<Co
             for (const std::size_t s : conflicts.back()) more[s] = true;
         }
     }
+    return std::nullopt;
 }
 
 }  // namespace

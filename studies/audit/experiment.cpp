@@ -181,9 +181,11 @@ class ModelBuilder {
         switch (figure.kind) {
             case FigureKind::form_factor:
                 constraint.terms = {pair(figure)};
+                if (range) constraint.values = without_ties(constraint);
                 break;
             case FigureKind::row_sum:
                 constraint.terms = {{model_.sums[*facts_.face(figure.from)], 1}};
+                if (range) constraint.values = without_ties(constraint);
                 break;
             case FigureKind::relative_error:
                 constraint.kind = ConstraintKind::deviation;
@@ -199,6 +201,21 @@ class ModelBuilder {
         return constraint;
     }
 
+    /// Errors may have been computed from the value as printed, and from either of two references.
+    [[nodiscard]] Range widened(Range percent, const Reference& reference) const {
+        const double half_unit = 0.5 * printed_unit(reference.value, interpretation_.values);
+        const double slack = 100 * (half_unit + reference.uncertainty) / reference.value;
+        return {percent.low - slack, percent.high + slack};
+    }
+
+    /// Numbers that are no fractions never lie exactly between two prints.
+    [[nodiscard]] Range without_ties(const Constraint& constraint) const {
+        const Range range = constraint.values;
+        if (model_.system.variables[constraint.terms.front().variable].rays) return range;
+        const double margin = 1e-5 * printed_unit(range.middle(), interpretation_.values);
+        return {range.low + margin, range.high - margin};
+    }
+
     [[nodiscard]] Term pair(const Figure& figure) const {
         return model_.pairs.at(*facts_.face(figure.from) * faces_ + *facts_.face(figure.to));
     }
@@ -210,7 +227,9 @@ class ModelBuilder {
         if (figure.kind != FigureKind::sum_relative_error) link.quantity = constraint.terms.front();
         if (figure.kind == FigureKind::relative_error) {
             if (!interpretation_.reference[index]) return;
-            constraint.reference = *interpretation_.reference[index] / pair(figure).factor;
+            const Reference& reference = *interpretation_.reference[index];
+            constraint.reference = reference.value / pair(figure).factor;
+            constraint.values = widened(constraint.values, reference);
         }
         if (const auto same = same_print(figure, constraint)) {
             const Constraint& known = model_.system.constraints[*same];
@@ -222,7 +241,7 @@ class ModelBuilder {
             constraint.suspect = model_.system.suspects.size();
             Suspect suspect{.figures = {index}, .assumption = {}};
             if (figure.kind == FigureKind::relative_error &&
-                follows_from_print(figure, constraint.values, *interpretation_.reference[index])) {
+                follows_from_print(figure, constraint.values, interpretation_.reference[index]->value)) {
                 suspect.cost = suspect.weight = consequence;
             }
             model_.system.suspects.push_back(std::move(suspect));

@@ -30,11 +30,18 @@ std::vector<Experiment> collect_experiments(const PublishedTables& tables);
 /// "SR, 169 patches per face, 625 rays per patch".
 std::string describe(const Experiment& experiment);
 
+/// What a relative error is relative to. Whether its author divided by the stated reference or by the exact value, he
+/// does not say.
+struct Reference {
+    double value = 0;
+    double uncertainty = 0;  ///< distance between the two, 0 where a shortened one was used
+};
+
 /// How figures are printed and what errors are relative to.
 struct Interpretation {
-    NumberFormat values;                           ///< of form factors and row sums
-    Rounding errors = Rounding::rounded;           ///< of relative errors, which keep their own decimals
-    std::vector<std::optional<double>> reference;  ///< [figure], of relative errors
+    NumberFormat values;                              ///< of form factors and row sums
+    Rounding errors = Rounding::rounded;              ///< of relative errors, which keep their own decimals
+    std::vector<std::optional<Reference>> reference;  ///< [figure], of relative errors
 };
 
 /// The format of a figure: errors are printed to as many decimals as they show.

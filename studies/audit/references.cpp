@@ -186,7 +186,11 @@ ReferenceInference infer_references(const PublishedTables& tables, const SceneFa
         result.references = std::move(truncated);
     }
     for (std::size_t g = 0; g < groups.size(); ++g) {
-        for (const Row& row : groups[g].rows) result.reference[row.error] = result.references[g].value;
+        const InferredReference& chosen = result.references[g];
+        const double stated = groups[g].printed ? parse_printed(*groups[g].printed)->value() : groups[g].exact;
+        const Reference reference{chosen.value,
+                                  chosen.source == ReferenceSource::shortened ? 0 : std::abs(stated - groups[g].exact)};
+        for (const Row& row : groups[g].rows) result.reference[row.error] = reference;
     }
     return result;
 }

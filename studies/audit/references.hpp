@@ -38,7 +38,7 @@ struct ReferenceInference {
     std::size_t rows = 0;
     std::size_t explained_rounded = 0;
     std::size_t explained_truncated = 0;
-    std::vector<std::optional<double>> reference;  ///< [figure], of relative errors
+    std::vector<std::optional<Reference>> reference;  ///< [figure], of relative errors
 };
 
 /// Tries the stated reference, the exact value and all shorter forms of both, for errors rounded and truncated. A
