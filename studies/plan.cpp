@@ -48,7 +48,8 @@ std::string canonical_text(const Scene& scene, const Method& method, const Cell&
 
 void warn_about_size(StudyPlan& plan, const Method& method, const Cell& cell) {
     if (method.sampler.empty() || method.nodes) return;
-    const auto problem = samplers::check_size(samplers::find(method.sampler).info, cell.samples);
+    const auto problem = samplers::check_size(samplers::find(method.sampler).info,
+                                              points_per_sequence(method, cell.subdivision, cell.samples));
     if (problem.message.empty()) return;
     std::string text = fmt::format("method '{}': {}", method.name, problem.message);
     if (std::find(plan.warnings.begin(), plan.warnings.end(), text) == plan.warnings.end())
@@ -65,6 +66,10 @@ void add_units(StudyPlan& plan, std::size_t cell_index) {
 }
 
 }  // namespace
+
+std::uint64_t points_per_sequence(const Method& method, Subdivision subdivision, std::uint64_t samples) {
+    return method.allocation == Allocation::face ? samples * subdivision.per_surface() : samples;
+}
 
 std::uint64_t evaluations_per_trial(const StudyPlan& plan, const Cell& cell) {
     const std::uint64_t patches = cell.subdivision.patches(plan.scenes[cell.scene]);

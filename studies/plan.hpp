@@ -42,6 +42,9 @@ struct StudyPlan {
 /// @throws UserError where scene, sampler and estimator do not fit
 StudyPlan plan_study(StudySpec spec);
 
+/// Points of one sequence of a cell: those of a patch, or of a whole face where one sequence serves it.
+std::uint64_t points_per_sequence(const Method& method, Subdivision subdivision, std::uint64_t samples);
+
 /// Evaluations (rays, or kernel values) of one trial of a cell.
 std::uint64_t evaluations_per_trial(const StudyPlan& plan, const Cell& cell);
 

@@ -70,16 +70,19 @@ std::vector<std::uint32_t> read_patches_per_face(const TomlReader& reader) {
     return patches;
 }
 
-void check_samples(const TomlReader& reader, const samplers::SamplerInfo& sampler, std::uint64_t samples) {
-    if (samples > max_samples)
+/// @param sequences  patches that share one sequence of points
+void check_samples(const TomlReader& reader, const samplers::SamplerInfo& sampler, std::uint64_t samples,
+                   std::uint64_t sequences) {
+    if (samples > max_samples / sequences) {
         reader.fail("samples_per_patch",
-                    fmt::format("(at most {} points a patch). Take more trials instead.", max_samples));
-    const auto problem = samplers::check_size(sampler, samples);
+                    fmt::format("(a sequence has at most {} points). Take more trials instead.", max_samples));
+    }
+    const auto problem = samplers::check_size(sampler, samples * sequences);
     if (problem.fatal) reader.fail("samples_per_patch", problem.message);
 }
 
 /// The product of both lists, or the entries of `sizes`.
-std::vector<Size> read_sizes(const TomlReader& reader, const samplers::SamplerInfo* sampler,
+std::vector<Size> read_sizes(const TomlReader& reader, const samplers::SamplerInfo* sampler, Allocation allocation,
                              std::optional<std::uint64_t> trials) {
     const bool sampled = sampler != nullptr && sampler->sizes != samplers::Sizes::nodes;
     if (reader.has("samples_per_patch") && !sampled) {
@@ -91,7 +94,7 @@ std::vector<Size> read_sizes(const TomlReader& reader, const samplers::SamplerIn
     const auto samples = sampled ? reader.counts("samples_per_patch") : none;
     for (const std::uint32_t patches : read_patches_per_face(reader)) {
         for (const std::uint64_t count : samples) {
-            if (sampled) check_samples(reader, *sampler, count);
+            if (sampled) check_samples(reader, *sampler, count, allocation == Allocation::face ? patches : 1);
             sizes.push_back({patches, sampled ? std::optional(count) : std::nullopt, trials});
         }
     }
@@ -161,7 +164,7 @@ Method read_method(const TomlReader& reader) {
         return trials ? std::optional(checked_trials(table, *trials)) : std::nullopt;
     };
     if (!reader.has("sizes")) {
-        method.sizes = read_sizes(reader, sampler, own_trials(reader));
+        method.sizes = read_sizes(reader, sampler, method.allocation, own_trials(reader));
         return method;
     }
     for (const std::string_view key : {"patches_per_face", "samples_per_patch", "trials"}) {
@@ -170,7 +173,8 @@ Method read_method(const TomlReader& reader) {
     static constexpr std::array<std::string_view, 3> size_keys{"patches_per_face", "samples_per_patch", "trials"};
     for (const TomlReader& table : reader.tables("sizes")) {
         table.expect_only(size_keys);
-        for (const Size& size : read_sizes(table, sampler, own_trials(table))) method.sizes.push_back(size);
+        for (const Size& size : read_sizes(table, sampler, method.allocation, own_trials(table)))
+            method.sizes.push_back(size);
     }
     if (method.sizes.empty()) reader.fail("sizes", "(an empty list leaves nothing to do). Give at least one size.");
     return method;

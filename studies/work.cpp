@@ -52,7 +52,8 @@ Worker::Worker(const StudyPlan& plan) : plan_(plan) {
         tools->method = &plan.spec.methods[cell.method];
         if (!tools->method->sampler.empty()) {
             const Nodes nodes = tools->method->nodes.value_or(Nodes{});
-            tools->points = samplers::find(tools->method->sampler).make({cell.samples, 4, nodes.source, nodes.target});
+            const std::uint64_t points = points_per_sequence(*tools->method, cell.subdivision, cell.samples);
+            tools->points = samplers::find(tools->method->sampler).make({points, 4, nodes.source, nodes.target});
         }
         if (tools->method->estimator == Estimator::ray_shooting) {
             tools->tracer = make_tracer(*tools->scene, tools->method->tracer);
