@@ -92,8 +92,8 @@ class HittingSet {
 /// The cheapest diagnosis without `spared` that costs at most `limit`; adds the conflicts it comes across.
 std::optional<Diagnosis> cheapest(const ConstraintSystem& system, std::vector<Conflict>& conflicts,
                                   const Spared& spared, double limit) {
-    constexpr int most_rounds_for_alternatives = 30;
-    for (int round = 0; spared.empty() || round < most_rounds_for_alternatives; ++round) {
+    constexpr std::size_t most_conflicts = 60;  // that are worth finding for an alternative
+    for (;;) {
         const HittingSet hitting(system, conflicts, spared, limit);
         if (!hitting.best()) return std::nullopt;
         const Blame& blame = *hitting.best();
@@ -104,6 +104,7 @@ std::optional<Diagnosis> cheapest(const ConstraintSystem& system, std::vector<Co
             }
             return diagnosis;
         }
+        if (!spared.empty() && conflicts.size() > most_conflicts) return std::nullopt;
         // Several disjoint conflicts at a time save rounds.
         Blame more = blame;
         while (!propagate(system, more)) {
@@ -113,7 +114,6 @@ std::optional<Diagnosis> cheapest(const ConstraintSystem& system, std::vector<Co
             for (const std::size_t s : conflicts.back()) more[s] = true;
         }
     }
-    return std::nullopt;
 }
 
 }  // namespace

@@ -15,7 +15,8 @@ struct Diagnosis {
 };
 
 /// The cheapest diagnosis first, then others that cost at most half a figure more (at most `most_diagnoses` in all).
-/// None contains another. A consistent system has one empty diagnosis.
+/// A consistent system has one empty diagnosis. The first is certain to be cheapest; the search for others gives up
+/// early where very many figures contradict each other.
 ///
 /// Minimal sets of figures that contradict each other ("conflicts") are found one by one, and the cheapest set that
 /// hits them all is tried until nothing is contradictory any more.
