@@ -100,7 +100,10 @@ Range project(const Constraint& constraint, const ConstraintSystem& system, cons
 std::optional<std::vector<Range>> propagate(const ConstraintSystem& system, const Blame& blame) {
     std::vector<Range> ranges;
     ranges.reserve(system.variables.size());
-    for (const Variable& variable : system.variables) ranges.push_back(on_lattice(variable.range, variable.rays));
+    for (const Variable& variable : system.variables) {
+        ranges.push_back(on_lattice(variable.range, variable.rays));
+        if (is_empty(ranges.back())) return std::nullopt;
+    }
     constexpr int most_sweeps = 100;
     for (int sweep = 0; sweep < most_sweeps; ++sweep) {
         bool narrowed = false;

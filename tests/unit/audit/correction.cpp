@@ -1,0 +1,41 @@
+#include "studies/audit/correction.hpp"
+
+#include <gtest/gtest.h>
+
+namespace ff::studies {
+namespace {
+
+constexpr NumberFormat rounded_digits{Rounding::rounded, Layout::significant_digits, 6};
+constexpr auto anything = [](Range) { return true; };
+
+TEST(Correct, RestoresADroppedDigit) {
+    const Correction c = correct("0.97264", {0.997262, 0.997266}, rounded_digits, std::nullopt, anything);
+    EXPECT_EQ(c.meant, "0.997264");
+    EXPECT_EQ(c.edits, 1);
+    EXPECT_FALSE(c.certain);
+    EXPECT_NEAR(c.units, 24622, 0.5);
+}
+
+TEST(Correct, IsCertainWhereOnePrintIsLeft) {
+    const Correction c = correct("0.199044", {0.19919526, 0.19919528}, rounded_digits, 105625, anything);
+    EXPECT_EQ(c.meant, "0.199195");
+    EXPECT_TRUE(c.certain);
+    ASSERT_TRUE(c.hits);
+    EXPECT_EQ(c.hits->low, 21040);
+}
+
+TEST(Correct, LooksForTheNearestMisprintInAWideRange) {
+    const Correction c = correct("1.10034", {0.99, 1.01}, rounded_digits, std::nullopt, anything);
+    EXPECT_EQ(c.edits, 1);
+    EXPECT_TRUE(c.meant == "1.00034" || c.meant == "1.0034" || c.meant == "1.0034" || c.meant == "1.010034") << c.meant;
+}
+
+TEST(Correct, AsksWhetherTheRestAgrees) {
+    const auto only = [](Range r) { return r.contains(1.00934); };
+    const Correction c = correct("1.10034", {0.99, 1.01}, rounded_digits, std::nullopt, only);
+    EXPECT_EQ(c.meant, "1.00934");
+    EXPECT_EQ(c.edits, 2);
+}
+
+}  // namespace
+}  // namespace ff::studies

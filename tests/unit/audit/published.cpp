@@ -1,0 +1,118 @@
+#include "studies/published.hpp"
+
+#include "core/error.hpp"
+#include "simulated_tables.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace ff::studies {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+const std::string good = R"({
+"source": "someone", "scene": "cube",
+"printing": {"rule": "truncated", "decimals": 6},
+"references": {"parallel": "0.199824"},
+"methods": [{"name": "SR", "samples": true, "completion": "reciprocal"}],
+"tables": [{"id": "t", "title": "A table",
+  "columns": [{"title": "value", "method": "SR", "patches_per_face": 36, "samples_per_patch": 1000},
+              {"method": "SR", "patches_per_face": 36, "samples_per_patch": 1000, "kind": "relative_error"}],
+  "rows": [{"title": "one to six", "quantity": "F 1-6", "printed": ["0.199820", "0.00"]},
+           {"quantity": "sum 2", "printed": ["1.0", null]}]}],
+"readings": [{"table": "t", "statement": "in total", "rays_per_face": [10, 10]}],
+"claims": [{"id": "c", "statement": "more is better", "kind": "error_falls_with_samples", "methods": ["SR"],
+            "number": 2}]
+})";
+
+std::string replaced(std::string from, const std::string& to) {
+    std::string text = good;
+    const std::size_t at = text.find(from);
+    EXPECT_NE(at, std::string::npos) << from;
+    return text.replace(at, from.size(), to);
+}
+
+std::string message_of(const std::string& text) {
+    try {
+        parse_published_tables(text, "t.json");
+    } catch (const UserError& error) {
+        return error.what();
+    }
+    return "no error";
+}
+
+TEST(ParsePublishedTables, ReadsEveryPart) {
+    const PublishedTables tables = parse_published_tables(good, "t.json");
+    EXPECT_EQ(tables.rule, PrintingRule::truncated);
+    EXPECT_EQ(tables.reference_parallel, "0.199824");
+    EXPECT_FALSE(tables.reference_adjacent);
+    EXPECT_THAT(tables.sampling_methods, testing::ElementsAre("SR"));
+    EXPECT_THAT(tables.reciprocal_methods, testing::ElementsAre("SR"));
+    ASSERT_EQ(tables.figures.size(), 3u);
+    const Figure& value = tables.figures[0];
+    EXPECT_EQ(value.kind, FigureKind::form_factor);
+    EXPECT_EQ(value.printed, "0.199820");
+    EXPECT_EQ(value.from, "1");
+    EXPECT_EQ(value.to, "6");
+    EXPECT_EQ(value.line, 9);
+    EXPECT_EQ(tables.figures[1].kind, FigureKind::relative_error);
+    EXPECT_EQ(tables.figures[2].kind, FigureKind::row_sum);
+    ASSERT_EQ(tables.tables.size(), 1u);
+    EXPECT_THAT(tables.tables[0].row_titles, testing::ElementsAre("one to six", "sum 2"));
+    EXPECT_FALSE(tables.tables[0].figures[3]);
+    EXPECT_EQ(tables.readings[0].rays_per_face[1], 10u);
+    EXPECT_EQ(tables.claims[0].number, 2);
+    EXPECT_EQ(describe(tables, 0), "t, one to six, value");
+}
+
+TEST(ParsePublishedTables, SaysWhereAndWhatIsWrong) {
+    const std::vector<std::pair<std::string, std::string>> cases{
+        {replaced("\"claims\"", "\"claim\""), "Did you mean \"claims\"?"},
+        {replaced("\"title\": \"one", "\"titel\": \"one"), "Did you mean \"title\"?"},
+        {replaced("\"0.199820\"", "0.199820"), "must be given as a string"},
+        {replaced("\"0.199820\"", "\"0.19x820\""), "is not a printed number"},
+        {replaced("[\"1.0\", null]", "[\"1.0\"]"), "has 1 figures but the table 2 columns"},
+        {replaced("[\"1.0\", null]", "[\"1.0\", \"0.1\"]"), "Write null here"},
+        {replaced("\"sum 2\"", "\"total 2\""), "is no quantity"},
+        {replaced("\"F 1-6\"", "\"F 16\""), "is no quantity"},
+        {replaced("\"truncated\"", "\"trunkated\""), "Did you mean \"truncated\"?"},
+        {replaced("\"method\": \"SR\", \"patches", "\"method\": \"SB\", \"patches"), "not among the file's"},
+        {replaced("\"samples_per_patch\": 1000", "\"samples_per_patch\": 0"), "whole number from 1"},
+        {replaced("\"patches_per_face\": 36, \"samples_per_patch\": 1000", "\"patches_per_face\": 36"),
+         "has no \"samples_per_patch\""},
+        {replaced("\"table\": \"t\"", "\"table\": \"u\""), "no table \"u\""},
+        {replaced("[10, 10]", "[10]"), "has 1 entries but table"},
+        {replaced("\"scene\": \"cube\",", ""), "has no \"scene\""},
+        {replaced("\"samples\": true", "\"samples\": 1"), "must be true or false"},
+    };
+    for (const auto& [text, expected] : cases) {
+        EXPECT_THAT(message_of(text), AllOf(StartsWith("t.json:"), HasSubstr(expected)));
+    }
+}
+
+TEST(ParsePublishedTables, PointsAtTheLine) {
+    EXPECT_THAT(message_of(replaced("\"sum 2\"", "\"total 2\"")), StartsWith("t.json:10:25: "));
+}
+
+TEST(ReadPublishedTables, ReportsAMissingFile) {
+    EXPECT_THROW(read_published_tables("/nowhere/tables.json"), IoError);
+}
+
+TEST(ReadPublishedTables, ReadsThePapersTables) {
+    const PublishedTables tables = read_published_tables(test::paper_tables_file());
+    EXPECT_EQ(tables.tables.size(), 6u);
+    EXPECT_EQ(tables.figures.size(), 7u * 3 + 7 * 3 + 7 * 2 + 7 * 2 + 3 * 4 + 12 * 4);
+    EXPECT_GE(tables.claims.size(), 10u);
+    for (const PublishedClaim& claim : tables.claims) EXPECT_FALSE(claim.kind.empty()) << claim.id;
+}
+
+}  // namespace
+}  // namespace ff::studies
