@@ -34,7 +34,7 @@ std::string bias_section(const studies::StudyResults& results) {
         "## Bias pair by pair\n\n"
         "z is bias / standard error (Student t with trials − 1 degrees of freedom); the interval is Student's t, level "
         "{:g}, "
-        "each pair by itself; *detectable* is the bias that a family-wise test at {:g} % finds with power {:g}. "
+        "each pair by itself; *detectable* is the bias that the study-wide test at {:g} % finds with power {:g}. "
         "Intervals of "
         "the standard deviation are χ², or bootstrap where the kurtosis forbids it (summary.csv says which trials they "
         "rest "
@@ -45,7 +45,7 @@ std::string bias_section(const studies::StudyResults& results) {
         const Scene& scene = plan.scenes[cell.scene];
         const bool reciprocal = plan.spec.methods[cell.method].completion == studies::Completion::reciprocal;
         out += fmt::format("<details><summary>{} ({} trial{}): {}</summary>\n\n", cell_label(plan, cell), found.trials,
-                           found.trials == 1 ? "" : "s", bias_in_words(found, plan.spec.level));
+                           found.trials == 1 ? "" : "s", bias_in_words(found));
         out +=
             "| | exact | mean | bias | z | interval | detectable | standard deviation of a run | normality p "
             "|\n|---|--:|--:|--:|--:|--:|--:|--:|--:|\n";

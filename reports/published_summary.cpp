@@ -1,39 +1,45 @@
 #include "reports/published_summary.hpp"
 
-#include "reports/audit_markdown.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 
 namespace ff::reports {
+namespace {
 
-std::string published_in_brief(const studies::PublishedResults& published) {
+std::string surprising_figures(const studies::PublishedResults& published) {
     std::size_t sampled = 0;
-    std::string surprising;
+    std::vector<std::string> surprising;
     for (const studies::TableComparison& table : published.comparisons) {
         for (const studies::FigureComparison& c : table.figures) {
             if (!c.adjusted_p) continue;
             ++sampled;
             if (*c.adjusted_p >= 0.05) continue;
-            const std::string z = c.z ? fmt::format(" (z = {:+.1f})", *c.z) : std::string(" (no trial gives it)");
-            surprising += fmt::format("  {}: {}{}\n", studies::describe(published.tables, c.figure),
-                                      published.tables.figures[c.figure].printed, z);
+            const std::string place = c.z ? fmt::format("z = {:+.1f}", *c.z) : std::string("no run gives it");
+            surprising.push_back(fmt::format("{} = {} ({})", studies::describe(published.tables, c.figure),
+                                             published.tables.figures[c.figure].printed, place));
         }
     }
-    std::string out =
-        fmt::format("Published: {}\n{} sampled figures compared; outside what a run gives (5 % a table, Holm):\n{}",
-                    published.tables.source, sampled, surprising.empty() ? "  none\n" : surprising);
+    std::string text = fmt::format(
+        "Of {} printed figures of sampled methods, {} lie outside what a run as described gives (5 % a table, Holm)",
+        sampled, surprising.size());
+    return surprising.empty() ? text : fmt::format("{}: {}", text, fmt::join(surprising, "; "));
+}
+
+}  // namespace
+
+std::vector<std::string> published_in_brief(const studies::PublishedResults& published) {
+    std::vector<std::string> lines{surprising_figures(published)};
     const auto count = [&](studies::ClaimVerdict verdict) {
         return std::count_if(published.claims.begin(), published.claims.end(),
                              [&](const auto& claim) { return claim.verdict == verdict; });
     };
     if (!published.claims.empty()) {
-        out +=
-            fmt::format("Claims: {} supported, {} refuted, {} inconclusive\n", count(studies::ClaimVerdict::supported),
-                        count(studies::ClaimVerdict::refuted), count(studies::ClaimVerdict::inconclusive));
+        lines.push_back(fmt::format("Of the paper's {} claims {} are supported, {} refuted, {} inconclusive.",
+                                    published.claims.size(), count(studies::ClaimVerdict::supported),
+                                    count(studies::ClaimVerdict::refuted), count(studies::ClaimVerdict::inconclusive)));
     }
-    return out + audit_summary(published.tables, published.audit);
+    return lines;
 }
 
 }  // namespace ff::reports

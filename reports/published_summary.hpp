@@ -3,10 +3,11 @@
 #include "studies/results.hpp"
 
 #include <string>
+#include <vector>
 
 namespace ff::reports {
 
-/// A publication in a few lines: figures outside what a trial can give, claims by verdict, contradictions.
-std::string published_in_brief(const studies::PublishedResults& published);
+/// A publication in a few sentences: figures outside what a run can give, claims by verdict.
+std::vector<std::string> published_in_brief(const studies::PublishedResults& published);
 
 }  // namespace ff::reports

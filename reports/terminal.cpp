@@ -1,5 +1,6 @@
 #include "reports/terminal.hpp"
 
+#include "reports/audit_markdown.hpp"
 #include "reports/labels.hpp"
 #include "reports/numbers.hpp"
 #include "reports/published_summary.hpp"
@@ -37,11 +38,14 @@ std::string terminal_summary(const studies::StudyResults& results) {
         const std::string margin = equivalence_in_words(found);
         out += fmt::format("{:<15} {:<20} {:>6}  {:>8}  {:>8}  {}{}{}\n", scene + plan.spec.methods[cell.method].name,
                            size_label(plan, cell), found.trials, rmse(found, PairClass::parallel),
-                           rmse(found, PairClass::adjacent), bias_in_words(found, plan.spec.level),
-                           margin.empty() ? "" : "; ", margin);
+                           rmse(found, PairClass::adjacent), bias_in_words(found), margin.empty() ? "" : "; ", margin);
         if (found.lost_rays > 0) out += fmt::format("{:<15} {} rays LOST\n", "", found.lost_rays);
     }
-    if (results.published) out += fmt::format("\n{}", published_in_brief(*results.published));
+    if (results.published) {
+        out += fmt::format("\nPublished: {}\n", results.published->tables.source);
+        for (const std::string& line : published_in_brief(*results.published)) out += fmt::format("{}\n", line);
+        out += audit_summary(results.published->tables, results.published->audit);
+    }
     return out;
 }
 

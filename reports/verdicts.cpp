@@ -6,13 +6,13 @@
 
 namespace ff::reports {
 
-std::string bias_in_words(const studies::CellFindings& found, double level) {
+std::string bias_in_words(const studies::CellFindings& found) {
     if (!found.bias) return "deterministic: the error is the bias";
     switch (found.bias_finding) {
         case studies::BiasFinding::untestable:
             return "no test: infinite variance";
         case studies::BiasFinding::biased:
-            return fmt::format("BIASED (largest |z| {:.1f}, p = {})", found.bias->largest_z,
+            return fmt::format("BIASED (z up to {:.1f}, p = {})", found.bias->largest_z,
                                p_value(found.bias->adjusted_p));
         case studies::BiasFinding::no_bias_found:
             break;
@@ -21,8 +21,7 @@ std::string bias_in_words(const studies::CellFindings& found, double level) {
         found.bias->untestable == 0
             ? std::string()
             : fmt::format(" on {} of {} pairs", found.bias->pairs - found.bias->untestable, found.bias->pairs);
-    return fmt::format("none found{} at {:g} % (would detect {})", untested, 100 * level,
-                       brief(found.bias->minimum_detectable_bias, 2));
+    return fmt::format("none found{} (would detect {})", untested, brief(found.bias->minimum_detectable_bias, 2));
 }
 
 std::string equivalence_in_words(const studies::CellFindings& found) {
@@ -31,12 +30,12 @@ std::string equivalence_in_words(const studies::CellFindings& found) {
     const std::string reach = brief(found.bias->shown_below, 2);
     switch (found.equivalence) {
         case studies::EquivalenceFinding::shown:
-            return fmt::format("|bias| < {} shown (even < {})", margin, reach);
+            return fmt::format("bias within ±{} shown (even ±{})", margin, reach);
         case studies::EquivalenceFinding::refuted:
-            return fmt::format("|bias| < {} refuted", margin);
+            return fmt::format("bias within ±{} refuted", margin);
         case studies::EquivalenceFinding::inconclusive:
             return found.bias->untestable > 0 ? "inconclusive: infinite variance"
-                                              : fmt::format("|bias| < {} not shown (only < {})", margin, reach);
+                                              : fmt::format("bias within ±{} not shown (only ±{})", margin, reach);
         case studies::EquivalenceFinding::not_asked:
             break;
     }

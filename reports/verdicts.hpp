@@ -6,10 +6,10 @@
 
 namespace ff::reports {
 
-/// The family-wise bias test in words, e.g. "no bias found (would detect 1.9e-04)".
-std::string bias_in_words(const studies::CellFindings& found, double level);
+/// The family-wise bias test in words, e.g. "none found (would detect 0.00019)".
+std::string bias_in_words(const studies::CellFindings& found);
 
-/// The equivalence test in words, e.g. "|bias| < 2e-04 shown".
+/// The equivalence test in words, e.g. "bias within ±0.0002 shown (even ±0.00014)".
 std::string equivalence_in_words(const studies::CellFindings& found);
 
 }  // namespace ff::reports

@@ -37,13 +37,22 @@ std::optional<double> reference_of(const Scene& scene, const std::optional<Eigen
     return std::nullopt;
 }
 
+/// Cells whose bias is tested; at least 1.
+std::size_t sampled_cells(const StudyPlan& plan) {
+    const auto sampled =
+        std::count_if(plan.cells.begin(), plan.cells.end(), [](const Cell& cell) { return !cell.deterministic; });
+    return static_cast<std::size_t>(std::max<std::ptrdiff_t>(1, sampled));
+}
+
 BiasFamily judge_family(const CellEstimates& estimates, const std::vector<Quantity>& pairs,
-                        const CellFindings& findings, const StudySpec& spec, bool& refuted) {
+                        const CellFindings& findings, const StudyPlan& plan, bool& refuted) {
+    const StudySpec& spec = plan.spec;
     BiasFamily family;
     family.pairs = pairs.size();
     family.margin = spec.equivalence_margin;
     const double alpha = 1.0 - spec.level;
-    const double pair_alpha = stats::sidak_level(alpha, pairs.size());
+    const std::size_t cells = sampled_cells(plan);
+    const double pair_alpha = stats::sidak_level(stats::sidak_level(alpha, cells), pairs.size());
     std::vector<double> p_values;
     double largest_std = 0;
     for (const Quantity pair : pairs) {
@@ -73,7 +82,8 @@ BiasFamily judge_family(const CellEstimates& estimates, const std::vector<Quanti
     }
     if (p_values.empty()) return family;
     const auto adjusted = stats::holm(p_values);
-    family.adjusted_p = *std::min_element(adjusted.begin(), adjusted.end());
+    const double of_cell = *std::min_element(adjusted.begin(), adjusted.end());
+    family.adjusted_p = -std::expm1(static_cast<double>(cells) * std::log1p(-of_cell));
     if (largest_std > 0 && estimates.trials() >= 2) {
         family.planned_margin =
             stats::equivalence_margin(largest_std, estimates.trials(), {alpha, spec.power}, pairs.size());
@@ -145,7 +155,8 @@ CellFindings analyse_cell(const Store& store, std::size_t cell_index) {
         request.evaluations_per_face =
             quantity.kind == QuantityKind::sum_relative_error ? 0 : estimates.evaluations_per_face;
         request.level = plan.spec.level;
-        request.test_alpha = stats::sidak_level(1.0 - plan.spec.level, pairs.size());
+        request.test_alpha =
+            stats::sidak_level(stats::sidak_level(1.0 - plan.spec.level, sampled_cells(plan)), pairs.size());
         request.power = plan.spec.power;
         request.key = derive_key(plan.spec.seed, fmt::format("summary|{}|{}|{}|{}", cell.canonical,
                                                              name(method.completion), quantity.from, quantity.to));
@@ -153,7 +164,7 @@ CellFindings analyse_cell(const Store& store, std::size_t cell_index) {
     }
     if (!cell.deterministic) {
         bool refuted = false;
-        findings.bias = judge_family(estimates, pairs, findings, plan.spec, refuted);
+        findings.bias = judge_family(estimates, pairs, findings, plan, refuted);
         findings.bias_finding = bias_finding(*findings.bias, plan.spec.level);
         findings.equivalence = equivalence_finding(*findings.bias, refuted);
     }

@@ -10,13 +10,14 @@
 
 namespace ff::studies {
 
-/// What the trials say about bias on all distinct pairs of a cell together.
+/// What the trials say about bias on all distinct pairs of a cell together. The family-wise error rate is that of the
+/// whole study: each of its sampled cells gets an equal (Sidak) share of it.
 struct BiasFamily {
     std::size_t pairs = 0;       ///< 30 in a box, or 15 under reciprocal completion
     std::size_t untestable = 0;  ///< of them, pairs without a variance
     double largest_z = 0;        ///< largest |bias| / standard error
     Quantity largest_pair;
-    double adjusted_p = 1;               ///< smallest Holm-adjusted p-value: the family-wise verdict
+    double adjusted_p = 1;  ///< smallest p-value, adjusted for pairs (Holm) and cells (Sidak): the family-wise verdict
     double minimum_detectable_bias = 0;  ///< on the worst pair, at the family-wise level and the study's power
     double shown_below = 0;              ///< smallest margin within which every pair is equivalent (level 1 - 2 alpha)
     std::optional<double> margin;        ///< the study's equivalence margin

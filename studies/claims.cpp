@@ -58,9 +58,10 @@ std::string ladder(const ClaimEvidence& evidence, const std::vector<std::size_t>
     for (std::size_t i = 0; i < cells.size(); ++i) {
         const Cell& cell = evidence.findings().plan.cells[cells[i]];
         const std::string samples = cell.deterministic ? "" : fmt::format(" × {} rays", cell.samples);
-        rungs.push_back(fmt::format("{} at {}{}", percent(errors[i]), cell.subdivision.per_surface(), samples));
+        rungs.push_back(
+            fmt::format("{} at {} patches a face{}", percent(errors[i]), cell.subdivision.per_surface(), samples));
     }
-    return fmt::format("Mean Σ r.e. {} patches a face.", fmt::join(rungs, ", "));
+    return fmt::format("Mean Σ r.e.: {}.", fmt::join(rungs, ", "));
 }
 
 Judgement judge_falling(const ClaimEvidence& evidence, const PublishedClaim& claim) {

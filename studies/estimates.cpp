@@ -10,17 +10,24 @@
 namespace ff::studies {
 namespace {
 
-/// Direct estimates of one pair, by trial.
-std::vector<double> direct_factors(const Store& store, CellEstimates& estimates, int from, int to, bool counted) {
+/// Direct estimates of one pair by trial; hits, not yet divided by the rays, where they are counted.
+std::vector<double> direct_values(const Store& store, CellEstimates& estimates, int from, int to, bool counted) {
     auto series = store.series(estimates.cell, counted ? observable::hits : observable::estimate, from, to);
-    if (counted) {
-        for (double& value : series.value) value /= static_cast<double>(estimates.evaluations_per_face);
-    }
     estimates.trial_numbers = std::move(series.trial);
     return std::move(series.value);
 }
 
-void add_sums(const Scene& scene, CellEstimates& estimates) {
+/// Hits add up exactly and are divided once, so that a row that closure fixes sums to 1 to the bit.
+void divide_by_rays(CellEstimates& estimates) {
+    const auto rays = static_cast<double>(estimates.evaluations_per_face);
+    for (auto* list : {&estimates.factors, &estimates.row_sums}) {
+        for (auto& values : *list) {
+            for (double& value : values) value /= rays;
+        }
+    }
+}
+
+void add_row_sums(CellEstimates& estimates) {
     const std::size_t faces = estimates.faces;
     std::size_t trials = 0;
     for (const auto& values : estimates.factors) trials = std::max(trials, values.size());
@@ -31,7 +38,10 @@ void add_sums(const Scene& scene, CellEstimates& estimates) {
             for (std::size_t trial = 0; trial < values.size(); ++trial) estimates.row_sums[i][trial] += values[trial];
         }
     }
-    if (!scene.closed) return;
+}
+
+void add_sum_of_relative_errors(CellEstimates& estimates) {
+    const std::size_t trials = estimates.trials();
     estimates.sum_relative_error.assign(trials, 0.0);
     for (const auto& sums : estimates.row_sums) {
         for (std::size_t trial = 0; trial < trials; ++trial) {
@@ -86,7 +96,7 @@ CellEstimates load_estimates(const Store& store, std::size_t cell_index, Complet
             const bool by_reciprocity = completion == Completion::reciprocal && j < i;
             auto& target = estimates.factors[static_cast<std::size_t>((i - 1) * faces + j - 1)];
             if (!by_reciprocity) {
-                target = direct_factors(store, estimates, i, j, counted);
+                target = direct_values(store, estimates, i, j, counted);
                 continue;
             }
             target = estimates.factors[static_cast<std::size_t>((j - 1) * faces + i - 1)];
@@ -94,7 +104,9 @@ CellEstimates load_estimates(const Store& store, std::size_t cell_index, Complet
             for (double& value : target) value *= ratio;
         }
     }
-    add_sums(scene, estimates);
+    add_row_sums(estimates);
+    if (counted) divide_by_rays(estimates);
+    if (scene.closed) add_sum_of_relative_errors(estimates);
     return estimates;
 }
 

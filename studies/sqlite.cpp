@@ -50,7 +50,9 @@ Statement& Statement::bind(int parameter, std::string_view value) {
 }
 
 Statement& Statement::bind(int parameter, std::span<const std::uint64_t> values) {
-    check(sqlite3_bind_blob64(statement_, parameter + 1, values.data(), values.size_bytes(), SQLITE_TRANSIENT));
+    // A null pointer would bind NULL instead of an empty blob.
+    const void* data = values.empty() ? static_cast<const void*>("") : values.data();
+    check(sqlite3_bind_blob64(statement_, parameter + 1, data, values.size_bytes(), SQLITE_TRANSIENT));
     return *this;
 }
 

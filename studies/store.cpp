@@ -143,7 +143,7 @@ void Store::commit(const UnitRecord& record) {
     const WorkUnit& unit = plan_.units.at(record.unit);
     const auto cell = static_cast<std::int64_t>(unit.cell);
     database_->execute("BEGIN IMMEDIATE");
-    Statement insert(database_->handle(), "INSERT OR IGNORE INTO observations VALUES(?, ?, ?, ?, ?, ?)");
+    Statement insert(database_->handle(), "INSERT INTO observations VALUES(?, ?, ?, ?, ?, ?) ON CONFLICT DO NOTHING");
     for (const Observation& observation : record.observations) {
         insert.bind(0, cell)
             .bind(1, observation.observable)
@@ -153,7 +153,7 @@ void Store::commit(const UnitRecord& record) {
         std::visit([&](const auto value) { insert.bind(5, value); }, observation.value);
         insert.run();
     }
-    Statement(database_->handle(), "INSERT OR IGNORE INTO units VALUES(?, ?, ?, ?, ?, ?)")
+    Statement(database_->handle(), "INSERT INTO units VALUES(?, ?, ?, ?, ?, ?) ON CONFLICT DO NOTHING")
         .bind(0, static_cast<std::int64_t>(unit.index))
         .bind(1, cell)
         .bind(2, static_cast<std::int64_t>(unit.first_trial))

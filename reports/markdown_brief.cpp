@@ -1,0 +1,81 @@
+#include "reports/labels.hpp"
+#include "reports/markdown_sections.hpp"
+#include "reports/numbers.hpp"
+#include "reports/published_summary.hpp"
+
+#include <fmt/format.h>
+
+#include <vector>
+
+namespace ff::reports {
+namespace {
+
+using studies::CellFindings;
+
+/// Errors below this are rounding of form factors around 0.2.
+constexpr double rounding = 1e-12;
+
+/// The most accurate deterministic (or sampled) cell on a class of pairs, formulas left out.
+const CellFindings* most_accurate(const studies::Findings& findings, PairClass pair_class, bool deterministic) {
+    const CellFindings* best = nullptr;
+    for (const CellFindings& found : findings.cells) {
+        const studies::Cell& cell = findings.plan.cells[found.cell];
+        const auto rmse = found.class_rmse(pair_class);
+        if (!rmse || cell.deterministic != deterministic) continue;
+        if (findings.plan.spec.methods[cell.method].estimator == studies::Estimator::closed_form) continue;
+        if (best == nullptr || *rmse < *best->class_rmse(pair_class)) best = &found;
+    }
+    return best;
+}
+
+std::string accuracy_line(const studies::Findings& findings, PairClass pair_class) {
+    std::vector<std::string> parts;
+    for (const bool deterministic : {true, false}) {
+        const CellFindings* best = most_accurate(findings, pair_class, deterministic);
+        if (best == nullptr) continue;
+        const double rmse = *best->class_rmse(pair_class);
+        const std::string error = rmse < rounding ? "exact to rounding" : fmt::format("RMSE {}", brief(rmse, 2));
+        parts.push_back(fmt::format("of the {} methods **{}** ({})", deterministic ? "quadrature" : "sampled",
+                                    cell_label(findings.plan, findings.plan.cells[best->cell]), error));
+    }
+    if (parts.empty()) return {};
+    return fmt::format("- Most accurate on {} pairs: {}.\n", name(pair_class), fmt::join(parts, "; "));
+}
+
+std::string bias_line(const studies::Findings& findings) {
+    std::size_t sampled = 0;
+    std::size_t clean = 0;
+    std::size_t shown = 0;
+    std::uint64_t lost = 0;
+    for (const CellFindings& found : findings.cells) {
+        lost += found.lost_rays;
+        if (!found.bias) continue;
+        ++sampled;
+        if (found.bias_finding == studies::BiasFinding::no_bias_found) ++clean;
+        if (found.equivalence == studies::EquivalenceFinding::shown) ++shown;
+    }
+    if (sampled == 0) return {};
+    std::string out = fmt::format("- Bias: none found in {} of {} sampled methods and sizes ({:g} % over all of them)",
+                                  clean, sampled, 100 * (1 - findings.plan.spec.level));
+    if (const auto margin = findings.plan.spec.equivalence_margin) {
+        out += fmt::format("; a bias within ±{} is shown on every pair of {}", brief(*margin, 2), shown);
+    }
+    return out + fmt::format(". Lost rays: {}.\n", lost);
+}
+
+}  // namespace
+
+std::string brief_section(const studies::StudyResults& results) {
+    std::string out = "## In brief\n\n";
+    for (const PairClass pair_class : {PairClass::parallel, PairClass::adjacent})
+        out += accuracy_line(results.findings, pair_class);
+    out += bias_line(results.findings);
+    if (results.published) {
+        for (const std::string& line : published_in_brief(*results.published)) out += fmt::format("- {}\n", line);
+        out += fmt::format("- The {} printed figures contain {} contradictions; see [the audit](#the-audit).\n",
+                           results.published->audit.figures, results.published->audit.contradictions());
+    }
+    return out + "\n";
+}
+
+}  // namespace ff::reports
