@@ -2,6 +2,7 @@
 
 #include "stats/distributions.hpp"
 #include "studies/audit/blame.hpp"
+#include "studies/audit/explain.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -11,10 +12,6 @@
 
 namespace ff::studies {
 namespace {
-
-bool contains(const std::vector<std::string>& list, const std::string& item) {
-    return std::find(list.begin(), list.end(), item) != list.end();
-}
 
 bool is_value(const Figure& figure) {
     return figure.kind == FigureKind::form_factor || figure.kind == FigureKind::row_sum;
@@ -42,11 +39,6 @@ class Auditor {
     }
 
   private:
-    [[nodiscard]] bool has_readings(const std::string& table) const {
-        return std::any_of(tables_.readings.begin(), tables_.readings.end(),
-                           [&](const Reading& reading) { return reading.table == table; });
-    }
-
     void add(Finding finding) {
         if (finding.involved.empty()) finding.involved = finding.figures;
         report_.findings.push_back(std::move(finding));
@@ -59,26 +51,9 @@ class Auditor {
             const bool known = std::any_of(report_.formats.begin(), report_.formats.end(),
                                            [&](const FormatFinding& f) { return f.method == experiment.method; });
             if (known) continue;
-            report_.formats.push_back(contains(tables_.sampling_methods, experiment.method)
-                                          ? sampled_format(experiment.method)
-                                          : deterministic_format(experiment.method));
+            report_.formats.push_back(infer_format(tables_, experiment.method));
+            if (!report_.formats.back().evidence.empty()) judge_printing_rule(report_.formats.back());
         }
-    }
-
-    FormatFinding sampled_format(const std::string& method) {
-        std::vector<SampledFigure> figures;
-        std::vector<SampledFigure> uncertain;
-        for (const Figure& figure : tables_.figures) {
-            if (figure.method != method || !is_value(figure)) continue;
-            const SampledFigure sampled{*parse_printed(figure.printed),
-                                        *figure.samples_per_patch * figure.patches_per_face};
-            (has_readings(figure.table) ? uncertain : figures).push_back(sampled);
-        }
-        FormatFinding finding{.method = method, .format = {}, .evidence = {}};
-        finding.evidence = weigh_formats(figures.empty() ? uncertain : figures, tables_.decimals);
-        finding.format = finding.evidence.front().format;
-        judge_printing_rule(finding);
-        return finding;
     }
 
     /// Does the publication print as it says?
@@ -107,25 +82,6 @@ class Auditor {
         f.evidence.push_back(
             {Relation::printing_rule, fmt::format("Odds 10^{:.0f} to 1.", log_odds / std::log(10.0)), {}});
         add(std::move(f));
-    }
-
-    /// Fixed decimals, unless the figures' lengths differ as they do with significant digits.
-    FormatFinding deterministic_format(const std::string& method) const {
-        int most = 0;
-        int least = 99;
-        bool significant = true;
-        for (const Figure& figure : tables_.figures) {
-            if (figure.method != method || !is_value(figure)) continue;
-            const PrintedNumber number = *parse_printed(figure.printed);
-            most = std::max(most, number.decimals);
-            least = std::min(least, number.decimals);
-            significant =
-                significant && printed_range(number, {Rounding::rounded, Layout::significant_digits, tables_.decimals});
-        }
-        NumberFormat format{Rounding::rounded, Layout::fixed_decimals, most};
-        if (most != least && significant) format = {Rounding::rounded, Layout::significant_digits, tables_.decimals};
-        if (tables_.rule == PrintingRule::truncated) format.rounding = Rounding::truncated;
-        return {.method = method, .format = format, .evidence = {}};
     }
 
     FormatFinding& format_of_method(const std::string& method) {

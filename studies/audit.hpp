@@ -7,6 +7,7 @@
 #include "studies/audit/references.hpp"
 #include "studies/audit/scene_facts.hpp"
 #include "studies/audit/spread.hpp"
+#include "studies/audit/value_format.hpp"
 #include "studies/published.hpp"
 
 #include <cstddef>
@@ -48,13 +49,6 @@ struct RecoveredHits {
     std::uint64_t rays = 0;              ///< of the figure's face
     std::optional<HitRange> printed;     ///< that the print alone allows; empty where no whole number is printed so
     std::optional<HitRange> consistent;  ///< that all relations together allow
-};
-
-/// How the values of a method are printed.
-struct FormatFinding {
-    std::string method;
-    NumberFormat format;
-    std::vector<FormatEvidence> evidence;  ///< sampling methods only; the likeliest first
 };
 
 /// Monte Carlo values of one experiment together, misprints corrected.

@@ -2,16 +2,14 @@
 
 #include "core/error.hpp"
 #include "core/nearest_name.hpp"
-#include "studies/json_document.hpp"
+#include "studies/json_reader.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <fstream>
-#include <initializer_list>
 #include <sstream>
 
 namespace ff::studies {
@@ -19,100 +17,12 @@ namespace {
 
 using Kind = JsonValue::Kind;
 
-/// Reads typed members of objects and complains with their position.
-class Reader {
-  public:
-    explicit Reader(std::string_view origin) : origin_(origin) {}
+constexpr double most_patches = 1e6;
+constexpr double most_samples = 1e9;  // their product stays exact in 64 bits
 
-    [[noreturn]] void fail(const JsonValue& at, const std::string& message) const {
-        throw UserError(describe(origin_, at.position) + message);
-    }
-
-    void expect_object(const JsonValue& value, std::string_view what,
-                       std::initializer_list<std::string_view> keys) const {
-        if (value.kind != Kind::object) fail(value, fmt::format("{} must be an object {{...}}.", what));
-        for (const auto& [key, member] : value.members) {
-            if (std::find(keys.begin(), keys.end(), key) != keys.end()) continue;
-            const std::vector<std::string_view> known(keys);
-            const std::string nearest = nearest_name(key, known);
-            fail(member, fmt::format("unknown key \"{}\" in {} (it would be ignored silently). {}", key, what,
-                                     nearest.empty() ? fmt::format("Known keys: {}.", fmt::join(known, ", "))
-                                                     : fmt::format("Did you mean \"{}\"?", nearest)));
-        }
-    }
-
-    const JsonValue& member(const JsonValue& object, std::string_view key, std::string_view what) const {
-        const JsonValue* found = object.find(key);
-        if (found == nullptr) fail(object, fmt::format("{} has no \"{}\". Add it.", what, key));
-        return *found;
-    }
-
-    const std::vector<JsonValue>& array(const JsonValue& value, std::string_view key) const {
-        if (value.kind != Kind::array) fail(value, fmt::format("\"{}\" must be a list [...].", key));
-        return value.items;
-    }
-
-    std::string text(const JsonValue& value, std::string_view key) const {
-        if (value.kind != Kind::string) fail(value, fmt::format("\"{}\" must be a string in double quotes.", key));
-        return value.text;
-    }
-
-    std::string optional_text(const JsonValue& object, std::string_view key) const {
-        const JsonValue* found = object.find(key);
-        return found == nullptr ? std::string{} : text(*found, key);
-    }
-
-    std::uint64_t count(const JsonValue& value, std::string_view key, double largest) const {
-        if (value.kind != Kind::number || value.number < 1 || value.number > largest ||
-            std::floor(value.number) != value.number) {
-            fail(value, fmt::format("\"{}\" must be a whole number from 1 to {:.0f}.", key, largest));
-        }
-        return static_cast<std::uint64_t>(value.number);
-    }
-    std::uint32_t patches(const JsonValue& value) const {
-        return static_cast<std::uint32_t>(count(value, "patches_per_face", 1e9));
-    }
-    std::uint64_t samples(const JsonValue& value, std::string_view key) const { return count(value, key, 9e15); }
-
-    bool flag(const JsonValue& value, std::string_view key) const {
-        if (value.kind != Kind::boolean) fail(value, fmt::format("\"{}\" must be true or false.", key));
-        return value.number != 0;
-    }
-
-    /// One of a few words.
-    std::size_t choice(const JsonValue& value, std::string_view key,
-                       std::initializer_list<std::string_view> words) const {
-        const std::string word = text(value, key);
-        const auto* const found = std::find(words.begin(), words.end(), word);
-        if (found != words.end()) return static_cast<std::size_t>(found - words.begin());
-        const std::vector<std::string_view> known(words);
-        const std::string nearest = nearest_name(word, known);
-        fail(value, fmt::format("\"{}\" is no {} (known: {}).{}", word, key, fmt::join(known, ", "),
-                                nearest.empty() ? std::string{} : fmt::format(" Did you mean \"{}\"?", nearest)));
-    }
-
-    /// Digits with at most one point, as printed.
-    std::string number_as_printed(const JsonValue& value, std::string_view key) const {
-        if (value.kind != Kind::string) {
-            fail(value, fmt::format("\"{}\" must be given as a string (a JSON number loses trailing zeros). "
-                                    "Put the digits in double quotes, exactly as printed.",
-                                    key));
-        }
-        const std::string& digits = value.text;
-        const bool plain = digits.find_first_not_of("0123456789.") == std::string::npos &&
-                           std::count(digits.begin(), digits.end(), '.') <= 1 && digits.size() <= 16 &&
-                           digits.find_first_of("0123456789") != std::string::npos;
-        if (!plain) {
-            fail(value, fmt::format("\"{}\" is not a printed number (digits and at most one decimal point, 16 "
-                                    "characters at most). Write null for a blank cell.",
-                                    digits));
-        }
-        return digits;
-    }
-
-  private:
-    std::string_view origin_;
-};
+std::uint32_t read_patches(const JsonReader& reader, const JsonValue& value) {
+    return static_cast<std::uint32_t>(reader.count(value, "patches_per_face", most_patches));
+}
 
 struct Column {
     std::string method;
@@ -127,7 +37,7 @@ struct Quantity {
     std::string to;
 };
 
-Quantity read_quantity(const Reader& reader, const JsonValue& value) {
+Quantity read_quantity(const JsonReader& reader, const JsonValue& value) {
     const std::string text = reader.text(value, "quantity");
     if (text == "sum of relative errors") return {FigureKind::sum_relative_error, {}, {}};
     if (text.starts_with("sum ") && text.size() > 4) return {FigureKind::row_sum, text.substr(4), {}};
@@ -140,7 +50,7 @@ Quantity read_quantity(const Reader& reader, const JsonValue& value) {
                                    text));
 }
 
-Column read_column(const Reader& reader, const JsonValue& value, const PublishedTables& tables,
+Column read_column(const JsonReader& reader, const JsonValue& value, const PublishedTables& tables,
                    const std::vector<std::string_view>& methods) {
     reader.expect_object(value, "a column", {"title", "method", "patches_per_face", "samples_per_patch", "kind"});
     Column column;
@@ -152,9 +62,9 @@ Column read_column(const Reader& reader, const JsonValue& value, const Published
                     fmt::format("\"{}\" is not among the file's \"methods\".{}", column.method,
                                 nearest.empty() ? std::string{} : fmt::format(" Did you mean \"{}\"?", nearest)));
     }
-    column.patches_per_face = reader.patches(reader.member(value, "patches_per_face", "the column"));
+    column.patches_per_face = read_patches(reader, reader.member(value, "patches_per_face", "the column"));
     if (const JsonValue* samples = value.find("samples_per_patch")) {
-        column.samples_per_patch = reader.samples(*samples, "samples_per_patch");
+        column.samples_per_patch = reader.count(*samples, "samples_per_patch", most_samples);
     }
     const auto& sampling = tables.sampling_methods;
     if (std::find(sampling.begin(), sampling.end(), column.method) != sampling.end() && !column.samples_per_patch) {
@@ -168,8 +78,8 @@ Column read_column(const Reader& reader, const JsonValue& value, const Published
     return column;
 }
 
-void read_row(const Reader& reader, const JsonValue& value, const std::vector<Column>& columns, PublishedTables& tables,
-              PublishedTable& table) {
+void read_row(const JsonReader& reader, const JsonValue& value, const std::vector<Column>& columns,
+              PublishedTables& tables, PublishedTable& table) {
     reader.expect_object(value, "a row", {"title", "quantity", "printed"});
     const JsonValue& quantity_value = reader.member(value, "quantity", "the row");
     const Quantity quantity = read_quantity(reader, quantity_value);
@@ -214,7 +124,7 @@ void read_row(const Reader& reader, const JsonValue& value, const std::vector<Co
     }
 }
 
-void read_table(const Reader& reader, const JsonValue& value, const std::vector<std::string_view>& methods,
+void read_table(const JsonReader& reader, const JsonValue& value, const std::vector<std::string_view>& methods,
                 PublishedTables& tables) {
     reader.expect_object(value, "a table", {"id", "title", "note", "columns", "rows"});
     PublishedTable table;
@@ -238,7 +148,7 @@ void read_table(const Reader& reader, const JsonValue& value, const std::vector<
     tables.tables.push_back(std::move(table));
 }
 
-void read_reading(const Reader& reader, const JsonValue& value, PublishedTables& tables) {
+void read_reading(const JsonReader& reader, const JsonValue& value, PublishedTables& tables) {
     reader.expect_object(value, "a reading", {"table", "statement", "stated_in", "rays_per_face"});
     Reading reading;
     const JsonValue& id = reader.member(value, "table", "the reading");
@@ -252,7 +162,7 @@ void read_reading(const Reader& reader, const JsonValue& value, PublishedTables&
     reading.stated_in = reader.optional_text(value, "stated_in");
     const JsonValue& rays = reader.member(value, "rays_per_face", "the reading");
     for (const JsonValue& count : reader.array(rays, "rays_per_face")) {
-        reading.rays_per_face.push_back(reader.samples(count, "rays_per_face"));
+        reading.rays_per_face.push_back(reader.count(count, "rays_per_face", 1e15));
     }
     if (reading.rays_per_face.size() != table->column_titles.size()) {
         reader.fail(rays, fmt::format("\"rays_per_face\" has {} entries but table \"{}\" {} columns.",
@@ -261,7 +171,7 @@ void read_reading(const Reader& reader, const JsonValue& value, PublishedTables&
     tables.readings.push_back(std::move(reading));
 }
 
-PublishedClaim read_claim(const Reader& reader, const JsonValue& value) {
+PublishedClaim read_claim(const JsonReader& reader, const JsonValue& value) {
     reader.expect_object(value, "a claim",
                          {"id", "section", "statement", "kind", "methods", "pair_class", "patches_per_face",
                           "samples_per_patch", "number"});
@@ -281,12 +191,12 @@ PublishedClaim read_claim(const Reader& reader, const JsonValue& value) {
     }
     if (const JsonValue* sizes = value.find("patches_per_face")) {
         for (const JsonValue& size : reader.array(*sizes, "patches_per_face")) {
-            claim.patches_per_face.push_back(reader.patches(size));
+            claim.patches_per_face.push_back(read_patches(reader, size));
         }
     }
     if (const JsonValue* sizes = value.find("samples_per_patch")) {
         for (const JsonValue& size : reader.array(*sizes, "samples_per_patch")) {
-            claim.samples_per_patch.push_back(reader.samples(size, "samples_per_patch"));
+            claim.samples_per_patch.push_back(reader.count(size, "samples_per_patch", most_samples));
         }
     }
     if (const JsonValue* number = value.find("number")) {
@@ -296,7 +206,7 @@ PublishedClaim read_claim(const Reader& reader, const JsonValue& value) {
     return claim;
 }
 
-std::vector<std::string_view> read_methods(const Reader& reader, const JsonValue& value, PublishedTables& tables) {
+std::vector<std::string_view> read_methods(const JsonReader& reader, const JsonValue& value, PublishedTables& tables) {
     std::vector<std::string_view> names;
     for (const JsonValue& method : reader.array(value, "methods")) {
         reader.expect_object(method, "a method", {"name", "samples", "completion"});
@@ -317,7 +227,7 @@ std::vector<std::string_view> read_methods(const Reader& reader, const JsonValue
     return names;
 }
 
-void read_printing(const Reader& reader, const JsonValue& value, PublishedTables& tables) {
+void read_printing(const JsonReader& reader, const JsonValue& value, PublishedTables& tables) {
     reader.expect_object(value, "\"printing\"", {"rule", "decimals"});
     constexpr std::array rules{PrintingRule::unstated, PrintingRule::rounded, PrintingRule::truncated};
     tables.rule = rules[reader.choice(reader.member(value, "rule", "\"printing\""), "rule",
@@ -331,7 +241,7 @@ void read_printing(const Reader& reader, const JsonValue& value, PublishedTables
 
 PublishedTables parse_published_tables(std::string_view text, std::string_view origin) {
     const JsonValue root = parse_json(text, origin);
-    const Reader reader(origin);
+    const JsonReader reader(origin);
     reader.expect_object(root, "a tables file",
                          {"source", "scene", "printing", "references", "methods", "tables", "readings", "claims"});
     PublishedTables tables;

@@ -1,20 +1,11 @@
 #include "studies/audit/blame.hpp"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <set>
 
 namespace ff::studies {
 namespace {
-
-const Constraint& constraint_of(const ExperimentModel& model, std::size_t suspect) {
-    return *std::find_if(model.system.constraints.begin(), model.system.constraints.end(),
-                         [&](const Constraint& c) { return c.suspect == suspect; });
-}
 
 /// What a blamed figure should print: the range of its constraint's left side.
 Range predicted(const Constraint& constraint, const std::vector<Range>& ranges) {
@@ -29,12 +20,6 @@ Range predicted(const Constraint& constraint, const std::vector<Range>& ranges) 
         sum.high += term.factor * x.high;
     }
     return sum;
-}
-
-std::optional<std::uint64_t> rays_of(const ExperimentModel& model, const Constraint& constraint) {
-    if (constraint.kind != ConstraintKind::linear || constraint.terms.size() != 1) return std::nullopt;
-    if (constraint.terms.front().factor != 1) return std::nullopt;
-    return model.system.variables[constraint.terms.front().variable].rays;
 }
 
 /// Whether the blamed suspect could print `values` with everything that is not blamed.
@@ -76,289 +61,17 @@ JudgedDiagnosis judge(const PublishedTables& tables, const SceneFacts& facts, co
     return judged;
 }
 
-/// "0.19902" or "0.19902 to 0.19903".
-std::string in_words(Range range) {
-    const std::string low = fmt::format("{:.7g}", range.low);
-    const std::string high = fmt::format("{:.7g}", range.high);
-    return low == high ? low : low + " to " + high;
-}
-
-std::vector<std::size_t> figures_of(const ConstraintSystem& system, const std::vector<std::size_t>& suspects) {
-    std::vector<std::size_t> figures;
-    for (const std::size_t s : suspects) {
-        figures.insert(figures.end(), system.suspects[s].figures.begin(), system.suspects[s].figures.end());
-    }
-    std::sort(figures.begin(), figures.end());
-    return figures;
-}
-
-std::vector<std::size_t> without(const std::vector<std::size_t>& all, const std::vector<std::size_t>& some) {
-    std::vector<std::size_t> rest;
-    std::set_difference(all.begin(), all.end(), some.begin(), some.end(), std::back_inserter(rest));
-    return rest;
-}
-
-/// Speaks about the figures of one experiment.
-class Explainer {
-  public:
-    Explainer(const PublishedTables& tables, const SceneFacts& facts, const Experiment& experiment,
-              const ExperimentModel& model, const Interpretation& interpretation,
-              const std::vector<JudgedDiagnosis>& diagnoses)
-        : tables_(tables),
-          facts_(facts),
-          experiment_(experiment),
-          model_(model),
-          interpretation_(interpretation),
-          diagnoses_(diagnoses),
-          best_(diagnoses.front()) {}
-
-    std::vector<Finding> explain() {
-        std::vector<Finding> findings;
-        std::vector<std::vector<std::size_t>> groups;
-        for (const std::size_t s : best_.diagnosis.blamed) {
-            const auto same = std::find_if(groups.begin(), groups.end(),
-                                           [&](const auto& group) { return same_quantity(group.front(), s); });
-            if (same == groups.end()) {
-                groups.push_back({s});
-            } else {
-                same->push_back(s);
-            }
-        }
-        for (const auto& group : groups) findings.push_back(explain_group(group));
-        return findings;
-    }
-
-  private:
-    [[nodiscard]] bool is_blamed(std::size_t suspect) const {
-        const auto& blamed = best_.diagnosis.blamed;
-        return std::find(blamed.begin(), blamed.end(), suspect) != blamed.end();
-    }
-
-    [[nodiscard]] bool same_quantity(std::size_t a, std::size_t b) const {
-        if (model_.system.suspects[a].figures.empty() || model_.system.suspects[b].figures.empty()) return false;
-        const Constraint& first = constraint_of(model_, a);
-        const Constraint& second = constraint_of(model_, b);
-        return first.relation != Relation::sum_of_relative_errors &&
-               second.relation != Relation::sum_of_relative_errors &&
-               first.terms.front().variable == second.terms.front().variable;
-    }
-
-    [[nodiscard]] const Correction* correction_of(std::size_t suspect) const {
-        const auto& figures = model_.system.suspects[suspect].figures;
-        for (const Correction& correction : best_.corrections) {
-            if (!figures.empty() && correction.figure == figures.front()) return &correction;
-        }
-        return nullptr;
-    }
-
-    Finding explain_group(const std::vector<std::size_t>& group) {
-        Finding finding;
-        finding.figures = figures_of(model_.system, group);
-        std::vector<std::string> sentences;
-        for (const std::size_t s : group) {
-            if (const Correction* correction = correction_of(s)) {
-                finding.corrections.push_back(*correction);
-                sentences.push_back(sentence(s, *correction));
-                explain_figure(s, *correction, finding);
-            } else {
-                sentences.push_back(explain_assumption(s, finding));
-            }
-        }
-        finding.statement = fmt::format("{}", fmt::join(sentences, " "));
-        if (!finding.evidence.empty()) finding.relation = finding.evidence.front().relation;
-        add_alternatives(group, finding);
-        if (finding.figures.empty()) {
-            finding.id = fmt::format("not so: {}", model_.system.suspects[group.front()].assumption);
-        } else {
-            const Figure& figure = tables_.figures[finding.figures.front()];
-            finding.id = fmt::format("{}.{}.{}", figure.table, figure.row + 1, figure.column + 1);
-            if (finding.figures.size() > 1) finding.id += fmt::format("+{}", finding.figures.size() - 1);
-        }
-        finding.involved.insert(finding.involved.end(), finding.figures.begin(), finding.figures.end());
-        for (const Evidence& evidence : finding.evidence) {
-            finding.involved.insert(finding.involved.end(), evidence.figures.begin(), evidence.figures.end());
-        }
-        std::sort(finding.involved.begin(), finding.involved.end());
-        finding.involved.erase(std::unique(finding.involved.begin(), finding.involved.end()), finding.involved.end());
-        return finding;
-    }
-
-    std::string sentence(std::size_t suspect, const Correction& correction) const {
-        const auto& figures = model_.system.suspects[suspect].figures;
-        std::string text = fmt::format("{} is printed as {} but should be {}{}.", describe(tables_, figures.front()),
-                                       correction.printed, correction.certain ? "" : "near ", correction.meant);
-        if (!correction.certain) {
-            text += fmt::format(" Everything else leaves {}.", in_words(correction.values));
-        }
-        if (figures.size() > 1) text += fmt::format(" The same holds for {} equal figures.", figures.size() - 1);
-        return text;
-    }
-
-    /// A blamed assumption: only closure so far.
-    std::string explain_assumption(std::size_t suspect, Finding& finding) const {
-        const Constraint& constraint = constraint_of(model_, suspect);
-        const std::size_t sum = constraint.terms.front().variable;
-        const Range range = best_.diagnosis.ranges[sum];
-        const double rays = static_cast<double>(experiment_.rays_per_face.value_or(0));
-        Evidence evidence{.relation = constraint.relation,
-                          .text =
-                              "A face whose whole row comes from its own rays must sum to 1 exactly in a closed "
-                              "scene; the other figures confirm that it does not.",
-                          .figures = {}};
-        for (const FigureLink& link : model_.links) {
-            if (link.quantity && link.quantity->variable == sum) evidence.figures.push_back(link.figure);
-        }
-        finding.evidence.push_back(evidence);
-        std::string text = fmt::format("{}: a row sum must be 1 exactly but is {}, as if {:.0f}", describe(experiment_),
-                                       in_words(range), rays * (1 - range.high));
-        if (range.high > range.low) text += fmt::format(" to {:.0f}", rays * (1 - range.low));
-        text += fmt::format(" of {:.0f} rays were lost", rays);
-        for (const std::size_t f : evidence.figures) text += fmt::format("; {}", quote(tables_, f));
-        return text + ".";
-    }
-
-    /// Every relation that does not allow the printed figure.
-    void explain_figure(std::size_t suspect, const Correction& correction, Finding& finding) const {
-        const Constraint& own = constraint_of(model_, suspect);
-        const Figure& figure = tables_.figures[correction.figure];
-        const NumberFormat format = format_of(figure, interpretation_);
-        if (own.relation == Relation::printing) {
-            finding.evidence.push_back(
-                {Relation::printing,
-                 fmt::format("{} has more digits than numbers {}.", figure.printed, describe(format)),
-                 {correction.figure}});
-            return;
-        }
-        if (const auto rays = rays_of(model_, own); rays && !possible_hits(own.values, *rays)) {
-            finding.evidence.push_back(
-                {Relation::integrality,
-                 fmt::format("No whole number of {} rays is printed as {} ({:.2f} hits).", *rays, figure.printed,
-                             parse_printed(figure.printed)->value() * static_cast<double>(*rays)),
-                 {correction.figure}});
-        }
-        if (own.kind == ConstraintKind::deviation) {
-            explain_error(own, correction, finding);
-            return;
-        }
-        const Term& quantity = own.terms.front();
-        std::vector<Range> ranges = best_.diagnosis.ranges;
-        ranges[quantity.variable] = model_.system.variables[quantity.variable].range;
-        for (const Constraint& constraint : model_.system.constraints) {
-            if (constraint.suspect && is_blamed(*constraint.suspect)) continue;
-            for (std::size_t k = 0; k < constraint.terms.size(); ++k) {
-                if (constraint.terms[k].variable != quantity.variable) continue;
-                const Range allowed = project(constraint, model_.system, ranges, k);
-                add_evidence(constraint, quantity, allowed, own.values, finding);
-            }
-        }
-    }
-
-    void explain_error(const Constraint& own, const Correction& correction, Finding& finding) const {
-        Evidence evidence{own.relation, {}, {}};
-        if (own.relation == Relation::relative_error) {
-            evidence.text = fmt::format("A value of {} lies {} % off the reference {:.9g}.",
-                                        in_words(best_.diagnosis.ranges[own.terms.front().variable]),
-                                        in_words(correction.values), own.reference);
-        } else {
-            evidence.text = fmt::format("The errors of the rows add up to {} %.", in_words(correction.values));
-        }
-        for (const FigureLink& link : model_.links) {
-            if (!link.quantity || model_.system.constraints[link.constraint].kind != ConstraintKind::linear) continue;
-            const bool part = std::any_of(own.terms.begin(), own.terms.end(),
-                                          [&](const Term& term) { return term.variable == link.quantity->variable; });
-            if (part) evidence.figures.push_back(link.figure);
-        }
-        finding.evidence.push_back(std::move(evidence));
-    }
-
-    void add_evidence(const Constraint& constraint, const Term& quantity, Range allowed, Range printed,
-                      Finding& finding) const {
-        const double low = allowed.low * quantity.factor;
-        const double high = allowed.high * quantity.factor;
-        if (high >= printed.low && low <= printed.high) return;
-        Evidence evidence{constraint.relation, {}, figures_behind(constraint)};
-        evidence.text = fmt::format("{} leaves {}.", reason(constraint), in_words({low, high}));
-        finding.evidence.push_back(std::move(evidence));
-    }
-
-    std::string reason(const Constraint& constraint) const {
-        switch (constraint.relation) {
-            case Relation::row_sum:
-                return fmt::format("The sum of row {}", row_of(constraint.terms.front().variable));
-            case Relation::closure:
-                return "Closure (a row of own rays sums to 1)";
-            case Relation::parity:
-                return "Reciprocity (every pair counts twice in the row sums)";
-            case Relation::plausibility:
-                return "Chance (the exact distribution of the method)";
-            case Relation::relative_error:
-                return "The printed relative error";
-            case Relation::sum_of_relative_errors:
-                return "The printed sum of relative errors";
-            default:
-                return "Another print of the same quantity";
-        }
-    }
-
-    /// Label of the face whose row sum is `variable`; the first of faces that look alike.
-    [[nodiscard]] std::string row_of(std::size_t variable) const {
-        const auto found = std::find(model_.sums.begin(), model_.sums.end(), variable);
-        return facts_.scene.faces[static_cast<std::size_t>(found - model_.sums.begin())];
-    }
-
-    /// Figures that a constraint is about: its own, or all prints of its variables.
-    std::vector<std::size_t> figures_behind(const Constraint& constraint) const {
-        if (constraint.suspect) return model_.system.suspects[*constraint.suspect].figures;
-        std::vector<std::size_t> figures;
-        if (constraint.relation == Relation::plausibility) return figures;
-        for (const FigureLink& link : model_.links) {
-            if (!link.quantity || model_.system.constraints[link.constraint].kind != ConstraintKind::linear) continue;
-            const bool part = std::any_of(constraint.terms.begin(), constraint.terms.end(),
-                                          [&](const Term& term) { return term.variable == link.quantity->variable; });
-            if (part) figures.push_back(link.figure);
-        }
-        return figures;
-    }
-
-    void add_alternatives(const std::vector<std::size_t>& group, Finding& finding) const {
-        for (std::size_t d = 1; d < diagnoses_.size(); ++d) {
-            const JudgedDiagnosis& other = diagnoses_[d];
-            const auto spared = without(best_.diagnosis.blamed, other.diagnosis.blamed);
-            const bool mine = std::any_of(group.begin(), group.end(), [&](std::size_t s) {
-                return std::find(spared.begin(), spared.end(), s) != spared.end();
-            });
-            if (!mine) continue;
-            std::vector<std::string> parts;
-            for (const std::size_t s : without(other.diagnosis.blamed, best_.diagnosis.blamed)) {
-                const Suspect& suspect = model_.system.suspects[s];
-                if (suspect.figures.empty()) {
-                    parts.push_back(fmt::format("not true that {}", suspect.assumption));
-                    continue;
-                }
-                for (const Correction& correction : other.corrections) {
-                    if (correction.figure != suspect.figures.front()) continue;
-                    parts.push_back(fmt::format("{} should be {}{}", quote(tables_, correction.figure),
-                                                correction.certain ? "" : "near ", correction.meant));
-                }
-                finding.involved.insert(finding.involved.end(), suspect.figures.begin(), suspect.figures.end());
-            }
-            finding.alternatives.push_back(fmt::format("Instead: {}.", fmt::join(parts, "; ")));
-        }
-    }
-
-    const PublishedTables& tables_;
-    const SceneFacts& facts_;
-    const Experiment& experiment_;
-    const ExperimentModel& model_;
-    const Interpretation& interpretation_;
-    const std::vector<JudgedDiagnosis>& diagnoses_;
-    const JudgedDiagnosis& best_;
-};
-
 }  // namespace
 
-std::string quote(const PublishedTables& tables, std::size_t figure) {
-    return fmt::format("{} (\"{}\")", describe(tables, figure), tables.figures[figure].printed);
+const Constraint& constraint_of(const ExperimentModel& model, std::size_t suspect) {
+    return *std::find_if(model.system.constraints.begin(), model.system.constraints.end(),
+                         [&](const Constraint& c) { return c.suspect == suspect; });
+}
+
+std::optional<std::uint64_t> rays_of(const ExperimentModel& model, const Constraint& constraint) {
+    if (constraint.kind != ConstraintKind::linear || constraint.terms.size() != 1) return std::nullopt;
+    if (constraint.terms.front().factor != 1) return std::nullopt;
+    return model.system.variables[constraint.terms.front().variable].rays;
 }
 
 std::vector<JudgedDiagnosis> judge_diagnoses(const PublishedTables& tables, const SceneFacts& facts,
@@ -371,14 +84,6 @@ std::vector<JudgedDiagnosis> judge_diagnoses(const PublishedTables& tables, cons
         return a.improbability < b.improbability;
     });
     return judged;
-}
-
-std::vector<Finding> explain_diagnosis(const PublishedTables& tables, const SceneFacts& facts,
-                                       const Experiment& experiment, const ExperimentModel& model,
-                                       const Interpretation& interpretation,
-                                       const std::vector<JudgedDiagnosis>& diagnoses) {
-    if (diagnoses.empty()) return {};
-    return Explainer(tables, facts, experiment, model, interpretation, diagnoses).explain();
 }
 
 }  // namespace ff::studies

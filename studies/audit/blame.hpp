@@ -1,10 +1,12 @@
 #pragma once
 
-#include "studies/audit.hpp"
+#include "studies/audit/correction.hpp"
 #include "studies/audit/diagnosis.hpp"
 #include "studies/audit/experiment.hpp"
 
 #include <cstddef>
+#include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace ff::studies {
@@ -22,14 +24,10 @@ struct JudgedDiagnosis {
 std::vector<JudgedDiagnosis> judge_diagnoses(const PublishedTables& tables, const SceneFacts& facts,
                                              const ExperimentModel& model, const Interpretation& interpretation);
 
-/// The findings that the first diagnosis amounts to; the others become alternatives. Blamed figures about the same
-/// quantity make one finding.
-std::vector<Finding> explain_diagnosis(const PublishedTables& tables, const SceneFacts& facts,
-                                       const Experiment& experiment, const ExperimentModel& model,
-                                       const Interpretation& interpretation,
-                                       const std::vector<JudgedDiagnosis>& diagnoses);
+/// The constraint of a suspect's figures.
+const Constraint& constraint_of(const ExperimentModel& model, std::size_t suspect);
 
-/// A figure's place and digits, e.g. `table4, Σ of face 3, SR ("0.97264")`.
-std::string quote(const PublishedTables& tables, std::size_t figure);
+/// Rays behind a constraint that prints one sampled quantity; empty for all others.
+std::optional<std::uint64_t> rays_of(const ExperimentModel& model, const Constraint& constraint);
 
 }  // namespace ff::studies

@@ -14,6 +14,7 @@ namespace ff::studies {
 namespace {
 
 constexpr double alike = 1e-9;
+constexpr std::uint32_t most_patches = 10000;  // a face; more take seconds and hardly change sigma
 
 std::vector<std::size_t> congruent_pairs(const Scene& scene, const Eigen::MatrixXd& exact) {
     const auto faces = static_cast<int>(scene.faces.size());
@@ -97,7 +98,8 @@ const std::optional<SrDistribution>& DistributionCache::at(const SceneFacts& fac
     if (factors == patch_to_face_.end()) {
         const auto m = static_cast<std::uint32_t>(std::lround(std::sqrt(patches_per_face)));
         std::optional<Eigen::MatrixXd> exact;
-        if (facts.exact && m * m == patches_per_face) exact = exact_patch_to_face(facts.scene, Subdivision{m});
+        if (facts.exact && m * m == patches_per_face && patches_per_face <= most_patches)
+            exact = exact_patch_to_face(facts.scene, Subdivision{m});
         factors = patch_to_face_.emplace(patches_per_face, std::move(exact)).first;
     }
     std::optional<SrDistribution> distribution;

@@ -35,7 +35,7 @@ SceneFacts scene_facts(const PublishedTables& tables);
 /// scene may share one; the results do not depend on it.
 class DistributionCache {
   public:
-    /// Empty where patches_per_face is no square or the scene has no elementary formula.
+    /// Empty where patches_per_face is no square or above 10000, or the scene has no elementary formula.
     const std::optional<SrDistribution>& at(const SceneFacts& facts, std::uint32_t patches_per_face,
                                             std::uint64_t rays_per_face, Completion completion);
 

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "studies/audit.hpp"
+#include "studies/audit/blame.hpp"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace ff::studies {
+
+/// The findings that the first diagnosis amounts to; the others become alternatives. Blamed figures about the same
+/// quantity make one finding.
+std::vector<Finding> explain_diagnosis(const PublishedTables& tables, const SceneFacts& facts,
+                                       const Experiment& experiment, const ExperimentModel& model,
+                                       const Interpretation& interpretation,
+                                       const std::vector<JudgedDiagnosis>& diagnoses);
+
+/// A figure's place and digits, e.g. `table4, Σ of face 3, SR ("0.97264")`.
+std::string quote(const PublishedTables& tables, std::size_t figure);
+
+}  // namespace ff::studies
