@@ -1,0 +1,41 @@
+#pragma once
+
+#include "studies/claim_evidence.hpp"
+#include "studies/claims.hpp"
+
+#include <string>
+
+namespace ff::studies {
+
+/// A verdict and the numbers behind it, in sentences.
+struct Judgement {
+    ClaimVerdict verdict = ClaimVerdict::inconclusive;
+    std::string evidence;
+};
+
+/// The verdict where the study has no trials of what a claim is about.
+Judgement not_in_study();
+
+/// "0.87 ± 0.02 %", as many decimals as the error warrants.
+std::string percent(const MeanWithError& value);
+/// "92.0 % [90.1, 93.6] of 1000 trials", with the Clopper-Pearson interval.
+std::string percent(const Share& share);
+
+// Sizes of one method (studies/claim_ladders.cpp).
+Judgement judge_falling(const ClaimEvidence& evidence, const PublishedClaim& claim);
+/// True of single runs where a finer size often shows the larger error by chance, whatever the mean does.
+Judgement judge_not_always_falling(const ClaimEvidence& evidence, const PublishedClaim& claim);
+
+// Two methods, by their mean errors (studies/claim_comparisons.cpp).
+Judgement judge_smaller_sum_error(const ClaimEvidence& evidence, const PublishedClaim& claim);
+Judgement judge_smaller_error(const ClaimEvidence& evidence, const PublishedClaim& claim);
+/// First method better on parallel pairs and second on adjacent ones.
+Judgement judge_division(const ClaimEvidence& evidence, const PublishedClaim& claim);
+
+// Errors pair by pair within a run (studies/claim_pairs.cpp).
+Judgement judge_count(const ClaimEvidence& evidence, const PublishedClaim& claim);
+Judgement judge_not_always_smaller(const ClaimEvidence& evidence, const PublishedClaim& claim);
+Judgement judge_uniform(const ClaimEvidence& evidence, const PublishedClaim& claim);
+Judgement judge_nonuniform(const ClaimEvidence& evidence, const PublishedClaim& claim);
+
+}  // namespace ff::studies
