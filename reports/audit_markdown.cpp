@@ -36,7 +36,7 @@ std::string verdict(const AuditReport& report) {
 
 /// "table6, 1 - 2, PDM r.e. (%) and 11 more"
 std::string blamed_figures(const PublishedTables& tables, const Finding& finding) {
-    if (finding.figures.empty()) return "the text";
+    if (finding.figures.empty()) return finding.relation == studies::Relation::closure ? "the method" : "the text";
     std::string text = describe(tables, finding.figures.front());
     if (finding.figures.size() > 1) text += fmt::format(" and {} more", finding.figures.size() - 1);
     return text;
@@ -92,8 +92,9 @@ void write_findings(Out out, const PublishedTables& tables, const AuditReport& r
 void write_formats(Out out, const AuditReport& report) {
     fmt::format_to(out, "## How figures are printed\n\n");
     for (const studies::FormatFinding& f : report.formats) {
-        fmt::format_to(out, "- {}: {}{}\n", f.method, describe(f.format),
-                       f.evidence.empty() ? " (its figures cannot tell rounding from truncation)" : ".");
+        fmt::format_to(
+            out, "- {}: {}{}\n", f.method, describe(f.format),
+            f.evidence.empty() ? ", or the other way: its figures cannot tell rounding from truncation." : ".");
     }
     for (const studies::FormatFinding& f : report.formats) {
         if (f.evidence.empty()) continue;

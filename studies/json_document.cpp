@@ -70,13 +70,11 @@ class Builder : public nlohmann::json_sax<nlohmann::json> {
     bool string(string_t& value) override { return add(string_start(), JsonValue::Kind::string, 0, std::move(value)); }
     bool key(string_t& value) override {
         const TextPosition position = position_of(text_, string_start());
-        for (const auto& member : open_.back()->members) {
-            if (member.first == value) {
-                throw UserError(
-                    fmt::format("{}the key \"{}\" stands twice in one object (only one could be used). "
-                                "Remove one.",
-                                describe(origin_, position), value));
-            }
+        if (open_.back()->find(value) != nullptr) {
+            throw UserError(
+                fmt::format("{}the key \"{}\" stands twice in one object (only one could be used). "
+                            "Remove one.",
+                            describe(origin_, position), value));
         }
         key_ = std::move(value);
         return true;
@@ -128,8 +126,8 @@ class Builder : public nlohmann::json_sax<nlohmann::json> {
             return root_;
         }
         JsonValue& parent = *open_.back();
-        if (parent.kind == JsonValue::Kind::array) return parent.items.emplace_back(std::move(value));
-        return parent.members.emplace_back(std::move(key_), std::move(value)).second;
+        if (parent.kind == JsonValue::Kind::object) parent.keys.push_back(std::move(key_));
+        return parent.items.emplace_back(std::move(value));
     }
     bool add(std::size_t start, JsonValue::Kind kind, double number = 0, std::string text = {}) {
         JsonValue& value = place(start, kind);
@@ -158,8 +156,8 @@ class Builder : public nlohmann::json_sax<nlohmann::json> {
 }  // namespace
 
 const JsonValue* JsonValue::find(std::string_view key) const {
-    for (const auto& member : members) {
-        if (member.first == key) return &member.second;
+    for (std::size_t k = 0; k < keys.size(); ++k) {
+        if (keys[k] == key) return &items[k];
     }
     return nullptr;
 }

@@ -2,7 +2,6 @@
 
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 namespace ff::studies {
@@ -19,10 +18,10 @@ struct JsonValue {
 
     Kind kind = Kind::null;
     TextPosition position;
-    double number = 0;  ///< 0 or 1 for booleans
-    std::string text;   ///< strings only
-    std::vector<JsonValue> items;
-    std::vector<std::pair<std::string, JsonValue>> members;  ///< in file order
+    double number = 0;              ///< 0 or 1 for booleans
+    std::string text;               ///< strings only
+    std::vector<std::string> keys;  ///< of an object's members, in file order
+    std::vector<JsonValue> items;   ///< of an array, or the members of an object in the order of `keys`
 
     /// The member called `key`, or nullptr.
     [[nodiscard]] const JsonValue* find(std::string_view key) const;

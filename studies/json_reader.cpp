@@ -20,13 +20,14 @@ void JsonReader::fail(const JsonValue& at, const std::string& message) const {
 void JsonReader::expect_object(const JsonValue& value, std::string_view what,
                                std::initializer_list<std::string_view> keys) const {
     if (value.kind != Kind::object) fail(value, fmt::format("{} must be an object {{...}}.", what));
-    for (const auto& [key, member] : value.members) {
+    for (std::size_t k = 0; k < value.keys.size(); ++k) {
+        const std::string& key = value.keys[k];
         if (std::find(keys.begin(), keys.end(), key) != keys.end()) continue;
         const std::vector<std::string_view> known(keys);
         const std::string nearest = nearest_name(key, known);
-        fail(member, fmt::format("unknown key \"{}\" in {} (it would be ignored silently). {}", key, what,
-                                 nearest.empty() ? fmt::format("Known keys: {}.", fmt::join(known, ", "))
-                                                 : fmt::format("Did you mean \"{}\"?", nearest)));
+        fail(value.items[k], fmt::format("unknown key \"{}\" in {} (it would be ignored silently). {}", key, what,
+                                         nearest.empty() ? fmt::format("Known keys: {}.", fmt::join(known, ", "))
+                                                         : fmt::format("Did you mean \"{}\"?", nearest)));
     }
 }
 

@@ -136,7 +136,7 @@ class Explainer {
         Evidence evidence{.relation = constraint.relation,
                           .text =
                               "A face whose whole row comes from its own rays must sum to 1 exactly in a closed "
-                              "scene; the other figures confirm that it does not.",
+                              "scene, unless rays are lost.",
                           .figures = {}};
         for (const FigureLink& link : model_.links) {
             if (link.quantity && link.quantity->variable == sum) evidence.figures.push_back(link.figure);
