@@ -83,6 +83,7 @@ ExitCode run(const RunCommand& command) {
     options.report = [&](const studies::Progress& state) { progress.show(state); };
     const auto outcome = studies::run_study(store, options);
     progress.finish();
+    end_on_signals();
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     if (outcome == studies::RunOutcome::complete && store.context().empty()) {
         store.set_context(describe_run(reproduce(plan.spec, command.study, command.trials), threads, seconds));

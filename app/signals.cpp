@@ -15,17 +15,25 @@ extern "C" void handle(int /*signal*/) {
     if (stop.exchange(true)) ::_exit(static_cast<int>(ExitCode::interrupted));
 }
 
-}  // namespace
-
-const std::atomic<bool>& stop_on_signals() {
+void set_handler(void (*handler)(int)) {
     for (const int signal : {SIGINT, SIGTERM, SIGUSR1}) {
         struct sigaction action {};
-        action.sa_handler = handle;
+        action.sa_handler = handler;
         action.sa_flags = SA_RESTART;
         sigemptyset(&action.sa_mask);
         sigaction(signal, &action, nullptr);
     }
+}
+
+}  // namespace
+
+const std::atomic<bool>& stop_on_signals() {
+    set_handler(handle);
     return stop;
+}
+
+void end_on_signals() {
+    set_handler(SIG_DFL);
 }
 
 }  // namespace ff::app

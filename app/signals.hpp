@@ -8,4 +8,7 @@ namespace ff::app {
 /// @return the flag
 const std::atomic<bool>& stop_on_signals();
 
+/// From here on these signals end the program at once; nothing is left that could be lost.
+void end_on_signals();
+
 }  // namespace ff::app

@@ -155,7 +155,14 @@ Json comparison_json(const studies::PublishedResults& published, const studies::
                                {"freedom", column.form.chi_squared.freedom},
                                {"p", column.form.chi_squared.p}});
     }
-    return {{"table", table.table}, {"figures", std::move(figures)}, {"chi_squared", std::move(chi_squared)}};
+    const Json together = table.together ? Json{{"statistic", table.together->statistic},
+                                                {"freedom", table.together->freedom},
+                                                {"p", table.together->p}}
+                                         : Json(nullptr);
+    return {{"table", table.table},
+            {"figures", std::move(figures)},
+            {"chi_squared", std::move(chi_squared)},
+            {"chi_squared_together", together}};
 }
 
 Json published_json(const studies::PublishedResults& published) {

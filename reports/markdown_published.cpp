@@ -79,9 +79,15 @@ std::string table_text(const studies::PublishedResults& published, std::size_t i
     out += "\n";
     for (const studies::ColumnChiSquared& column : comparison.chi_squared) {
         const auto& chi = column.form.chi_squared;
+        const std::size_t fixed = column.figures - std::min(column.figures, chi.freedom);
+        out += fmt::format("- {}: χ² of its figures together = {:.1f} with {} degrees of freedom, p = {}{}.\n",
+                           table.column_titles[column.column], chi.statistic, chi.freedom, p_value(chi.p),
+                           fixed == 0 ? "" : " (a figure that every run fixes is left out)");
+    }
+    if (comparison.together && comparison.chi_squared.size() > 1) {
         out +=
-            fmt::format("- {}: χ² of its {} figures together = {:.1f} with {} degrees of freedom, p = {}.\n",
-                        table.column_titles[column.column], column.figures, chi.statistic, chi.freedom, p_value(chi.p));
+            fmt::format("- The whole table: χ² = {:.1f} with {} degrees of freedom, p = {}.\n",
+                        comparison.together->statistic, comparison.together->freedom, p_value(comparison.together->p));
     }
     double least = 2;
     for (const FigureComparison& c : comparison.figures) least = std::min(least, c.adjusted_p.value_or(2));

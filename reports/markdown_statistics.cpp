@@ -17,7 +17,10 @@ std::string bias_row(const Scene& scene, const studies::Summary& s) {
         s.bias_interval ? fmt::format("[{:+.2e}, {:+.2e}]", s.bias_interval->low, s.bias_interval->high) : "–";
     const std::string detectable = s.minimum_detectable_bias ? fmt::format("{:.2e}", *s.minimum_detectable_bias) : "–";
     std::string std = s.std ? fmt::format("{:.3e}", *s.std) : "–";
-    if (s.std_interval) std += fmt::format(" [{:.3e}, {:.3e}]", s.std_interval->low, s.std_interval->high);
+    if (s.std_interval) {
+        const bool chi_squared = s.std_interval->method.starts_with("chi");
+        std += fmt::format(" [{:.3e}, {:.3e}]{}", s.std_interval->low, s.std_interval->high, chi_squared ? "" : " b");
+    }
     return fmt::format("| {} | {} | {} | {} | {} | {} | {} | {} | {} |\n", quantity_label(scene, s.quantity), exact,
                        mean, bias, z, interval, detectable, std, s.normality_p ? p_value(*s.normality_p) : "–");
 }
@@ -39,7 +42,7 @@ std::string bias_section(const studies::StudyResults& results) {
         "the standard deviation are χ², or bootstrap where the kurtosis forbids it (summary.csv says which trials they "
         "rest "
         "on). Normality: Anderson-Darling, hit counts jittered by half a hit. All distinct pairs and the row sums.\n\n",
-        plan.spec.level, 100 * (1 - plan.spec.level), plan.spec.power);
+        plan.spec.level, 100 * (1 - plan.spec.level), plan.spec.power, plan.spec.level);
     for (const studies::CellFindings& found : results.findings.cells) {
         const studies::Cell& cell = plan.cells[found.cell];
         const Scene& scene = plan.scenes[cell.scene];

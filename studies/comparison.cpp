@@ -120,6 +120,13 @@ void add_chi_squared(const PublishedTables& tables, const std::map<std::size_t, 
             table.chi_squared.push_back({column, figures.size(), *form});
         }
     }
+    if (table.chi_squared.empty()) return;
+    stats::ChiSquared& sum = table.together.emplace();
+    for (const ColumnChiSquared& column : table.chi_squared) {
+        sum.statistic += column.form.chi_squared.statistic;
+        sum.freedom += column.form.chi_squared.freedom;
+    }
+    sum.p = stats::chi_squared_tail(sum.statistic, static_cast<double>(sum.freedom));
 }
 
 }  // namespace

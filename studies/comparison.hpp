@@ -29,7 +29,7 @@ struct FigureComparison {
 /// A table's figures of one column taken together.
 struct ColumnChiSquared {
     std::size_t column = 0;
-    std::size_t figures = 0;
+    std::size_t figures = 0;    ///< with those that every run fixes, which the form leaves out
     stats::QuadraticForm form;  ///< of printed - mean with the covariance of the trials
 };
 
@@ -37,6 +37,7 @@ struct TableComparison {
     std::string table;
     std::vector<FigureComparison> figures;  ///< in the order of the publication
     std::vector<ColumnChiSquared> chi_squared;
+    std::optional<stats::ChiSquared> together;  ///< of all columns, which are independent runs
 };
 
 /// The cell for a method of this name and size.
