@@ -80,19 +80,19 @@ std::string table_text(const studies::PublishedResults& published, std::size_t i
     for (const studies::ColumnChiSquared& column : comparison.chi_squared) {
         const auto& chi = column.form.chi_squared;
         const std::size_t fixed = column.figures - std::min(column.figures, chi.freedom);
-        out += fmt::format("- {}: χ² of its figures together = {:.1f} with {} degrees of freedom, p = {}{}.\n",
-                           table.column_titles[column.column], chi.statistic, chi.freedom, p_value(chi.p),
+        out += fmt::format("- {}: χ² of its figures together = {:.1f} with {} degrees of freedom, {}{}.\n",
+                           table.column_titles[column.column], chi.statistic, chi.freedom, p_text(chi.p),
                            fixed == 0 ? "" : " (a figure that every run fixes is left out)");
     }
     if (comparison.together && comparison.chi_squared.size() > 1) {
         out +=
-            fmt::format("- The whole table: χ² = {:.1f} with {} degrees of freedom, p = {}.\n",
-                        comparison.together->statistic, comparison.together->freedom, p_value(comparison.together->p));
+            fmt::format("- The whole table: χ² = {:.1f} with {} degrees of freedom, {}.\n",
+                        comparison.together->statistic, comparison.together->freedom, p_text(comparison.together->p));
     }
     double least = 2;
     for (const FigureComparison& c : comparison.figures) least = std::min(least, c.adjusted_p.value_or(2));
     if (least <= 1)
-        out += fmt::format("- Most surprising sampled figure of the table: Holm-adjusted p = {}.\n", p_value(least));
+        out += fmt::format("- Most surprising sampled figure of the table: Holm-adjusted {}.\n", p_text(least));
     return out + "\n";
 }
 

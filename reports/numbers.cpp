@@ -25,4 +25,8 @@ std::string p_value(double p) {
     return p < 1e-10 ? "< 1e-10" : fmt::format("{:.2g}", p);
 }
 
+std::string p_text(double p) {
+    return p < 1e-10 ? "p < 1e-10" : fmt::format("p = {:.2g}", p);
+}
+
 }  // namespace ff::reports

@@ -18,4 +18,7 @@ std::string brief(double value, int digits = 3);
 /// A p-value: two significant digits, "< 1e-10" below that.
 std::string p_value(double p);
 
+/// The same in a sentence: "p = 0.03", "p < 1e-10".
+std::string p_text(double p);
+
 }  // namespace ff::reports

@@ -12,8 +12,7 @@ std::string bias_in_words(const studies::CellFindings& found) {
         case studies::BiasFinding::untestable:
             return "no test: infinite variance";
         case studies::BiasFinding::biased:
-            return fmt::format("BIASED (z up to {:.1f}, p = {})", found.bias->largest_z,
-                               p_value(found.bias->adjusted_p));
+            return fmt::format("BIASED (z up to {:.1f}, {})", found.bias->largest_z, p_text(found.bias->adjusted_p));
         case studies::BiasFinding::no_bias_found:
             break;
     }
