@@ -60,8 +60,8 @@ ExitCode list(const std::string& kind) {
     } else if (kind == "formats") {
         for (const std::string_view format : all_formats()) fmt::print("{}\n", format);
     } else {
-        throw UserError(fmt::format("'{}' cannot be listed. Did you mean '{}'? Known: {}.", kind,
-                                    nearest_name(kind, kinds), fmt::join(kinds, ", ")));
+        throw UserError(fmt::format("'{}' cannot be listed. {}Known: {}.", kind, did_you_mean(kind, kinds),
+                                    fmt::join(kinds, ", ")));
     }
     return ExitCode::passed;
 }
@@ -93,9 +93,8 @@ ExitCode explain(const std::string& name) {
         return ExitCode::passed;
     }
     const std::vector<std::string_view> known(names.begin(), names.end());
-    throw UserError(fmt::format(
-        "'{}' is unknown. Did you mean '{}'? See 'ffstudy list samplers', 'estimators', 'scenes' and 'studies'.", name,
-        nearest_name(name, known)));
+    throw UserError(fmt::format("'{}' is unknown. {}See 'ffstudy list samplers', 'estimators', 'scenes' and 'studies'.",
+                                name, did_you_mean(name, known)));
 }
 
 }  // namespace ff::app

@@ -49,8 +49,8 @@ void write_results(const std::filesystem::path& folder, const studies::Store& st
     for (const std::string_view format : formats) {
         const auto found = std::find(names.begin(), names.end(), format);
         if (found == names.end()) {
-            throw UserError(fmt::format("--format {} is unknown. Did you mean '{}'? Known: {}.", format,
-                                        nearest_name(format, names), fmt::join(names, ", ")));
+            throw UserError(fmt::format("--format {} is unknown. {}Known: {}.", format, did_you_mean(format, names),
+                                        fmt::join(names, ", ")));
         }
     }
     for (const std::string_view format : formats) {

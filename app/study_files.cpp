@@ -46,9 +46,8 @@ studies::StudySpec find_study(const std::string& name_or_file) {
     if (std::filesystem::exists(file) || file.extension() == ".toml") return studies::load_study(file);
     std::vector<std::string_view> names;
     for (const BuiltInStudy& study : list) names.push_back(study.name);
-    throw UserError(
-        fmt::format("'{}' is neither a study file nor a built-in study. Did you mean '{}'? See 'ffstudy list studies'.",
-                    name_or_file, nearest_name(name_or_file, names)));
+    throw UserError(fmt::format("'{}' is neither a study file nor a built-in study. {}See 'ffstudy list studies'.",
+                                name_or_file, did_you_mean(name_or_file, names)));
 }
 
 }  // namespace ff::app

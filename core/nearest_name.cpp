@@ -53,4 +53,9 @@ std::string nearest_name(std::string_view wanted, std::span<const std::string_vi
     return std::string(nearest);
 }
 
+std::string did_you_mean(std::string_view wanted, std::span<const std::string_view> known) {
+    const std::string nearest = nearest_name(wanted, known);
+    return nearest.empty() ? nearest : "Did you mean '" + nearest + "'? ";
+}
+
 }  // namespace ff

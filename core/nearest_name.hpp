@@ -13,4 +13,7 @@ namespace ff {
 /// @see [damerau1964]
 std::string nearest_name(std::string_view wanted, std::span<const std::string_view> known);
 
+/// "Did you mean 'cube'? " with the nearest name, for the middle of a message; empty where no name is near.
+std::string did_you_mean(std::string_view wanted, std::span<const std::string_view> known);
+
 }  // namespace ff

@@ -37,8 +37,9 @@ toml::table parse_toml(std::string_view text, std::string_view origin) {
 void TomlReader::expect_only(std::span<const std::string_view> known) const {
     for (const auto& [key, node] : *table_) {
         if (std::find(known.begin(), known.end(), key.str()) != known.end()) continue;
-        throw UserError(fmt::format("{}: unknown key '{}' (it would be ignored). Did you mean '{}'?",
-                                    place(origin_, key.source()), key.str(), nearest_name(key.str(), known)));
+        throw UserError(fmt::format("{}: unknown key '{}' (it would be ignored). {}Known: {}.",
+                                    place(origin_, key.source()), key.str(), did_you_mean(key.str(), known),
+                                    fmt::join(known, ", ")));
     }
 }
 

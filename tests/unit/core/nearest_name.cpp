@@ -44,5 +44,10 @@ TEST(NearestName, IsEmptyWhereNothingIsNear) {
     EXPECT_EQ(nearest_name("sobol", {}), "");
 }
 
+TEST(DidYouMean, IsASentenceWithASpaceBehindOrNothing) {
+    EXPECT_EQ(did_you_mean("cub", std::array<std::string_view, 2>{"box", "cube"}), "Did you mean 'cube'? ");
+    EXPECT_EQ(did_you_mean("qwertz", std::array<std::string_view, 2>{"box", "cube"}), "");
+}
+
 }  // namespace
 }  // namespace ff
