@@ -49,7 +49,7 @@ class Workshop {
     /// The next unit, when there is room for its record; null at the end.
     const WorkUnit* next() {
         std::unique_lock lock(mutex_);
-        changed_.wait(lock, [this] { return records_.size() < 2 * threads_.size() + 2 || cancelled_; });
+        changed_.wait(lock, [this] { return records_.size() < 2 * options_.threads + 2 || cancelled_; });
         const bool stop = options_.stop != nullptr && options_.stop->load();
         return cancelled_ || stop || failure_ || next_ == units_.size() ? nullptr : units_[next_++];
     }
