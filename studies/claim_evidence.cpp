@@ -69,9 +69,10 @@ std::vector<double> ClaimEvidence::printed_errors(const PublishedClaim& claim, s
                                                   const std::vector<Quantity>& pairs) const {
     const Scene& scene = findings_.plan.scenes.front();
     std::vector<double> errors;
+    if (method >= claim.methods.size()) return errors;
     for (const Quantity pair : pairs) {
         for (const Figure& figure : tables_.figures) {
-            if (figure.kind != FigureKind::relative_error || figure.method != claim.methods.at(method)) continue;
+            if (figure.kind != FigureKind::relative_error || figure.method != claim.methods[method]) continue;
             if (figure.from != scene.faces[static_cast<std::size_t>(pair.from - 1)]) continue;
             if (figure.to != scene.faces[static_cast<std::size_t>(pair.to - 1)]) continue;
             errors.push_back(std::strtod(figure.printed.c_str(), nullptr));
