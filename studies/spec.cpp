@@ -4,6 +4,7 @@
 #include "core/error.hpp"
 #include "core/nearest_name.hpp"
 #include "samplers/sampler.hpp"
+#include "studies/published.hpp"
 #include "studies/toml_reader.hpp"
 
 #include <fmt/format.h>
@@ -28,6 +29,7 @@ constexpr std::array<std::string_view, 3> tracer_names{"automatic", "box", "embr
 constexpr std::uint64_t max_trials = 1ULL << 32;   // a stream addresses trials with 32 bits
 constexpr std::uint64_t max_samples = 1ULL << 32;  // and points as well
 constexpr std::uint32_t max_patches_per_face = 1u << 20;
+constexpr double most_power = 1 - 1e-9;
 
 /// The enumerator whose name is the text at `key`; `fallback` where the key is missing.
 template <typename Enum, std::size_t N>
@@ -37,8 +39,7 @@ Enum choice(const TomlReader& reader, std::string_view key, const std::array<std
     if (!text) return fallback;
     const auto found = std::find(names.begin(), names.end(), *text);
     if (found == names.end()) {
-        reader.fail(key, fmt::format("is unknown. Did you mean '{}'? Known: {}.", nearest_name(*text, names),
-                                     fmt::join(names, ", ")));
+        reader.fail(key, fmt::format("is unknown. {}Known: {}.", did_you_mean(*text, names), fmt::join(names, ", ")));
     }
     return static_cast<Enum>(found - names.begin());
 }
@@ -194,8 +195,9 @@ std::string toml_text(std::string_view text) {
     std::string out = "\"";
     for (const char c : text) {
         if (c == '"' || c == '\\') out += '\\';
-        if (static_cast<unsigned char>(c) < 0x20) {
-            out += fmt::format("\\u{:04x}", static_cast<unsigned>(static_cast<unsigned char>(c)));
+        const auto code = static_cast<unsigned char>(c);
+        if (code < 0x20 || code == 0x7f) {
+            out += fmt::format("\\u{:04x}", code);
         } else {
             out += c;
         }
@@ -206,8 +208,9 @@ std::string toml_text(std::string_view text) {
 std::string read_file(const std::filesystem::path& file) {
     std::ifstream in(file, std::ios::binary);
     std::ostringstream text;
-    text << in.rdbuf();
-    if (!in || !text)
+    // Writing the buffer of an empty file would set an error.
+    if (in.peek() != std::ifstream::traits_type::eof()) text << in.rdbuf();
+    if (in.fail() || !text)
         throw IoError(
             fmt::format("{}: cannot be read. Check that the file exists and its permissions.", file.string()));
     return text.str();
@@ -255,13 +258,14 @@ StudySpec parse_study(std::string_view text, std::string_view origin) {
     }
     spec.trials = checked_trials(*study, study->count("trials"));
     spec.seed = Seed{study->count("seed")};
-    const auto fraction = [&](std::string_view key, double fallback) {
-        const double value = study->optional_number(key).value_or(fallback);
-        if (value <= 0 || value >= 1) study->fail(key, "(a probability between 0 and 1 is wanted). Try 0.95.");
-        return value;
-    };
-    spec.level = fraction("level", spec.level);
-    spec.power = fraction("power", spec.power);
+    spec.level = study->optional_number("level").value_or(spec.level);
+    if (spec.level <= 0.5 || spec.level >= 1) {
+        study->fail("level", "(intervals that are right more often than not, but not always, are wanted). Try 0.95.");
+    }
+    spec.power = study->optional_number("power").value_or(spec.power);
+    if (spec.power < 0.5 || spec.power > most_power) {
+        study->fail("power", "(at least 0.5, and no finite number of trials makes it 1). Try 0.9.");
+    }
     spec.equivalence_margin = study->optional_number("equivalence_margin");
     if (spec.equivalence_margin && *spec.equivalence_margin <= 0) {
         study->fail("equivalence_margin", "(no number of trials shows a bias of exactly 0). Try 1e-4.");
@@ -287,7 +291,11 @@ StudySpec parse_study(std::string_view text, std::string_view origin) {
 
 StudySpec load_study(const std::filesystem::path& file) {
     StudySpec spec = parse_study(read_file(file), file.string());
-    if (spec.published) spec.published->text = read_file(file.parent_path() / spec.published->file);
+    if (spec.published) {
+        const auto tables = file.parent_path() / spec.published->file;
+        spec.published->text = read_file(tables);
+        static_cast<void>(parse_published_tables(spec.published->text, tables.string()));  // refused before it is run
+    }
     return spec;
 }
 
@@ -329,9 +337,10 @@ void set_trials(StudySpec& spec, std::uint64_t trials) {
     for (Method& method : spec.methods) {
         for (Size& size : method.sizes) {
             if (!size.trials) continue;
-            const double share = static_cast<double>(*size.trials) / static_cast<double>(spec.trials);
-            const auto scaled = static_cast<std::uint64_t>(std::ceil(share * static_cast<double>(trials)));
-            size.trials = std::max<std::uint64_t>(2, std::min(scaled, max_trials));
+            // ceil(own * trials / all), in two parts that fit 64 bits.
+            const std::uint64_t whole = *size.trials / spec.trials * trials;
+            const std::uint64_t part = (*size.trials % spec.trials * trials + spec.trials - 1) / spec.trials;
+            size.trials = std::clamp<std::uint64_t>(whole + part, 2, max_trials);
         }
     }
     spec.trials = trials;

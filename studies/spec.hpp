@@ -68,8 +68,8 @@ struct StudySpec {
     std::vector<std::string> scenes;
     std::uint64_t trials = 0;
     Seed seed;
-    double level = 0.95;  ///< of every interval, and 1 - the family-wise error rate of the bias tests
-    double power = 0.9;   ///< at which minimum detectable biases are stated
+    double level = 0.95;  ///< of every interval, and 1 - the family-wise error rate of the bias tests; in (0.5, 1)
+    double power = 0.9;   ///< at which minimum detectable biases are stated; in [0.5, 1 - 1e-9]
     std::optional<double> equivalence_margin;  ///< |bias| to be shown smaller than this, in units of the form factor
     std::vector<Method> methods;
     std::optional<Published> published;
