@@ -1,0 +1,45 @@
+#!/usr/bin/env bash
+# What README.md and docs/ show is what the program does.
+root=$(cd "$(dirname "$0")/../../.." && pwd)
+source "$(dirname "$0")/../harness.sh"
+
+# blocks LANGUAGE FILE: the lines of its fenced blocks of this language; `blocks "" FILE` those without one.
+blocks() { awk -v fence="\`\`\`$1" '/^```/ {open = !open; wanted = open && $0 == fence; next} wanted' "$2"; }
+
+# The README's study runs, and prints what the README says it prints.
+blocks toml "$root/README.md" >shallow_box.toml
+blocks "" "$root/README.md" | sed '1,/^\$ ffstudy run shallow_box.toml$/d' >"$folder/promised"
+ffstudy run shallow_box.toml
+expect_status 0
+expect_equal_files "$folder/promised" "$folder/stdout"
+
+# Every column and key that is written is explained.
+explained() { grep -Fq "\`$1\`" "$root/docs/results.md" || fail "docs/results.md does not explain $1"; }
+for column in $(head -qn 1 results/shallow_box/summary.csv | tr , ' '); do explained "$column"; done
+for key in $(grep -oE '"[a-z_0-9]+":' results/shallow_box/{results,context}.json | cut -d'"' -f2 | sort -u); do
+    explained "$key"
+done
+for table in $(grep -oE 'CREATE TABLE [a-z]+' "$root/studies/store.cpp" | cut -d' ' -f3); do explained "$table"; done
+
+# The example of the study file has the 12 cells that its text counts.
+blocks toml "$root/docs/study-files.md" | sed '/^sizes = \[/,$d' >example.toml
+ffstudy run example.toml --dry-run
+expect_status 0
+[ "$(grep -cE ' s$' "$folder/stdout")" -eq 12 ] || fail "expected 12 cells"
+
+# Every command that the documents name is there, and so is every file that they link to.
+documents=("$root"/README.md "$root"/docs/*.md)
+commands=$(sed -nE 's/.*(`|[$] )ffstudy ([a-z_]+).*/\2/p' "${documents[@]}" | sort -u)
+[ -n "$commands" ] || fail "no command found in the documents"
+ffstudy --help
+for command in $commands; do
+    grep -Eq "^  $command " "$folder/stdout" || fail "the documents name a command $command"
+done
+for document in "${documents[@]}"; do
+    for link in $(grep -oE '\]\([^)#:]+' "$document" | cut -c3-); do
+        [ -e "$(dirname "$document")/$link" ] || fail "$document links to $link, which is not there"
+    done
+    for script in $(grep -oE '(^|`)scripts/[a-z.]+' "$document" | tr -d '`'); do
+        [ -e "$root/$script" ] || fail "$document names $script, which is not there"
+    done
+done
