@@ -35,7 +35,8 @@ using FaceHits = std::vector<std::uint64_t>;
 
 /// Finds what rays hit. Surfaces are opaque from both sides: a ray that comes from behind ends there too, and counts as
 /// a hit (in a closed scene whose normals point inward there is none). The surface that a ray starts on is excluded as
-/// such, never by a distance. Safe to use from several threads at once. Patches are found from hit coordinates by arithmetic, so the cost does not grow with them.
+/// such, never by a distance. Safe to use from several threads at once. Patches are found from hit coordinates by
+/// arithmetic, so the cost does not grow with them.
 class Tracer {
   public:
     virtual ~Tracer() = default;
@@ -64,8 +65,8 @@ class Tracer {
 void generate_rays(const Surface& surface, std::uint32_t source, Subdivision subdivision, std::uint32_t patch,
                    const PointBlock& block, RayBatch& rays);
 
-/// Analytic vectorised tracer for the inside of an empty box; equal hits on every CPU. A ray that meets an edge hits the
-/// opposite surface first, then the one across edge_v. @pre scene.empty_box
+/// Analytic vectorised tracer for the inside of an empty box; equal hits on every CPU. A ray that meets an edge hits
+/// the opposite surface first, then the one across edge_v. @pre scene.empty_box
 std::unique_ptr<Tracer> make_box_tracer(const Scene& scene);
 
 /// Embree in robust mode, for any scene. Rays that pass within rounding of an edge may be seen differently by its code

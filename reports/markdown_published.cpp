@@ -11,7 +11,6 @@ namespace ff::reports {
 namespace {
 
 using studies::FigureComparison;
-using studies::FigureKind;
 
 /// Decimals that a single run's spread warrants, or those of the print for a deterministic value.
 std::string ours_text(const FigureComparison& c, const std::string& printed) {

@@ -95,7 +95,7 @@ class RadicalInverse {
 
 }  // namespace
 
-Halton::Halton(const PointSetSpec& spec) : digits_{} {
+Halton::Halton(const PointSetSpec& spec) {
     for (std::size_t d = 0; d < max_dimension; ++d) digits_[d] = count_digits(spec.points, bases[d]);
 }
 

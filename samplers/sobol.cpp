@@ -4,6 +4,7 @@
 #include "samplers/sobol_directions.hpp"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 
 #undef HWY_TARGET_INCLUDE
@@ -66,20 +67,20 @@ using Vec32 = hn::Vec<Lanes32>;
 
 /// Reverses the bits of each byte by two tables of nibbles, then the bytes of each word.
 HWY_INLINE Vec32 reverse_bits_of(Vec32 x) {
-    alignas(16) static constexpr std::uint8_t reversed_low[16] = {0x00, 0x80, 0x40, 0xc0, 0x20, 0xa0, 0x60, 0xe0,
-                                                                  0x10, 0x90, 0x50, 0xd0, 0x30, 0xb0, 0x70, 0xf0};
-    alignas(16) static constexpr std::uint8_t reversed_high[16] = {0x0, 0x8, 0x4, 0xc, 0x2, 0xa, 0x6, 0xe,
-                                                                   0x1, 0x9, 0x5, 0xd, 0x3, 0xb, 0x7, 0xf};
-    alignas(16) static constexpr std::uint8_t reversed_bytes[16] = {3,  2,  1, 0, 7,  6,  5,  4,
-                                                                    11, 10, 9, 8, 15, 14, 13, 12};
+    alignas(16) static constexpr std::array<std::uint8_t, 16> reversed_low{
+        0x00, 0x80, 0x40, 0xc0, 0x20, 0xa0, 0x60, 0xe0, 0x10, 0x90, 0x50, 0xd0, 0x30, 0xb0, 0x70, 0xf0};
+    alignas(16) static constexpr std::array<std::uint8_t, 16> reversed_high{0x0, 0x8, 0x4, 0xc, 0x2, 0xa, 0x6, 0xe,
+                                                                            0x1, 0x9, 0x5, 0xd, 0x3, 0xb, 0x7, 0xf};
+    alignas(16) static constexpr std::array<std::uint8_t, 16> reversed_bytes{3,  2,  1, 0, 7,  6,  5,  4,
+                                                                             11, 10, 9, 8, 15, 14, 13, 12};
     const Lanes32 d;
     const Lanes8 bytes;
     const auto nibble = hn::Set(d, 0x0f0f0f0fu);
     const auto low = hn::BitCast(bytes, hn::And(x, nibble));
     const auto high = hn::BitCast(bytes, hn::And(hn::ShiftRight<4>(x), nibble));
-    const auto reversed = hn::Or(hn::TableLookupBytes(hn::LoadDup128(bytes, reversed_low), low),
-                                 hn::TableLookupBytes(hn::LoadDup128(bytes, reversed_high), high));
-    return hn::BitCast(d, hn::TableLookupBytes(reversed, hn::LoadDup128(bytes, reversed_bytes)));
+    const auto reversed = hn::Or(hn::TableLookupBytes(hn::LoadDup128(bytes, reversed_low.data()), low),
+                                 hn::TableLookupBytes(hn::LoadDup128(bytes, reversed_high.data()), high));
+    return hn::BitCast(d, hn::TableLookupBytes(reversed, hn::LoadDup128(bytes, reversed_bytes.data())));
 }
 
 HWY_INLINE Vec32 xor_multiple(Vec32 x, std::uint32_t multiplier) {

@@ -4,6 +4,7 @@
 #include "stats/quantiles.hpp"
 
 #include <Eigen/Core>
+#include <boost/math/special_functions/gamma.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -76,15 +77,15 @@ double exact_cdf(std::size_t n, double d) {
 /// P(D_n^+ > d), Smirnov's one-sided law: a sum of positive terms, so accurate however small.
 double one_sided_tail(std::size_t n, double d) {
     const double count = static_cast<double>(n);
-    const double log_factorial = std::lgamma(count + 1);
+    const double log_factorial = boost::math::lgamma(count + 1);
     const auto last = static_cast<std::size_t>(count * (1 - d));
     double sum = 0;
     for (std::size_t i = 0; i <= last; ++i) {
         const double j = static_cast<double>(i);
         const double rest = 1 - d - j / count;
         if (rest <= 0) break;
-        sum += std::exp(log_factorial - std::lgamma(j + 1) - std::lgamma(count - j + 1) + (count - j) * std::log(rest) +
-                        (j - 1) * std::log(d + j / count));
+        sum += std::exp(log_factorial - boost::math::lgamma(j + 1) - boost::math::lgamma(count - j + 1) +
+                        (count - j) * std::log(rest) + (j - 1) * std::log(d + j / count));
     }
     return d * sum;
 }

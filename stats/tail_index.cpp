@@ -33,14 +33,16 @@ double mean_log1p(std::span<const double> excesses, double factor) {
 /// data choose, nearly as efficient as maximum likelihood and always defined. @see [zhang2009]
 double pareto_shape(std::span<const double> excesses) {
     const double n = static_cast<double>(excesses.size());
-    const double quartile = excesses[static_cast<std::size_t>(n / 4 + 0.5) - 1];
-    const double points = 20 + std::floor(std::sqrt(n));
+    const double quartile = excesses[(excesses.size() + 2) / 4 - 1];
+    const auto points = 20 + static_cast<std::size_t>(std::sqrt(n));
 
     std::vector<double> rates;
     std::vector<double> likelihoods;
     double best = -std::numeric_limits<double>::infinity();
-    for (double j = 1; j <= points; ++j) {
-        const double rate = 1 / excesses.back() + (1 - std::sqrt(points / (j - 0.5))) / (3 * quartile);
+    for (std::size_t j = 0; j < points; ++j) {
+        const double rate =
+            1 / excesses.back() +
+            (1 - std::sqrt(static_cast<double>(points) / (static_cast<double>(j) + 0.5))) / (3 * quartile);
         const double shape = mean_log1p(excesses, -rate);
         rates.push_back(rate);
         likelihoods.push_back(n * (std::log(-rate / shape) - shape - 1));

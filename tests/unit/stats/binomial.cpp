@@ -53,8 +53,7 @@ TEST(BinomialIntervals, ReachOneWithoutMisses) {
 TEST(ClopperPearson, NeverCoversBelowItsLevel) {
     double least = 1;
     for (const std::uint64_t trials : {1u, 5u, 30u, 100u}) {
-        for (double p = 0.0025; p < 1; p += 0.0025)
-            least = std::min(least, coverage(clopper_pearson_interval, trials, p));
+        for (int i = 1; i < 400; ++i) least = std::min(least, coverage(clopper_pearson_interval, trials, i / 400.0));
     }
     EXPECT_GE(least, 0.95 - 1e-12);
     EXPECT_LT(least, 0.96);  // and is not simply the whole of [0, 1]
@@ -63,8 +62,9 @@ TEST(ClopperPearson, NeverCoversBelowItsLevel) {
 TEST(Wilson, CoversNearItsLevelOnAverageWhereWaldDoesNot) {
     double wilson = 0;
     double wald = 0;
-    int points = 0;
-    for (double p = 0.0025; p < 1; p += 0.0025, ++points) {
+    constexpr int points = 399;
+    for (int i = 1; i <= points; ++i) {
+        const double p = i / 400.0;
         wilson += coverage(wilson_interval, 30, p);
         wald += coverage(wald_interval, 30, p);
     }

@@ -16,7 +16,7 @@ constexpr std::size_t replicates = 64;
 template <class Distribution>
 std::vector<Rung> ladder(double rate, Distribution law, std::mt19937_64& engine) {
     std::vector<Rung> rungs;
-    for (double size = 256; size <= 65'536; size *= 4) {
+    for (const double size : {256.0, 1024.0, 4096.0, 16'384.0, 65'536.0}) {
         rungs.push_back({size, test::sample(law, replicates, engine)});
         for (double& error : rungs.back().errors) error *= std::pow(size, rate);
     }
