@@ -72,7 +72,7 @@ void add_catalogue(CLI::App& app, std::string& name, Action& action) {
 ExitCode parse_and_act(int argc, char** argv) {
     CLI::App app("Form-factor methods under honest statistics.", "ffstudy");
     app.set_version_flag("--version", fmt::format("ffstudy {} ({})", build_info::version, build_info::revision));
-    app.require_subcommand(1);
+    app.require_subcommand(0, 1);  // an unknown option is named first; that a command is missing, below
     app.footer(
         "Exit codes: 0 passed, 1 out of tolerance or a contradiction, 2 usage or input, 3 input/output,\n4 "
         "inconclusive, 130 interrupted (what was done is saved).");
@@ -87,6 +87,7 @@ ExitCode parse_and_act(int argc, char** argv) {
     add_catalogue(app, name, action);
     try {
         app.parse(argc, argv);
+        if (!action) throw CLI::RequiredError("A command");
     } catch (const CLI::ParseError& error) {
         return app.exit(error) == 0 ? ExitCode::passed : ExitCode::usage;
     }
@@ -114,6 +115,8 @@ ExitCode guarded(int argc, char** argv) {
 
 }  // namespace
 
+// An exception that nobody expects is a bug and ends the program, as a broken contract does.
+// NOLINTNEXTLINE(bugprone-exception-escape)
 int main(int argc, char** argv) {
     return static_cast<int>(guarded(argc, argv));
 }
