@@ -103,7 +103,7 @@ Json bias_json(const studies::StudyPlan& plan, const studies::CellFindings& foun
             {"largest_z", family.largest_z},
             {"largest_pair", family.largest_z > 0 ? Json(quantity_label(scene, family.largest_pair)) : Json(nullptr)},
             {"adjusted_p", family.adjusted_p},
-            {"multiplicity", "holm"},
+            {"multiplicity", "holm over pairs, sidak over cells"},
             {"alpha", 1.0 - plan.spec.level},
             {"power", plan.spec.power},
             {"minimum_detectable_bias", family.minimum_detectable_bias},
@@ -117,11 +117,15 @@ Json bias_json(const studies::StudyPlan& plan, const studies::CellFindings& foun
 Json cell_json(const studies::StudyPlan& plan, const studies::CellFindings& found) {
     const studies::Cell& cell = plan.cells[found.cell];
     const studies::Method& method = plan.spec.methods[cell.method];
+    const bool shoots = method.estimator == studies::Estimator::ray_shooting;
     Json json{{"scene", plan.scenes[cell.scene].name},
               {"method", method.name},
               {"sampler", method.sampler.empty() ? Json(nullptr) : Json(method.sampler)},
               {"estimator", studies::name(method.estimator)},
               {"completion", studies::name(method.completion)},
+              {"allocation", shoots ? Json(studies::name(method.allocation)) : Json(nullptr)},
+              {"tracer", shoots ? Json(studies::name(method.tracer)) : Json(nullptr)},
+              {"nodes", method.nodes ? Json{method.nodes->source, method.nodes->target} : Json(nullptr)},
               {"patches_per_face", cell.subdivision.per_surface()},
               {"samples_per_patch", cell.samples == 0 ? Json(nullptr) : Json(cell.samples)},
               {"deterministic", cell.deterministic},
@@ -175,9 +179,24 @@ Json published_json(const studies::PublishedResults& published) {
                           {"section", claim.claim.section},
                           {"statement", claim.claim.statement},
                           {"verdict", studies::name(claim.verdict)},
+                          {"as_printed_only", claim.as_printed_only},
                           {"evidence", claim.evidence}});
     }
-    return {{"source", published.tables.source}, {"tables", std::move(tables)}, {"claims", std::move(claims)}};
+    Json findings = Json::array();
+    for (const studies::Finding& finding : published.audit.findings) {
+        const bool contradiction = finding.severity == studies::Severity::contradiction;
+        Json figures = Json::array();
+        for (const std::size_t figure : finding.figures) figures.push_back(studies::describe(published.tables, figure));
+        findings.push_back({{"id", finding.id},
+                            {"severity", contradiction ? "contradiction" : "note"},
+                            {"relation", studies::name(finding.relation)},
+                            {"statement", finding.statement},
+                            {"blamed", std::move(figures)}});
+    }
+    return {{"source", published.tables.source},
+            {"tables", std::move(tables)},
+            {"claims", std::move(claims)},
+            {"audit", std::move(findings)}};
 }
 
 }  // namespace
@@ -190,6 +209,8 @@ std::string results_json(const studies::StudyResults& results) {
               {"complete", results.findings.complete},
               {"seed", plan.spec.seed.value},
               {"level", plan.spec.level},
+              {"power", plan.spec.power},
+              {"equivalence_margin", optional(plan.spec.equivalence_margin)},
               {"warnings", plan.warnings}};
     Json& cells = json["cells"] = Json::array();
     for (const studies::CellFindings& found : results.findings.cells) cells.push_back(cell_json(plan, found));

@@ -25,22 +25,23 @@ std::optional<double> rank(const studies::Findings& findings, const CellFindings
 }
 
 /// The most accurate quadrature, or the most efficient sampled method, on a class of pairs; formulas left out.
-const CellFindings* best(const studies::Findings& findings, PairClass pair_class, bool deterministic) {
+const CellFindings* best(const studies::Findings& findings, std::size_t scene, PairClass pair_class,
+                         bool deterministic) {
     const CellFindings* best = nullptr;
     for (const CellFindings& found : findings.cells) {
         const studies::Cell& cell = findings.plan.cells[found.cell];
         const auto value = rank(findings, found, pair_class);
-        if (!value || cell.deterministic != deterministic) continue;
+        if (!value || cell.scene != scene || cell.deterministic != deterministic) continue;
         if (findings.plan.spec.methods[cell.method].estimator == studies::Estimator::closed_form) continue;
         if (best == nullptr || *value < *rank(findings, *best, pair_class)) best = &found;
     }
     return best;
 }
 
-std::string accuracy_line(const studies::Findings& findings, PairClass pair_class) {
+std::string accuracy_line(const studies::Findings& findings, std::size_t scene, PairClass pair_class) {
     std::vector<std::string> parts;
     for (const bool deterministic : {true, false}) {
-        const CellFindings* found = best(findings, pair_class, deterministic);
+        const CellFindings* found = best(findings, scene, pair_class, deterministic);
         if (found == nullptr) continue;
         const double rmse = *found->class_rmse(pair_class);
         const std::string error = rmse < rounding ? "exact to rounding" : fmt::format("RMSE {}", brief(rmse, 2));
@@ -77,11 +78,15 @@ std::string bias_line(const studies::Findings& findings) {
 
 std::string brief_section(const studies::StudyResults& results) {
     std::string out = "## In brief\n\n";
-    for (const PairClass pair_class : {PairClass::parallel, PairClass::adjacent})
-        out += accuracy_line(results.findings, pair_class);
+    for (std::size_t scene = 0; scene < results.findings.plan.scenes.size(); ++scene) {
+        for (const PairClass pair_class : {PairClass::parallel, PairClass::adjacent}) {
+            out += accuracy_line(results.findings, scene, pair_class);
+        }
+    }
     out += bias_line(results.findings);
     if (results.published) {
-        for (const std::string& line : published_in_brief(*results.published)) out += fmt::format("- {}\n", line);
+        for (const std::string& line : published_in_brief(*results.published, 1 - results.findings.plan.spec.level))
+            out += fmt::format("- {}\n", line);
         out += fmt::format("- The {} printed figures contain {} contradictions; see [the audit](#the-audit).\n",
                            results.published->audit.figures, results.published->audit.contradictions());
     }

@@ -31,7 +31,7 @@ std::string percentile_text(const stats::Rank& rank) {
     return fmt::format("{:.3g} %", percentile);
 }
 
-std::string place_text(const FigureComparison& c, const std::string& printed) {
+std::string place_text(const FigureComparison& c, const std::string& printed, double alpha) {
     if (!c.ours) return "–";
     if (c.deterministic) {
         const double difference = c.printed - *c.ours;
@@ -42,11 +42,11 @@ std::string place_text(const FigureComparison& c, const std::string& printed) {
     if (c.single_run->low == c.single_run->high) return *c.adjusted_p > 0 ? "equal" : "**impossible**";
     const std::string place =
         c.z ? fmt::format("z {:+.2f}, {}", *c.z, percentile_text(*c.rank)) : percentile_text(*c.rank);
-    return *c.adjusted_p < 0.05 ? fmt::format("**{}**", place) : place;
+    return *c.adjusted_p < alpha ? fmt::format("**{}**", place) : place;
 }
 
 std::string table_text(const studies::PublishedResults& published, std::size_t index,
-                       const std::set<std::size_t>& blamed) {
+                       const std::set<std::size_t>& blamed, double alpha) {
     const studies::PublishedTable& table = published.tables.tables[index];
     const studies::TableComparison& comparison = published.comparisons[index];
     std::string out = fmt::format("### {}: {}\n\n", table.id, table.title);
@@ -71,7 +71,7 @@ std::string table_text(const studies::PublishedResults& published, std::size_t i
                                           [&](const auto& f) { return f.figure == *figure; });
             const std::string& printed = published.tables.figures[*figure].printed;
             out += fmt::format(" {}{} | {} | {} |", printed, blamed.contains(*figure) ? " †" : "",
-                               ours_text(c, printed), place_text(c, printed));
+                               ours_text(c, printed), place_text(c, printed, alpha));
         }
         out += "\n";
     }
@@ -83,10 +83,8 @@ std::string table_text(const studies::PublishedResults& published, std::size_t i
                            table.column_titles[column.column], chi.statistic, chi.freedom, p_text(chi.p),
                            fixed == 0 ? "" : " (a figure that every run fixes is left out)");
     }
-    if (comparison.together && comparison.chi_squared.size() > 1) {
-        out +=
-            fmt::format("- The whole table: χ² = {:.1f} with {} degrees of freedom, {}.\n",
-                        comparison.together->statistic, comparison.together->freedom, p_text(comparison.together->p));
+    if (comparison.together) {
+        out += fmt::format("- The whole table, its columns combined (Fisher): {}.\n", p_text(comparison.together->p));
     }
     double least = 2;
     for (const FigureComparison& c : comparison.figures) least = std::min(least, c.adjusted_p.value_or(2));
@@ -100,6 +98,7 @@ std::string table_text(const studies::PublishedResults& published, std::size_t i
 std::string published_tables_section(const studies::StudyResults& results) {
     if (!results.published) return {};
     const studies::PublishedResults& published = *results.published;
+    const double alpha = 1 - results.findings.plan.spec.level;
     std::set<std::size_t> blamed;
     for (const studies::Finding& finding : published.audit.findings) {
         if (finding.severity == studies::Severity::contradiction)
@@ -114,10 +113,10 @@ std::string published_tables_section(const studies::StudyResults& results) {
         "*Where it "
         "falls*: (printed − mean) in standard deviations of a single run, and the share of our runs below it; bold "
         "where a "
-        "run as described would give it, or something further out, less often than 5 % allows over the whole table "
-        "(Holm).\n\n",
-        published.tables.source);
-    for (std::size_t i = 0; i < published.tables.tables.size(); ++i) out += table_text(published, i, blamed);
+        "run as described would give it, or something further out, less often than {:g} % allows over the whole table "
+        "(Student t, Holm; χ² by Hotelling's T²).\n\n",
+        published.tables.source, 100 * alpha);
+    for (std::size_t i = 0; i < published.tables.tables.size(); ++i) out += table_text(published, i, blamed, alpha);
     return out;
 }
 

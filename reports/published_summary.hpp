@@ -8,6 +8,7 @@
 namespace ff::reports {
 
 /// A publication in a few sentences: figures outside what a run can give, claims by verdict.
-std::vector<std::string> published_in_brief(const studies::PublishedResults& published);
+/// @param alpha  family-wise error rate of the figures of a table
+std::vector<std::string> published_in_brief(const studies::PublishedResults& published, double alpha);
 
 }  // namespace ff::reports

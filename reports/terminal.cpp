@@ -27,10 +27,11 @@ std::string seconds_in_words(double seconds) {
 
 std::string terminal_summary(const studies::StudyResults& results) {
     const studies::StudyPlan& plan = results.findings.plan;
-    std::string out = fmt::format("{}: {}\nseed {}{}\n\n", plan.spec.name, plan.spec.title, plan.spec.seed.value,
+    const std::string title = plan.spec.title == plan.spec.name ? "" : fmt::format(": {}", plan.spec.title);
+    std::string out = fmt::format("{}{}\nseed {}{}\n\n", plan.spec.name, title, plan.spec.seed.value,
                                   results.findings.complete ? "" : "  (PARTIAL: stopped early)");
     out += fmt::format("{:<15} {:<20} {:>6}  {:>8}  {:>8}  {}\n", "method", "size", "trials", "RMSE", "RMSE", "bias");
-    out += fmt::format("{:<15} {:<20} {:>6}  {:>8}  {:>8}  {}\n", "", "(per face × patch)", "", "parallel", "adjacent",
+    out += fmt::format("{:<15} {:<20} {:>6}  {:>8}  {:>8}  {}\n", "", "patches a face × …", "", "parallel", "adjacent",
                        "(all pairs together)");
     for (const studies::CellFindings& found : results.findings.cells) {
         const studies::Cell& cell = plan.cells[found.cell];
@@ -43,7 +44,8 @@ std::string terminal_summary(const studies::StudyResults& results) {
     }
     if (results.published) {
         out += fmt::format("\nPublished: {}\n", results.published->tables.source);
-        for (const std::string& line : published_in_brief(*results.published)) out += fmt::format("{}\n", line);
+        for (const std::string& line : published_in_brief(*results.published, 1 - plan.spec.level))
+            out += fmt::format("{}\n", line);
         out += audit_summary(results.published->tables, results.published->audit);
     }
     return out;

@@ -7,6 +7,7 @@
 namespace ff::reports {
 
 std::string bias_in_words(const studies::CellFindings& found) {
+    if (found.trials == 0) return "no trials yet";
     if (!found.bias) return "deterministic: the error is the bias";
     switch (found.bias_finding) {
         case studies::BiasFinding::untestable:

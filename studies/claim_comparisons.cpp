@@ -56,6 +56,7 @@ std::string best_of_study(const ClaimEvidence& evidence, const PublishedClaim& c
     for (std::size_t i = 0; i < evidence.findings().plan.cells.size(); ++i) {
         const Cell& cell = evidence.findings().plan.cells[i];
         const Method& method = evidence.findings().plan.spec.methods[cell.method];
+        if (cell.scene != evidence.scene()) continue;
         const auto& sizes = claim.patches_per_face;
         const bool same_size = std::find(sizes.begin(), sizes.end(), cell.subdivision.per_surface()) != sizes.end() &&
                                (cell.deterministic || claim.samples_per_patch.empty() ||

@@ -18,6 +18,7 @@ std::vector<std::size_t> ClaimEvidence::cells(const PublishedClaim& claim, std::
     };
     for (std::size_t i = 0; i < findings_.plan.cells.size(); ++i) {
         const Cell& cell = findings_.plan.cells[i];
+        if (cell.scene != scene_) continue;
         if (findings_.cells[i].trials == 0 || findings_.plan.spec.methods[cell.method].name != claim.methods[method])
             continue;
         if (!contains(claim.patches_per_face, cell.subdivision.per_surface())) continue;
@@ -56,7 +57,7 @@ std::vector<double> ClaimEvidence::pair_errors(std::size_t cell, std::size_t tri
 }
 
 std::vector<Quantity> ClaimEvidence::pairs(std::string_view pair_class) const {
-    const Scene& scene = findings_.plan.scenes.front();
+    const Scene& scene = findings_.plan.scenes[scene_];
     auto list = distinct_pairs(scene.faces.size(), Completion::reciprocal);
     std::erase_if(list, [&](Quantity pair) {
         return !pair_class.empty() && pair_class != "all" &&
@@ -67,7 +68,7 @@ std::vector<Quantity> ClaimEvidence::pairs(std::string_view pair_class) const {
 
 std::vector<double> ClaimEvidence::printed_errors(const PublishedClaim& claim, std::size_t method,
                                                   const std::vector<Quantity>& pairs) const {
-    const Scene& scene = findings_.plan.scenes.front();
+    const Scene& scene = findings_.plan.scenes[scene_];
     std::vector<double> errors;
     if (method >= claim.methods.size()) return errors;
     for (const Quantity pair : pairs) {

@@ -13,11 +13,12 @@ namespace ff::studies {
 /// What the claims are judged by: trials of the cells that they name.
 class ClaimEvidence {
   public:
-    ClaimEvidence(const Store& store, const Findings& findings, const PublishedTables& tables)
-        : store_(store), findings_(findings), tables_(tables) {}
+    /// @param scene  of the study, the one that the tables are about
+    ClaimEvidence(const Store& store, const Findings& findings, const PublishedTables& tables, std::size_t scene)
+        : store_(store), findings_(findings), tables_(tables), scene_(scene) {}
 
     [[nodiscard]] const Findings& findings() const { return findings_; }
-    [[nodiscard]] const PublishedTables& tables() const { return tables_; }
+    [[nodiscard]] std::size_t scene() const { return scene_; }
 
     /// Cells of the claim's method number `method` at its sizes, ascending in patches, then samples; those without
     /// trials are left out.
@@ -45,6 +46,7 @@ class ClaimEvidence {
     const Store& store_;
     const Findings& findings_;
     const PublishedTables& tables_;
+    std::size_t scene_;
     mutable std::vector<CellEstimates> cache_;
 };
 

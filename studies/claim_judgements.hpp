@@ -11,6 +11,7 @@ namespace ff::studies {
 struct Judgement {
     ClaimVerdict verdict = ClaimVerdict::inconclusive;
     std::string evidence;
+    bool as_printed_only = false;  ///< see JudgedClaim
 };
 
 /// The verdict where the study has no trials of what a claim is about.

@@ -53,8 +53,10 @@ Judgement against_each(const std::vector<Opponent>& rivals, const Judge& judge) 
         const bool first = &rival == &rivals.front();
         if (first) all.verdict = one.verdict;
         all.evidence += fmt::format("{}Against {}: {}.", first ? "" : " ", rival.name, one.evidence);
-        if (one.verdict != all.verdict)
+        if (one.verdict != all.verdict) {
+            all.as_printed_only = true;
             all.evidence += fmt::format(" Against these the claim is {}.", name(one.verdict));
+        }
     }
     return all;
 }

@@ -1,6 +1,7 @@
 #include "studies/claims.hpp"
 
 #include "studies/claim_judgements.hpp"
+#include "studies/comparison.hpp"
 
 #include <fmt/format.h>
 
@@ -61,14 +62,15 @@ std::string_view name(ClaimVerdict verdict) {
 }
 
 std::vector<JudgedClaim> judge_claims(const Store& store, const Findings& findings, const PublishedTables& tables) {
-    const ClaimEvidence evidence(store, findings, tables);
+    const auto scene = find_scene(findings.plan, tables);
+    const ClaimEvidence evidence(store, findings, tables, scene.value_or(0));
     std::vector<JudgedClaim> judged;
     for (const PublishedClaim& claim : tables.claims) {
         const auto kind = std::find_if(kinds.begin(), kinds.end(), [&](const Kind& k) { return k.name == claim.kind; });
         Judgement judgement{ClaimVerdict::inconclusive,
                             "A claim of this kind cannot be judged by numbers of the study."};
-        if (kind != kinds.end()) judgement = kind->judge(evidence, claim);
-        judged.push_back({claim, judgement.verdict, judgement.evidence});
+        if (kind != kinds.end()) judgement = scene ? kind->judge(evidence, claim) : not_in_study();
+        judged.push_back({claim, judgement.verdict, judgement.as_printed_only, judgement.evidence});
     }
     return judged;
 }

@@ -17,7 +17,8 @@ std::string_view name(ClaimVerdict verdict);
 struct JudgedClaim {
     PublishedClaim claim;
     ClaimVerdict verdict = ClaimVerdict::inconclusive;
-    std::string evidence;  ///< the numbers behind the verdict, with their uncertainty, in sentences
+    bool as_printed_only = false;  ///< the verdict rests on printed figures; with this study's own it would be another
+    std::string evidence;          ///< the numbers behind the verdict, with their uncertainty, in sentences
 };
 
 /// Kinds of claims that can be judged; a claim of another kind is inconclusive and says so.

@@ -1,5 +1,6 @@
 #include "studies/comparison.hpp"
 
+#include "core/box.hpp"
 #include "core/contract.hpp"
 #include "core/error.hpp"
 #include "stats/distributions.hpp"
@@ -11,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <limits>
 #include <map>
 
 namespace ff::studies {
@@ -65,9 +67,13 @@ void compare(const CellEstimates& estimates, const CellFindings& findings, const
     if (gaussian && sigma && *sigma > 0) comparison.z = (comparison.printed - *comparison.ours) / *sigma;
 }
 
-/// The p-value of one figure: normal for estimates, which are sums of many hits; by rank for errors.
+/// The p-value of one figure: for estimates, which are sums of many hits, Student's of one more observation beside the
+/// `trials` that mean and deviation come from; by rank for errors.
 double p_value(const FigureComparison& comparison, const std::string& printed) {
-    if (comparison.z) return stats::normal_two_sided_p(*comparison.z);
+    if (comparison.z) {
+        const auto trials = static_cast<double>(comparison.rank->n);
+        return stats::student_two_sided_p(*comparison.z / std::sqrt(1.0 + 1.0 / trials), trials - 1.0);
+    }
     const bool constant = comparison.single_run->low == comparison.single_run->high;
     if (!constant) return comparison.rank->p;
     return std::abs(comparison.printed - *comparison.ours) <= half_printed_unit(printed) ? 1.0 : 0.0;
@@ -100,6 +106,24 @@ Eigen::MatrixXd covariance(const std::vector<const std::vector<double>*>& sample
     return data.transpose() * data / static_cast<double>(n - 1);
 }
 
+/// Hotelling's T^2 of one more run beside the `trials` that mean and covariance come from, as a p-value.
+double hotelling_p(const stats::ChiSquared& form, std::size_t trials) {
+    const auto n = static_cast<double>(trials);
+    const auto k = static_cast<double>(form.freedom);
+    return stats::fisher_tail(form.statistic / (1.0 + 1.0 / n) * (n - k) / (k * (n - 1.0)), k, n - k);
+}
+
+/// Fisher's combination of the columns, which are independent runs.
+stats::ChiSquared combine(const std::vector<ColumnChiSquared>& columns) {
+    stats::ChiSquared combined;
+    for (const ColumnChiSquared& column : columns) {
+        combined.statistic -= 2.0 * std::log(std::max(column.form.chi_squared.p, std::numeric_limits<double>::min()));
+        combined.freedom += 2;
+    }
+    combined.p = stats::chi_squared_tail(combined.statistic, static_cast<double>(combined.freedom));
+    return combined;
+}
+
 void add_chi_squared(const PublishedTables& tables, const std::map<std::size_t, CellEstimates>& estimates,
                      TableComparison& table) {
     std::map<std::size_t, std::vector<const FigureComparison*>> columns;
@@ -116,17 +140,12 @@ void add_chi_squared(const PublishedTables& tables, const std::map<std::size_t, 
             samples.push_back(&estimates.at(*figure->cell).values(figure->quantity));
         }
         if (samples.front()->size() < 2 * samples.size()) continue;  // too few trials for a covariance
-        if (const auto form = stats::combine_deviations(deviations, covariance(samples))) {
+        if (auto form = stats::combine_deviations(deviations, covariance(samples))) {
+            form->chi_squared.p = hotelling_p(form->chi_squared, samples.front()->size());
             table.chi_squared.push_back({column, figures.size(), *form});
         }
     }
-    if (table.chi_squared.empty()) return;
-    stats::ChiSquared& sum = table.together.emplace();
-    for (const ColumnChiSquared& column : table.chi_squared) {
-        sum.statistic += column.form.chi_squared.statistic;
-        sum.freedom += column.form.chi_squared.freedom;
-    }
-    sum.p = stats::chi_squared_tail(sum.statistic, static_cast<double>(sum.freedom));
+    if (table.chi_squared.size() > 1) table.together = combine(table.chi_squared);
 }
 
 }  // namespace
@@ -137,10 +156,19 @@ double half_printed_unit(const std::string& printed) {
     return 0.5 * std::pow(10.0, -static_cast<double>(decimals));
 }
 
-std::optional<std::size_t> find_cell(const StudyPlan& plan, std::string_view method, std::uint32_t patches_per_face,
-                                     std::optional<std::uint64_t> samples_per_patch) {
+std::optional<std::size_t> find_scene(const StudyPlan& plan, const PublishedTables& tables) {
+    const std::string canonical = built_in_scene(tables.scene).canonical;
+    const auto found = std::find_if(plan.scenes.begin(), plan.scenes.end(),
+                                    [&](const Scene& scene) { return scene.canonical == canonical; });
+    return found == plan.scenes.end() ? std::nullopt
+                                      : std::optional(static_cast<std::size_t>(found - plan.scenes.begin()));
+}
+
+std::optional<std::size_t> find_cell(const StudyPlan& plan, std::size_t scene, std::string_view method,
+                                     std::uint32_t patches_per_face, std::optional<std::uint64_t> samples_per_patch) {
     for (std::size_t i = 0; i < plan.cells.size(); ++i) {
         const Cell& cell = plan.cells[i];
+        if (cell.scene != scene) continue;
         if (plan.spec.methods[cell.method].name != method || cell.subdivision.per_surface() != patches_per_face)
             continue;
         if (!samples_per_patch || cell.samples == *samples_per_patch) return i;
@@ -151,6 +179,7 @@ std::optional<std::size_t> find_cell(const StudyPlan& plan, std::string_view met
 std::vector<TableComparison> compare_with_published(const Store& store, const Findings& findings,
                                                     const PublishedTables& tables) {
     std::map<std::size_t, CellEstimates> estimates;
+    const auto scene = find_scene(findings.plan, tables);
     std::vector<TableComparison> comparisons;
     for (const PublishedTable& published : tables.tables) {
         TableComparison table;
@@ -161,8 +190,9 @@ std::vector<TableComparison> compare_with_published(const Store& store, const Fi
             FigureComparison comparison;
             comparison.figure = *index;
             comparison.printed = std::strtod(figure.printed.c_str(), nullptr);
-            comparison.cell =
-                find_cell(findings.plan, figure.method, figure.patches_per_face, figure.samples_per_patch);
+            if (scene)
+                comparison.cell =
+                    find_cell(findings.plan, *scene, figure.method, figure.patches_per_face, figure.samples_per_patch);
             if (comparison.cell && findings.cells[*comparison.cell].trials > 0) {
                 const Cell& cell = findings.plan.cells[*comparison.cell];
                 comparison.deterministic = cell.deterministic;

@@ -30,19 +30,22 @@ struct FigureComparison {
 struct ColumnChiSquared {
     std::size_t column = 0;
     std::size_t figures = 0;    ///< with those that every run fixes, which the form leaves out
-    stats::QuadraticForm form;  ///< of printed - mean with the covariance of the trials
+    stats::QuadraticForm form;  ///< of printed - mean with the covariance of the trials; p by Hotelling's T^2
 };
 
 struct TableComparison {
     std::string table;
     std::vector<FigureComparison> figures;  ///< in the order of the publication
     std::vector<ColumnChiSquared> chi_squared;
-    std::optional<stats::ChiSquared> together;  ///< of all columns, which are independent runs
+    std::optional<stats::ChiSquared> together;  ///< Fisher's combination of several columns, which are independent runs
 };
 
+/// The scene of the study that the tables are about; empty where it has none.
+std::optional<std::size_t> find_scene(const StudyPlan& plan, const PublishedTables& tables);
+
 /// The cell for a method of this name and size.
-std::optional<std::size_t> find_cell(const StudyPlan& plan, std::string_view method, std::uint32_t patches_per_face,
-                                     std::optional<std::uint64_t> samples_per_patch);
+std::optional<std::size_t> find_cell(const StudyPlan& plan, std::size_t scene, std::string_view method,
+                                     std::uint32_t patches_per_face, std::optional<std::uint64_t> samples_per_patch);
 
 /// Every printed figure against the trials of the study.
 std::vector<TableComparison> compare_with_published(const Store& store, const Findings& findings,

@@ -52,7 +52,9 @@ std::vector<ErrorLaw> fit_error_laws(const Findings& findings, const PublishedTa
                         errors[cell.subdivision.m].push_back(*summary.bias);
                 }
             }
-            if (auto law = fit(plan.spec.methods[method].name, false, errors)) laws.push_back(std::move(*law));
+            const std::string& name = plan.spec.methods[method].name;
+            const std::string label = plan.scenes.size() == 1 ? name : plan.scenes[scene].name + ": " + name;
+            if (auto law = fit(label, false, errors)) laws.push_back(std::move(*law));
         }
     }
     if (tables == nullptr) return laws;

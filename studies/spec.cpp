@@ -79,7 +79,7 @@ void check_samples(const TomlReader& reader, const samplers::SamplerInfo& sample
                     fmt::format("(a sequence has at most {} points). Take more trials instead.", max_samples));
     }
     const auto problem = samplers::check_size(sampler, samples * sequences);
-    if (problem.fatal) reader.fail("samples_per_patch", problem.message);
+    if (problem.fatal) reader.fail("samples_per_patch", "makes " + problem.message);
 }
 
 /// The product of both lists, or the entries of `sizes`.
@@ -152,6 +152,12 @@ Method read_method(const TomlReader& reader) {
     method.sampler = sampler == nullptr ? std::string() : std::string(sampler->name);
     method.completion = choice(reader, "completion", completion_names, Completion::direct);
     method.allocation = choice(reader, "allocation", allocation_names, Allocation::patch);
+    const bool one_cell_a_point = sampler != nullptr && sampler->sizes == samplers::Sizes::fourth_power;
+    if (method.allocation == Allocation::face && one_cell_a_point) {
+        reader.fail("allocation",
+                    "(each point of this sampler stays in one cell of the hypercube, so a part of its "
+                    "points is biased). Use allocation = \"patch\".");
+    }
     method.tracer = choice(reader, "tracer", tracer_names, TracerChoice::automatic);
     if (method.estimator != Estimator::ray_shooting) {
         for (const std::string_view key : {"allocation", "tracer"}) {
