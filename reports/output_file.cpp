@@ -8,15 +8,16 @@
 #include <fmt/format.h>
 
 #include <cerrno>
-#include <cstring>
 #include <fstream>
+#include <string>
+#include <system_error>
 
 namespace ff::reports {
 namespace {
 
 [[noreturn]] void fail(const std::filesystem::path& file, int error) {
     throw IoError(fmt::format("{}: cannot be written ({}). Check the folder, its permissions and the free space.",
-                              file.string(), error == 0 ? "output error" : std::strerror(error)));
+                              file.string(), error == 0 ? "output error" : std::generic_category().message(error)));
 }
 
 void synchronise(const std::filesystem::path& file) {
