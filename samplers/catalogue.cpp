@@ -1,6 +1,7 @@
 #include "core/error.hpp"
 #include "core/nearest_name.hpp"
 #include "samplers/entry.hpp"
+#include "samplers/faure.hpp"
 #include "samplers/gauss_legendre.hpp"
 #include "samplers/halton.hpp"
 #include "samplers/random.hpp"
@@ -23,6 +24,7 @@ constexpr std::array all_samplers{
     entry<Stratified>(),     //
     entry<Halton>(),         //
     entry<Sobol>(),          //
+    entry<Faure>(),          //
     entry<GaussLegendre>(),  //
 };
 

@@ -17,6 +17,9 @@ constexpr std::uint64_t reciprocal(std::uint64_t divisor) {
     return (~std::uint64_t{0} - (divisor - 1)) / divisor + 1;
 }
 
+/// How many digits in `base` the last index of `points` has, at least 1. @pre base >= 2, points <= 2^32
+std::uint32_t count_digits(std::uint64_t points, std::uint32_t base);
+
 /// The largest k with k^dimension <= points. @pre points <= 2^32, dimension >= 1
 std::uint64_t floor_root(std::uint64_t points, std::size_t dimension);
 

@@ -21,7 +21,7 @@ constexpr double embree_nanoseconds = 60.0;
 constexpr double kernel_nanoseconds = 1.5;
 
 double sampling_nanoseconds(std::string_view sampler) {
-    if (sampler == "halton" || sampler == "random_mt") return 15.0;
+    if (sampler == "halton" || sampler == "random_mt" || sampler == "faure") return 15.0;
     return 1.5;
 }
 
