@@ -7,6 +7,8 @@
 #include "samplers/random.hpp"
 #include "samplers/random_mt.hpp"
 #include "samplers/sobol.hpp"
+#include "samplers/sobol_lms.hpp"
+#include "samplers/sobol_nus.hpp"
 #include "samplers/stratified.hpp"
 
 #include <algorithm>
@@ -24,6 +26,8 @@ constexpr std::array all_samplers{
     entry<Stratified>(),     //
     entry<Halton>(),         //
     entry<Sobol>(),          //
+    entry<SobolLms>(),       //
+    entry<SobolNus>(),       //
     entry<Faure>(),          //
     entry<GaussLegendre>(),  //
 };

@@ -22,6 +22,7 @@ constexpr double kernel_nanoseconds = 1.5;
 
 double sampling_nanoseconds(std::string_view sampler) {
     if (sampler == "halton" || sampler == "random_mt" || sampler == "faure") return 15.0;
+    if (sampler == "sobol_nus") return 2000.0;
     return 1.5;
 }
 
