@@ -6,7 +6,9 @@
 #include "samplers/gauss_legendre.hpp"
 #include "samplers/halton.hpp"
 #include "samplers/latin_hypercube.hpp"
+#include "samplers/lattice.hpp"
 #include "samplers/niederreiter.hpp"
+#include "samplers/padded.hpp"
 #include "samplers/r_sequence.hpp"
 #include "samplers/random.hpp"
 #include "samplers/random_mt.hpp"
@@ -38,6 +40,8 @@ constexpr std::array all_samplers{
     entry<SobolRaw>(),        //
     entry<Niederreiter>(),    //
     entry<Faure>(),           //
+    entry<Padded>(),          //
+    entry<Lattice>(),         //
     entry<RSequence>(),       //
     entry<GaussLegendre>(),   //
 };
