@@ -82,7 +82,8 @@ constexpr std::array<Integrand, 3> integrands{
         }
         return product;
     },
-    // Discontinuous along a slanting hyperplane, beside the centre: about it, mirrored points would be exact. The volume
+    // Discontinuous along a slanting hyperplane, beside the centre: about it, mirrored points would be exact. The
+    // volume
     // below is (1.9^4 - 4 * 0.9^4) / 24.
     [](const WeightedBlock& p, std::size_t i) {
         double sum = 0;
