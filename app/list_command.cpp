@@ -38,6 +38,8 @@ std::string_view sizes_in_words(samplers::Sizes sizes) {
             return "any number of points";
         case samplers::Sizes::power_of_two:
             return "powers of two; others lose the net property";
+        case samplers::Sizes::power_of_five:
+            return "powers of five; others lose the net property";
         case samplers::Sizes::fourth_power:
             return "fourth powers k^4 only";
         case samplers::Sizes::nodes:

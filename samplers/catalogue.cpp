@@ -1,11 +1,21 @@
 #include "core/error.hpp"
 #include "core/nearest_name.hpp"
+#include "samplers/antithetic.hpp"
 #include "samplers/entry.hpp"
+#include "samplers/faure.hpp"
 #include "samplers/gauss_legendre.hpp"
 #include "samplers/halton.hpp"
+#include "samplers/latin_hypercube.hpp"
+#include "samplers/lattice.hpp"
+#include "samplers/niederreiter.hpp"
+#include "samplers/padded.hpp"
+#include "samplers/r_sequence.hpp"
 #include "samplers/random.hpp"
 #include "samplers/random_mt.hpp"
 #include "samplers/sobol.hpp"
+#include "samplers/sobol_lms.hpp"
+#include "samplers/sobol_nus.hpp"
+#include "samplers/sobol_raw.hpp"
 #include "samplers/stratified.hpp"
 
 #include <algorithm>
@@ -18,12 +28,22 @@ namespace {
 
 /// The only list of samplers.
 constexpr std::array all_samplers{
-    entry<Random>(),         //
-    entry<RandomMt>(),       //
-    entry<Stratified>(),     //
-    entry<Halton>(),         //
-    entry<Sobol>(),          //
-    entry<GaussLegendre>(),  //
+    entry<Random>(),          //
+    entry<RandomMt>(),        //
+    entry<Antithetic>(),      //
+    entry<Stratified>(),      //
+    entry<LatinHypercube>(),  //
+    entry<Halton>(),          //
+    entry<Sobol>(),           //
+    entry<SobolLms>(),        //
+    entry<SobolNus>(),        //
+    entry<SobolRaw>(),        //
+    entry<Niederreiter>(),    //
+    entry<Faure>(),           //
+    entry<Padded>(),          //
+    entry<Lattice>(),         //
+    entry<RSequence>(),       //
+    entry<GaussLegendre>(),   //
 };
 
 constexpr auto all_names = [] {

@@ -12,13 +12,6 @@ constexpr std::array<std::uint32_t, max_dimension> bases{2, 3, 5, 7};
 constexpr std::uint32_t max_base = 7;
 constexpr std::uint32_t max_digits = 32;  // of a 32-bit index, in base 2
 
-/// How many digits the last index of `points` has, at least 1.
-std::uint32_t count_digits(std::uint64_t points, std::uint32_t base) {
-    std::uint32_t digits = 1;
-    for (std::uint64_t size = base; size < points; size *= base) ++digits;
-    return digits;
-}
-
 /// What each digit, permuted, adds to the coordinate times 2^64.
 using DigitValues = std::array<std::uint64_t, max_base>;
 

@@ -13,10 +13,11 @@ namespace ff::samplers {
 
 /// Sizes that a sampler is made for.
 enum class Sizes {
-    any,           ///< every number of points
-    power_of_two,  ///< 2^m keeps the net property; others are allowed with a warning
-    fourth_power,  ///< k^dimension (k^4 in 4-D), one point a cell; others are impossible
-    nodes,         ///< n nodes a side, n^4 points in 4-D
+    any,            ///< every number of points
+    power_of_two,   ///< 2^m keeps the net property; others are allowed with a warning
+    power_of_five,  ///< 5^m keeps the net property; others are allowed with a warning
+    fourth_power,   ///< k^dimension (k^4 in 4-D), one point a cell; others are impossible
+    nodes,          ///< n nodes a side, n^4 points in 4-D
 };
 
 /// What a sampler declares about itself; `ffstudy list`, `explain`, the contract tests and the reports read it.

@@ -3,7 +3,8 @@
 #include "core/contract.hpp"
 #include "samplers/sampler.hpp"
 
-#include <bit>
+#include <string>
+#include <string_view>
 
 #include <fmt/format.h>
 
@@ -26,15 +27,26 @@ SizeProblem check_power(const SamplerInfo& info, std::uint64_t points, std::size
             true};
 }
 
-SizeProblem check_power_of_two(const SamplerInfo& info, std::uint64_t points) {
-    if (std::has_single_bit(points)) return {};
-    const std::uint64_t below = std::bit_floor(points);
-    return {fmt::format("{} points ({} has its net property at powers of two only). Nearest: {} = 2^{} or {} = 2^{}.",
-                        points, info.name, below, std::bit_width(below) - 1, 2 * below, std::bit_width(below)),
+/// Sizes base^m keep the net property, `word` is "two" or "five".
+SizeProblem check_base(const SamplerInfo& info, std::uint64_t points, std::uint32_t base, std::string_view word) {
+    const std::uint32_t digits = count_digits(points + 1, base);
+    const std::uint64_t below = integer_power(base, digits - 1);
+    if (points == below) return {};
+    std::string nearest = fmt::format("{} = {}^{}", below, base, digits - 1);
+    if (below * base <= max_points) nearest += fmt::format(" or {} = {}^{}", below * base, base, digits);
+    return {fmt::format("{} points ({} has its net property at powers of {} only). Nearest: {}.", points, info.name,
+                        word, nearest),
             false};
 }
 
 }  // namespace
+
+std::uint32_t count_digits(std::uint64_t points, std::uint32_t base) {
+    FF_EXPECT(base >= 2 && points <= max_points + 1);
+    std::uint32_t digits = 1;
+    for (std::uint64_t size = base; size < points; size *= base) ++digits;
+    return digits;
+}
 
 std::uint64_t floor_root(std::uint64_t points, std::size_t dimension) {
     FF_EXPECT(points <= max_points && dimension >= 1);
@@ -59,7 +71,9 @@ SizeProblem check_size(const SamplerInfo& info, std::uint64_t points, std::size_
         case Sizes::nodes:
             return {};
         case Sizes::power_of_two:
-            return check_power_of_two(info, points);
+            return check_base(info, points, 2, "two");
+        case Sizes::power_of_five:
+            return check_base(info, points, 5, "five");
         case Sizes::fourth_power:
             return check_power(info, points, dimension);
     }

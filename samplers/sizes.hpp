@@ -17,6 +17,15 @@ constexpr std::uint64_t reciprocal(std::uint64_t divisor) {
     return (~std::uint64_t{0} - (divisor - 1)) / divisor + 1;
 }
 
+/// The place `inside` (times 2^-32) of cell number `cell`, in fixed point. @pre width = reciprocal(number of cells)
+constexpr std::uint32_t place_in_cell(std::uint64_t cell, std::uint64_t width, std::uint32_t inside) {
+    const std::uint64_t offset = inside * (width >> 32) + (inside * (width & 0xffffffffu) >> 32);
+    return static_cast<std::uint32_t>((cell * width + offset) >> 32);
+}
+
+/// How many digits in `base` the last index of `points` has, at least 1. @pre base >= 2, points <= 2^32
+std::uint32_t count_digits(std::uint64_t points, std::uint32_t base);
+
 /// The largest k with k^dimension <= points. @pre points <= 2^32, dimension >= 1
 std::uint64_t floor_root(std::uint64_t points, std::size_t dimension);
 

@@ -11,16 +11,13 @@ void Stratified::fill(const Stream& stream, PointIndex first, PointBlock& block)
     philox_block(stream, Purpose::coordinates, first, block);
     if (cells_a_side_ == 1) return;
     const std::uint64_t width = reciprocal(cells_a_side_);  // of a cell, times 2^64
-    const std::uint64_t width_high = width >> 32;
-    const std::uint64_t width_low = width & 0xffffffffu;
-    std::uint64_t repeats = 1;  // consecutive points with the same digit d
+    std::uint64_t repeats = 1;                              // consecutive points with the same digit d
     for (std::size_t d = 0; d < block.dimension; ++d) {
         std::uint64_t cell = first / repeats % cells_a_side_;
         std::uint64_t left = repeats - first % repeats;
         for (std::size_t i = 0; i < block.size; ++i) {
             std::uint32_t& x = block.coordinate[d][i];
-            const std::uint64_t inside = x * width_high + (x * width_low >> 32);
-            x = static_cast<std::uint32_t>((cell * width + inside) >> 32);
+            x = place_in_cell(cell, width, x);
             if (--left == 0) {
                 left = repeats;
                 if (++cell == cells_a_side_) cell = 0;

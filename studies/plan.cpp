@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace ff::studies {
@@ -21,7 +22,10 @@ constexpr double embree_nanoseconds = 60.0;
 constexpr double kernel_nanoseconds = 1.5;
 
 double sampling_nanoseconds(std::string_view sampler) {
-    if (sampler == "halton" || sampler == "random_mt") return 15.0;
+    constexpr std::array<std::string_view, 6> slow{"random_mt", "halton",       "faure",
+                                                   "sobol_raw", "niederreiter", "latin_hypercube"};
+    if (std::find(slow.begin(), slow.end(), sampler) != slow.end()) return 15.0;
+    if (sampler == "sobol_nus") return 2000.0;
     return 1.5;
 }
 

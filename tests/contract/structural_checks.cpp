@@ -82,15 +82,16 @@ AssertionResult each_once(std::vector<std::uint64_t> cells) {
     return AssertionSuccess();
 }
 
-/// Any 2^m points from a multiple of 2^m on: one in each interval of length 2^-m, in every coordinate.
-AssertionResult fills_intervals(const CatalogueEntry& sampler) {
-    const auto source = sampler.make({.points = 1 << 13});
-    for (unsigned m = 1; m <= 12; ++m) {
+/// Any b^m points from a multiple of b^m on: one in each interval of length b^-m, in every coordinate.
+AssertionResult fills_intervals(const CatalogueEntry& sampler, std::uint64_t base, std::size_t digits) {
+    const auto source = sampler.make({.points = samplers::integer_power(base, digits + 1)});
+    for (std::size_t m = 1; m <= digits; ++m) {
+        const std::uint64_t intervals = samplers::integer_power(base, m);
         for (std::size_t d = 0; d < max_dimension; ++d) {
-            for (const PointIndex first : {PointIndex{0}, PointIndex{1} << m}) {
+            for (const PointIndex first : {PointIndex{0}, PointIndex{intervals}}) {
                 std::vector<std::uint64_t> cells;
-                for (const std::uint32_t x : coordinates(*source, first, std::size_t{1} << m, d)) {
-                    cells.push_back(x >> (32 - m));
+                for (const std::uint32_t x : coordinates(*source, first, intervals, d)) {
+                    cells.push_back(x * intervals >> 32);
                 }
                 if (const auto result = each_once(cells); !result)
                     return AssertionFailure() << "coordinate " << d << ": " << result.message();
@@ -228,7 +229,9 @@ AssertionResult fills_its_strata(const CatalogueEntry& sampler) {
         case Sizes::any:
             return AssertionSuccess();
         case Sizes::power_of_two:
-            return fills_intervals(sampler);
+            return fills_intervals(sampler, 2, 12);
+        case Sizes::power_of_five:
+            return fills_intervals(sampler, 5, 5);
         case Sizes::fourth_power:
             return fills_cells(sampler);
         case Sizes::nodes:

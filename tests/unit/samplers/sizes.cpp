@@ -37,10 +37,11 @@ TEST(Reciprocal, IsRoundedDown) {
 }
 
 TEST(CheckSize, RefusesNoPointsAndTooMany) {
-    for (const Sizes sizes : {Sizes::any, Sizes::power_of_two, Sizes::fourth_power, Sizes::nodes}) {
+    for (const Sizes sizes :
+         {Sizes::any, Sizes::power_of_two, Sizes::power_of_five, Sizes::fourth_power, Sizes::nodes}) {
         EXPECT_TRUE(check_size(made_for(sizes), 0).fatal);
         EXPECT_TRUE(check_size(made_for(sizes), max_points + 1).fatal);
-        EXPECT_EQ(check_size(made_for(sizes), max_points).message, "");
+        EXPECT_FALSE(check_size(made_for(sizes), max_points).fatal);
     }
 }
 
@@ -61,7 +62,29 @@ TEST(CheckSize, CountsCellsInTheDimensionOfThePoints) {
     EXPECT_THAT(check_size(made_for(Sizes::fourth_power), 50, 2).message, HasSubstr("49 = 7^2 or 64 = 8^2"));
 }
 
+TEST(CountDigits, GrowsWithTheFirstPointBeyondAPower) {
+    EXPECT_EQ(count_digits(1, 5), 1u);
+    EXPECT_EQ(count_digits(5, 5), 1u);
+    EXPECT_EQ(count_digits(6, 5), 2u);
+    EXPECT_EQ(count_digits(625, 5), 4u);
+    EXPECT_EQ(count_digits(626, 5), 5u);
+    EXPECT_EQ(count_digits(max_points, 2), 32u);
+    EXPECT_EQ(count_digits(max_points, 5), 14u);  // python3 -c "print(5**13 < 2**32 < 5**14)"
+}
+
+TEST(CheckSize, OnlyWarnsBesidePowersOfFive) {
+    for (const std::uint64_t points : {1u, 5u, 625u, 1220703125u}) {
+        EXPECT_EQ(check_size(made_for(Sizes::power_of_five), points).message, "");
+    }
+    const SizeProblem problem = check_size(made_for(Sizes::power_of_five), 1024);
+    EXPECT_FALSE(problem.fatal);
+    EXPECT_THAT(problem.message, HasSubstr("625 = 5^4 or 3125 = 5^5"));
+    EXPECT_THAT(check_size(made_for(Sizes::power_of_five), max_points).message,
+                HasSubstr("Nearest: 1220703125 = 5^13."));
+}
+
 TEST(CheckSize, OnlyWarnsBesidePowersOfTwo) {
+    EXPECT_EQ(check_size(made_for(Sizes::power_of_two), max_points).message, "");
     EXPECT_EQ(check_size(made_for(Sizes::power_of_two), 512).message, "");
     const SizeProblem problem = check_size(made_for(Sizes::power_of_two), 625);
     EXPECT_FALSE(problem.fatal);

@@ -1,10 +1,11 @@
-#include "tests/support/owen_tree.hpp"
+#include "samplers/sobol_nus.hpp"
 
 #include "samplers/sobol_directions.hpp"
 
-namespace ff::test {
+namespace ff::samplers {
+namespace {
 
-std::uint32_t nested_uniform(std::uint32_t coordinate, const Stream& stream, std::size_t dimension) {
+std::uint32_t scramble(std::uint32_t coordinate, const Stream& stream, std::size_t dimension) {
     std::uint32_t result = 0;
     for (unsigned depth = 0; depth < 32; ++depth) {
         // A leading 1 before the digits above makes the number of a node unique over all depths.
@@ -16,13 +17,14 @@ std::uint32_t nested_uniform(std::uint32_t coordinate, const Stream& stream, std
     return result;
 }
 
-void fill_sobol_tree(const Stream& stream, PointIndex first, PointBlock& block) {
+}  // namespace
+
+void SobolNus::fill(const Stream& stream, PointIndex first, PointBlock& block) const {
     for (std::size_t d = 0; d < block.dimension; ++d) {
         for (std::size_t i = 0; i < block.size; ++i) {
-            const auto index = static_cast<std::uint32_t>(first + i);
-            block.coordinate[d][i] = nested_uniform(samplers::sobol_coordinate(index, d), stream, d);
+            block.coordinate[d][i] = scramble(sobol_coordinate(static_cast<std::uint32_t>(first + i), d), stream, d);
         }
     }
 }
 
-}  // namespace ff::test
+}  // namespace ff::samplers

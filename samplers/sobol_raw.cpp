@@ -1,0 +1,13 @@
+#include "samplers/sobol_raw.hpp"
+
+#include "samplers/boost_sequence.hpp"
+
+#include <boost/random/sobol.hpp>
+
+namespace ff::samplers {
+
+void SobolRaw::fill(const Stream& /*stream*/, PointIndex first, PointBlock& block) const {
+    fill_from_engine<boost::random::sobol>(first, block);
+}
+
+}  // namespace ff::samplers
