@@ -50,3 +50,51 @@ expect_refused() {
     expect_no_stdout
     expect_nothing_written
 }
+
+# small_study [TRIALS]: a study file with a method of every kind.
+small_study() {
+    cat <<END
+[study]
+name = "small"
+scene = ["cube", "box:2x1x0.5"]
+trials = ${1:-20}
+seed = 1
+
+[[method]]
+name = "SR"
+sampler = "random"
+estimator = "ray_shooting"
+completion = "reciprocal"
+patches_per_face = [1, 4]
+samples_per_patch = 81
+
+[[method]]
+name = "sobol"
+sampler = "sobol"
+estimator = "ray_shooting"
+tracer = "embree"
+allocation = "face"
+patches_per_face = 4
+samples_per_patch = 64
+
+[[method]]
+name = "kernel"
+sampler = "halton"
+estimator = "area_kernel"
+samples_per_patch = 50
+
+[[method]]
+name = "PDM"
+sampler = "gauss_legendre"
+nodes = [2, 3]
+estimator = "area_kernel"
+patches_per_face = [1, 4]
+
+[[method]]
+name = "exact"
+estimator = "closed_form"
+END
+}
+
+# without_circumstances REPORT: the part of a report that is repeatable.
+without_circumstances() { sed '/<!-- circumstances/,/<!-- end of circumstances/d' "$1"; }

@@ -1,0 +1,21 @@
+#!/usr/bin/env bash
+source "$(dirname "$0")/../harness.sh"
+
+small_study 1000 >"$folder/study.toml"
+command_line="ffstudy run (interrupted)"
+"$program" run "$folder/study.toml" --threads 2 --out out >"$folder/stdout" 2>"$folder/stderr" </dev/null &
+process=$!
+# SIGINT is the second lowest bit of the mask of caught signals: the program is ready for it.
+until grep -q '^SigCgt:.*[2367abef]$' /proc/$process/status; do sleep 0.01; done
+kill -INT $process
+status=0
+wait $process || status=$?
+expect_status 130
+expect_stderr "Run the same command again to go on."
+expect_in_file out/report.md "Partial result"
+
+ffstudy run "$folder/study.toml" --threads 2 --out out
+expect_status 0
+ffstudy run "$folder/study.toml" --threads 1 --out whole
+expect_status 0
+for file in summary.csv trials.csv results.json; do expect_equal_files whole/$file out/$file; done

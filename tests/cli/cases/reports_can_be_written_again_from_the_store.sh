@@ -1,0 +1,21 @@
+#!/usr/bin/env bash
+source "$(dirname "$0")/../harness.sh"
+
+small_study >"$folder/study.toml"
+ffstudy run "$folder/study.toml" --out out
+expect_status 0
+ffstudy report out --out again --quiet
+expect_status 0
+expect_no_stdout
+for file in summary.csv trials.csv results.json report.md context.json; do expect_equal_files out/$file again/$file; done
+
+ffstudy report out/results.sqlite --format csv --out only
+expect_status 0
+expect_file only/summary.csv
+[ ! -e only/report.md ] || fail "expected no report.md"
+
+mkdir empty
+ffstudy report out --format cvs --out empty
+expect_status 2
+expect_stderr "Did you mean 'csv'?"
+[ -z "$(ls -A empty)" ] || fail "expected nothing in the folder"

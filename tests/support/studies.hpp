@@ -1,0 +1,50 @@
+#pragma once
+
+#include "studies/plan.hpp"
+#include "studies/store.hpp"
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace ff::test {
+
+/// An empty folder, removed with all that is in it.
+class TemporaryFolder {
+  public:
+    TemporaryFolder();
+    ~TemporaryFolder();
+    TemporaryFolder(const TemporaryFolder&) = delete;
+    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+    [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+
+  private:
+    std::filesystem::path path_;
+};
+
+/// A store without a file.
+inline constexpr const char* in_memory = ":memory:";
+
+/// "[study]" with the cube, a seed and these lines, then `methods`.
+std::string study_text(std::string_view lines, std::string_view methods);
+
+/// The plan of a study file.
+studies::StudyPlan plan_of(std::string_view text);
+
+/// Runs a plan from its beginning, or on from where the file stopped.
+studies::Store run(const studies::StudyPlan& plan, const std::filesystem::path& file = in_memory, unsigned threads = 1);
+
+/// What a direct estimate of a trial is; faces count from 1. Hits are rounded to whole numbers.
+using Estimate = std::function<double(std::size_t cell, std::uint64_t trial, int from, int to)>;
+
+/// A complete store with made-up observations.
+studies::Store fill(const studies::StudyPlan& plan, const Estimate& estimate);
+
+/// Every row of the tables that results are made from, as text, in the order of their keys.
+std::vector<std::string> rows_of(const std::filesystem::path& file);
+
+}  // namespace ff::test

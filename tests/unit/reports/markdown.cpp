@@ -1,0 +1,114 @@
+#include "reports/markdown.hpp"
+
+#include "reports/labels.hpp"
+#include "tests/support/studies.hpp"
+#include "tests/unit/reports/small_study.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <regex>
+
+namespace ff::reports {
+namespace {
+
+using testing::HasSubstr;
+
+std::ptrdiff_t bars(const std::string& line) {
+    std::ptrdiff_t count = 0;
+    for (std::size_t i = 0; i < line.size(); ++i) {
+        if (line[i] == '|' && (i == 0 || line[i - 1] != '\\')) ++count;
+    }
+    return count;
+}
+
+/// Tables whose rows do not all have as many cells as their header, by their first line.
+std::vector<std::string> unbalanced_tables(const std::string& text) {
+    std::vector<std::string> unbalanced;
+    const auto lines = test::lines_of(text);
+    std::string header;
+    for (const std::string& line : lines) {
+        if (line.empty() || line.front() != '|') {
+            header.clear();
+            continue;
+        }
+        if (header.empty()) header = line;
+        if (bars(line) != bars(header) || line.back() != '|') unbalanced.push_back(header);
+    }
+    return unbalanced;
+}
+
+TEST(UnbalancedTables, AreFound) {
+    EXPECT_TRUE(unbalanced_tables("| a | b |\n|---|---|\n| 1 | 2 |\n\n| c |\n").empty());
+    EXPECT_EQ(unbalanced_tables("| a | b |\n|---|---|\n| 1 |\n").size(), 1u);
+    EXPECT_EQ(unbalanced_tables("| a | b |\n|---|---|\n| 1 | x|y |\n").size(), 1u);
+    EXPECT_EQ(unbalanced_tables("| a | b |\n|---|---|\n| 1 | x |oops\n").size(), 1u);
+}
+
+TEST(MarkdownReport, HasTablesOfEqualRows) {
+    for (const auto* results : {&test::small_results(), &test::published_results()}) {
+        const std::string text = markdown_report(*results);
+        EXPECT_THAT(unbalanced_tables(text), testing::IsEmpty());
+        EXPECT_GT(std::count(text.begin(), text.end(), '|'), 100);
+    }
+}
+
+TEST(MarkdownReport, HasNoNumberThatIsNone) {
+    for (const auto* results : {&test::small_results(), &test::published_results()}) {
+        const std::string text = markdown_report(*results);
+        EXPECT_FALSE(std::regex_search(text, std::regex("\\b(nan|inf)\\b"))) << text;
+    }
+}
+
+TEST(MarkdownReport, NamesEveryMethodAndSize) {
+    const std::string text = markdown_report(test::small_results());
+    const auto& plan = test::small_results().findings.plan;
+    for (const studies::Cell& cell : plan.cells) EXPECT_THAT(text, HasSubstr(cell_label(plan, cell)));
+}
+
+TEST(MarkdownReport, SaysWhyThereIsNoTest) {
+    const std::string text = markdown_report(test::small_results());
+    EXPECT_THAT(text, HasSubstr("infinite variance"));
+    EXPECT_THAT(text, HasSubstr("deterministic"));
+}
+
+TEST(MarkdownReport, HoldsTheStudyThatMadeIt) {
+    EXPECT_THAT(markdown_report(test::small_results()),
+                HasSubstr(studies::to_toml(test::small_results().findings.plan.spec)));
+}
+
+TEST(MarkdownReport, MarksThePartThatIsNotRepeatable) {
+    studies::StudyResults results = test::small_results();
+    const std::string without = markdown_report(results);
+    results.context = {{"host", "somewhere"}};
+    const std::string with = markdown_report(results);
+    const auto begin = with.find("<!-- circumstances");
+    const auto end = with.find("<!-- end of circumstances -->");
+    ASSERT_NE(begin, std::string::npos);
+    ASSERT_NE(end, std::string::npos);
+    EXPECT_EQ(with.substr(0, begin), without);
+    EXPECT_THAT(with.substr(begin, end - begin), HasSubstr("somewhere"));
+}
+
+TEST(MarkdownReport, ShowsPrintedFiguresBesideOurs) {
+    const std::string text = markdown_report(test::published_results());
+    EXPECT_THAT(text, HasSubstr("table1: Pairs"));
+    EXPECT_THAT(text, HasSubstr("0.900000"));
+    EXPECT_THAT(text, HasSubstr("PDM is better."));
+}
+
+TEST(MarkdownReport, SaysThatItIsPartial) {
+    const studies::Store store = studies::Store::create_or_resume(test::in_memory, test::small_results().findings.plan);
+    const std::string text = markdown_report(studies::evaluate(store));
+    EXPECT_THAT(text, HasSubstr("Partial result"));
+    EXPECT_THAT(unbalanced_tables(text), testing::IsEmpty());
+    EXPECT_THAT(markdown_report(test::small_results()), testing::Not(HasSubstr("Partial result")));
+}
+
+TEST(MarkdownReport, IsTheSameForTheSameStore) {
+    EXPECT_EQ(markdown_report(test::small_results()), markdown_report(studies::evaluate(test::small_store())));
+}
+
+}  // namespace
+}  // namespace ff::reports

@@ -1,0 +1,72 @@
+#include "reports/output_file.hpp"
+
+#include "core/error.hpp"
+#include "tests/support/studies.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+
+namespace ff::reports {
+namespace {
+
+class WriteFile : public testing::Test {
+  protected:
+    std::string content() const {
+        std::ifstream in(file_);
+        std::ostringstream text;
+        text << in.rdbuf();
+        return text.str();
+    }
+    std::size_t files() const {
+        return static_cast<std::size_t>(std::distance(std::filesystem::directory_iterator(folder_.path()), {}));
+    }
+    test::TemporaryFolder folder_;
+    std::filesystem::path file_ = folder_.path() / "report.md";
+};
+
+TEST_F(WriteFile, ReplacesTheWholeFile) {
+    write_file(file_, "a longer text");
+    write_file(file_, "short");
+    EXPECT_EQ(content(), "short");
+    EXPECT_EQ(files(), 1u);
+}
+
+TEST_F(WriteFile, LeavesTheOldFileWhereTheWriterFails) {
+    write_file(file_, "old");
+    EXPECT_THROW(write_file(file_,
+                            [](std::ostream& out) {
+                                out << "half";
+                                throw std::runtime_error("disk on fire");
+                            }),
+                 std::runtime_error);
+    EXPECT_EQ(content(), "old");
+    EXPECT_EQ(files(), 1u);
+}
+
+TEST_F(WriteFile, FailsWithTheNameAndTheReason) {
+    try {
+        write_file(folder_.path() / "none" / "report.md", "text");
+        FAIL() << "written";
+    } catch (const IoError& error) {
+        EXPECT_THAT(error.what(), testing::HasSubstr("none/report.md"));
+        EXPECT_THAT(error.what(), testing::HasSubstr("No such file or directory"));
+    }
+}
+
+TEST_F(WriteFile, FailsWhereTheStreamDoes) {
+    EXPECT_THROW(write_file(file_, [](std::ostream& out) { out.setstate(std::ios::badbit); }), IoError);
+    EXPECT_EQ(files(), 0u);
+}
+
+TEST_F(WriteFile, FailsWhereAFolderIsInTheWay) {
+    std::filesystem::create_directory(file_);
+    EXPECT_ANY_THROW(write_file(file_, "text"));
+    EXPECT_EQ(files(), 1u);
+}
+
+}  // namespace
+}  // namespace ff::reports
