@@ -44,6 +44,17 @@ std::size_t sampled_cells(const StudyPlan& plan) {
     return static_cast<std::size_t>(std::max<std::ptrdiff_t>(1, sampled));
 }
 
+/// Level of the test of one pair: the study's error rate, shared among its cells, then among the pairs of a cell.
+double level_of_pair(const StudyPlan& plan, std::size_t pairs) {
+    return stats::sidak_level(stats::sidak_level(1.0 - plan.spec.level, sampled_cells(plan)), pairs);
+}
+
+/// Minimum detectable bias in standard deviations of a trial; 0 where no test is possible.
+double detectable_in_sigmas(const StudyPlan& plan, std::size_t pairs, std::size_t trials) {
+    if (trials < 2) return 0;
+    return stats::minimum_detectable_bias(1.0, trials, {level_of_pair(plan, pairs), plan.spec.power});
+}
+
 BiasFamily judge_family(const CellEstimates& estimates, const std::vector<Quantity>& pairs,
                         const CellFindings& findings, const StudyPlan& plan, bool& refuted) {
     const StudySpec& spec = plan.spec;
@@ -52,7 +63,7 @@ BiasFamily judge_family(const CellEstimates& estimates, const std::vector<Quanti
     family.margin = spec.equivalence_margin;
     const double alpha = 1.0 - spec.level;
     const std::size_t cells = sampled_cells(plan);
-    const double pair_alpha = stats::sidak_level(stats::sidak_level(alpha, cells), pairs.size());
+    const double pair_alpha = level_of_pair(plan, pairs.size());
     std::vector<double> p_values;
     double largest_std = 0;
     for (const Quantity pair : pairs) {
@@ -142,6 +153,7 @@ CellFindings analyse_cell(const Store& store, std::size_t cell_index) {
         }
         return true;
     }();
+    const double detectable = detectable_in_sigmas(plan, pairs.size(), estimates.trials());
     for (const Quantity quantity : all_quantities(estimates)) {
         SummaryRequest request;
         request.quantity = quantity;
@@ -155,9 +167,7 @@ CellFindings analyse_cell(const Store& store, std::size_t cell_index) {
         request.evaluations_per_face =
             quantity.kind == QuantityKind::sum_relative_error ? 0 : estimates.evaluations_per_face;
         request.level = plan.spec.level;
-        request.test_alpha =
-            stats::sidak_level(stats::sidak_level(1.0 - plan.spec.level, sampled_cells(plan)), pairs.size());
-        request.power = plan.spec.power;
+        request.detectable_bias = detectable;
         request.key = derive_key(plan.spec.seed, fmt::format("summary|{}|{}|{}|{}", cell.canonical,
                                                              name(method.completion), quantity.from, quantity.to));
         findings.summaries.push_back(summarise(estimates.values(quantity), request));

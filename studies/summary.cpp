@@ -3,7 +3,6 @@
 #include "stats/mean_interval.hpp"
 #include "stats/moments.hpp"
 #include "stats/normality.hpp"
-#include "stats/power.hpp"
 #include "stats/quantiles.hpp"
 #include "stats/tail_index.hpp"
 #include "stats/variance_interval.hpp"
@@ -57,8 +56,7 @@ void add_spread(std::span<const double> values, const stats::Moments& moments, c
     if (!request.reference) return;
     summary.bias_se = moments.standard_error();
     summary.bias_interval = stats::bias_interval_t(moments, request.level);
-    summary.minimum_detectable_bias =
-        stats::minimum_detectable_bias(*summary.std, moments.count(), {request.test_alpha, request.power});
+    summary.minimum_detectable_bias = request.detectable_bias * *summary.std;
 }
 
 }  // namespace

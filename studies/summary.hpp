@@ -51,10 +51,9 @@ struct SummaryRequest {
     std::optional<double> reference;
     std::optional<double> lattice;  ///< spacing of possible values
     std::uint64_t evaluations_per_face = 0;
-    double level = 0.95;       ///< of intervals
-    double test_alpha = 0.05;  ///< of one bias test, already adjusted for the family
-    double power = 0.9;
-    StreamKey key;  ///< for jitter and bootstrap
+    double level = 0.95;         ///< of intervals
+    double detectable_bias = 0;  ///< that the family-wise test finds with this many trials of standard deviation 1
+    StreamKey key;               ///< for jitter and bootstrap
 };
 
 Summary summarise(std::span<const double> values, const SummaryRequest& request);
