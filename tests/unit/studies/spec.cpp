@@ -1,0 +1,332 @@
+#include "studies/spec.hpp"
+
+#include "core/error.hpp"
+#include "samplers/sampler.hpp"
+#include "tests/support/studies.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+#include <optional>
+
+namespace ff::studies {
+namespace {
+
+using test::study_text;
+using testing::HasSubstr;
+
+constexpr std::string_view rays = R"([[method]]
+name = "SR"
+sampler = "random"
+estimator = "ray_shooting"
+samples_per_patch = 10
+)";
+
+/// The message with which a text is refused; empty where it is accepted.
+std::string refusal(std::string_view text) {
+    try {
+        static_cast<void>(parse_study(text, "study.toml"));
+    } catch (const UserError& error) {
+        return error.what();
+    }
+    return {};
+}
+
+struct Wrong {
+    std::string_view name;
+    std::string_view study;    ///< lines of [study]
+    std::string_view methods;  ///< the rest of the file
+    std::string_view place;    ///< line:column
+    std::string_view problem;  ///< what the message has to say
+};
+
+void PrintTo(const Wrong& wrong, std::ostream* out) {
+    *out << wrong.name;
+}
+
+/// The study's own lines begin in line 5, the methods in line 6.
+constexpr Wrong wrong_studies[] = {
+    {"unknown key", "trails = 10", rays, "5:1", "unknown key 'trails' (it would be ignored). Did you mean 'trials'?"},
+    {"no trials at all", "", rays, "1:1", "trials: missing"},
+    {"zero trials", "trials = 0", rays, "5:10", "trials = 0 (nothing would be run). Try 64."},
+    {"one trial", "trials = 1", rays, "5:10", "trials = 1 (a confidence interval needs at least 2). Try 64."},
+    {"negative trials", "trials = -5", rays, "5:10", "trials = -5 (not a whole number"},
+    {"half a trial", "trials = 2.5", rays, "5:10", "trials = 2.5 (not a whole number"},
+    {"trials as text", "trials = \"64\"", rays, "5:10", "not a whole number"},
+    {"too many trials", "trials = 4294967297", rays, "5:10", "at most 4294967296"},
+    {"level of one", "trials = 9\nlevel = 1.0", rays, "6:9", "but not always"},
+    {"level below one half", "trials = 9\nlevel = 0.3", rays, "6:9", "more often than not"},
+    {"power of zero", "trials = 9\npower = 0", rays, "6:9", "at least 0.5"},
+    {"power of one", "trials = 9\npower = 1.0", rays, "6:9", "no finite number of trials"},
+    {"margin of zero", "trials = 9\nequivalence_margin = 0.0", rays, "6:22", "bias of exactly 0"},
+    {"infinite margin", "trials = 9\nequivalence_margin = inf", rays, "6:22", "not a finite number"},
+    {"malformed TOML", "trials = = 9", rays, "5:10", "docs/study-files.md"},
+    {"no method", "trials = 9", "", "1:1", "method: missing (nothing would be run)"},
+    {"method that is no list", "trials = 9", "[method]\nname = \"SR\"", "6:1", "Write [[method]]"},
+    {"unknown section", "trials = 9", "[publisched]\ntables = \"t.json\"", "6:2", "Did you mean 'published'?"},
+    {"published without tables", "trials = 9", "[[method]]\nname=\"e\"\nestimator=\"closed_form\"\n[published]", "9:1",
+     "tables: missing"},
+};
+
+constexpr Wrong wrong_methods[] = {
+    {"unknown key", "", "sampler = \"random\"\nsample_per_patch = 10", "10:1", "Did you mean 'samples_per_patch'?"},
+    {"unknown sampler", "", "sampler = \"sobool\"\nsamples_per_patch = 16", "9:11", "sobol"},
+    {"no sampler", "", "samples_per_patch = 16", "6:1", "sampler: missing"},
+    {"unknown completion", "", "sampler = \"random\"\nsamples_per_patch = 16\ncompletion = \"reciprokal\"", "11:14",
+     "Did you mean 'reciprocal'? Known: direct, reciprocal."},
+    {"unknown allocation", "", "sampler = \"random\"\nsamples_per_patch = 16\nallocation = \"faces\"", "11:14",
+     "Did you mean 'face'?"},
+    {"no samples", "", "sampler = \"random\"", "6:1", "samples_per_patch: missing"},
+    {"zero samples", "", "sampler = \"random\"\nsamples_per_patch = 0", "10:21", "samples_per_patch = 0"},
+    {"negative samples", "", "sampler = \"random\"\nsamples_per_patch = -1", "10:21", "not a whole number"},
+    {"no size in a list", "", "sampler = \"random\"\nsamples_per_patch = []", "10:21", "an empty list"},
+    {"a sequence that is too long", "", "sampler = \"random\"\nsamples_per_patch = 4294967297", "10:21",
+     "at most 4294967296 points"},
+    {"patches that are not square", "", "sampler = \"random\"\nsamples_per_patch = 16\npatches_per_face = 10", "11:20",
+     "10 is not a square; faces are divided into m x m patches). Try 9 or 16."},
+    {"no patches", "", "sampler = \"random\"\nsamples_per_patch = 16\npatches_per_face = [4, 0]", "11:20",
+     "1 to 1048576 patches"},
+    {"nodes for rays", "", "sampler = \"random\"\nsamples_per_patch = 16\nnodes = 5", "11:9",
+     "only quadrature rules have nodes"},
+    {"weighted points as rays", "", "sampler = \"gauss_legendre\"\nnodes = 5", "9:11", "unequal weights"},
+    {"a size for each and for all", "",
+     "sampler = \"random\"\nsamples_per_patch = 16\nsizes = [{ samples_per_patch = 9 }]", "10:21", "beside 'sizes'"},
+    {"no sizes", "", "sampler = \"random\"\nsizes = []", "10:9", "an empty list"},
+    {"an unknown key of a size", "", "sampler = \"random\"\nsizes = [{ samples_per_patch = 9, trial = 2 }]", "10:35",
+     "Did you mean 'trials'?"},
+    {"one trial of a size", "", "sampler = \"random\"\nsizes = [{ samples_per_patch = 9, trials = 1 }]", "10:44",
+     "needs at least 2"},
+    {"the same size twice", "", "sampler = \"random\"\nsamples_per_patch = [9, 16, 9]", "7:8",
+     "has the same size twice"},
+};
+
+class WrongStudy : public testing::TestWithParam<Wrong> {};
+
+TEST_P(WrongStudy, IsRefusedWithPlaceProblemAndSuggestion) {
+    const std::string message = refusal(study_text(GetParam().study, GetParam().methods));
+    EXPECT_THAT(message, testing::StartsWith("study.toml:" + std::string(GetParam().place) + ": "));
+    EXPECT_THAT(message, HasSubstr(std::string(GetParam().problem)));
+    EXPECT_THAT(message, testing::Not(HasSubstr("''")));
+}
+
+INSTANTIATE_TEST_SUITE_P(Spec, WrongStudy, testing::ValuesIn(wrong_studies));
+
+class WrongMethod : public testing::TestWithParam<Wrong> {};
+
+/// The method begins in line 6; its lines after the estimator in line 9.
+TEST_P(WrongMethod, IsRefusedWithPlaceProblemAndSuggestion) {
+    const std::string method =
+        "[[method]]\nname = \"SR\"\nestimator = \"ray_shooting\"\n" + std::string(GetParam().methods);
+    const std::string message = refusal(study_text("trials = 9", method));
+    EXPECT_THAT(message, testing::StartsWith("study.toml:" + std::string(GetParam().place) + ": "));
+    EXPECT_THAT(message, HasSubstr(std::string(GetParam().problem)));
+    EXPECT_THAT(message, testing::Not(HasSubstr("''")));
+}
+
+INSTANTIATE_TEST_SUITE_P(Spec, WrongMethod, testing::ValuesIn(wrong_methods));
+
+TEST(Spec, AcceptsWhatTheWrongStudiesAreMadeFrom) {
+    EXPECT_EQ(refusal(study_text("trials = 9", rays)), "");
+}
+
+TEST(Spec, RefusesSizesThatTheSamplerCannotDo) {
+    std::size_t refused = 0;
+    for (const auto& entry : samplers::catalogue()) {
+        if (entry.info.sizes == samplers::Sizes::nodes) continue;
+        const std::string message =
+            refusal(study_text("trials = 9", "[[method]]\nname = \"a\"\nestimator = \"ray_shooting\"\nsampler = \"" +
+                                                 std::string(entry.info.name) + "\"\nsamples_per_patch = 624"));
+        const auto problem = samplers::check_size(entry.info, 624);
+        EXPECT_EQ(message.empty(), !problem.fatal) << message;
+        if (!problem.fatal) continue;
+        ++refused;
+        EXPECT_THAT(message, testing::StartsWith("study.toml:10:21: samples_per_patch = 624"));
+        EXPECT_THAT(message, HasSubstr("625"));
+    }
+    EXPECT_GE(refused, 1u);
+}
+
+TEST(Spec, SizesASequenceForTheWholeFaceWhereOneServesIt) {
+    const auto refusal_of = [](std::string_view allocation) {
+        return refusal(study_text("trials = 9",
+                                  "[[method]]\nname = \"a\"\nestimator = \"ray_shooting\"\nsampler = \"random\"\n"
+                                  "patches_per_face = 4\nsamples_per_patch = 2147483648\nallocation = \"" +
+                                      std::string(allocation) + "\""));
+    };
+    EXPECT_EQ(refusal_of("patch"), "");
+    EXPECT_THAT(refusal_of("face"),
+                HasSubstr("study.toml:11:21: samples_per_patch = 2147483648 (a sequence has at most"));
+}
+
+TEST(Spec, RefusesOneSequenceForAFaceWherePartsOfItAreBiased) {
+    std::size_t refused = 0;
+    for (const auto& entry : samplers::catalogue()) {
+        if (entry.info.sizes != samplers::Sizes::fourth_power) continue;
+        ++refused;
+        EXPECT_THAT(
+            refusal(study_text("trials = 9", "[[method]]\nname = \"a\"\nestimator = \"ray_shooting\"\nsampler = \"" +
+                                                 std::string(entry.info.name) +
+                                                 "\"\nsamples_per_patch = 16\nallocation = \"face\"")),
+            HasSubstr("study.toml:11:14: allocation = 'face' (each point"));
+    }
+    EXPECT_GE(refused, 1u);
+}
+
+TEST(Spec, RefusesNodesOutOfRange) {
+    const auto message = [](std::string_view nodes) {
+        return refusal(study_text("trials = 9",
+                                  "[[method]]\nname = \"PDM\"\nsampler = \"gauss_legendre\"\nestimator = "
+                                  "\"area_kernel\"\nnodes = " +
+                                      std::string(nodes)));
+    };
+    EXPECT_EQ(message("64"), "");
+    EXPECT_EQ(message("[1, 64]"), "");
+    EXPECT_THAT(message("0"), HasSubstr("study.toml:10:9: nodes = 0 (1 to 64 nodes a side are possible). Try 5."));
+    EXPECT_THAT(message("[5, 65]"), HasSubstr("1 to 64 nodes"));
+    EXPECT_THAT(message("[5, 5, 5]"), HasSubstr("source and target patch"));
+    EXPECT_THAT(message("5\nsamples_per_patch = 10"), HasSubstr("takes no samples"));
+    EXPECT_THAT(message("5\nallocation = \"face\""), HasSubstr("only ray_shooting has it"));
+}
+
+TEST(Spec, RefusesAClosedFormWithASampler) {
+    EXPECT_THAT(refusal(study_text("trials = 9",
+                                   "[[method]]\nname = \"e\"\nestimator = \"closed_form\"\nsampler = "
+                                   "\"random\"")),
+                HasSubstr("evaluates a formula at no points"));
+}
+
+TEST(Spec, RefusesTwoMethodsOfOneName) {
+    EXPECT_THAT(refusal(study_text("trials = 9", std::string(rays) + std::string(rays))),
+                testing::AllOf(HasSubstr("study.toml:12:8: name = "), HasSubstr("is used twice")));
+}
+
+TEST(Spec, RefusesAnUnknownEstimatorOrNone) {
+    EXPECT_THAT(refusal(study_text("trials = 9", "[[method]]\nname = \"a\"\nestimator = \"ray_shoting\"")),
+                HasSubstr("Did you mean 'ray_shooting'? Known: ray_shooting, area_kernel, closed_form."));
+    EXPECT_THAT(refusal(study_text("trials = 9", "[[method]]\nname = \"a\"")), HasSubstr("Choose one of ray_shooting"));
+}
+
+TEST(Spec, SuggestsNothingWhereNothingIsNear) {
+    const auto unlike = refusal(study_text("trials = 9\nqwertzuiop = 1", rays));
+    EXPECT_THAT(unlike, HasSubstr("unknown key 'qwertzuiop'"));
+    EXPECT_THAT(unlike, testing::Not(HasSubstr("''")));
+    const auto choice = refusal(study_text("trials = 9", std::string(rays) + "completion = \"qwertzuiop\""));
+    EXPECT_THAT(choice, HasSubstr("Known: direct, reciprocal"));
+    EXPECT_THAT(choice, testing::Not(HasSubstr("''")));
+}
+
+TEST(Spec, RefusesScenesThatDoNotExist) {
+    const auto message = [](std::string_view scene) {
+        return refusal("[study]\nname = \"t\"\ntrials = 9\nseed = 1\nscene = " + std::string(scene) + "\n" +
+                       std::string(rays));
+    };
+    EXPECT_EQ(message("[\"cube\", \"box:1x2x3\"]"), "");
+    EXPECT_THAT(message("\"cub\""), HasSubstr("study.toml:5:9: scene = "));
+    EXPECT_THAT(message("\"box:1x-2x3\""), HasSubstr("finite, positive length"));
+    EXPECT_THAT(message("[\"cube\", \"cube\"]"), HasSubstr("names a scene twice"));
+    EXPECT_THAT(message("[]"), HasSubstr("an empty list"));
+    EXPECT_THAT(message("7"), HasSubstr("not a text"));
+}
+
+TEST(Spec, RefusesANegativeSeed) {
+    EXPECT_THAT(refusal("[study]\nname = \"t\"\ntrials = 9\nseed = -1\nscene = \"cube\"\n" + std::string(rays)),
+                HasSubstr("study.toml:4:8: seed = -1 (not a whole number from 0 up)"));
+}
+
+TEST(Spec, ListsFormAProduct) {
+    const StudySpec spec =
+        parse_study(study_text("trials = 9",
+                               "[[method]]\nname = \"a\"\nestimator = \"ray_shooting\"\nsampler = \"random\"\n"
+                               "patches_per_face = [1, 4]\nsamples_per_patch = [10, 20, 30]"),
+                    "study.toml");
+    ASSERT_EQ(spec.methods.front().sizes.size(), 6u);
+    EXPECT_EQ(spec.methods.front().sizes[4], (Size{4, 20, std::nullopt}));
+}
+
+TEST(Spec, DefaultsAreDirectPatchAndNinetyFivePercent) {
+    const StudySpec spec = parse_study(study_text("trials = 9", rays), "study.toml");
+    EXPECT_EQ(spec.title, "test");
+    EXPECT_EQ(spec.level, 0.95);
+    EXPECT_EQ(spec.power, 0.9);
+    EXPECT_EQ(spec.equivalence_margin, std::nullopt);
+    EXPECT_EQ(spec.methods.front().completion, Completion::direct);
+    EXPECT_EQ(spec.methods.front().allocation, Allocation::patch);
+    EXPECT_EQ(spec.methods.front().sizes.front(), (Size{1, 10, std::nullopt}));
+}
+
+TEST(SetTrials, ScalesSizesThatHaveTheirOwnNumber) {
+    StudySpec spec;
+    spec.trials = 1000;
+    spec.methods.resize(1);
+    spec.methods.front().sizes = {{1, 10, std::nullopt}, {4, 10, 100}, {9, 10, 1000}};
+    set_trials(spec, 50);
+    EXPECT_EQ(spec.trials, 50u);
+    EXPECT_EQ(spec.methods.front().sizes[0].trials, std::nullopt);
+    EXPECT_EQ(spec.methods.front().sizes[1].trials, 5u);
+    EXPECT_EQ(spec.methods.front().sizes[2].trials, 50u);
+    set_trials(spec, 2);
+    EXPECT_EQ(spec.methods.front().sizes[1].trials, 2u);  // an interval needs two
+}
+
+TEST(SetTrials, ChangesNothingWhereTheNumberIsTheSame) {
+    for (std::uint64_t trials = 2; trials < 200; ++trials) {
+        for (std::uint64_t own = 2; own < 2 * trials; ++own) {
+            StudySpec spec;
+            spec.trials = trials;
+            spec.methods.resize(1);
+            spec.methods.front().sizes = {{1, 10, own}};
+            set_trials(spec, trials);
+            ASSERT_EQ(spec.methods.front().sizes.front().trials, own) << "of " << trials;
+        }
+    }
+}
+
+TEST(SetTrials, RefusesFewerThanTwo) {
+    StudySpec spec = parse_study(study_text("trials = 9", rays), "study.toml");
+    EXPECT_THROW(set_trials(spec, 0), UserError);
+    EXPECT_THROW(set_trials(spec, 1), UserError);
+    EXPECT_THROW(set_trials(spec, (1ULL << 32) + 1), UserError);
+    EXPECT_EQ(spec.trials, 9u);
+}
+
+class LoadStudy : public testing::Test {
+  protected:
+    std::filesystem::path write(std::string_view name, std::string_view text) const {
+        std::ofstream(folder_.path() / name) << text;
+        return folder_.path() / name;
+    }
+    std::filesystem::path study_with_tables() const {
+        return write("study.toml", study_text("trials = 9", std::string(rays) + "[published]\ntables = \"t.json\""));
+    }
+    test::TemporaryFolder folder_;
+};
+
+TEST_F(LoadStudy, CannotReadAMissingFileOrAFolder) {
+    EXPECT_THROW(static_cast<void>(load_study(folder_.path() / "none.toml")), IoError);
+    EXPECT_THROW(static_cast<void>(load_study(folder_.path())), IoError);
+}
+
+TEST_F(LoadStudy, SaysWhatIsMissingInAnEmptyFile) {
+    EXPECT_THROW(static_cast<void>(load_study(write("empty.toml", ""))), UserError);
+}
+
+TEST_F(LoadStudy, ReadsTheTablesBesideTheStudy) {
+    const std::string tables = R"({"source": "s", "scene": "cube", "methods": [], "tables": []})";
+    write("t.json", tables);
+    EXPECT_EQ(load_study(study_with_tables()).published->text, tables);
+}
+
+TEST_F(LoadStudy, RefusesMalformedTablesBeforeAnythingIsRun) {
+    write("t.json", R"({"source": "s",)");
+    try {
+        static_cast<void>(load_study(study_with_tables()));
+        FAIL() << "accepted";
+    } catch (const UserError& error) {
+        EXPECT_THAT(error.what(), HasSubstr("t.json:1:"));
+    }
+}
+
+}  // namespace
+}  // namespace ff::studies

@@ -1,0 +1,213 @@
+#include "studies/store.hpp"
+
+#include "core/error.hpp"
+#include "tests/support/studies.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+namespace ff::studies {
+namespace {
+
+using test::in_memory;
+using test::plan_of;
+using test::study_text;
+using testing::HasSubstr;
+
+constexpr std::string_view rays = R"([[method]]
+name = "SR"
+sampler = "random"
+estimator = "ray_shooting"
+patches_per_face = 4
+samples_per_patch = 100
+)";
+
+constexpr std::string_view tables =
+    R"({"source": "s", "scene": "cube", "methods": [{"name": "SR", "samples": true, "completion": "direct"}], "tables": []})";
+
+StudyPlan plan(std::string_view lines = "trials = 3") {
+    return plan_of(study_text(lines, rays));
+}
+
+/// The message of the exception of type Error that `action` throws.
+template <typename Error, typename Action>
+std::string message_of(Action action) {
+    try {
+        action();
+    } catch (const Error& error) {
+        return error.what();
+    }
+    return "nothing thrown";
+}
+
+class StoreFile : public testing::Test {
+  protected:
+    std::filesystem::path file() const { return folder_.path() / "results.sqlite"; }
+    std::string refusal_to_resume(const StudyPlan& other) const {
+        return message_of<UserError>([&] { Store::create_or_resume(file(), other); });
+    }
+    template <typename Error>
+    std::string refusal_to_open() const {
+        return message_of<Error>([&] { Store::open(file()); });
+    }
+    void execute(const char* sql) const { Database(file(), Database::Mode::create_or_open).execute(sql); }
+    test::TemporaryFolder folder_;
+};
+
+TEST_F(StoreFile, OpensWithThePlanThatItWasMadeFor) {
+    const StudyPlan made = plan();
+    test::run(made, file());
+    const Store store = Store::open(file());
+    EXPECT_EQ(store.plan().spec, made.spec);
+    EXPECT_EQ(store.plan().cells.at(0).key, made.cells.at(0).key);
+    EXPECT_EQ(store.saved_trials(0), 3u);
+}
+
+TEST_F(StoreFile, KeepsTheTextOfThePublishedTables) {
+    StudySpec spec = plan().spec;
+    spec.published = Published{"t.json", std::string(tables)};
+    Store::create_or_resume(file(), plan_study(spec));
+    EXPECT_EQ(Store::open(file()).plan().spec.published, spec.published);
+}
+
+TEST_F(StoreFile, OfAnotherStudyIsRefusedWithWhatDiffers) {
+    Store::create_or_resume(file(), plan());
+    EXPECT_EQ(refusal_to_resume(plan()), "nothing thrown");
+    EXPECT_THAT(refusal_to_resume(plan("trials = 4")), HasSubstr("holds another study (differs in 'trials = 3' there, "
+                                                                 "'trials = 4' here)"));
+    EXPECT_THAT(refusal_to_resume(plan("trials = 3\nlevel = 0.9")),
+                HasSubstr("'level = 0.95' there, 'level = 0.9' here"));
+    StudySpec seed = plan().spec;
+    seed.seed = Seed{8};
+    EXPECT_THAT(refusal_to_resume(plan_study(seed)), HasSubstr("'seed = 7' there, 'seed = 8' here"));
+    StudySpec longer = plan().spec;
+    Method& exact = longer.methods.emplace_back();
+    exact.name = "exact";
+    exact.estimator = Estimator::closed_form;
+    exact.sizes.emplace_back();
+    EXPECT_THAT(refusal_to_resume(plan_study(longer)), HasSubstr("'(nothing)' there"));
+    EXPECT_THAT(refusal_to_resume(plan_study(longer)), HasSubstr("Choose another --out"));
+}
+
+TEST_F(StoreFile, WithOtherPublishedTablesIsRefused) {
+    StudySpec spec = plan().spec;
+    spec.published = Published{"t.json", std::string(tables)};
+    Store::create_or_resume(file(), plan_study(spec));
+    spec.published->text += "\n";
+    EXPECT_THAT(refusal_to_resume(plan_study(spec)), HasSubstr("differs in the published tables"));
+}
+
+TEST_F(StoreFile, ThatIsMissingCannotBeOpened) {
+    EXPECT_THAT(refusal_to_open<IoError>(), HasSubstr("no such file. Give a folder or file written by ffstudy."));
+    EXPECT_FALSE(std::filesystem::exists(file()));
+}
+
+TEST_F(StoreFile, InAMissingFolderCannotBeMade) {
+    EXPECT_THAT(message_of<IoError>([&] { Store::create_or_resume(folder_.path() / "none" / "s", plan()); }),
+                HasSubstr("Check that the folder exists"));
+}
+
+TEST_F(StoreFile, ThatIsNoDatabaseIsRefusedAndLeftAlone) {
+    std::ofstream(file()) << "not a database, but longer than the sixteen bytes of the magic number";
+    EXPECT_THAT(refusal_to_open<IoError>(), HasSubstr("not a database"));
+    EXPECT_THAT(message_of<IoError>([&] { Store::create_or_resume(file(), plan()); }), HasSubstr("not a database"));
+    std::ifstream in(file());
+    std::string word;
+    in >> word;
+    EXPECT_EQ(word, "not");
+}
+
+TEST_F(StoreFile, OfAnotherProgramIsRefusedAndLeftAlone) {
+    execute("CREATE TABLE mine(a)");
+    EXPECT_THAT(refusal_to_open<UserError>(), HasSubstr("not a result store (no table 'meta')"));
+    EXPECT_THAT(refusal_to_resume(plan()), HasSubstr("not a result store (no table 'meta')"));
+}
+
+TEST_F(StoreFile, OfANewerVersionIsRefused) {
+    Store::create_or_resume(file(), plan());
+    execute("UPDATE meta SET value = '99' WHERE key = 'schema_version'");
+    const std::string problem = "schema version 99 (this program reads 1). Use the version of ffstudy that wrote it.";
+    EXPECT_THAT(refusal_to_open<UserError>(), HasSubstr(problem));
+    EXPECT_THAT(refusal_to_resume(plan()), HasSubstr(problem));
+}
+
+TEST_F(StoreFile, ThatIsEmptyBecomesAStore) {
+    std::ofstream(file()).flush();
+    EXPECT_EQ(test::run(plan(), file()).saved_trials(0), 3u);
+}
+
+UnitRecord record_with(std::int64_t hits) {
+    return {0, {{observable::hits, 1, 2, 0, hits}, {observable::hits, 1, 2, 1, hits + 1}}, {1, 2}, {3, 1ULL << 63}};
+}
+
+TEST(Store, CommittingAUnitAgainChangesNothing) {
+    Store store = Store::create_or_resume(in_memory, plan());
+    store.commit(record_with(10));
+    store.commit(record_with(20));
+    EXPECT_THAT(store.series(0, observable::hits, 1, 2).value, testing::ElementsAre(10, 11));
+    EXPECT_EQ(store.saved_trials(0), 3u);
+}
+
+TEST(Store, SaysWhatIsFinished) {
+    Store store = Store::create_or_resume(in_memory, plan());
+    EXPECT_THAT(store.finished_units(), testing::ElementsAre(false));
+    EXPECT_EQ(store.saved_trials(0), 0u);
+    store.commit(record_with(10));
+    EXPECT_THAT(store.finished_units(), testing::ElementsAre(true));
+}
+
+TEST(Store, KeepsNumbersToTheBit) {
+    Store store = Store::create_or_resume(in_memory, plan());
+    const double third = 1.0 / 3;
+    store.commit({0, {{observable::estimate, 1, 2, 0, third}, {observable::estimate, 1, 2, 1, 5e-324}}, {}, {}});
+    EXPECT_THAT(store.series(0, observable::estimate, 1, 2).value, testing::ElementsAre(third, 5e-324));
+}
+
+TEST(Store, ReadsSeriesByTrialAndTotalsOverTrials) {
+    Store store = Store::create_or_resume(in_memory, plan());
+    store.commit({0,
+                  {{observable::hits, 1, 2, 2, std::int64_t{5}},
+                   {observable::hits, 1, 2, 0, std::int64_t{3}},
+                   {observable::hits, 2, 1, 0, std::int64_t{100}},
+                   {observable::lost, 1, 0, 0, std::int64_t{100}}},
+                  {},
+                  {}});
+    const auto series = store.series(0, observable::hits, 1, 2);
+    EXPECT_THAT(series.trial, testing::ElementsAre(0, 2));
+    EXPECT_THAT(series.value, testing::ElementsAre(3, 5));
+    EXPECT_EQ(store.total(0, observable::hits, 1, 2), 8);
+    EXPECT_EQ(store.total(0, observable::hits, 3, 4), 0);
+}
+
+TEST(Store, SavesNothingOfAUnitThatFails) {
+    Store store = Store::create_or_resume(in_memory, plan());
+    EXPECT_ANY_THROW(store.commit({99, {}, {}, {}}));
+    store.commit(record_with(10));
+    EXPECT_THAT(store.series(0, observable::hits, 1, 2).value, testing::ElementsAre(10, 11));
+}
+
+TEST(Store, ReplacesItsContextAsAWhole) {
+    Store store = Store::create_or_resume(in_memory, plan());
+    store.set_context({{"host", "a"}, {"threads", "2"}});
+    store.set_context({{"host", "b"}});
+    EXPECT_EQ(store.context(), (Context{{"host", "b"}}));
+}
+
+TEST(Store, SumsPatchHitsOverTheTrialsOfAUnit) {
+    test::TemporaryFolder folder;
+    const auto file = folder.path() / "results.sqlite";
+    const Store store = test::run(plan(), file);
+    const Database database(file, Database::Mode::read_only);
+    Statement units(database.handle(), "SELECT patch_hits FROM units");
+    ASSERT_TRUE(units.step());
+    const auto hits = units.integers(0);
+    ASSERT_EQ(hits.size(), 24u * 6u);  // 4 patches on each of 6 faces
+    std::uint64_t from_1_to_2 = 0;
+    for (std::size_t patch = 0; patch < 4; ++patch) from_1_to_2 += hits[patch * 6 + 1];
+    EXPECT_EQ(from_1_to_2, static_cast<std::uint64_t>(store.total(0, observable::hits, 1, 2)));
+}
+
+}  // namespace
+}  // namespace ff::studies
