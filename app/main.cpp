@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
+#include <cstdio>
 #include <exception>
 #include <functional>
 #include <new>
@@ -20,8 +21,10 @@ using namespace ff::app;
 using Action = std::function<ExitCode()>;
 
 void add_run_options(CLI::App& app, RunCommand& command) {
-    app.add_option("--trials", command.trials, "Repetitions of every sampled size (default: the study's)");
-    app.add_option("--seed", command.seed, "Seed of all random numbers (default: the study's)");
+    app.add_option("--trials", command.trials, "Repetitions of every sampled size (default: the study's)")
+        ->check(CLI::NonNegativeNumber);
+    app.add_option("--seed", command.seed, "Seed of all random numbers (default: the study's)")
+        ->check(CLI::NonNegativeNumber);
     app.add_option("--threads", command.threads, "Threads; results do not depend on them (default: all cores)");
     app.add_option("--out", command.out, "Folder for the results (default: results/<study>)");
     app.add_flag("--quiet", command.quiet, "Print errors only");
@@ -101,13 +104,16 @@ ExitCode fail(ExitCode code, const std::string& message) {
 
 ExitCode guarded(int argc, char** argv) {
     try {
-        return parse_and_act(argc, argv);
+        const ExitCode code = parse_and_act(argc, argv);
+        if (std::fflush(stdout) != 0)
+            return fail(ExitCode::io, "standard output cannot be written. Check the disk or the pipe.");
+        return code;
     } catch (const ff::UserError& error) {
         return fail(ExitCode::usage, error.what());
     } catch (const ff::IoError& error) {
         return fail(ExitCode::io, error.what());
     } catch (const std::filesystem::filesystem_error& error) {
-        return fail(ExitCode::io, error.what());
+        return fail(ExitCode::io, fmt::format("{}. Check the path, the permissions and the free space.", error.what()));
     } catch (const std::bad_alloc&) {
         return fail(ExitCode::usage, "out of memory. Take fewer patches or threads.");
     }

@@ -89,6 +89,7 @@ ExitCode run(const RunCommand& command) {
         store.set_context(describe_run(reproduce(plan.spec, command.study, command.trials), threads, seconds));
     }
 
+    store.seal();
     const auto results = studies::evaluate(store);
     write_results(out, store, results, all_formats());
     if (!command.quiet) fmt::print("{}", reports::terminal_summary(results));

@@ -55,6 +55,8 @@ std::string_view name(studies::VarianceStatus status) {
             return "finite";
         case studies::VarianceStatus::infinite:
             return "infinite";
+        case studies::VarianceStatus::sparse:
+            return "sparse";
         case studies::VarianceStatus::none:
             break;
     }
@@ -100,6 +102,9 @@ Json bias_json(const studies::StudyPlan& plan, const studies::CellFindings& foun
     return {{"finding", name(found.bias_finding)},
             {"pairs", family.pairs},
             {"untestable", family.untestable},
+            {"infinite_variance", family.infinite},
+            {"too_few_hits", family.sparse},
+            {"constant_and_wrong", family.constant_and_wrong},
             {"largest_z", family.largest_z},
             {"largest_pair", family.largest_z > 0 ? Json(quantity_label(scene, family.largest_pair)) : Json(nullptr)},
             {"adjusted_p", family.adjusted_p},

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <vector>
@@ -38,19 +39,40 @@ const CellFindings* best(const studies::Findings& findings, std::size_t scene, P
     return best;
 }
 
+/// Names of the quadratures whose error is rounding at some size.
+std::string exact_methods(const studies::Findings& findings, std::size_t scene, PairClass pair_class) {
+    std::vector<std::string> names;
+    for (const CellFindings& found : findings.cells) {
+        const studies::Cell& cell = findings.plan.cells[found.cell];
+        const studies::Method& method = findings.plan.spec.methods[cell.method];
+        const auto rmse = found.class_rmse(pair_class);
+        const bool quadrature = cell.deterministic && method.estimator != studies::Estimator::closed_form;
+        if (cell.scene != scene || !quadrature || !rmse || *rmse >= rounding) continue;
+        if (std::find(names.begin(), names.end(), method.name) == names.end()) names.push_back(method.name);
+    }
+    return fmt::format("{}", fmt::join(names, ", "));
+}
+
 std::string accuracy_line(const studies::Findings& findings, std::size_t scene, PairClass pair_class) {
     std::vector<std::string> parts;
     for (const bool deterministic : {true, false}) {
         const CellFindings* found = best(findings, scene, pair_class, deterministic);
         if (found == nullptr) continue;
         const double rmse = *found->class_rmse(pair_class);
-        const std::string error = rmse < rounding ? "exact to rounding" : fmt::format("RMSE {}", brief(rmse, 2));
-        parts.push_back(fmt::format(
-            "{} **{}** ({})", deterministic ? "the best quadrature is" : "sample for sample the best sampled method is",
-            cell_label(findings.plan, findings.plan.cells[found->cell]), error));
+        const std::string label = cell_label(findings.plan, findings.plan.cells[found->cell]);
+        if (rmse < rounding) {
+            parts.push_back(
+                fmt::format("quadrature is exact to rounding (**{}**)", exact_methods(findings, scene, pair_class)));
+        } else {
+            parts.push_back(
+                fmt::format("{} **{}** (RMSE {})",
+                            deterministic ? "the best quadrature is" : "sample for sample the best sampled method is",
+                            label, brief(rmse, 2)));
+        }
     }
     if (parts.empty()) return {};
-    return fmt::format("- On {} pairs {}.\n", name(pair_class), fmt::join(parts, "; "));
+    const std::string where = findings.plan.scenes.size() == 1 ? "" : findings.plan.scenes[scene].name + ": ";
+    return fmt::format("- {}On {} pairs {}.\n", where, name(pair_class), fmt::join(parts, "; "));
 }
 
 std::string bias_line(const studies::Findings& findings) {

@@ -42,7 +42,9 @@ void write_file(const std::filesystem::path& file, const std::function<void(std:
         out.close();
         if (!out) fail(file, errno);
         synchronise(temporary);
-        std::filesystem::rename(temporary, file);
+        std::error_code error;
+        std::filesystem::rename(temporary, file, error);
+        if (error) fail(file, error.value());
     } catch (...) {
         std::error_code ignored;
         std::filesystem::remove(temporary, ignored);

@@ -5,14 +5,24 @@
 #include <fmt/format.h>
 
 namespace ff::reports {
+namespace {
+
+/// Why some pairs, or all, are not tested.
+std::string why_untested(const studies::BiasFamily& family) {
+    if (family.infinite > 0) return "infinite variance";
+    return family.sparse > 0 ? "too few hits" : "no spread";
+}
+
+}  // namespace
 
 std::string bias_in_words(const studies::CellFindings& found) {
     if (found.trials == 0) return "no trials yet";
     if (!found.bias) return "deterministic: the error is the bias";
     switch (found.bias_finding) {
         case studies::BiasFinding::untestable:
-            return "no test: infinite variance";
+            return fmt::format("no test: {}", why_untested(*found.bias));
         case studies::BiasFinding::biased:
+            if (found.bias->constant_and_wrong) return "BIASED (one wrong value in every trial)";
             return fmt::format("BIASED (z up to {:.1f}, {})", found.bias->largest_z, p_text(found.bias->adjusted_p));
         case studies::BiasFinding::no_bias_found:
             break;
@@ -20,7 +30,8 @@ std::string bias_in_words(const studies::CellFindings& found) {
     const std::string untested =
         found.bias->untestable == 0
             ? std::string()
-            : fmt::format(" on {} of {} pairs", found.bias->pairs - found.bias->untestable, found.bias->pairs);
+            : fmt::format(" on {} of {} pairs, {} on the others", found.bias->pairs - found.bias->untestable,
+                          found.bias->pairs, why_untested(*found.bias));
     return fmt::format("none found{} (would detect {})", untested, brief(found.bias->minimum_detectable_bias, 2));
 }
 
@@ -34,7 +45,7 @@ std::string equivalence_in_words(const studies::CellFindings& found) {
         case studies::EquivalenceFinding::refuted:
             return fmt::format("bias within ±{} refuted", margin);
         case studies::EquivalenceFinding::inconclusive:
-            return found.bias->untestable > 0 ? "inconclusive: infinite variance"
+            return found.bias->untestable > 0 ? fmt::format("inconclusive: {}", why_untested(*found.bias))
                                               : fmt::format("bias within ±{} not shown (only ±{})", margin, reach);
         case studies::EquivalenceFinding::not_asked:
             break;

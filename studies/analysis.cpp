@@ -22,6 +22,16 @@ VarianceStatus variance_status(const Method& method, bool deterministic, std::op
     return method.estimator == Estimator::area_kernel && touching ? VarianceStatus::infinite : VarianceStatus::finite;
 }
 
+/// Hits of all trials together from which Student's t holds for their mean: below, its tails are too heavy.
+constexpr double least_hits = 30;
+
+/// Whether a counted quantity has too few hits, or misses, to be tested.
+bool is_sparse(const CellEstimates& estimates, std::optional<double> reference) {
+    if (!estimates.lattice || !reference || *reference == 1.0) return false;
+    const double rays = static_cast<double>(estimates.trials()) / *estimates.lattice;
+    return std::min(*reference, std::abs(1.0 - *reference)) * rays < least_hits;
+}
+
 std::optional<double> reference_of(const Scene& scene, const std::optional<Eigen::MatrixXd>& exact, Quantity quantity) {
     switch (quantity.kind) {
         case QuantityKind::form_factor:
@@ -73,6 +83,13 @@ BiasFamily judge_family(const CellEstimates& estimates, const std::vector<Quanti
             summary.variance == VarianceStatus::finite && summary.reference ? stats::test_bias(moments) : std::nullopt;
         if (!test) {
             ++family.untestable;
+            if (summary.variance == VarianceStatus::infinite) ++family.infinite;
+            if (summary.variance == VarianceStatus::sparse) ++family.sparse;
+            const bool varies = summary.std && *summary.std > 0;
+            if (summary.variance != VarianceStatus::finite || varies || !summary.bias || estimates.trials() < 2)
+                continue;
+            // Trials that all give one wrong value: their random numbers are no replicates, or the method is wrong.
+            if (std::abs(*summary.bias) > estimates.lattice.value_or(0.0) + 1e-12) family.constant_and_wrong = true;
             continue;
         }
         p_values.push_back(test->p);
@@ -105,6 +122,7 @@ BiasFamily judge_family(const CellEstimates& estimates, const std::vector<Quanti
 }  // namespace
 
 BiasFinding bias_finding(const BiasFamily& family, double level) {
+    if (family.constant_and_wrong) return BiasFinding::biased;
     if (family.untestable == family.pairs) return BiasFinding::untestable;
     return family.adjusted_p < 1.0 - level ? BiasFinding::biased : BiasFinding::no_bias_found;
 }
@@ -161,6 +179,9 @@ CellFindings analyse_cell(const Store& store, std::size_t cell_index) {
             request.pair_class = pair_class(scene, quantity.from - 1, quantity.to - 1);
         request.variance = variance_status(method, cell.deterministic, request.pair_class);
         request.reference = reference_of(scene, exact, quantity);
+        if (request.variance == VarianceStatus::finite && is_sparse(estimates, request.reference)) {
+            request.variance = VarianceStatus::sparse;
+        }
         const bool counts = quantity.kind != QuantityKind::sum_relative_error &&
                             (equal_areas || method.completion == Completion::direct);
         if (counts) request.lattice = estimates.lattice;

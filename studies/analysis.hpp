@@ -13,9 +13,12 @@ namespace ff::studies {
 /// What the trials say about bias on all distinct pairs of a cell together. The family-wise error rate is that of the
 /// whole study: each of its sampled cells gets an equal (Sidak) share of it.
 struct BiasFamily {
-    std::size_t pairs = 0;       ///< 30 in a box, or 15 under reciprocal completion
-    std::size_t untestable = 0;  ///< of them, pairs without a variance
-    double largest_z = 0;        ///< largest |bias| / standard error
+    std::size_t pairs = 0;            ///< 30 in a box, or 15 under reciprocal completion
+    std::size_t untestable = 0;       ///< of them, pairs without a variance
+    std::size_t infinite = 0;         ///< of these, because the variance is infinite
+    std::size_t sparse = 0;           ///< of these, because there are too few hits
+    bool constant_and_wrong = false;  ///< some pair has one value in every trial, and it is not the exact one
+    double largest_z = 0;             ///< largest |bias| / standard error
     Quantity largest_pair;
     double adjusted_p = 1;  ///< smallest p-value, adjusted for pairs (Holm) and cells (Sidak): the family-wise verdict
     double minimum_detectable_bias = 0;  ///< on the worst pair, at the family-wise level and the study's power

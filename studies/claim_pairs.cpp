@@ -74,10 +74,16 @@ Judgement judge_count(const ClaimEvidence& evidence, const PublishedClaim& claim
         const auto range = stats::central_range(counts, level);
         const auto mean = mean_with_error(counts, level);
         const bool inside = range->low <= *claim.number && *claim.number <= range->high;
-        return {inside ? ClaimVerdict::supported : ClaimVerdict::refuted,
-                fmt::format(
-                    "{:.2f} ± {:.2f} of {} pairs in the mean, {:g} to {:g} in 95 % of single runs; the claim says {:g}",
-                    mean.mean, mean.half_width, pairs.size(), range->low, range->high, *claim.number)};
+        // The ends of the range want some trials beyond them.
+        const bool known = static_cast<double>(counts.size()) * (1 - level) >= 2;
+        const auto verdict = !known   ? ClaimVerdict::inconclusive
+                             : inside ? ClaimVerdict::supported
+                                      : ClaimVerdict::refuted;
+        return {
+            verdict,
+            fmt::format(
+                "{:.2f} ± {:.2f} of {} pairs in the mean, {:g} to {:g} in {:g} % of single runs; the claim says {:g}",
+                mean.mean, mean.half_width, pairs.size(), range->low, range->high, 100 * level, *claim.number)};
     });
 }
 

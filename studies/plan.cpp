@@ -16,6 +16,17 @@ namespace {
 
 constexpr double unit_seconds = 0.2;
 
+/// A unit's observations wait in memory to be saved: some kilobytes a trial.
+constexpr double most_trials_of_a_unit = 2000;
+
+/// About a month on one core.
+constexpr double most_evaluations = 1e15;
+
+/// Single precision traces boxes in this range without loss.
+constexpr double least_edge = 1e-9;
+constexpr double largest_edge = 1e9;
+constexpr double largest_edge_ratio = 1e4;
+
 /// Nanoseconds on one core of a current server; only their ratios matter, for units of about equal length.
 constexpr double tracing_nanoseconds = 1.0;
 constexpr double embree_nanoseconds = 60.0;
@@ -60,10 +71,34 @@ void warn_about_size(StudyPlan& plan, const Method& method, const Cell& cell) {
         plan.warnings.push_back(std::move(text));
 }
 
+/// @throws UserError for a box that rays in single precision cannot resolve
+void expect_traceable(const Scene& scene) {
+    if (!scene.empty_box) return;
+    const double least = scene.empty_box->minCoeff();
+    const double largest = scene.empty_box->maxCoeff();
+    if (least >= least_edge && largest <= largest_edge && largest <= least * largest_edge_ratio) return;
+    throw UserError(
+        fmt::format("scene '{}': cannot be traced (rays have single precision: edges from {:g} to {:g}, in a ratio of "
+                    "at most {:g}). "
+                    "Use another unit of length, or estimator = \"closed_form\".",
+                    scene.name, least_edge, largest_edge, largest_edge_ratio));
+}
+
+/// @throws UserError where one trial alone would take for ever
+void expect_feasible(const Method& method, const Scene& scene, const Cell& cell) {
+    const double patches = cell.subdivision.patches(scene);
+    double evaluations = patches * static_cast<double>(cell.samples);
+    if (method.estimator == Estimator::area_kernel) evaluations *= patches - cell.subdivision.per_surface();
+    if (evaluations <= most_evaluations) return;
+    throw UserError(fmt::format(
+        "method '{}': one trial takes {:.1g} evaluations (more than {:g}). Take fewer patches, samples or nodes.",
+        method.name, evaluations, most_evaluations));
+}
+
 void add_units(StudyPlan& plan, std::size_t cell_index) {
     const Cell& cell = plan.cells[cell_index];
     const double seconds = expected_seconds_per_trial(plan, cell);
-    const auto batch = static_cast<std::uint64_t>(std::clamp(unit_seconds / seconds, 1.0, 1e6));
+    const auto batch = static_cast<std::uint64_t>(std::clamp(unit_seconds / seconds, 1.0, most_trials_of_a_unit));
     for (std::uint64_t first = 0; first < cell.trials; first += batch) {
         plan.units.push_back({plan.units.size(), cell_index, first, std::min(batch, cell.trials - first)});
     }
@@ -120,6 +155,8 @@ StudyPlan plan_study(StudySpec spec) {
                 cell.subdivision.m = static_cast<std::uint32_t>(std::lround(std::sqrt(size.patches_per_face)));
                 cell.samples = sample_count(method, size);
                 cell.deterministic = is_deterministic(method);
+                if (method.estimator == Estimator::ray_shooting) expect_traceable(plan.scenes[scene]);
+                expect_feasible(method, plan.scenes[scene], cell);
                 cell.trials = cell.deterministic ? 1 : size.trials.value_or(plan.spec.trials);
                 cell.canonical = canonical_text(plan.scenes[scene], method, cell);
                 cell.key = derive_key(plan.spec.seed, cell.canonical);

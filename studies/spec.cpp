@@ -139,12 +139,21 @@ const samplers::SamplerInfo* read_sampler(const TomlReader& reader, Estimator es
     return info;
 }
 
+/// Names stand in tables and file names.
+void expect_printable(const TomlReader& reader, std::string_view key, std::string_view name) {
+    const auto unprintable = [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f || c == '|'; };
+    if (std::any_of(name.begin(), name.end(), unprintable)) {
+        reader.fail(key, "(control characters and '|' would break tables). Leave them out.");
+    }
+}
+
 Method read_method(const TomlReader& reader) {
     static constexpr Keys known{"name",  "sampler", "estimator",        "completion",        "allocation", "tracer",
                                 "nodes", "sizes",   "patches_per_face", "samples_per_patch", "trials"};
     reader.expect_only(known);
     Method method;
     method.name = reader.text("name");
+    expect_printable(reader, "name", method.name);
     if (!reader.has("estimator"))
         reader.fail("estimator", fmt::format("missing. Choose one of {}.", fmt::join(estimator_names, ", ")));
     method.estimator = choice(reader, "estimator", estimator_names, Estimator::ray_shooting);
@@ -250,17 +259,21 @@ StudySpec parse_study(std::string_view text, std::string_view origin) {
 
     StudySpec spec;
     spec.name = study->text("name");
+    expect_printable(*study, "name", spec.name);
+    if (spec.name.find('/') != std::string::npos || spec.name.front() == '.') {
+        study->fail("name", "(it names the folder of the results). Leave out '/' and a leading '.'.");
+    }
     spec.title = study->optional_text("title").value_or(spec.name);
     spec.scenes = study->texts("scene");
+    std::set<std::string> scenes;
     for (const std::string& scene : spec.scenes) {
+        std::string canonical;
         try {
-            static_cast<void>(built_in_scene(scene));
+            canonical = built_in_scene(scene).canonical;
         } catch (const UserError& error) {
             study->fail("scene", fmt::format("is refused: {}", error.what()));
         }
-    }
-    if (std::set<std::string>(spec.scenes.begin(), spec.scenes.end()).size() != spec.scenes.size()) {
-        study->fail("scene", "names a scene twice. Keep one.");
+        if (!scenes.insert(canonical).second) study->fail("scene", "names a scene twice. Keep one.");
     }
     spec.trials = checked_trials(*study, study->count("trials"));
     spec.seed = Seed{study->count("seed")};

@@ -172,6 +172,10 @@ void Store::set_context(const Context& context) {
     database_->execute("COMMIT");
 }
 
+void Store::seal() {
+    database_->execute("PRAGMA journal_mode = DELETE");
+}
+
 Context Store::context() const {
     Context context;
     Statement query(database_->handle(), "SELECT key, value FROM context");

@@ -31,6 +31,8 @@ class Store {
     /// Saves a unit in one transaction; saving it again changes nothing.
     void commit(const UnitRecord& record);
     void set_context(const Context& context);
+    /// Leaves one self-contained file, which can be read from a folder that cannot be written.
+    void seal();
 
     [[nodiscard]] const StudyPlan& plan() const { return plan_; }
     [[nodiscard]] Context context() const;

@@ -13,7 +13,12 @@
 namespace ff::studies {
 
 /// Whether the estimates of a quantity have a variance, known from theory.
-enum class VarianceStatus { finite, infinite, none };
+enum class VarianceStatus {
+    finite,
+    infinite,
+    none,    ///< deterministic
+    sparse,  ///< finite, but of so few hits in all trials together that neither t nor chi-squared holds
+};
 
 /// Statistics of one quantity over all trials of a cell. What does not exist is empty: no interval for a deterministic
 /// method or under infinite variance, no bias without an exact value.

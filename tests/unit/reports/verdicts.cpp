@@ -37,7 +37,12 @@ TEST(BiasInWords, StatesScoreAndProbabilityOfABias) {
 }
 
 TEST(BiasInWords, SaysWhyThereIsNoTest) {
-    EXPECT_THAT(bias_in_words(sampled(BiasFinding::untestable, 30)), HasSubstr("infinite variance"));
+    auto found = sampled(BiasFinding::untestable, 30);
+    EXPECT_EQ(bias_in_words(found), "no test: no spread");
+    found.bias->sparse = 30;
+    EXPECT_EQ(bias_in_words(found), "no test: too few hits");
+    found.bias->infinite = 24;
+    EXPECT_EQ(bias_in_words(found), "no test: infinite variance");
     studies::CellFindings deterministic;
     deterministic.trials = 1;
     EXPECT_THAT(bias_in_words(deterministic), HasSubstr("deterministic"));

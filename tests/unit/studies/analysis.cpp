@@ -152,7 +152,34 @@ TEST(InfiniteVariance, LeavesAdjacentPairsWithoutIntervalAndTest) {
     }
     EXPECT_EQ(found.bias->pairs, 30u);
     EXPECT_EQ(found.bias->untestable, 24u);
+    EXPECT_EQ(found.bias->infinite, 24u);
     EXPECT_EQ(found.equivalence, EquivalenceFinding::inconclusive);
+}
+
+TEST(Bias, IsFoundWhereAllTrialsGiveOneWrongValue) {
+    // What equal seeds in every trial do: no spread, so no test, yet nothing to be content with.
+    const StudyPlan plan = plan_of(study_text("trials = 16", many_rays()));
+    const auto exact = exact_form_factors(plan.scenes.front()).value();
+    const auto found = [&](double shift) {
+        return analyse_cell(test::fill(plan, [&](std::size_t, std::uint64_t, int from,
+                                                 int to) { return exact(from - 1, to - 1) + shift; }),
+                            0);
+    };
+    EXPECT_EQ(found(1e-3).bias_finding, BiasFinding::biased);
+    EXPECT_TRUE(found(1e-3).bias->constant_and_wrong);
+    EXPECT_EQ(found(0).bias_finding, BiasFinding::untestable);
+}
+
+TEST(Bias, IsNotTestedWithTooFewHits) {
+    // 16 trials of 1 ray from each of 4 patches: 13 hits a pair.
+    const Store store =
+        test::run(plan_of(study_text("trials = 16",
+                                     "[[method]]\nname = \"SR\"\nsampler = \"random\"\nestimator = \"ray_shooting\"\n"
+                                     "patches_per_face = 4\nsamples_per_patch = 1")));
+    const CellFindings found = analyse_cell(store, 0);
+    EXPECT_EQ(found.bias_finding, BiasFinding::untestable);
+    EXPECT_EQ(found.bias->sparse, 30u);
+    EXPECT_EQ(found.summary({pair, 1, 2}).variance, VarianceStatus::sparse);
 }
 
 TEST(Analysis, OfADeterministicMethodTestsNothing) {

@@ -226,8 +226,27 @@ TEST(Spec, RefusesScenesThatDoNotExist) {
     EXPECT_THAT(message("\"cub\""), HasSubstr("study.toml:5:9: scene = "));
     EXPECT_THAT(message("\"box:1x-2x3\""), HasSubstr("finite, positive length"));
     EXPECT_THAT(message("[\"cube\", \"cube\"]"), HasSubstr("names a scene twice"));
+    EXPECT_THAT(message("[\"cube\", \"box:6x6x6\"]"), HasSubstr("names a scene twice"));
     EXPECT_THAT(message("[]"), HasSubstr("an empty list"));
     EXPECT_THAT(message("7"), HasSubstr("not a text"));
+}
+
+TEST(Spec, RefusesNamesThatWouldBreakTablesOrFolders) {
+    const auto method = [](std::string_view name) {
+        return refusal(
+            study_text("trials = 9", "[[method]]\nestimator = \"closed_form\"\nname = \"" + std::string(name) + "\""));
+    };
+    EXPECT_EQ(method("a/b, c"), "");
+    EXPECT_THAT(method("a|b"), HasSubstr("would break tables"));
+    EXPECT_THAT(method("a\\nb"), HasSubstr("would break tables"));
+    const auto study = [](std::string_view name) {
+        return refusal("[study]\nscene = \"cube\"\nseed = 1\ntrials = 9\nname = \"" + std::string(name) + "\"\n" +
+                       std::string(rays));
+    };
+    EXPECT_EQ(study("a b"), "");
+    EXPECT_THAT(study("a|b"), HasSubstr("would break tables"));
+    EXPECT_THAT(study("../x"), HasSubstr("names the folder"));
+    EXPECT_THAT(study(".x"), HasSubstr("names the folder"));
 }
 
 TEST(Spec, RefusesANegativeSeed) {

@@ -25,6 +25,17 @@ rc::Gen<std::string> any_text() {
     return rc::gen::nonEmpty(rc::gen::map(rc::gen::container<std::vector<std::string>>(piece), join));
 }
 
+/// A text that may name a study or a method: printable, and no path.
+rc::Gen<std::string> any_name() {
+    return rc::gen::map(any_text(), [](const std::string& text) {
+        std::string name = "n";
+        for (const char c : text) {
+            if (static_cast<unsigned char>(c) >= 0x20 && c != 0x7f && c != '|' && c != '/') name += c;
+        }
+        return name;
+    });
+}
+
 /// 2 .. max, small numbers more often.
 rc::Gen<std::uint64_t> at_least_two(std::uint64_t max) {
     return rc::gen::oneOf(rc::gen::inRange<std::uint64_t>(2, 100), rc::gen::inRange<std::uint64_t>(2, max + 1));
@@ -72,7 +83,7 @@ Method any_method(std::string name) {
 
 StudySpec any_spec() {
     StudySpec spec;
-    spec.name = *any_text();
+    spec.name = *any_name();
     spec.title = *any_text();
     spec.scenes =
         *rc::gen::elementOf(std::vector<std::vector<std::string>>{{"cube"}, {"box:2x1x0.5"}, {"box:1e-3x7x2", "cube"}});
@@ -81,7 +92,7 @@ StudySpec any_spec() {
     spec.level = 0.501 + 0.498 * any_fraction();
     spec.power = 0.5 + 0.499 * any_fraction();
     if (*rc::gen::arbitrary<bool>()) spec.equivalence_margin = any_fraction();
-    const auto names = *rc::gen::nonEmpty(rc::gen::container<std::set<std::string>>(any_text()));
+    const auto names = *rc::gen::nonEmpty(rc::gen::container<std::set<std::string>>(any_name()));
     for (const std::string& name : names) spec.methods.push_back(any_method(name));
     if (*rc::gen::arbitrary<bool>()) spec.published = Published{*any_text(), {}};
     return spec;
