@@ -17,10 +17,10 @@ std::filesystem::path studies_folder() {
     std::error_code error;
     const auto program = std::filesystem::read_symlink("/proc/self/exe", error);
     if (!error) {
-        const auto installed = program.parent_path() / build_info::installed_studies;
+        auto installed = program.parent_path() / build_info::installed_studies;
         if (std::filesystem::is_directory(installed, error)) return installed;
     }
-    return std::filesystem::path(build_info::source_studies);
+    return build_info::source_studies;
 }
 
 }  // namespace
