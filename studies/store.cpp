@@ -38,6 +38,12 @@ bool has_table(const Database& database, std::string_view table) {
     return query.bind(0, table).step();
 }
 
+bool is_empty(const Database& database) {
+    Statement objects(database.handle(), "SELECT count(*) FROM sqlite_master");
+    objects.step();
+    return objects.integer(0) == 0;
+}
+
 void write_cells(const Database& database, const StudyPlan& plan) {
     Statement insert(database.handle(), "INSERT INTO cells VALUES(?, ?, ?, ?, ?, ?, ?, ?)");
     for (std::size_t i = 0; i < plan.cells.size(); ++i) {
@@ -115,17 +121,19 @@ Store::Store(std::unique_ptr<Database> database, StudyPlan plan)
 
 Store Store::create_or_resume(const std::filesystem::path& file, const StudyPlan& plan) {
     auto database = std::make_unique<Database>(file, Database::Mode::create_or_open);
-    // With a write-ahead log a killed run loses at most the unit that it was saving.
-    database->execute("PRAGMA journal_mode = WAL; PRAGMA synchronous = NORMAL; PRAGMA cache_size = -65536;");
-    Statement objects(database->handle(), "SELECT count(*) FROM sqlite_master");
-    objects.step();
-    if (objects.integer(0) == 0) {
+    if (is_empty(*database)) {
         create(*database, plan);
     } else {
         expect_readable(*database, file);
         expect_same_study(*database, file, plan.spec);
     }
-    return {std::move(database), plan};
+    Store store(std::move(database), plan);
+    const auto finished = store.finished_units();
+    if (std::find(finished.begin(), finished.end(), false) != finished.end()) {
+        // With a write-ahead log a killed run loses at most the unit that it was saving.
+        store.database_->execute("PRAGMA journal_mode = WAL; PRAGMA synchronous = NORMAL; PRAGMA cache_size = -65536;");
+    }
+    return store;
 }
 
 Store Store::open(const std::filesystem::path& file) {
