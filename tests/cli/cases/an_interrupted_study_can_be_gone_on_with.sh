@@ -2,11 +2,14 @@
 source "$(dirname "$0")/../harness.sh"
 
 small_study 1000 >"$folder/study.toml"
-command_line="ffstudy run (interrupted)"
+command_line="ffstudy run (interrupted)" status=0
 "$program" run "$folder/study.toml" --threads 2 --out out >"$folder/stdout" 2>"$folder/stderr" </dev/null &
 process=$!
-# SIGINT is the second lowest bit of the mask of caught signals: the program is ready for it.
-until grep -q '^SigCgt:.*[2367abef]$' /proc/$process/status; do sleep 0.01; done
+# Ready for the signal is what has begun its store and catches SIGINT, the second lowest bit of the mask.
+until [ -e out/results.sqlite ] && grep -q '^SigCgt:.*[2367abef]$' /proc/$process/status; do
+    kill -0 $process || fail "the study was over before it could be interrupted"
+    sleep 0.01
+done
 kill -INT $process
 status=0
 wait $process || status=$?
