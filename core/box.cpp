@@ -63,7 +63,8 @@ std::string suggestion(std::string_view name) {
     const std::size_t colon = name.find(':');
     const std::string nearest = nearest_name(name.substr(0, colon), known);
     if (nearest == "cube") return "Did you mean cube?";
-    if (nearest == "box" && colon != std::string_view::npos) return fmt::format("Did you mean box{}?", name.substr(colon));
+    if (nearest == "box" && colon != std::string_view::npos)
+        return fmt::format("Did you mean box{}?", name.substr(colon));
     return "Try cube or box:2x1x0.5.";
 }
 

@@ -206,20 +206,6 @@ void expect_unique_sizes(const TomlReader& reader, const Method& method) {
     }
 }
 
-std::string toml_text(std::string_view text) {
-    std::string out = "\"";
-    for (const char c : text) {
-        if (c == '"' || c == '\\') out += '\\';
-        const auto code = static_cast<unsigned char>(c);
-        if (code < 0x20 || code == 0x7f) {
-            out += fmt::format("\\u{:04x}", code);
-        } else {
-            out += c;
-        }
-    }
-    return out + "\"";
-}
-
 std::string read_file(const std::filesystem::path& file) {
     std::ifstream in(file, std::ios::binary);
     std::ostringstream text;
@@ -316,36 +302,6 @@ StudySpec load_study(const std::filesystem::path& file) {
         static_cast<void>(parse_published_tables(spec.published->text, tables.string()));  // refused before it is run
     }
     return spec;
-}
-
-std::string to_toml(const StudySpec& spec) {
-    std::vector<std::string> scenes;
-    for (const std::string& scene : spec.scenes) scenes.push_back(toml_text(scene));
-    std::string out =
-        fmt::format("[study]\nname = {}\ntitle = {}\nscene = [{}]\ntrials = {}\nseed = {}\nlevel = {}\npower = {}\n",
-                    toml_text(spec.name), toml_text(spec.title), fmt::join(scenes, ", "), spec.trials, spec.seed.value,
-                    spec.level, spec.power);
-    if (spec.equivalence_margin) out += fmt::format("equivalence_margin = {}\n", *spec.equivalence_margin);
-    for (const Method& method : spec.methods) {
-        out += fmt::format("\n[[method]]\nname = {}\n", toml_text(method.name));
-        if (!method.sampler.empty()) out += fmt::format("sampler = {}\n", toml_text(method.sampler));
-        out +=
-            fmt::format("estimator = \"{}\"\ncompletion = \"{}\"\n", name(method.estimator), name(method.completion));
-        if (method.estimator == Estimator::ray_shooting) {
-            out += fmt::format("allocation = \"{}\"\ntracer = \"{}\"\n", name(method.allocation), name(method.tracer));
-        }
-        if (method.nodes) out += fmt::format("nodes = [{}, {}]\n", method.nodes->source, method.nodes->target);
-        out += "sizes = [\n";
-        for (const Size& size : method.sizes) {
-            out += fmt::format("    {{ patches_per_face = {}", size.patches_per_face);
-            if (size.samples_per_patch) out += fmt::format(", samples_per_patch = {}", *size.samples_per_patch);
-            if (size.trials) out += fmt::format(", trials = {}", *size.trials);
-            out += " },\n";
-        }
-        out += "]\n";
-    }
-    if (spec.published) out += fmt::format("\n[published]\ntables = {}\n", toml_text(spec.published->file));
-    return out;
 }
 
 void set_trials(StudySpec& spec, std::uint64_t trials) {

@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <fstream>
+#include <array>
 #include <optional>
 
 namespace ff::studies {
@@ -42,64 +42,68 @@ struct Wrong {
     std::string_view problem;  ///< what the message has to say
 };
 
+// NOLINTNEXTLINE(readability-identifier-naming): GoogleTest looks for this name
 void PrintTo(const Wrong& wrong, std::ostream* out) {
     *out << wrong.name;
 }
 
 /// The study's own lines begin in line 5, the methods in line 6.
-constexpr Wrong wrong_studies[] = {
-    {"unknown key", "trails = 10", rays, "5:1", "unknown key 'trails' (it would be ignored). Did you mean 'trials'?"},
-    {"no trials at all", "", rays, "1:1", "trials: missing"},
-    {"zero trials", "trials = 0", rays, "5:10", "trials = 0 (nothing would be run). Try 64."},
-    {"one trial", "trials = 1", rays, "5:10", "trials = 1 (a confidence interval needs at least 2). Try 64."},
-    {"negative trials", "trials = -5", rays, "5:10", "trials = -5 (not a whole number"},
-    {"half a trial", "trials = 2.5", rays, "5:10", "trials = 2.5 (not a whole number"},
-    {"trials as text", "trials = \"64\"", rays, "5:10", "not a whole number"},
-    {"too many trials", "trials = 4294967297", rays, "5:10", "at most 4294967296"},
-    {"level of one", "trials = 9\nlevel = 1.0", rays, "6:9", "but not always"},
-    {"level below one half", "trials = 9\nlevel = 0.3", rays, "6:9", "more often than not"},
-    {"power of zero", "trials = 9\npower = 0", rays, "6:9", "at least 0.5"},
-    {"power of one", "trials = 9\npower = 1.0", rays, "6:9", "no finite number of trials"},
-    {"margin of zero", "trials = 9\nequivalence_margin = 0.0", rays, "6:22", "bias of exactly 0"},
-    {"infinite margin", "trials = 9\nequivalence_margin = inf", rays, "6:22", "not a finite number"},
-    {"malformed TOML", "trials = = 9", rays, "5:10", "docs/study-files.md"},
-    {"no method", "trials = 9", "", "1:1", "method: missing (nothing would be run)"},
-    {"method that is no list", "trials = 9", "[method]\nname = \"SR\"", "6:1", "Write [[method]]"},
-    {"unknown section", "trials = 9", "[publisched]\ntables = \"t.json\"", "6:2", "Did you mean 'published'?"},
-    {"published without tables", "trials = 9", "[[method]]\nname=\"e\"\nestimator=\"closed_form\"\n[published]", "9:1",
-     "tables: missing"},
+constexpr std::array wrong_studies{
+    Wrong{"unknown key", "trails = 10", rays, "5:1",
+          "unknown key 'trails' (it would be ignored). Did you mean 'trials'?"},
+    Wrong{"no trials at all", "", rays, "1:1", "trials: missing"},
+    Wrong{"zero trials", "trials = 0", rays, "5:10", "trials = 0 (nothing would be run). Try 64."},
+    Wrong{"one trial", "trials = 1", rays, "5:10", "trials = 1 (a confidence interval needs at least 2). Try 64."},
+    Wrong{"negative trials", "trials = -5", rays, "5:10", "trials = -5 (not a whole number"},
+    Wrong{"half a trial", "trials = 2.5", rays, "5:10", "trials = 2.5 (not a whole number"},
+    Wrong{"trials as text", "trials = \"64\"", rays, "5:10", "not a whole number"},
+    Wrong{"too many trials", "trials = 4294967297", rays, "5:10", "at most 4294967296"},
+    Wrong{"level of one", "trials = 9\nlevel = 1.0", rays, "6:9", "but not always"},
+    Wrong{"level below one half", "trials = 9\nlevel = 0.3", rays, "6:9", "more often than not"},
+    Wrong{"power of zero", "trials = 9\npower = 0", rays, "6:9", "at least 0.5"},
+    Wrong{"power of one", "trials = 9\npower = 1.0", rays, "6:9", "no finite number of trials"},
+    Wrong{"margin of zero", "trials = 9\nequivalence_margin = 0.0", rays, "6:22", "bias of exactly 0"},
+    Wrong{"infinite margin", "trials = 9\nequivalence_margin = inf", rays, "6:22", "not a finite number"},
+    Wrong{"malformed TOML", "trials = = 9", rays, "5:10", "docs/study-files.md"},
+    Wrong{"no method", "trials = 9", "", "1:1", "method: missing (nothing would be run)"},
+    Wrong{"method that is no list", "trials = 9", "[method]\nname = \"SR\"", "6:1", "Write [[method]]"},
+    Wrong{"unknown section", "trials = 9", "[publisched]\ntables = \"t.json\"", "6:2", "Did you mean 'published'?"},
+    Wrong{"published without tables", "trials = 9", "[[method]]\nname=\"e\"\nestimator=\"closed_form\"\n[published]",
+          "9:1", "tables: missing"},
 };
 
-constexpr Wrong wrong_methods[] = {
-    {"unknown key", "", "sampler = \"random\"\nsample_per_patch = 10", "10:1", "Did you mean 'samples_per_patch'?"},
-    {"unknown sampler", "", "sampler = \"sobool\"\nsamples_per_patch = 16", "9:11", "sobol"},
-    {"no sampler", "", "samples_per_patch = 16", "6:1", "sampler: missing"},
-    {"unknown completion", "", "sampler = \"random\"\nsamples_per_patch = 16\ncompletion = \"reciprokal\"", "11:14",
-     "Did you mean 'reciprocal'? Known: direct, reciprocal."},
-    {"unknown allocation", "", "sampler = \"random\"\nsamples_per_patch = 16\nallocation = \"faces\"", "11:14",
-     "Did you mean 'face'?"},
-    {"no samples", "", "sampler = \"random\"", "6:1", "samples_per_patch: missing"},
-    {"zero samples", "", "sampler = \"random\"\nsamples_per_patch = 0", "10:21", "samples_per_patch = 0"},
-    {"negative samples", "", "sampler = \"random\"\nsamples_per_patch = -1", "10:21", "not a whole number"},
-    {"no size in a list", "", "sampler = \"random\"\nsamples_per_patch = []", "10:21", "an empty list"},
-    {"a sequence that is too long", "", "sampler = \"random\"\nsamples_per_patch = 4294967297", "10:21",
-     "at most 4294967296 points"},
-    {"patches that are not square", "", "sampler = \"random\"\nsamples_per_patch = 16\npatches_per_face = 10", "11:20",
-     "10 is not a square; faces are divided into m x m patches). Try 9 or 16."},
-    {"no patches", "", "sampler = \"random\"\nsamples_per_patch = 16\npatches_per_face = [4, 0]", "11:20",
-     "1 to 1048576 patches"},
-    {"nodes for rays", "", "sampler = \"random\"\nsamples_per_patch = 16\nnodes = 5", "11:9",
-     "only quadrature rules have nodes"},
-    {"weighted points as rays", "", "sampler = \"gauss_legendre\"\nnodes = 5", "9:11", "unequal weights"},
-    {"a size for each and for all", "",
-     "sampler = \"random\"\nsamples_per_patch = 16\nsizes = [{ samples_per_patch = 9 }]", "10:21", "beside 'sizes'"},
-    {"no sizes", "", "sampler = \"random\"\nsizes = []", "10:9", "an empty list"},
-    {"an unknown key of a size", "", "sampler = \"random\"\nsizes = [{ samples_per_patch = 9, trial = 2 }]", "10:35",
-     "Did you mean 'trials'?"},
-    {"one trial of a size", "", "sampler = \"random\"\nsizes = [{ samples_per_patch = 9, trials = 1 }]", "10:44",
-     "needs at least 2"},
-    {"the same size twice", "", "sampler = \"random\"\nsamples_per_patch = [9, 16, 9]", "7:8",
-     "has the same size twice"},
+constexpr std::array wrong_methods{
+    Wrong{"unknown key", "", "sampler = \"random\"\nsample_per_patch = 10", "10:1",
+          "Did you mean 'samples_per_patch'?"},
+    Wrong{"unknown sampler", "", "sampler = \"sobool\"\nsamples_per_patch = 16", "9:11", "sobol"},
+    Wrong{"no sampler", "", "samples_per_patch = 16", "6:1", "sampler: missing"},
+    Wrong{"unknown completion", "", "sampler = \"random\"\nsamples_per_patch = 16\ncompletion = \"reciprokal\"",
+          "11:14", "Did you mean 'reciprocal'? Known: direct, reciprocal."},
+    Wrong{"unknown allocation", "", "sampler = \"random\"\nsamples_per_patch = 16\nallocation = \"faces\"", "11:14",
+          "Did you mean 'face'?"},
+    Wrong{"no samples", "", "sampler = \"random\"", "6:1", "samples_per_patch: missing"},
+    Wrong{"zero samples", "", "sampler = \"random\"\nsamples_per_patch = 0", "10:21", "samples_per_patch = 0"},
+    Wrong{"negative samples", "", "sampler = \"random\"\nsamples_per_patch = -1", "10:21", "not a whole number"},
+    Wrong{"no size in a list", "", "sampler = \"random\"\nsamples_per_patch = []", "10:21", "an empty list"},
+    Wrong{"a sequence that is too long", "", "sampler = \"random\"\nsamples_per_patch = 4294967297", "10:21",
+          "at most 4294967296 points"},
+    Wrong{"patches that are not square", "", "sampler = \"random\"\nsamples_per_patch = 16\npatches_per_face = 10",
+          "11:20", "10 is not a square; faces are divided into m x m patches). Try 9 or 16."},
+    Wrong{"no patches", "", "sampler = \"random\"\nsamples_per_patch = 16\npatches_per_face = [4, 0]", "11:20",
+          "1 to 1048576 patches"},
+    Wrong{"nodes for rays", "", "sampler = \"random\"\nsamples_per_patch = 16\nnodes = 5", "11:9",
+          "only quadrature rules have nodes"},
+    Wrong{"weighted points as rays", "", "sampler = \"gauss_legendre\"\nnodes = 5", "9:11", "unequal weights"},
+    Wrong{"a size for each and for all", "",
+          "sampler = \"random\"\nsamples_per_patch = 16\nsizes = [{ samples_per_patch = 9 }]", "10:21",
+          "beside 'sizes'"},
+    Wrong{"no sizes", "", "sampler = \"random\"\nsizes = []", "10:9", "an empty list"},
+    Wrong{"an unknown key of a size", "", "sampler = \"random\"\nsizes = [{ samples_per_patch = 9, trial = 2 }]",
+          "10:35", "Did you mean 'trials'?"},
+    Wrong{"one trial of a size", "", "sampler = \"random\"\nsizes = [{ samples_per_patch = 9, trials = 1 }]", "10:44",
+          "needs at least 2"},
+    Wrong{"the same size twice", "", "sampler = \"random\"\nsamples_per_patch = [9, 16, 9]", "7:8",
+          "has the same size twice"},
 };
 
 class WrongStudy : public testing::TestWithParam<Wrong> {};
@@ -308,43 +312,6 @@ TEST(SetTrials, RefusesFewerThanTwo) {
     EXPECT_THROW(set_trials(spec, 1), UserError);
     EXPECT_THROW(set_trials(spec, (1ULL << 32) + 1), UserError);
     EXPECT_EQ(spec.trials, 9u);
-}
-
-class LoadStudy : public testing::Test {
-  protected:
-    std::filesystem::path write(std::string_view name, std::string_view text) const {
-        std::ofstream(folder_.path() / name) << text;
-        return folder_.path() / name;
-    }
-    std::filesystem::path study_with_tables() const {
-        return write("study.toml", study_text("trials = 9", std::string(rays) + "[published]\ntables = \"t.json\""));
-    }
-    test::TemporaryFolder folder_;
-};
-
-TEST_F(LoadStudy, CannotReadAMissingFileOrAFolder) {
-    EXPECT_THROW(static_cast<void>(load_study(folder_.path() / "none.toml")), IoError);
-    EXPECT_THROW(static_cast<void>(load_study(folder_.path())), IoError);
-}
-
-TEST_F(LoadStudy, SaysWhatIsMissingInAnEmptyFile) {
-    EXPECT_THROW(static_cast<void>(load_study(write("empty.toml", ""))), UserError);
-}
-
-TEST_F(LoadStudy, ReadsTheTablesBesideTheStudy) {
-    const std::string tables = R"({"source": "s", "scene": "cube", "methods": [], "tables": []})";
-    write("t.json", tables);
-    EXPECT_EQ(load_study(study_with_tables()).published->text, tables);
-}
-
-TEST_F(LoadStudy, RefusesMalformedTablesBeforeAnythingIsRun) {
-    write("t.json", R"({"source": "s",)");
-    try {
-        static_cast<void>(load_study(study_with_tables()));
-        FAIL() << "accepted";
-    } catch (const UserError& error) {
-        EXPECT_THAT(error.what(), HasSubstr("t.json:1:"));
-    }
 }
 
 }  // namespace
