@@ -6,6 +6,7 @@
 #include "core/error.hpp"
 #include "core/nearest_name.hpp"
 #include "samplers/sampler.hpp"
+#include "studies/controls.hpp"
 #include "studies/descriptions.hpp"
 
 #include <fmt/format.h>
@@ -24,7 +25,7 @@ void print_all(std::span<const studies::Description> descriptions) {
     for (const auto& description : descriptions) print_row(description.name, description.summary);
 }
 
-constexpr std::array<std::string_view, 5> kinds{"samplers", "estimators", "scenes", "studies", "formats"};
+constexpr std::array<std::string_view, 6> kinds{"samplers", "estimators", "scenes", "studies", "formats", "controls"};
 
 void print_description(std::string_view kind, std::string_view name, std::string_view summary, std::string_view details,
                        std::string_view reference) {
@@ -61,6 +62,9 @@ ExitCode list(const std::string& kind) {
         for (const auto& study : built_in_studies()) print_row(study.name, study.title);
     } else if (kind == "formats") {
         for (const std::string_view format : all_formats()) fmt::print("{}\n", format);
+    } else if (kind == "controls") {
+        for (const auto& control : studies::controls())
+            fmt::print("{:<22} {:<12} {}\n", control.description.name, control.kind, control.description.summary);
     } else {
         throw UserError(fmt::format("'{}' cannot be listed. {}Known: {}.", kind, did_you_mean(kind, kinds),
                                     fmt::join(kinds, ", ")));
@@ -85,6 +89,13 @@ ExitCode explain(const std::string& name) {
             print_description(kind, name, description.summary, description.details, description.reference);
             return ExitCode::passed;
         }
+    }
+    for (const auto& control : studies::controls()) {
+        const auto& [control_name, summary, details, reference] = control.description;
+        if (control_name != name) continue;
+        print_description(fmt::format("control {}, broken on purpose", control.kind), name, summary, details,
+                          reference);
+        return ExitCode::passed;
     }
     for (const auto& study : built_in_studies()) {
         names.push_back(study.name);

@@ -64,8 +64,8 @@ void add_audit(CLI::App& app, AuditCommand& command, Action& action) {
 }
 
 void add_catalogue(CLI::App& app, std::string& name, Action& action) {
-    CLI::App* listing = app.add_subcommand("list", "List samplers, estimators, scenes, studies or formats");
-    listing->add_option("KIND", name, "samplers, estimators, scenes, studies or formats")->required();
+    CLI::App* listing = app.add_subcommand("list", "List samplers, estimators, scenes, studies, formats or controls");
+    listing->add_option("KIND", name, "samplers, estimators, scenes, studies, formats or controls")->required();
     listing->callback([&] { action = [&] { return list(name); }; });
     CLI::App* explanation = app.add_subcommand("explain", "Say what a sampler, estimator, scene or study is");
     explanation->add_option("NAME", name, "A name that 'list' shows")->required();

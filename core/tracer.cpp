@@ -1,6 +1,7 @@
 #include "core/tracer.hpp"
 
 #include "core/error.hpp"
+#include "core/leaky_tracer.hpp"
 
 namespace ff {
 
@@ -14,6 +15,8 @@ std::unique_ptr<Tracer> make_tracer(const Scene& scene, TracerChoice choice) {
             return make_box_tracer(scene);
         case TracerChoice::embree:
             return make_embree_tracer(scene);
+        case TracerChoice::leaky:
+            return make_leaky_tracer(scene);
         case TracerChoice::automatic:
             break;
     }

@@ -73,7 +73,12 @@ std::unique_ptr<Tracer> make_box_tracer(const Scene& scene);
 /// for different CPUs; in a closed box none is lost. @see [wald2014]
 std::unique_ptr<Tracer> make_embree_tracer(const Scene& scene);
 
-enum class TracerChoice { automatic, box, embree };
+enum class TracerChoice {
+    automatic,
+    box,
+    embree,
+    leaky,  ///< a control (core/leaky_tracer.hpp)
+};
 
 /// The box tracer where it applies, unless told otherwise.
 /// @throws UserError where the box tracer is asked for in a scene that is not an empty box

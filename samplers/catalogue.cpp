@@ -60,8 +60,10 @@ std::span<const CatalogueEntry> catalogue() {
 }
 
 const CatalogueEntry& find(std::string_view name) {
-    for (const CatalogueEntry& sampler : all_samplers) {
-        if (sampler.info.name == name) return sampler;
+    for (const auto samplers : {catalogue(), controls()}) {
+        for (const CatalogueEntry& sampler : samplers) {
+            if (sampler.info.name == name) return sampler;
+        }
     }
     const std::string near = nearest_name(name, all_names);
     const std::string suggestion = near.empty() ? "" : fmt::format("Did you mean \"{}\"? ", near);

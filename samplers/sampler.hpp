@@ -30,6 +30,7 @@ struct SamplerInfo {
     bool randomised = true;     ///< trials differ
     bool equal_weights = true;  ///< points can be tallied as hits
     bool independent = false;   ///< points are independent draws, so binomial intervals hold within one set
+    bool control = false;       ///< broken on purpose, so that checks can be checked
 };
 
 /// What a point set is made from.
@@ -50,7 +51,11 @@ struct CatalogueEntry {
 /// All samplers, in the order in which they are listed.
 std::span<const CatalogueEntry> catalogue();
 
-/// @throws UserError with the nearest known name
+/// Samplers that are broken on purpose, each in one way that has been seen elsewhere. They can be named like others, so
+/// that checks can be shown to catch them, and are not in the catalogue.
+std::span<const CatalogueEntry> controls();
+
+/// A sampler of the catalogue, or a control. @throws UserError with the nearest name of the catalogue
 const CatalogueEntry& find(std::string_view name);
 
 /// Most points in one set: an index has 32 bits.

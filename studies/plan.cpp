@@ -61,14 +61,23 @@ std::string canonical_text(const Scene& scene, const Method& method, const Cell&
     return text;
 }
 
+void add_warning(StudyPlan& plan, std::string text) {
+    const bool known = std::find(plan.warnings.begin(), plan.warnings.end(), text) != plan.warnings.end();
+    if (!known) plan.warnings.push_back(std::move(text));
+}
+
+void warn_about_control(StudyPlan& plan, const Method& method) {
+    const bool sampler = !method.sampler.empty() && samplers::find(method.sampler).info.control;
+    if (!sampler && method.tracer != TracerChoice::leaky) return;
+    add_warning(plan, fmt::format("method '{}': {} is a control, broken on purpose; its results are not to be used",
+                                  method.name, sampler ? method.sampler : name(method.tracer)));
+}
+
 void warn_about_size(StudyPlan& plan, const Method& method, const Cell& cell) {
     if (method.sampler.empty() || method.nodes) return;
     const auto problem = samplers::check_size(samplers::find(method.sampler).info,
                                               points_per_sequence(method, cell.subdivision, cell.samples));
-    if (problem.message.empty()) return;
-    std::string text = fmt::format("method '{}': {}", method.name, problem.message);
-    if (std::find(plan.warnings.begin(), plan.warnings.end(), text) == plan.warnings.end())
-        plan.warnings.push_back(std::move(text));
+    if (!problem.message.empty()) add_warning(plan, fmt::format("method '{}': {}", method.name, problem.message));
 }
 
 /// @throws UserError for a box that rays in single precision cannot resolve
@@ -128,7 +137,8 @@ double expected_seconds_per_trial(const StudyPlan& plan, const Cell& cell) {
             return 1e-9 * evaluations * (kernel_nanoseconds + sampling);
         }
         case Estimator::ray_shooting: {
-            const bool analytic = plan.scenes[cell.scene].empty_box && method.tracer != TracerChoice::embree;
+            const bool one_by_one = method.tracer == TracerChoice::embree || method.tracer == TracerChoice::leaky;
+            const bool analytic = plan.scenes[cell.scene].empty_box && !one_by_one;
             const double tracing = analytic ? tracing_nanoseconds : embree_nanoseconds;
             return 1e-9 * evaluations * (tracing + sampling_nanoseconds(method.sampler));
         }
@@ -160,6 +170,7 @@ StudyPlan plan_study(StudySpec spec) {
                 cell.trials = cell.deterministic ? 1 : size.trials.value_or(plan.spec.trials);
                 cell.canonical = canonical_text(plan.scenes[scene], method, cell);
                 cell.key = derive_key(plan.spec.seed, cell.canonical);
+                warn_about_control(plan, method);
                 warn_about_size(plan, method, cell);
                 plan.cells.push_back(std::move(cell));
                 add_units(plan, plan.cells.size() - 1);

@@ -14,6 +14,7 @@
 #include <cmath>
 #include <fstream>
 #include <set>
+#include <span>
 #include <sstream>
 
 namespace ff::studies {
@@ -24,22 +25,25 @@ using Keys = std::array<std::string_view, 11>;
 constexpr std::array<std::string_view, 3> estimator_names{"ray_shooting", "area_kernel", "closed_form"};
 constexpr std::array<std::string_view, 2> completion_names{"direct", "reciprocal"};
 constexpr std::array<std::string_view, 2> allocation_names{"patch", "face"};
-constexpr std::array<std::string_view, 3> tracer_names{"automatic", "box", "embree"};
+constexpr std::array<std::string_view, 4> tracer_names{"automatic", "box", "embree", "leaky"};
+constexpr std::size_t sound_tracers = 3;  // the others are controls: known, not suggested
 
 constexpr std::uint64_t max_trials = 1ULL << 32;   // a stream addresses trials with 32 bits
 constexpr std::uint64_t max_samples = 1ULL << 32;  // and points as well
 constexpr std::uint32_t max_patches_per_face = 1u << 20;
 constexpr double most_power = 1 - 1e-9;
 
-/// The enumerator whose name is the text at `key`; `fallback` where the key is missing.
+/// The enumerator whose name is the text at `key`; `fallback` where the key is missing. A message suggests the first
+/// `shown` names.
 template <typename Enum, std::size_t N>
-Enum choice(const TomlReader& reader, std::string_view key, const std::array<std::string_view, N>& names,
-            Enum fallback) {
+Enum choice(const TomlReader& reader, std::string_view key, const std::array<std::string_view, N>& names, Enum fallback,
+            std::size_t shown = N) {
     const auto text = reader.optional_text(key);
     if (!text) return fallback;
     const auto found = std::find(names.begin(), names.end(), *text);
     if (found == names.end()) {
-        reader.fail(key, fmt::format("is unknown. {}Known: {}.", did_you_mean(*text, names), fmt::join(names, ", ")));
+        const auto known = std::span(names).first(shown);
+        reader.fail(key, fmt::format("is unknown. {}Known: {}.", did_you_mean(*text, known), fmt::join(known, ", ")));
     }
     return static_cast<Enum>(found - names.begin());
 }
@@ -167,7 +171,7 @@ Method read_method(const TomlReader& reader) {
                     "(each point of this sampler stays in one cell of the hypercube, so a part of its "
                     "points is biased). Use allocation = \"patch\".");
     }
-    method.tracer = choice(reader, "tracer", tracer_names, TracerChoice::automatic);
+    method.tracer = choice(reader, "tracer", tracer_names, TracerChoice::automatic, sound_tracers);
     if (method.estimator != Estimator::ray_shooting) {
         for (const std::string_view key : {"allocation", "tracer"}) {
             if (reader.has(key)) reader.fail(key, "(only ray_shooting has it). Remove the key.");

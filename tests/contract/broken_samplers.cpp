@@ -9,9 +9,14 @@ namespace ff::test {
 namespace {
 
 using samplers::entry;
+using samplers::find;
 
 TEST(CoordinatesAreUniform, CatchesOneBiasedCoordinate) {
     EXPECT_FALSE(coordinates_are_uniform(entry<BiasedCoordinate>()));
+}
+
+TEST(CoordinatesAreUniform, CatchesOriginsInTheMiddleOfThePatch) {
+    EXPECT_FALSE(coordinates_are_uniform(find("patch_centres")));
 }
 
 TEST(PairsAreUniform, CatchesEqualCoordinatesWhichEachByItselfAreFine) {
@@ -20,7 +25,7 @@ TEST(PairsAreUniform, CatchesEqualCoordinatesWhichEachByItselfAreFine) {
 }
 
 TEST(StreamsDiffer, CatchesOneSeedForAllTrials) {
-    EXPECT_FALSE(streams_differ(entry<SameInEveryTrial>()));
+    EXPECT_FALSE(streams_differ(find("same_seed")));
 }
 
 TEST(StreamsDiffer, CatchesOneSeedForAllSources) {
@@ -37,12 +42,12 @@ TEST(IsPure, CatchesPointsNumberedByBlock) {
 }
 
 TEST(FillsItsStrata, CatchesTheFirstPointDropped) {
-    EXPECT_FALSE(fills_its_strata(entry<FirstPointDropped>()));
-    EXPECT_TRUE(coordinates_are_uniform(entry<FirstPointDropped>()));
+    EXPECT_FALSE(fills_its_strata(find("sobol_first_dropped")));
+    EXPECT_TRUE(coordinates_are_uniform(find("sobol_first_dropped")));
 }
 
 TEST(FillsItsStrata, CatchesDigitsShuffledWrongly) {
-    EXPECT_FALSE(fills_its_strata(entry<DigitsShuffledWrongly>()));
+    EXPECT_FALSE(fills_its_strata(find("sobol_digits_reversed")));
 }
 
 TEST(FillsItsStrata, CatchesOverlappingCells) {

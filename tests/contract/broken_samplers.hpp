@@ -2,12 +2,12 @@
 
 #include "samplers/entry.hpp"
 #include "samplers/gauss_legendre.hpp"
-#include "samplers/owen_hash.hpp"
 #include "samplers/random.hpp"
 #include "samplers/sobol.hpp"
 #include "samplers/stratified.hpp"
 
-// Samplers that are broken on purpose, each in one way. The contract checks must catch every one.
+// Samplers that are broken on purpose, each in one way, beside the controls that the program ships. The contract checks
+// must catch every one.
 
 namespace ff::test {
 
@@ -27,14 +27,6 @@ struct EqualCoordinates : samplers::Random {
     void fill(const Stream& stream, PointIndex first, PointBlock& block) const {
         Random::fill(stream, first, block);
         block.coordinate[3] = block.coordinate[1];
-    }
-};
-
-struct SameInEveryTrial : samplers::Random {
-    using Random::Random;
-    void fill(Stream stream, PointIndex first, PointBlock& block) const {
-        stream.trial = 0;
-        Random::fill(stream, first, block);
     }
 };
 
@@ -77,25 +69,6 @@ struct FixedPoints : samplers::Random {
 struct NumberedByBlock : samplers::Random {
     using Random::Random;
     void fill(const Stream& stream, PointIndex /*first*/, PointBlock& block) const { Random::fill(stream, 0, block); }
-};
-
-/// The first Sobol' point is dropped, as common libraries do.
-struct FirstPointDropped : samplers::Sobol {
-    using Sobol::Sobol;
-    void fill(const Stream& stream, PointIndex first, PointBlock& block) const {
-        Sobol::fill(stream, first + 1, block);
-    }
-};
-
-/// The last bit reversal is forgotten: digits are shuffled to the wrong end.
-struct DigitsShuffledWrongly : samplers::Sobol {
-    using Sobol::Sobol;
-    void fill(const Stream& stream, PointIndex first, PointBlock& block) const {
-        Sobol::fill(stream, first, block);
-        for (auto& row : block.coordinate) {
-            for (std::uint32_t& x : row) x = samplers::reverse_bits(x);
-        }
-    }
 };
 
 /// Sobol' points that claim to be independent.

@@ -15,6 +15,17 @@ for kind in sampler estimator scene study; do
         expect_no_stderr
     done <"$folder/names"
 done
+ffstudy list controls
+expect_status 0
+cut -d' ' -f1 "$folder/stdout" >"$folder/names"
+grep -q . "$folder/names" || fail "expected controls on stdout"
+while read -r name; do
+    ffstudy explain "$name"
+    expect_stdout "broken on purpose"
+done <"$folder/names"
+ffstudy list samplers
+! grep -qFf "$folder/names" "$folder/stdout" || fail "expected no control among the samplers"
+
 ffstudy list formats
 expect_status 0
 expect_stdout markdown

@@ -75,7 +75,8 @@ Method any_method(std::string name) {
     if (quadrature) method.nodes = Nodes{*rc::gen::inRange(1u, 65u), *rc::gen::inRange(1u, 65u)};
     if (method.estimator == Estimator::ray_shooting) {
         method.allocation = *rc::gen::element(Allocation::patch, Allocation::face);
-        method.tracer = *rc::gen::element(TracerChoice::automatic, TracerChoice::box, TracerChoice::embree);
+        method.tracer =
+            *rc::gen::element(TracerChoice::automatic, TracerChoice::box, TracerChoice::embree, TracerChoice::leaky);
     }
     method.sizes = any_sizes(!quadrature);
     return method;

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+
+namespace ff::stats {
+
+/// Values of a series that occurred before, bit for bit.
+struct Repeats {
+    std::size_t repeats = 0;  ///< values that are equal to an earlier one
+    double expected = 0;      ///< how many are expected by chance among independent values on the same lattice
+    double p = 0;             ///< P(at least as many by chance)
+    std::size_t earlier = 0;  ///< index of the first value that occurs again ...
+    std::size_t later = 0;    ///< ... and of where it does
+};
+
+/// Counts repeated values and says whether chance explains them. Estimates that are counted, or printed with few
+/// digits, lie on a lattice and coincide now and then: the spacing is the greatest common divisor of the gaps, and the
+/// expected number that of a normal distribution on it (Poisson, on the safe side). Values without a lattice never
+/// coincide by chance. Empty without a repeat.
+std::optional<Repeats> find_repeats(std::span<const double> values);
+
+/// The period after which the whole series repeats itself: the least lag <= n/2 at which every value equals that one
+/// lag earlier. Empty where there is none, and where chance makes one with a probability above `alpha`.
+std::optional<std::size_t> find_period(std::span<const double> values, double alpha);
+
+}  // namespace ff::stats

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace ff::stats {
+
+/// Autocorrelations of a series in its order, at lags 1 .. lags (divisor n: each is a little too small).
+/// @pre lags < n; values are not all equal
+std::vector<double> autocorrelations(std::span<const double> values, std::size_t lags);
+
+/// Test of "the values are independent of those before them".
+struct SerialTest {
+    double first = 0;       ///< autocorrelation at lag 1
+    std::size_t lags = 0;   ///< that Ljung and Box sum over
+    double statistic = 0;   ///< Ljung and Box's
+    double p = 0;           ///< twice the smaller of both tests'
+    double detectable = 0;  ///< autocorrelation at lag 1 that is found with probability 0.9 at alpha 0.05
+};
+
+/// Two tests under one p-value (Bonferroni): of positive correlation at lag 1, which is what chains and shared states
+/// make [vonneumann1941], and of any correlation up to lag 10 [ljung1978]. Holds for any distribution of finite
+/// variance. Empty below `fewest_for_serial_test` values and where all are equal.
+std::optional<SerialTest> test_serial_correlation(std::span<const double> values);
+
+inline constexpr std::size_t fewest_for_serial_test = 10;
+
+/// Integrated autocorrelation time 1 + 2 sum r_k: the variance of the mean is this many times that of independent
+/// values, which are worth n / time. Summed while pairs of successive autocorrelations are positive and fall (initial
+/// monotone sequence [geyer1992]). At least 1. @pre values are not all equal
+double autocorrelation_time(std::span<const double> values);
+
+}  // namespace ff::stats
