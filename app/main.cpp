@@ -1,5 +1,6 @@
 #include "app/commands.hpp"
 #include "app/study_files.hpp"
+#include "app/usage_errors.hpp"
 
 #include "core/error.hpp"
 
@@ -21,10 +22,8 @@ using namespace ff::app;
 using Action = std::function<ExitCode()>;
 
 void add_run_options(CLI::App& app, RunCommand& command) {
-    app.add_option("--trials", command.trials, "Repetitions of every sampled size (default: the study's)")
-        ->check(CLI::NonNegativeNumber);
-    app.add_option("--seed", command.seed, "Seed of all random numbers (default: the study's)")
-        ->check(CLI::NonNegativeNumber);
+    app.add_option("--trials", command.trials, "Repetitions of every sampled size (default: the study's)");
+    app.add_option("--seed", command.seed, "Seed of all random numbers (default: the study's)");
     app.add_option("--threads", command.threads, "Threads; results do not depend on them (default: all cores)");
     app.add_option("--out", command.out, "Folder for the results (default: results/<study>)");
     app.add_flag("--quiet", command.quiet, "Print errors only");
@@ -92,8 +91,11 @@ ExitCode parse_and_act(int argc, char** argv) {
         app.parse(argc, argv);
         if (!action) throw CLI::RequiredError("A command");
     } catch (const CLI::ParseError& error) {
-        return app.exit(error) == 0 ? ExitCode::passed : ExitCode::usage;
+        if (error.get_exit_code() != 0) throw ff::UserError(usage_problem(app, error));
+        app.exit(error);  // --help, --version
+        return ExitCode::passed;
     }
+    refuse_unmeant_values(app);
     return action();
 }
 

@@ -13,9 +13,10 @@ namespace ff::app {
 ExitCode report(const ReportCommand& command) {
     const bool folder = std::filesystem::is_directory(command.results);
     const auto file = folder ? command.results / "results.sqlite" : command.results;
+    const auto out = command.out.empty() ? file.parent_path() : command.out;
+    expect_room_for_results(out);
     const auto store = studies::Store::open(file);
     const auto results = studies::evaluate(store);
-    const auto out = command.out.empty() ? file.parent_path() : command.out;
     if (!command.out.empty()) std::filesystem::create_directories(command.out);
     const std::vector<std::string_view> formats(command.formats.begin(), command.formats.end());
     write_results(out, store, results, formats.empty() ? all_formats() : std::span<const std::string_view>(formats));

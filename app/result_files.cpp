@@ -36,12 +36,24 @@ void write_json(const std::filesystem::path& folder, const studies::Store& /*sto
 }
 
 constexpr std::array<std::string_view, 3> names{"markdown", "csv", "json"};
+constexpr std::array<std::string_view, 6> files{"report.md",  "audit.md",     "summary.csv",
+                                                "trials.csv", "results.json", "context.json"};
 constexpr std::array writers{write_markdown, write_csv, write_json};
 
 }  // namespace
 
 std::span<const std::string_view> all_formats() {
     return names;
+}
+
+void expect_room_for_results(const std::filesystem::path& folder) {
+    for (const std::string_view file : files) {
+        if (std::filesystem::is_directory(folder / file)) {
+            throw IoError(
+                fmt::format("{}: cannot be written (a folder is in the way). Remove it, or choose another --out.",
+                            (folder / file).string()));
+        }
+    }
 }
 
 void write_results(const std::filesystem::path& folder, const studies::Store& store,

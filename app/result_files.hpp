@@ -14,6 +14,10 @@ namespace ff::app {
 /// Formats of reports: markdown, csv, json.
 std::span<const std::string_view> all_formats();
 
+/// Before a long run: is the way free for every file that `write_results` would write?
+/// @throws IoError that names what is in the way
+void expect_room_for_results(const std::filesystem::path& folder);
+
 /// Writes the files of these formats into a folder, each whole or not at all.
 /// @throws IoError; UserError for an unknown format
 void write_results(const std::filesystem::path& folder, const studies::Store& store,

@@ -73,6 +73,7 @@ ExitCode run(const RunCommand& command) {
     const std::filesystem::path out =
         command.out.empty() ? std::filesystem::path("results") / plan.spec.name : command.out;
     make_folder(out);
+    expect_room_for_results(out);
     auto store = studies::Store::create_or_resume(out / "results.sqlite", plan);
 
     const auto start = std::chrono::steady_clock::now();

@@ -1,16 +1,16 @@
 #include "studies/published.hpp"
 
+#include "core/box.hpp"
 #include "core/error.hpp"
 #include "core/nearest_name.hpp"
 #include "studies/json_reader.hpp"
+#include "studies/text_file.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
-#include <fstream>
-#include <sstream>
 
 namespace ff::studies {
 namespace {
@@ -37,7 +37,7 @@ struct Quantity {
     std::string to;
 };
 
-Quantity read_quantity(const JsonReader& reader, const JsonValue& value) {
+Quantity parse_quantity(const JsonReader& reader, const JsonValue& value) {
     const std::string text = reader.text(value, "quantity");
     if (text == "sum of relative errors") return {FigureKind::sum_relative_error, {}, {}};
     if (text.starts_with("sum ") && text.size() > 4) return {FigureKind::row_sum, text.substr(4), {}};
@@ -48,6 +48,22 @@ Quantity read_quantity(const JsonReader& reader, const JsonValue& value) {
     reader.fail(value, fmt::format("\"{}\" is no quantity. Write \"F 1-6\" (a pair of faces), \"sum 1\" (the sum of a "
                                    "face's form factors) or \"sum of relative errors\".",
                                    text));
+}
+
+Quantity read_quantity(const JsonReader& reader, const JsonValue& value, const Scene& scene) {
+    const Quantity quantity = parse_quantity(reader, value);
+    if (!quantity.to.empty() && quantity.from == quantity.to) {
+        reader.fail(value, fmt::format("a form factor of face \"{}\" to itself (faces are flat and do not see "
+                                       "themselves). Correct the row's quantity.",
+                                       quantity.from));
+    }
+    for (const std::string& label : {quantity.from, quantity.to}) {
+        if (label.empty() || std::find(scene.faces.begin(), scene.faces.end(), label) != scene.faces.end()) continue;
+        reader.fail(value, fmt::format("face \"{}\" is not in the scene \"{}\" (its faces are {}). Correct the "
+                                       "row's quantity.",
+                                       label, scene.name, fmt::join(scene.faces, ", ")));
+    }
+    return quantity;
 }
 
 Column read_column(const JsonReader& reader, const JsonValue& value, const PublishedTables& tables,
@@ -78,11 +94,11 @@ Column read_column(const JsonReader& reader, const JsonValue& value, const Publi
     return column;
 }
 
-void read_row(const JsonReader& reader, const JsonValue& value, const std::vector<Column>& columns,
+void read_row(const JsonReader& reader, const JsonValue& value, const Scene& scene, const std::vector<Column>& columns,
               PublishedTables& tables, PublishedTable& table) {
     reader.expect_object(value, "a row", {"title", "quantity", "printed"});
     const JsonValue& quantity_value = reader.member(value, "quantity", "the row");
-    const Quantity quantity = read_quantity(reader, quantity_value);
+    const Quantity quantity = read_quantity(reader, quantity_value, scene);
     const JsonValue& printed = reader.member(value, "printed", "the row");
     const auto& cells = reader.array(printed, "printed");
     if (cells.size() != columns.size()) {
@@ -124,8 +140,8 @@ void read_row(const JsonReader& reader, const JsonValue& value, const std::vecto
     }
 }
 
-void read_table(const JsonReader& reader, const JsonValue& value, const std::vector<std::string_view>& methods,
-                PublishedTables& tables) {
+void read_table(const JsonReader& reader, const JsonValue& value, const Scene& scene,
+                const std::vector<std::string_view>& methods, PublishedTables& tables) {
     reader.expect_object(value, "a table", {"id", "title", "note", "columns", "rows"});
     PublishedTable table;
     const JsonValue& id = reader.member(value, "id", "the table");
@@ -143,7 +159,7 @@ void read_table(const JsonReader& reader, const JsonValue& value, const std::vec
     }
     if (columns.empty()) reader.fail(value, fmt::format("table \"{}\" has no columns. Add one.", table.id));
     for (const JsonValue& row : reader.array(reader.member(value, "rows", "the table"), "rows")) {
-        read_row(reader, row, columns, tables, table);
+        read_row(reader, row, scene, columns, tables, table);
     }
     tables.tables.push_back(std::move(table));
 }
@@ -227,6 +243,14 @@ std::vector<std::string_view> read_methods(const JsonReader& reader, const JsonV
     return names;
 }
 
+Scene read_scene(const JsonReader& reader, const JsonValue& value) {
+    try {
+        return built_in_scene(reader.text(value, "scene"));
+    } catch (const UserError& error) {
+        reader.fail(value, error.what());
+    }
+}
+
 void read_printing(const JsonReader& reader, const JsonValue& value, PublishedTables& tables) {
     reader.expect_object(value, "\"printing\"", {"rule", "decimals"});
     constexpr std::array rules{PrintingRule::unstated, PrintingRule::rounded, PrintingRule::truncated};
@@ -240,13 +264,18 @@ void read_printing(const JsonReader& reader, const JsonValue& value, PublishedTa
 }  // namespace
 
 PublishedTables parse_published_tables(std::string_view text, std::string_view origin) {
+    if (text.find_first_not_of(" \t\r\n") == std::string_view::npos) {
+        throw UserError(
+            fmt::format("{}: is empty (a tables file is an object of JSON). See docs/published-tables.md.", origin));
+    }
     const JsonValue root = parse_json(text, origin);
     const JsonReader reader(origin);
     reader.expect_object(root, "a tables file",
                          {"source", "scene", "printing", "references", "methods", "tables", "readings", "claims"});
     PublishedTables tables;
     tables.source = reader.text(reader.member(root, "source", "the file"), "source");
-    tables.scene = reader.text(reader.member(root, "scene", "the file"), "scene");
+    const Scene scene = read_scene(reader, reader.member(root, "scene", "the file"));
+    tables.scene = scene.name;
     if (const JsonValue* printing = root.find("printing")) read_printing(reader, *printing, tables);
     if (const JsonValue* references = root.find("references")) {
         reader.expect_object(*references, "\"references\"", {"parallel", "adjacent"});
@@ -259,7 +288,7 @@ PublishedTables parse_published_tables(std::string_view text, std::string_view o
     }
     const auto methods = read_methods(reader, reader.member(root, "methods", "the file"), tables);
     for (const JsonValue& table : reader.array(reader.member(root, "tables", "the file"), "tables")) {
-        read_table(reader, table, methods, tables);
+        read_table(reader, table, scene, methods, tables);
     }
     if (const JsonValue* readings = root.find("readings")) {
         for (const JsonValue& reading : reader.array(*readings, "readings")) read_reading(reader, reading, tables);
@@ -272,12 +301,7 @@ PublishedTables parse_published_tables(std::string_view text, std::string_view o
 }
 
 PublishedTables read_published_tables(const std::filesystem::path& file) {
-    std::ifstream stream(file, std::ios::binary);
-    std::ostringstream text;
-    if (!stream || !(text << stream.rdbuf())) {
-        throw IoError(fmt::format("{}: cannot be read. Check the name and the permissions.", file.string()));
-    }
-    return parse_published_tables(text.str(), file.string());
+    return parse_published_tables(read_text_file(file), file.string());
 }
 
 std::string describe(const PublishedTables& tables, std::size_t figure) {

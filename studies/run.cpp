@@ -1,12 +1,17 @@
 #include "studies/run.hpp"
 
 #include "core/contract.hpp"
+#include "core/error.hpp"
 #include "studies/work.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <condition_variable>
 #include <deque>
 #include <exception>
 #include <mutex>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -16,19 +21,24 @@ namespace {
 /// Hands out units to threads and their records back to the thread that saves them.
 class Workshop {
   public:
+    /// No more threads than units.
     Workshop(const Worker& worker, std::vector<const WorkUnit*> units, const RunOptions& options)
-        : worker_(worker), units_(std::move(units)), options_(options), active_(options.threads) {
-        for (unsigned i = 0; i < options.threads; ++i) threads_.emplace_back([this] { work(); });
+        : worker_(worker),
+          units_(std::move(units)),
+          options_(options),
+          active_(std::min<std::size_t>(options.threads, units_.size())) {
+        const std::size_t wanted = active_;
+        try {
+            while (threads_.size() < wanted) threads_.emplace_back([this] { work(); });
+        } catch (const std::system_error& error) {
+            const std::size_t started = threads_.size();
+            end();
+            throw UserError(fmt::format("{} threads (the system started {} of them: {}). Take fewer with --threads.",
+                                        wanted, started, error.code().message()));
+        }
     }
 
-    ~Workshop() {
-        {
-            const std::lock_guard lock(mutex_);
-            cancelled_ = true;
-        }
-        changed_.notify_all();
-        for (std::thread& thread : threads_) thread.join();
-    }
+    ~Workshop() { end(); }
 
     Workshop(const Workshop&) = delete;
     Workshop& operator=(const Workshop&) = delete;
@@ -46,6 +56,15 @@ class Workshop {
     }
 
   private:
+    void end() {
+        {
+            const std::lock_guard lock(mutex_);
+            cancelled_ = true;
+        }
+        changed_.notify_all();
+        for (std::thread& thread : threads_) thread.join();
+    }
+
     /// The next unit, when there is room for its record; null at the end.
     const WorkUnit* next() {
         std::unique_lock lock(mutex_);
@@ -79,7 +98,7 @@ class Workshop {
     std::deque<UnitRecord> records_;
     std::exception_ptr failure_;
     std::size_t next_ = 0;
-    unsigned active_;
+    std::size_t active_;
     bool cancelled_ = false;
     std::vector<std::thread> threads_;
 };

@@ -30,7 +30,7 @@ enum class RunOutcome { complete, stopped };
 /// Carries out the units of the plan that the store does not hold yet and saves each in one transaction.
 /// The saved observations do not depend on threads, order or interruptions. Memory is bounded: a few units wait to be
 /// saved at any time, whatever the number of trials.
-/// @throws what a unit or the store throws; what was saved stays
+/// @throws what a unit or the store throws, what was saved stays; UserError where the system starts too few threads
 RunOutcome run_study(Store& store, const RunOptions& options);
 
 }  // namespace ff::studies

@@ -5,6 +5,7 @@
 #include "core/nearest_name.hpp"
 #include "samplers/sampler.hpp"
 #include "studies/published.hpp"
+#include "studies/text_file.hpp"
 #include "studies/toml_reader.hpp"
 
 #include <fmt/format.h>
@@ -12,10 +13,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <fstream>
 #include <set>
 #include <span>
-#include <sstream>
 
 namespace ff::studies {
 namespace {
@@ -210,17 +209,6 @@ void expect_unique_sizes(const TomlReader& reader, const Method& method) {
     }
 }
 
-std::string read_file(const std::filesystem::path& file) {
-    std::ifstream in(file, std::ios::binary);
-    std::ostringstream text;
-    // Writing the buffer of an empty file would set an error.
-    if (in.peek() != std::ifstream::traits_type::eof()) text << in.rdbuf();
-    if (in.fail() || !text)
-        throw IoError(
-            fmt::format("{}: cannot be read. Check that the file exists and its permissions.", file.string()));
-    return text.str();
-}
-
 }  // namespace
 
 std::string_view name(Estimator estimator) {
@@ -299,10 +287,10 @@ StudySpec parse_study(std::string_view text, std::string_view origin) {
 }
 
 StudySpec load_study(const std::filesystem::path& file) {
-    StudySpec spec = parse_study(read_file(file), file.string());
+    StudySpec spec = parse_study(read_text_file(file), file.string());
     if (spec.published) {
         const auto tables = file.parent_path() / spec.published->file;
-        spec.published->text = read_file(tables);
+        spec.published->text = read_text_file(tables);
         static_cast<void>(parse_published_tables(spec.published->text, tables.string()));  // refused before it is run
     }
     return spec;

@@ -14,10 +14,13 @@ namespace {
 static_assert(std::endian::native == std::endian::little, "blobs are little-endian");
 
 [[noreturn]] void fail(sqlite3* database) {
-    const char* file = sqlite3_db_filename(database, "main");
-    throw IoError(fmt::format(
-        "{}: {} (SQLite error {}). Check the disk, the permissions and that the file is a result store.",
-        file == nullptr ? "result store" : file, sqlite3_errmsg(database), sqlite3_extended_errcode(database)));
+    const char* name = sqlite3_db_filename(database, "main");
+    const std::string file = name == nullptr ? "result store" : name;
+    if (sqlite3_errcode(database) == SQLITE_NOTADB) {
+        throw UserError(fmt::format("{}: not a result store (no SQLite file). Give one written by ffstudy.", file));
+    }
+    throw IoError(fmt::format("{}: {} (SQLite error {}). Check the disk, the permissions and the file.", file,
+                              sqlite3_errmsg(database), sqlite3_extended_errcode(database)));
 }
 
 }  // namespace

@@ -42,7 +42,7 @@ class Statement {
     sqlite3_stmt* statement_ = nullptr;
 };
 
-/// One SQLite file. Every failure is an IoError that names it.
+/// One SQLite file. Every failure is an IoError that names it; a UserError where it is no SQLite file at all.
 class Database {
   public:
     enum class Mode { create_or_open, read_only };

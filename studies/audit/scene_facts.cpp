@@ -1,11 +1,7 @@
 #include "studies/audit/scene_facts.hpp"
 
 #include "core/box.hpp"
-#include "core/error.hpp"
 #include "core/exact.hpp"
-
-#include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -47,24 +43,6 @@ std::vector<std::size_t> congruent_faces(std::size_t faces, const std::vector<st
     return result;
 }
 
-void check_labels(const PublishedTables& tables, const SceneFacts& facts) {
-    for (const Figure& figure : tables.figures) {
-        if (!figure.to.empty() && figure.from == figure.to) {
-            throw UserError(
-                fmt::format("{}:{}: table \"{}\" has a form factor of face \"{}\" to itself (faces are flat "
-                            "and do not see themselves). Correct the row's quantity.",
-                            figure.line, figure.character, figure.table, figure.from));
-        }
-        for (const std::string& label : {figure.from, figure.to}) {
-            if (label.empty() || facts.face(label)) continue;
-            throw UserError(fmt::format(
-                "{}:{}: face \"{}\" of table \"{}\" is not in the scene \"{}\" (its faces are "
-                "{}). Correct the row's quantity.",
-                figure.line, figure.character, label, figure.table, tables.scene, fmt::join(facts.scene.faces, ", ")));
-        }
-    }
-}
-
 }  // namespace
 
 std::optional<std::size_t> SceneFacts::face(std::string_view label) const {
@@ -85,7 +63,6 @@ SceneFacts scene_facts(const PublishedTables& tables) {
         for (std::size_t k = 0; k < faces * faces; ++k) facts.pair_congruence.push_back(k);
         for (std::size_t k = 0; k < faces; ++k) facts.face_congruence.push_back(k);
     }
-    check_labels(tables, facts);
     return facts;
 }
 

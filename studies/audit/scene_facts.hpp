@@ -28,7 +28,7 @@ struct SceneFacts {
     [[nodiscard]] std::optional<std::size_t> face(std::string_view label) const;
 };
 
-/// @throws UserError where the scene is unknown or a figure names a face that it does not have
+/// @pre the scene is known and has the faces that figures name, as `parse_published_tables` sees to
 SceneFacts scene_facts(const PublishedTables& tables);
 
 /// Exact distributions of ray shooting by size. Most of an audit's time goes here, so audits of tables of the same

@@ -13,6 +13,11 @@ ffstudy run shallow_box.toml
 expect_status 0
 expect_equal_files "$folder/promised" "$folder/stdout"
 
+# The catalogue is shown as it is.
+blocks "" "$root/docs/command-line.md" | sed -n '/^\$ ffstudy list samplers$/,/^gauss_legendre /p' | sed 1d >"$folder/promised"
+ffstudy list samplers
+expect_equal_files "$folder/promised" "$folder/stdout"
+
 # Every column and key that is written is explained.
 explained() { grep -Fq "\`$1\`" "$root/docs/results.md" || fail "docs/results.md does not explain $1"; }
 for column in $(head -qn 1 results/shallow_box/summary.csv | tr , ' '); do explained "$column"; done

@@ -47,5 +47,9 @@ $rays"
 refuse 4:8 "seed = -1 (not a whole number from 0 up)" <<<"${study/seed = 1/seed = -1}
 trials = 9
 $rays"
+refuse 2:1 "trials: missing. Add the key with a whole number." <<<"# a comment
+$study
+$rays"
+refuse 2:8 "the byte 0xe9 is not UTF-8 (no other encoding is read). Save the file as UTF-8." <<<"${study/\"t\"/$'\xe9'}"
 refuse 5:10 "docs/study-files.md" <<<"$study
 trials = = 9"

@@ -1,6 +1,5 @@
 #include "studies/audit.hpp"
 
-#include "core/error.hpp"
 #include "simulated_tables.hpp"
 
 #include <gmock/gmock.h>
@@ -132,18 +131,6 @@ TEST(Audit, ChecksStatedReferencesAgainstExactValues) {
     tables.reference_parallel = "0.199852";  // digits swapped
     const AuditReport report = audit(tables);
     EXPECT_NE(find(report, "stated reference: parallel"), nullptr);
-}
-
-TEST(Audit, RefusesAFaceThatTheSceneDoesNotHave) {
-    PublishedTables tables = test::simulate_tables(1);
-    tables.figures[0].from = "7";
-    EXPECT_THROW(audit(tables), UserError);
-}
-
-TEST(Audit, RefusesAFormFactorOfAFaceToItself) {
-    PublishedTables tables = test::simulate_tables(1);
-    tables.figures.back().to = tables.figures.back().from;
-    EXPECT_THROW(audit(tables), UserError);
 }
 
 TEST(Audit, AcceptsTablesWithoutFigures) {

@@ -83,6 +83,10 @@ TEST(ParsePublishedTables, SaysWhereAndWhatIsWrong) {
         {replaced("[\"1.0\", null]", "[\"1.0\", \"0.1\"]"), "Write null here"},
         {replaced("\"sum 2\"", "\"total 2\""), "is no quantity"},
         {replaced("\"F 1-6\"", "\"F 16\""), "is no quantity"},
+        {replaced("\"F 1-6\"", "\"F 1-7\""), "face \"7\" is not in the scene \"cube\" (its faces are 1, 2"},
+        {replaced("\"sum 2\"", "\"sum x\""), "face \"x\" is not in the scene"},
+        {replaced("\"F 1-6\"", "\"F 6-6\""), "to itself"},
+        {replaced("\"cube\"", "\"kube\""), "Did you mean cube?"},
         {replaced("\"truncated\"", "\"trunkated\""), "Did you mean \"truncated\"?"},
         {replaced("\"method\": \"SR\", \"patches", "\"method\": \"SB\", \"patches"), "not among the file's"},
         {replaced("\"samples_per_patch\": 1000", "\"samples_per_patch\": 0"), "whole number from 1"},
@@ -104,6 +108,12 @@ TEST(ParsePublishedTables, PointsAtTheLine) {
 
 TEST(ReadPublishedTables, ReportsAMissingFile) {
     EXPECT_THROW(read_published_tables("/nowhere/tables.json"), IoError);
+}
+
+TEST(ParsePublishedTables, RefusesAnEmptyFile) {
+    for (const char* text : {"", " \n"}) {
+        EXPECT_THAT(message_of(text), StartsWith("t.json: is empty"));
+    }
 }
 
 TEST(ReadPublishedTables, ReadsThePapersTables) {

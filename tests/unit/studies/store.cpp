@@ -111,8 +111,9 @@ TEST_F(StoreFile, InAMissingFolderCannotBeMade) {
 
 TEST_F(StoreFile, ThatIsNoDatabaseIsRefusedAndLeftAlone) {
     std::ofstream(file()) << "not a database, but longer than the sixteen bytes of the magic number";
-    EXPECT_THAT(refusal_to_open<IoError>(), HasSubstr("not a database"));
-    EXPECT_THAT(message_of<IoError>([&] { Store::create_or_resume(file(), plan()); }), HasSubstr("not a database"));
+    EXPECT_THAT(refusal_to_open<UserError>(), HasSubstr("not a result store"));
+    EXPECT_THAT(message_of<UserError>([&] { Store::create_or_resume(file(), plan()); }),
+                HasSubstr("not a result store"));
     std::ifstream in(file());
     std::string word;
     in >> word;
