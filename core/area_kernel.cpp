@@ -1,5 +1,6 @@
 #include "core/area_kernel.hpp"
 
+#include "core/facing.hpp"
 #include "core/transfer.hpp"
 
 #include <algorithm>
@@ -33,14 +34,6 @@ std::vector<PatchedSurface> divide(const Scene& scene, Subdivision subdivision) 
     return result;
 }
 
-/// Whether some of `to` lies in front of `from`.
-bool faces_towards(const Surface& from, const Surface& to) {
-    const auto& [corner, edge_u, edge_v] = to.shape;
-    const auto height = [&from](const Eigen::Vector3d& point) { return from.normal.dot(point - from.shape.corner); };
-    return std::max({height(corner), height(corner + edge_u), height(corner + edge_v),
-                     height(corner + edge_u + edge_v)}) > 0;
-}
-
 /// Two surfaces that exchange radiation, and what has been summed for them: sum_transfer over all pairs of patches.
 struct SurfacePair {
     const PatchedSurface* from = nullptr;
@@ -59,7 +52,7 @@ std::vector<SurfacePair> visible_pairs(const std::vector<PatchedSurface>& surfac
         for (const PatchedSurface& to : surfaces) {
             if (from.surface->face == to.surface->face) continue;
             if (pairs == Pairs::unordered && &to < &from) continue;
-            if (!faces_towards(*from.surface, *to.surface) || !faces_towards(*to.surface, *from.surface)) continue;
+            if (!face_each_other(*from.surface, *to.surface)) continue;
             result.push_back({&from, &to});
         }
     }

@@ -26,7 +26,7 @@ std::string field(std::string_view text) {
 std::string nodes_field(const studies::Method& method) {
     if (!method.nodes) return {};
     const auto [source, target] = *method.nodes;
-    return source == target ? fmt::format("{}", source) : fmt::format("{}x{}", source, target);
+    return target == 0 || source == target ? fmt::format("{}", source) : fmt::format("{}x{}", source, target);
 }
 
 constexpr std::string_view summary_header =
@@ -42,11 +42,10 @@ constexpr std::string_view summary_header =
 std::string cell_fields(const studies::StudyPlan& plan, const studies::CellFindings& found) {
     const studies::Cell& cell = plan.cells[found.cell];
     const studies::Method& method = plan.spec.methods[cell.method];
-    const bool shoots = method.estimator == studies::Estimator::ray_shooting;
     const std::string samples = cell.samples == 0 ? std::string() : std::to_string(cell.samples);
     return fmt::format("{},{},{},{},{},{},{},{},{},{},{}", field(plan.spec.name), field(plan.scenes[cell.scene].name),
                        field(method.name), method.sampler, name(method.estimator), name(method.completion),
-                       nodes_field(method), shoots ? studies::name(method.allocation) : "",
+                       nodes_field(method), has_allocation(method.estimator) ? studies::name(method.allocation) : "",
                        cell.subdivision.per_surface(), samples, found.trials);
 }
 

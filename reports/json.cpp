@@ -119,6 +119,12 @@ Json bias_json(const studies::StudyPlan& plan, const studies::CellFindings& foun
               {"planned_margin", family.planned_margin}}}};
 }
 
+Json nodes_json(const studies::Method& method) {
+    if (!method.nodes) return nullptr;
+    const auto [source, target] = *method.nodes;
+    return target == 0 ? Json::array({source}) : Json::array({source, target});
+}
+
 Json cell_json(const studies::StudyPlan& plan, const studies::CellFindings& found) {
     const studies::Cell& cell = plan.cells[found.cell];
     const studies::Method& method = plan.spec.methods[cell.method];
@@ -128,9 +134,9 @@ Json cell_json(const studies::StudyPlan& plan, const studies::CellFindings& foun
               {"sampler", method.sampler.empty() ? Json(nullptr) : Json(method.sampler)},
               {"estimator", studies::name(method.estimator)},
               {"completion", studies::name(method.completion)},
-              {"allocation", shoots ? Json(studies::name(method.allocation)) : Json(nullptr)},
+              {"allocation", has_allocation(method.estimator) ? Json(studies::name(method.allocation)) : Json(nullptr)},
               {"tracer", shoots ? Json(studies::name(method.tracer)) : Json(nullptr)},
-              {"nodes", method.nodes ? Json{method.nodes->source, method.nodes->target} : Json(nullptr)},
+              {"nodes", nodes_json(method)},
               {"patches_per_face", cell.subdivision.per_surface()},
               {"samples_per_patch", cell.samples == 0 ? Json(nullptr) : Json(cell.samples)},
               {"deterministic", cell.deterministic},

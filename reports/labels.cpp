@@ -39,12 +39,14 @@ std::string size_label(const studies::StudyPlan& plan, const studies::Cell& cell
     const auto patches = cell.subdivision.per_surface();
     if (method.nodes) {
         const auto [source, target] = *method.nodes;
+        if (target == 0) return fmt::format("{} × {}² nodes", patches, source);
         return fmt::format("{} × {}²·{}² nodes", patches, source, target);
     }
     switch (method.estimator) {
         case studies::Estimator::ray_shooting:
             return fmt::format("{} × {} rays", patches, cell.samples);
         case studies::Estimator::area_kernel:
+        case studies::Estimator::point_to_polygon:
             return fmt::format("{} × {} points", patches, cell.samples);
         case studies::Estimator::closed_form:
             break;

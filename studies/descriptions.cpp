@@ -25,6 +25,18 @@ constexpr std::array estimators{
         "differential method (PDM); its error near common edges falls as 1/m only. Unoccluded convex scenes.",
         "baranoski1992"},
     Description{
+        "point_to_polygon", "exact factors from points of the source to each face (Lambert's formula)",
+        "A 2-D point lies on the source patch; from there the form factor to every visible face is exact: a sum over "
+        "the edges\n"
+        "of the face, each the angle under which it is seen times a cosine. Points are shared by all targets, and "
+        "subdivision\n"
+        "divides the source only. Unbiased with random points, of values between 0 and 1; smooth between parallel "
+        "faces, with a\n"
+        "jump at the corners where three faces meet. Works with every sampler in two dimensions (so stratified takes "
+        "k^2 points)\n"
+        "and, deterministically, with Gauss-Legendre nodes. Unoccluded convex scenes only.",
+        "baum1989"},
+    Description{
         "closed_form", "exact formulas for parallel and perpendicular rectangles",
         "Takes no points and has no error but rounding (about 1e-15 of the squared extent). Axis-aligned rectangles "
         "with\n"

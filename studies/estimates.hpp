@@ -29,7 +29,8 @@ struct CellEstimates {
     std::vector<double> sum_relative_error;     ///< percent, over all faces; empty in an open scene
     std::optional<double> lattice;              ///< hits / rays: values are multiples of this, for equal face areas
     std::uint64_t lost_rays = 0;
-    std::uint64_t evaluations_per_face = 0;  ///< N: rays from a face, or kernel values of a face pair, in a trial
+    std::uint64_t evaluations_per_face =
+        0;  ///< N: rays from or points on a face, or kernel values of a face pair, in a trial
 
     [[nodiscard]] const std::vector<double>& values(Quantity quantity) const;
     [[nodiscard]] std::size_t trials() const { return row_sums.empty() ? 0 : row_sums.front().size(); }

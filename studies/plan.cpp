@@ -4,6 +4,7 @@
 #include "core/error.hpp"
 #include "core/tracer.hpp"
 #include "samplers/sampler.hpp"
+#include "studies/applicability.hpp"
 
 #include <fmt/format.h>
 
@@ -22,15 +23,11 @@ constexpr double most_trials_of_a_unit = 2000;
 /// About a month on one core.
 constexpr double most_evaluations = 1e15;
 
-/// Single precision traces boxes in this range without loss.
-constexpr double least_edge = 1e-9;
-constexpr double largest_edge = 1e9;
-constexpr double largest_edge_ratio = 1e4;
-
 /// Nanoseconds on one core of a current server; only their ratios matter, for units of about equal length.
 constexpr double tracing_nanoseconds = 1.0;
 constexpr double embree_nanoseconds = 60.0;
 constexpr double kernel_nanoseconds = 1.5;
+constexpr double polygons_nanoseconds = 30.0;  // of all faces of a box
 
 double sampling_nanoseconds(std::string_view sampler) {
     constexpr std::array<std::string_view, 6> slow{"random_mt", "halton",       "faure",
@@ -44,7 +41,7 @@ std::uint64_t sample_count(const Method& method, const Size& size) {
     if (method.nodes) {
         const std::uint64_t source = method.nodes->source;
         const std::uint64_t target = method.nodes->target;
-        return source * source * target * target;
+        return target == 0 ? source * source : source * source * target * target;
     }
     return size.samples_per_patch.value_or(0);
 }
@@ -57,7 +54,7 @@ std::string canonical_text(const Scene& scene, const Method& method, const Cell&
     std::string text = fmt::format("{}|{}|{}|m={}|n={}", scene.canonical, method.sampler, name(method.estimator),
                                    cell.subdivision.m, cell.samples);
     if (method.nodes) text += fmt::format("|nodes={},{}", method.nodes->source, method.nodes->target);
-    if (method.estimator == Estimator::ray_shooting) text += fmt::format("|allocation={}", name(method.allocation));
+    if (has_allocation(method.estimator)) text += fmt::format("|allocation={}", name(method.allocation));
     return text;
 }
 
@@ -75,22 +72,10 @@ void warn_about_control(StudyPlan& plan, const Method& method) {
 
 void warn_about_size(StudyPlan& plan, const Method& method, const Cell& cell) {
     if (method.sampler.empty() || method.nodes) return;
-    const auto problem = samplers::check_size(samplers::find(method.sampler).info,
-                                              points_per_sequence(method, cell.subdivision, cell.samples));
+    const auto problem =
+        samplers::check_size(samplers::find(method.sampler).info,
+                             points_per_sequence(method, cell.subdivision, cell.samples), dimension(method.estimator));
     if (!problem.message.empty()) add_warning(plan, fmt::format("method '{}': {}", method.name, problem.message));
-}
-
-/// @throws UserError for a box that rays in single precision cannot resolve
-void expect_traceable(const Scene& scene) {
-    if (!scene.empty_box) return;
-    const double least = scene.empty_box->minCoeff();
-    const double largest = scene.empty_box->maxCoeff();
-    if (least >= least_edge && largest <= largest_edge && largest <= least * largest_edge_ratio) return;
-    throw UserError(
-        fmt::format("scene '{}': cannot be traced (rays have single precision: edges from {:g} to {:g}, in a ratio of "
-                    "at most {:g}). "
-                    "Use another unit of length, or estimator = \"closed_form\".",
-                    scene.name, least_edge, largest_edge, largest_edge_ratio));
 }
 
 /// @throws UserError where one trial alone would take for ever
@@ -136,6 +121,8 @@ double expected_seconds_per_trial(const StudyPlan& plan, const Cell& cell) {
             const double sampling = cell.deterministic ? 0.0 : sampling_nanoseconds(method.sampler);
             return 1e-9 * evaluations * (kernel_nanoseconds + sampling);
         }
+        case Estimator::point_to_polygon:
+            return 1e-9 * evaluations * (polygons_nanoseconds + sampling_nanoseconds(method.sampler));
         case Estimator::ray_shooting: {
             const bool one_by_one = method.tracer == TracerChoice::embree || method.tracer == TracerChoice::leaky;
             const bool analytic = plan.scenes[cell.scene].empty_box && !one_by_one;
@@ -153,11 +140,7 @@ StudyPlan plan_study(StudySpec spec) {
     for (std::size_t scene = 0; scene < plan.scenes.size(); ++scene) {
         for (std::size_t m = 0; m < plan.spec.methods.size(); ++m) {
             const Method& method = plan.spec.methods[m];
-            if (method.tracer == TracerChoice::box && !plan.scenes[scene].empty_box) {
-                throw UserError(fmt::format(
-                    "method '{}' asks for the box tracer (scene '{}' is not an empty box). Use tracer = \"embree\".",
-                    method.name, plan.scenes[scene].name));
-            }
+            expect_applicable(method, plan.scenes[scene]);
             for (const Size& size : method.sizes) {
                 Cell cell;
                 cell.scene = scene;
@@ -165,7 +148,6 @@ StudyPlan plan_study(StudySpec spec) {
                 cell.subdivision.m = static_cast<std::uint32_t>(std::lround(std::sqrt(size.patches_per_face)));
                 cell.samples = sample_count(method, size);
                 cell.deterministic = is_deterministic(method);
-                if (method.estimator == Estimator::ray_shooting) expect_traceable(plan.scenes[scene]);
                 expect_feasible(method, plan.scenes[scene], cell);
                 cell.trials = cell.deterministic ? 1 : size.trials.value_or(plan.spec.trials);
                 cell.canonical = canonical_text(plan.scenes[scene], method, cell);

@@ -15,7 +15,7 @@ struct Cell {
     std::size_t scene = 0;   ///< index into StudyPlan::scenes
     std::size_t method = 0;  ///< index into StudySpec::methods
     Subdivision subdivision;
-    std::uint64_t samples = 0;  ///< points per patch, or per ordered patch pair; 0 for closed_form
+    std::uint64_t samples = 0;  ///< rays or points per patch, or points per ordered patch pair; 0 for closed_form
     std::uint64_t trials = 0;   ///< 1 for a deterministic method
     bool deterministic = false;
     std::string canonical;  ///< names scene, sampler, estimator and size, never their order or the completion
@@ -45,7 +45,7 @@ StudyPlan plan_study(StudySpec spec);
 /// Points of one sequence of a cell: those of a patch, or of a whole face where one sequence serves it.
 std::uint64_t points_per_sequence(const Method& method, Subdivision subdivision, std::uint64_t samples);
 
-/// Evaluations (rays, or kernel values) of one trial of a cell.
+/// Evaluations (rays, kernel values, or points that see all faces) of one trial of a cell.
 std::uint64_t evaluations_per_trial(const StudyPlan& plan, const Cell& cell);
 
 /// Expected seconds of one trial on one core, from a table of costs; never measured, so that plans are repeatable.

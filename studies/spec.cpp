@@ -21,7 +21,8 @@ namespace {
 
 using Keys = std::array<std::string_view, 11>;
 
-constexpr std::array<std::string_view, 3> estimator_names{"ray_shooting", "area_kernel", "closed_form"};
+constexpr std::array<std::string_view, 4> estimator_names{"ray_shooting", "area_kernel", "point_to_polygon",
+                                                          "closed_form"};
 constexpr std::array<std::string_view, 2> completion_names{"direct", "reciprocal"};
 constexpr std::array<std::string_view, 2> allocation_names{"patch", "face"};
 constexpr std::array<std::string_view, 4> tracer_names{"automatic", "box", "embree", "leaky"};
@@ -74,19 +75,19 @@ std::vector<std::uint32_t> read_patches_per_face(const TomlReader& reader) {
     return patches;
 }
 
-/// @param sequences  patches that share one sequence of points
+/// @param patches  that share one sequence of points
 void check_samples(const TomlReader& reader, const samplers::SamplerInfo& sampler, std::uint64_t samples,
-                   std::uint64_t sequences) {
-    if (samples > max_samples / sequences) {
+                   std::uint64_t patches, std::size_t dimension) {
+    if (samples > max_samples / patches) {
         reader.fail("samples_per_patch",
                     fmt::format("(a sequence has at most {} points). Take more trials instead.", max_samples));
     }
-    const auto problem = samplers::check_size(sampler, samples * sequences);
+    const auto problem = samplers::check_size(sampler, samples * patches, dimension);
     if (problem.fatal) reader.fail("samples_per_patch", "makes " + problem.message);
 }
 
 /// The product of both lists, or the entries of `sizes`.
-std::vector<Size> read_sizes(const TomlReader& reader, const samplers::SamplerInfo* sampler, Allocation allocation,
+std::vector<Size> read_sizes(const TomlReader& reader, const samplers::SamplerInfo* sampler, const Method& method,
                              std::optional<std::uint64_t> trials) {
     const bool sampled = sampler != nullptr && sampler->sizes != samplers::Sizes::nodes;
     if (reader.has("samples_per_patch") && !sampled) {
@@ -98,14 +99,15 @@ std::vector<Size> read_sizes(const TomlReader& reader, const samplers::SamplerIn
     const auto samples = sampled ? reader.counts("samples_per_patch") : none;
     for (const std::uint32_t patches : read_patches_per_face(reader)) {
         for (const std::uint64_t count : samples) {
-            if (sampled) check_samples(reader, *sampler, count, allocation == Allocation::face ? patches : 1);
+            const std::uint64_t sharing = method.allocation == Allocation::face ? patches : 1;
+            if (sampled) check_samples(reader, *sampler, count, sharing, dimension(method.estimator));
             sizes.push_back({patches, sampled ? std::optional(count) : std::nullopt, trials});
         }
     }
     return sizes;
 }
 
-std::optional<Nodes> read_nodes(const TomlReader& reader, const samplers::SamplerInfo* sampler) {
+std::optional<Nodes> read_nodes(const TomlReader& reader, const samplers::SamplerInfo* sampler, Estimator estimator) {
     const bool wanted = sampler != nullptr && sampler->sizes == samplers::Sizes::nodes;
     if (!wanted) {
         if (reader.has("nodes"))
@@ -118,7 +120,15 @@ std::optional<Nodes> read_nodes(const TomlReader& reader, const samplers::Sample
     for (const std::uint64_t n : nodes) {
         if (n == 0 || n > 64) reader.fail("nodes", "(1 to 64 nodes a side are possible). Try 5.");
     }
-    return Nodes{static_cast<std::uint32_t>(nodes.front()), static_cast<std::uint32_t>(nodes.back())};
+    const auto source = static_cast<std::uint32_t>(nodes.front());
+    if (dimension(estimator) == 2) {
+        if (nodes.size() > 1) {
+            reader.fail("nodes", fmt::format("({} has points on the source patch only). Give one number.",
+                                             estimator_names.at(static_cast<std::size_t>(estimator))));
+        }
+        return Nodes{source, 0};
+    }
+    return Nodes{source, static_cast<std::uint32_t>(nodes.back())};
 }
 
 const samplers::SamplerInfo* read_sampler(const TomlReader& reader, Estimator estimator) {
@@ -137,7 +147,7 @@ const samplers::SamplerInfo* read_sampler(const TomlReader& reader, Estimator es
     if (estimator == Estimator::ray_shooting && !info->equal_weights) {
         reader.fail("sampler",
                     "cannot shoot rays (its points have unequal weights and hits are counted). Use estimator = "
-                    "\"area_kernel\".");
+                    "\"area_kernel\" or \"point_to_polygon\".");
     }
     return info;
 }
@@ -164,26 +174,30 @@ Method read_method(const TomlReader& reader) {
     method.sampler = sampler == nullptr ? std::string() : std::string(sampler->name);
     method.completion = choice(reader, "completion", completion_names, Completion::direct);
     method.allocation = choice(reader, "allocation", allocation_names, Allocation::patch);
+    if (reader.has("allocation") && !has_allocation(method.estimator)) {
+        reader.fail("allocation", "(only ray_shooting and point_to_polygon have it). Remove the key.");
+    }
     const bool one_cell_a_point = sampler != nullptr && sampler->sizes == samplers::Sizes::fourth_power;
     if (method.allocation == Allocation::face && one_cell_a_point) {
         reader.fail("allocation",
                     "(each point of this sampler stays in one cell of the hypercube, so a part of its "
                     "points is biased). Use allocation = \"patch\".");
     }
-    method.tracer = choice(reader, "tracer", tracer_names, TracerChoice::automatic, sound_tracers);
-    if (method.estimator != Estimator::ray_shooting) {
-        for (const std::string_view key : {"allocation", "tracer"}) {
-            if (reader.has(key)) reader.fail(key, "(only ray_shooting has it). Remove the key.");
-        }
+    if (method.allocation == Allocation::face && sampler != nullptr && !sampler->equal_weights) {
+        reader.fail("allocation", "(the nodes of a rule belong to one patch). Use allocation = \"patch\".");
     }
-    method.nodes = read_nodes(reader, sampler);
+    method.tracer = choice(reader, "tracer", tracer_names, TracerChoice::automatic, sound_tracers);
+    if (reader.has("tracer") && method.estimator != Estimator::ray_shooting) {
+        reader.fail("tracer", "(only ray_shooting has it). Remove the key.");
+    }
+    method.nodes = read_nodes(reader, sampler, method.estimator);
 
     const auto own_trials = [](const TomlReader& table) {
         const auto trials = table.optional_count("trials");
         return trials ? std::optional(checked_trials(table, *trials)) : std::nullopt;
     };
     if (!reader.has("sizes")) {
-        method.sizes = read_sizes(reader, sampler, method.allocation, own_trials(reader));
+        method.sizes = read_sizes(reader, sampler, method, own_trials(reader));
         return method;
     }
     for (const std::string_view key : {"patches_per_face", "samples_per_patch", "trials"}) {
@@ -192,8 +206,7 @@ Method read_method(const TomlReader& reader) {
     static constexpr std::array<std::string_view, 3> size_keys{"patches_per_face", "samples_per_patch", "trials"};
     for (const TomlReader& table : reader.tables("sizes")) {
         table.expect_only(size_keys);
-        for (const Size& size : read_sizes(table, sampler, method.allocation, own_trials(table)))
-            method.sizes.push_back(size);
+        for (const Size& size : read_sizes(table, sampler, method, own_trials(table))) method.sizes.push_back(size);
     }
     if (method.sizes.empty()) reader.fail("sizes", "(an empty list leaves nothing to do). Give at least one size.");
     return method;
@@ -222,6 +235,23 @@ std::string_view name(Allocation allocation) {
 }
 std::string_view name(TracerChoice tracer) {
     return tracer_names.at(static_cast<std::size_t>(tracer));
+}
+
+std::size_t dimension(Estimator estimator) {
+    switch (estimator) {
+        case Estimator::ray_shooting:
+        case Estimator::area_kernel:
+            return 4;
+        case Estimator::point_to_polygon:
+            return 2;
+        case Estimator::closed_form:
+            break;
+    }
+    return 0;
+}
+
+bool has_allocation(Estimator estimator) {
+    return estimator == Estimator::ray_shooting || estimator == Estimator::point_to_polygon;
 }
 
 StudySpec parse_study(std::string_view text, std::string_view origin) {

@@ -13,7 +13,7 @@
 
 namespace ff::studies {
 
-enum class Estimator { ray_shooting, area_kernel, closed_form };
+enum class Estimator { ray_shooting, area_kernel, point_to_polygon, closed_form };
 
 /// How the face-to-face matrix is filled from direct estimates.
 enum class Completion {
@@ -26,10 +26,15 @@ std::string_view name(Completion completion);
 std::string_view name(Allocation allocation);
 std::string_view name(TracerChoice tracer);
 
+/// Coordinates of a point, 0 where an estimator takes none.
+std::size_t dimension(Estimator estimator);
+/// Whether points belong to source patches, not to pairs of patches, so that one sequence can serve a whole face.
+bool has_allocation(Estimator estimator);
+
 /// Gauss-Legendre nodes a side on the source and on the target patch.
 struct Nodes {
     std::uint32_t source = 0;
-    std::uint32_t target = 0;
+    std::uint32_t target = 0;  ///< 0 where points lie on the source alone
     auto operator<=>(const Nodes&) const = default;
 };
 

@@ -34,10 +34,13 @@ std::string to_toml(const StudySpec& spec) {
         if (!method.sampler.empty()) out += fmt::format("sampler = {}\n", toml_text(method.sampler));
         out +=
             fmt::format("estimator = \"{}\"\ncompletion = \"{}\"\n", name(method.estimator), name(method.completion));
-        if (method.estimator == Estimator::ray_shooting) {
-            out += fmt::format("allocation = \"{}\"\ntracer = \"{}\"\n", name(method.allocation), name(method.tracer));
+        if (has_allocation(method.estimator)) out += fmt::format("allocation = \"{}\"\n", name(method.allocation));
+        if (method.estimator == Estimator::ray_shooting) out += fmt::format("tracer = \"{}\"\n", name(method.tracer));
+        if (method.nodes) {
+            const auto [source, target] = *method.nodes;
+            out +=
+                target == 0 ? fmt::format("nodes = {}\n", source) : fmt::format("nodes = [{}, {}]\n", source, target);
         }
-        if (method.nodes) out += fmt::format("nodes = [{}, {}]\n", method.nodes->source, method.nodes->target);
         out += "sizes = [\n";
         for (const Size& size : method.sizes) {
             out += fmt::format("    {{ patches_per_face = {}", size.patches_per_face);

@@ -3,6 +3,7 @@
 #include "core/area_kernel.hpp"
 #include "core/error.hpp"
 #include "core/exact.hpp"
+#include "core/point_to_polygon.hpp"
 #include "core/ray_shooting.hpp"
 #include "core/tracer.hpp"
 #include "samplers/sampler.hpp"
@@ -53,7 +54,8 @@ Worker::Worker(const StudyPlan& plan) : plan_(plan) {
         if (!tools->method->sampler.empty()) {
             const Nodes nodes = tools->method->nodes.value_or(Nodes{});
             const std::uint64_t points = points_per_sequence(*tools->method, cell.subdivision, cell.samples);
-            tools->points = samplers::find(tools->method->sampler).make({points, 4, nodes.source, nodes.target});
+            tools->points = samplers::find(tools->method->sampler)
+                                .make({points, dimension(tools->method->estimator), nodes.source, nodes.target});
         }
         if (tools->method->estimator == Estimator::ray_shooting) {
             tools->tracer = make_tracer(*tools->scene, tools->method->tracer);
@@ -86,6 +88,11 @@ UnitRecord Worker::carry_out(const WorkUnit& unit) const {
             case Estimator::area_kernel:
                 add_matrix(area_kernel(*tools.scene, cell.subdivision, *tools.points, cell.key, stream_trial), trial,
                            record);
+                break;
+            case Estimator::point_to_polygon:
+                add_matrix(point_to_polygon(*tools.scene, cell.subdivision, *tools.points, cell.samples,
+                                            tools.method->allocation, cell.key, stream_trial),
+                           trial, record);
                 break;
             case Estimator::ray_shooting:
                 ray_shooting(*tools.scene, cell.subdivision, *tools.tracer, *tools.points, cell.samples,

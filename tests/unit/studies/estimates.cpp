@@ -91,6 +91,20 @@ TEST(Estimates, CountKernelValuesOfAFacePair) {
     EXPECT_EQ(load_estimates(test::run(plan), 0).evaluations_per_face, 4u * 4 * 3);
 }
 
+TEST(Estimates, OfPointToPolygonSumTo1BeforeCompletion) {
+    const std::string lines =
+        "[[method]]\nname = \"p\"\nsampler = \"sobol\"\nestimator = \"point_to_polygon\"\n"
+        "patches_per_face = 4\nsamples_per_patch = 8\nallocation = \"face\"";
+    const Store store = test::run(plan_of(test::study_text("trials = 3", lines)));
+    const CellEstimates direct = load_estimates(store, 0);
+    EXPECT_EQ(direct.evaluations_per_face, 4u * 8);
+    const CellEstimates reciprocal = load_estimates(store, 0, Completion::reciprocal);
+    for (std::size_t trial = 0; trial < 3; ++trial) {
+        EXPECT_NEAR(direct.values({QuantityKind::row_sum, 6, 0})[trial], 1, 1e-14);
+        EXPECT_NE(reciprocal.values({QuantityKind::row_sum, 6, 0})[trial], 1);
+    }
+}
+
 TEST(Estimates, ReportOneLostRay) {
     const StudyPlan plan = box_plan("direct");
     Store store = Store::create_or_resume(test::in_memory, plan);

@@ -172,6 +172,14 @@ TEST(Plan, CountsRaysAndKernelValues) {
     EXPECT_EQ(evaluations_per_trial(plan, plan.cells[1]), 24u * 20 * 900);
 }
 
+TEST(Plan, CountsPointsThatSeeAllFacesOnce) {
+    const StudyPlan plan = plan_of(study_text("trials = 9",
+                                              "[[method]]\nname = \"p\"\nsampler = \"gauss_legendre\"\n"
+                                              "estimator = \"point_to_polygon\"\nnodes = 5\npatches_per_face = 4"));
+    EXPECT_EQ(plan.cells.at(0).samples, 25u);
+    EXPECT_EQ(evaluations_per_trial(plan, plan.cells[0]), 24u * 25);
+}
+
 TEST(Plan, RefusesSomeOtherOrdersOnlyWhereTheyAreWrong) {
     EXPECT_NO_THROW(static_cast<void>(plan_of(study_text("trials = 9", std::string(rays) + "tracer = \"box\""))));
     EXPECT_NO_THROW(static_cast<void>(plan_of(study_text("trials = 9", std::string(rays) + "tracer = \"embree\""))));

@@ -191,7 +191,25 @@ TEST(Spec, RefusesNodesOutOfRange) {
     EXPECT_THAT(message("[5, 65]"), HasSubstr("1 to 64 nodes"));
     EXPECT_THAT(message("[5, 5, 5]"), HasSubstr("source and target patch"));
     EXPECT_THAT(message("5\nsamples_per_patch = 10"), HasSubstr("takes no samples"));
-    EXPECT_THAT(message("5\nallocation = \"face\""), HasSubstr("only ray_shooting has it"));
+    EXPECT_THAT(message("5\nallocation = \"face\""), HasSubstr("only ray_shooting and point_to_polygon have it"));
+}
+
+TEST(Spec, PutsThePointsOfPointToPolygonOnTheSourceAlone) {
+    const auto text = [](std::string_view lines) {
+        return study_text("trials = 9",
+                          "[[method]]\nname = \"p\"\nestimator = \"point_to_polygon\"\n" + std::string(lines));
+    };
+    const Method nodes = parse_study(text("sampler = \"gauss_legendre\"\nnodes = 5"), "study.toml").methods.front();
+    EXPECT_EQ(nodes.nodes, (Nodes{5, 0}));
+    EXPECT_THAT(refusal(text("sampler = \"gauss_legendre\"\nnodes = [5, 6]")),
+                HasSubstr("study.toml:10:9: nodes = [ 5, 6 ] (point_to_polygon has points on the source patch only)"));
+    EXPECT_THAT(refusal(text("sampler = \"gauss_legendre\"\nnodes = 5\nallocation = \"face\"")),
+                HasSubstr("the nodes of a rule belong to one patch"));
+    EXPECT_EQ(refusal(text("sampler = \"stratified\"\nsamples_per_patch = 25")), "") << "5 x 5 cells";
+    EXPECT_THAT(refusal(text("sampler = \"stratified\"\nsamples_per_patch = 26")), HasSubstr("25 = 5^2 or 36 = 6^2"));
+    EXPECT_EQ(refusal(text("sampler = \"sobol\"\nsamples_per_patch = 16\nallocation = \"face\"")), "");
+    EXPECT_THAT(refusal(text("sampler = \"sobol\"\nsamples_per_patch = 16\ntracer = \"box\"")),
+                HasSubstr("only ray_shooting has it"));
 }
 
 TEST(Spec, RefusesAClosedFormWithASampler) {
@@ -207,8 +225,9 @@ TEST(Spec, RefusesTwoMethodsOfOneName) {
 }
 
 TEST(Spec, RefusesAnUnknownEstimatorOrNone) {
-    EXPECT_THAT(refusal(study_text("trials = 9", "[[method]]\nname = \"a\"\nestimator = \"ray_shoting\"")),
-                HasSubstr("Did you mean 'ray_shooting'? Known: ray_shooting, area_kernel, closed_form."));
+    EXPECT_THAT(
+        refusal(study_text("trials = 9", "[[method]]\nname = \"a\"\nestimator = \"ray_shoting\"")),
+        HasSubstr("Did you mean 'ray_shooting'? Known: ray_shooting, area_kernel, point_to_polygon, closed_form."));
     EXPECT_THAT(refusal(study_text("trials = 9", "[[method]]\nname = \"a\"")), HasSubstr("Choose one of ray_shooting"));
 }
 

@@ -60,21 +60,26 @@ std::vector<Size> any_sizes(bool sampled) {
 Method any_method(std::string name) {
     Method method;
     method.name = std::move(name);
-    method.estimator = *rc::gen::element(Estimator::ray_shooting, Estimator::area_kernel, Estimator::closed_form);
+    method.estimator = *rc::gen::element(Estimator::ray_shooting, Estimator::area_kernel, Estimator::point_to_polygon,
+                                         Estimator::closed_form);
     method.completion = *rc::gen::element(Completion::direct, Completion::reciprocal);
     if (method.estimator == Estimator::closed_form) {
         method.sizes = any_sizes(false);
         return method;
     }
-    const bool quadrature = method.estimator == Estimator::area_kernel && *rc::gen::arbitrary<bool>();
+    const bool quadrature = method.estimator != Estimator::ray_shooting && *rc::gen::arbitrary<bool>();
     for (const auto& entry : samplers::catalogue()) {
         const bool fits =
             quadrature ? entry.info.sizes == samplers::Sizes::nodes : entry.info.sizes == samplers::Sizes::any;
         if (fits) method.sampler = entry.info.name;
     }
-    if (quadrature) method.nodes = Nodes{*rc::gen::inRange(1u, 65u), *rc::gen::inRange(1u, 65u)};
-    if (method.estimator == Estimator::ray_shooting) {
+    if (quadrature) {
+        const bool pairs = dimension(method.estimator) == 4;
+        method.nodes = Nodes{*rc::gen::inRange(1u, 65u), pairs ? *rc::gen::inRange(1u, 65u) : 0};
+    }
+    if (has_allocation(method.estimator) && !quadrature)
         method.allocation = *rc::gen::element(Allocation::patch, Allocation::face);
+    if (method.estimator == Estimator::ray_shooting) {
         method.tracer =
             *rc::gen::element(TracerChoice::automatic, TracerChoice::box, TracerChoice::embree, TracerChoice::leaky);
     }
