@@ -5,6 +5,7 @@
 #include "core/nearest_name.hpp"
 #include "samplers/sampler.hpp"
 #include "studies/published.hpp"
+#include "studies/spec_names.hpp"
 #include "studies/text_file.hpp"
 #include "studies/toml_reader.hpp"
 
@@ -20,13 +21,6 @@ namespace ff::studies {
 namespace {
 
 using Keys = std::array<std::string_view, 11>;
-
-constexpr std::array<std::string_view, 4> estimator_names{"ray_shooting", "area_kernel", "point_to_polygon",
-                                                          "closed_form"};
-constexpr std::array<std::string_view, 2> completion_names{"direct", "reciprocal"};
-constexpr std::array<std::string_view, 2> allocation_names{"patch", "face"};
-constexpr std::array<std::string_view, 4> tracer_names{"automatic", "box", "embree", "leaky"};
-constexpr std::size_t sound_tracers = 3;  // the others are controls: known, not suggested
 
 constexpr std::uint64_t max_trials = 1ULL << 32;   // a stream addresses trials with 32 bits
 constexpr std::uint64_t max_samples = 1ULL << 32;  // and points as well
@@ -223,36 +217,6 @@ void expect_unique_sizes(const TomlReader& reader, const Method& method) {
 }
 
 }  // namespace
-
-std::string_view name(Estimator estimator) {
-    return estimator_names.at(static_cast<std::size_t>(estimator));
-}
-std::string_view name(Completion completion) {
-    return completion_names.at(static_cast<std::size_t>(completion));
-}
-std::string_view name(Allocation allocation) {
-    return allocation_names.at(static_cast<std::size_t>(allocation));
-}
-std::string_view name(TracerChoice tracer) {
-    return tracer_names.at(static_cast<std::size_t>(tracer));
-}
-
-std::size_t dimension(Estimator estimator) {
-    switch (estimator) {
-        case Estimator::ray_shooting:
-        case Estimator::area_kernel:
-            return 4;
-        case Estimator::point_to_polygon:
-            return 2;
-        case Estimator::closed_form:
-            break;
-    }
-    return 0;
-}
-
-bool has_allocation(Estimator estimator) {
-    return estimator == Estimator::ray_shooting || estimator == Estimator::point_to_polygon;
-}
 
 StudySpec parse_study(std::string_view text, std::string_view origin) {
     const toml::table root = parse_toml(text, origin);

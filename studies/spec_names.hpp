@@ -1,0 +1,17 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <string_view>
+
+namespace ff::studies {
+
+/// What study files call the choices of a method, in the order of the enumerators.
+inline constexpr std::array<std::string_view, 4> estimator_names{"ray_shooting", "area_kernel", "point_to_polygon",
+                                                                 "closed_form"};
+inline constexpr std::array<std::string_view, 2> completion_names{"direct", "reciprocal"};
+inline constexpr std::array<std::string_view, 2> allocation_names{"patch", "face"};
+inline constexpr std::array<std::string_view, 4> tracer_names{"automatic", "box", "embree", "leaky"};
+inline constexpr std::size_t sound_tracers = 3;  // the others are controls: known, not suggested
+
+}  // namespace ff::studies
