@@ -18,7 +18,7 @@ void pdm(benchmark::State& state) {
     const auto points = samplers::find("gauss_legendre")
                             .make({.source_nodes = 5, .target_nodes = static_cast<std::uint32_t>(state.range(0))});
     for (auto _ : state) {
-        benchmark::DoNotOptimize(area_kernel(scene, {13}, *points, {}, 0));
+        benchmark::DoNotOptimize(area_kernel(scene, {13}, *points, PointMap::uniform, {}, 0));
     }
 }
 // Equal nodes allow half of the pairs to follow from the others; unequal ones do not.

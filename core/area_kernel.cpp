@@ -70,42 +70,92 @@ void for_each_block(const PointSource& points, const Stream& stream, WeightedBlo
     }
 }
 
-/// Offsets from one patch to all patches of a surface.
+Parallelogram patch_at(const PatchedSurface& divided, std::size_t patch) {
+    return {divided.corners[patch], divided.shape.edge_u, divided.shape.edge_v};
+}
+
+/// The transfer of one pair of patches whose points are graded. `block` is changed.
+double graded_transfer(const GradedPair& pair, const Normals& normals, WeightedBlock& block, Separations& separations) {
+    grade_points(pair.power, block);
+    separate(pair.from, pair.to, block, separations);
+    const Eigen::Vector3d offset = pair.to.corner - pair.from.corner;
+    return sum_transfer(separations, {&offset, 1}, normals);
+}
+
+/// The pairs of patches of two surfaces that are graded.
+struct GradedPatches {
+    std::vector<GradedPair> pairs;
+    std::vector<std::vector<std::size_t>> targets;  ///< by source patch, ascending
+};
+
+GradedPatches find_graded(const SurfacePair& pair, PointMap map) {
+    GradedPatches found;
+    found.targets.resize(pair.from->corners.size());
+    if (map == PointMap::uniform) return found;
+    for (std::size_t i = 0; i < pair.from->corners.size(); ++i) {
+        for (std::size_t j = 0; j < pair.to->corners.size(); ++j) {
+            const auto graded = grade_pair(patch_at(*pair.from, i), patch_at(*pair.to, j));
+            if (!graded) continue;
+            found.pairs.push_back(*graded);
+            found.targets[i].push_back(j);
+        }
+    }
+    return found;
+}
+
+/// Offsets from one patch to all patches of a surface but those left out.
 void offsets_from(const Eigen::Vector3d& corner, const std::vector<Eigen::Vector3d>& targets,
-                  std::vector<Eigen::Vector3d>& offsets) {
+                  const std::vector<std::size_t>& left_out, std::vector<Eigen::Vector3d>& offsets) {
     offsets.clear();
-    for (const Eigen::Vector3d& target : targets) offsets.emplace_back(target - corner);
+    for (std::size_t j = 0; j < targets.size(); ++j) {
+        if (!std::binary_search(left_out.begin(), left_out.end(), j)) offsets.emplace_back(targets[j] - corner);
+    }
 }
 
 /// One set of points serves all pairs of patches.
-void sum_with_common_points(const PointSource& points, const Stream& stream, std::vector<SurfacePair>& pairs) {
-    const auto block = std::make_unique<WeightedBlock>();
-    const auto separations = std::make_unique<Separations>();
+void sum_with_common_points(const PointSource& points, const Stream& stream, PointMap map,
+                            std::vector<SurfacePair>& pairs) {
+    const auto block = std::make_unique_for_overwrite<WeightedBlock>();
+    const auto graded_block = std::make_unique_for_overwrite<WeightedBlock>();
+    const auto separations = std::make_unique_for_overwrite<Separations>();
+    std::vector<GradedPatches> graded;
+    for (const SurfacePair& pair : pairs) graded.push_back(find_graded(pair, map));
     std::vector<Eigen::Vector3d> offsets;
     for_each_block(points, stream, *block, [&] {
-        for (SurfacePair& pair : pairs) {
+        for (std::size_t k = 0; k < pairs.size(); ++k) {
+            SurfacePair& pair = pairs[k];
             separate(pair.from->shape, pair.to->shape, *block, *separations);
-            for (const Eigen::Vector3d& corner : pair.from->corners) {
-                offsets_from(corner, pair.to->corners, offsets);
+            for (std::size_t i = 0; i < pair.from->corners.size(); ++i) {
+                offsets_from(pair.from->corners[i], pair.to->corners, graded[k].targets[i], offsets);
                 pair.transfer += sum_transfer(*separations, offsets, pair.normals());
+            }
+            for (const GradedPair& touching : graded[k].pairs) {
+                *graded_block = *block;
+                pair.transfer += graded_transfer(touching, pair.normals(), *graded_block, *separations);
             }
         }
     });
 }
 
 /// Every ordered pair of patches has points of its own.
-void sum_with_own_points(const PointSource& points, Stream stream, std::vector<SurfacePair>& pairs) {
-    const auto block = std::make_unique<WeightedBlock>();
-    const auto separations = std::make_unique<Separations>();
+void sum_with_own_points(const PointSource& points, Stream stream, PointMap map, std::vector<SurfacePair>& pairs) {
+    const auto block = std::make_unique_for_overwrite<WeightedBlock>();
+    const auto separations = std::make_unique_for_overwrite<Separations>();
     for (SurfacePair& pair : pairs) {
         for (std::uint32_t i = 0; i < pair.from->corners.size(); ++i) {
             stream.source = pair.from->first_patch + i;
             for (std::uint32_t j = 0; j < pair.to->corners.size(); ++j) {
                 stream.target = pair.to->first_patch + j + 1;
                 const Eigen::Vector3d offset = pair.to->corners[j] - pair.from->corners[i];
+                const auto graded =
+                    map == PointMap::graded ? grade_pair(patch_at(*pair.from, i), patch_at(*pair.to, j)) : std::nullopt;
                 for_each_block(points, stream, *block, [&] {
-                    separate(pair.from->shape, pair.to->shape, *block, *separations);
-                    pair.transfer += sum_transfer(*separations, {&offset, 1}, pair.normals());
+                    if (graded) {
+                        pair.transfer += graded_transfer(*graded, pair.normals(), *block, *separations);
+                    } else {
+                        separate(pair.from->shape, pair.to->shape, *block, *separations);
+                        pair.transfer += sum_transfer(*separations, {&offset, 1}, pair.normals());
+                    }
                 });
             }
         }
@@ -114,8 +164,8 @@ void sum_with_own_points(const PointSource& points, Stream stream, std::vector<S
 
 }  // namespace
 
-Eigen::MatrixXd area_kernel(const Scene& scene, Subdivision subdivision, const PointSource& points, StreamKey key,
-                            std::uint32_t trial) {
+Eigen::MatrixXd area_kernel(const Scene& scene, Subdivision subdivision, const PointSource& points, PointMap map,
+                            StreamKey key, std::uint32_t trial) {
     const std::vector<PatchedSurface> surfaces = divide(scene, subdivision);
     const bool common = !points.randomised();
     // Swapping the patches of a pair then only reorders the terms of a sum.
@@ -123,9 +173,9 @@ Eigen::MatrixXd area_kernel(const Scene& scene, Subdivision subdivision, const P
     std::vector<SurfacePair> pairs = visible_pairs(surfaces, symmetric ? Pairs::unordered : Pairs::ordered);
     const Stream stream{.key = key, .trial = trial};
     if (common) {
-        sum_with_common_points(points, stream, pairs);
+        sum_with_common_points(points, stream, map, pairs);
     } else {
-        sum_with_own_points(points, stream, pairs);
+        sum_with_own_points(points, stream, map, pairs);
     }
 
     const auto faces = static_cast<Eigen::Index>(scene.faces.size());

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/graded_map.hpp"
 #include "core/points.hpp"
 #include "core/scene.hpp"
 
@@ -14,12 +15,13 @@ namespace ff {
 /// weights of `points`; patch factors are averaged over source patches and summed over target patches into faces.
 /// The patch-to-patch matrix is never formed.
 ///
-/// Unbiased with random points, but of infinite variance where patches share an edge (tail index 3/2) or a vertex (2).
-/// With tensor Gauss-Legendre points it is the paper's PDM. Streams are keyed by ordered patch pair.
+/// Unbiased with random points, but of infinite variance where patches share an edge (tail index 3/2) or a vertex (2),
+/// unless `map` is graded (core/graded_map). With tensor Gauss-Legendre points laid evenly it is the paper's PDM.
+/// Streams are keyed by ordered patch pair.
 /// Points that are not randomised serve all pairs; where they are exchangeable as well, the sum for (j, i) is the one
 /// for (i, j) and is done once. Points that coincide (r = 0) count as 0. The same bits on every CPU.
 /// @return face-to-face matrix, every entry estimated directly (no reciprocity), diagonal 0
-Eigen::MatrixXd area_kernel(const Scene& scene, Subdivision subdivision, const PointSource& points, StreamKey key,
-                            std::uint32_t trial);
+Eigen::MatrixXd area_kernel(const Scene& scene, Subdivision subdivision, const PointSource& points, PointMap map,
+                            StreamKey key, std::uint32_t trial);
 
 }  // namespace ff

@@ -79,8 +79,8 @@ Eigen::MatrixXd point_to_polygon(const Scene& scene, Subdivision subdivision, co
     const auto faces = static_cast<Eigen::Index>(scene.faces.size());
     const std::uint32_t per_surface = subdivision.per_surface();
     const bool own_stream = allocation == Allocation::patch;
-    const auto block = std::make_unique<WeightedBlock>();
-    const auto placed = std::make_unique<PlanePoints>();
+    const auto block = std::make_unique_for_overwrite<WeightedBlock>();
+    const auto placed = std::make_unique_for_overwrite<PlanePoints>();
     block->dimension = 2;
 
     Eigen::MatrixXd result = Eigen::MatrixXd::Zero(faces, faces);

@@ -129,6 +129,7 @@ Json cell_json(const studies::StudyPlan& plan, const studies::CellFindings& foun
     const studies::Cell& cell = plan.cells[found.cell];
     const studies::Method& method = plan.spec.methods[cell.method];
     const bool shoots = method.estimator == studies::Estimator::ray_shooting;
+    const bool kernel = method.estimator == studies::Estimator::area_kernel;
     Json json{{"scene", plan.scenes[cell.scene].name},
               {"method", method.name},
               {"sampler", method.sampler.empty() ? Json(nullptr) : Json(method.sampler)},
@@ -136,6 +137,7 @@ Json cell_json(const studies::StudyPlan& plan, const studies::CellFindings& foun
               {"completion", studies::name(method.completion)},
               {"allocation", has_allocation(method.estimator) ? Json(studies::name(method.allocation)) : Json(nullptr)},
               {"tracer", shoots ? Json(studies::name(method.tracer)) : Json(nullptr)},
+              {"map", kernel ? Json(studies::name(method.map)) : Json(nullptr)},
               {"nodes", nodes_json(method)},
               {"patches_per_face", cell.subdivision.per_surface()},
               {"samples_per_patch", cell.samples == 0 ? Json(nullptr) : Json(cell.samples)},

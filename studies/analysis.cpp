@@ -6,6 +6,7 @@
 #include "stats/moments.hpp"
 #include "stats/multiplicity.hpp"
 #include "stats/power.hpp"
+#include "studies/known_variance.hpp"
 
 #include <fmt/format.h>
 
@@ -14,13 +15,6 @@
 
 namespace ff::studies {
 namespace {
-
-/// The area kernel is unbounded where patches touch: tail index 3/2 at an edge, 2 at a vertex.
-VarianceStatus variance_status(const Method& method, bool deterministic, std::optional<PairClass> pair_class) {
-    if (deterministic) return VarianceStatus::none;
-    const bool touching = !pair_class || *pair_class == PairClass::adjacent;
-    return method.estimator == Estimator::area_kernel && touching ? VarianceStatus::infinite : VarianceStatus::finite;
-}
 
 /// Hits of all trials together from which Student's t holds for their mean: below, its tails are too heavy.
 constexpr double least_hits = 30;
@@ -177,7 +171,7 @@ CellFindings analyse_cell(const Store& store, std::size_t cell_index) {
         request.quantity = quantity;
         if (quantity.kind == QuantityKind::form_factor)
             request.pair_class = pair_class(scene, quantity.from - 1, quantity.to - 1);
-        request.variance = variance_status(method, cell.deterministic, request.pair_class);
+        request.variance = known_variance(method, scene, quantity);
         request.reference = reference_of(scene, exact, quantity);
         if (request.variance == VarianceStatus::finite && is_sparse(estimates, request.reference)) {
             request.variance = VarianceStatus::sparse;

@@ -22,7 +22,10 @@ constexpr std::array estimators{
         "random points, but where patches share an edge or a vertex the kernel is unbounded: the tail index is 3/2 or "
         "2, the\n"
         "variance infinite, and no interval is shown. With Gauss-Legendre nodes on both patches it is the parametric\n"
-        "differential method (PDM); its error near common edges falls as 1/m only. Unoccluded convex scenes.",
+        "differential method (PDM); its error near common edges falls as 1/m only. map = \"graded\" lays points s^3 "
+        "from a "
+        "common\n"
+        "edge (s^2 from a common vertex): tail index 5/2, finite variance. Unoccluded convex scenes.",
         "baranoski1992"},
     Description{
         "point_to_polygon", "exact factors from points of the source to each face (Lambert's formula)",

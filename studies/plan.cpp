@@ -55,6 +55,7 @@ std::string canonical_text(const Scene& scene, const Method& method, const Cell&
                                    cell.subdivision.m, cell.samples);
     if (method.nodes) text += fmt::format("|nodes={},{}", method.nodes->source, method.nodes->target);
     if (has_allocation(method.estimator)) text += fmt::format("|allocation={}", name(method.allocation));
+    if (method.map != PointMap::uniform) text += fmt::format("|map={}", name(method.map));
     return text;
 }
 

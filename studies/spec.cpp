@@ -20,7 +20,7 @@
 namespace ff::studies {
 namespace {
 
-using Keys = std::array<std::string_view, 11>;
+using Keys = std::array<std::string_view, 12>;
 
 constexpr std::uint64_t max_trials = 1ULL << 32;   // a stream addresses trials with 32 bits
 constexpr std::uint64_t max_samples = 1ULL << 32;  // and points as well
@@ -155,8 +155,8 @@ void expect_printable(const TomlReader& reader, std::string_view key, std::strin
 }
 
 Method read_method(const TomlReader& reader) {
-    static constexpr Keys known{"name",  "sampler", "estimator",        "completion",        "allocation", "tracer",
-                                "nodes", "sizes",   "patches_per_face", "samples_per_patch", "trials"};
+    static constexpr Keys known{"name", "sampler", "estimator", "completion",       "allocation",        "tracer",
+                                "map",  "nodes",   "sizes",     "patches_per_face", "samples_per_patch", "trials"};
     reader.expect_only(known);
     Method method;
     method.name = reader.text("name");
@@ -183,6 +183,10 @@ Method read_method(const TomlReader& reader) {
     method.tracer = choice(reader, "tracer", tracer_names, TracerChoice::automatic, sound_tracers);
     if (reader.has("tracer") && method.estimator != Estimator::ray_shooting) {
         reader.fail("tracer", "(only ray_shooting has it). Remove the key.");
+    }
+    method.map = choice(reader, "map", map_names, PointMap::uniform);
+    if (reader.has("map") && method.estimator != Estimator::area_kernel) {
+        reader.fail("map", "(only area_kernel has points on both patches of a pair). Remove the key.");
     }
     method.nodes = read_nodes(reader, sampler, method.estimator);
 

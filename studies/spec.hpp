@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/graded_map.hpp"
 #include "core/ray_shooting.hpp"
 #include "core/stream.hpp"
 #include "core/tracer.hpp"
@@ -25,6 +26,7 @@ std::string_view name(Estimator estimator);
 std::string_view name(Completion completion);
 std::string_view name(Allocation allocation);
 std::string_view name(TracerChoice tracer);
+std::string_view name(PointMap map);
 
 /// Coordinates of a point, 0 where an estimator takes none.
 std::size_t dimension(Estimator estimator);
@@ -54,6 +56,7 @@ struct Method {
     Completion completion = Completion::direct;
     Allocation allocation = Allocation::patch;
     TracerChoice tracer = TracerChoice::automatic;
+    PointMap map = PointMap::uniform;
     std::optional<Nodes> nodes;
     std::vector<Size> sizes;
     auto operator<=>(const Method&) const = default;

@@ -17,6 +17,10 @@ std::string_view name(TracerChoice tracer) {
     return tracer_names.at(static_cast<std::size_t>(tracer));
 }
 
+std::string_view name(PointMap map) {
+    return map_names.at(static_cast<std::size_t>(map));
+}
+
 std::size_t dimension(Estimator estimator) {
     switch (estimator) {
         case Estimator::ray_shooting:

@@ -11,6 +11,7 @@ inline constexpr std::array<std::string_view, 4> estimator_names{"ray_shooting",
                                                                  "closed_form"};
 inline constexpr std::array<std::string_view, 2> completion_names{"direct", "reciprocal"};
 inline constexpr std::array<std::string_view, 2> allocation_names{"patch", "face"};
+inline constexpr std::array<std::string_view, 2> map_names{"uniform", "graded"};
 inline constexpr std::array<std::string_view, 4> tracer_names{"automatic", "box", "embree", "leaky"};
 inline constexpr std::size_t sound_tracers = 3;  // the others are controls: known, not suggested
 

@@ -36,6 +36,7 @@ std::string to_toml(const StudySpec& spec) {
             fmt::format("estimator = \"{}\"\ncompletion = \"{}\"\n", name(method.estimator), name(method.completion));
         if (has_allocation(method.estimator)) out += fmt::format("allocation = \"{}\"\n", name(method.allocation));
         if (method.estimator == Estimator::ray_shooting) out += fmt::format("tracer = \"{}\"\n", name(method.tracer));
+        if (method.map != PointMap::uniform) out += fmt::format("map = \"{}\"\n", name(method.map));
         if (method.nodes) {
             const auto [source, target] = *method.nodes;
             out +=

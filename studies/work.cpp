@@ -86,8 +86,9 @@ UnitRecord Worker::carry_out(const WorkUnit& unit) const {
                 break;
             }
             case Estimator::area_kernel:
-                add_matrix(area_kernel(*tools.scene, cell.subdivision, *tools.points, cell.key, stream_trial), trial,
-                           record);
+                add_matrix(area_kernel(*tools.scene, cell.subdivision, *tools.points, tools.method->map, cell.key,
+                                       stream_trial),
+                           trial, record);
                 break;
             case Estimator::point_to_polygon:
                 add_matrix(point_to_polygon(*tools.scene, cell.subdivision, *tools.points, cell.samples,

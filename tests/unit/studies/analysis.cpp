@@ -156,6 +156,19 @@ TEST(InfiniteVariance, LeavesAdjacentPairsWithoutIntervalAndTest) {
     EXPECT_EQ(found.equivalence, EquivalenceFinding::inconclusive);
 }
 
+TEST(InfiniteVariance, IsMendedByTheGradedMap) {
+    const Store store = test::run(
+        plan_of(study_text("trials = 30",
+                           "[[method]]\nname = \"kernel\"\nsampler = \"random\"\nestimator = \"area_kernel\"\n"
+                           "map = \"graded\"\nsamples_per_patch = 100")));
+    const CellFindings found = analyse_cell(store, 0);
+    for (const Summary& s : found.summaries) {
+        EXPECT_EQ(s.variance, VarianceStatus::finite);
+        EXPECT_EQ(s.bias_interval.has_value(), s.reference.has_value());
+    }
+    EXPECT_EQ(found.bias->untestable, 0u);
+}
+
 TEST(Bias, IsFoundWhereAllTrialsGiveOneWrongValue) {
     // What equal seeds in every trial do: no spread, so no test, yet nothing to be content with.
     const StudyPlan plan = plan_of(study_text("trials = 16", many_rays()));

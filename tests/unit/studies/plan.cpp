@@ -93,6 +93,9 @@ TEST(PlanKeys, DependOnAllThatShapesTheNumbers) {
     EXPECT_NE(only_key("cube", replaced(text, "= 100", "= 101")), key);
     EXPECT_NE(only_key("cube", replaced(text, "ray_shooting", "area_kernel")), key);
     EXPECT_NE(only_key("cube", text + "allocation = \"face\""), key);
+    const std::string kernel = replaced(text, "ray_shooting", "area_kernel");
+    EXPECT_NE(only_key("cube", kernel + "map = \"graded\""), only_key("cube", kernel));
+    EXPECT_EQ(only_key("cube", kernel + "map = \"uniform\""), only_key("cube", kernel));
     EXPECT_NE(only_key("box:6x6x7", text), key);
     EXPECT_NE(plan_of(replaced(study_text("trials = 9", rays), "seed = 7", "seed = 8")).cells.at(0).key, key);
 }

@@ -212,6 +212,19 @@ TEST(Spec, PutsThePointsOfPointToPolygonOnTheSourceAlone) {
                 HasSubstr("only ray_shooting has it"));
 }
 
+TEST(Spec, HasAMapForTheAreaKernelOnly) {
+    const auto text = [](std::string_view estimator, std::string_view map) {
+        return study_text("trials = 9",
+                          "[[method]]\nname = \"a\"\nsampler = \"random\"\nsamples_per_patch = 4\n"
+                          "map = \"" +
+                              std::string(map) + "\"\nestimator = \"" + std::string(estimator) + "\"");
+    };
+    EXPECT_EQ(parse_study(text("area_kernel", "graded"), "study.toml").methods.front().map, PointMap::graded);
+    EXPECT_THAT(refusal(text("ray_shooting", "graded")),
+                HasSubstr("study.toml:10:7: map = 'graded' (only area_kernel"));
+    EXPECT_THAT(refusal(text("area_kernel", "grated")), HasSubstr("Did you mean 'graded'?"));
+}
+
 TEST(Spec, RefusesAClosedFormWithASampler) {
     EXPECT_THAT(refusal(study_text("trials = 9",
                                    "[[method]]\nname = \"e\"\nestimator = \"closed_form\"\nsampler = "

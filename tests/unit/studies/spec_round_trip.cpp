@@ -83,6 +83,7 @@ Method any_method(std::string name) {
         method.tracer =
             *rc::gen::element(TracerChoice::automatic, TracerChoice::box, TracerChoice::embree, TracerChoice::leaky);
     }
+    if (method.estimator == Estimator::area_kernel) method.map = *rc::gen::element(PointMap::uniform, PointMap::graded);
     method.sizes = any_sizes(!quadrature);
     return method;
 }

@@ -18,7 +18,7 @@ namespace {
 constexpr int face_1 = 0, face_2 = 1, face_6 = 5;
 
 Eigen::MatrixXd gauss(const Scene& scene, std::uint32_t m, int source_nodes, int target_nodes) {
-    return area_kernel(scene, {m}, test::GaussPoints(source_nodes, target_nodes), {}, 0);
+    return area_kernel(scene, {m}, test::GaussPoints(source_nodes, target_nodes), PointMap::uniform, {}, 0);
 }
 
 // Expected values: python3 tests/unit/tracing/pdm.py, an independent sum of the definition.
@@ -46,9 +46,9 @@ TEST(AreaKernel, IsThePatchToPatchIntegralWithGaussLegendrePoints) {
 TEST(AreaKernel, GivesTheSameWhetherOrNotSymmetryIsUsed) {
     const Scene box = make_box(3, 2, 1);
     test::GaussPoints points(5, 5);
-    const Eigen::MatrixXd halved = area_kernel(box, {3}, points, {}, 0);
+    const Eigen::MatrixXd halved = area_kernel(box, {3}, points, PointMap::uniform, {}, 0);
     points.deny_exchangeable();
-    const Eigen::MatrixXd full = area_kernel(box, {3}, points, {}, 0);
+    const Eigen::MatrixXd full = area_kernel(box, {3}, points, PointMap::uniform, {}, 0);
     EXPECT_LT((halved - full).cwiseAbs().maxCoeff(), 1e-14);
     EXPECT_NEAR(6 * full(face_1, face_2), 3 * full(face_2, face_1), 1e-14) << "A_1 F_12 = A_2 F_21";
 }
@@ -61,7 +61,7 @@ TEST(AreaKernel, HasTheSameBitsWithEveryInstructionSet) {
     const Scene box = make_box(3, 2, 1);
     const auto results = test::with_each_instruction_set([&box] {
         const Eigen::MatrixXd fixed = gauss(box, 3, 5, 6);
-        const Eigen::MatrixXd random = area_kernel(box, {2}, test::PhiloxPoints(1500), {1, 2}, 3);
+        const Eigen::MatrixXd random = area_kernel(box, {2}, test::PhiloxPoints(1500), PointMap::uniform, {1, 2}, 3);
         std::vector<double> bits(fixed.reshaped().begin(), fixed.reshaped().end());
         bits.insert(bits.end(), random.reshaped().begin(), random.reshaped().end());
         return bits;
@@ -79,7 +79,8 @@ TEST(AreaKernel, IsUnbiasedOnParallelFacesWithRandomPoints) {
     double sum = 0;
     double sum_of_squares = 0;
     for (std::uint32_t trial = 0; trial < trials; ++trial) {
-        const double error = area_kernel(cube, {2}, test::PhiloxPoints(300), {5, 6}, trial)(face_1, face_6) - exact;
+        const double error =
+            area_kernel(cube, {2}, test::PhiloxPoints(300), PointMap::uniform, {5, 6}, trial)(face_1, face_6) - exact;
         sum += error;
         sum_of_squares += error * error;
     }
@@ -103,7 +104,7 @@ class CornerPoints : public test::PhiloxPoints {
 };
 
 TEST(AreaKernel, CountsPointsThatCoincideAsZero) {
-    const Eigen::MatrixXd factors = area_kernel(make_box(1, 1, 1), {1}, CornerPoints(), {}, 0);
+    const Eigen::MatrixXd factors = area_kernel(make_box(1, 1, 1), {1}, CornerPoints(), PointMap::uniform, {}, 0);
     EXPECT_TRUE(factors.allFinite());
     EXPECT_EQ(factors(face_1, 2), 0) << "z = 0 and y = 0 meet at the origin";
 }
@@ -122,7 +123,7 @@ class Recorder : public test::PhiloxPoints {
 
 TEST(AreaKernel, GivesEveryOrderedPairOfPatchesItsOwnStream) {
     Recorder points;
-    area_kernel(make_box(1, 1, 1), {2}, points, {}, 0);
+    area_kernel(make_box(1, 1, 1), {2}, points, PointMap::uniform, {}, 0);
     EXPECT_EQ(points.streams.size(), 24u * 20u);
     std::sort(points.streams.begin(), points.streams.end());
     EXPECT_EQ(std::adjacent_find(points.streams.begin(), points.streams.end()), points.streams.end());

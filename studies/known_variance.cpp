@@ -1,0 +1,34 @@
+#include "studies/known_variance.hpp"
+
+#include "samplers/sampler.hpp"
+
+namespace ff::studies {
+namespace {
+
+bool is_infinite(const Method& method, const Scene& scene, int from, int to) {
+    const auto index = kernel_tail_index(closest_contact(scene, from - 1, to - 1), method.map);
+    return index && *index <= 2;
+}
+
+/// Whether some term of a quantity has no variance. Faces count from 1; 0 stands for all.
+bool has_infinite_term(const Method& method, const Scene& scene, int from, int to) {
+    const int faces = static_cast<int>(scene.faces.size());
+    for (int i = from == 0 ? 1 : from; i <= (from == 0 ? faces : from); ++i) {
+        for (int j = to == 0 ? 1 : to; j <= (to == 0 ? faces : to); ++j) {
+            if (i != j && is_infinite(method, scene, i, j)) return true;
+        }
+    }
+    return false;
+}
+
+}  // namespace
+
+VarianceStatus known_variance(const Method& method, const Scene& scene, Quantity quantity) {
+    const bool deterministic = method.sampler.empty() || !samplers::find(method.sampler).info.randomised;
+    if (deterministic) return VarianceStatus::none;
+    if (method.estimator != Estimator::area_kernel) return VarianceStatus::finite;
+    return has_infinite_term(method, scene, quantity.from, quantity.to) ? VarianceStatus::infinite
+                                                                        : VarianceStatus::finite;
+}
+
+}  // namespace ff::studies
