@@ -13,6 +13,9 @@ ExitCode run(const RunCommand& command);
 /// Writes reports from a store.
 ExitCode report(const ReportCommand& command);
 
+/// Brings the stores of shards together and writes the reports; inconclusive where units are missing.
+ExitCode merge(const MergeCommand& command);
+
 /// Checks published tables for contradictions; failed where there are some.
 ExitCode audit(const AuditCommand& command);
 

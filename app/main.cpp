@@ -1,4 +1,6 @@
 #include "app/commands.hpp"
+#include "app/messages.hpp"
+#include "app/signals.hpp"
 #include "app/study_files.hpp"
 #include "app/usage_errors.hpp"
 
@@ -13,6 +15,7 @@
 #include <exception>
 #include <functional>
 #include <new>
+#include <system_error>
 
 namespace {
 
@@ -25,9 +28,12 @@ void add_run_options(CLI::App& app, RunCommand& command) {
     app.add_option("--trials", command.trials, "Repetitions of every sampled size (default: the study's)");
     app.add_option("--seed", command.seed, "Seed of all random numbers (default: the study's)");
     app.add_option("--threads", command.threads, "Threads; results do not depend on them (default: all cores)");
+    app.add_option("--shard", command.shard, "Carry out share i/n of the work only; see 'ffstudy merge'");
+    app.add_option("--max-time", command.max_time, "Stop in order after 90 (seconds), 15m, 2.5h, 1d");
+    app.add_option("--max-memory", command.max_memory, "Keep within 500M, 2G: fewer threads, or an orderly stop");
     app.add_option("--out", command.out, "Folder for the results (default: results/<study>)");
     app.add_flag("--quiet", command.quiet, "Print errors only");
-    app.add_flag("--dry-run", command.dry_run, "Show work units and expected time, run nothing");
+    app.add_flag("--dry-run", command.dry_run, "Show work units, expected time and memory, run nothing");
 }
 
 void add_run(CLI::App& app, RunCommand& command, Action& action) {
@@ -52,6 +58,14 @@ void add_report(CLI::App& app, ReportCommand& command, Action& action) {
     sub->add_option("--out", command.out, "Folder for the files (default: where the results lie)");
     sub->add_flag("--quiet", command.quiet, "Print errors only");
     sub->callback([&] { action = [&] { return report(command); }; });
+}
+
+void add_merge(CLI::App& app, MergeCommand& command, Action& action) {
+    CLI::App* sub = app.add_subcommand("merge", "Bring the results of shards together");
+    sub->add_option("RESULTS", command.sources, "Folders of the shards, or their results.sqlite")->required();
+    sub->add_option("--out", command.out, "Folder for the merged results")->required();
+    sub->add_flag("--quiet", command.quiet, "Print errors only");
+    sub->callback([&] { action = [&] { return merge(command); }; });
 }
 
 void add_audit(CLI::App& app, AuditCommand& command, Action& action) {
@@ -81,10 +95,12 @@ ExitCode parse_and_act(int argc, char** argv) {
     Action action;
     RunCommand run_command;
     ReportCommand report_command;
+    MergeCommand merge_command;
     AuditCommand audit_command;
     std::string name;
     add_run(app, run_command, action);
     add_report(app, report_command, action);
+    add_merge(app, merge_command, action);
     add_audit(app, audit_command, action);
     add_catalogue(app, name, action);
     try {
@@ -100,7 +116,7 @@ ExitCode parse_and_act(int argc, char** argv) {
 }
 
 ExitCode fail(ExitCode code, const std::string& message) {
-    fmt::print(stderr, "ffstudy: {}\n", message);
+    say("ffstudy: {}\n", message);
     return code;
 }
 
@@ -116,6 +132,8 @@ ExitCode guarded(int argc, char** argv) {
         return fail(ExitCode::io, error.what());
     } catch (const std::filesystem::filesystem_error& error) {
         return fail(ExitCode::io, fmt::format("{}. Check the path, the permissions and the free space.", error.what()));
+    } catch (const std::system_error& error) {
+        return fail(ExitCode::io, fmt::format("{}. Check the disk, or the pipe that reads the output.", error.what()));
     } catch (const std::bad_alloc&) {
         return fail(ExitCode::usage, "out of memory. Take fewer patches or threads.");
     }
@@ -126,5 +144,6 @@ ExitCode guarded(int argc, char** argv) {
 // An exception that nobody expects is a bug and ends the program, as a broken contract does.
 // NOLINTNEXTLINE(bugprone-exception-escape)
 int main(int argc, char** argv) {
+    turn_file_size_signal_into_errors();
     return static_cast<int>(guarded(argc, argv));
 }

@@ -14,7 +14,10 @@ struct RunCommand {
     std::optional<std::uint64_t> trials;
     std::optional<std::uint64_t> seed;
     std::optional<unsigned> threads;
-    std::filesystem::path out;  ///< empty: results/<study>
+    std::optional<std::string> shard;       ///< "i/n"
+    std::optional<std::string> max_time;    ///< "90", "15m"
+    std::optional<std::string> max_memory;  ///< "500M"
+    std::filesystem::path out;              ///< empty: results/<study>
     bool quiet = false;
     bool dry_run = false;
 };
@@ -23,6 +26,12 @@ struct ReportCommand {
     std::filesystem::path results;  ///< folder or store
     std::filesystem::path out;      ///< empty: where the store lies
     std::vector<std::string> formats;
+    bool quiet = false;
+};
+
+struct MergeCommand {
+    std::vector<std::filesystem::path> sources;  ///< folders or stores
+    std::filesystem::path out;
     bool quiet = false;
 };
 

@@ -1,5 +1,7 @@
 #include "app/progress.hpp"
 
+#include "app/messages.hpp"
+
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -50,15 +52,15 @@ void ProgressDisplay::show(const studies::Progress& progress) {
     const double rate = static_cast<double>(progress.evaluations) / std::max(elapsed, 1e-9) / 1e6;
     const std::string text = fmt::format("{:5.1f} %  {:.0f} M samples/s  {} left", 100 * share, rate, left);
     if (style_ == Style::bar) {
-        fmt::print(stderr, "\r{} {}   ", bar(share), text);
+        say("\r{} {}   ", bar(share), text);
     } else {
-        fmt::print(stderr, "{}\n", text);
+        say("{}\n", text);
     }
     std::fflush(stderr);
 }
 
 void ProgressDisplay::finish() {
-    if (style_ == Style::bar && shown_) fmt::print(stderr, "\n");
+    if (style_ == Style::bar && shown_) say("\n");
 }
 
 }  // namespace ff::app

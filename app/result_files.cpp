@@ -56,6 +56,13 @@ void expect_room_for_results(const std::filesystem::path& folder) {
     }
 }
 
+void make_folder(const std::filesystem::path& folder) {
+    std::error_code error;
+    std::filesystem::create_directories(folder, error);
+    if (error)
+        throw IoError(fmt::format("{}: cannot be made ({}). Choose another --out.", folder.string(), error.message()));
+}
+
 void write_results(const std::filesystem::path& folder, const studies::Store& store,
                    const studies::StudyResults& results, std::span<const std::string_view> formats) {
     for (const std::string_view format : formats) {

@@ -18,6 +18,9 @@ std::span<const std::string_view> all_formats();
 /// @throws IoError that names what is in the way
 void expect_room_for_results(const std::filesystem::path& folder);
 
+/// Makes a folder for results, with those above it. @throws IoError
+void make_folder(const std::filesystem::path& folder);
+
 /// Writes the files of these formats into a folder, each whole or not at all.
 /// @throws IoError; UserError for an unknown format
 void write_results(const std::filesystem::path& folder, const studies::Store& store,

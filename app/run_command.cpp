@@ -1,53 +1,28 @@
 #include "app/commands.hpp"
 
+#include "app/limits.hpp"
+#include "app/messages.hpp"
+#include "app/processes.hpp"
 #include "app/progress.hpp"
 #include "app/result_files.hpp"
 #include "app/run_context.hpp"
+#include "app/run_request.hpp"
 #include "app/signals.hpp"
-#include "app/study_files.hpp"
 
-#include "core/error.hpp"
 #include "reports/terminal.hpp"
+#include "studies/resources.hpp"
 #include "studies/run.hpp"
 #include "studies/store.hpp"
 
 #include <fmt/format.h>
 
 #include <chrono>
-#include <thread>
+#include <exception>
+#include <optional>
+#include <vector>
 
 namespace ff::app {
 namespace {
-
-constexpr std::uint64_t largest_seed = (1ULL << 63) - 1;  // study files hold it as a TOML integer
-constexpr unsigned most_threads = 4096;
-
-studies::StudyPlan make_plan(const RunCommand& command) {
-    studies::StudySpec spec = find_study(command.study);
-    if (command.trials) studies::set_trials(spec, *command.trials);
-    if (command.seed) {
-        if (*command.seed > largest_seed)
-            throw UserError(fmt::format("--seed {} (at most {}). Take a smaller one.", *command.seed, largest_seed));
-        spec.seed = Seed{*command.seed};
-    }
-    return studies::plan_study(std::move(spec));
-}
-
-unsigned thread_count(const RunCommand& command) {
-    if (!command.threads) return std::max(1u, std::thread::hardware_concurrency());
-    if (*command.threads == 0 || *command.threads > most_threads) {
-        throw UserError(fmt::format("--threads {} (1 to {} are possible). Leave it out for all cores.",
-                                    *command.threads, most_threads));
-    }
-    return *command.threads;
-}
-
-void make_folder(const std::filesystem::path& folder) {
-    std::error_code error;
-    std::filesystem::create_directories(folder, error);
-    if (error)
-        throw IoError(fmt::format("{}: cannot be made ({}). Choose another --out.", folder.string(), error.message()));
-}
 
 /// The command that gives the same results.
 std::string reproduce(const studies::StudySpec& spec, const std::string& study,
@@ -56,19 +31,67 @@ std::string reproduce(const studies::StudySpec& spec, const std::string& study,
     return fmt::format("ffstudy run {}{} --seed {}", study, trial_option, spec.seed.value);
 }
 
-ExitCode describe_plan(const studies::StudyPlan& plan, unsigned threads) {
-    fmt::print("{}", reports::terminal_plan(plan, threads));
+/// A finished shard leaves its store. Reports come from all shards together.
+ExitCode finish_shard(const studies::Shard& shard, const std::filesystem::path& out, bool quiet) {
+    if (!quiet) {
+        fmt::print("shard {}/{} is complete: {}\nWhen all {} are: ffstudy merge FOLDER... --out FOLDER\n", shard.index,
+                   shard.count, (out / "results.sqlite").string(), shard.count);
+    }
     return ExitCode::passed;
+}
+
+/// The part of a process beside the first one: carries out its units and hands them over. It says nothing: what is
+/// wrong with the command the first process finds as well, and its end ends all.
+ExitCode assist(const Processes& processes, const RunCommand& command) {
+    std::optional<RunRequest> request;
+    std::exception_ptr failure;
+    try {
+        request = check(command, processes);
+    } catch (...) {
+        failure = std::current_exception();
+    }
+    if (!failure && command.dry_run) return ExitCode::passed;
+    const std::vector<bool> finished = processes.share_finished_units({});
+    if (failure) std::rethrow_exception(failure);
+    studies::RunOptions options;
+    options.threads = request->threads;
+    options.shard = request->shard;
+    options.process = processes.part();
+    options.stop = &stop_on_signals();
+    const TimeLimit limit(request->max_time);
+    studies::carry_out_units(request->plan, finished, options,
+                             [&](const studies::UnitRecord& record) { processes.send(record); });
+    processes.send_end();
+    end_on_signals();
+    return ExitCode::passed;
+}
+
+ExitCode describe_plan(const RunRequest& request) {
+    fmt::print("{}about {} of memory, {} on the disk\n", reports::terminal_plan(request.plan, request.threads),
+               size_in_words(studies::expected_memory(request.plan, request.threads)),
+               size_in_words(studies::expected_store_size(request.plan)));
+    return ExitCode::passed;
+}
+
+/// Asks for an orderly end where this process has grown beyond the limit.
+void watch_memory(const RunRequest& request) {
+    if (!request.max_memory) return;
+    const auto used = resident_memory();
+    if (!used || *used <= *request.max_memory) return;
+    say("note: {} of memory are in use, more than --max-memory.\n", size_in_words(*used));
+    ask_for_the_end();
 }
 
 }  // namespace
 
 ExitCode run(const RunCommand& command) {
-    const studies::StudyPlan plan = make_plan(command);
-    const unsigned threads = thread_count(command);
-    if (command.dry_run) return describe_plan(plan, threads);
+    const Processes processes;
+    if (!processes.leads()) return assist(processes, command);
+    const RunRequest request = check(command, processes);
+    const studies::StudyPlan& plan = request.plan;
+    if (command.dry_run) return describe_plan(request);
     if (!command.quiet) {
-        for (const std::string& warning : plan.warnings) fmt::print(stderr, "note: {}\n", warning);
+        for (const std::string& warning : plan.warnings) say("note: {}\n", warning);
     }
     const std::filesystem::path out =
         command.out.empty() ? std::filesystem::path("results") / plan.spec.name : command.out;
@@ -79,24 +102,37 @@ ExitCode run(const RunCommand& command) {
     const auto start = std::chrono::steady_clock::now();
     ProgressDisplay progress(ProgressDisplay::style(command.quiet));
     studies::RunOptions options;
-    options.threads = threads;
+    options.threads = request.threads;
+    options.shard = request.shard;
+    options.process = processes.part();
+    if (!processes.alone()) {
+        processes.share_finished_units(store.finished_units());
+        options.others = [&](const studies::Deliver& deliver) { processes.receive(deliver); };
+    }
     options.stop = &stop_on_signals();
-    options.report = [&](const studies::Progress& state) { progress.show(state); };
+    options.report = [&](const studies::Progress& state) {
+        progress.show(state);
+        watch_memory(request);
+    };
+    std::optional<TimeLimit> limit(request.max_time);
     const auto outcome = studies::run_study(store, options);
+    limit.reset();
     progress.finish();
     end_on_signals();
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     if (outcome == studies::RunOutcome::complete && store.context().empty()) {
-        store.set_context(describe_run(reproduce(plan.spec, command.study, command.trials), threads, seconds));
+        store.set_context(describe_run(reproduce(plan.spec, command.study, command.trials), request.threads, seconds));
     }
 
     store.seal();
+    if (!request.shard.is_whole() && outcome == studies::RunOutcome::complete && !store.is_complete())
+        return finish_shard(request.shard, out, command.quiet);
     const auto results = studies::evaluate(store);
     write_results(out, store, results, all_formats());
     if (!command.quiet) fmt::print("{}", reports::terminal_summary(results));
     if (!command.quiet) fmt::print("\nResults: {}\n", (out / "report.md").string());
     if (outcome == studies::RunOutcome::complete) return ExitCode::passed;
-    fmt::print(stderr, "stopped early; what was done is saved. Run the same command again to go on.\n");
+    say("stopped early; what was done is saved. Run the same command again to go on.\n");
     return ExitCode::interrupted;
 }
 

@@ -9,10 +9,12 @@ namespace ff::app {
 namespace {
 
 std::atomic<bool> stop{false};
+std::atomic<bool> signalled{false};
 static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler sets it");
 
 extern "C" void handle(int /*signal*/) {
-    if (stop.exchange(true)) ::_exit(static_cast<int>(ExitCode::interrupted));
+    stop = true;
+    if (signalled.exchange(true)) ::_exit(static_cast<int>(ExitCode::interrupted));
 }
 
 void set_handler(void (*handler)(int)) {
@@ -32,8 +34,16 @@ const std::atomic<bool>& stop_on_signals() {
     return stop;
 }
 
+void ask_for_the_end() {
+    stop = true;
+}
+
 void end_on_signals() {
     set_handler(SIG_DFL);
+}
+
+void turn_file_size_signal_into_errors() {
+    std::signal(SIGXFSZ, SIG_IGN);
 }
 
 }  // namespace ff::app

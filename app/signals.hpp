@@ -8,7 +8,13 @@ namespace ff::app {
 /// @return the flag
 const std::atomic<bool>& stop_on_signals();
 
+/// Sets the flag as a first signal does.
+void ask_for_the_end();
+
 /// From here on these signals end the program at once; nothing is left that could be lost.
 void end_on_signals();
+
+/// A file that outgrows the limit of the system then fails as on a full disk, instead of ending the program.
+void turn_file_size_signal_into_errors();
 
 }  // namespace ff::app

@@ -12,6 +12,11 @@ find_package(nlohmann_json 3.11 REQUIRED)
 find_package(SQLite3 3.40 REQUIRED)
 find_package(tomlplusplus 3.3 REQUIRED)
 
+if(FFSTUDY_MPI)
+  enable_language(C)  # of MPI only the C interface is used, and CMake looks for it with a C compiler
+  find_package(MPI 3 REQUIRED COMPONENTS C)
+endif()
+
 find_path(RANDOM123_INCLUDE_DIR Random123/philox.h REQUIRED)
 add_library(ff_random123 INTERFACE)
 target_include_directories(ff_random123 SYSTEM INTERFACE $<BUILD_INTERFACE:${RANDOM123_INCLUDE_DIR}>)

@@ -122,7 +122,7 @@ void write_trials_csv(std::ostream& out, const studies::Store& store) {
             fmt::memory_buffer rows;
             for (std::size_t i = 0; i < values.size(); ++i) {
                 fmt::format_to(std::back_inserter(rows), "{},{},{},{}\n", prefix, estimates.trial_numbers[i], faces,
-                               values[i]);
+                               exact(values[i]));
             }
             out.write(rows.data(), static_cast<std::streamsize>(rows.size()));
         }

@@ -57,6 +57,8 @@ std::string_view name(studies::VarianceStatus status) {
             return "infinite";
         case studies::VarianceStatus::sparse:
             return "sparse";
+        case studies::VarianceStatus::undefined:
+            return "undefined";
         case studies::VarianceStatus::none:
             break;
     }
@@ -68,6 +70,7 @@ Json summary_json(const Scene& scene, const studies::Summary& s) {
             {"to_face", to_label(scene, s.quantity)},
             {"pair_class", s.pair_class ? Json(ff::name(*s.pair_class)) : Json(nullptr)},
             {"variance", name(s.variance)},
+            {"not_finite", s.not_finite},
             {"reference", optional(s.reference)},
             {"mean", optional(s.mean)},
             {"bias", optional(s.bias)},
@@ -104,6 +107,7 @@ Json bias_json(const studies::StudyPlan& plan, const studies::CellFindings& foun
             {"untestable", family.untestable},
             {"infinite_variance", family.infinite},
             {"too_few_hits", family.sparse},
+            {"not_finite", family.undefined},
             {"constant_and_wrong", family.constant_and_wrong},
             {"largest_z", family.largest_z},
             {"largest_pair", family.largest_z > 0 ? Json(quantity_label(scene, family.largest_pair)) : Json(nullptr)},

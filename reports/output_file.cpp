@@ -20,13 +20,16 @@ namespace {
                               file.string(), error == 0 ? "output error" : std::generic_category().message(error)));
 }
 
-void synchronise(const std::filesystem::path& file) {
-    const int descriptor = ::open(file.c_str(), O_RDONLY | O_CLOEXEC);
+/// Waits until a file, or the names in a folder, are on the disk.
+void synchronise(const std::filesystem::path& place, const std::filesystem::path& file) {
+    const int descriptor = ::open(place.c_str(), O_RDONLY | O_CLOEXEC);
     if (descriptor < 0) fail(file, errno);
     const int status = ::fsync(descriptor);
     const int error = errno;
-    ::close(descriptor);
-    if (status != 0) fail(file, error);
+    const bool closed = ::close(descriptor) == 0;
+    // Some file systems cannot synchronise a folder and say so.
+    if (status != 0 && !(error == EINVAL && place != file)) fail(file, error);
+    if (!closed) fail(file, errno);
 }
 
 }  // namespace
@@ -41,10 +44,11 @@ void write_file(const std::filesystem::path& file, const std::function<void(std:
         write(out);
         out.close();
         if (!out) fail(file, errno);
-        synchronise(temporary);
+        synchronise(temporary, temporary);
         std::error_code error;
         std::filesystem::rename(temporary, file, error);
         if (error) fail(file, error.value());
+        synchronise(file.has_parent_path() ? file.parent_path() : ".", file);
     } catch (...) {
         std::error_code ignored;
         std::filesystem::remove(temporary, ignored);

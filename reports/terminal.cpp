@@ -5,6 +5,7 @@
 #include "reports/numbers.hpp"
 #include "reports/published_summary.hpp"
 #include "reports/verdicts.hpp"
+#include "studies/resources.hpp"
 
 #include <fmt/format.h>
 
@@ -62,8 +63,8 @@ std::string terminal_plan(const studies::StudyPlan& plan, unsigned threads) {
                            size_label(plan, cell), cell.trials, studies::evaluations_per_trial(plan, cell),
                            seconds_in_words(seconds));
     }
-    out +=
-        fmt::format("\nabout {} on {} thread{}\n", seconds_in_words(total / threads), threads, threads == 1 ? "" : "s");
+    const double expected = total / threads + studies::expected_seconds_of_results(plan);
+    out += fmt::format("\nabout {} on {} thread{}\n", seconds_in_words(expected), threads, threads == 1 ? "" : "s");
     return out;
 }
 

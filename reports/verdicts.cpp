@@ -9,6 +9,7 @@ namespace {
 
 /// Why some pairs, or all, are not tested.
 std::string why_untested(const studies::BiasFamily& family) {
+    if (family.undefined > 0) return "infinity or no number in some trials";
     if (family.infinite > 0) return "infinite variance";
     return family.sparse > 0 ? "too few hits" : "no spread";
 }

@@ -79,6 +79,7 @@ BiasFamily judge_family(const CellEstimates& estimates, const std::vector<Quanti
             ++family.untestable;
             if (summary.variance == VarianceStatus::infinite) ++family.infinite;
             if (summary.variance == VarianceStatus::sparse) ++family.sparse;
+            if (summary.variance == VarianceStatus::undefined) ++family.undefined;
             const bool varies = summary.std && *summary.std > 0;
             if (summary.variance != VarianceStatus::finite || varies || !summary.bias || estimates.trials() < 2)
                 continue;
@@ -136,7 +137,9 @@ std::optional<double> CellFindings::class_rmse(PairClass pair_class) const {
     double sum = 0;
     std::size_t pairs = 0;
     for (const Summary& summary : summaries) {
-        if (summary.pair_class != pair_class || !summary.rmse) continue;
+        if (summary.pair_class != pair_class) continue;
+        if (summary.not_finite > 0) return std::nullopt;
+        if (!summary.rmse) continue;
         sum += *summary.rmse * *summary.rmse;
         ++pairs;
     }
@@ -199,8 +202,7 @@ CellFindings analyse_cell(const Store& store, std::size_t cell_index) {
 Findings analyse(const Store& store) {
     Findings findings;
     findings.plan = store.plan();
-    const auto finished = store.finished_units();
-    findings.complete = std::all_of(finished.begin(), finished.end(), [](bool done) { return done; });
+    findings.complete = store.is_complete();
     for (std::size_t cell = 0; cell < findings.plan.cells.size(); ++cell)
         findings.cells.push_back(analyse_cell(store, cell));
     return findings;

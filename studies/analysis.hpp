@@ -17,6 +17,7 @@ struct BiasFamily {
     std::size_t untestable = 0;       ///< of them, pairs without a variance
     std::size_t infinite = 0;         ///< of these, because the variance is infinite
     std::size_t sparse = 0;           ///< of these, because there are too few hits
+    std::size_t undefined = 0;        ///< of these, because some trial gave no number
     bool constant_and_wrong = false;  ///< some pair has one value in every trial, and it is not the exact one
     double largest_z = 0;             ///< largest |bias| / standard error
     Quantity largest_pair;
@@ -47,7 +48,8 @@ struct CellFindings {
     EquivalenceFinding equivalence = EquivalenceFinding::not_asked;
 
     [[nodiscard]] const Summary& summary(Quantity quantity) const;
-    /// Root mean square, over the pairs of a class, of their RMSE; empty where the cell has no such pair or reference.
+    /// Root mean square, over the pairs of a class, of their RMSE; empty where the cell has no such pair or
+    /// reference, and where a trial of one gave no number.
     [[nodiscard]] std::optional<double> class_rmse(PairClass pair_class) const;
 };
 

@@ -11,9 +11,15 @@ namespace ff::studies {
 namespace {
 
 /// Direct estimates of one pair by trial; hits, not yet divided by the rays, where they are counted.
-std::vector<double> direct_values(const Store& store, CellEstimates& estimates, int from, int to, bool counted) {
+/// @throws IoError where the store lacks a trial that it says is saved
+std::vector<double> direct_values(const Store& store, const CellEstimates& estimates, int from, int to, bool counted) {
     auto series = store.series(estimates.cell, counted ? observable::hits : observable::estimate, from, to);
-    estimates.trial_numbers = std::move(series.trial);
+    if (series.trial != estimates.trial_numbers) {
+        throw IoError(
+            fmt::format("{}: damaged (cell {} lacks trials of faces {} and {}). Take a copy, or remove it and "
+                        "run the study again.",
+                        store.database().file(), estimates.cell, from, to));
+    }
     return std::move(series.value);
 }
 
@@ -78,6 +84,7 @@ CellEstimates load_estimates(const Store& store, std::size_t cell_index, Complet
     CellEstimates estimates;
     estimates.cell = cell_index;
     estimates.faces = scene.faces.size();
+    estimates.trial_numbers = store.saved_trial_numbers(cell_index);
     estimates.factors.resize(estimates.faces * estimates.faces);
     estimates.evaluations_per_face = cell.subdivision.per_surface() * cell.samples;
     if (method.estimator == Estimator::area_kernel) estimates.evaluations_per_face *= cell.subdivision.per_surface();

@@ -20,6 +20,9 @@ constexpr double unit_seconds = 0.2;
 /// A unit's observations wait in memory to be saved: some kilobytes a trial.
 constexpr double most_trials_of_a_unit = 2000;
 
+/// 320 MB of plan, and a day of work for a hundred cores.
+constexpr std::uint64_t most_units = 10'000'000;
+
 /// About a month on one core.
 constexpr double most_evaluations = 1e15;
 
@@ -94,6 +97,10 @@ void add_units(StudyPlan& plan, std::size_t cell_index) {
     const Cell& cell = plan.cells[cell_index];
     const double seconds = expected_seconds_per_trial(plan, cell);
     const auto batch = static_cast<std::uint64_t>(std::clamp(unit_seconds / seconds, 1.0, most_trials_of_a_unit));
+    if (plan.units.size() + cell.trials / batch >= most_units) {
+        throw UserError(fmt::format("method '{}': {} trials make more than {} work units. Take fewer trials.",
+                                    plan.spec.methods[cell.method].name, cell.trials, most_units));
+    }
     for (std::uint64_t first = 0; first < cell.trials; first += batch) {
         plan.units.push_back({plan.units.size(), cell_index, first, std::min(batch, cell.trials - first)});
     }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string_view>
 #include <variant>
@@ -13,6 +14,7 @@ inline constexpr std::string_view hits = "hits";  ///< rays from a face that hit
 inline constexpr std::string_view rays = "rays";  ///< rays shot from a face; to_face is 0
 inline constexpr std::string_view lost = "lost";  ///< rays from a face that hit nothing; to_face is 0; absent where 0
 inline constexpr std::string_view estimate = "estimate";  ///< a form factor estimated directly, a real number
+inline constexpr std::array all{hits, rays, lost, estimate};
 }  // namespace observable
 
 /// One observed value of one trial. Faces count from 1, in the order of the scene; 0 means none.

@@ -1,6 +1,18 @@
 #include "studies/results.hpp"
 
+#include <algorithm>
+
 namespace ff::studies {
+namespace {
+
+bool all_finite(const Findings& findings) {
+    return std::all_of(findings.cells.begin(), findings.cells.end(), [](const CellFindings& cell) {
+        return std::all_of(cell.summaries.begin(), cell.summaries.end(),
+                           [](const Summary& summary) { return summary.not_finite == 0; });
+    });
+}
+
+}  // namespace
 
 StudyResults evaluate(const Store& store) {
     StudyResults results;
@@ -10,7 +22,7 @@ StudyResults evaluate(const Store& store) {
         if (auto check = check_variance(results.findings, cell)) results.variance_checks.push_back(std::move(*check));
     }
     const auto& published = results.findings.plan.spec.published;
-    if (published) {
+    if (published && all_finite(results.findings)) {
         PublishedResults& compared = results.published.emplace();
         compared.tables = parse_published_tables(published->text, published->file);
         compared.comparisons = compare_with_published(store, results.findings, compared.tables);

@@ -26,7 +26,7 @@ struct StudyResults {
     Findings findings;
     std::vector<VarianceCheck> variance_checks;
     std::vector<ErrorLaw> error_laws;
-    std::optional<PublishedResults> published;
+    std::optional<PublishedResults> published;  ///< empty too where a trial gave no number
     Context context;
 };
 

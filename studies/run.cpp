@@ -23,13 +23,15 @@ class Workshop {
   public:
     /// No more threads than units.
     Workshop(const Worker& worker, std::vector<const WorkUnit*> units, const RunOptions& options)
-        : worker_(worker),
-          units_(std::move(units)),
-          options_(options),
-          active_(std::min<std::size_t>(options.threads, units_.size())) {
-        const std::size_t wanted = active_;
+        : worker_(worker), units_(std::move(units)), options_(options) {
+        const std::size_t wanted =
+            std::min<std::size_t>(options.threads, units_.size()) + (options.others ? std::size_t{1} : 0);
+        active_ = wanted;
         try {
-            while (threads_.size() < wanted) threads_.emplace_back([this] { work(); });
+            if (options.others) {
+                start([this] { options_.others([this](UnitRecord record) { return put(std::move(record)); }); });
+            }
+            while (threads_.size() < wanted) start([this] { work(); });
         } catch (const std::system_error& error) {
             const std::size_t started = threads_.size();
             end();
@@ -65,29 +67,51 @@ class Workshop {
         for (std::thread& thread : threads_) thread.join();
     }
 
+    /// Runs `job` on a thread; what it throws goes to `take`.
+    template <typename Job>
+    void start(Job job) {
+        threads_.emplace_back([this, job] {
+            std::exception_ptr failure;
+            try {
+                job();
+            } catch (...) {
+                failure = std::current_exception();
+            }
+            const std::lock_guard lock(mutex_);
+            if (failure) failure_ = failure;
+            --active_;
+            changed_.notify_all();
+        });
+    }
+
+    void wait_for_room(std::unique_lock<std::mutex>& lock) {
+        changed_.wait(lock, [this] { return records_.size() < units_waiting(options_.threads) || cancelled_; });
+    }
+
+    bool put(UnitRecord record) {
+        std::unique_lock lock(mutex_);
+        wait_for_room(lock);
+        if (cancelled_) return false;
+        records_.push_back(std::move(record));
+        changed_.notify_all();
+        return true;
+    }
+
     /// The next unit, when there is room for its record; null at the end.
     const WorkUnit* next() {
         std::unique_lock lock(mutex_);
-        changed_.wait(lock, [this] { return records_.size() < 2 * options_.threads + 2 || cancelled_; });
+        wait_for_room(lock);
         const bool stop = options_.stop != nullptr && options_.stop->load();
         return cancelled_ || stop || failure_ || next_ == units_.size() ? nullptr : units_[next_++];
     }
 
     void work() {
-        try {
-            while (const WorkUnit* unit = next()) {
-                UnitRecord record = worker_.carry_out(*unit);
-                const std::lock_guard lock(mutex_);
-                records_.push_back(std::move(record));
-                changed_.notify_all();
-            }
-        } catch (...) {
+        while (const WorkUnit* unit = next()) {
+            UnitRecord record = worker_.carry_out(*unit);
             const std::lock_guard lock(mutex_);
-            failure_ = std::current_exception();
+            records_.push_back(std::move(record));
+            changed_.notify_all();
         }
-        const std::lock_guard lock(mutex_);
-        --active_;
-        changed_.notify_all();
     }
 
     const Worker& worker_;
@@ -98,7 +122,7 @@ class Workshop {
     std::deque<UnitRecord> records_;
     std::exception_ptr failure_;
     std::size_t next_ = 0;
-    std::size_t active_;
+    std::size_t active_ = 0;
     bool cancelled_ = false;
     std::vector<std::thread> threads_;
 };
@@ -107,26 +131,43 @@ double expected_seconds(const StudyPlan& plan, const WorkUnit& unit) {
     return static_cast<double>(unit.trials) * expected_seconds_per_trial(plan, plan.cells[unit.cell]);
 }
 
+/// Units of the shard that are not finished yet.
+std::vector<const WorkUnit*> missing_units(const StudyPlan& plan, const std::vector<bool>& finished,
+                                           const RunOptions& options) {
+    std::vector<const WorkUnit*> missing;
+    for (const WorkUnit& unit : plan.units) {
+        if (options.shard.holds(unit.index) && !finished[unit.index]) missing.push_back(&unit);
+    }
+    return missing;
+}
+
+/// Of the missing units, those that this process carries out.
+std::vector<const WorkUnit*> own_units(const std::vector<const WorkUnit*>& missing, const RunOptions& options) {
+    std::vector<const WorkUnit*> own;
+    for (std::size_t i = 0; i < missing.size(); ++i) {
+        if (options.process.holds(i)) own.push_back(missing[i]);
+    }
+    return own;
+}
+
 }  // namespace
 
 RunOutcome run_study(Store& store, const RunOptions& options) {
     FF_EXPECT(options.threads >= 1);
     const StudyPlan& plan = store.plan();
     const std::vector<bool> finished = store.finished_units();
+    const auto missing = missing_units(plan, finished, options);
     Progress progress;
-    progress.units = plan.units.size();
-    std::vector<const WorkUnit*> missing;
     for (const WorkUnit& unit : plan.units) {
+        if (!options.shard.holds(unit.index)) continue;
+        ++progress.units;
         progress.expected_seconds += expected_seconds(plan, unit);
-        if (!finished[unit.index]) {
-            missing.push_back(&unit);
-            continue;
-        }
+        if (!finished[unit.index]) continue;
         ++progress.units_done;
         progress.expected_seconds_done += expected_seconds(plan, unit);
     }
     const Worker worker(plan);
-    Workshop workshop(worker, std::move(missing), options);
+    Workshop workshop(worker, own_units(missing, options), options);
     while (const auto record = workshop.take()) {
         store.commit(*record);
         const WorkUnit& unit = plan.units[record->unit];
@@ -137,6 +178,13 @@ RunOutcome run_study(Store& store, const RunOptions& options) {
         if (options.report) options.report(progress);
     }
     return progress.units_done == progress.units ? RunOutcome::complete : RunOutcome::stopped;
+}
+
+void carry_out_units(const StudyPlan& plan, const std::vector<bool>& finished, const RunOptions& options,
+                     const std::function<void(const UnitRecord&)>& hand_over) {
+    const Worker worker(plan);
+    Workshop workshop(worker, own_units(missing_units(plan, finished, options), options), options);
+    while (const auto record = workshop.take()) hand_over(*record);
 }
 
 }  // namespace ff::studies

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "studies/plan.hpp"
+#include "studies/shard.hpp"
 #include "studies/store.hpp"
 
 #include <atomic>
@@ -19,11 +20,22 @@ struct Progress {
     std::size_t cell = 0;           ///< of the unit saved last
 };
 
+/// Takes a finished unit; false where nobody waits for it any more.
+using Deliver = std::function<bool(UnitRecord)>;
+
 struct RunOptions {
     unsigned threads = 1;
+    Shard shard;                                  ///< only the units of this share are carried out and counted
+    Shard process;                                ///< of them, what this process does of what is missing
+    std::function<void(const Deliver&)> others;   ///< delivers what other processes do; called on a thread of its own
     const std::atomic<bool>* stop = nullptr;      ///< finish the units in hand, save them, return
     std::function<void(const Progress&)> report;  ///< called on the calling thread after each saved unit
 };
+
+/// Most records that wait to be saved at a time.
+constexpr std::size_t units_waiting(unsigned threads) {
+    return 2 * std::size_t{threads} + 2;
+}
 
 enum class RunOutcome { complete, stopped };
 
@@ -32,5 +44,10 @@ enum class RunOutcome { complete, stopped };
 /// saved at any time, whatever the number of trials.
 /// @throws what a unit or the store throws, what was saved stays; UserError where the system starts too few threads
 RunOutcome run_study(Store& store, const RunOptions& options);
+
+/// Carries out this process's part of the units that are not finished, for another process that has the store.
+/// `hand_over` gets each record on the calling thread. @throws what a unit or `hand_over` throws
+void carry_out_units(const StudyPlan& plan, const std::vector<bool>& finished, const RunOptions& options,
+                     const std::function<void(const UnitRecord&)>& hand_over);
 
 }  // namespace ff::studies

@@ -78,6 +78,11 @@ double Statement::real(int column) const {
     return sqlite3_column_double(statement_, column);
 }
 
+bool Statement::is_number(int column) const {
+    const int type = sqlite3_column_type(statement_, column);
+    return type == SQLITE_INTEGER || type == SQLITE_FLOAT;
+}
+
 std::string Statement::text(int column) const {
     const auto* text = reinterpret_cast<const char*>(sqlite3_column_text(statement_, column));
     return text == nullptr ? std::string()
@@ -104,6 +109,16 @@ Database::Database(const std::filesystem::path& file, Mode mode) {
 
 Database::~Database() {
     sqlite3_close_v2(handle_);
+}
+
+std::string Database::file() const {
+    const char* name = sqlite3_db_filename(handle_, "main");
+    return name == nullptr ? std::string() : name;
+}
+
+bool Database::has_moved() const {
+    int moved = 0;
+    return sqlite3_file_control(handle_, "main", SQLITE_FCNTL_HAS_MOVED, &moved) == SQLITE_OK && moved != 0;
 }
 
 void Database::execute(const char* sql) {

@@ -33,6 +33,7 @@ class Statement {
 
     [[nodiscard]] std::int64_t integer(int column) const;
     [[nodiscard]] double real(int column) const;
+    [[nodiscard]] bool is_number(int column) const;
     [[nodiscard]] std::string text(int column) const;
     [[nodiscard]] std::vector<std::uint64_t> integers(int column) const;
 
@@ -52,6 +53,10 @@ class Database {
     Database& operator=(const Database&) = delete;
 
     void execute(const char* sql);
+    /// Whether the file lies no longer where it was opened. SQLite would go on writing to it unseen.
+    [[nodiscard]] bool has_moved() const;
+    /// As it was opened, made absolute; empty for one in memory.
+    [[nodiscard]] std::string file() const;
     [[nodiscard]] sqlite3* handle() const { return handle_; }
 
   private:

@@ -5,6 +5,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <sstream>
 
 namespace ff::studies {
@@ -104,6 +106,45 @@ void expect_readable(const Database& database, const std::filesystem::path& file
     }
 }
 
+void bind_value(Statement& insert, std::int64_t value) {
+    insert.bind(5, value);
+}
+
+/// SQLite has infinities, but takes NaN for NULL.
+void bind_value(Statement& insert, double value) {
+    if (std::isnan(value))
+        insert.bind(5, std::string_view("nan"));
+    else
+        insert.bind(5, value);
+}
+
+[[noreturn]] void report_damage(const std::filesystem::path& file, const std::string& what) {
+    throw IoError(
+        fmt::format("{}: damaged ({}). Take a copy, or remove it and run the study again.", file.string(), what));
+}
+
+/// @throws IoError unless SQLite finds every page and row in order
+void expect_intact(const Database& database, const std::filesystem::path& file) {
+    Statement check(database.handle(), "PRAGMA quick_check(1)");
+    const std::string found = check.step() ? check.text(0) : "no answer";
+    if (found != "ok") report_damage(file, found);
+}
+
+/// @throws IoError unless every saved unit is one of the plan
+void expect_planned_units(const Database& database, const std::filesystem::path& file, const StudyPlan& plan) {
+    Statement units(database.handle(), "SELECT unit, cell, first_trial, trials FROM units ORDER BY unit");
+    while (units.step()) {
+        const auto index = static_cast<std::size_t>(units.integer(0));
+        const WorkUnit* unit = index < plan.units.size() ? &plan.units[index] : nullptr;
+        if (unit == nullptr || static_cast<std::size_t>(units.integer(1)) != unit->cell ||
+            static_cast<std::uint64_t>(units.integer(2)) != unit->first_trial ||
+            static_cast<std::uint64_t>(units.integer(3)) != unit->trials) {
+            report_damage(file,
+                          fmt::format("unit {} is none of this study, or another version cut it otherwise", index));
+        }
+    }
+}
+
 void create(Database& database, const StudyPlan& plan) {
     database.execute("BEGIN IMMEDIATE");
     database.execute(schema);
@@ -120,18 +161,26 @@ Store::Store(std::unique_ptr<Database> database, StudyPlan plan)
     : database_(std::move(database)), plan_(std::move(plan)) {}
 
 Store Store::create_or_resume(const std::filesystem::path& file, const StudyPlan& plan) {
+    return create_or_resume(file, plan, journal_in(file.parent_path()));
+}
+
+Store Store::create_or_resume(const std::filesystem::path& file, const StudyPlan& plan, Journal journal) {
     auto database = std::make_unique<Database>(file, Database::Mode::create_or_open);
     if (is_empty(*database)) {
         create(*database, plan);
     } else {
         expect_readable(*database, file);
         expect_same_study(*database, file, plan.spec);
+        expect_intact(*database, file);
+        expect_planned_units(*database, file, plan);
     }
     Store store(std::move(database), plan);
-    const auto finished = store.finished_units();
-    if (std::find(finished.begin(), finished.end(), false) != finished.end()) {
+    if (!store.is_complete()) {
         // With a write-ahead log a killed run loses at most the unit that it was saving.
-        store.database_->execute("PRAGMA journal_mode = WAL; PRAGMA synchronous = NORMAL; PRAGMA cache_size = -65536;");
+        store.database_->execute(journal == Journal::write_ahead
+                                     ? "PRAGMA journal_mode = WAL; PRAGMA synchronous = NORMAL"
+                                     : "PRAGMA journal_mode = DELETE; PRAGMA synchronous = FULL");
+        store.database_->execute(fmt::format("PRAGMA cache_size = -{}", page_cache_bytes / 1024).c_str());
     }
     return store;
 }
@@ -142,14 +191,21 @@ Store Store::open(const std::filesystem::path& file) {
     }
     auto database = std::make_unique<Database>(file, Database::Mode::read_only);
     expect_readable(*database, file);
+    expect_intact(*database, file);
     StudySpec spec = parse_study(read_meta(*database, "study").value_or(""), file.string() + " (stored study)");
     if (spec.published) spec.published->text = read_meta(*database, "published").value_or("");
-    return {std::move(database), plan_study(std::move(spec))};
+    StudyPlan plan = plan_study(std::move(spec));
+    expect_planned_units(*database, file, plan);
+    return {std::move(database), std::move(plan)};
 }
 
 void Store::commit(const UnitRecord& record) {
     const WorkUnit& unit = plan_.units.at(record.unit);
     const auto cell = static_cast<std::int64_t>(unit.cell);
+    if (database_->has_moved()) {
+        throw IoError(
+            fmt::format("{}: moved or removed while the study ran. What was saved is in it.", database_->file()));
+    }
     database_->execute("BEGIN IMMEDIATE");
     Statement insert(database_->handle(), "INSERT INTO observations VALUES(?, ?, ?, ?, ?, ?) ON CONFLICT DO NOTHING");
     for (const Observation& observation : record.observations) {
@@ -158,7 +214,7 @@ void Store::commit(const UnitRecord& record) {
             .bind(2, std::int64_t{observation.from_face})
             .bind(3, std::int64_t{observation.to_face})
             .bind(4, static_cast<std::int64_t>(observation.trial));
-        std::visit([&](const auto value) { insert.bind(5, value); }, observation.value);
+        std::visit([&](const auto value) { bind_value(insert, value); }, observation.value);
         insert.run();
     }
     Statement(database_->handle(), "INSERT INTO units VALUES(?, ?, ?, ?, ?, ?) ON CONFLICT DO NOTHING")
@@ -198,6 +254,23 @@ std::vector<bool> Store::finished_units() const {
     return finished;
 }
 
+bool Store::is_complete() const {
+    const auto finished = finished_units();
+    return std::find(finished.begin(), finished.end(), false) == finished.end();
+}
+
+std::vector<std::uint64_t> Store::saved_trial_numbers(std::size_t cell) const {
+    std::vector<std::uint64_t> numbers;
+    Statement query(database_->handle(), "SELECT first_trial, trials FROM units WHERE cell = ? ORDER BY first_trial");
+    query.bind(0, static_cast<std::int64_t>(cell));
+    while (query.step()) {
+        const auto first = static_cast<std::uint64_t>(query.integer(0));
+        const auto count = static_cast<std::uint64_t>(query.integer(1));
+        for (std::uint64_t i = 0; i < count; ++i) numbers.push_back(first + i);
+    }
+    return numbers;
+}
+
 std::uint64_t Store::saved_trials(std::size_t cell) const {
     Statement query(database_->handle(), "SELECT coalesce(sum(trials), 0) FROM units WHERE cell = ?");
     query.bind(0, static_cast<std::int64_t>(cell)).step();
@@ -216,7 +289,7 @@ Store::Series Store::series(std::size_t cell, std::string_view observable, int f
     Series series;
     while (query.step()) {
         series.trial.push_back(static_cast<std::uint64_t>(query.integer(0)));
-        series.value.push_back(query.real(1));
+        series.value.push_back(query.is_number(1) ? query.real(1) : std::numeric_limits<double>::quiet_NaN());
     }
     return series;
 }
@@ -232,6 +305,10 @@ std::int64_t Store::total(std::size_t cell, std::string_view observable, int fro
         .bind(3, std::int64_t{to_face});
     query.step();
     return query.integer(0);
+}
+
+void expect_same_study(const Store& store, const std::filesystem::path& file, const StudySpec& wanted) {
+    expect_same_study(store.database(), file, wanted);
 }
 
 }  // namespace ff::studies

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "studies/journal.hpp"
 #include "studies/plan.hpp"
 #include "studies/records.hpp"
 #include "studies/sqlite.hpp"
@@ -22,26 +23,38 @@ using Context = std::map<std::string, std::string>;
 /// The saved result of a study: its spec, and the trial records. One SQLite file; one transaction a work unit.
 class Store {
   public:
+    /// Memory that SQLite may use for pages while a study is run.
+    static constexpr std::uint64_t page_cache_bytes = 64ULL << 20;
+
     /// Creates the file for this plan, or opens it to go on where it stopped.
     /// @throws UserError where the file belongs to another study, with what differs; IoError
     static Store create_or_resume(const std::filesystem::path& file, const StudyPlan& plan);
-    /// Opens an existing file to read. @throws UserError where it is no store, or a newer one; IoError
+    /// The same with a journal of the caller's choice; the other one takes what suits the file system.
+    static Store create_or_resume(const std::filesystem::path& file, const StudyPlan& plan, Journal journal);
+    /// Opens an existing file to read. @throws UserError where it is no store, or a newer one; IoError where it is
+    /// damaged or cannot be read
     static Store open(const std::filesystem::path& file);
 
-    /// Saves a unit in one transaction; saving it again changes nothing.
+    /// Saves a unit in one transaction; saving it again changes nothing. @throws IoError; then nothing of it is saved
     void commit(const UnitRecord& record);
     void set_context(const Context& context);
     /// Leaves one self-contained file, which can be read from a folder that cannot be written.
     void seal();
 
     [[nodiscard]] const StudyPlan& plan() const { return plan_; }
+    [[nodiscard]] const Database& database() const { return *database_; }
     [[nodiscard]] Context context() const;
     /// Which of plan().units are saved, by index.
     [[nodiscard]] std::vector<bool> finished_units() const;
-    /// Trials of a cell that are saved.
+    /// Whether all units are saved.
+    [[nodiscard]] bool is_complete() const;
+    /// Numbers of the trials of a cell that are saved, ascending.
+    [[nodiscard]] std::vector<std::uint64_t> saved_trial_numbers(std::size_t cell) const;
+    /// How many they are.
     [[nodiscard]] std::uint64_t saved_trials(std::size_t cell) const;
 
-    /// Values of one observable of one pair of faces (numbers from 1; 0 for none), by ascending trial.
+    /// Values of one observable of one pair of faces (numbers from 1; 0 for none), by ascending trial. What is no
+    /// number comes back as NaN.
     struct Series {
         std::vector<std::uint64_t> trial;
         std::vector<double> value;
@@ -55,5 +68,8 @@ class Store {
     std::unique_ptr<Database> database_;
     StudyPlan plan_;
 };
+
+/// @throws UserError unless the store, read from `file`, is of this study, with what differs
+void expect_same_study(const Store& store, const std::filesystem::path& file, const StudySpec& wanted);
 
 }  // namespace ff::studies

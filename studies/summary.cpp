@@ -7,6 +7,7 @@
 #include "stats/tail_index.hpp"
 #include "stats/variance_interval.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -69,6 +70,13 @@ Summary summarise(std::span<const double> values, const SummaryRequest& request)
     summary.reference = request.reference;
     summary.trials = values.size();
     if (values.empty()) return summary;
+    const auto finite = std::count_if(values.begin(), values.end(), [](double value) { return std::isfinite(value); });
+    summary.not_finite = values.size() - static_cast<std::size_t>(finite);
+    if (summary.not_finite > 0) {
+        // The others alone would be the trials that happened to go well.
+        summary.variance = VarianceStatus::undefined;
+        return summary;
+    }
 
     const auto moments = stats::moments_of(values, request.reference.value_or(values.front()));
     summary.mean = moments.mean();

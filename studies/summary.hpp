@@ -16,8 +16,9 @@ namespace ff::studies {
 enum class VarianceStatus {
     finite,
     infinite,
-    none,    ///< deterministic
-    sparse,  ///< finite, but of so few hits in all trials together that neither t nor chi-squared holds
+    none,       ///< deterministic
+    sparse,     ///< finite, but of so few hits in all trials together that neither t nor chi-squared holds
+    undefined,  ///< some trial gave infinity or no number at all: there is no statistic
 };
 
 /// Statistics of one quantity over all trials of a cell. What does not exist is empty: no interval for a deterministic
@@ -27,6 +28,7 @@ struct Summary {
     std::optional<PairClass> pair_class;  ///< of form factors
     VarianceStatus variance = VarianceStatus::finite;
     std::size_t trials = 0;
+    std::size_t not_finite = 0;  ///< trials that gave infinity or no number; where there are some, the rest is empty
     std::optional<double> reference;
     std::optional<double> mean;
     std::optional<double> bias;

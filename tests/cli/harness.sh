@@ -98,3 +98,42 @@ END
 
 # without_circumstances REPORT: the part of a report that is repeatable.
 without_circumstances() { sed '/<!-- circumstances/,/<!-- end of circumstances/d' "$1"; }
+
+# expect_same_results FOLDER FOLDER: every output is equal but for the circumstances of the run, and so is every row of
+# the stores.
+expect_same_results() {
+    local a=$1 b=$2 file
+    [ "$(ls "$a")" = "$(ls "$b")" ] || fail "expected the same files in $a and $b"
+    for file in $(ls "$a"); do
+        case $file in
+            context.json) ;;
+            results.sqlite)
+                rows "$a/$file" >"$folder/a"
+                rows "$b/$file" >"$folder/b"
+                expect_equal_files "$folder/a" "$folder/b"
+                ;;
+            *)
+                without_circumstances "$a/$file" >"$folder/a"
+                without_circumstances "$b/$file" >"$folder/b"
+                expect_equal_files "$folder/a" "$folder/b"
+                ;;
+        esac
+    done
+}
+
+# rows STORE: all of a store but the circumstances, in the order of its keys.
+rows() {
+    /usr/bin/python3 - "$1" <<'END'
+import sqlite3, sys
+
+store = sqlite3.connect(f"file:{sys.argv[1]}?mode=ro", uri=True)
+tables = [name for (name,) in store.execute("SELECT name FROM sqlite_master WHERE type = 'table' ORDER BY name")]
+for table in tables:
+    if table == "context":
+        continue
+    columns = len(store.execute(f"SELECT * FROM {table} LIMIT 1").description)
+    order = ", ".join(str(column + 1) for column in range(columns))
+    for row in store.execute(f"SELECT * FROM {table} ORDER BY {order}"):
+        print(table, *row)
+END
+}

@@ -217,7 +217,10 @@ TEST(Analysis, ReportsALostRay) {
     for (const WorkUnit& unit : plan.units) {
         UnitRecord record{unit.index, {}, {}, {}};
         for (std::uint64_t t = unit.first_trial; t < unit.first_trial + unit.trials; ++t)
-            record.observations.push_back({observable::hits, 1, 2, t, std::int64_t{200'000}});
+            for (int from = 1; from <= 6; ++from)
+                for (int to = 1; to <= 6; ++to)
+                    if (from != to)
+                        record.observations.push_back({observable::hits, from, to, t, std::int64_t{40'000}});
         if (unit.index == 0) record.observations.push_back({observable::lost, 1, 0, 0, std::int64_t{1}});
         store.commit(record);
     }

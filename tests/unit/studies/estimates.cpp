@@ -1,5 +1,6 @@
 #include "studies/estimates.hpp"
 
+#include "core/error.hpp"
 #include "core/exact.hpp"
 #include "tests/support/studies.hpp"
 
@@ -108,11 +109,27 @@ TEST(Estimates, OfPointToPolygonSumTo1BeforeCompletion) {
 TEST(Estimates, ReportOneLostRay) {
     const StudyPlan plan = box_plan("direct");
     Store store = Store::create_or_resume(test::in_memory, plan);
-    store.commit(
-        {0, {{observable::hits, 1, 2, 0, std::int64_t{499}}, {observable::lost, 1, 0, 0, std::int64_t{1}}}, {}, {}});
+    UnitRecord record;
+    for (std::uint64_t trial = 0; trial < 20; ++trial) {
+        for (int from = 1; from <= 6; ++from) {
+            for (int to = 1; to <= 6; ++to) {
+                const bool lost = trial == 0 && from == 1 && to == 2;
+                if (from != to)
+                    record.observations.push_back({observable::hits, from, to, trial, std::int64_t{lost ? 99 : 100}});
+            }
+        }
+    }
+    record.observations.push_back({observable::lost, 1, 0, 0, std::int64_t{1}});
+    store.commit(record);
     const CellEstimates estimates = load_estimates(store, 0);
     EXPECT_EQ(estimates.lost_rays, 1u);
     EXPECT_EQ(estimates.row_sums[0][0], 499.0 / 500);
+}
+
+TEST(Estimates, OfAStoreThatLacksRowsAreRefused) {
+    Store store = Store::create_or_resume(test::in_memory, box_plan("direct"));
+    store.commit({0, {{observable::hits, 1, 2, 0, std::int64_t{500}}}, {}, {}});
+    EXPECT_THROW(load_estimates(store, 0), IoError);
 }
 
 TEST(Estimates, OfTheClosedFormAreTheExactFactors) {

@@ -169,6 +169,13 @@ TEST(Plan, WarnsOfTheSizeOfTheWholeSequence) {
                 testing::ElementsAre(testing::HasSubstr("1152 points")));
 }
 
+TEST(Plan, RefusesMoreUnitsThanCanBeKept) {
+    const std::string methods =
+        "[[method]]\nname = \"slow\"\nsampler = \"random\"\nestimator = \"ray_shooting\"\n"
+        "samples_per_patch = 100000000\n";
+    EXPECT_THROW(plan_of(study_text("trials = 4294967295", methods)), UserError);
+}
+
 TEST(Plan, CountsRaysAndKernelValues) {
     const StudyPlan plan = plan_of(study_text("trials = 9", std::string(rays) + std::string(pdm)));
     EXPECT_EQ(evaluations_per_trial(plan, plan.cells[0]), 6u * 4 * 100);

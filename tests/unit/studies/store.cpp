@@ -1,12 +1,15 @@
 #include "studies/store.hpp"
 
 #include "core/error.hpp"
+#include "studies/run.hpp"
 #include "tests/support/studies.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <fstream>
+#include <limits>
 
 namespace ff::studies {
 namespace {
@@ -51,6 +54,10 @@ class StoreFile : public testing::Test {
     template <typename Error>
     std::string refusal_to_open() const {
         return message_of<Error>([&] { Store::open(file()); });
+    }
+    static std::string journal_mode(const Store& store) {
+        Statement mode(store.database().handle(), "PRAGMA journal_mode");
+        return mode.step() ? mode.text(0) : std::string();
     }
     void execute(const char* sql) const { Database(file(), Database::Mode::create_or_open).execute(sql); }
     test::TemporaryFolder folder_;
@@ -134,6 +141,59 @@ TEST_F(StoreFile, OfANewerVersionIsRefused) {
     EXPECT_THAT(refusal_to_resume(plan()), HasSubstr(problem));
 }
 
+TEST_F(StoreFile, ThatIsDamagedIsRefused) {
+    test::run(plan("trials = 200"), file());
+    // A page in the middle, where rows are.
+    std::fstream bytes(file(), std::ios::in | std::ios::out | std::ios::binary);
+    bytes.seekp(static_cast<std::streamoff>(std::filesystem::file_size(file()) / 2));
+    bytes << std::string(4096, 'x');
+    bytes.close();
+    EXPECT_THAT(refusal_to_open<IoError>(), HasSubstr("damaged"));
+    EXPECT_THAT(message_of<IoError>([&] { Store::create_or_resume(file(), plan("trials = 200")); }),
+                HasSubstr("damaged"));
+}
+
+TEST_F(StoreFile, ThatIsCutOffIsRefused) {
+    test::run(plan("trials = 200"), file());
+    std::filesystem::resize_file(file(), std::filesystem::file_size(file()) / 2);
+    EXPECT_NE(refusal_to_open<IoError>(), "nothing thrown");
+}
+
+TEST_F(StoreFile, WithUnitsThatAreNotOfTheStudyIsRefused) {
+    for (const char* change : {"UPDATE units SET unit = 1", "UPDATE units SET first_trial = 1",
+                               "UPDATE units SET trials = 2", "UPDATE units SET cell = -1"}) {
+        std::filesystem::remove(file());
+        test::run(plan(), file());
+        execute(change);
+        EXPECT_THAT(refusal_to_open<IoError>(), HasSubstr("is none of this study")) << change;
+    }
+}
+
+TEST_F(StoreFile, IsTheSameWithARollbackJournal) {
+    for (const auto journal : {Journal::write_ahead, Journal::rollback}) {
+        const auto name = folder_.path() / (journal == Journal::rollback ? "rollback" : "log");
+        Store store = Store::create_or_resume(name, plan(), journal);
+        EXPECT_EQ(journal_mode(store), journal == Journal::rollback ? "delete" : "wal");
+        run_study(store, {});
+        EXPECT_EQ(store.saved_trials(0), 3u);
+    }
+    EXPECT_EQ(test::rows_of(folder_.path() / "rollback"), test::rows_of(folder_.path() / "log"));
+}
+
+TEST_F(StoreFile, GoesOnWithTheJournalOfItsNewPlace) {
+    Store::create_or_resume(file(), plan(), Journal::write_ahead).commit({0, {}, {}, {}});
+    execute("DELETE FROM units");
+    Store store = Store::create_or_resume(file(), plan(), Journal::rollback);
+    EXPECT_EQ(journal_mode(store), "delete");
+}
+
+TEST_F(StoreFile, ThatIsMovedOrRemovedWhileItIsWrittenIsNoticed) {
+    Store moved = Store::create_or_resume(file(), plan());
+    std::filesystem::rename(file(), folder_.path() / "elsewhere");
+    EXPECT_THAT(message_of<IoError>([&] { moved.commit({0, {}, {}, {}}); }), HasSubstr("moved or removed"));
+    EXPECT_EQ(Store::open(folder_.path() / "elsewhere").saved_trials(0), 0u);
+}
+
 TEST_F(StoreFile, ThatIsEmptyBecomesAStore) {
     std::ofstream(file()).flush();
     EXPECT_EQ(test::run(plan(), file()).saved_trials(0), 3u);
@@ -164,6 +224,22 @@ TEST(Store, KeepsNumbersToTheBit) {
     const double third = 1.0 / 3;
     store.commit({0, {{observable::estimate, 1, 2, 0, third}, {observable::estimate, 1, 2, 1, 5e-324}}, {}, {}});
     EXPECT_THAT(store.series(0, observable::estimate, 1, 2).value, testing::ElementsAre(third, 5e-324));
+}
+
+TEST(Store, KeepsWhatIsNoNumber) {
+    Store store = Store::create_or_resume(in_memory, plan());
+    const double infinity = std::numeric_limits<double>::infinity();
+    store.commit({0,
+                  {{observable::estimate, 1, 2, 0, -infinity},
+                   {observable::estimate, 1, 2, 1, std::numeric_limits<double>::quiet_NaN()},
+                   {observable::estimate, 1, 2, 2, infinity}},
+                  {},
+                  {}});
+    const auto values = store.series(0, observable::estimate, 1, 2).value;
+    ASSERT_EQ(values.size(), 3u);
+    EXPECT_EQ(values[0], -infinity);
+    EXPECT_TRUE(std::isnan(values[1]));
+    EXPECT_EQ(values[2], infinity);
 }
 
 TEST(Store, ReadsSeriesByTrialAndTotalsOverTrials) {

@@ -1,0 +1,64 @@
+#include "app/commands.hpp"
+
+#include "app/messages.hpp"
+#include "app/result_files.hpp"
+
+#include "core/error.hpp"
+#include "reports/terminal.hpp"
+#include "studies/merge.hpp"
+#include "studies/results.hpp"
+
+#include <fmt/format.h>
+
+namespace ff::app {
+namespace {
+
+/// The stores that are named, by themselves or by their folders. @throws UserError where one is to be written to
+std::vector<std::filesystem::path> stores_of(const MergeCommand& command, const std::filesystem::path& target) {
+    std::vector<std::filesystem::path> stores;
+    for (const auto& source : command.sources) {
+        stores.push_back(std::filesystem::is_directory(source) ? source / "results.sqlite" : source);
+        std::error_code missing;
+        if (std::filesystem::equivalent(stores.back(), target, missing)) {
+            throw UserError(fmt::format("--out {}: one of the stores to be merged lies there. Choose another folder.",
+                                        command.out.string()));
+        }
+    }
+    return stores;
+}
+
+/// "12 of 30 units are missing: 2, 5, 8, ..."
+std::string units_in_words(const std::vector<std::size_t>& units, std::size_t all, std::string_view what) {
+    constexpr std::size_t shown = 20;
+    const std::size_t count = std::min(units.size(), shown);
+    return fmt::format("{} of {} units {}: {}{}", units.size(), all, what,
+                       fmt::join(units.begin(), units.begin() + static_cast<std::ptrdiff_t>(count), ", "),
+                       units.size() > shown ? ", ..." : "");
+}
+
+}  // namespace
+
+ExitCode merge(const MergeCommand& command) {
+    const auto target = command.out / "results.sqlite";
+    const auto sources = stores_of(command, target);
+    const studies::StudyPlan plan = studies::Store::open(sources.front()).plan();
+    make_folder(command.out);
+    auto store = studies::Store::create_or_resume(target, plan);
+    const studies::MergeOutcome outcome = studies::merge_stores(sources, store);
+    store.seal();
+    if (!outcome.doubled.empty() && !command.quiet) {
+        say("note: {}; their content is the same.\n",
+            units_in_words(outcome.doubled, plan.units.size(), "are in more than one store"));
+    }
+    const auto results = studies::evaluate(store);
+    write_results(command.out, store, results, all_formats());
+    if (!command.quiet) {
+        fmt::print("{}\nResults: {}\n", reports::terminal_summary(results), (command.out / "report.md").string());
+    }
+    if (outcome.missing.empty()) return ExitCode::passed;
+    say("{}. Merge again with the shards that hold them, or run the study with --out {}.\n",
+        units_in_words(outcome.missing, plan.units.size(), "are missing"), command.out.string());
+    return ExitCode::inconclusive;
+}
+
+}  // namespace ff::app

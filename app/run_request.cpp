@@ -1,0 +1,66 @@
+#include "app/run_request.hpp"
+
+#include "app/limits.hpp"
+#include "app/study_files.hpp"
+
+#include "core/error.hpp"
+#include "studies/resources.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <thread>
+
+namespace ff::app {
+namespace {
+
+constexpr std::uint64_t largest_seed = (1ULL << 63) - 1;  // study files hold it as a TOML integer
+constexpr unsigned most_threads = 4096;
+
+studies::StudyPlan make_plan(const RunCommand& command) {
+    studies::StudySpec spec = find_study(command.study);
+    if (command.trials) studies::set_trials(spec, *command.trials);
+    if (command.seed) {
+        if (*command.seed > largest_seed)
+            throw UserError(fmt::format("--seed {} (at most {}). Take a smaller one.", *command.seed, largest_seed));
+        spec.seed = Seed{*command.seed};
+    }
+    return studies::plan_study(std::move(spec));
+}
+
+unsigned thread_count(const RunCommand& command, const Processes& processes) {
+    if (!command.threads) return processes.alone() ? std::max(1u, std::thread::hardware_concurrency()) : 1;
+    if (*command.threads == 0 || *command.threads > most_threads) {
+        throw UserError(fmt::format("--threads {} (1 to {} are possible). Leave it out for all cores.",
+                                    *command.threads, most_threads));
+    }
+    return *command.threads;
+}
+
+/// As many of these threads as fit into the memory. @throws UserError where one does not
+unsigned threads_within(const studies::StudyPlan& plan, unsigned threads, std::uint64_t memory) {
+    while (threads > 1 && studies::expected_memory(plan, threads) > memory) --threads;
+    const std::uint64_t least = studies::expected_memory(plan, threads);
+    if (least <= memory) return threads;
+    throw UserError(
+        fmt::format("--max-memory {}: too little for '{}' (about {} on one thread). Give more, or take fewer trials or "
+                    "patches.",
+                    size_in_words(memory), plan.spec.name, size_in_words(least)));
+}
+
+}  // namespace
+
+RunRequest check(const RunCommand& command, const Processes& processes) {
+    RunRequest request;
+    request.plan = make_plan(command);
+    request.threads = thread_count(command, processes);
+    if (command.shard) request.shard = studies::parse_shard(*command.shard);
+    if (command.max_time) request.max_time = parse_duration(*command.max_time);
+    if (command.max_memory) {
+        request.max_memory = parse_size(*command.max_memory);
+        request.threads = threads_within(request.plan, request.threads, *request.max_memory);
+    }
+    return request;
+}
+
+}  // namespace ff::app

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+
+namespace ff::studies {
+
+/// A share of a study's work units, number `index` (from 1) of `count`. Units are dealt out in turn, so that every
+/// shard gets its part of the long and of the short ones.
+struct Shard {
+    std::uint64_t index = 1;
+    std::uint64_t count = 1;
+
+    [[nodiscard]] bool holds(std::size_t unit) const { return unit % count == index - 1; }
+    [[nodiscard]] bool is_whole() const { return count == 1; }
+};
+
+/// Reads "i/n", 1 <= i <= n. @throws UserError
+Shard parse_shard(std::string_view text);
+
+}  // namespace ff::studies

@@ -1,0 +1,58 @@
+#!/usr/bin/env bash
+# A limit on file sizes stands for the full disk everywhere, and a small tmpfs is one where this user may mount.
+source "$(dirname "$0")/../harness.sh"
+
+small_study 60 >"$folder/study.toml"
+ffstudy run "$folder/study.toml" --threads 1 --out whole
+expect_status 0
+
+# goes_on OUT: what is there can be read, and leads to the same results once there is room.
+goes_on() {
+    rm -f "$1"/*.part
+    if [ -s "$1/results.sqlite" ]; then
+        /usr/bin/python3 -c "import sqlite3, sys
+[answer] = sqlite3.connect(sys.argv[1]).execute('PRAGMA integrity_check').fetchone()
+sys.exit(answer != 'ok')" "$1/results.sqlite" || fail "the store in $1 is damaged"
+    fi
+    ffstudy run "$folder/study.toml" --out "$1"
+    expect_status 0
+    expect_same_results whole "$1"
+}
+
+# From the first page of the store to the last of the reports; KiB.
+largest=$(($(stat -c %s whole/trials.csv) / 1024))
+for size in 0 40 $((largest / 2)) $largest; do
+    command_line="ulimit -f $size; ffstudy run" status=0
+    (ulimit -f $size && exec "$program" run "$folder/study.toml" --out out$size) \
+        >"$folder/stdout" 2>"$folder/stderr" </dev/null || status=$?
+    # Nothing can be said where files of no size are allowed and the messages go to files.
+    expect_status 3
+    [ $size -eq 0 ] || expect_stderr "ffstudy: "
+    [ -z "$(find . -name '*.part')" ] || fail "a temporary file is left behind"
+    goes_on out$size
+done
+
+# on_small_disk SIZE OUT: runs the study on a tmpfs of this size, and leaves in OUT what was there in the end.
+on_small_disk() {
+    command_line="ffstudy run on a tmpfs of $1" status=0
+    mkdir disk "$2"
+    "${namespace[@]}" bash -c 'mount -t tmpfs -o size='"$1"' none disk && {
+        "$0" run "$1" --out disk/out; status=$?; cp -r disk/out/. "$2"; exit $status; }' \
+        "$program" "$folder/study.toml" "$2" >"$folder/stdout" 2>"$folder/stderr" </dev/null || status=$?
+    rmdir disk
+}
+namespace=(unshare --mount)
+[ "$(id -u)" -eq 0 ] || namespace=(unshare --user --map-root-user --mount)
+mkdir probe
+if "${namespace[@]}" mount -t tmpfs none probe 2>/dev/null; then
+    store=$(stat -c %s whole/results.sqlite)
+    # Full while the store grows; full when the reports are written.
+    for size in $((store / 3)) $((store + 65536)); do
+        on_small_disk $size disk$size
+        expect_status 3
+        goes_on disk$size
+    done
+    echo "on disks of several sizes"
+else
+    echo "with limits on file sizes only: this user cannot mount a tmpfs"
+fi

@@ -1,0 +1,38 @@
+#!/usr/bin/env bash
+source "$(dirname "$0")/../harness.sh"
+
+# start STUDY OUT: runs it in the background and returns when the program has begun its store and catches SIGINT, the
+# second lowest bit of the mask.
+start() {
+    command_line="ffstudy run (to be stopped)" status=0
+    "$program" run "$1" --threads 2 --out "$2" >"$folder/stdout" 2>"$folder/stderr" </dev/null &
+    process=$!
+    until [ -e "$2/results.sqlite" ] && grep -q '^SigCgt:.*[2367abef]$' /proc/$process/status; do
+        kill -0 $process || fail "the study was over before it could be stopped"
+        sleep 0.01
+    done
+}
+
+small_study 400 >"$folder/study.toml"
+ffstudy run "$folder/study.toml" --out whole
+expect_status 0
+for signal in INT TERM USR1; do
+    start "$folder/study.toml" $signal
+    kill -$signal $process
+    wait $process || status=$?
+    expect_status 130
+    expect_stderr "Run the same command again to go on."
+    expect_in_file $signal/report.md "Partial result"
+    ffstudy run "$folder/study.toml" --out $signal
+    expect_status 0
+    expect_same_results whole $signal
+done
+
+# A second signal does not wait for the units in hand nor for reports.
+sed 's/^samples_per_patch = 64/samples_per_patch = 64000000/' "$folder/study.toml" >"$folder/slow.toml"
+start "$folder/slow.toml" slow
+kill -INT $process
+kill -TERM $process
+wait $process || status=$?
+expect_status 130
+[ ! -e slow/report.md ] || fail "expected no report after a second signal"

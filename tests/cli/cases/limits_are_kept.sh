@@ -1,0 +1,36 @@
+#!/usr/bin/env bash
+source "$(dirname "$0")/../harness.sh"
+
+small_study 20 >"$folder/study.toml"
+ffstudy run "$folder/study.toml" --out whole
+expect_status 0
+
+# Hours of work, stopped after half a second, go on later; here with the time of a shorter study.
+sed 's/^trials = 20/trials = 4000000/' "$folder/study.toml" >"$folder/long.toml"
+ffstudy run "$folder/long.toml" --max-time 0.5 --threads 1 --out long
+expect_status 130
+expect_stderr "Run the same command again to go on."
+expect_in_file long/report.md "Partial result"
+ffstudy run "$folder/study.toml" --max-time 1d --out enough
+expect_status 0
+expect_same_results whole enough
+rm -r whole enough long
+
+# A limit of memory costs threads, then it is refused.
+sed 's/^trials = 20/trials = 100000/' "$folder/study.toml" >"$folder/large.toml"
+ffstudy run "$folder/large.toml" --dry-run --threads 64
+expect_stdout "on 64 threads"
+memory=$(sed -n 's/^about \([0-9]*\) MiB of memory.*/\1/p' "$folder/stdout")
+[ "$memory" -gt 1 ] || fail "expected the memory in MiB"
+ffstudy run "$folder/large.toml" --dry-run --threads 64 --max-memory $((memory - 1))M
+expect_status 0
+! grep -q "on 64 threads" "$folder/stdout" || fail "expected fewer threads"
+ffstudy run "$folder/study.toml" --max-memory 2M
+expect_refused 2 "--max-memory 2 MiB: too little for 'small' (about "
+
+for value in 0 -1 x 5x 5mm 1e3 "" nan inf 1e-400; do
+    ffstudy run "$folder/study.toml" "--max-time=$value"
+    expect_refused 2 "--max-time"
+    ffstudy run "$folder/study.toml" "--max-memory=$value"
+    expect_refused 2 "--max-memory"
+done

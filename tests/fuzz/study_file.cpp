@@ -1,0 +1,29 @@
+// A study file is a study, whose canonical text reads as the same study, or a UserError.
+
+#include "core/error.hpp"
+#include "studies/plan.hpp"
+#include "studies/spec.hpp"
+
+#include <cstdint>
+#include <cstdlib>
+#include <string_view>
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
+
+int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    using namespace ff::studies;
+    StudySpec spec;
+    try {
+        spec = parse_study({reinterpret_cast<const char*>(data), size}, "study.toml");
+    } catch (const ff::UserError&) {
+        return 0;
+    }
+    StudySpec again = parse_study(to_toml(spec), "canonical.toml");
+    if (again.published && spec.published) again.published->text = spec.published->text;
+    if (again != spec) std::abort();
+    try {
+        plan_study(std::move(spec));
+    } catch (const ff::UserError&) {
+    }
+    return 0;
+}

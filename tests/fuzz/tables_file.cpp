@@ -1,0 +1,21 @@
+// A tables file can be audited and reported, or it is a UserError.
+
+#include "core/error.hpp"
+#include "studies/audit.hpp"
+#include "studies/published.hpp"
+
+#include <cstdint>
+#include <string_view>
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
+
+int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    try {
+        const auto tables =
+            ff::studies::parse_published_tables({reinterpret_cast<const char*>(data), size}, "tables.json");
+        // The audit is for people's tables: its time grows faster than their size.
+        if (tables.figures.size() <= 40) ff::studies::audit(tables);
+    } catch (const ff::UserError&) {
+    }
+    return 0;
+}
