@@ -55,4 +55,9 @@ double fisher_tail(double f, double freedom_above, double freedom_below) {
     return math::cdf(math::complement(math::fisher_f(freedom_above, freedom_below), f));
 }
 
+double fisher_critical(double tail, double freedom_above, double freedom_below) {
+    FF_EXPECT(0 < tail && tail < 1);
+    return math::quantile(math::complement(math::fisher_f(freedom_above, freedom_below), tail));
+}
+
 }  // namespace ff::stats

@@ -26,5 +26,7 @@ double chi_squared_tail(double x, double freedom);
 
 /// P(F > f). @pre f >= 0
 double fisher_tail(double f, double freedom_above, double freedom_below);
+/// f with P(F > f) = tail. @pre 0 < tail < 1
+double fisher_critical(double tail, double freedom_above, double freedom_below);
 
 }  // namespace ff::stats

@@ -32,14 +32,8 @@ constexpr double most_power = 1 - 1e-9;
 template <typename Enum, std::size_t N>
 Enum choice(const TomlReader& reader, std::string_view key, const std::array<std::string_view, N>& names, Enum fallback,
             std::size_t shown = N) {
-    const auto text = reader.optional_text(key);
-    if (!text) return fallback;
-    const auto found = std::find(names.begin(), names.end(), *text);
-    if (found == names.end()) {
-        const auto known = std::span(names).first(shown);
-        reader.fail(key, fmt::format("is unknown. {}Known: {}.", did_you_mean(*text, known), fmt::join(known, ", ")));
-    }
-    return static_cast<Enum>(found - names.begin());
+    const auto found = reader.optional_choice(key, names, shown);
+    return found ? static_cast<Enum>(*found) : fallback;
 }
 
 std::uint64_t checked_trials(const TomlReader& reader, std::uint64_t trials) {
@@ -154,9 +148,23 @@ void expect_printable(const TomlReader& reader, std::string_view key, std::strin
     }
 }
 
-Method read_method(const TomlReader& reader) {
-    static constexpr Keys known{"name", "sampler", "estimator", "completion",       "allocation",        "tracer",
-                                "map",  "nodes",   "sizes",     "patches_per_face", "samples_per_patch", "trials"};
+void expect_unique_sizes(const TomlReader& reader, const Method& method) {
+    for (auto a = method.sizes.begin(); a != method.sizes.end(); ++a) {
+        for (auto b = std::next(a); b != method.sizes.end(); ++b) {
+            if (a->patches_per_face == b->patches_per_face && a->samples_per_patch == b->samples_per_patch) {
+                reader.fail("name", "has the same size twice (their trials would share random numbers). Keep one.");
+            }
+        }
+    }
+}
+
+}  // namespace
+
+Method read_method(const TomlReader& reader, std::span<const std::string_view> other_keys) {
+    static constexpr Keys own_keys{"name", "sampler", "estimator", "completion",       "allocation",        "tracer",
+                                   "map",  "nodes",   "sizes",     "patches_per_face", "samples_per_patch", "trials"};
+    std::vector<std::string_view> known(own_keys.begin(), own_keys.end());
+    known.insert(known.end(), other_keys.begin(), other_keys.end());
     reader.expect_only(known);
     Method method;
     method.name = reader.text("name");
@@ -196,6 +204,7 @@ Method read_method(const TomlReader& reader) {
     };
     if (!reader.has("sizes")) {
         method.sizes = read_sizes(reader, sampler, method, own_trials(reader));
+        expect_unique_sizes(reader, method);
         return method;
     }
     for (const std::string_view key : {"patches_per_face", "samples_per_patch", "trials"}) {
@@ -207,20 +216,24 @@ Method read_method(const TomlReader& reader) {
         for (const Size& size : read_sizes(table, sampler, method, own_trials(table))) method.sizes.push_back(size);
     }
     if (method.sizes.empty()) reader.fail("sizes", "(an empty list leaves nothing to do). Give at least one size.");
+    expect_unique_sizes(reader, method);
     return method;
 }
 
-void expect_unique_sizes(const TomlReader& reader, const Method& method) {
-    for (auto a = method.sizes.begin(); a != method.sizes.end(); ++a) {
-        for (auto b = std::next(a); b != method.sizes.end(); ++b) {
-            if (a->patches_per_face == b->patches_per_face && a->samples_per_patch == b->samples_per_patch) {
-                reader.fail("name", "has the same size twice (their trials would share random numbers). Keep one.");
-            }
+std::vector<std::string> read_scenes(const TomlReader& reader) {
+    std::vector<std::string> names = reader.texts("scene");
+    std::set<std::string> scenes;
+    for (const std::string& scene : names) {
+        std::string canonical;
+        try {
+            canonical = built_in_scene(scene).canonical;
+        } catch (const UserError& error) {
+            reader.fail("scene", fmt::format("is refused: {}", error.what()));
         }
+        if (!scenes.insert(canonical).second) reader.fail("scene", "names a scene twice. Keep one.");
     }
+    return names;
 }
-
-}  // namespace
 
 StudySpec parse_study(std::string_view text, std::string_view origin) {
     const toml::table root = parse_toml(text, origin);
@@ -240,17 +253,7 @@ StudySpec parse_study(std::string_view text, std::string_view origin) {
         study->fail("name", "(it names the folder of the results). Leave out '/' and a leading '.'.");
     }
     spec.title = study->optional_text("title").value_or(spec.name);
-    spec.scenes = study->texts("scene");
-    std::set<std::string> scenes;
-    for (const std::string& scene : spec.scenes) {
-        std::string canonical;
-        try {
-            canonical = built_in_scene(scene).canonical;
-        } catch (const UserError& error) {
-            study->fail("scene", fmt::format("is refused: {}", error.what()));
-        }
-        if (!scenes.insert(canonical).second) study->fail("scene", "names a scene twice. Keep one.");
-    }
+    spec.scenes = read_scenes(*study);
     spec.trials = checked_trials(*study, study->count("trials"));
     spec.seed = Seed{study->count("seed")};
     spec.level = study->optional_number("level").value_or(spec.level);
@@ -271,7 +274,6 @@ StudySpec parse_study(std::string_view text, std::string_view origin) {
         Method method = read_method(table);
         if (!names.insert(method.name).second)
             table.fail("name", "is used twice (results are found by it). Rename one.");
-        expect_unique_sizes(table, method);
         spec.methods.push_back(std::move(method));
     }
     if (spec.methods.empty()) file.fail("method", "missing (nothing would be run). Add a [[method]].");

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -83,6 +84,16 @@ struct StudySpec {
     std::optional<Published> published;
     auto operator<=>(const StudySpec&) const = default;
 };
+
+class TomlReader;
+
+/// A [[method]] table, or one with more keys than a method has.
+/// @throws UserError
+Method read_method(const TomlReader& reader, std::span<const std::string_view> other_keys = {});
+
+/// The scenes that `scene` names: one or a list, none twice.
+/// @throws UserError
+std::vector<std::string> read_scenes(const TomlReader& reader);
 
 /// Parses the text of a study file; `origin` names it in messages.
 /// @throws UserError "origin:line:column: problem (why). Suggestion."

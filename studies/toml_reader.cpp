@@ -12,7 +12,7 @@
 namespace ff::studies {
 namespace {
 
-std::string place(std::string_view origin, const toml::source_region& region) {
+std::string place_in(std::string_view origin, const toml::source_region& region) {
     return fmt::format("{}:{}:{}", origin, region.begin.line, region.begin.column);
 }
 
@@ -30,7 +30,7 @@ toml::table parse_toml(std::string_view text, std::string_view origin) {
         return toml::parse(text);
     } catch (const toml::parse_error& error) {
         throw UserError(
-            fmt::format("{}: {}. See docs/study-files.md.", place(origin, error.source()), error.description()));
+            fmt::format("{}: {}. See docs/study-files.md.", place_in(origin, error.source()), error.description()));
     }
 }
 
@@ -38,15 +38,20 @@ void TomlReader::expect_only(std::span<const std::string_view> known) const {
     for (const auto& [key, node] : *table_) {
         if (std::find(known.begin(), known.end(), key.str()) != known.end()) continue;
         throw UserError(fmt::format("{}: unknown key '{}' (it would be ignored). {}Known: {}.",
-                                    place(origin_, key.source()), key.str(), did_you_mean(key.str(), known),
+                                    place_in(origin_, key.source()), key.str(), did_you_mean(key.str(), known),
                                     fmt::join(known, ", ")));
     }
 }
 
+std::string TomlReader::place(std::string_view key) const {
+    const toml::node* node = find(key);
+    return place_in(origin_, node == nullptr ? table_->source() : node->source());
+}
+
 void TomlReader::fail(std::string_view key, std::string_view problem) const {
     const toml::node* node = find(key);
-    if (node == nullptr) throw UserError(fmt::format("{}: {}: {}", place(origin_, table_->source()), key, problem));
-    throw UserError(fmt::format("{}: {}{} {}", place(origin_, node->source()), key, shown(*node), problem));
+    if (node == nullptr) throw UserError(fmt::format("{}: {}: {}", place(key), key, problem));
+    throw UserError(fmt::format("{}: {}{} {}", place(key), key, shown(*node), problem));
 }
 
 std::optional<std::string> TomlReader::optional_text(std::string_view key) const {
@@ -75,6 +80,18 @@ std::vector<std::string> TomlReader::texts(std::string_view key) const {
     }
     if (values.empty()) fail(key, "(an empty list leaves nothing to do). Name at least one.");
     return values;
+}
+
+std::optional<std::size_t> TomlReader::optional_choice(std::string_view key, std::span<const std::string_view> names,
+                                                       std::size_t shown) const {
+    const auto text = optional_text(key);
+    if (!text) return std::nullopt;
+    const auto found = std::find(names.begin(), names.end(), *text);
+    if (found == names.end()) {
+        const auto known = names.first(shown);
+        fail(key, fmt::format("is unknown. {}Known: {}.", did_you_mean(*text, known), fmt::join(known, ", ")));
+    }
+    return static_cast<std::size_t>(found - names.begin());
 }
 
 std::optional<std::uint64_t> TomlReader::optional_count(std::string_view key) const {
@@ -114,6 +131,25 @@ std::optional<double> TomlReader::optional_number(std::string_view key) const {
     const auto value = node->value<double>();
     if (!value || !node->is_number() || !std::isfinite(*value)) fail(key, "(not a finite number). Write it like 1e-4.");
     return *value;
+}
+
+std::vector<double> TomlReader::numbers(std::string_view key) const {
+    const toml::node* node = find(key);
+    const toml::array* list = node == nullptr ? nullptr : node->as_array();
+    if (list == nullptr) {
+        const auto number = optional_number(key);
+        if (!number) fail(key, "missing. Add the key with a number.");
+        return {*number};
+    }
+    std::vector<double> values;
+    for (const toml::node& item : *list) {
+        const auto value = item.value<double>();
+        if (!value || !item.is_number() || !std::isfinite(*value))
+            fail(key, "(a list of finite numbers is wanted). Write it like [0.9, 1.1].");
+        values.push_back(*value);
+    }
+    if (values.empty()) fail(key, "(an empty list leaves nothing to do). Give at least one number.");
+    return values;
 }
 
 std::vector<TomlReader> TomlReader::tables(std::string_view key) const {

@@ -28,15 +28,25 @@ class TomlReader {
     /// A string, or a list of at least one.
     [[nodiscard]] std::vector<std::string> texts(std::string_view key) const;
 
+    /// Index of the text at `key` among `names`; a message suggests the first `shown` of them.
+    [[nodiscard]] std::optional<std::size_t> optional_choice(std::string_view key,
+                                                             std::span<const std::string_view> names,
+                                                             std::size_t shown) const;
+
     [[nodiscard]] std::uint64_t count(std::string_view key) const;
     [[nodiscard]] std::optional<std::uint64_t> optional_count(std::string_view key) const;
     /// A positive integer, or a list of at least one.
     [[nodiscard]] std::vector<std::uint64_t> counts(std::string_view key) const;
     [[nodiscard]] std::optional<double> optional_number(std::string_view key) const;
+    /// Finite numbers: one, or a list of at least one.
+    [[nodiscard]] std::vector<double> numbers(std::string_view key) const;
 
     /// Tables of an array `[[key]]` or of a list of inline tables; empty where the key is missing.
     [[nodiscard]] std::vector<TomlReader> tables(std::string_view key) const;
     [[nodiscard]] std::optional<TomlReader> optional_table(std::string_view key) const;
+
+    /// "origin:line:column" of the value of `key`, or of the table where it is missing.
+    [[nodiscard]] std::string place(std::string_view key) const;
 
     /// Fails at the value of `key` (at the table itself where it is missing): "origin:line:column: key = value (why).
     /// Suggestion."

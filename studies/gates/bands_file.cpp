@@ -1,0 +1,175 @@
+#include "studies/gates/bands_file.hpp"
+
+#include "studies/gates/band_reader.hpp"
+#include "studies/text_file.hpp"
+#include "studies/toml_reader.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <set>
+
+namespace ff::studies {
+namespace {
+
+constexpr std::array<std::string_view, 9> kind_names{"bias",      "std",      "rmse",  "closure",   "reciprocity",
+                                                     "lost_rays", "coverage", "slope", "efficiency"};
+constexpr std::array<std::string_view, 6> interval_names{"student_t", "normal",          "percentile_bootstrap",
+                                                         "wilson",    "clopper_pearson", "wald"};
+
+/// Keys of a gate beside those of a method.
+constexpr std::array<std::string_view, 12> gate_keys{"kind",         "scene",    "pairs",     "band",
+                                                     "expected",     "quantity", "interval",  "level",
+                                                     "reference_se", "detects",  "reference", "replicates"};
+
+/// Keys that only some kinds take.
+struct OwnKey {
+    std::string_view key;
+    std::vector<GateKind> kinds;
+};
+const std::vector<OwnKey>& own_keys() {
+    using enum GateKind;
+    static const std::vector<OwnKey> keys{{"pairs", {bias, std, rmse, reciprocity, coverage, slope, efficiency}},
+                                          {"expected", {slope}},
+                                          {"interval", {coverage}},
+                                          {"level", {coverage}},
+                                          {"replicates", {coverage}},
+                                          {"detects", {lost_rays}},
+                                          {"reference", {bias, std, rmse, efficiency}},
+                                          {"reference_se", {bias}}};
+    return keys;
+}
+
+void expect_own_keys(const TomlReader& reader, GateKind kind) {
+    for (const auto& [key, kinds] : own_keys()) {
+        if (!reader.has(key) || std::find(kinds.begin(), kinds.end(), kind) != kinds.end()) continue;
+        std::vector<std::string_view> names;
+        for (const GateKind other : kinds) names.push_back(name(other));
+        reader.fail(key, fmt::format("(a gate of kind \"{}\" has none; it is for {}). Remove the key.", name(kind),
+                                     fmt::join(names, ", ")));
+    }
+}
+
+void read_reference(const TomlReader& reader, Gate& gate) {
+    const bool spread = gate.kind == GateKind::std || gate.kind == GateKind::rmse;
+    gate.against = gate.kind == GateKind::efficiency ? Against::baseline : Against::exact;
+    const auto* node = reader.find("reference");
+    if (node != nullptr && node->is_string()) {
+        if (reader.text("reference") != "baseline")
+            reader.fail("reference", "(a number, or \"baseline\" for --baseline FILE). Write \"baseline\".");
+        gate.against = Against::baseline;
+    } else if (node != nullptr) {
+        if (gate.kind == GateKind::efficiency)
+            reader.fail("reference", "(efficiency is compared with a baseline). Remove the key.");
+        gate.against = Against::number;
+        gate.reference = reader.optional_number("reference");
+        if (spread && *gate.reference <= 0) reader.fail("reference", "(a ratio to it is taken). Give a positive one.");
+    }
+    gate.reference_se = reader.optional_number("reference_se");
+    if (gate.reference_se && gate.against != Against::number)
+        reader.fail("reference_se",
+                    "(it belongs to a reference that is a number). Remove the key, or add 'reference'.");
+    if (gate.reference_se && *gate.reference_se < 0)
+        reader.fail("reference_se", "(a standard error is not negative). Give 0 or more.");
+}
+
+void read_coverage(const TomlReader& reader, Gate& gate) {
+    const auto method = reader.optional_choice("interval", interval_names, interval_names.size());
+    if (method) gate.interval = static_cast<IntervalMethod>(*method);
+    gate.interval_level = reader.optional_number("level").value_or(gate.interval_level);
+    if (gate.interval_level <= 0.5 || gate.interval_level >= 1)
+        reader.fail("level", "(intervals are right more often than not, but not always). Try 0.95.");
+    if (is_binomial(gate.interval) && reader.has("replicates"))
+        reader.fail("replicates", "(this interval is made from the hits of one trial). Remove the key.");
+    gate.replicates = is_binomial(gate.interval) ? 1 : reader.optional_count("replicates").value_or(gate.replicates);
+    if (!is_binomial(gate.interval) && (gate.replicates < 2 || gate.replicates > 100'000))
+        reader.fail("replicates", "(an interval is made from 2 to 100000 trials). Try 10.");
+}
+
+Gate read_gate(const TomlReader& reader) {
+    Gate gate;
+    if (!reader.has("kind"))
+        reader.fail("kind", fmt::format("missing. Choose one of {}.", fmt::join(kind_names, ", ")));
+    gate.kind = static_cast<GateKind>(*reader.optional_choice("kind", kind_names, kind_names.size()));
+    gate.quantity = reader.optional_text("quantity").value_or("");
+    if (gate.from_estimates()) {
+        static constexpr std::array<std::string_view, 6> known{"name",      "kind",         "quantity",
+                                                               "reference", "reference_se", "band"};
+        reader.expect_only(known);
+        if (gate.kind != GateKind::bias && gate.kind != GateKind::std)
+            reader.fail("kind", "(estimates of another program can be gated on bias and std). Choose one of them.");
+        if (!reader.has("reference"))
+            reader.fail("reference", "missing (nothing is known about another program's quantity). Add the number.");
+    } else {
+        gate.method = read_method(reader, gate_keys);
+        gate.scenes = read_scenes(reader);
+    }
+    gate.name = reader.text("name");
+    expect_own_keys(reader, gate.kind);
+    read_reference(reader, gate);
+    if (gate.from_estimates() && gate.against == Against::baseline)
+        reader.fail("reference", "(a baseline holds our own trials only). Give a number.");
+    if (gate.kind == GateKind::coverage) read_coverage(reader, gate);
+    if (gate.kind == GateKind::lost_rays) {
+        gate.detects = reader.optional_number("detects").value_or(gate.detects);
+        if (gate.detects <= 0 || gate.detects >= 1) reader.fail("detects", "(a share of rays). Try 1e-6.");
+    }
+    gate.pairs = reader.has("pairs") ? reader.texts("pairs") : std::vector<std::string>{"all"};
+    gate.band = read_band(reader, gate);
+    gate.place = reader.place("band");
+    if (!gate.method.sizes.empty()) gate.trials = gate.method.sizes.front().trials;
+    return gate;
+}
+
+void read_options(const TomlReader& reader, GatesSpec& spec) {
+    static constexpr std::array<std::string_view, 5> known{"alpha", "power", "seed", "looks", "max_trials"};
+    reader.expect_only(known);
+    spec.alpha = reader.optional_number("alpha").value_or(spec.alpha);
+    if (spec.alpha <= 0 || spec.alpha >= 0.5)
+        reader.fail("alpha", "(the chance of a false alarm anywhere in the file). Try 1e-4.");
+    spec.power = reader.optional_number("power").value_or(spec.power);
+    if (spec.power < 0.5 || spec.power > 1 - 1e-9)
+        reader.fail("power", "(at least 0.5, and no finite number of trials makes it 1). Try 0.9.");
+    spec.seed = Seed{reader.optional_count("seed").value_or(spec.seed.value)};
+    spec.looks = reader.optional_count("looks").value_or(spec.looks);
+    if (spec.looks < 1 || spec.looks > 10) reader.fail("looks", "(an undecided gate is judged 1 to 10 times). Try 3.");
+    spec.max_trials = reader.optional_count("max_trials").value_or(spec.max_trials);
+    if (spec.max_trials < 2 || spec.max_trials > 100'000'000)
+        reader.fail("max_trials", "(of one look: 2 to 100000000). Try 100000.");
+}
+
+}  // namespace
+
+std::string_view name(GateKind kind) {
+    return kind_names.at(static_cast<std::size_t>(kind));
+}
+
+std::string_view name(IntervalMethod method) {
+    return interval_names.at(static_cast<std::size_t>(method));
+}
+
+GatesSpec parse_bands(std::string_view text, std::string_view origin) {
+    const toml::table root = parse_toml(text, origin);
+    const TomlReader file(root, origin);
+    static constexpr std::array<std::string_view, 2> sections{"gates", "gate"};
+    file.expect_only(sections);
+    GatesSpec spec;
+    spec.name = std::filesystem::path(origin).stem().string();
+    if (const auto options = file.optional_table("gates")) read_options(*options, spec);
+    std::set<std::string> names;
+    for (const TomlReader& table : file.tables("gate")) {
+        Gate gate = read_gate(table);
+        if (!names.insert(gate.name).second)
+            table.fail("name", "is used twice (verdicts are found by it). Rename one.");
+        spec.gates.push_back(std::move(gate));
+    }
+    if (spec.gates.empty()) file.fail("gate", "missing (nothing would be checked). Add a [[gate]].");
+    return spec;
+}
+
+GatesSpec load_bands(const std::filesystem::path& file) {
+    return parse_bands(read_text_file(file), file.string());
+}
+
+}  // namespace ff::studies

@@ -1,0 +1,139 @@
+#include "studies/gates/evidence.hpp"
+
+#include "core/contract.hpp"
+#include "stats/distributions.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ff::studies {
+namespace {
+
+double passing_level(const Levels& levels) {
+    return 1 - 2 * levels.pass_alpha;
+}
+double failing_level(const Levels& levels) {
+    return 1 - levels.fail_alpha;
+}
+
+/// The edge beyond which effects are looked for, `shift` further out.
+double beyond(const Band& band, double shift) {
+    return std::isfinite(band.high) ? band.high + shift : band.low - shift;
+}
+
+/// Standard errors between the edge of the band and an effect that fails with the power.
+double reach(const Levels& levels) {
+    return stats::normal_critical(levels.fail_alpha / 2) + stats::normal_critical(1 - levels.power);
+}
+
+stats::Interval around(double value, double half_width, const stats::Interval& like) {
+    stats::Interval interval = like;
+    interval.low = value - half_width;
+    interval.high = value + half_width;
+    return interval;
+}
+
+template <class IntervalOf>
+Evidence evidence_at(double value, const Levels& levels, const IntervalOf& interval_of) {
+    return {.value = value,
+            .passing = interval_of(passing_level(levels)),
+            .failing = interval_of(failing_level(levels)),
+            .minimum_detectable = 0};
+}
+
+/// A ratio that lies beyond the band by this factor fails with the power.
+double beyond_by_factor(const Band& band, double log_standard_error, const Levels& levels) {
+    const double factor = std::exp(reach(levels) * log_standard_error);
+    return std::isfinite(band.high) ? band.high * factor : band.low / factor;
+}
+
+/// Of the logarithm of a root mean square.
+double log_variance(const stats::Spread& spread) {
+    return 1 / (2 * spread.freedom);
+}
+
+}  // namespace
+
+std::optional<Evidence> mean_evidence(const stats::Moments& moments, const MeanReference& reference, const Band& band,
+                                      const Levels& levels) {
+    FF_EXPECT(moments.reference() == reference.value);
+    const auto own = moments.standard_error();
+    if (!own || *own == 0) return std::nullopt;
+    const double error = std::hypot(*own, reference.standard_error);
+    // Welch and Satterthwaite: error^4 / freedom is the sum of both parts'.
+    const auto part = [&](double standard_error, double freedom) {
+        return std::pow(standard_error / error, 4) / freedom;
+    };
+    const double freedom =
+        1 / (part(*own, static_cast<double>(moments.count() - 1)) + part(reference.standard_error, reference.freedom));
+    const auto interval_of = [&](double level) {
+        return around(
+            *moments.bias(), stats::student_critical(freedom, (1 - level) / 2) * error,
+            {.level = level, .method = reference.standard_error > 0 ? "welch_t" : "student_t", .n = moments.count()});
+    };
+    Evidence evidence = evidence_at(*moments.bias(), levels, interval_of);
+    // Quantile of the noncentral t distribution [abramowitz1964] 26.7.10; exact ones cost a millisecond each.
+    const double critical = stats::student_critical(freedom, levels.fail_alpha / 2);
+    const double shift = critical * (1 - 1 / (4 * freedom)) +
+                         stats::normal_critical(1 - levels.power) * std::sqrt(1 + critical * critical / (2 * freedom));
+    evidence.minimum_detectable = beyond(band, shift * error);
+    return evidence;
+}
+
+Evidence spread_evidence(const stats::Spread& spread, double reference, const Band& band, const Levels& levels) {
+    FF_EXPECT(reference > 0);
+    const auto interval_of = [&](double level) {
+        stats::Interval interval = stats::square_root(stats::mean_square_interval(spread, level));
+        interval.low /= reference;
+        interval.high /= reference;
+        return interval;
+    };
+    Evidence evidence = evidence_at(std::sqrt(spread.mean_square) / reference, levels, interval_of);
+    evidence.minimum_detectable = beyond_by_factor(band, std::sqrt(log_variance(spread)), levels);
+    return evidence;
+}
+
+Evidence spread_evidence(const stats::Spread& spread, const stats::Spread& reference, const Band& band,
+                         const Levels& levels) {
+    const auto interval_of = [&](double level) { return stats::ratio_interval(spread, reference, level); };
+    Evidence evidence = evidence_at(std::sqrt(spread.mean_square / reference.mean_square), levels, interval_of);
+    evidence.minimum_detectable =
+        beyond_by_factor(band, std::sqrt(log_variance(spread) + log_variance(reference)), levels);
+    return evidence;
+}
+
+Evidence proportion_evidence(const stats::Proportion& counts, const Band& band, const Levels& levels) {
+    const auto interval_of = [&](double level) { return stats::clopper_pearson_interval(counts, level); };
+    Evidence evidence =
+        evidence_at(static_cast<double>(counts.hits) / static_cast<double>(counts.trials), levels, interval_of);
+    const auto deviation = [&](double p) { return std::sqrt(p * (1 - p) / static_cast<double>(counts.trials)); };
+    // An upper end of 1 cannot be exceeded; then the lower one is looked beyond.
+    evidence.minimum_detectable = band.high < 1 ? std::min(1.0, band.high + reach(levels) * deviation(band.high))
+                                                : std::max(0.0, band.low - reach(levels) * deviation(band.low));
+    return evidence;
+}
+
+std::optional<Evidence> slope_evidence(std::span<const stats::Rung> ladder, const Band& band, const Levels& levels) {
+    // One resample: the bootstrap interval does not reach the levels asked for, and is not used.
+    const auto fitted = stats::fit_rmse_rate(ladder, failing_level(levels), {.key = {}, .replicates = 1});
+    if (!fitted) return std::nullopt;
+    const double error = fitted->interval.width() / 2 / stats::normal_critical(levels.fail_alpha / 2);
+    const auto interval_of = [&](double level) {
+        stats::Interval interval = fitted->interval;
+        interval.level = level;
+        return around(fitted->rate, stats::normal_critical((1 - level) / 2) * error, interval);
+    };
+    Evidence evidence = evidence_at(fitted->rate, levels, interval_of);
+    evidence.minimum_detectable = beyond(band, reach(levels) * error);
+    return evidence;
+}
+
+Evidence exact_evidence(double value, const Band& band) {
+    const stats::Interval point{.low = value, .high = value, .level = 1, .method = "exact", .n = 1};
+    return {.value = value,
+            .passing = point,
+            .failing = point,
+            .minimum_detectable = std::isfinite(band.high) ? band.high : band.low};
+}
+
+}  // namespace ff::studies

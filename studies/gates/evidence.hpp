@@ -1,0 +1,46 @@
+#pragma once
+
+#include "stats/binomial.hpp"
+#include "stats/convergence.hpp"
+#include "stats/moments.hpp"
+#include "stats/spread.hpp"
+#include "studies/gates/verdict.hpp"
+
+#include <limits>
+#include <optional>
+#include <span>
+
+namespace ff::studies {
+
+/// Evidence for each kind of effect. Numbers in, numbers out: nothing here knows where the values come from. Empty
+/// where the values cannot carry an interval (too few, or all equal).
+
+/// What a mean is compared with.
+struct MeanReference {
+    double value = 0;
+    double standard_error = 0;                                 ///< 0 for an exact value
+    double freedom = std::numeric_limits<double>::infinity();  ///< of that standard error
+};
+
+/// Mean minus reference. Student's t; with an uncertain reference Welch's [welch1947].
+/// @pre moments.reference() == reference.value
+std::optional<Evidence> mean_evidence(const stats::Moments& moments, const MeanReference& reference, const Band& band,
+                                      const Levels& levels);
+
+/// Root of a mean square (standard deviation or RMSE) over a known one, > 0.
+Evidence spread_evidence(const stats::Spread& spread, double reference, const Band& band, const Levels& levels);
+
+/// Root mean square over that of an independent sample.
+Evidence spread_evidence(const stats::Spread& spread, const stats::Spread& reference, const Band& band,
+                         const Levels& levels);
+
+/// The probability behind independent trials, by Clopper and Pearson. @pre counts.trials >= 1
+Evidence proportion_evidence(const stats::Proportion& counts, const Band& band, const Levels& levels);
+
+/// Rate of the RMSE along a ladder.
+std::optional<Evidence> slope_evidence(std::span<const stats::Rung> ladder, const Band& band, const Levels& levels);
+
+/// A value that does not vary: one evaluation decides.
+Evidence exact_evidence(double value, const Band& band);
+
+}  // namespace ff::studies

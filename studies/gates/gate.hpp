@@ -1,0 +1,90 @@
+#pragma once
+
+#include "core/stream.hpp"
+#include "studies/gates/verdict.hpp"
+#include "studies/spec.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace ff::studies {
+
+/// What a gate watches. The effect that its band speaks of stands behind each.
+enum class GateKind {
+    bias,         ///< mean estimate minus reference
+    std,          ///< standard deviation of a trial over the reference
+    rmse,         ///< root mean squared error of a trial over the reference
+    closure,      ///< mean row sum minus 1 (minus the exact sum in an open scene)
+    reciprocity,  ///< mean of F_ij - A_j F_ji / A_i
+    lost_rays,    ///< share of rays that hit nothing
+    coverage,     ///< share of confidence intervals that hold the exact value
+    slope,        ///< rate of the RMSE along a ladder of sizes
+    efficiency,   ///< 1 / (variance * evaluations) over the baseline's
+};
+
+std::string_view name(GateKind kind);
+
+/// What the effect is measured from.
+enum class Against {
+    exact,     ///< computed from the scene
+    number,    ///< `reference` in the bands file
+    baseline,  ///< the same gate in a file that --save-baseline wrote
+};
+
+/// Intervals whose coverage can be gated.
+enum class IntervalMethod { student_t, normal, percentile_bootstrap, wilson, clopper_pearson, wald };
+
+std::string_view name(IntervalMethod method);
+
+/// Counts hits within one trial, instead of taking the mean of several.
+bool is_binomial(IntervalMethod method);
+
+/// One [[gate]] of a bands file.
+struct Gate {
+    std::string name;
+    GateKind kind = GateKind::bias;
+    std::string place;  ///< "file:line:column" of the gate's band, for messages that only the plan can give
+    Band band;
+
+    // What is run; empty for estimates that another program made.
+    std::vector<std::string> scenes;
+    Method method;
+    std::vector<std::string> pairs;  ///< "all", a class, or pairs "1-6"
+
+    std::optional<std::uint64_t> trials;  ///< instead of a planned number
+    Against against = Against::exact;
+    std::optional<double> reference;     ///< for Against::number
+    std::optional<double> reference_se;  ///< of `reference`
+    std::string quantity;                ///< in a file of estimates; empty for our own
+
+    IntervalMethod interval = IntervalMethod::student_t;  ///< coverage
+    double interval_level = 0.95;                         ///< coverage
+    std::uint64_t replicates = 10;                        ///< coverage: trials behind one interval
+    double detects = 1e-6;  ///< lost_rays with a band of zero: share of lost rays that has to be noticed
+
+    [[nodiscard]] bool from_estimates() const { return !quantity.empty(); }
+};
+
+/// What a bands file says.
+struct GatesSpec {
+    std::string name;          ///< of the file, without folder and extension
+    double alpha = 1e-4;       ///< family-wise, of a failure anywhere in the file where all effects are in their bands
+    double pass_alpha = 0.05;  ///< of a pass, for each gate whose effect is at an end of its band or beyond
+    double power = 0.9;        ///< with which a gate passes where there is no effect
+    Seed seed{1};
+    std::uint64_t looks = 3;             ///< times that an undecided gate is judged, each time with as many trials more
+    std::uint64_t max_trials = 100'000;  ///< of one look
+    std::vector<Gate> gates;
+};
+
+/// Levels of one comparison at one look: the file's alpha is shared equally among gates, looks and comparisons
+/// (Bonferroni: gates on the same cell share trials), a gate's pass_alpha among its looks only, since all comparisons
+/// have to pass (intersection-union).
+/// @param comparisons  of this gate; at least 1
+Levels levels_of(const GatesSpec& spec, std::size_t comparisons);
+
+}  // namespace ff::studies

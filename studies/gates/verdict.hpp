@@ -1,0 +1,48 @@
+#pragma once
+
+#include "stats/interval.hpp"
+
+#include <optional>
+#include <string_view>
+
+namespace ff::studies {
+
+/// What a gate says. Inconclusive is not a pass: the trials were too few to tell.
+enum class Verdict { pass, fail, inconclusive };
+
+/// "pass", "fail" or "inconclusive".
+std::string_view name(Verdict verdict);
+
+/// The values of an effect that are tolerated; an end may be infinite.
+struct Band {
+    double low = 0;
+    double high = 0;
+    auto operator<=>(const Band&) const = default;
+
+    [[nodiscard]] bool holds(double value) const { return low <= value && value <= high; }
+};
+
+/// The risks of one comparison at one look.
+struct Levels {
+    double fail_alpha = 1e-4;  ///< of calling an effect inside the band outside; two-sided, already shared
+    double pass_alpha = 0.05;  ///< of calling an effect at or beyond one end of the band inside
+    double power = 0.9;        ///< at which minimum detectable effects are stated
+};
+
+/// An effect as measured: its value, and the two intervals that decide.
+struct Evidence {
+    double value = 0;
+    stats::Interval passing;  ///< level 1 - 2 pass_alpha: has to lie inside the band
+    stats::Interval failing;  ///< level 1 - fail_alpha: must not lie wholly outside
+    /// Effect beyond the band's upper end (its lower one where that is infinite) that fails with the power.
+    double minimum_detectable = 0;
+};
+
+/// The rule of every gate, whose null hypothesis is composite ("inside the band"). Fail: the failing interval lies
+/// wholly outside. Pass: the passing interval lies inside. Otherwise, or without evidence, inconclusive.
+Verdict judge(const std::optional<Evidence>& evidence, const Band& band);
+
+/// Several comparisons under one verdict: fail if one fails, pass if all pass.
+Verdict together(Verdict a, Verdict b);
+
+}  // namespace ff::studies
