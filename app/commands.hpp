@@ -19,6 +19,9 @@ ExitCode merge(const MergeCommand& command);
 /// Checks published tables for contradictions; failed where there are some.
 ExitCode audit(const AuditCommand& command);
 
+/// Checks the gates of a bands file: failed where one fails, else inconclusive where one is undecided.
+ExitCode check(const CheckCommand& command);
+
 /// Lists samplers, estimators, scenes, studies or formats.
 ExitCode list(const std::string& kind);
 

@@ -68,6 +68,24 @@ void add_merge(CLI::App& app, MergeCommand& command, Action& action) {
     sub->callback([&] { action = [&] { return merge(command); }; });
 }
 
+void add_check(CLI::App& app, CheckCommand& command, Action& action) {
+    CLI::App* sub = app.add_subcommand("check", "Check the gates of a bands file: pass, fail or inconclusive");
+    sub->add_option("BANDS", command.bands, "Bands file (.toml)")->required();
+    CLI::Option* seed = sub->add_option("--seed", command.seed, "Seed of all random numbers (default: the file's)")
+                            ->check(CLI::NonNegativeNumber);
+    sub->add_flag("--fresh-seed", command.fresh_seed, "A new seed, printed")->excludes(seed);
+    sub->add_option("--seed-sweep", command.seed_sweep, "Check with N seeds; report failure rates against alpha")
+        ->check(CLI::PositiveNumber);
+    CLI::Option* baseline = sub->add_option("--baseline", command.baseline, "Baseline file to compare with");
+    sub->add_option("--save-baseline", command.save_baseline, "Run the gates that compare with a baseline; save it")
+        ->excludes(baseline);
+    sub->add_option("--threads", command.threads, "Threads; verdicts do not depend on them (default: all cores)");
+    sub->add_option("--out", command.out, "Folder for the results (default: results/<bands>)");
+    sub->add_flag("--quiet", command.quiet, "Print errors only");
+    sub->add_flag("--dry-run", command.dry_run, "Show trials and expected time of each gate; runs pilots only");
+    sub->callback([&] { action = [&] { return check(command); }; });
+}
+
 void add_audit(CLI::App& app, AuditCommand& command, Action& action) {
     CLI::App* sub = app.add_subcommand("audit", "Find contradictions in published tables");
     sub->add_option("TABLES", command.tables, "Tables file (.json)")->required();
@@ -97,10 +115,12 @@ ExitCode parse_and_act(int argc, char** argv) {
     ReportCommand report_command;
     MergeCommand merge_command;
     AuditCommand audit_command;
+    CheckCommand check_command;
     std::string name;
     add_run(app, run_command, action);
     add_report(app, report_command, action);
     add_merge(app, merge_command, action);
+    add_check(app, check_command, action);
     add_audit(app, audit_command, action);
     add_catalogue(app, name, action);
     try {

@@ -41,4 +41,17 @@ struct AuditCommand {
     bool quiet = false;
 };
 
+struct CheckCommand {
+    std::filesystem::path bands;
+    std::optional<std::uint64_t> seed;
+    bool fresh_seed = false;
+    std::uint64_t seed_sweep = 0;  ///< number of seeds; 0: one check
+    std::filesystem::path baseline;
+    std::filesystem::path save_baseline;
+    std::optional<unsigned> threads;
+    std::filesystem::path out;  ///< empty: results/<bands>
+    bool quiet = false;
+    bool dry_run = false;
+};
+
 }  // namespace ff::app

@@ -1,5 +1,6 @@
 #include "app/run_request.hpp"
 
+#include "app/common_options.hpp"
 #include "app/limits.hpp"
 #include "app/study_files.hpp"
 
@@ -14,27 +15,15 @@
 namespace ff::app {
 namespace {
 
-constexpr std::uint64_t largest_seed = (1ULL << 63) - 1;  // study files hold it as a TOML integer
-constexpr unsigned most_threads = 4096;
-
 studies::StudyPlan make_plan(const RunCommand& command) {
     studies::StudySpec spec = find_study(command.study);
     if (command.trials) studies::set_trials(spec, *command.trials);
-    if (command.seed) {
-        if (*command.seed > largest_seed)
-            throw UserError(fmt::format("--seed {} (at most {}). Take a smaller one.", *command.seed, largest_seed));
-        spec.seed = Seed{*command.seed};
-    }
+    if (command.seed) spec.seed = checked_seed(*command.seed);
     return studies::plan_study(std::move(spec));
 }
 
 unsigned thread_count(const RunCommand& command, const Processes& processes) {
-    if (!command.threads) return processes.alone() ? std::max(1u, std::thread::hardware_concurrency()) : 1;
-    if (*command.threads == 0 || *command.threads > most_threads) {
-        throw UserError(fmt::format("--threads {} (1 to {} are possible). Leave it out for all cores.",
-                                    *command.threads, most_threads));
-    }
-    return *command.threads;
+    return command.threads || processes.alone() ? thread_count(command.threads) : 1;
 }
 
 /// As many of these threads as fit into the memory. @throws UserError where one does not

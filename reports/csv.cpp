@@ -1,5 +1,6 @@
 #include "reports/csv.hpp"
 
+#include "reports/csv_field.hpp"
 #include "reports/labels.hpp"
 #include "reports/numbers.hpp"
 
@@ -11,17 +12,6 @@
 
 namespace ff::reports {
 namespace {
-
-/// A cell of a CSV file; quoted where it has to be (RFC 4180).
-std::string field(std::string_view text) {
-    if (text.find_first_of(",\"\r\n") == std::string_view::npos) return std::string(text);
-    std::string quoted = "\"";
-    for (const char c : text) {
-        if (c == '"') quoted += '"';
-        quoted += c;
-    }
-    return quoted + "\"";
-}
 
 std::string nodes_field(const studies::Method& method) {
     if (!method.nodes) return {};
@@ -43,9 +33,10 @@ std::string cell_fields(const studies::StudyPlan& plan, const studies::CellFindi
     const studies::Cell& cell = plan.cells[found.cell];
     const studies::Method& method = plan.spec.methods[cell.method];
     const std::string samples = cell.samples == 0 ? std::string() : std::to_string(cell.samples);
-    return fmt::format("{},{},{},{},{},{},{},{},{},{},{}", field(plan.spec.name), field(plan.scenes[cell.scene].name),
-                       field(method.name), method.sampler, name(method.estimator), name(method.completion),
-                       nodes_field(method), has_allocation(method.estimator) ? studies::name(method.allocation) : "",
+    return fmt::format("{},{},{},{},{},{},{},{},{},{},{}", csv_field(plan.spec.name),
+                       csv_field(plan.scenes[cell.scene].name), csv_field(method.name), method.sampler,
+                       name(method.estimator), name(method.completion), nodes_field(method),
+                       has_allocation(method.estimator) ? studies::name(method.allocation) : "",
                        cell.subdivision.per_surface(), samples, found.trials);
 }
 
@@ -58,8 +49,8 @@ std::string high(const std::optional<stats::Interval>& interval) {
 
 std::string summary_fields(const Scene& scene, const studies::Summary& s, const studies::CellFindings& found,
                            double level) {
-    const std::vector<std::string> fields{field(from_label(scene, s.quantity)),
-                                          field(to_label(scene, s.quantity)),
+    const std::vector<std::string> fields{csv_field(from_label(scene, s.quantity)),
+                                          csv_field(to_label(scene, s.quantity)),
                                           s.pair_class ? std::string(name(*s.pair_class)) : std::string(),
                                           exact(s.reference),
                                           exact(s.mean),
@@ -113,11 +104,11 @@ void write_trials_csv(std::ostream& out, const studies::Store& store) {
         const auto estimates = studies::load_estimates(store, index, studies::Completion::direct);
         const std::string samples = cell.samples == 0 ? std::string() : std::to_string(cell.samples);
         const std::string prefix =
-            fmt::format("{},{},{},{},{}", field(plan.spec.name), field(scene.name),
-                        field(plan.spec.methods[cell.method].name), cell.subdivision.per_surface(), samples);
+            fmt::format("{},{},{},{},{}", csv_field(plan.spec.name), csv_field(scene.name),
+                        csv_field(plan.spec.methods[cell.method].name), cell.subdivision.per_surface(), samples);
         for (const studies::Quantity pair : studies::distinct_pairs(estimates.faces, studies::Completion::direct)) {
             const std::string faces =
-                fmt::format("{},{}", field(from_label(scene, pair)), field(to_label(scene, pair)));
+                fmt::format("{},{}", csv_field(from_label(scene, pair)), csv_field(to_label(scene, pair)));
             const auto& values = estimates.values(pair);
             fmt::memory_buffer rows;
             for (std::size_t i = 0; i < values.size(); ++i) {

@@ -26,21 +26,6 @@ bool is_sparse(const CellEstimates& estimates, std::optional<double> reference) 
     return std::min(*reference, std::abs(1.0 - *reference)) * rays < least_hits;
 }
 
-std::optional<double> reference_of(const Scene& scene, const std::optional<Eigen::MatrixXd>& exact, Quantity quantity) {
-    switch (quantity.kind) {
-        case QuantityKind::form_factor:
-            if (exact) return (*exact)(quantity.from - 1, quantity.to - 1);
-            return std::nullopt;
-        case QuantityKind::row_sum:
-            if (scene.closed) return 1.0;
-            if (exact) return exact->row(quantity.from - 1).sum();
-            return std::nullopt;
-        case QuantityKind::sum_relative_error:
-            break;  // its expectation is no property of the scene
-    }
-    return std::nullopt;
-}
-
 /// Cells whose bias is tested; at least 1.
 std::size_t sampled_cells(const StudyPlan& plan) {
     const auto sampled =
@@ -115,6 +100,28 @@ BiasFamily judge_family(const CellEstimates& estimates, const std::vector<Quanti
 }
 
 }  // namespace
+
+/// The area kernel is unbounded where patches touch: tail index 3/2 at an edge, 2 at a vertex.
+VarianceStatus variance_status(const Method& method, bool deterministic, std::optional<PairClass> pair_class) {
+    if (deterministic) return VarianceStatus::none;
+    const bool touching = !pair_class || *pair_class == PairClass::adjacent;
+    return method.estimator == Estimator::area_kernel && touching ? VarianceStatus::infinite : VarianceStatus::finite;
+}
+
+std::optional<double> reference_of(const Scene& scene, const std::optional<Eigen::MatrixXd>& exact, Quantity quantity) {
+    switch (quantity.kind) {
+        case QuantityKind::form_factor:
+            if (exact) return (*exact)(quantity.from - 1, quantity.to - 1);
+            return std::nullopt;
+        case QuantityKind::row_sum:
+            if (scene.closed) return 1.0;
+            if (exact) return exact->row(quantity.from - 1).sum();
+            return std::nullopt;
+        case QuantityKind::sum_relative_error:
+            break;  // its expectation is no property of the scene
+    }
+    return std::nullopt;
+}
 
 BiasFinding bias_finding(const BiasFamily& family, double level) {
     if (family.constant_and_wrong) return BiasFinding::biased;

@@ -3,6 +3,8 @@
 #include "studies/store.hpp"
 #include "studies/summary.hpp"
 
+#include <Eigen/Core>
+
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -30,6 +32,13 @@ struct BiasFamily {
 
 enum class BiasFinding { no_bias_found, biased, untestable };
 enum class EquivalenceFinding { shown, refuted, inconclusive, not_asked };
+
+/// What theory says about the variance of a pair, or of a sum where `pair_class` is empty.
+VarianceStatus variance_status(const Method& method, bool deterministic, std::optional<PairClass> pair_class);
+
+/// The exact value of a quantity; empty where there is none.
+/// @param exact  exact_form_factors(scene)
+std::optional<double> reference_of(const Scene& scene, const std::optional<Eigen::MatrixXd>& exact, Quantity quantity);
 
 BiasFinding bias_finding(const BiasFamily& family, double level);
 /// Shown: every pair's interval lies inside the margin. Refuted: some pair's adjusted interval lies outside.

@@ -12,13 +12,14 @@ namespace {
 
 /// Direct estimates of one pair by trial; hits, not yet divided by the rays, where they are counted.
 /// @throws IoError where the store lacks a trial that it says is saved
-std::vector<double> direct_values(const Store& store, const CellEstimates& estimates, int from, int to, bool counted) {
-    auto series = store.series(estimates.cell, counted ? observable::hits : observable::estimate, from, to);
-    if (series.trial != estimates.trial_numbers) {
+std::vector<double> direct_values(const Store& store, std::size_t cell, const DirectEstimates& direct, int from, int to,
+                                  bool counted) {
+    auto series = store.series(cell, counted ? observable::hits : observable::estimate, from, to);
+    if (series.trial != direct.trial_numbers) {
         throw IoError(
             fmt::format("{}: damaged (cell {} lacks trials of faces {} and {}). Take a copy, or remove it and "
                         "run the study again.",
-                        store.database().file(), estimates.cell, from, to));
+                        store.database().file(), cell, from, to));
     }
     return std::move(series.value);
 }
@@ -78,34 +79,43 @@ CellEstimates load_estimates(const Store& store, std::size_t cell) {
 }
 
 CellEstimates load_estimates(const Store& store, std::size_t cell_index, Completion completion) {
-    const Cell& cell = store.plan().cells[cell_index];
-    const Method& method = store.plan().spec.methods[cell.method];
-    const Scene& scene = store.plan().scenes[cell.scene];
+    const StudyPlan& plan = store.plan();
+    const Cell& cell = plan.cells[cell_index];
+    const bool counted = plan.spec.methods[cell.method].estimator == Estimator::ray_shooting;
+    const int faces = static_cast<int>(plan.scenes[cell.scene].faces.size());
+    DirectEstimates direct;
+    direct.trial_numbers = store.saved_trial_numbers(cell_index);
+    for (int i = 1; i <= faces; ++i) {
+        if (counted) direct.lost_rays += static_cast<std::uint64_t>(store.total(cell_index, observable::lost, i, 0));
+        for (int j = 1; j <= faces; ++j) {
+            const bool used = i < j || (i > j && completion == Completion::direct);
+            direct.values.push_back(used ? direct_values(store, cell_index, direct, i, j, counted)
+                                         : std::vector<double>());
+        }
+    }
+    return complete(plan, cell_index, completion, std::move(direct));
+}
+
+CellEstimates complete(const StudyPlan& plan, std::size_t cell_index, Completion completion, DirectEstimates direct) {
+    const Cell& cell = plan.cells[cell_index];
+    const Method& method = plan.spec.methods[cell.method];
+    const Scene& scene = plan.scenes[cell.scene];
     CellEstimates estimates;
     estimates.cell = cell_index;
     estimates.faces = scene.faces.size();
-    estimates.trial_numbers = store.saved_trial_numbers(cell_index);
-    estimates.factors.resize(estimates.faces * estimates.faces);
+    estimates.trial_numbers = std::move(direct.trial_numbers);
+    estimates.factors = std::move(direct.values);
     estimates.evaluations_per_face = cell.subdivision.per_surface() * cell.samples;
     if (method.estimator == Estimator::area_kernel) estimates.evaluations_per_face *= cell.subdivision.per_surface();
-
-    const int faces = static_cast<int>(estimates.faces);
     const bool counted = method.estimator == Estimator::ray_shooting;
     if (counted) {
         estimates.lattice = 1.0 / static_cast<double>(estimates.evaluations_per_face);
-        for (int i = 1; i <= faces; ++i) {
-            estimates.lost_rays += static_cast<std::uint64_t>(store.total(cell_index, observable::lost, i, 0));
-        }
+        estimates.lost_rays = direct.lost_rays;
     }
-    for (int i = 1; i <= faces; ++i) {
-        for (int j = 1; j <= faces; ++j) {
-            if (i == j) continue;
-            const bool by_reciprocity = completion == Completion::reciprocal && j < i;
+    const int faces = static_cast<int>(estimates.faces);
+    for (int i = 1; completion == Completion::reciprocal && i <= faces; ++i) {
+        for (int j = 1; j < i; ++j) {
             auto& target = estimates.factors[static_cast<std::size_t>((i - 1) * faces + j - 1)];
-            if (!by_reciprocity) {
-                target = direct_values(store, estimates, i, j, counted);
-                continue;
-            }
             target = estimates.factors[static_cast<std::size_t>((j - 1) * faces + i - 1)];
             const double ratio = face_area(scene, j - 1) / face_area(scene, i - 1);
             for (double& value : target) value *= ratio;

@@ -36,6 +36,19 @@ struct CellEstimates {
     [[nodiscard]] std::size_t trials() const { return row_sums.empty() ? 0 : row_sums.front().size(); }
 };
 
+/// What was observed of one cell, before completion.
+struct DirectEstimates {
+    std::vector<std::uint64_t> trial_numbers;
+    /// [(from - 1) * faces + to - 1], by trial: estimates, or hits where they are counted. Diagonal empty.
+    std::vector<std::vector<double>> values;
+    std::uint64_t lost_rays = 0;
+
+    [[nodiscard]] std::size_t trials() const { return trial_numbers.size(); }
+};
+
+/// The estimates of a cell, completed. Only pairs with from < to are used under reciprocal completion.
+CellEstimates complete(const StudyPlan& plan, std::size_t cell, Completion completion, DirectEstimates direct);
+
 /// Reads the direct estimates of a cell and completes them as its method says. The same rays serve both completions.
 CellEstimates load_estimates(const Store& store, std::size_t cell);
 

@@ -93,20 +93,20 @@ void expect_feasible(const Method& method, const Scene& scene, const Cell& cell)
         method.name, evaluations, most_evaluations));
 }
 
-void add_units(StudyPlan& plan, std::size_t cell_index) {
-    const Cell& cell = plan.cells[cell_index];
-    const double seconds = expected_seconds_per_trial(plan, cell);
+}  // namespace
+
+void add_units(const StudyPlan& plan, std::size_t cell_index, std::uint64_t first_trial, std::uint64_t end_trial,
+               std::vector<WorkUnit>& units) {
+    const double seconds = expected_seconds_per_trial(plan, plan.cells[cell_index]);
     const auto batch = static_cast<std::uint64_t>(std::clamp(unit_seconds / seconds, 1.0, most_trials_of_a_unit));
-    if (plan.units.size() + cell.trials / batch >= most_units) {
+    if (units.size() + (end_trial - first_trial) / batch >= most_units) {
         throw UserError(fmt::format("method '{}': {} trials make more than {} work units. Take fewer trials.",
-                                    plan.spec.methods[cell.method].name, cell.trials, most_units));
+                                    plan.spec.methods[plan.cells[cell_index].method].name, end_trial, most_units));
     }
-    for (std::uint64_t first = 0; first < cell.trials; first += batch) {
-        plan.units.push_back({plan.units.size(), cell_index, first, std::min(batch, cell.trials - first)});
+    for (std::uint64_t first = first_trial; first < end_trial; first += batch) {
+        units.push_back({units.size(), cell_index, first, std::min(batch, end_trial - first)});
     }
 }
-
-}  // namespace
 
 std::uint64_t points_per_sequence(const Method& method, Subdivision subdivision, std::uint64_t samples) {
     return method.allocation == Allocation::face ? samples * subdivision.per_surface() : samples;
@@ -163,7 +163,7 @@ StudyPlan plan_study(StudySpec spec) {
                 warn_about_control(plan, method);
                 warn_about_size(plan, method, cell);
                 plan.cells.push_back(std::move(cell));
-                add_units(plan, plan.cells.size() - 1);
+                add_units(plan, plan.cells.size() - 1, 0, plan.cells.back().trials, plan.units);
             }
         }
     }

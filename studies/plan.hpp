@@ -42,6 +42,11 @@ struct StudyPlan {
 /// @throws UserError where scene, sampler and estimator do not fit
 StudyPlan plan_study(StudySpec spec);
 
+/// Appends the work units of a run of trials of one cell, each of about equal length; their index is their place in
+/// `units`.
+void add_units(const StudyPlan& plan, std::size_t cell, std::uint64_t first_trial, std::uint64_t end_trial,
+               std::vector<WorkUnit>& units);
+
 /// Points of one sequence of a cell: those of a patch, or of a whole face where one sequence serves it.
 std::uint64_t points_per_sequence(const Method& method, Subdivision subdivision, std::uint64_t samples);
 

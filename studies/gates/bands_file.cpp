@@ -116,6 +116,7 @@ Gate read_gate(const TomlReader& reader) {
         if (gate.detects <= 0 || gate.detects >= 1) reader.fail("detects", "(a share of rays). Try 1e-6.");
     }
     gate.pairs = reader.has("pairs") ? reader.texts("pairs") : std::vector<std::string>{"all"};
+    gate.pairs_place = reader.place("pairs");
     gate.band = read_band(reader, gate);
     gate.place = reader.place("band");
     if (!gate.method.sizes.empty()) gate.trials = gate.method.sizes.front().trials;

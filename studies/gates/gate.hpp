@@ -54,6 +54,7 @@ struct Gate {
     std::vector<std::string> scenes;
     Method method;
     std::vector<std::string> pairs;  ///< "all", a class, or pairs "1-6"
+    std::string pairs_place;
 
     std::optional<std::uint64_t> trials;  ///< instead of a planned number
     Against against = Against::exact;

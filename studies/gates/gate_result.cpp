@@ -17,9 +17,9 @@ int severity(Verdict verdict) {
 /// How far the middle of the interval lies from the middle of the band, in half widths of the band; of one end where
 /// the other is infinite.
 double strain(const Comparison& comparison) {
-    if (!comparison.evidence) return std::numeric_limits<double>::infinity();
+    if (!comparison.measurement) return std::numeric_limits<double>::infinity();
     const Band& band = comparison.band;
-    const auto& interval = comparison.evidence->passing;
+    const auto& interval = comparison.measurement->passing;
     const double above = interval.high - band.high;
     const double below = band.low - interval.low;
     const double width = std::isfinite(band.high - band.low) ? band.high - band.low : 1.0;

@@ -20,10 +20,10 @@ struct Comparison {
     std::string to_face;
     std::string quantity;  ///< what the value is, e.g. "bias"
     Band band;
-    std::optional<Evidence> evidence;  ///< empty where the trials cannot carry an interval; `note` says why
+    std::optional<Measurement> measurement;  ///< empty where the trials cannot carry an interval; `note` says why
     Verdict verdict = Verdict::inconclusive;
     Levels levels;
-    std::uint64_t trials = 0;  ///< behind the evidence, over all looks
+    std::uint64_t trials = 0;  ///< behind the measurement, over all looks
     std::string note;
 };
 

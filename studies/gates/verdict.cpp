@@ -14,11 +14,11 @@ std::string_view name(Verdict verdict) {
     return "inconclusive";
 }
 
-Verdict judge(const std::optional<Evidence>& evidence, const Band& band) {
-    if (!evidence) return Verdict::inconclusive;
-    if (evidence->failing.low > band.high || evidence->failing.high < band.low) return Verdict::fail;
-    return band.holds(evidence->passing.low) && band.holds(evidence->passing.high) ? Verdict::pass
-                                                                                   : Verdict::inconclusive;
+Verdict judge(const std::optional<Measurement>& measurement, const Band& band) {
+    if (!measurement) return Verdict::inconclusive;
+    if (measurement->failing.low > band.high || measurement->failing.high < band.low) return Verdict::fail;
+    return band.holds(measurement->passing.low) && band.holds(measurement->passing.high) ? Verdict::pass
+                                                                                         : Verdict::inconclusive;
 }
 
 Verdict together(Verdict a, Verdict b) {

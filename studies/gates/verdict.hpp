@@ -30,7 +30,7 @@ struct Levels {
 };
 
 /// An effect as measured: its value, and the two intervals that decide.
-struct Evidence {
+struct Measurement {
     double value = 0;
     stats::Interval passing;  ///< level 1 - 2 pass_alpha: has to lie inside the band
     stats::Interval failing;  ///< level 1 - fail_alpha: must not lie wholly outside
@@ -39,8 +39,8 @@ struct Evidence {
 };
 
 /// The rule of every gate, whose null hypothesis is composite ("inside the band"). Fail: the failing interval lies
-/// wholly outside. Pass: the passing interval lies inside. Otherwise, or without evidence, inconclusive.
-Verdict judge(const std::optional<Evidence>& evidence, const Band& band);
+/// wholly outside. Pass: the passing interval lies inside. Otherwise, or without measurement, inconclusive.
+Verdict judge(const std::optional<Measurement>& measurement, const Band& band);
 
 /// Several comparisons under one verdict: fail if one fails, pass if all pass.
 Verdict together(Verdict a, Verdict b);

@@ -12,12 +12,12 @@ namespace {
 
 constexpr Band band{-1, 1};
 
-Evidence between(double low, double high, double failing_low, double failing_high) {
-    Evidence evidence;
-    evidence.value = (low + high) / 2;
-    evidence.passing = {.low = low, .high = high, .level = 0.9, .method = "made up", .n = 2};
-    evidence.failing = {.low = failing_low, .high = failing_high, .level = 0.9999, .method = "made up", .n = 2};
-    return evidence;
+Measurement between(double low, double high, double failing_low, double failing_high) {
+    Measurement measurement;
+    measurement.value = (low + high) / 2;
+    measurement.passing = {.low = low, .high = high, .level = 0.9, .method = "made up", .n = 2};
+    measurement.failing = {.low = failing_low, .high = failing_high, .level = 0.9999, .method = "made up", .n = 2};
+    return measurement;
 }
 
 TEST(Judge, PassesWhereThePassingIntervalLiesInside) {

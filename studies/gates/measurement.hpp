@@ -12,7 +12,7 @@
 
 namespace ff::studies {
 
-/// Evidence for each kind of effect. Numbers in, numbers out: nothing here knows where the values come from. Empty
+/// Measurement for each kind of effect. Numbers in, numbers out: nothing here knows where the values come from. Empty
 /// where the values cannot carry an interval (too few, or all equal).
 
 /// What a mean is compared with.
@@ -24,23 +24,23 @@ struct MeanReference {
 
 /// Mean minus reference. Student's t; with an uncertain reference Welch's [welch1947].
 /// @pre moments.reference() == reference.value
-std::optional<Evidence> mean_evidence(const stats::Moments& moments, const MeanReference& reference, const Band& band,
+std::optional<Measurement> measure_mean(const stats::Moments& moments, const MeanReference& reference, const Band& band,
                                       const Levels& levels);
 
 /// Root of a mean square (standard deviation or RMSE) over a known one, > 0.
-Evidence spread_evidence(const stats::Spread& spread, double reference, const Band& band, const Levels& levels);
+Measurement measure_spread(const stats::Spread& spread, double reference, const Band& band, const Levels& levels);
 
 /// Root mean square over that of an independent sample.
-Evidence spread_evidence(const stats::Spread& spread, const stats::Spread& reference, const Band& band,
+Measurement measure_spread(const stats::Spread& spread, const stats::Spread& reference, const Band& band,
                          const Levels& levels);
 
 /// The probability behind independent trials, by Clopper and Pearson. @pre counts.trials >= 1
-Evidence proportion_evidence(const stats::Proportion& counts, const Band& band, const Levels& levels);
+Measurement measure_proportion(const stats::Proportion& counts, const Band& band, const Levels& levels);
 
 /// Rate of the RMSE along a ladder.
-std::optional<Evidence> slope_evidence(std::span<const stats::Rung> ladder, const Band& band, const Levels& levels);
+std::optional<Measurement> measure_slope(std::span<const stats::Rung> ladder, const Band& band, const Levels& levels);
 
 /// A value that does not vary: one evaluation decides.
-Evidence exact_evidence(double value, const Band& band);
+Measurement measure_exactly(double value, const Band& band);
 
 }  // namespace ff::studies

@@ -1,4 +1,4 @@
-#include "studies/gates/evidence.hpp"
+#include "studies/gates/measurement.hpp"
 
 #include "core/contract.hpp"
 #include "stats/distributions.hpp"
@@ -34,7 +34,7 @@ stats::Interval around(double value, double half_width, const stats::Interval& l
 }
 
 template <class IntervalOf>
-Evidence evidence_at(double value, const Levels& levels, const IntervalOf& interval_of) {
+Measurement measured_at(double value, const Levels& levels, const IntervalOf& interval_of) {
     return {.value = value,
             .passing = interval_of(passing_level(levels)),
             .failing = interval_of(failing_level(levels)),
@@ -54,8 +54,8 @@ double log_variance(const stats::Spread& spread) {
 
 }  // namespace
 
-std::optional<Evidence> mean_evidence(const stats::Moments& moments, const MeanReference& reference, const Band& band,
-                                      const Levels& levels) {
+std::optional<Measurement> measure_mean(const stats::Moments& moments, const MeanReference& reference, const Band& band,
+                                        const Levels& levels) {
     FF_EXPECT(moments.reference() == reference.value);
     const auto own = moments.standard_error();
     if (!own || *own == 0) return std::nullopt;
@@ -71,16 +71,16 @@ std::optional<Evidence> mean_evidence(const stats::Moments& moments, const MeanR
             *moments.bias(), stats::student_critical(freedom, (1 - level) / 2) * error,
             {.level = level, .method = reference.standard_error > 0 ? "welch_t" : "student_t", .n = moments.count()});
     };
-    Evidence evidence = evidence_at(*moments.bias(), levels, interval_of);
+    Measurement measurement = measured_at(*moments.bias(), levels, interval_of);
     // Quantile of the noncentral t distribution [abramowitz1964] 26.7.10; exact ones cost a millisecond each.
     const double critical = stats::student_critical(freedom, levels.fail_alpha / 2);
     const double shift = critical * (1 - 1 / (4 * freedom)) +
                          stats::normal_critical(1 - levels.power) * std::sqrt(1 + critical * critical / (2 * freedom));
-    evidence.minimum_detectable = beyond(band, shift * error);
-    return evidence;
+    measurement.minimum_detectable = beyond(band, shift * error);
+    return measurement;
 }
 
-Evidence spread_evidence(const stats::Spread& spread, double reference, const Band& band, const Levels& levels) {
+Measurement measure_spread(const stats::Spread& spread, double reference, const Band& band, const Levels& levels) {
     FF_EXPECT(reference > 0);
     const auto interval_of = [&](double level) {
         stats::Interval interval = stats::square_root(stats::mean_square_interval(spread, level));
@@ -88,32 +88,32 @@ Evidence spread_evidence(const stats::Spread& spread, double reference, const Ba
         interval.high /= reference;
         return interval;
     };
-    Evidence evidence = evidence_at(std::sqrt(spread.mean_square) / reference, levels, interval_of);
-    evidence.minimum_detectable = beyond_by_factor(band, std::sqrt(log_variance(spread)), levels);
-    return evidence;
+    Measurement measurement = measured_at(std::sqrt(spread.mean_square) / reference, levels, interval_of);
+    measurement.minimum_detectable = beyond_by_factor(band, std::sqrt(log_variance(spread)), levels);
+    return measurement;
 }
 
-Evidence spread_evidence(const stats::Spread& spread, const stats::Spread& reference, const Band& band,
-                         const Levels& levels) {
+Measurement measure_spread(const stats::Spread& spread, const stats::Spread& reference, const Band& band,
+                           const Levels& levels) {
     const auto interval_of = [&](double level) { return stats::ratio_interval(spread, reference, level); };
-    Evidence evidence = evidence_at(std::sqrt(spread.mean_square / reference.mean_square), levels, interval_of);
-    evidence.minimum_detectable =
+    Measurement measurement = measured_at(std::sqrt(spread.mean_square / reference.mean_square), levels, interval_of);
+    measurement.minimum_detectable =
         beyond_by_factor(band, std::sqrt(log_variance(spread) + log_variance(reference)), levels);
-    return evidence;
+    return measurement;
 }
 
-Evidence proportion_evidence(const stats::Proportion& counts, const Band& band, const Levels& levels) {
+Measurement measure_proportion(const stats::Proportion& counts, const Band& band, const Levels& levels) {
     const auto interval_of = [&](double level) { return stats::clopper_pearson_interval(counts, level); };
-    Evidence evidence =
-        evidence_at(static_cast<double>(counts.hits) / static_cast<double>(counts.trials), levels, interval_of);
+    Measurement measurement =
+        measured_at(static_cast<double>(counts.hits) / static_cast<double>(counts.trials), levels, interval_of);
     const auto deviation = [&](double p) { return std::sqrt(p * (1 - p) / static_cast<double>(counts.trials)); };
     // An upper end of 1 cannot be exceeded; then the lower one is looked beyond.
-    evidence.minimum_detectable = band.high < 1 ? std::min(1.0, band.high + reach(levels) * deviation(band.high))
-                                                : std::max(0.0, band.low - reach(levels) * deviation(band.low));
-    return evidence;
+    measurement.minimum_detectable = band.high < 1 ? std::min(1.0, band.high + reach(levels) * deviation(band.high))
+                                                   : std::max(0.0, band.low - reach(levels) * deviation(band.low));
+    return measurement;
 }
 
-std::optional<Evidence> slope_evidence(std::span<const stats::Rung> ladder, const Band& band, const Levels& levels) {
+std::optional<Measurement> measure_slope(std::span<const stats::Rung> ladder, const Band& band, const Levels& levels) {
     // One resample: the bootstrap interval does not reach the levels asked for, and is not used.
     const auto fitted = stats::fit_rmse_rate(ladder, failing_level(levels), {.key = {}, .replicates = 1});
     if (!fitted) return std::nullopt;
@@ -123,12 +123,12 @@ std::optional<Evidence> slope_evidence(std::span<const stats::Rung> ladder, cons
         interval.level = level;
         return around(fitted->rate, stats::normal_critical((1 - level) / 2) * error, interval);
     };
-    Evidence evidence = evidence_at(fitted->rate, levels, interval_of);
-    evidence.minimum_detectable = beyond(band, reach(levels) * error);
-    return evidence;
+    Measurement measurement = measured_at(fitted->rate, levels, interval_of);
+    measurement.minimum_detectable = beyond(band, reach(levels) * error);
+    return measurement;
 }
 
-Evidence exact_evidence(double value, const Band& band) {
+Measurement measure_exactly(double value, const Band& band) {
     const stats::Interval point{.low = value, .high = value, .level = 1, .method = "exact", .n = 1};
     return {.value = value,
             .passing = point,

@@ -1,0 +1,226 @@
+#include "app/commands.hpp"
+
+#include "app/check_files.hpp"
+#include "app/common_options.hpp"
+#include "app/result_files.hpp"
+#include "app/run_context.hpp"
+#include "app/signals.hpp"
+
+#include "core/error.hpp"
+#include "reports/gates_csv.hpp"
+#include "reports/gates_terminal.hpp"
+#include "reports/json.hpp"
+#include "reports/output_file.hpp"
+#include "studies/gates/bands_file.hpp"
+#include "studies/gates/gate_run.hpp"
+#include "studies/gates/seed_sweep.hpp"
+#include "studies/text_file.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <numeric>
+
+namespace ff::app {
+namespace {
+
+using studies::Against;
+using studies::GatePlan;
+using studies::GatePurpose;
+using studies::GatesSpec;
+using Clock = std::chrono::steady_clock;
+
+constexpr std::uint64_t most_seeds = 1'000'000;
+
+/// What all ways of running gates need.
+struct Check {
+    const CheckCommand& command;
+    GatesSpec spec;
+    std::optional<studies::Baseline> baseline;
+    studies::GateRunOptions options;
+
+    [[nodiscard]] const studies::Baseline* baseline_or_null() const { return baseline ? &*baseline : nullptr; }
+    void print(const std::string& text) const {
+        if (command.quiet) return;
+        fmt::print("{}", text);
+        std::fflush(stdout);
+    }
+};
+
+struct Interrupted {};
+
+double seconds_since(Clock::time_point start) {
+    return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+Check begin(const CheckCommand& command) {
+    Check check{command, studies::load_bands(command.bands), std::nullopt, {}};
+    if (command.seed) check.spec.seed = checked_seed(*command.seed);
+    if (command.fresh_seed) check.spec.seed = fresh_seed();
+    if (!command.baseline.empty())
+        check.baseline = studies::parse_baseline(studies::read_text_file(command.baseline), command.baseline.string());
+    check.options.threads = thread_count(command.threads);
+    return check;
+}
+
+/// All gates, so that what is wrong with one is found before any is run.
+std::vector<GatePlan> prepare(const Check& check, GatePurpose purpose) {
+    std::vector<GatePlan> plans;
+    for (std::size_t gate = 0; gate < check.spec.gates.size(); ++gate) {
+        const bool stored = check.spec.gates[gate].against == Against::baseline;
+        if (purpose == GatePurpose::save_baseline && !stored) continue;
+        plans.push_back(prepare_gate(check.spec, gate, purpose, check.baseline_or_null()));
+    }
+    return plans;
+}
+
+/// @throws Interrupted
+std::uint64_t plan(const Check& check, GatePlan& gate) {
+    const auto evaluations = plan_trials(check.spec, gate, check.options);
+    if (!evaluations) throw Interrupted{};
+    return *evaluations;
+}
+
+/// @throws Interrupted
+studies::GateResult run(const Check& check, GatePlan& gate) {
+    const std::uint64_t pilot = plan(check, gate);
+    auto result = run_gate(check.spec, gate, check.options);
+    if (!result) throw Interrupted{};
+    result->evaluations += pilot;
+    return std::move(*result);
+}
+
+double seconds_per_trial(double seconds, unsigned threads, std::uint64_t trials) {
+    return seconds * threads / static_cast<double>(std::max<std::uint64_t>(1, trials));
+}
+
+/// Speed beside the baseline's: it depends on the machine, so it is told and not judged.
+std::string speed_note(const GatePlan& gate, double seconds, unsigned threads, std::uint64_t looks) {
+    if (gate.stored_seconds_per_trial == 0) return {};
+    const std::uint64_t trials = looks * std::accumulate(gate.trials.begin(), gate.trials.end(), std::uint64_t{0});
+    return fmt::format("{:.3g} s a trial and core; the baseline took {:.3g} s",
+                       seconds_per_trial(seconds, threads, trials), gate.stored_seconds_per_trial);
+}
+
+ExitCode exit_code(studies::Verdict verdict) {
+    switch (verdict) {
+        case studies::Verdict::pass:
+            return ExitCode::passed;
+        case studies::Verdict::fail:
+            return ExitCode::failed;
+        case studies::Verdict::inconclusive:
+            break;
+    }
+    return ExitCode::inconclusive;
+}
+
+ExitCode show_plan(Check& check) {
+    auto plans = prepare(check, check.command.save_baseline.empty() ? GatePurpose::check : GatePurpose::save_baseline);
+    for (GatePlan& gate : plans) plan(check, gate);
+    fmt::print("{}", reports::gates_plan(check.spec, plans, check.options.threads));
+    return ExitCode::passed;
+}
+
+ExitCode save_baseline(Check& check) {
+    auto plans = prepare(check, GatePurpose::save_baseline);
+    if (plans.empty())
+        throw UserError(
+            fmt::format("{}: no gate compares with a baseline (there is nothing to save). Add reference = "
+                        "\"baseline\" to a gate, or one of kind \"efficiency\".",
+                        check.command.bands.string()));
+    studies::Baseline baseline;
+    for (GatePlan& gate : plans) {
+        plan(check, gate);
+        const auto start = Clock::now();
+        auto stored = run_to_store(check.spec, gate, check.options);
+        if (!stored) throw Interrupted{};
+        const auto trials = std::accumulate(gate.trials.begin(), gate.trials.end(), std::uint64_t{0});
+        stored->seconds_per_trial = seconds_per_trial(seconds_since(start), check.options.threads, trials);
+        check.print(fmt::format("saved  {:<28}  {} trials\n", stored->gate, trials));
+        baseline.gates.push_back(std::move(*stored));
+    }
+    reports::write_file(check.command.save_baseline, baseline_json(baseline));
+    check.print(fmt::format("\nBaseline: {}\n", check.command.save_baseline.string()));
+    return ExitCode::passed;
+}
+
+ExitCode check_once(Check& check, const std::filesystem::path& out) {
+    auto plans = prepare(check, GatePurpose::check);
+    make_folder(out);
+    const auto start = Clock::now();
+    auto context =
+        describe_run(fmt::format("ffstudy check {} --seed {}", check.command.bands.string(), check.spec.seed.value),
+                     check.options.threads, 0);
+    reports::JunitContext junit{context["date_utc"].substr(0, 19), context["host"], {}, {}};
+    studies::CheckResults results{check.spec, {}};
+    write_verdicts(out, results, junit);
+    check.print(reports::gates_heading(check.spec));
+    const auto colour = ::isatty(STDOUT_FILENO) == 1 ? reports::Colour::ansi : reports::Colour::none;
+    for (GatePlan& gate : plans) {
+        const auto begun = Clock::now();
+        results.results.push_back(run(check, gate));
+        const studies::GateResult& result = results.results.back();
+        junit.seconds.push_back(seconds_since(begun));
+        junit.notes.push_back(speed_note(gate, junit.seconds.back(), check.options.threads, result.looks));
+        write_verdicts(out, results, junit);
+        check.print(reports::gate_line(result, colour));
+        if (!junit.notes.back().empty()) check.print(fmt::format("{:<12}  {}\n", "", junit.notes.back()));
+    }
+    context["seconds"] = fmt::format("{:.2f}", seconds_since(start));
+    reports::write_file(out / "context.json", reports::context_json(context));
+    check.print(reports::gates_summary(results));
+    check.print(fmt::format("Results: {}\n", out.string()));
+    return exit_code(results.verdict());
+}
+
+/// Every seed from the file's on, each a check of its own.
+ExitCode sweep(Check& check, const std::filesystem::path& out) {
+    if (check.command.seed_sweep > most_seeds)
+        throw UserError(
+            fmt::format("--seed-sweep {} (at most {} seeds). Take fewer.", check.command.seed_sweep, most_seeds));
+    static_cast<void>(prepare(check, GatePurpose::check));
+    make_folder(out);
+    const std::uint64_t first = check.spec.seed.value;
+    std::vector<studies::SeedSweep> sweeps;
+    for (const studies::Gate& gate : check.spec.gates) sweeps.push_back({gate.name, 0, 0, 0});
+    check.print(reports::gates_heading(check.spec));
+    for (std::uint64_t seed = 0; seed < check.command.seed_sweep; ++seed) {
+        check.spec.seed = checked_seed(first + seed);
+        auto plans = prepare(check, GatePurpose::check);
+        for (std::size_t gate = 0; gate < plans.size(); ++gate)
+            add_verdict(sweeps[gate], run(check, plans[gate]).verdict);
+        reports::write_file(out / "seed_sweep.csv",
+                            [&](std::ostream& file) { reports::write_seed_sweep_csv(file, check.spec, sweeps); });
+    }
+    check.print(reports::seed_sweep_table(check.spec, sweeps));
+    check.print(fmt::format("\nResults: {}\n", (out / "seed_sweep.csv").string()));
+    const auto any = [&](auto rate) {
+        return std::any_of(sweeps.begin(), sweeps.end(),
+                           [&](const studies::SeedSweep& s) { return rate(s, check.spec).exceeded; });
+    };
+    if (any(studies::failure_rate)) return ExitCode::failed;
+    return any(studies::inconclusive_rate) ? ExitCode::inconclusive : ExitCode::passed;
+}
+
+}  // namespace
+
+ExitCode check(const CheckCommand& command) {
+    Check check = begin(command);
+    check.options.stop = &stop_on_signals();
+    const auto out = command.out.empty() ? std::filesystem::path("results") / check.spec.name : command.out;
+    if (command.fresh_seed)
+        check.print(fmt::format("fresh seed {}; again with --seed {}\n", check.spec.seed.value, check.spec.seed.value));
+    try {
+        if (command.dry_run) return show_plan(check);
+        if (!command.save_baseline.empty()) return save_baseline(check);
+        return command.seed_sweep > 0 ? sweep(check, out) : check_once(check, out);
+    } catch (const Interrupted&) {
+        fmt::print(stderr, "stopped early; the gates that were done are in {}.\n", out.string());
+        return ExitCode::interrupted;
+    }
+}
+
+}  // namespace ff::app

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "studies/gates/check_results.hpp"
+#include "studies/gates/seed_sweep.hpp"
+
+#include <ostream>
+#include <span>
+
+namespace ff::reports {
+
+/// verdicts.csv: one row a comparison.
+void write_verdicts_csv(std::ostream& out, const studies::CheckResults& check);
+
+/// seed_sweep.csv: one row a gate.
+void write_seed_sweep_csv(std::ostream& out, const studies::GatesSpec& spec,
+                          std::span<const studies::SeedSweep> sweeps);
+
+}  // namespace ff::reports

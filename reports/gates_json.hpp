@@ -1,0 +1,12 @@
+#pragma once
+
+#include "studies/gates/check_results.hpp"
+
+#include <string>
+
+namespace ff::reports {
+
+/// verdicts.json, schema "ffstudy.verdicts/1" (docs/gates.md).
+std::string verdicts_json(const studies::CheckResults& check);
+
+}  // namespace ff::reports

@@ -1,0 +1,83 @@
+#include "reports/gates_junit.hpp"
+
+#include "core/contract.hpp"
+#include "reports/gates_terminal.hpp"
+
+#include <fmt/format.h>
+#include <pugixml.hpp>
+
+#include <numeric>
+#include <sstream>
+
+namespace ff::reports {
+namespace {
+
+void set(pugi::xml_node node, const char* attribute, const std::string& value) {
+    node.append_attribute(attribute).set_value(value.c_str());
+}
+
+/// A failure or an error, with what was measured as its message.
+void add_problem(pugi::xml_node test, const char* element, const char* type, const std::string& message) {
+    pugi::xml_node problem = test.append_child(element);
+    set(problem, "message", message);
+    set(problem, "type", type);
+}
+
+void add_comparisons(pugi::xml_node test, const studies::GateResult& result, const std::string& note) {
+    std::string text = gate_in_words(result) + "\n";
+    if (!note.empty()) text += note + "\n";
+    test.append_child("system-out").text().set(text.c_str());
+}
+
+}  // namespace
+
+std::string junit_xml(const studies::CheckResults& check, const JunitContext& context) {
+    FF_EXPECT(context.seconds.size() == check.results.size() && context.notes.size() == check.results.size());
+    const std::size_t missing = check.spec.gates.size() - check.results.size();
+    const double total = std::accumulate(context.seconds.begin(), context.seconds.end(), 0.0);
+    pugi::xml_document document;
+    pugi::xml_node declaration = document.append_child(pugi::node_declaration);
+    set(declaration, "version", "1.0");
+    set(declaration, "encoding", "UTF-8");
+    pugi::xml_node suite = document.append_child("testsuites").append_child("testsuite");
+    set(suite, "id", "0");
+    set(suite, "name", check.spec.name);
+    set(suite, "package", "ffstudy");
+    set(suite, "timestamp", context.timestamp);
+    set(suite, "hostname", context.hostname);
+    set(suite, "tests", std::to_string(check.spec.gates.size()));
+    set(suite, "failures", std::to_string(check.count(studies::Verdict::fail)));
+    set(suite, "errors", std::to_string(check.count(studies::Verdict::inconclusive) + missing));
+    set(suite, "time", fmt::format("{:.3f}", total));
+    pugi::xml_node properties = suite.append_child("properties");
+    for (const auto& [key, value] : {std::pair("seed", fmt::format("{}", check.spec.seed.value)),
+                                     std::pair("alpha", fmt::format("{}", check.spec.alpha)),
+                                     std::pair("power", fmt::format("{}", check.spec.power))}) {
+        pugi::xml_node property = properties.append_child("property");
+        set(property, "name", key);
+        set(property, "value", value);
+    }
+    for (std::size_t i = 0; i < check.spec.gates.size(); ++i) {
+        const studies::Gate& gate = check.spec.gates[i];
+        pugi::xml_node test = suite.append_child("testcase");
+        set(test, "name", gate.name);
+        set(test, "classname", fmt::format("{}.{}", check.spec.name, name(gate.kind)));
+        set(test, "time", fmt::format("{:.3f}", i < context.seconds.size() ? context.seconds[i] : 0.0));
+        if (i >= check.results.size()) {
+            add_problem(test, "error", "not run", "not run yet, or stopped before");
+            continue;
+        }
+        const studies::GateResult& result = check.results[i];
+        if (result.verdict == studies::Verdict::fail) add_problem(test, "failure", "fail", gate_in_words(result));
+        if (result.verdict == studies::Verdict::inconclusive)
+            add_problem(test, "error", "inconclusive", gate_in_words(result));
+        add_comparisons(test, result, context.notes[i]);
+    }
+    suite.append_child("system-out");
+    suite.append_child("system-err");
+    std::ostringstream out;
+    document.save(out, " ", pugi::format_default, pugi::encoding_utf8);
+    return out.str();
+}
+
+}  // namespace ff::reports

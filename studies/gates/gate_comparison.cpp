@@ -1,0 +1,234 @@
+#include "studies/gates/gate_comparison.hpp"
+
+#include "stats/mean_interval.hpp"
+#include "stats/repeats.hpp"
+#include "studies/gates/measurement.hpp"
+#include "studies/gates/needed_trials.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace ff::studies {
+namespace {
+
+/// Hits of all trials together below which a t interval is too narrow in the tails.
+constexpr double least_hits = 30;
+
+/// Resamples of one bootstrap interval; there are thousands of intervals.
+constexpr std::uint32_t bootstrap_replicates = 399;
+
+bool are_equal(std::span<const double> values) {
+    return std::all_of(values.begin(), values.end(), [&](double value) { return value == values.front(); });
+}
+
+void judge_into(Comparison& row) {
+    row.verdict = judge(row.measurement, row.band);
+}
+
+MeanReference mean_reference(const Gate& gate, const Effect& effect, const std::optional<StoredQuantity>& stored) {
+    if (stored)
+        return {.value = stored->mean,
+                .standard_error = stored->standard_error,
+                .freedom = static_cast<double>(std::max<std::uint64_t>(2, stored->trials) - 1)};
+    if (gate.against == Against::number)
+        return {.value = *gate.reference, .standard_error = gate.reference_se.value_or(0)};
+    return {.value = effect.truth.value_or(0)};
+}
+
+/// Bias, closure and reciprocity.
+void compare_means(const Gate& gate, const GatePlan& plan, const Effect& effect,
+                   const std::optional<StoredQuantity>& stored, const CellEstimates& estimates,
+                   std::span<const double> values, Comparison& row) {
+    const MeanReference reference = mean_reference(gate, effect, stored);
+    const auto moments = stats::moments_of(values, reference.value);
+    // A row of hits adds up to 1 whatever they are, unless one is lost.
+    const bool fixed_by_closure = gate.kind == GateKind::closure && are_equal(values);
+    if (plan.deterministic || fixed_by_closure) {
+        row.measurement = measure_exactly(*moments.bias(), row.band);
+        return judge_into(row);
+    }
+    row.measurement = measure_mean(moments, reference, row.band, plan.levels);
+    judge_into(row);
+    if (!row.measurement) row.note = "every trial gave the same value";
+    if (gate.kind != GateKind::bias || !estimates.lattice) return;
+    const double rays = static_cast<double>(values.size()) / *estimates.lattice;
+    if (rays * std::min(reference.value, 1 - reference.value) >= least_hits) return;
+    row.verdict = Verdict::inconclusive;
+    row.note = fmt::format("fewer than {:g} hits or misses in all trials together", least_hits);
+}
+
+void compare_spreads(const Gate& gate, const GatePlan& plan, const Effect& effect,
+                     const std::optional<StoredQuantity>& stored, std::span<const double> values, Comparison& row) {
+    const bool about_truth = gate.kind == GateKind::rmse;
+    const auto spread = about_truth ? stats::spread_about(values, effect.truth.value_or(0))
+                                    : stats::spread_of(stats::moments_of(values, values.front()));
+    if (!spread) {
+        row.note = "fewer than four trials, or all alike";
+        return;
+    }
+    if (!stored) {
+        row.measurement =
+            measure_spread(*spread, gate.reference ? *gate.reference : *effect.sigma, row.band, plan.levels);
+        return judge_into(row);
+    }
+    const auto& reference = about_truth ? stored->mean_square_error : stored->variance;
+    if (!reference) {
+        row.note = "the baseline has no spread";
+        return;
+    }
+    if (gate.kind != GateKind::efficiency) {
+        row.measurement = measure_spread(*spread, *reference, row.band, plan.levels);
+        return judge_into(row);
+    }
+    // The number of evaluations is the same, so efficiencies are as one over the variances.
+    const Band roots{std::sqrt(row.band.low), std::sqrt(row.band.high)};
+    Measurement measurement = measure_spread(*reference, *spread, roots, plan.levels);
+    const auto square = [](double x) { return x * x; };
+    for (stats::Interval* interval : {&measurement.passing, &measurement.failing}) {
+        interval->low = square(interval->low);
+        interval->high = square(interval->high);
+    }
+    measurement.value = square(measurement.value);
+    measurement.minimum_detectable = square(measurement.minimum_detectable);
+    row.measurement = measurement;
+    judge_into(row);
+}
+
+void compare_losses(const Gate& gate, const GatePlan& plan, const CellEstimates& estimates, std::uint64_t rays,
+                    Comparison& row) {
+    row.measurement = measure_proportion({.hits = estimates.lost_rays, .trials = rays}, row.band, plan.levels);
+    if (row.band.high > 0) return judge_into(row);
+    // None is tolerated, so one decides; that there is none is known as far as the rays reach.
+    row.measurement->minimum_detectable = -std::expm1(std::log1p(-plan.levels.power) / static_cast<double>(rays));
+    const bool enough = static_cast<double>(rays) >= rays_for_loss(gate.detects, plan.levels);
+    row.verdict = estimates.lost_rays > 0 ? Verdict::fail : enough ? Verdict::pass : Verdict::inconclusive;
+    if (row.verdict == Verdict::inconclusive) row.note = "too few rays";
+}
+
+/// The gate's interval from consecutive trials (or one, for hits); empty where they are all alike.
+std::optional<stats::Interval> interval_of(const Gate& gate, std::span<const double> values, double truth,
+                                           std::uint64_t rays, StreamKey key) {
+    const stats::Proportion counts{
+        .hits = static_cast<std::uint64_t>(std::llround(values.front() * static_cast<double>(rays))), .trials = rays};
+    const double level = gate.interval_level;
+    switch (gate.interval) {
+        case IntervalMethod::student_t:
+            return stats::mean_interval_t(stats::moments_of(values, truth), level);
+        case IntervalMethod::normal:
+            return stats::mean_interval_normal(stats::moments_of(values, truth), level);
+        case IntervalMethod::percentile_bootstrap:
+            return stats::mean_interval_bootstrap(values, level, {.key = key, .replicates = bootstrap_replicates});
+        case IntervalMethod::wilson:
+            return stats::wilson_interval(counts, level);
+        case IntervalMethod::clopper_pearson:
+            return stats::clopper_pearson_interval(counts, level);
+        case IntervalMethod::wald:
+            break;
+    }
+    return stats::wald_interval(counts, level);
+}
+
+void compare_coverage(const Gate& gate, const GatePlan& plan, const Effect& effect, std::span<const double> values,
+                      std::uint64_t rays, Comparison& row) {
+    stats::Proportion covered;
+    for (std::size_t first = 0; first + gate.replicates <= values.size(); first += gate.replicates) {
+        const StreamKey key =
+            derive_key(plan.study.spec.seed, fmt::format("coverage|{}|{}|{}", row.from_face, row.to_face, first));
+        const auto interval = interval_of(gate, values.subspan(first, gate.replicates), *effect.truth, rays, key);
+        ++covered.trials;
+        // No interval, no coverage: trials that are all alike claim to be exact.
+        if (interval && interval->contains(*effect.truth)) ++covered.hits;
+    }
+    if (covered.trials == 0) {
+        row.note = "fewer trials than one interval needs";
+        return;
+    }
+    row.measurement = measure_proportion(covered, row.band, plan.levels);
+    judge_into(row);
+}
+
+void compare_slope(const GatePlan& plan, const Effect& effect, std::span<const CellEstimates> estimates,
+                   Comparison& row) {
+    std::vector<stats::Rung> ladder;
+    for (const std::size_t cell : effect.cells) {
+        stats::Rung rung{static_cast<double>(estimates[cell].evaluations_per_face), {}};
+        for (const double value : estimates[cell].values(effect.quantity)) rung.errors.push_back(value - *effect.truth);
+        ladder.push_back(std::move(rung));
+    }
+    row.measurement = measure_slope(ladder, row.band, plan.levels);
+    if (!row.measurement) row.note = "no error at some size";
+    judge_into(row);
+}
+
+/// Trials that repeat each other are no replicates, whatever their mean.
+void expect_replicates(const GatePlan& plan, std::span<const double> values, Comparison& row) {
+    if (plan.deterministic || are_equal(values)) return;
+    const auto period = stats::find_period(values, plan.levels.fail_alpha);
+    if (!period) return;
+    row.verdict = Verdict::fail;
+    row.note = fmt::format("trials repeat after {}: they are no replicates", *period);
+}
+
+/// One quantity may take one value by chance, where hits are few; not all of a gate.
+void expect_some_spread(const GatePlan& plan, std::span<const CellEstimates> estimates, std::vector<Comparison>& rows) {
+    constexpr std::size_t enough = 8;
+    if (plan.deterministic) return;
+    for (const CellEstimates& cell : estimates) {
+        if (cell.trials() < enough) return;
+        for (const auto& values : cell.factors) {
+            if (!values.empty() && !are_equal(values)) return;
+        }
+    }
+    for (Comparison& row : rows) {
+        row.verdict = Verdict::fail;
+        row.note = "every trial gave the same values: they are no replicates";
+    }
+}
+
+}  // namespace
+
+std::vector<Comparison> compare(const Gate& gate, const GatePlan& plan, std::span<const CellEstimates> estimates) {
+    std::vector<Comparison> rows;
+    for (std::size_t i = 0; i < plan.effects.size(); ++i) {
+        const Effect& effect = plan.effects[i];
+        const Cell& cell = plan.study.cells[effect.cells.front()];
+        const CellEstimates& first = estimates[effect.cells.front()];
+        Comparison row = labelled(gate, effect, plan.study);
+        row.levels = plan.levels;
+        row.trials = first.trials();
+        if (gate.kind == GateKind::lost_rays) {
+            compare_losses(gate, plan, first, row.trials * evaluations_per_trial(plan.study, cell), row);
+            rows.push_back(std::move(row));
+            continue;
+        }
+        const auto values = series(gate.kind, effect, first, plan.study.scenes[cell.scene]);
+        switch (gate.kind) {
+            case GateKind::bias:
+            case GateKind::closure:
+            case GateKind::reciprocity:
+                compare_means(gate, plan, effect, plan.stored[i], first, values, row);
+                break;
+            case GateKind::std:
+            case GateKind::rmse:
+            case GateKind::efficiency:
+                compare_spreads(gate, plan, effect, plan.stored[i], values, row);
+                break;
+            case GateKind::coverage:
+                compare_coverage(gate, plan, effect, values, first.evaluations_per_face, row);
+                break;
+            case GateKind::slope:
+                compare_slope(plan, effect, estimates, row);
+                break;
+            case GateKind::lost_rays:
+                break;
+        }
+        expect_replicates(plan, values, row);
+        rows.push_back(std::move(row));
+    }
+    expect_some_spread(plan, estimates, rows);
+    return rows;
+}
+
+}  // namespace ff::studies

@@ -1,0 +1,207 @@
+#include "studies/gates/gate_effects.hpp"
+
+#include "core/error.hpp"
+#include "core/exact.hpp"
+#include "core/nearest_name.hpp"
+#include "core/pair_class.hpp"
+#include "samplers/sampler.hpp"
+#include "studies/analysis.hpp"
+#include "studies/sr_distribution.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace ff::studies {
+namespace {
+
+[[noreturn]] void refuse(const std::string& place, const std::string& problem) {
+    throw UserError(fmt::format("{}: {}", place, problem));
+}
+
+std::string pair_text(const Scene& scene, Quantity pair) {
+    return fmt::format("{}-{}", scene.faces[static_cast<std::size_t>(pair.from - 1)],
+                       scene.faces[static_cast<std::size_t>(pair.to - 1)]);
+}
+
+/// Whether the gate's `pairs` name this one; 6-1 is 1-6 where only one of the two is free.
+bool is_selected(const Gate& gate, const Scene& scene, Quantity pair, bool both_ways) {
+    const auto pair_class = name(ff::pair_class(scene, pair.from - 1, pair.to - 1));
+    const std::string there = pair_text(scene, pair);
+    const std::string back = pair_text(scene, {pair.kind, pair.to, pair.from});
+    return std::any_of(gate.pairs.begin(), gate.pairs.end(), [&](const std::string& wanted) {
+        return wanted == "all" || wanted == pair_class || wanted == there || (both_ways && wanted == back);
+    });
+}
+
+std::vector<Quantity> selected_pairs(const Gate& gate, const Scene& scene) {
+    const bool both_ways = gate.kind == GateKind::reciprocity || gate.method.completion == Completion::reciprocal;
+    std::vector<Quantity> pairs;
+    for (const Quantity pair :
+         distinct_pairs(scene.faces.size(), both_ways ? Completion::reciprocal : Completion::direct)) {
+        if (is_selected(gate, scene, pair, both_ways)) pairs.push_back(pair);
+    }
+    if (!pairs.empty()) return pairs;
+    std::vector<std::string> texts{"all", "parallel", "adjacent", "other"};
+    for (const Quantity pair : distinct_pairs(scene.faces.size(), Completion::direct))
+        texts.push_back(pair_text(scene, pair));
+    const std::vector<std::string_view> known(texts.begin(), texts.end());
+    refuse(gate.pairs_place,
+           fmt::format("pairs = '{}' (scene '{}' has none of these). {}Write \"all\", \"parallel\", \"adjacent\", or "
+                       "faces as \"{}\".",
+                       fmt::join(gate.pairs, "', '"), scene.name, did_you_mean(gate.pairs.front(), known), texts[4]));
+}
+
+std::vector<Quantity> quantities_of(const Gate& gate, const Scene& scene) {
+    if (gate.kind == GateKind::lost_rays) return {Quantity{}};
+    if (gate.kind != GateKind::closure) return selected_pairs(gate, scene);
+    std::vector<Quantity> sums;
+    for (int face = 1; face <= static_cast<int>(scene.faces.size()); ++face)
+        sums.push_back({QuantityKind::row_sum, face, 0});
+    return sums;
+}
+
+/// Kinds that say something about spread need some.
+bool needs_spread(GateKind kind) {
+    return kind == GateKind::std || kind == GateKind::rmse || kind == GateKind::coverage || kind == GateKind::slope ||
+           kind == GateKind::efficiency;
+}
+
+void expect_possible(const Gate& gate, const StudyPlan& plan) {
+    const Method& method = gate.method;
+    const bool deterministic = plan.cells.front().deterministic;
+    const bool shoots = method.estimator == Estimator::ray_shooting;
+    if (deterministic && needs_spread(gate.kind))
+        refuse(gate.place, fmt::format("a gate of kind \"{}\" needs trials that differ (this method is deterministic). "
+                                       "Take a randomised sampler, or kind = \"bias\".",
+                                       name(gate.kind)));
+    if (gate.kind == GateKind::reciprocity && method.completion == Completion::reciprocal)
+        refuse(gate.place,
+               "reciprocity (completion = \"reciprocal\" makes it hold by itself). Take completion = \"direct\".");
+    if (gate.kind == GateKind::lost_rays && !shoots)
+        refuse(gate.place, "lost_rays (this estimator shoots none). Take estimator = \"ray_shooting\".");
+    if (gate.kind == GateKind::lost_rays && !plan.scenes.front().closed)
+        refuse(gate.place, "lost_rays (in an open scene rays may leave). Take a closed scene.");
+    const bool independent = shoots && samplers::find(method.sampler).info.independent;
+    if (gate.kind == GateKind::lost_rays && gate.band.high > 0 && !independent)
+        refuse(gate.place, "band above 0 (the exact interval wants independent rays). Take band = 0.");
+    if (gate.kind == GateKind::coverage && is_binomial(gate.interval) && !independent)
+        refuse(gate.place, fmt::format("interval = \"{}\" (it is for hits of independent rays). Take a sampler with "
+                                       "independent points and estimator = \"ray_shooting\".",
+                                       name(gate.interval)));
+    if (gate.kind == GateKind::bias && gate.against == Against::number && gate.pairs.size() == 1 &&
+        gate.pairs.front() == "all")
+        refuse(gate.place, "reference (one number for all pairs). Name the pair, as pairs = \"1-6\".");
+    if (gate.kind == GateKind::slope && method.sizes.size() < 2)
+        refuse(gate.place, "a slope needs a ladder (one size gives none). Write samples_per_patch = [64, 256, 1024].");
+}
+
+void expect_finite(const Gate& gate, const StudyPlan& plan, const Effect& effect, const Scene& scene) {
+    if (gate.kind == GateKind::lost_rays) return;
+    const bool pair = effect.quantity.kind == QuantityKind::form_factor;
+    const auto pair_class =
+        pair ? std::optional(ff::pair_class(scene, effect.quantity.from - 1, effect.quantity.to - 1)) : std::nullopt;
+    const Cell& cell = plan.cells[effect.cells.front()];
+    if (variance_status(gate.method, cell.deterministic, pair_class) != VarianceStatus::infinite) return;
+    refuse(gate.place, fmt::format("{} (its variance is infinite, and no number of trials can decide). Take pairs = "
+                                   "\"parallel\", or another estimator.",
+                                   pair ? "pair " + pair_text(scene, effect.quantity)
+                                        : fmt::format("the sum of face {}", effect.quantity.from)));
+}
+
+/// Exact moments of one trial of ray shooting with independent rays.
+std::optional<SrDistribution> known_distribution(const Gate& gate, const Scene& scene, const Cell& cell) {
+    const bool known = gate.method.estimator == Estimator::ray_shooting && scene.empty_box &&
+                       gate.method.tracer != TracerChoice::leaky &&
+                       samplers::find(gate.method.sampler).info.independent;
+    if (!known) return std::nullopt;
+    return sr_distribution(scene, cell.subdivision, static_cast<double>(cell.samples), gate.method.completion);
+}
+
+void expect_references(const Gate& gate, const Effect& effect) {
+    const bool spread = gate.kind == GateKind::std || gate.kind == GateKind::rmse;
+    if (spread && gate.against == Against::exact && !effect.sigma)
+        refuse(gate.place,
+               fmt::format("reference missing (the exact standard deviation is known for independent rays in "
+                           "an empty box only). Add reference = a number, or \"baseline\"."));
+    const bool truth = (gate.kind == GateKind::bias && gate.against == Against::exact) ||
+                       gate.kind == GateKind::closure || gate.kind == GateKind::rmse ||
+                       gate.kind == GateKind::coverage || gate.kind == GateKind::slope;
+    if (truth && !effect.truth)
+        refuse(gate.place, "no exact value is known for this scene. Add reference = a number, or \"baseline\".");
+}
+
+}  // namespace
+
+std::vector<Effect> effects_of(const Gate& gate, const StudyPlan& plan) {
+    expect_possible(gate, plan);
+    std::vector<Effect> effects;
+    for (std::size_t index = 0; index < plan.cells.size(); ++index) {
+        const Cell& cell = plan.cells[index];
+        const Scene& scene = plan.scenes[cell.scene];
+        const bool first_of_ladder = index == 0 || plan.cells[index - 1].scene != cell.scene;
+        if (gate.kind == GateKind::slope && !first_of_ladder) continue;
+        const auto exact = exact_form_factors(scene);
+        const auto distribution = known_distribution(gate, scene, cell);
+        for (const Quantity quantity : quantities_of(gate, scene)) {
+            Effect effect;
+            effect.cells = {index};
+            for (std::size_t other = index + 1; gate.kind == GateKind::slope && other < plan.cells.size(); ++other) {
+                if (plan.cells[other].scene == cell.scene) effect.cells.push_back(other);
+            }
+            effect.quantity = quantity;
+            const bool pair = gate.kind != GateKind::lost_rays && quantity.kind == QuantityKind::form_factor;
+            expect_finite(gate, plan, effect, scene);
+            effect.truth = gate.kind == GateKind::reciprocity ? 0 : reference_of(scene, exact, quantity);
+            if (distribution && pair && gate.kind != GateKind::reciprocity)
+                effect.sigma = distribution->pair_sigma(quantity.from - 1, quantity.to - 1);
+            if (distribution && quantity.kind == QuantityKind::row_sum)
+                effect.sigma = distribution->sum_sigma(quantity.from - 1);
+            expect_references(gate, effect);
+            effects.push_back(std::move(effect));
+        }
+    }
+    return effects;
+}
+
+std::vector<double> series(GateKind kind, const Effect& effect, const CellEstimates& estimates, const Scene& scene) {
+    if (kind != GateKind::reciprocity) return estimates.values(effect.quantity);
+    const auto [pair_kind, from, to] = effect.quantity;
+    std::vector<double> values = estimates.values(effect.quantity);
+    const auto& back = estimates.values({pair_kind, to, from});
+    const double ratio = face_area(scene, to - 1) / face_area(scene, from - 1);
+    for (std::size_t trial = 0; trial < values.size(); ++trial) values[trial] -= ratio * back[trial];
+    return values;
+}
+
+Comparison labelled(const Gate& gate, const Effect& effect, const StudyPlan& plan) {
+    const Cell& cell = plan.cells[effect.cells.front()];
+    const Scene& scene = plan.scenes[cell.scene];
+    Comparison row;
+    row.scene = scene.name;
+    row.method = gate.method.sampler.empty() ? std::string(name(gate.method.estimator))
+                                             : fmt::format("{} {}", gate.method.sampler, name(gate.method.estimator));
+    const auto same = [&](auto value_of) {
+        return std::all_of(effect.cells.begin(), effect.cells.end(),
+                           [&](std::size_t other) { return value_of(plan.cells[other]) == value_of(cell); });
+    };
+    if (same([](const Cell& c) { return c.subdivision.m; })) row.patches_per_face = cell.subdivision.per_surface();
+    if (same([](const Cell& c) { return c.samples; }) && cell.samples > 0) row.samples_per_patch = cell.samples;
+    const auto label = [&](int face) {
+        return face == 0 ? std::string() : scene.faces[static_cast<std::size_t>(face - 1)];
+    };
+    row.from_face = label(effect.quantity.from);
+    row.to_face = effect.quantity.kind == QuantityKind::row_sum ? "sum" : label(effect.quantity.to);
+    row.quantity = name(gate.kind);
+    row.band = gate.band;
+    return row;
+}
+
+std::string identity(const StudyPlan& plan, std::size_t cell) {
+    return fmt::format("{}|completion={}", plan.cells[cell].canonical,
+                       name(plan.spec.methods[plan.cells[cell].method].completion));
+}
+
+}  // namespace ff::studies
