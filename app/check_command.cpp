@@ -85,8 +85,7 @@ std::uint64_t plan(const Check& check, GatePlan& gate) {
 }
 
 /// @throws Interrupted
-studies::GateResult run(const Check& check, GatePlan& gate) {
-    const std::uint64_t pilot = plan(check, gate);
+studies::GateResult run(const Check& check, const GatePlan& gate, std::uint64_t pilot) {
     auto result = run_gate(check.spec, gate, check.options);
     if (!result) throw Interrupted{};
     result->evaluations += pilot;
@@ -149,8 +148,10 @@ ExitCode save_baseline(Check& check) {
 
 ExitCode check_once(Check& check, const std::filesystem::path& out) {
     auto plans = prepare(check, GatePurpose::check);
-    make_folder(out);
     const auto start = Clock::now();
+    std::vector<std::uint64_t> pilots;
+    for (GatePlan& gate : plans) pilots.push_back(plan(check, gate));
+    make_folder(out);
     auto context =
         describe_run(fmt::format("ffstudy check {} --seed {}", check.command.bands.string(), check.spec.seed.value),
                      check.options.threads, 0);
@@ -159,9 +160,9 @@ ExitCode check_once(Check& check, const std::filesystem::path& out) {
     write_verdicts(out, results, junit);
     check.print(reports::gates_heading(check.spec));
     const auto colour = ::isatty(STDOUT_FILENO) == 1 ? reports::Colour::ansi : reports::Colour::none;
-    for (GatePlan& gate : plans) {
+    for (const GatePlan& gate : plans) {
         const auto begun = Clock::now();
-        results.results.push_back(run(check, gate));
+        results.results.push_back(run(check, gate, pilots[results.results.size()]));
         const studies::GateResult& result = results.results.back();
         junit.seconds.push_back(seconds_since(begun));
         junit.notes.push_back(speed_note(gate, junit.seconds.back(), check.options.threads, result.looks));
@@ -191,7 +192,7 @@ ExitCode sweep(Check& check, const std::filesystem::path& out) {
         check.spec.seed = checked_seed(first + seed);
         auto plans = prepare(check, GatePurpose::check);
         for (std::size_t gate = 0; gate < plans.size(); ++gate)
-            add_verdict(sweeps[gate], run(check, plans[gate]).verdict);
+            add_verdict(sweeps[gate], run(check, plans[gate], plan(check, plans[gate])).verdict);
         reports::write_file(out / "seed_sweep.csv",
                             [&](std::ostream& file) { reports::write_seed_sweep_csv(file, check.spec, sweeps); });
     }

@@ -19,23 +19,24 @@ std::string whole(const std::optional<Number>& number) {
 std::string row(const studies::GateResult& result, const studies::Comparison& c) {
     const auto& measurement = c.measurement;
     const auto of_measurement = [&](auto value) { return measurement ? exact(value(*measurement)) : std::string(); };
-    const std::vector<std::string> fields{csv_field(result.gate),
-                                          csv_field(c.scene),
-                                          csv_field(c.method),
-                                          whole(c.patches_per_face),
-                                          whole(c.samples_per_patch),
-                                          csv_field(c.from_face),
-                                          csv_field(c.to_face),
-                                          csv_field(c.quantity),
-                                          of_measurement([](const studies::Measurement& e) { return e.value; }),
-                                          of_measurement([](const studies::Measurement& e) { return e.passing.low; }),
-                                          of_measurement([](const studies::Measurement& e) { return e.passing.high; }),
-                                          exact(c.band.low),
-                                          exact(c.band.high),
-                                          std::string(name(c.verdict)),
-                                          of_measurement([](const studies::Measurement& e) { return e.minimum_detectable; }),
-                                          exact(c.levels.fail_alpha),
-                                          exact(c.levels.power)};
+    const std::vector<std::string> fields{
+        csv_field(result.gate),
+        csv_field(c.scene),
+        csv_field(c.method),
+        whole(c.patches_per_face),
+        whole(c.samples_per_patch),
+        csv_field(c.from_face),
+        csv_field(c.to_face),
+        csv_field(c.quantity),
+        of_measurement([](const studies::Measurement& e) { return e.value; }),
+        of_measurement([](const studies::Measurement& e) { return e.passing.low; }),
+        of_measurement([](const studies::Measurement& e) { return e.passing.high; }),
+        exact(c.band.low),
+        exact(c.band.high),
+        std::string(name(c.verdict)),
+        of_measurement([](const studies::Measurement& e) { return e.minimum_detectable; }),
+        exact(c.levels.fail_alpha),
+        exact(c.levels.power)};
     return fmt::format("{}\n", fmt::join(fields, ","));
 }
 

@@ -66,6 +66,7 @@ std::string gate_in_words(const studies::GateResult& result) {
         if (!exact_value) text += fmt::format("; {} would fail", brief(e.minimum_detectable));
     }
     text += fmt::format("; {} trial{}", c.trials, c.trials == 1 ? "" : "s");
+    if (result.looks > 1) text += fmt::format(" in {} looks", result.looks);
     if (result.comparisons.size() > 1) text += fmt::format(", worst of {}", result.comparisons.size());
     if (!result.note.empty()) text += fmt::format(". {}", result.note);
     return text;

@@ -13,7 +13,10 @@ namespace ff::stats {
 ///
 /// Values of excess kurtosis k have freedom (n - 1) / (1 + k / 2), with which s^2 is about chi-squared [box1953]; that
 /// is n - 1 for normal values. Kurtosis below 0 is not made use of. Unlike a bootstrap this reaches the far tails that
-/// a family-wise error rate of 1e-4 asks for.
+/// a family-wise error rate of 1e-4 asks for. Measured rates of intervals that miss sigma^2, at nominal .05 and .001,
+/// n = 32 | 100 | 400 (20 000 runs): normal .041, .0008 | .045, .0007 | .044, .0007; counts of mean 10 .045, .0015 |
+/// .044, .0006 | .046, .0008; Laplace .096, .0071 | .074, .0046 | .058, .0021; exponential .15, .022 | .10, .012 |
+/// .073, .0046. Those of ratios are no larger.
 struct Spread {
     double mean_square = 0;  ///< the variance, or the mean squared error
     double freedom = 0;      ///< effective degrees of freedom

@@ -154,7 +154,8 @@ std::vector<Effect> effects_of(const Gate& gate, const StudyPlan& plan) {
             effect.quantity = quantity;
             const bool pair = gate.kind != GateKind::lost_rays && quantity.kind == QuantityKind::form_factor;
             expect_finite(gate, plan, effect, scene);
-            effect.truth = gate.kind == GateKind::reciprocity ? 0 : reference_of(scene, exact, quantity);
+            const bool none = gate.kind == GateKind::reciprocity || gate.kind == GateKind::lost_rays;
+            effect.truth = none ? 0 : reference_of(scene, exact, quantity);
             if (distribution && pair && gate.kind != GateKind::reciprocity)
                 effect.sigma = distribution->pair_sigma(quantity.from - 1, quantity.to - 1);
             if (distribution && quantity.kind == QuantityKind::row_sum)

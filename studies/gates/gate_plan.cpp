@@ -18,6 +18,9 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 /// Confidence that a standard deviation is no larger than its upper limit from the pilot.
 constexpr double pilot_confidence = 0.9;
 
+/// Trials are kept in memory, a value for each pair of faces: 2 GB.
+constexpr double most_values = 2.5e8;
+
 const Gate& gate_of(const GatesSpec& spec, const GatePlan& plan) {
     return spec.gates[plan.gate];
 }
@@ -171,6 +174,19 @@ std::optional<std::uint64_t> needed(const Gate& gate, const GatePlan& plan, std:
     return trials_for_slope(gate.band, sizes, 1 + std::max(0.0, noise.excess_kurtosis) / 2, plan.levels, comparisons);
 }
 
+void expect_to_fit(const GatesSpec& spec, const GatePlan& plan) {
+    double values = 0;
+    for (std::size_t cell = 0; cell < plan.trials.size(); ++cell) {
+        const auto faces = static_cast<double>(plan.study.scenes[plan.study.cells[cell].scene].faces.size());
+        values += static_cast<double>(plan.trials[cell] * spec.looks) * faces * faces;
+    }
+    if (values <= most_values) return;
+    throw UserError(
+        fmt::format("{}: the trials would fill {:.0f} GB of memory (at most {:.0f}). Take fewer trials with "
+                    "more samples each.",
+                    gate_of(spec, plan).place, values * 8e-9, most_values * 8e-9));
+}
+
 }  // namespace
 
 GatePlan prepare_gate(const GatesSpec& spec, std::size_t index, GatePurpose purpose, const Baseline* baseline) {
@@ -202,7 +218,10 @@ std::optional<std::uint64_t> plan_trials(const GatesSpec& spec, GatePlan& plan, 
     const Gate& gate = gate_of(spec, plan);
     const std::size_t cells = plan.study.cells.size();
     plan.trials.assign(cells, plan.deterministic ? 1 : gate.trials.value_or(0));
-    if (plan.deterministic || gate.trials) return 0;
+    if (plan.deterministic || gate.trials) {
+        expect_to_fit(spec, plan);
+        return 0;
+    }
 
     StudyPlan study = plan.study;
     reseed(spec, "pilot", study);
@@ -228,6 +247,7 @@ std::optional<std::uint64_t> plan_trials(const GatesSpec& spec, GatePlan& plan, 
             plan.trials[c] = std::min(spec.max_trials, std::max(plan.trials[c], *trials));
     }
     if (wanted > static_cast<double>(spec.max_trials)) plan.wanted_trials = wanted;
+    expect_to_fit(spec, plan);
     return pilot.evaluations();
 }
 

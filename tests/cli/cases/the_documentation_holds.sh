@@ -18,6 +18,13 @@ blocks "" "$root/docs/command-line.md" | sed -n '/^\$ ffstudy list samplers$/,/^
 ffstudy list samplers
 expect_equal_files "$folder/promised" "$folder/stdout"
 
+# So does the example of docs/gates.md.
+blocks toml "$root/docs/gates.md" >bands.toml
+blocks "" "$root/docs/gates.md" | sed '1,/^\$ ffstudy check bands.toml$/d; /^ffstudy check/,$d' >"$folder/promised"
+ffstudy check bands.toml
+expect_status 0
+expect_equal_files "$folder/promised" "$folder/stdout"
+
 # Every column and key that is written is explained.
 explained() { grep -Fq "\`$1\`" "$root/docs/results.md" || fail "docs/results.md does not explain $1"; }
 for column in $(head -qn 1 results/shallow_box/summary.csv | tr , ' '); do explained "$column"; done
