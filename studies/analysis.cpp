@@ -101,13 +101,6 @@ BiasFamily judge_family(const CellEstimates& estimates, const std::vector<Quanti
 
 }  // namespace
 
-/// The area kernel is unbounded where patches touch: tail index 3/2 at an edge, 2 at a vertex.
-VarianceStatus variance_status(const Method& method, bool deterministic, std::optional<PairClass> pair_class) {
-    if (deterministic) return VarianceStatus::none;
-    const bool touching = !pair_class || *pair_class == PairClass::adjacent;
-    return method.estimator == Estimator::area_kernel && touching ? VarianceStatus::infinite : VarianceStatus::finite;
-}
-
 std::optional<double> reference_of(const Scene& scene, const std::optional<Eigen::MatrixXd>& exact, Quantity quantity) {
     switch (quantity.kind) {
         case QuantityKind::form_factor:

@@ -33,9 +33,6 @@ struct BiasFamily {
 enum class BiasFinding { no_bias_found, biased, untestable };
 enum class EquivalenceFinding { shown, refuted, inconclusive, not_asked };
 
-/// What theory says about the variance of a pair, or of a sum where `pair_class` is empty.
-VarianceStatus variance_status(const Method& method, bool deterministic, std::optional<PairClass> pair_class);
-
 /// The exact value of a quantity; empty where there is none.
 /// @param exact  exact_form_factors(scene)
 std::optional<double> reference_of(const Scene& scene, const std::optional<Eigen::MatrixXd>& exact, Quantity quantity);

@@ -6,13 +6,13 @@
 #include "core/pair_class.hpp"
 #include "samplers/sampler.hpp"
 #include "studies/analysis.hpp"
+#include "studies/known_variance.hpp"
 #include "studies/sr_distribution.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
+#include <utility>
 
 namespace ff::studies {
 namespace {
@@ -98,17 +98,19 @@ void expect_possible(const Gate& gate, const StudyPlan& plan) {
         refuse(gate.place, "a slope needs a ladder (one size gives none). Write samples_per_patch = [64, 256, 1024].");
 }
 
-void expect_finite(const Gate& gate, const StudyPlan& plan, const Effect& effect, const Scene& scene) {
+void expect_finite(const Gate& gate, const Scene& scene, Quantity quantity) {
     if (gate.kind == GateKind::lost_rays) return;
-    const bool pair = effect.quantity.kind == QuantityKind::form_factor;
-    const auto pair_class =
-        pair ? std::optional(ff::pair_class(scene, effect.quantity.from - 1, effect.quantity.to - 1)) : std::nullopt;
-    const Cell& cell = plan.cells[effect.cells.front()];
-    if (variance_status(gate.method, cell.deterministic, pair_class) != VarianceStatus::infinite) return;
+    Quantity back = quantity;  // that reciprocity is compared with
+    if (gate.kind == GateKind::reciprocity) std::swap(back.from, back.to);
+    if (known_variance(gate.method, scene, quantity) != VarianceStatus::infinite &&
+        known_variance(gate.method, scene, back) != VarianceStatus::infinite)
+        return;
+    const std::string what = quantity.kind == QuantityKind::form_factor
+                                 ? "pair " + pair_text(scene, quantity)
+                                 : fmt::format("the sum of face {}", quantity.from);
     refuse(gate.place, fmt::format("{} (its variance is infinite, and no number of trials can decide). Take pairs = "
-                                   "\"parallel\", or another estimator.",
-                                   pair ? "pair " + pair_text(scene, effect.quantity)
-                                        : fmt::format("the sum of face {}", effect.quantity.from)));
+                                   "\"parallel\", map = \"graded\" or another estimator.",
+                                   what));
 }
 
 /// Exact moments of one trial of ray shooting with independent rays.
@@ -153,7 +155,7 @@ std::vector<Effect> effects_of(const Gate& gate, const StudyPlan& plan) {
             }
             effect.quantity = quantity;
             const bool pair = gate.kind != GateKind::lost_rays && quantity.kind == QuantityKind::form_factor;
-            expect_finite(gate, plan, effect, scene);
+            expect_finite(gate, scene, quantity);
             const bool none = gate.kind == GateKind::reciprocity || gate.kind == GateKind::lost_rays;
             effect.truth = none ? 0 : reference_of(scene, exact, quantity);
             if (distribution && pair && gate.kind != GateKind::reciprocity)
