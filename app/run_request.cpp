@@ -9,8 +9,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <thread>
 
 namespace ff::app {
 namespace {
@@ -22,7 +20,7 @@ studies::StudyPlan make_plan(const RunCommand& command) {
     return studies::plan_study(std::move(spec));
 }
 
-unsigned thread_count(const RunCommand& command, const Processes& processes) {
+unsigned threads_of(const RunCommand& command, const Processes& processes) {
     return command.threads || processes.alone() ? thread_count(command.threads) : 1;
 }
 
@@ -42,7 +40,7 @@ unsigned threads_within(const studies::StudyPlan& plan, unsigned threads, std::u
 RunRequest check(const RunCommand& command, const Processes& processes) {
     RunRequest request;
     request.plan = make_plan(command);
-    request.threads = thread_count(command, processes);
+    request.threads = threads_of(command, processes);
     if (command.shard) request.shard = studies::parse_shard(*command.shard);
     if (command.max_time) request.max_time = parse_duration(*command.max_time);
     if (command.max_memory) {
