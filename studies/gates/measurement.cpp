@@ -55,17 +55,18 @@ double log_variance(const stats::Spread& spread) {
 }  // namespace
 
 std::optional<Measurement> measure_mean(const stats::Moments& moments, const MeanReference& reference, const Band& band,
-                                        const Levels& levels) {
-    FF_EXPECT(moments.reference() == reference.value);
-    const auto own = moments.standard_error();
-    if (!own || *own == 0) return std::nullopt;
-    const double error = std::hypot(*own, reference.standard_error);
+                                        const Levels& levels, double correlation_time) {
+    FF_EXPECT(moments.reference() == reference.value && correlation_time >= 1);
+    const double own_freedom = static_cast<double>(moments.count()) / correlation_time - 1;
+    const auto independent = moments.standard_error();
+    if (!independent || *independent == 0 || own_freedom < 1) return std::nullopt;
+    const double own = *independent * std::sqrt(correlation_time);
+    const double error = std::hypot(own, reference.standard_error);
     // Welch and Satterthwaite: error^4 / freedom is the sum of both parts'.
     const auto part = [&](double standard_error, double freedom) {
         return std::pow(standard_error / error, 4) / freedom;
     };
-    const double freedom =
-        1 / (part(*own, static_cast<double>(moments.count() - 1)) + part(reference.standard_error, reference.freedom));
+    const double freedom = 1 / (part(own, own_freedom) + part(reference.standard_error, reference.freedom));
     const auto interval_of = [&](double level) {
         return around(
             *moments.bias(), stats::student_critical(freedom, (1 - level) / 2) * error,

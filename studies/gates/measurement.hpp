@@ -23,16 +23,17 @@ struct MeanReference {
 };
 
 /// Mean minus reference. Student's t; with an uncertain reference Welch's [welch1947].
+/// @param correlation_time  values that are worth one independent one, at least 1 (stats/serial_correlation.hpp)
 /// @pre moments.reference() == reference.value
 std::optional<Measurement> measure_mean(const stats::Moments& moments, const MeanReference& reference, const Band& band,
-                                      const Levels& levels);
+                                        const Levels& levels, double correlation_time = 1);
 
 /// Root of a mean square (standard deviation or RMSE) over a known one, > 0.
 Measurement measure_spread(const stats::Spread& spread, double reference, const Band& band, const Levels& levels);
 
 /// Root mean square over that of an independent sample.
 Measurement measure_spread(const stats::Spread& spread, const stats::Spread& reference, const Band& band,
-                         const Levels& levels);
+                           const Levels& levels);
 
 /// The probability behind independent trials, by Clopper and Pearson. @pre counts.trials >= 1
 Measurement measure_proportion(const stats::Proportion& counts, const Band& band, const Levels& levels);

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace ff::studies {
+
+/// A field of a CSV record, without its quotes.
+struct CsvField {
+    std::string text;
+    std::size_t line = 0;    ///< where it begins, from 1
+    std::size_t column = 0;  ///< in bytes, from 1
+};
+
+/// Records of a CSV text [rfc4180]: fields between commas, quoted where they hold commas, quotes (doubled) or line
+/// ends. Line ends may be LF or CR LF, a byte order mark may come first, and empty lines are passed over.
+class CsvReader {
+  public:
+    /// @throws UserError for a text in UTF-16
+    CsvReader(std::string_view text, std::string_view origin);
+
+    /// The next record; false at the end. @throws UserError "origin:line:column: ..." where quotes do not match
+    bool next(std::vector<CsvField>& record);
+
+    /// Fails at a field: "origin:line:column: problem (why). Suggestion."
+    [[noreturn]] void fail(const CsvField& field, std::string_view problem) const;
+
+  private:
+    [[nodiscard]] bool at_end() const { return place_ == text_.size(); }
+    [[nodiscard]] bool at_line_end() const;
+    void step();
+    void end_line();
+    CsvField field();
+    void quoted(CsvField& field);
+
+    std::string_view text_;
+    std::string_view origin_;
+    std::size_t place_ = 0;
+    std::size_t line_ = 1;
+    std::size_t column_ = 1;
+};
+
+}  // namespace ff::studies

@@ -1,0 +1,117 @@
+#include "studies/gates/estimate_gates.hpp"
+
+#include "core/contract.hpp"
+#include "core/error.hpp"
+#include "stats/repeats.hpp"
+#include "stats/serial_correlation.hpp"
+#include "stats/spread.hpp"
+#include "stats/tail_index.hpp"
+#include "studies/gates/measurement.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace ff::studies {
+namespace {
+
+constexpr double repeat_alpha = 1e-6;
+constexpr double serial_alpha = 0.05;
+constexpr double tail_alpha = 0.005;  // of each tail
+
+[[noreturn]] void refuse(const EstimateSeries& series, const std::string& origin, std::size_t index,
+                         const std::string& problem) {
+    throw UserError(
+        fmt::format("{}:{}:1: the estimates of '{}' {}", origin, series.lines[index], series.quantity, problem));
+}
+
+constexpr std::string_view how_it_happens =
+    "Was every trial seeded alike, or a file joined to itself? Give every trial a seed of its own";
+
+void refuse_repeats(const EstimateSeries& series, const std::string& origin) {
+    const auto& values = series.values;
+    if (std::all_of(values.begin(), values.end(), [&](double value) { return value == values.front(); }))
+        refuse(
+            series, origin, 0,
+            fmt::format("are all {} (no spread is no evidence of precision). {}; a value without randomness needs no "
+                        "trials.",
+                        values.front(), how_it_happens));
+    if (const auto period = stats::find_period(values, repeat_alpha))
+        refuse(series, origin, *period,
+               fmt::format("repeat from here on those from line {} on (repeated trials are no trials). {}.",
+                           series.lines.front(), how_it_happens));
+    const auto repeats = stats::find_repeats(values);
+    if (repeats && repeats->p < repeat_alpha)
+        refuse(series, origin, repeats->later,
+               fmt::format("repeat: this one is equal to that of line {}, and of {} trials {} repeat an earlier one, "
+                           "where chance makes about {:.2g}. {}.",
+                           series.lines[repeats->earlier], values.size(), repeats->repeats, repeats->expected,
+                           how_it_happens));
+}
+
+/// Index of the heavier tail where it is significantly below 2.
+std::optional<double> index_without_variance(const std::vector<double>& values) {
+    std::vector<double> mirrored = values;
+    for (double& value : mirrored) value = -value;
+    for (const auto& side : {values, mirrored}) {
+        const auto tail = stats::fit_tail(side);
+        if (tail && stats::judge_variance(*tail, tail_alpha) == stats::VarianceHealth::infinite) return tail->index;
+    }
+    return std::nullopt;
+}
+
+std::optional<Measurement> measurement_of(const Gate& gate, const EstimateSeries& series,
+                                          const Independence& independence, const Levels& levels) {
+    const auto moments = stats::moments_of(series.values, *gate.reference);
+    if (gate.kind == GateKind::bias)
+        return measure_mean(moments, {.value = *gate.reference, .standard_error = gate.reference_se.value_or(0)},
+                            gate.band, levels, independence.time);
+    FF_EXPECT(gate.kind == GateKind::std);
+    const auto spread = stats::spread_of(moments);
+    if (!spread || independence.time > 1) return std::nullopt;
+    return measure_spread(*spread, *gate.reference, gate.band, levels);
+}
+
+}  // namespace
+
+Independence examine_independence(const EstimateSeries& series, const std::string& origin) {
+    refuse_repeats(series, origin);
+    const auto test = stats::test_serial_correlation(series.values);
+    if (!test || test->p >= serial_alpha) return {};
+    const double time = stats::autocorrelation_time(series.values);
+    if (time <= 1) return {};
+    return {.time = time,
+            .note = fmt::format("trials are serially correlated (lag 1: {:.2g}, p = {:.1g}): {} are worth {:.0f}",
+                                test->first, test->p, series.values.size(),
+                                static_cast<double>(series.values.size()) / time)};
+}
+
+GateResult judge_estimates(const GatesSpec& spec, const Gate& gate, const EstimatesFile& file) {
+    FF_EXPECT(gate.from_estimates() && gate.reference);
+    const EstimateSeries& series = find_series(file, gate.quantity, gate.place);
+    const Independence independence = examine_independence(series, file.origin);
+    GatesSpec one_look = spec;  // nothing can be added to a file
+    one_look.looks = 1;
+    Comparison row;
+    row.quantity = gate.quantity;
+    row.band = gate.band;
+    row.levels = levels_of(one_look, 1);
+    row.trials = series.values.size();
+    row.note = independence.note;
+    if (const auto index = index_without_variance(series.values)) {
+        row.note = fmt::format("tail index {:.2g}: infinite variance, so no interval holds", *index);
+    } else {
+        row.measurement = measurement_of(gate, series, independence, row.levels);
+        row.verdict = judge(row.measurement, row.band);
+        if (!row.measurement && independence.time > 1) row.note += "; their spread cannot be judged";
+    }
+    return {.gate = gate.name,
+            .kind = gate.kind,
+            .verdict = row.verdict,
+            .comparisons = {row},
+            .looks = 1,
+            .evaluations = 0,
+            .note = row.note};
+}
+
+}  // namespace ff::studies

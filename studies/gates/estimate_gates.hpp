@@ -1,0 +1,29 @@
+#pragma once
+
+#include "studies/gates/estimates_file.hpp"
+#include "studies/gates/gate.hpp"
+#include "studies/gates/gate_result.hpp"
+
+#include <string>
+
+namespace ff::studies {
+
+/// How far trials are from independent, and what follows for their mean.
+struct Independence {
+    double time = 1;   ///< trials that are worth one independent one
+    std::string note;  ///< in words, where it is above 1
+};
+
+/// Refuses a series whose trials repeat; measures serial correlation in the order of trials, with a false alarm in 5 %
+/// of independent series, which costs power and nothing else.
+/// @throws UserError where all values are equal, where values repeat that chance does not repeat (probability below
+///         1e-6), and where the series repeats itself
+Independence examine_independence(const EstimateSeries& series, const std::string& origin);
+
+/// Judges a gate on a quantity that another program estimated, by the rules for our own. Serial correlation widens the
+/// intervals of a mean. Inconclusive, with a note, where the values have a tail of infinite variance, and where the
+/// spread of serially correlated values is asked for.
+/// @pre gate.from_estimates()       @throws UserError where the file has no such quantity, or its trials repeat
+GateResult judge_estimates(const GatesSpec& spec, const Gate& gate, const EstimatesFile& file);
+
+}  // namespace ff::studies

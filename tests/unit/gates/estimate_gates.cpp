@@ -1,0 +1,128 @@
+#include "studies/gates/estimate_gates.hpp"
+
+#include "core/error.hpp"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <random>
+
+namespace ff::studies {
+namespace {
+
+using testing::HasSubstr;
+
+constexpr double truth = 0.2;
+constexpr double sigma = 1e-3;
+
+EstimatesFile file_of(std::vector<double> values) {
+    std::vector<std::size_t> lines(values.size());
+    for (std::size_t i = 0; i < lines.size(); ++i) lines[i] = i + 2;
+    return {"mine.csv", {{"F16", std::move(values), std::move(lines)}}};
+}
+
+std::vector<double> estimates(std::size_t n, double bias, double correlation = 0) {
+    std::mt19937_64 engine(n);
+    std::normal_distribution<double> normal;
+    std::vector<double> values;
+    double x = normal(engine);
+    for (std::size_t i = 0; i < n; ++i) {
+        values.push_back(truth + bias + sigma * x);
+        x = correlation * x + std::sqrt(1 - correlation * correlation) * normal(engine);
+    }
+    return values;
+}
+
+Gate bias_gate(double band) {
+    Gate gate;
+    gate.name = "mine";
+    gate.quantity = "F16";
+    gate.against = Against::number;
+    gate.reference = truth;
+    gate.band = {-band, band};
+    return gate;
+}
+
+GateResult judge_file(const Gate& gate, const EstimatesFile& file) {
+    GatesSpec spec;
+    spec.gates = {gate};
+    return judge_estimates(spec, gate, file);
+}
+
+std::string refusal_of(const EstimatesFile& file) {
+    try {
+        static_cast<void>(judge_file(bias_gate(1e-3), file));
+    } catch (const UserError& error) {
+        return error.what();
+    }
+    return "no error";
+}
+
+TEST(JudgeEstimates, GivesTheThreeVerdicts) {
+    EXPECT_EQ(judge_file(bias_gate(5e-4), file_of(estimates(100, 0))).verdict, Verdict::pass);
+    EXPECT_EQ(judge_file(bias_gate(5e-4), file_of(estimates(100, 2e-3))).verdict, Verdict::fail);
+    EXPECT_EQ(judge_file(bias_gate(5e-5), file_of(estimates(100, 0))).verdict, Verdict::inconclusive);
+}
+
+TEST(JudgeEstimates, AllowsForTheStandardErrorOfTheReference) {
+    Gate gate = bias_gate(5e-4);
+    gate.reference_se = 1e-3;
+    EXPECT_EQ(judge_file(gate, file_of(estimates(100, 2e-3))).verdict, Verdict::inconclusive);
+}
+
+TEST(JudgeEstimates, WidensTheIntervalOfCorrelatedTrials) {
+    const auto independent = judge_file(bias_gate(5e-4), file_of(estimates(400, 0))).comparisons[0];
+    const auto correlated = judge_file(bias_gate(5e-4), file_of(estimates(400, 0, 0.9))).comparisons[0];
+    // The variance of the mean is (1 + 0.9) / (1 - 0.9) = 19 times as large; its estimate is within a factor 2.
+    const double ratio = correlated.measurement->passing.width() / independent.measurement->passing.width();
+    EXPECT_GT(ratio, std::sqrt(19.0 / 2));
+    EXPECT_LT(ratio, std::sqrt(19.0 * 2));
+    EXPECT_THAT(correlated.note, HasSubstr("serially correlated"));
+    EXPECT_EQ(independent.note, "");
+}
+
+TEST(JudgeEstimates, JudgesTheSpreadOfIndependentTrialsOnly) {
+    Gate gate = bias_gate(1);
+    gate.kind = GateKind::std;
+    gate.reference = sigma;
+    gate.band = {0.7, 1.4};
+    EXPECT_EQ(judge_file(gate, file_of(estimates(400, 0))).verdict, Verdict::pass);
+    EXPECT_EQ(judge_file(gate, file_of(estimates(400, 0, 0.9))).verdict, Verdict::inconclusive);
+    gate.reference = 3 * sigma;
+    EXPECT_EQ(judge_file(gate, file_of(estimates(400, 0))).verdict, Verdict::fail);
+}
+
+TEST(JudgeEstimates, PassesNothingOfInfiniteVariance) {
+    std::mt19937_64 engine(1);
+    std::uniform_real_distribution<double> uniform;
+    std::vector<double> values(20'000);
+    for (double& value : values) value = std::pow(uniform(engine), -1 / 1.5);  // Pareto, index 3/2, mean 3
+    Gate gate = bias_gate(10);
+    gate.reference = 3;
+    const auto result = judge_file(gate, file_of(values));
+    EXPECT_EQ(result.verdict, Verdict::inconclusive);
+    EXPECT_THAT(result.note, HasSubstr("infinite variance"));
+}
+
+TEST(ExamineIndependence, RefusesTheSameSeedInEveryTrial) {
+    EXPECT_THAT(refusal_of(file_of(std::vector<double>(50, 0.2))), HasSubstr("mine.csv:2:1: the estimates of 'F16' are "
+                                                                             "all 0.2 (no spread is no evidence"));
+}
+
+TEST(ExamineIndependence, RefusesAFileJoinedToItself) {
+    auto values = estimates(50, 0);
+    const auto copy = values;
+    values.insert(values.end(), copy.begin(), copy.end());
+    EXPECT_THAT(refusal_of(file_of(values)),
+                HasSubstr("mine.csv:52:1: the estimates of 'F16' repeat from here on those "
+                          "from line 2 on"));
+}
+
+TEST(ExamineIndependence, RefusesTrialsThatShareSeeds) {
+    auto values = estimates(100, 0);
+    for (std::size_t i = 0; i < values.size(); ++i) values[i] = values[i * i % 41];
+    EXPECT_THAT(refusal_of(file_of(values)), HasSubstr("of 100 trials"));
+}
+
+}  // namespace
+}  // namespace ff::studies
