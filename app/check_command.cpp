@@ -12,6 +12,7 @@
 #include "reports/json.hpp"
 #include "reports/output_file.hpp"
 #include "studies/gates/bands_file.hpp"
+#include "studies/gates/estimate_gates.hpp"
 #include "studies/gates/gate_run.hpp"
 #include "studies/gates/seed_sweep.hpp"
 #include "studies/text_file.hpp"
@@ -70,6 +71,7 @@ Check begin(const CheckCommand& command) {
 std::vector<GatePlan> prepare(const Check& check, GatePurpose purpose) {
     std::vector<GatePlan> plans;
     for (std::size_t gate = 0; gate < check.spec.gates.size(); ++gate) {
+        if (check.spec.gates[gate].from_estimates()) continue;
         const bool stored = check.spec.gates[gate].against == Against::baseline;
         if (purpose == GatePurpose::save_baseline && !stored) continue;
         plans.push_back(prepare_gate(check.spec, gate, purpose, check.baseline_or_null()));
@@ -146,8 +148,42 @@ ExitCode save_baseline(Check& check) {
     return ExitCode::passed;
 }
 
+/// Gates on estimates of another program; nothing is run for them.
+std::vector<studies::GateResult> judge_file(const Check& check) {
+    std::vector<studies::GateResult> results;
+    if (check.command.estimates.empty()) return results;
+    const auto file = studies::load_estimates_file(check.command.estimates);
+    for (const studies::Gate& gate : check.spec.gates) {
+        if (gate.from_estimates()) results.push_back(judge_estimates(check.spec, gate, file));
+    }
+    return results;
+}
+
+/// @throws UserError where the bands file and --estimates do not go together
+void expect_estimates(const Check& check) {
+    const auto& gates = check.spec.gates;
+    const auto wanting =
+        std::find_if(gates.begin(), gates.end(), [](const auto& gate) { return gate.from_estimates(); });
+    const bool given = !check.command.estimates.empty();
+    if (wanting != gates.end() && !given)
+        throw UserError(
+            fmt::format("{}: gate \"{}\" is on estimates of another program (none are given). Add "
+                        "--estimates FILE.csv.",
+                        wanting->place, wanting->name));
+    if (wanting == gates.end() && given)
+        throw UserError(
+            fmt::format("--estimates {} (no gate of {} has a quantity, so none would be judged). Add a gate "
+                        "with quantity = \"...\", or leave the option out.",
+                        check.command.estimates.string(), check.command.bands.string()));
+    if (given && (check.command.seed_sweep > 0 || !check.command.save_baseline.empty()))
+        throw UserError(
+            "--estimates (the file has one set of random numbers; --seed-sweep and --save-baseline run "
+            "new ones). Leave one of them out.");
+}
+
 ExitCode check_once(Check& check, const std::filesystem::path& out) {
     auto plans = prepare(check, GatePurpose::check);
+    auto judged = judge_file(check);
     const auto start = Clock::now();
     std::vector<std::uint64_t> pilots;
     for (GatePlan& gate : plans) pilots.push_back(plan(check, gate));
@@ -160,9 +196,17 @@ ExitCode check_once(Check& check, const std::filesystem::path& out) {
     write_verdicts(out, results, junit);
     check.print(reports::gates_heading(check.spec));
     const auto colour = ::isatty(STDOUT_FILENO) == 1 ? reports::Colour::ansi : reports::Colour::none;
-    for (const GatePlan& gate : plans) {
+    for (studies::GateResult& result : judged) {
+        check.print(reports::gate_line(result, colour));
+        results.results.push_back(std::move(result));
+        junit.seconds.push_back(0);
+        junit.notes.emplace_back();
+    }
+    if (!judged.empty()) write_verdicts(out, results, junit);
+    for (std::size_t i = 0; i < plans.size(); ++i) {
+        const GatePlan& gate = plans[i];
         const auto begun = Clock::now();
-        results.results.push_back(run(check, gate, pilots[results.results.size()]));
+        results.results.push_back(run(check, gate, pilots[i]));
         const studies::GateResult& result = results.results.back();
         junit.seconds.push_back(seconds_since(begun));
         junit.notes.push_back(speed_note(gate, junit.seconds.back(), check.options.threads, result.looks));
@@ -210,6 +254,7 @@ ExitCode sweep(Check& check, const std::filesystem::path& out) {
 
 ExitCode check(const CheckCommand& command) {
     Check check = begin(command);
+    expect_estimates(check);
     check.options.stop = &stop_on_signals();
     const auto out = command.out.empty() ? std::filesystem::path("results") / check.spec.name : command.out;
     if (command.fresh_seed)

@@ -22,6 +22,9 @@ ExitCode audit(const AuditCommand& command);
 /// Checks the gates of a bands file: failed where one fails, else inconclusive where one is undecided.
 ExitCode check(const CheckCommand& command);
 
+/// Measures what gates and intervals promise; failed where a claim does not hold.
+ExitCode gates_selftest(const SelftestCommand& command);
+
 /// Lists samplers, estimators, scenes, studies or formats.
 ExitCode list(const std::string& kind);
 

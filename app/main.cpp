@@ -76,6 +76,7 @@ void add_check(CLI::App& app, CheckCommand& command, Action& action) {
     sub->add_flag("--fresh-seed", command.fresh_seed, "A new seed, printed")->excludes(seed);
     sub->add_option("--seed-sweep", command.seed_sweep, "Check with N seeds; report failure rates against alpha")
         ->check(CLI::PositiveNumber);
+    sub->add_option("--estimates", command.estimates, "CSV of another program's estimates: trial,quantity,estimate");
     CLI::Option* baseline = sub->add_option("--baseline", command.baseline, "Baseline file to compare with");
     sub->add_option("--save-baseline", command.save_baseline, "Run the gates that compare with a baseline; save it")
         ->excludes(baseline);
@@ -92,6 +93,20 @@ void add_audit(CLI::App& app, AuditCommand& command, Action& action) {
     sub->add_option("--out", command.out, "Folder for audit.md (default: none is written)");
     sub->add_flag("--quiet", command.quiet, "Print errors only");
     sub->callback([&] { action = [&] { return audit(command); }; });
+}
+
+void add_selftest(CLI::App& app, SelftestCommand& command, Action& action) {
+    CLI::App* sub =
+        app.add_subcommand("gates_selftest", "Check the checks: are controls caught, is what is sound not?");
+    sub->add_option("--seeds", command.seeds, "Seeds that every control is run with (default: 200)")
+        ->check(CLI::PositiveNumber);
+    sub->add_option("--repetitions", command.repetitions, "Repetitions on made-up trials (default: 20000)")
+        ->check(CLI::PositiveNumber);
+    sub->add_option("--seed", command.seed, "Seed of all random numbers (default: 1)")->check(CLI::NonNegativeNumber);
+    sub->add_option("--threads", command.threads, "Threads; results do not depend on them (default: all cores)");
+    sub->add_option("--out", command.out, "Folder for selftest.md (default: none is written)");
+    sub->add_flag("--quiet", command.quiet, "Print errors only");
+    sub->callback([&] { action = [&] { return gates_selftest(command); }; });
 }
 
 void add_catalogue(CLI::App& app, std::string& name, Action& action) {
@@ -116,11 +131,13 @@ ExitCode parse_and_act(int argc, char** argv) {
     MergeCommand merge_command;
     AuditCommand audit_command;
     CheckCommand check_command;
+    SelftestCommand selftest_command;
     std::string name;
     add_run(app, run_command, action);
     add_report(app, report_command, action);
     add_merge(app, merge_command, action);
     add_check(app, check_command, action);
+    add_selftest(app, selftest_command, action);
     add_audit(app, audit_command, action);
     add_catalogue(app, name, action);
     try {

@@ -45,13 +45,23 @@ struct CheckCommand {
     std::filesystem::path bands;
     std::optional<std::uint64_t> seed;
     bool fresh_seed = false;
-    std::uint64_t seed_sweep = 0;  ///< number of seeds; 0: one check
+    std::uint64_t seed_sweep = 0;     ///< number of seeds; 0: one check
+    std::filesystem::path estimates;  ///< CSV of another program; empty: none
     std::filesystem::path baseline;
     std::filesystem::path save_baseline;
     std::optional<unsigned> threads;
     std::filesystem::path out;  ///< empty: results/<bands>
     bool quiet = false;
     bool dry_run = false;
+};
+
+struct SelftestCommand {
+    std::optional<std::uint64_t> seed;
+    std::optional<std::uint64_t> repetitions;
+    std::optional<std::uint64_t> seeds;
+    std::optional<unsigned> threads;
+    std::filesystem::path out;  ///< empty: nothing is written
+    bool quiet = false;
 };
 
 }  // namespace ff::app

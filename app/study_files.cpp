@@ -11,7 +11,6 @@
 #include <string_view>
 
 namespace ff::app {
-namespace {
 
 std::filesystem::path studies_folder() {
     std::error_code error;
@@ -22,8 +21,6 @@ std::filesystem::path studies_folder() {
     }
     return build_info::source_studies;
 }
-
-}  // namespace
 
 std::vector<BuiltInStudy> built_in_studies() {
     std::vector<BuiltInStudy> list;

@@ -15,7 +15,10 @@ struct BuiltInStudy {
     std::filesystem::path file;
 };
 
-/// Built-in studies by name: beside the installed program, or in the source tree when it runs from its build.
+/// Where they lie: beside the installed program, or in the source tree when it runs from its build.
+std::filesystem::path studies_folder();
+
+/// Built-in studies, by name.
 std::vector<BuiltInStudy> built_in_studies();
 
 /// A built-in study by name, or a file by path.

@@ -9,7 +9,7 @@
 namespace ff::stats {
 
 /// What random numbers are drawn for; two uses of one key never share a number.
-enum class Resampling : std::uint32_t { bootstrap = 1, permutation = 2, jitter = 3 };
+enum class Resampling : std::uint32_t { bootstrap = 1, permutation = 2, jitter = 3, simulation = 4 };
 
 /// A sequence of random numbers for resampling: Philox words in counter order, so that replicate r is the same
 /// whatever was drawn for the others.

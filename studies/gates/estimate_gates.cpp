@@ -18,6 +18,8 @@ namespace {
 constexpr double repeat_alpha = 1e-6;
 constexpr double serial_alpha = 0.05;
 constexpr double tail_alpha = 0.005;  // of each tail
+constexpr double largest_vov = 0.1;   // of a healthy mean [pederson1997]
+constexpr std::size_t fewest_for_tails = 200;
 
 [[noreturn]] void refuse(const EstimateSeries& series, const std::string& origin, std::size_t index,
                          const std::string& problem) {
@@ -49,15 +51,23 @@ void refuse_repeats(const EstimateSeries& series, const std::string& origin) {
                            how_it_happens));
 }
 
-/// Index of the heavier tail where it is significantly below 2.
-std::optional<double> index_without_variance(const std::vector<double>& values) {
+/// Why no interval of the mean can be believed, in words; empty where nothing speaks against one. Neither test is
+/// enough alone: the tail index needs thousands of values, and the variance of the variance a large one among them.
+std::string heavy_tail(const std::vector<double>& values) {
+    if (values.size() < fewest_for_tails) return {};
     std::vector<double> mirrored = values;
     for (double& value : mirrored) value = -value;
     for (const auto& side : {values, mirrored}) {
         const auto tail = stats::fit_tail(side);
-        if (tail && stats::judge_variance(*tail, tail_alpha) == stats::VarianceHealth::infinite) return tail->index;
+        if (tail && stats::judge_variance(*tail, tail_alpha) == stats::VarianceHealth::infinite)
+            return fmt::format("tail index {:.2g}: infinite variance, so no interval holds", *tail->index);
     }
-    return std::nullopt;
+    const auto vov = stats::moments_of(values).variance_of_variance();
+    if (vov && *vov > largest_vov)
+        return fmt::format(
+            "variance of the variance {:.2g} (above {}): a few values make the mean, so no interval holds", *vov,
+            largest_vov);
+    return {};
 }
 
 std::optional<Measurement> measurement_of(const Gate& gate, const EstimateSeries& series,
@@ -98,8 +108,8 @@ GateResult judge_estimates(const GatesSpec& spec, const Gate& gate, const Estima
     row.levels = levels_of(one_look, 1);
     row.trials = series.values.size();
     row.note = independence.note;
-    if (const auto index = index_without_variance(series.values)) {
-        row.note = fmt::format("tail index {:.2g}: infinite variance, so no interval holds", *index);
+    if (const std::string reason = heavy_tail(series.values); !reason.empty()) {
+        row.note = reason;
     } else {
         row.measurement = measurement_of(gate, series, independence, row.levels);
         row.verdict = judge(row.measurement, row.band);

@@ -21,7 +21,8 @@ struct Independence {
 Independence examine_independence(const EstimateSeries& series, const std::string& origin);
 
 /// Judges a gate on a quantity that another program estimated, by the rules for our own. Serial correlation widens the
-/// intervals of a mean. Inconclusive, with a note, where the values have a tail of infinite variance, and where the
+/// intervals of a mean. Inconclusive, with a note, where the values have a tail of infinite variance (seen
+/// from 200 values on), and where the
 /// spread of serially correlated values is asked for.
 /// @pre gate.from_estimates()       @throws UserError where the file has no such quantity, or its trials repeat
 GateResult judge_estimates(const GatesSpec& spec, const Gate& gate, const EstimatesFile& file);

@@ -1,0 +1,31 @@
+#include "app/commands.hpp"
+
+#include "app/common_options.hpp"
+#include "app/study_files.hpp"
+
+#include "reports/output_file.hpp"
+#include "reports/selftest_markdown.hpp"
+#include "studies/gates/bands_file.hpp"
+#include "studies/selftest/selftest.hpp"
+
+#include <fmt/format.h>
+
+namespace ff::app {
+
+ExitCode gates_selftest(const SelftestCommand& command) {
+    studies::SelftestOptions options;
+    options.threads = thread_count(command.threads);
+    if (command.seed) options.seed = checked_seed(*command.seed);
+    if (command.repetitions) options.repetitions = *command.repetitions;
+    if (command.seeds) options.seeds = *command.seeds;
+    const auto selftest = studies::run_selftest(studies::load_bands(studies_folder() / "gates/controls.toml"), options);
+    const std::string text = reports::selftest_markdown(selftest);
+    if (!command.out.empty()) {
+        make_folder(command.out);
+        reports::write_file(command.out / "selftest.md", text);
+    }
+    if (!command.quiet) fmt::print("{}", text);
+    return selftest.contradictions() > 0 ? ExitCode::failed : ExitCode::passed;
+}
+
+}  // namespace ff::app

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "studies/selftest/measured_rate.hpp"
+#include "studies/selftest/repetitions.hpp"
+
+#include <cstdint>
+#include <vector>
+
+namespace ff::studies {
+
+/// p-values of a gate whose effect lies exactly at the end of its band.
+struct PValues {
+    std::string what;
+    std::size_t n = 0;
+    double distance = 0;  ///< Kolmogorov and Smirnov's, from uniform
+    double p = 0;         ///< of that distance
+};
+
+/// The rule of gates (verdict.hpp) on trials whose distribution is known: false alarms, passes that should not be,
+/// power.
+struct Calibration {
+    RateTable false_alarms;
+    RateTable power;
+    RateTable correlated;  ///< estimates in serial correlation
+    RateTable heavy;       ///< estimates of infinite variance
+    std::vector<PValues> p_values;
+};
+
+/// @param times  repetitions of each row
+Calibration measure_calibration(const Repetitions& repetitions, std::uint64_t times);
+
+}  // namespace ff::studies

@@ -1,0 +1,175 @@
+#include "studies/selftest/coverage.hpp"
+
+#include "stats/convergence.hpp"
+#include "stats/kolmogorov.hpp"
+#include "stats/mean_interval.hpp"
+#include "stats/quantiles.hpp"
+#include "stats/spread.hpp"
+#include "stats/variance_interval.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <optional>
+
+namespace ff::studies {
+namespace {
+
+constexpr double level = 0.95;
+
+using Draw = double (*)(stats::Draws&);
+using IntervalOf = std::function<std::optional<stats::Interval>(const std::vector<double>&)>;
+
+/// A distribution of known mean and variance 1.
+struct Distribution {
+    std::string_view name;
+    Draw draw;
+    double mean;
+};
+constexpr Distribution normal{"normal", draw_normal, 0};
+constexpr Distribution exponential{"exponential", draw_exponential, 1};
+
+std::vector<double> draw_sample(const Distribution& distribution, std::size_t n, stats::Draws& draws) {
+    std::vector<double> values(n);
+    for (double& value : values) value = distribution.draw(draws);
+    return values;
+}
+
+class CoverageTable {
+  public:
+    CoverageTable(const Repetitions& repetitions, std::uint64_t times) : repetitions_(repetitions), times_(times) {
+        table_.title = "Coverage of intervals";
+        table_.text =
+            "How often an interval of nominal level 0.95 holds the true value. *At least* is claimed where a method is "
+            "conservative by construction, nothing where it is approximate or only there for comparison.";
+    }
+
+    /// Of the mean (or, with `of_variance`, of the variance 1).
+    void add(std::string_view method, const Distribution& data, std::size_t n, RateClaim claim, const IntervalOf& make,
+             double truth, std::uint64_t divisor = 1) {
+        const std::string what = fmt::format("{}, {} data, n = {}", method, data.name, n);
+        add_event(what, claim, divisor, [&](stats::Draws& draws) {
+            const auto interval = make(draw_sample(data, n, draws));
+            return interval && interval->contains(truth);
+        });
+    }
+
+    void add_event(const std::string& what, RateClaim claim, std::uint64_t divisor,
+                   const std::function<bool(stats::Draws&)>& event) {
+        const auto counts = repetitions_.count(std::max<std::uint64_t>(20, times_ / divisor), what, event);
+        table_.rates.push_back({.what = what, .counts = counts, .claim = claim, .claimed = level});
+    }
+
+    RateTable table_;
+
+  private:
+    const Repetitions& repetitions_;
+    std::uint64_t times_;
+};
+
+stats::ResamplingPlan resampling(const std::vector<double>& values) {
+    // A key for each sample: its own first value, to the bit.
+    return {.key = derive_key(Seed{1}, fmt::format("{:a}", values.front())), .replicates = 599};
+}
+
+void add_means(CoverageTable& table) {
+    const IntervalOf student = [](const auto& x) { return stats::mean_interval_t(stats::moments_of(x), level); };
+    const IntervalOf gauss = [](const auto& x) { return stats::mean_interval_normal(stats::moments_of(x), level); };
+    const IntervalOf bootstrap = [](const auto& x) { return stats::mean_interval_bootstrap(x, level, resampling(x)); };
+    for (const std::size_t n : {5u, 10u, 100u}) table.add("mean: student_t", normal, n, RateClaim::equal, student, 0);
+    for (const std::size_t n : {10u, 100u}) table.add("mean: student_t", exponential, n, RateClaim::none, student, 1);
+    table.add("mean: normal", normal, 5, RateClaim::none, gauss, 0);
+    table.add("mean: percentile_bootstrap", normal, 5, RateClaim::none, bootstrap, 0, 10);
+}
+
+void add_variances(CoverageTable& table) {
+    const IntervalOf chi2 = [](const auto& x) { return stats::variance_interval_chi2(stats::moments_of(x), level); };
+    const IntervalOf bootstrap = [](const auto& x) {
+        return stats::variance_interval_bootstrap(x, level, resampling(x));
+    };
+    const IntervalOf chosen = [](const auto& x) { return stats::variance_interval(x, level, resampling(x)); };
+    const IntervalOf spread = [](const auto& x) -> std::optional<stats::Interval> {
+        const auto found = stats::spread_of(stats::moments_of(x));
+        return found ? std::optional(stats::mean_square_interval(*found, level)) : std::nullopt;
+    };
+    table.add("variance: chi_squared", normal, 30, RateClaim::equal, chi2, 1);
+    table.add("variance: chi_squared", exponential, 30, RateClaim::none, chi2, 1);
+    for (const Distribution& data : {normal, exponential}) {
+        table.add("variance: bootstrap", data, 30, RateClaim::none, bootstrap, 1, 20);
+        table.add("variance: as chosen in reports", data, 30, RateClaim::none, chosen, 1, 20);
+        table.add("variance: of gates", data, 30, RateClaim::none, spread, 1);
+        table.add("variance: of gates", data, 300, RateClaim::none, spread, 1);
+    }
+}
+
+void add_proportions(CoverageTable& table) {
+    using Method = stats::Interval (*)(stats::Proportion, double);
+    struct Named {
+        std::string_view name;
+        Method make;
+        RateClaim claim;
+    };
+    constexpr std::uint64_t n = 625;
+    for (const Named& method : {Named{"clopper_pearson", stats::clopper_pearson_interval, RateClaim::at_least},
+                                Named{"wilson", stats::wilson_interval, RateClaim::none},
+                                Named{"wald", stats::wald_interval, RateClaim::none}}) {
+        for (const double p : {0.001, 0.005, 0.2}) {
+            table.add_event(fmt::format("proportion: {}, p = {}, n = {}", method.name, p, n), method.claim, 4,
+                            [&](stats::Draws& draws) {
+                                stats::Proportion counts{.hits = 0, .trials = n};
+                                for (std::uint64_t i = 0; i < n; ++i) counts.hits += draws.uniform() < p ? 1u : 0u;
+                                return method.make(counts, level).contains(p);
+                            });
+        }
+    }
+}
+
+/// Errors whose root mean square falls exactly as size^-0.5.
+std::vector<stats::Rung> draw_ladder(stats::Draws& draws) {
+    std::vector<stats::Rung> ladder;
+    for (double size = 64; size <= 4096; size *= 4) {
+        stats::Rung rung{.size = size, .errors = draw_sample(normal, 64, draws)};
+        for (double& error : rung.errors) error /= std::sqrt(size);
+        ladder.push_back(std::move(rung));
+    }
+    return ladder;
+}
+
+void add_slopes(CoverageTable& table) {
+    table.add_event("slope: weighted least squares, normal errors, 4 sizes x 64", RateClaim::none, 4,
+                    [](stats::Draws& draws) {
+                        const auto rate = stats::fit_rmse_rate(draw_ladder(draws), level, {.key = {}, .replicates = 1});
+                        return rate && rate->interval.contains(-0.5);
+                    });
+    table.add_event("slope: bootstrap, normal errors, 4 sizes x 64", RateClaim::none, 40, [](stats::Draws& draws) {
+        const auto ladder = draw_ladder(draws);
+        const auto plan = resampling(ladder.front().errors);
+        const auto rate = stats::fit_rmse_rate(ladder, level, plan);
+        return rate && rate->bootstrap.contains(-0.5);
+    });
+}
+
+void add_distributions(CoverageTable& table) {
+    table.add_event("distribution: Dvoretzky-Kiefer-Wolfowitz band, n = 50", RateClaim::at_least, 1,
+                    [](stats::Draws& draws) {
+                        std::vector<double> values(50);
+                        for (double& value : values) value = draws.uniform();
+                        return stats::test_uniformity(values)->distance <= stats::dkw_half_width(values.size(), level);
+                    });
+}
+
+}  // namespace
+
+RateTable measure_coverage(const Repetitions& repetitions, std::uint64_t times) {
+    CoverageTable table(repetitions, times);
+    add_means(table);
+    add_variances(table);
+    add_proportions(table);
+    add_slopes(table);
+    add_distributions(table);
+    return std::move(table.table_);
+}
+
+}  // namespace ff::studies

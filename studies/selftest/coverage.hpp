@@ -1,0 +1,14 @@
+#pragma once
+
+#include "studies/selftest/measured_rate.hpp"
+#include "studies/selftest/repetitions.hpp"
+
+#include <cstdint>
+
+namespace ff::studies {
+
+/// How often each interval method holds the true value, for data it is made for and for some that it is not.
+/// @param times  repetitions of each row; the slow ones (bootstraps) are repeated a tenth as often
+RateTable measure_coverage(const Repetitions& repetitions, std::uint64_t times);
+
+}  // namespace ff::studies

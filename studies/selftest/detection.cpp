@@ -1,0 +1,147 @@
+#include "studies/selftest/detection.hpp"
+
+#include "core/box.hpp"
+#include "core/error.hpp"
+#include "core/exact.hpp"
+#include "studies/gates/estimate_gates.hpp"
+#include "studies/gates/gate_run.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <tuple>
+
+namespace ff::studies {
+namespace {
+
+/// The verdict of one gate of a file with one seed.
+Verdict verdict_with_seed(GatesSpec spec, std::size_t gate, std::uint64_t seed) {
+    spec.seed = Seed{seed};
+    GatePlan plan = prepare_gate(spec, gate, GatePurpose::check, nullptr);
+    plan_trials(spec, plan, {});
+    return run_gate(spec, plan, {})->verdict;
+}
+
+class Laboratory {
+  public:
+    Laboratory(const Repetitions& repetitions, std::uint64_t seeds) : repetitions_(repetitions), seeds_(seeds) {}
+
+    /// Verdicts of one gate, by seed.
+    [[nodiscard]] std::vector<Verdict> verdicts(const GatesSpec& spec, std::size_t gate) const {
+        std::vector<Verdict> found(seeds_);
+        for_each_index(seeds_, repetitions_.threads,
+                       [&](std::uint64_t i) { found[i] = verdict_with_seed(spec, gate, repetitions_.seed.value + i); });
+        return found;
+    }
+
+    [[nodiscard]] stats::Proportion count(const std::vector<Verdict>& verdicts, Verdict wanted) const {
+        return {.hits = static_cast<std::uint64_t>(std::count(verdicts.begin(), verdicts.end(), wanted)),
+                .trials = seeds_};
+    }
+
+    const Repetitions& repetitions_;
+    std::uint64_t seeds_;
+};
+
+/// What the control would be if it were not broken.
+Method mend(Method method) {
+    static const std::map<std::string, std::string> sound{{"patch_centres", "random"},
+                                                          {"same_seed", "random"},
+                                                          {"sobol_first_dropped", "sobol"},
+                                                          {"sobol_digits_reversed", "sobol"}};
+    const auto found = sound.find(method.sampler);
+    if (found != sound.end()) method.sampler = found->second;
+    if (method.tracer == TracerChoice::leaky) method.tracer = TracerChoice::automatic;
+    return method;
+}
+
+void measure_controls(const Laboratory& laboratory, const GatesSpec& controls, Detection& detection) {
+    detection.caught.title = "Controls";
+    detection.caught.text = fmt::format(
+        "Every gate of studies/gates/controls.toml with {} seeds in a row: how often the control fails. The trials of "
+        "each are such that the planned power against this control is at least {:g}.",
+        laboratory.seeds_, controls.power);
+    detection.sound.title = "Their sound counterparts";
+    detection.sound.text = "The same gates on what the control would be if it were not broken.";
+    for (std::size_t i = 0; i < controls.gates.size(); ++i) {
+        const Gate& gate = controls.gates[i];
+        const std::string what = fmt::format("{} ({})", gate.name, name(gate.kind));
+        const auto broken = laboratory.verdicts(controls, i);
+        detection.caught.rates.push_back(
+            {what, laboratory.count(broken, Verdict::fail), RateClaim::at_least, controls.power});
+        GatesSpec mended = controls;
+        mended.gates[i].method = mend(gate.method);
+        const auto sound = laboratory.verdicts(mended, i);
+        detection.sound.rates.push_back(
+            {"fails: " + what, laboratory.count(sound, Verdict::fail), RateClaim::at_most, controls.alpha});
+        detection.sound.rates.push_back(
+            {"passes: " + what, laboratory.count(sound, Verdict::pass), RateClaim::at_least, controls.power});
+    }
+}
+
+/// Random rays on one pair of faces; bias is exactly `bias`, since the reference is moved by it.
+GatesSpec edge_gate(double alpha, double bias, double band) {
+    GatesSpec spec;
+    spec.alpha = alpha;
+    spec.looks = 1;
+    Gate gate;
+    gate.name = "edge";
+    gate.place = "edge";
+    gate.scenes = {"cube"};
+    gate.pairs = {"1-6"};
+    gate.method.name = gate.name;
+    gate.method.sampler = "random";
+    gate.method.sizes = {{.patches_per_face = 1, .samples_per_patch = 1000, .trials = {}}};
+    gate.trials = 50;
+    gate.against = Against::number;
+    gate.reference = *exact_form_factor(built_in_scene("cube"), 0, 5) - bias;
+    gate.band = {-band, band};
+    spec.gates = {gate};
+    return spec;
+}
+
+void measure_edges(const Repetitions& repetitions, std::uint64_t seeds, Detection& detection) {
+    constexpr double wide = 0.01;     // five standard errors of these trials
+    constexpr double narrow = 1e-12;  // a point null hypothesis
+    detection.edge.title = "False alarms of whole gates";
+    detection.edge.text =
+        "The whole way from bands file to verdict: 50 trials of 1000 random rays, a new seed each time, the reference "
+        "moved so that the bias is exactly what the row says. α/2 at an end of the band, α for a point null, as above.";
+    const Laboratory laboratory(repetitions, 10 * seeds);
+    for (const double alpha : {0.05, 0.01}) {
+        for (const auto& [text, bias, band, rate] :
+             {std::tuple("bias = +band", wide, wide, alpha / 2), std::tuple("bias = -band", -wide, wide, alpha / 2),
+              std::tuple("point null", 0.0, narrow, alpha)}) {
+            const auto verdicts = laboratory.verdicts(edge_gate(alpha, bias, band), 0);
+            detection.edge.rates.push_back({fmt::format("fails at {}, α = {}", text, alpha),
+                                            laboratory.count(verdicts, Verdict::fail), RateClaim::equal, rate});
+        }
+    }
+}
+
+void measure_refusals(Detection& detection) {
+    GatesSpec spec = edge_gate(0.05, 0, 1e-3);
+    Gate& gate = spec.gates.front();
+    gate.name = gate.place = "adjacent_kernel";
+    gate.against = Against::exact;
+    gate.pairs = {"adjacent"};
+    gate.method.estimator = Estimator::area_kernel;
+    try {
+        static_cast<void>(prepare_gate(spec, 0, GatePurpose::check, nullptr));
+    } catch (const UserError& error) {
+        detection.refused.emplace_back(error.what());
+    }
+}
+
+}  // namespace
+
+Detection measure_detection(const GatesSpec& controls, const Repetitions& repetitions, std::uint64_t seeds) {
+    Detection detection;
+    measure_controls(Laboratory(repetitions, seeds), controls, detection);
+    measure_edges(repetitions, seeds, detection);
+    measure_refusals(detection);
+    return detection;
+}
+
+}  // namespace ff::studies

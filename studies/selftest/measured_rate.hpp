@@ -1,0 +1,40 @@
+#pragma once
+
+#include "stats/binomial.hpp"
+#include "stats/interval.hpp"
+
+#include <string>
+#include <vector>
+
+namespace ff::studies {
+
+/// What is claimed of a rate.
+enum class RateClaim {
+    equal,
+    at_most,
+    at_least,
+    none,  ///< shown for comparison
+};
+
+/// How often something happened among independent repetitions, beside how often it should.
+struct MeasuredRate {
+    std::string what;
+    stats::Proportion counts;
+    RateClaim claim = RateClaim::equal;
+    double claimed = 0;  ///< meaningless for RateClaim::none
+};
+
+/// Clopper-Pearson.
+stats::Interval interval_of(const MeasuredRate& rate, double level);
+
+/// Whether the claim is compatible with the interval. A claim of `none` always is.
+bool holds(const MeasuredRate& rate, double level);
+
+/// Rates that belong together, with what they are about.
+struct RateTable {
+    std::string title;
+    std::string text;  ///< a sentence or two above the table
+    std::vector<MeasuredRate> rates;
+};
+
+}  // namespace ff::studies

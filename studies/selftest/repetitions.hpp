@@ -1,0 +1,37 @@
+#pragma once
+
+#include "core/stream.hpp"
+#include "stats/binomial.hpp"
+#include "stats/resampling.hpp"
+
+#include <cstdint>
+#include <functional>
+#include <string_view>
+#include <vector>
+
+namespace ff::studies {
+
+/// Independent repetitions of an experiment, spread over threads. Results do not depend on their number.
+struct Repetitions {
+    Seed seed;
+    unsigned threads = 1;
+
+    /// How often `event` is true; it is given the random numbers of one repetition and called on several threads.
+    [[nodiscard]] stats::Proportion count(std::uint64_t times, std::string_view what,
+                                          const std::function<bool(stats::Draws&)>& event) const;
+
+    /// The result of each repetition, in order.
+    [[nodiscard]] std::vector<double> collect(std::uint64_t times, std::string_view what,
+                                              const std::function<double(stats::Draws&)>& experiment) const;
+};
+
+/// Calls `task(i)` for i = 0 .. times - 1 on several threads. @throws what a task threw first
+void for_each_index(std::uint64_t times, unsigned threads, const std::function<void(std::uint64_t)>& task);
+
+/// A standard normal number.
+double draw_normal(stats::Draws& draws);
+
+/// An exponential number of mean 1.
+double draw_exponential(stats::Draws& draws);
+
+}  // namespace ff::studies

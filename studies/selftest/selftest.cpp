@@ -1,0 +1,52 @@
+#include "studies/selftest/selftest.hpp"
+
+#include "stats/multiplicity.hpp"
+#include "studies/selftest/coverage.hpp"
+
+#include <algorithm>
+
+namespace ff::studies {
+namespace {
+
+constexpr double family_alpha = 0.01;
+
+std::size_t count_claims(const std::vector<RateTable>& tables) {
+    std::size_t claims = 0;
+    for (const RateTable& table : tables) {
+        claims += static_cast<std::size_t>(std::count_if(
+            table.rates.begin(), table.rates.end(), [](const auto& rate) { return rate.claim != RateClaim::none; }));
+    }
+    return claims;
+}
+
+}  // namespace
+
+std::vector<RateTable> Selftest::tables() const {
+    return {detection.caught,  detection.sound,        calibration.false_alarms, detection.edge,
+            calibration.power, calibration.correlated, calibration.heavy,        coverage};
+}
+
+std::size_t Selftest::contradictions() const {
+    std::size_t count = 0;
+    for (const RateTable& table : tables()) {
+        count += static_cast<std::size_t>(std::count_if(table.rates.begin(), table.rates.end(),
+                                                        [&](const auto& rate) { return !holds(rate, level); }));
+    }
+    const auto rejected = [&](const PValues& values) { return values.p < 1 - level; };
+    return count +
+           static_cast<std::size_t>(std::count_if(calibration.p_values.begin(), calibration.p_values.end(), rejected));
+}
+
+Selftest run_selftest(const GatesSpec& controls, const SelftestOptions& options) {
+    const Repetitions repetitions{options.seed, options.threads};
+    Selftest selftest;
+    selftest.options = options;
+    selftest.detection = measure_detection(controls, repetitions, options.seeds);
+    selftest.calibration = measure_calibration(repetitions, options.repetitions);
+    selftest.coverage = measure_coverage(repetitions, options.repetitions);
+    const std::size_t claims = count_claims(selftest.tables()) + selftest.calibration.p_values.size();
+    selftest.level = 1 - stats::bonferroni_level(family_alpha, claims);
+    return selftest;
+}
+
+}  // namespace ff::studies
