@@ -20,6 +20,8 @@ constexpr double serial_alpha = 0.05;
 constexpr double tail_alpha = 0.005;  // of each tail
 constexpr double largest_vov = 0.1;   // of a healthy mean [pederson1997]
 constexpr std::size_t fewest_for_tails = 200;
+constexpr std::size_t enough_for_tails = 1000;  // to show that a tail as light as the exponential one has a variance
+constexpr double light_alpha = 0.05;            // of calling one finite that is not
 
 [[noreturn]] void refuse(const EstimateSeries& series, const std::string& origin, std::size_t index,
                          const std::string& problem) {
@@ -59,8 +61,12 @@ std::string heavy_tail(const std::vector<double>& values) {
     for (double& value : mirrored) value = -value;
     for (const auto& side : {values, mirrored}) {
         const auto tail = stats::fit_tail(side);
-        if (tail && stats::judge_variance(*tail, tail_alpha) == stats::VarianceHealth::infinite)
+        if (!tail) continue;
+        if (stats::judge_variance(*tail, tail_alpha) == stats::VarianceHealth::infinite)
             return fmt::format("tail index {:.2g}: infinite variance, so no interval holds", *tail->index);
+        const bool light = stats::judge_variance(*tail, light_alpha) == stats::VarianceHealth::finite;
+        if (values.size() >= enough_for_tails && !light)
+            return "the tail may be of infinite variance (its index is not shown to be above 2), so no interval holds";
     }
     const auto vov = stats::moments_of(values).variance_of_variance();
     if (vov && *vov > largest_vov)
