@@ -32,13 +32,12 @@ class Antithetic {
     static constexpr auto details_ =
         join(fixed("Antithetic variates: points 2k and 2k + 1 are point k of `"), fixed_name<Sampler>(),
              fixed("` and its reflection in the centre of the cube, u and 1 - u. An integrand that is odd about the "
-                   "centre is integrated exactly by every pair; one that is even costs twice as much as without; the "
-                   "variance is at most twice that of half as many points of `"),
+                   "centre is integrated exactly by every pair; one that is even costs twice as much as without. The "
+                   "variance is at most that of half as many points of `"),
              fixed_name<Sampler>(),
-             fixed("` and the error falls at the same rate.\nSizes: twice those of the sampler it is made from, in "
-                   "which every second point is a mirror image; with an odd number the last point has no partner. A "
-                   "single point is uniform, but the two of a pair are not independent: take intervals over trials, "
-                   "never within a set."));
+             fixed("`, and the error falls at the same rate.\nSizes: twice those of the sampler it is made from; with "
+                   "an odd number the last point has no partner. A single point is uniform, but the two of a pair are "
+                   "not independent: take intervals over trials, never within a set."));
 
   public:
     static constexpr SamplerInfo info{

@@ -32,9 +32,7 @@ constexpr std::array all_samplers{
     entry<Random>(),                      //
     entry<RandomMt>(),                    //
     entry<Antithetic<Random>>(),          //
-    entry<Antithetic<LatinHypercube>>(),  //
     entry<Antithetic<Sobol>>(),           //
-    entry<Antithetic<Lattice>>(),         //
     entry<Stratified>(),                  //
     entry<LatinHypercube>(),              //
     entry<Halton>(),                      //

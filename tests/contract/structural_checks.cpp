@@ -87,7 +87,7 @@ AssertionResult each_once(std::vector<std::uint64_t> cells) {
 AssertionResult fills_intervals(const CatalogueEntry& sampler) {
     const std::uint64_t base = sampler.info.base;
     const std::uint64_t multiple = sampler.info.multiple;
-    const auto digits = samplers::count_digits(4096, static_cast<std::uint32_t>(base));
+    const auto digits = samplers::count_digits(4097, sampler.info.base) - 1;  // b^digits <= 4096
     const auto source = sampler.make({.points = multiple * samplers::integer_power(base, digits + 1)});
     for (std::size_t m = 1; m <= digits; ++m) {
         const std::uint64_t intervals = samplers::integer_power(base, m);
