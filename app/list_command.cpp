@@ -33,20 +33,17 @@ void print_description(std::string_view kind, std::string_view name, std::string
     if (!reference.empty()) fmt::print("\nSource: [{}], see docs/references.md\n", reference);
 }
 
-std::string_view sizes_in_words(samplers::Sizes sizes) {
+std::string_view beside_its_sizes(samplers::Sizes sizes) {
     switch (sizes) {
-        case samplers::Sizes::any:
-            return "any number of points";
-        case samplers::Sizes::power_of_two:
-            return "powers of two; others lose the net property";
-        case samplers::Sizes::power_of_five:
-            return "powers of five; others lose the net property";
+        case samplers::Sizes::powers:
+            return "; others lose the net property";
         case samplers::Sizes::fourth_power:
-            return "fourth powers k^4 only";
+            return " only (k^2 for points on one patch)";
+        case samplers::Sizes::any:
         case samplers::Sizes::nodes:
             break;
     }
-    return "n nodes a side, 1 to 64";
+    return "";
 }
 
 }  // namespace
@@ -78,7 +75,7 @@ ExitCode explain(const std::string& name) {
         names.emplace_back(entry.info.name);
         if (entry.info.name != name) continue;
         print_description("sampler", name, entry.info.summary, entry.info.details, entry.info.reference);
-        fmt::print("Sizes:  {}\n", sizes_in_words(entry.info.sizes));
+        fmt::print("Sizes:  {}{}\n", sizes_in_words(entry.info), beside_its_sizes(entry.info.sizes));
         return ExitCode::passed;
     }
     for (const auto& [kind, descriptions] : {std::pair("estimator", studies::estimator_descriptions()),

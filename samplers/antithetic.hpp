@@ -1,32 +1,68 @@
 #pragma once
 
+#include "samplers/fixed_text.hpp"
 #include "samplers/random.hpp"
+#include "samplers/sampler.hpp"
+
+#include <cstddef>
+#include <type_traits>
 
 namespace ff::samplers {
 
-/// `random` in pairs: each point is followed by its mirror image. @see [hammersley1956]
+/// Writes points and their mirror images in turn: point i of `originals` becomes point 2 i, if `skip` is 0.
+/// @param skip  1 where the first point of `block` is a mirror image
+void mirror_points(const PointBlock& originals, std::size_t skip, PointBlock& block);
+
+/// Any randomised sampler of equal weights in mirrored pairs: points 2k and 2k + 1 are point k of `Sampler` and its
+/// reflection in the centre of the cube. @see [hammersley1956]
+template <class Sampler>
 class Antithetic {
+    static_assert(Sampler::info.randomised && Sampler::info.equal_weights);
+    static_assert(Sampler::info.sizes == Sizes::any || Sampler::info.sizes == Sizes::powers);
+
+    static constexpr auto name_ = [] {
+        if constexpr (std::is_same_v<Sampler, Random>) {
+            return fixed("antithetic");
+        } else {
+            return join(fixed("antithetic_"), fixed_name<Sampler>());
+        }
+    }();
+    static constexpr auto summary_ =
+        join(fixed("points of `"), fixed_name<Sampler>(), fixed("`, each followed by its mirror image"));
+    static constexpr auto details_ =
+        join(fixed("Antithetic variates: points 2k and 2k + 1 are point k of `"), fixed_name<Sampler>(),
+             fixed("` and its reflection in the centre of the cube, u and 1 - u. An integrand that is odd about the "
+                   "centre is integrated exactly by every pair; one that is even costs twice as much as without. The "
+                   "variance is at most that of half as many points of `"),
+             fixed_name<Sampler>(),
+             fixed("`, and the error falls at the same rate.\nSizes: twice those of the sampler it is made from; with "
+                   "an odd number the last point has no partner. A single point is uniform, but the two of a pair are "
+                   "not independent: take intervals over trials, never within a set."));
+
   public:
     static constexpr SamplerInfo info{
-        .name = "antithetic",
-        .summary = "independent uniform points, each followed by its mirror image",
-        .details =
-            "Antithetic variates: points 2k and 2k + 1 are point k of `random` and its reflection in the centre of the "
-            "cube, u and 1 - u. An integrand that is odd about the centre is integrated exactly by every pair; one "
-            "that is even costs twice as much as with `random`; the variance is between 0 and twice that of `random`, "
-            "and the error falls as N^-1/2 all the same.\n"
-            "Any number of points; with an odd one the last point has no partner. A single point is uniform, but the "
-            "two of a pair are not independent, so binomial intervals do not hold within a set: take intervals over "
-            "trials.",
+        .name = name_.view(),
+        .summary = summary_.view(),
+        .details = details_.view(),
         .reference = "hammersley1956",
-        .sizes = Sizes::any,
+        .sizes = Sampler::info.sizes,
+        .base = Sampler::info.base,
+        .multiple = 2 * Sampler::info.multiple,
     };
 
-    explicit Antithetic(const PointSetSpec& spec) : random_(spec) {}
-    void fill(const Stream& stream, PointIndex first, PointBlock& block) const;
+    explicit Antithetic(PointSetSpec spec) : sampler_((spec.points = (spec.points + 1) / 2, spec)) {}
+
+    void fill(const Stream& stream, PointIndex first, PointBlock& block) const {
+        if (block.size == 0) return;
+        PointBlock originals;
+        originals.dimension = block.dimension;
+        originals.size = (first + block.size - 1) / 2 - first / 2 + 1;
+        sampler_.fill(stream, first / 2, originals);
+        mirror_points(originals, first % 2, block);
+    }
 
   private:
-    Random random_;
+    Sampler sampler_;
 };
 
 }  // namespace ff::samplers

@@ -3,6 +3,7 @@
 #include "samplers/antithetic.hpp"
 #include "samplers/entry.hpp"
 #include "samplers/faure.hpp"
+#include "samplers/faure_in_base.hpp"
 #include "samplers/gauss_legendre.hpp"
 #include "samplers/halton.hpp"
 #include "samplers/latin_hypercube.hpp"
@@ -28,22 +29,26 @@ namespace {
 
 /// The only list of samplers.
 constexpr std::array all_samplers{
-    entry<Random>(),          //
-    entry<RandomMt>(),        //
-    entry<Antithetic>(),      //
-    entry<Stratified>(),      //
-    entry<LatinHypercube>(),  //
-    entry<Halton>(),          //
-    entry<Sobol>(),           //
-    entry<SobolLms>(),        //
-    entry<SobolNus>(),        //
-    entry<SobolRaw>(),        //
-    entry<Niederreiter>(),    //
-    entry<Faure>(),           //
-    entry<Padded>(),          //
-    entry<Lattice>(),         //
-    entry<RSequence>(),       //
-    entry<GaussLegendre>(),   //
+    entry<Random>(),                      //
+    entry<RandomMt>(),                    //
+    entry<Antithetic<Random>>(),          //
+    entry<Antithetic<Sobol>>(),           //
+    entry<Stratified>(),                  //
+    entry<LatinHypercube>(),              //
+    entry<Halton>(),                      //
+    entry<Sobol>(),                       //
+    entry<SobolLms>(),                    //
+    entry<SobolNus>(),                    //
+    entry<SobolRaw>(),                    //
+    entry<Niederreiter>(),                //
+    entry<Faure>(),                       //
+    entry<FaureInBase<7>>(),              //
+    entry<FaureInBase<11>>(),             //
+    entry<FaureInBase<13>>(),             //
+    entry<Padded>(),                      //
+    entry<Lattice>(),                     //
+    entry<RSequence>(),                   //
+    entry<GaussLegendre>(),               //
 };
 
 constexpr auto all_names = [] {

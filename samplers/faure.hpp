@@ -28,7 +28,8 @@ class Faure {
             "integrands and as N^-5/8 or a little faster for tallies of rays. Points of one set are not independent: "
             "take intervals over trials, never within a set.",
         .reference = "faure1982",
-        .sizes = Sizes::power_of_five,
+        .sizes = Sizes::powers,
+        .base = 5,
     };
 
     explicit Faure(const PointSetSpec& spec);

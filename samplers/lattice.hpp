@@ -27,7 +27,7 @@ class Lattice {
             "for periodic ones. The shift is all that is random. Points of one set are not independent: take intervals "
             "over trials, never within a set.",
         .reference = "cools2006",
-        .sizes = Sizes::power_of_two,
+        .sizes = Sizes::powers,
     };
 
     static constexpr std::array<std::uint32_t, max_dimension> generating_vector{1, 6906571, 12751639, 4408903};

@@ -1,36 +1,66 @@
 #include "samplers/padded.hpp"
 
-#include "samplers/owen_hash.hpp"
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "samplers/padded.cpp"
+#include <hwy/foreach_target.h>
+// After foreach_target.h, which compiles this file once for every instruction set.
+#include <hwy/highway.h>
 
+#include "samplers/owen_hash-inl.h"
+
+HWY_BEFORE_NAMESPACE();
 namespace ff::samplers {
-namespace {
+namespace HWY_NAMESPACE {
+
+template <int shift>
+HWY_INLINE Vec32 fold(Vec32 x, std::uint32_t mask) {
+    return hn::Xor(x, hn::And(hn::ShiftRight<shift>(x), hn::Set(Lanes32(), mask)));
+}
 
 /// Coordinate 1 of Sobol' with the bits reversed: bit b is the sum of all bits k of the index for which binomial(k, b)
 /// is odd, i.e. for which the binary digits of b are among those of k.
-constexpr std::uint32_t multiply_pascal(std::uint32_t index) {
-    index ^= index >> 16 & 0x0000ffffu;
-    index ^= index >> 8 & 0x00ff00ffu;
-    index ^= index >> 4 & 0x0f0f0f0fu;
-    index ^= index >> 2 & 0x33333333u;
-    index ^= index >> 1 & 0x55555555u;
-    return index;
+HWY_INLINE Vec32 multiply_pascal(Vec32 index) {
+    index = fold<16>(index, 0x0000ffffu);
+    index = fold<8>(index, 0x00ff00ffu);
+    index = fold<4>(index, 0x0f0f0f0fu);
+    index = fold<2>(index, 0x33333333u);
+    return fold<1>(index, 0x55555555u);
 }
 
-}  // namespace
+/// Two coordinates that share their order, or the first of them alone.
+void fill_net(OwenSeed order, OwenSeed first_seed, OwenSeed second_seed, std::uint32_t first, std::size_t count,
+              std::uint32_t* HWY_RESTRICT row, std::uint32_t* HWY_RESTRICT second_row) {
+    const Lanes32 d;
+    // The last vector may end past `count`; it stays within the capacity of the rows.
+    for (std::size_t i = 0; i < count; i += hn::Lanes(d)) {
+        const Vec32 position = hn::Iota(d, first + static_cast<std::uint32_t>(i));
+        const Vec32 index = reverse_bits_of(owen_hash_of(reverse_bits_of(position), order));
+        hn::StoreU(reverse_bits_of(owen_hash_of(index, first_seed)), d, row + i);
+        if (second_row == nullptr) continue;
+        hn::StoreU(reverse_bits_of(owen_hash_of(multiply_pascal(index), second_seed)), d, second_row + i);
+    }
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace ff::samplers
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace ff::samplers {
+
+HWY_EXPORT(fill_net);
 
 void Padded::fill(const Stream& stream, PointIndex first, PointBlock& block) const {
     const Words addends = philox(stream, 0, Purpose::scramble);
     const Words multipliers = philox(stream, 1, Purpose::scramble);
     const Words orders = philox(stream, 2, Purpose::scramble);
-    for (std::size_t d = 0; d < block.dimension; ++d) {
-        const OwenSeed order{orders[d / 2], orders[2 + d / 2]};
-        const OwenSeed seed{addends[d], multipliers[d]};
-        for (std::size_t i = 0; i < block.size; ++i) {
-            const std::uint32_t index = owen_scramble(static_cast<std::uint32_t>(first + i), order);
-            const std::uint32_t reversed = d % 2 == 0 ? index : multiply_pascal(index);
-            block.coordinate[d][i] = reverse_bits(owen_hash(reversed, seed));
-        }
+    for (std::size_t d = 0; d < block.dimension; d += 2) {
+        std::uint32_t* const second = d + 1 < block.dimension ? block.coordinate[d + 1].data() : nullptr;
+        HWY_DYNAMIC_DISPATCH(fill_net)
+        ({orders[d / 2], orders[2 + d / 2]}, {addends[d], multipliers[d]}, {addends[d + 1], multipliers[d + 1]},
+         static_cast<std::uint32_t>(first), block.size, block.coordinate[d].data(), second);
     }
 }
 
 }  // namespace ff::samplers
+#endif

@@ -21,7 +21,7 @@ class Padded {
             "and area kernels do, keeps the N^-1/2 of `random`. Points of one set are not independent: take intervals "
             "over trials, never within a set.",
         .reference = "kollig2002",
-        .sizes = Sizes::power_of_two,
+        .sizes = Sizes::powers,
     };
 
     explicit Padded(const PointSetSpec& /*spec*/) {}

@@ -13,11 +13,10 @@ namespace ff::samplers {
 
 /// Sizes that a sampler is made for.
 enum class Sizes {
-    any,            ///< every number of points
-    power_of_two,   ///< 2^m keeps the net property; others are allowed with a warning
-    power_of_five,  ///< 5^m keeps the net property; others are allowed with a warning
-    fourth_power,   ///< k^dimension (k^4 in 4-D), one point a cell; others are impossible
-    nodes,          ///< n nodes a side, n^4 points in 4-D
+    any,           ///< every number of points
+    powers,        ///< multiple * base^m keeps the net property; others are allowed with a warning
+    fourth_power,  ///< k^dimension (k^4 in 4-D), one point a cell; others are impossible
+    nodes,         ///< n nodes a side, n^4 points in 4-D
 };
 
 /// What a sampler declares about itself; `ffstudy list`, `explain`, the contract tests and the reports read it.
@@ -27,10 +26,12 @@ struct SamplerInfo {
     std::string_view details;    ///< a paragraph or two: what it is, its limits; shown by `ffstudy explain`
     std::string_view reference;  ///< key of docs/references.md
     Sizes sizes = Sizes::any;
-    bool randomised = true;     ///< trials differ
-    bool equal_weights = true;  ///< points can be tallied as hits
-    bool independent = false;   ///< points are independent draws, so binomial intervals hold within one set
-    bool control = false;       ///< broken on purpose, so that checks can be checked
+    std::uint32_t base = 2;      ///< for Sizes::powers
+    std::uint32_t multiple = 1;  ///< for Sizes::powers; points that share an interval
+    bool randomised = true;      ///< trials differ
+    bool equal_weights = true;   ///< points can be tallied as hits
+    bool independent = false;    ///< points are independent draws, so binomial intervals hold within one set
+    bool control = false;        ///< broken on purpose, so that checks can be checked
 };
 
 /// What a point set is made from.
@@ -60,6 +61,9 @@ const CatalogueEntry& find(std::string_view name);
 
 /// Most points in one set: an index has 32 bits.
 inline constexpr std::uint64_t max_points = std::uint64_t{1} << 32;
+
+/// The sizes that a sampler is made for: "powers of 5".
+std::string sizes_in_words(const SamplerInfo& info);
 
 /// Why `points` is not a size the sampler is made for, and what is near: empty where it is fine. `fatal` tells whether
 /// the sampler cannot do it at all or only loses its net property.

@@ -3,8 +3,8 @@
 #include "core/contract.hpp"
 #include "samplers/sampler.hpp"
 
+#include <algorithm>
 #include <string>
-#include <string_view>
 
 #include <fmt/format.h>
 
@@ -27,15 +27,21 @@ SizeProblem check_power(const SamplerInfo& info, std::uint64_t points, std::size
             true};
 }
 
-/// Sizes base^m keep the net property, `word` is "two" or "five".
-SizeProblem check_base(const SamplerInfo& info, std::uint64_t points, std::uint32_t base, std::string_view word) {
-    const std::uint32_t digits = count_digits(points + 1, base);
-    const std::uint64_t below = integer_power(base, digits - 1);
+/// "625 = 5^4", or "2 * 5^4".
+std::string describe(std::uint64_t size, const SamplerInfo& info, std::uint32_t exponent) {
+    const std::string factor = info.multiple == 1 ? "" : fmt::format("{} * ", info.multiple);
+    return fmt::format("{} = {}{}^{}", size, factor, info.base, exponent);
+}
+
+/// Sizes multiple * base^m keep the net property.
+SizeProblem check_powers(const SamplerInfo& info, std::uint64_t points) {
+    const std::uint32_t digits = count_digits(std::max<std::uint64_t>(points / info.multiple, 1) + 1, info.base);
+    const std::uint64_t below = info.multiple * integer_power(info.base, digits - 1);
     if (points == below) return {};
-    std::string nearest = fmt::format("{} = {}^{}", below, base, digits - 1);
-    if (below * base <= max_points) nearest += fmt::format(" or {} = {}^{}", below * base, base, digits);
-    return {fmt::format("{} points ({} has its net property at powers of {} only). Nearest: {}.", points, info.name,
-                        word, nearest),
+    std::string nearest = describe(below, info, digits - 1);
+    if (below * info.base <= max_points) nearest += " or " + describe(below * info.base, info, digits);
+    return {fmt::format("{} points ({} has its net property at {} only). Nearest: {}.", points, info.name,
+                        sizes_in_words(info), nearest),
             false};
 }
 
@@ -60,6 +66,21 @@ std::uint64_t floor_root(std::uint64_t points, std::size_t dimension) {
     return low;
 }
 
+std::string sizes_in_words(const SamplerInfo& info) {
+    switch (info.sizes) {
+        case Sizes::any:
+            return "any number of points";
+        case Sizes::powers:
+            return info.multiple == 1 ? fmt::format("powers of {}", info.base)
+                                      : fmt::format("{} times powers of {}", info.multiple, info.base);
+        case Sizes::fourth_power:
+            return "fourth powers k^4";
+        case Sizes::nodes:
+            break;
+    }
+    return "n nodes a side, 1 to 64";
+}
+
 SizeProblem check_size(const SamplerInfo& info, std::uint64_t points, std::size_t dimension) {
     if (points == 0) return {fmt::format("0 points ({} needs at least one). Try 625.", info.name), true};
     if (points > max_points)
@@ -70,10 +91,8 @@ SizeProblem check_size(const SamplerInfo& info, std::uint64_t points, std::size_
         case Sizes::any:
         case Sizes::nodes:
             return {};
-        case Sizes::power_of_two:
-            return check_base(info, points, 2, "two");
-        case Sizes::power_of_five:
-            return check_base(info, points, 5, "five");
+        case Sizes::powers:
+            return check_powers(info, points);
         case Sizes::fourth_power:
             return check_power(info, points, dimension);
     }

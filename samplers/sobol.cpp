@@ -13,6 +13,8 @@
 // After foreach_target.h, which compiles this file once for every instruction set.
 #include <hwy/highway.h>
 
+#include "samplers/owen_hash-inl.h"
+
 #ifndef FF_SAMPLERS_SOBOL_ONCE
 #define FF_SAMPLERS_SOBOL_ONCE
 namespace ff::samplers {
@@ -61,48 +63,12 @@ namespace ff::samplers {
 namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-using Lanes32 = hn::CappedTag<std::uint32_t, group_size>;
-using Lanes8 = hn::Repartition<std::uint8_t, Lanes32>;
-using Vec32 = hn::Vec<Lanes32>;
-
-/// Reverses the bits of each byte by two tables of nibbles, then the bytes of each word.
-HWY_INLINE Vec32 reverse_bits_of(Vec32 x) {
-    alignas(16) static constexpr std::array<std::uint8_t, 16> reversed_low{
-        0x00, 0x80, 0x40, 0xc0, 0x20, 0xa0, 0x60, 0xe0, 0x10, 0x90, 0x50, 0xd0, 0x30, 0xb0, 0x70, 0xf0};
-    alignas(16) static constexpr std::array<std::uint8_t, 16> reversed_high{0x0, 0x8, 0x4, 0xc, 0x2, 0xa, 0x6, 0xe,
-                                                                            0x1, 0x9, 0x5, 0xd, 0x3, 0xb, 0x7, 0xf};
-    alignas(16) static constexpr std::array<std::uint8_t, 16> reversed_bytes{3,  2,  1, 0, 7,  6,  5,  4,
-                                                                             11, 10, 9, 8, 15, 14, 13, 12};
-    const Lanes32 d;
-    const Lanes8 bytes;
-    const auto nibble = hn::Set(d, 0x0f0f0f0fu);
-    const auto low = hn::BitCast(bytes, hn::And(x, nibble));
-    const auto high = hn::BitCast(bytes, hn::And(hn::ShiftRight<4>(x), nibble));
-    const auto reversed = hn::Or(hn::TableLookupBytes(hn::LoadDup128(bytes, reversed_low.data()), low),
-                                 hn::TableLookupBytes(hn::LoadDup128(bytes, reversed_high.data()), high));
-    return hn::BitCast(d, hn::TableLookupBytes(reversed, hn::LoadDup128(bytes, reversed_bytes.data())));
-}
-
-HWY_INLINE Vec32 xor_multiple(Vec32 x, std::uint32_t multiplier) {
-    return hn::Xor(x, hn::Mul(x, hn::Set(Lanes32(), multiplier)));
-}
-
-/// `owen_hash` and the reversal after it, lane by lane.
-HWY_INLINE Vec32 scramble(Vec32 x, OwenSeed seed) {
-    const Lanes32 d;
-    x = xor_multiple(x, OwenHash::first);
-    x = hn::Add(x, hn::Set(d, seed.addend));
-    x = hn::Mul(x, hn::Set(d, seed.multiplier | 1u));
-    x = xor_multiple(x, OwenHash::second);
-    x = xor_multiple(x, OwenHash::third);
-    return reverse_bits_of(x);
-}
-
 HWY_INLINE void fill_group(const ReversedSobol& sobol, std::uint32_t base, OwenSeed seed,
                            std::uint32_t* HWY_RESTRICT out) {
     const Lanes32 d;
     for (std::size_t i = 0; i < group_size; i += hn::Lanes(d)) {
-        hn::StoreU(scramble(hn::Xor(hn::Set(d, base), hn::Load(d, &sobol.low[i])), seed), d, out + i);
+        const Vec32 x = hn::Xor(hn::Set(d, base), hn::Load(d, &sobol.low[i]));
+        hn::StoreU(reverse_bits_of(owen_hash_of(x, seed)), d, out + i);
     }
 }
 

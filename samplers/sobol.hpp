@@ -24,7 +24,7 @@ class Sobol {
             "The error falls as N^-3/2 (up to logarithms) for smooth integrands and as N^-5/8 or a little faster for "
             "tallies of rays. Points of one set are not independent: take intervals over trials, never within a set.",
         .reference = "burley2020",
-        .sizes = Sizes::power_of_two,
+        .sizes = Sizes::powers,
     };
 
     explicit Sobol(const PointSetSpec& /*spec*/) {}

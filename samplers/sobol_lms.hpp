@@ -22,7 +22,7 @@ class SobolLms {
             "The error falls as N^-3/2 (up to logarithms) for smooth integrands and as N^-5/8 or a little faster for "
             "tallies of rays. Points of one set are not independent: take intervals over trials, never within a set.",
         .reference = "matousek1998",
-        .sizes = Sizes::power_of_two,
+        .sizes = Sizes::powers,
     };
 
     explicit SobolLms(const PointSetSpec& /*spec*/) {}

@@ -21,7 +21,7 @@ class SobolNus {
             "little faster for tallies of rays. Points of one set are not independent: take intervals over trials, "
             "never within a set.",
         .reference = "owen1995",
-        .sizes = Sizes::power_of_two,
+        .sizes = Sizes::powers,
     };
 
     explicit SobolNus(const PointSetSpec& /*spec*/) {}

@@ -30,13 +30,14 @@ constexpr double most_evaluations = 1e15;
 constexpr double tracing_nanoseconds = 1.0;
 constexpr double embree_nanoseconds = 60.0;
 constexpr double kernel_nanoseconds = 1.5;
-constexpr double polygons_nanoseconds = 30.0;  // of all faces of a box
+constexpr double polygons_nanoseconds = 60.0;  // of all faces of a box
 
 double sampling_nanoseconds(std::string_view sampler) {
     constexpr std::array<std::string_view, 6> slow{"random_mt", "halton",       "faure",
                                                    "sobol_raw", "niederreiter", "latin_hypercube"};
     if (std::find(slow.begin(), slow.end(), sampler) != slow.end()) return 15.0;
     if (sampler == "sobol_nus") return 2000.0;
+    if (sampler == "faure_7" || sampler == "faure_11" || sampler == "faure_13") return 100.0;
     return 1.5;
 }
 

@@ -18,7 +18,7 @@ class SobolDigitsReversed {
             "gone and with it the gain over `random`.\n"
             "Caught by: a gate on the standard deviation, or on the slope.",
         .reference = "laine2011",
-        .sizes = Sizes::power_of_two,
+        .sizes = Sizes::powers,
         .control = true,
     };
 

@@ -17,7 +17,7 @@ class SobolFirstDropped {
             "the net falls faster than that (Owen 2022). Tallies of rays hardly notice.\n"
             "Caught by: a gate on the standard deviation, or on the slope, of a smooth estimate.",
         .reference = "owen2022",
-        .sizes = Sizes::power_of_two,
+        .sizes = Sizes::powers,
         .control = true,
     };
 

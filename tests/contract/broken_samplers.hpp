@@ -77,7 +77,7 @@ struct FalselyIndependent : samplers::Sobol {
                                                 .summary = "",
                                                 .details = "",
                                                 .reference = "",
-                                                .sizes = samplers::Sizes::power_of_two,
+                                                .sizes = samplers::Sizes::powers,
                                                 .independent = true};
     using Sobol::Sobol;
 };

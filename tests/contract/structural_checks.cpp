@@ -82,17 +82,23 @@ AssertionResult each_once(std::vector<std::uint64_t> cells) {
     return AssertionSuccess();
 }
 
-/// Any b^m points from a multiple of b^m on: one in each interval of length b^-m, in every coordinate.
-AssertionResult fills_intervals(const CatalogueEntry& sampler, std::uint64_t base, std::size_t digits) {
-    const auto source = sampler.make({.points = samplers::integer_power(base, digits + 1)});
+/// Any multiple * b^m points from a multiple of their number on: `multiple` in each interval of length b^-m, in every
+/// coordinate.
+AssertionResult fills_intervals(const CatalogueEntry& sampler) {
+    const std::uint64_t base = sampler.info.base;
+    const std::uint64_t multiple = sampler.info.multiple;
+    const auto digits = samplers::count_digits(4097, sampler.info.base) - 1;  // b^digits <= 4096
+    const auto source = sampler.make({.points = multiple * samplers::integer_power(base, digits + 1)});
     for (std::size_t m = 1; m <= digits; ++m) {
         const std::uint64_t intervals = samplers::integer_power(base, m);
         for (std::size_t d = 0; d < max_dimension; ++d) {
-            for (const PointIndex first : {PointIndex{0}, PointIndex{intervals}}) {
+            for (const PointIndex first : {PointIndex{0}, PointIndex{multiple * intervals}}) {
                 std::vector<std::uint64_t> cells;
-                for (const std::uint32_t x : coordinates(*source, first, intervals, d)) {
+                for (const std::uint32_t x : coordinates(*source, first, multiple * intervals, d)) {
                     cells.push_back(x * intervals >> 32);
                 }
+                std::sort(cells.begin(), cells.end());
+                for (std::size_t i = 0; i < cells.size(); ++i) cells[i] = cells[i] * multiple + i % multiple;
                 if (const auto result = each_once(cells); !result)
                     return AssertionFailure() << "coordinate " << d << ": " << result.message();
             }
@@ -228,10 +234,8 @@ AssertionResult fills_its_strata(const CatalogueEntry& sampler) {
     switch (sampler.info.sizes) {
         case Sizes::any:
             return AssertionSuccess();
-        case Sizes::power_of_two:
-            return fills_intervals(sampler, 2, 12);
-        case Sizes::power_of_five:
-            return fills_intervals(sampler, 5, 5);
+        case Sizes::powers:
+            return fills_intervals(sampler);
         case Sizes::fourth_power:
             return fills_cells(sampler);
         case Sizes::nodes:

@@ -37,8 +37,7 @@ TEST(Reciprocal, IsRoundedDown) {
 }
 
 TEST(CheckSize, RefusesNoPointsAndTooMany) {
-    for (const Sizes sizes :
-         {Sizes::any, Sizes::power_of_two, Sizes::power_of_five, Sizes::fourth_power, Sizes::nodes}) {
+    for (const Sizes sizes : {Sizes::any, Sizes::powers, Sizes::fourth_power, Sizes::nodes}) {
         EXPECT_TRUE(check_size(made_for(sizes), 0).fatal);
         EXPECT_TRUE(check_size(made_for(sizes), max_points + 1).fatal);
         EXPECT_FALSE(check_size(made_for(sizes), max_points).fatal);
@@ -72,23 +71,37 @@ TEST(CountDigits, GrowsWithTheFirstPointBeyondAPower) {
     EXPECT_EQ(count_digits(max_points, 5), 14u);  // python3 -c "print(5**13 < 2**32 < 5**14)"
 }
 
+SamplerInfo powers_of(std::uint32_t base, std::uint32_t multiple = 1) {
+    SamplerInfo info = made_for(Sizes::powers);
+    info.base = base;
+    info.multiple = multiple;
+    return info;
+}
+
 TEST(CheckSize, OnlyWarnsBesidePowersOfFive) {
     for (const std::uint64_t points : {1u, 5u, 625u, 1220703125u}) {
-        EXPECT_EQ(check_size(made_for(Sizes::power_of_five), points).message, "");
+        EXPECT_EQ(check_size(powers_of(5), points).message, "");
     }
-    const SizeProblem problem = check_size(made_for(Sizes::power_of_five), 1024);
+    const SizeProblem problem = check_size(powers_of(5), 1024);
     EXPECT_FALSE(problem.fatal);
     EXPECT_THAT(problem.message, HasSubstr("625 = 5^4 or 3125 = 5^5"));
-    EXPECT_THAT(check_size(made_for(Sizes::power_of_five), max_points).message,
-                HasSubstr("Nearest: 1220703125 = 5^13."));
+    EXPECT_THAT(check_size(powers_of(5), max_points).message, HasSubstr("Nearest: 1220703125 = 5^13."));
 }
 
 TEST(CheckSize, OnlyWarnsBesidePowersOfTwo) {
-    EXPECT_EQ(check_size(made_for(Sizes::power_of_two), max_points).message, "");
-    EXPECT_EQ(check_size(made_for(Sizes::power_of_two), 512).message, "");
-    const SizeProblem problem = check_size(made_for(Sizes::power_of_two), 625);
+    EXPECT_EQ(check_size(powers_of(2), max_points).message, "");
+    EXPECT_EQ(check_size(powers_of(2), 512).message, "");
+    const SizeProblem problem = check_size(powers_of(2), 625);
     EXPECT_FALSE(problem.fatal);
     EXPECT_THAT(problem.message, HasSubstr("512 = 2^9 or 1024 = 2^10"));
+}
+
+TEST(CheckSize, KnowsMultiplesOfPowers) {
+    EXPECT_EQ(check_size(powers_of(5, 2), 1250).message, "");
+    const SizeProblem problem = check_size(powers_of(5, 2), 625);
+    EXPECT_FALSE(problem.fatal);
+    EXPECT_THAT(problem.message, HasSubstr("at 2 times powers of 5 only). Nearest: 250 = 2 * 5^3 or 1250 = 2 * 5^4."));
+    EXPECT_THAT(check_size(powers_of(5, 2), 1).message, HasSubstr("Nearest: 2 = 2 * 5^0 or 10 = 2 * 5^1."));
 }
 
 }  // namespace
