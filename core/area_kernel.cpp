@@ -126,6 +126,7 @@ void sum_with_common_points(const PointSource& points, const Stream& stream, Poi
             SurfacePair& pair = pairs[k];
             separate(pair.from->shape, pair.to->shape, *block, *separations);
             for (std::size_t i = 0; i < pair.from->corners.size(); ++i) {
+                points.checkpoint();
                 offsets_from(pair.from->corners[i], pair.to->corners, graded[k].targets[i], offsets);
                 pair.transfer += sum_transfer(*separations, offsets, pair.normals());
             }

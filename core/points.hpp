@@ -49,6 +49,10 @@ class PointSource {
     /// evaluation of a symmetric kernel serves both (i, j) and (j, i).
     [[nodiscard]] virtual bool exchangeable() const { return false; }
 
+    /// Called by estimators at least between any two patches for which they ask no points. A source may throw to end a
+    /// trial that nobody waits for any more.
+    virtual void checkpoint() const {}
+
     /// Fills `block.size` points from `first` on. @pre equal_weights()
     virtual void fill(const Stream& stream, PointIndex first, PointBlock& block) const = 0;
     /// The same in double precision with weights. An equal-weight point is the centre of its 2^-32 cell.

@@ -26,7 +26,7 @@ constexpr std::string_view summary_header =
     "std_ci_low,"
     "std_ci_high,rmse,median_abs_error,relative_error_percent,skewness,excess_kurtosis,min,q05,median,q95,max,"
     "normality_p,vov,"
-    "tail_index,efficiency_samples,lost_rays\n";
+    "tail_index,efficiency_samples,lost_rays,std_interval_method\n";
 
 /// Columns that are the same for all rows of a cell: study .. trials.
 std::string cell_fields(const studies::StudyPlan& plan, const studies::CellFindings& found) {
@@ -78,7 +78,8 @@ std::string summary_fields(const Scene& scene, const studies::Summary& s, const 
                                           exact(s.vov),
                                           exact(s.tail_index),
                                           exact(s.efficiency_samples),
-                                          std::to_string(found.lost_rays)};
+                                          std::to_string(found.lost_rays),
+                                          s.std_interval ? std::string(s.std_interval->method) : std::string()};
     return fmt::format("{}", fmt::join(fields, ","));
 }
 

@@ -7,7 +7,7 @@ namespace ff::reports {
 using studies::QuantityKind;
 
 std::string from_label(const Scene& scene, const studies::Quantity& quantity) {
-    return quantity.from == 0 ? std::string() : scene.faces.at(static_cast<std::size_t>(quantity.from - 1));
+    return quantity.from == 0 ? std::string("all") : scene.faces.at(static_cast<std::size_t>(quantity.from - 1));
 }
 
 std::string to_label(const Scene& scene, const studies::Quantity& quantity) {

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <utility>
+#include <vector>
 
 namespace ff::reports {
 namespace {
@@ -59,19 +61,24 @@ std::string table_text(const studies::PublishedResults& published, std::size_t i
     }
     out += "\n" + rule + "\n";
     const std::size_t columns = table.column_titles.size();
+    std::vector<std::string> above(columns);
     for (std::size_t row = 0; row < table.row_titles.size(); ++row) {
         out += fmt::format("| {} |", table.row_titles[row]);
         for (std::size_t column = 0; column < columns; ++column) {
             const auto figure = table.figures[row * columns + column];
             if (!figure) {
                 out += " | | |";
+                above[column].clear();
                 continue;
             }
             const auto& c = *std::find_if(comparison.figures.begin(), comparison.figures.end(),
                                           [&](const auto& f) { return f.figure == *figure; });
             const std::string& printed = published.tables.figures[*figure].printed;
-            out += fmt::format(" {}{} | {} | {} |", printed, blamed.contains(*figure) ? " †" : "",
-                               ours_text(c, printed), place_text(c, printed, alpha));
+            std::string text = fmt::format(" {}{} | {} | {} |", printed, blamed.contains(*figure) ? " †" : "",
+                                           ours_text(c, printed), place_text(c, printed, alpha));
+            // A deterministic method treats congruent faces alike: rows and rows of the same figures.
+            out += text == above[column] ? std::string(" ″ | ″ | ″ |") : text;
+            above[column] = std::move(text);
         }
         out += "\n";
     }
@@ -109,13 +116,14 @@ std::string published_tables_section(const studies::StudyResults& results) {
         "{}\n\n"
         "*Printed* is the figure as published († : the audit finds that it contradicts others). *Ours* is the value of "
         "a "
-        "deterministic method; of a sampled one the mean over trials and the range [2.5 %, 97.5 %] of a single run. "
+        "deterministic method; of a sampled one the mean over trials and the range of {:g} % of single runs. ″: as in "
+        "the row above. "
         "*Where it "
         "falls*: (printed − mean) in standard deviations of a single run, and the share of our runs below it; bold "
         "where a "
         "run as described would give it, or something further out, less often than {:g} % allows over the whole table "
         "(Student t, Holm; χ² by Hotelling's T²).\n\n",
-        published.tables.source, 100 * alpha);
+        published.tables.source, 100 * (1 - alpha), 100 * alpha);
     for (std::size_t i = 0; i < published.tables.tables.size(); ++i) out += table_text(published, i, blamed, alpha);
     return out;
 }
@@ -136,9 +144,10 @@ std::string audit_section(const studies::StudyResults& results) {
     std::string out = fmt::format(
         "## The audit\n\nFrom the printed figures alone: **{} contradictions**; details in [audit.md](audit.md).\n\n",
         published.audit.contradictions());
+    std::size_t number = 0;
     for (const studies::Finding& finding : published.audit.findings) {
         const bool note = finding.severity == studies::Severity::note;
-        out += fmt::format("1. {}{}\n", note ? "(note) " : "", finding.statement);
+        out += fmt::format("{}. {}{}\n", ++number, note ? "(note) " : "", finding.statement);
     }
     return out + "\n";
 }

@@ -48,10 +48,26 @@ std::vector<double> standardise(std::span<const double> values, const Moments& m
     return result;
 }
 
-/// Chi-squared intervals are right for normal kurtosis: is the sample's excess within two standard errors of 0?
-bool looks_mesokurtic(const Moments& moments) {
+/// Whether too few values differ from the most frequent one.
+bool is_sparse(std::span<const double> values) {
+    std::vector<double> sorted(values.begin(), values.end());
+    std::sort(sorted.begin(), sorted.end());
+    std::size_t most = 0;
+    for (auto run = sorted.begin(); run != sorted.end();) {
+        const auto end = std::upper_bound(run, sorted.end(), *run);
+        most = std::max(most, static_cast<std::size_t>(end - run));
+        run = end;
+    }
+    return values.size() - most < std::min(fewest_deviating_values, values.size() / 2);
+}
+
+/// Chi-squared intervals are right for normal kurtosis: is the sample's excess within two standard errors of 0? And
+/// they are safe for values that crowd at two ends (-2: two values half each), where the bootstrap collapses, since the
+/// variance cannot grow with what a resample changes.
+bool suits_chi_squared(const Moments& moments) {
+    constexpr double two_ended = -1.5;  // a uniform distribution has -1.2
     const auto excess = moments.excess_kurtosis();
-    return !excess || std::abs(*excess) <= 2 * *excess_kurtosis_standard_error(moments.count());
+    return !excess || *excess < two_ended || std::abs(*excess) <= 2 * *excess_kurtosis_standard_error(moments.count());
 }
 
 }  // namespace
@@ -72,9 +88,8 @@ std::optional<Interval> variance_interval_chi2(const Moments& moments, double le
 std::optional<Interval> variance_interval_bootstrap(std::span<const double> values, double level,
                                                     const ResamplingPlan& plan) {
     FF_EXPECT(0 < level && level < 1 && plan.replicates >= 1);
-    if (values.size() < fewest_for_variance_bootstrap) return std::nullopt;
+    if (values.size() < fewest_for_variance_bootstrap || is_sparse(values)) return std::nullopt;
     const Moments moments = moments_of(values, values.front());
-    if (*moments.variance() == 0) return std::nullopt;
     const std::vector<double> data = standardise(values, moments);
     const auto seen = log_variance(data);
     if (!seen) return std::nullopt;
@@ -100,9 +115,9 @@ std::optional<Interval> variance_interval_bootstrap(std::span<const double> valu
 }
 
 std::optional<Interval> variance_interval(std::span<const double> values, double level, const ResamplingPlan& plan) {
-    if (values.empty()) return std::nullopt;
+    if (values.empty() || is_sparse(values)) return std::nullopt;
     const Moments moments = moments_of(values, values.front());
-    if (values.size() < fewest_for_variance_bootstrap || looks_mesokurtic(moments)) {
+    if (values.size() < fewest_for_variance_bootstrap || suits_chi_squared(moments)) {
         return variance_interval_chi2(moments, level);
     }
     return variance_interval_bootstrap(values, level, plan);

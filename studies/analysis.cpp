@@ -74,8 +74,8 @@ BiasFamily judge_family(const CellEstimates& estimates, const std::vector<Quanti
         }
         p_values.push_back(test->p);
         largest_std = std::max(largest_std, summary.std.value_or(0.0));
-        if (std::abs(test->t) > family.largest_z) {
-            family.largest_z = std::abs(test->t);
+        if (std::abs(test->t) > family.largest_t) {
+            family.largest_t = std::abs(test->t);
             family.largest_pair = pair;
         }
         family.minimum_detectable_bias =

@@ -21,7 +21,7 @@ struct BiasFamily {
     std::size_t sparse = 0;           ///< of these, because there are too few hits
     std::size_t undefined = 0;        ///< of these, because some trial gave no number
     bool constant_and_wrong = false;  ///< some pair has one value in every trial, and it is not the exact one
-    double largest_z = 0;             ///< largest |bias| / standard error
+    double largest_t = 0;             ///< largest |t|, t = bias / standard error
     Quantity largest_pair;
     double adjusted_p = 1;  ///< smallest p-value, adjusted for pairs (Holm) and cells (Sidak): the family-wise verdict
     double minimum_detectable_bias = 0;  ///< on the worst pair, at the family-wise level and the study's power

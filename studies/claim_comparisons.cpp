@@ -48,29 +48,30 @@ Judgement judge_class(const ClaimEvidence& evidence, const PublishedClaim& claim
                           class_errors(evidence, b.front(), pairs), evidence.findings().plan.spec.level);
 }
 
-/// The method of the study with the smallest mean error on a class, among those at the claim's size.
+/// The method of the study with the smallest mean error on a class, among those at the claim's size; all of them where
+/// nothing is left but rounding, which makes no winner.
 std::string best_of_study(const ClaimEvidence& evidence, const PublishedClaim& claim, const std::string& pair_class) {
     const auto pairs = evidence.pairs(pair_class);
+    std::vector<std::string> exact;
     std::string best;
     double smallest = INFINITY;
     for (std::size_t i = 0; i < evidence.findings().plan.cells.size(); ++i) {
         const Cell& cell = evidence.findings().plan.cells[i];
         const Method& method = evidence.findings().plan.spec.methods[cell.method];
         if (cell.scene != evidence.scene()) continue;
-        const auto& sizes = claim.patches_per_face;
-        const bool same_size = std::find(sizes.begin(), sizes.end(), cell.subdivision.per_surface()) != sizes.end() &&
-                               (cell.deterministic || claim.samples_per_patch.empty() ||
-                                std::find(claim.samples_per_patch.begin(), claim.samples_per_patch.end(),
-                                          cell.samples) != claim.samples_per_patch.end());
+        const bool same_size = names(claim.patches_per_face, cell.subdivision.per_surface()) &&
+                               (cell.deterministic || names(claim.samples_per_patch, cell.samples));
         if (!same_size || method.estimator == Estimator::closed_form || evidence.findings().cells[i].trials == 0)
             continue;
         const double error =
             mean_with_error(class_errors(evidence, i, pairs), evidence.findings().plan.spec.level).mean;
+        if (error < rounding_percent && std::find(exact.begin(), exact.end(), method.name) == exact.end())
+            exact.push_back(method.name);
         if (error >= smallest) continue;
         smallest = error;
         best = fmt::format("{} ({:.2g} %)", method.name, error);
     }
-    return best;
+    return exact.empty() ? best : fmt::format("{} (exact to rounding)", fmt::join(exact, ", "));
 }
 
 }  // namespace
@@ -96,8 +97,8 @@ Judgement judge_division(const ClaimEvidence& evidence, const PublishedClaim& cl
     if (parallel.verdict == ClaimVerdict::refuted || adjacent.verdict == ClaimVerdict::refuted)
         judgement.verdict = ClaimVerdict::refuted;
     judgement.evidence += fmt::format(
-        " Of all sampled and quadrature methods of this study at this size, {} is best on parallel pairs and {} on "
-        "adjacent ones.",
+        " Of all sampled and quadrature methods of this study at this size, best on parallel pairs: {}; on "
+        "adjacent ones: {}.",
         best_of_study(evidence, claim, "parallel"), best_of_study(evidence, claim, "adjacent"));
     return judgement;
 }

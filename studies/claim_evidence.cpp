@@ -13,16 +13,13 @@ namespace ff::studies {
 std::vector<std::size_t> ClaimEvidence::cells(const PublishedClaim& claim, std::size_t method) const {
     std::vector<std::size_t> found;
     if (method >= claim.methods.size()) return found;
-    const auto contains = [](const auto& list, auto value) {
-        return list.empty() || std::find(list.begin(), list.end(), value) != list.end();
-    };
     for (std::size_t i = 0; i < findings_.plan.cells.size(); ++i) {
         const Cell& cell = findings_.plan.cells[i];
         if (cell.scene != scene_) continue;
         if (findings_.cells[i].trials == 0 || findings_.plan.spec.methods[cell.method].name != claim.methods[method])
             continue;
-        if (!contains(claim.patches_per_face, cell.subdivision.per_surface())) continue;
-        if (cell.deterministic || contains(claim.samples_per_patch, cell.samples)) found.push_back(i);
+        if (!names(claim.patches_per_face, cell.subdivision.per_surface())) continue;
+        if (cell.deterministic || names(claim.samples_per_patch, cell.samples)) found.push_back(i);
     }
     std::sort(found.begin(), found.end(), [&](std::size_t a, std::size_t b) {
         const Cell& x = findings_.plan.cells[a];
@@ -39,6 +36,17 @@ const CellEstimates& ClaimEvidence::estimates(std::size_t cell) const {
     cache_.reserve(findings_.plan.cells.size());  // references stay valid
     cache_.push_back(load_estimates(store_, cell));
     return cache_.back();
+}
+
+bool ClaimEvidence::infinite_variance(const PublishedClaim& claim) const {
+    for (std::size_t method = 0; method < claim.methods.size(); ++method) {
+        for (const std::size_t cell : cells(claim, method)) {
+            for (const Quantity pair : pairs(claim.pair_class)) {
+                if (findings_.cells[cell].summary(pair).variance == VarianceStatus::infinite) return true;
+            }
+        }
+    }
+    return false;
 }
 
 std::vector<double> ClaimEvidence::sum_errors(std::size_t cell) const {
@@ -74,6 +82,8 @@ std::vector<double> ClaimEvidence::printed_errors(const PublishedClaim& claim, s
     for (const Quantity pair : pairs) {
         for (const Figure& figure : tables_.figures) {
             if (figure.kind != FigureKind::relative_error || figure.method != claim.methods[method]) continue;
+            if (!names(claim.patches_per_face, figure.patches_per_face)) continue;
+            if (figure.samples_per_patch && !names(claim.samples_per_patch, *figure.samples_per_patch)) continue;
             if (figure.from != scene.faces[static_cast<std::size_t>(pair.from - 1)]) continue;
             if (figure.to != scene.faces[static_cast<std::size_t>(pair.to - 1)]) continue;
             errors.push_back(std::strtod(figure.printed.c_str(), nullptr));

@@ -4,11 +4,18 @@
 #include "studies/analysis.hpp"
 #include "studies/published.hpp"
 
+#include <algorithm>
 #include <optional>
 #include <string_view>
 #include <vector>
 
 namespace ff::studies {
+
+/// Whether a claim's list of sizes has one; it speaks of every size where it names none.
+template <typename Size>
+bool names(const std::vector<Size>& sizes, Size size) {
+    return sizes.empty() || std::find(sizes.begin(), sizes.end(), size) != sizes.end();
+}
 
 /// What the claims are judged by: trials of the cells that they name.
 class ClaimEvidence {
@@ -24,6 +31,10 @@ class ClaimEvidence {
     /// trials are left out.
     [[nodiscard]] std::vector<std::size_t> cells(const PublishedClaim& claim, std::size_t method) const;
 
+    /// Whether a pair that the claim is about has infinite variance with one of its methods, so that no interval holds
+    /// for its mean error.
+    [[nodiscard]] bool infinite_variance(const PublishedClaim& claim) const;
+
     /// Sum of relative errors of the row sums in every trial, percent.
     [[nodiscard]] std::vector<double> sum_errors(std::size_t cell) const;
 
@@ -34,8 +45,8 @@ class ClaimEvidence {
     /// Pairs with from < to of a class ("parallel", "adjacent", "all").
     [[nodiscard]] std::vector<Quantity> pairs(std::string_view pair_class) const;
 
-    /// The errors that the publication prints for these pairs of the claim's method number `method`, percent; empty
-    /// where it does not print all of them.
+    /// The errors that the publication prints for these pairs of the claim's method number `method` at the claim's
+    /// sizes, percent; empty where it does not print all of them.
     [[nodiscard]] std::vector<double> printed_errors(const PublishedClaim& claim, std::size_t method,
                                                      const std::vector<Quantity>& pairs) const;
 

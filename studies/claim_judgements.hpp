@@ -17,7 +17,10 @@ struct Judgement {
 /// The verdict where the study has no trials of what a claim is about.
 Judgement not_in_study();
 
-/// "0.87 ± 0.02 %", as many decimals as the error warrants.
+/// Relative errors below this, in percent, are rounding of the form factors.
+inline constexpr double rounding_percent = 1e-10;
+
+/// "0.87 ± 0.02 %", as many decimals as the error warrants; "exact to rounding" where there is nothing else.
 std::string percent(const MeanWithError& value);
 /// "92.0 % [90.1, 93.6] of 1000 trials", with the Clopper-Pearson interval.
 std::string percent(const Share& share);

@@ -114,9 +114,10 @@ Judgement judge_uniform(const ClaimEvidence& evidence, const PublishedClaim& cla
         if (pairs.empty()) continue;
         const auto errors = evidence.pair_errors(cells.front(), 0, pairs);
         const auto [least, most] = std::minmax_element(errors.begin(), errors.end());
-        // Equal but for rounding of the form factors (1e-14 of 0.2, in percent of it).
-        if (*most - *least > 1e-6 * *most + 1e-11) judgement.verdict = ClaimVerdict::refuted;
-        judgement.evidence += fmt::format("r.e. on {} pairs from {:.4g} % to {:.4g} %. ", pair_class, *least, *most);
+        if (*most - *least > 1e-6 * *most + rounding_percent) judgement.verdict = ClaimVerdict::refuted;
+        judgement.evidence += *most < rounding_percent ? fmt::format("{} pairs are exact to rounding. ", pair_class)
+                                                       : fmt::format("r.e. on {} pairs from {:.4g} % to {:.4g} %. ",
+                                                                     pair_class, *least, *most);
     }
     judgement.evidence += "Uniform, then, over congruent pairs; not from one class of pairs to the other.";
     return judgement;
@@ -132,7 +133,8 @@ Judgement judge_nonuniform(const ClaimEvidence& evidence, const PublishedClaim& 
         ratios.push_back(*std::max_element(errors.begin(), errors.end()) /
                          std::accumulate(errors.begin(), errors.end(), 0.0) * static_cast<double>(errors.size()));
     }
-    const auto range = stats::central_range(ratios, evidence.findings().plan.spec.level);
+    const double level = evidence.findings().plan.spec.level;
+    const auto range = stats::central_range(ratios, level);
     std::vector<Quantity> by_std = pairs;
     const CellFindings& findings = evidence.findings().cells[cells.front()];
     std::sort(by_std.begin(), by_std.end(),
@@ -145,9 +147,9 @@ Judgement judge_nonuniform(const ClaimEvidence& evidence, const PublishedClaim& 
                         : range->high < 1.5 ? ClaimVerdict::refuted
                                             : ClaimVerdict::inconclusive;
     judgement.evidence = fmt::format(
-        "Within one run the largest r.e. of the {} adjacent pairs is {:.2f} to {:.2f} times their mean (95 % of "
+        "Within one run the largest r.e. of the {} adjacent pairs is {:.2f} to {:.2f} times their mean ({:g} % of "
         "runs). ",
-        pairs.size(), range->low, range->high);
+        pairs.size(), range->low, range->high, 100 * level);
     if (test) {
         const double comparisons = static_cast<double>(pairs.size() * (pairs.size() - 1)) / 2;
         const double p = std::min(1.0, test->p * comparisons);
@@ -155,8 +157,8 @@ Judgement judge_nonuniform(const ClaimEvidence& evidence, const PublishedClaim& 
             "Over all runs their standard deviations, {:.3e} to {:.3e}, {} (Brown-Forsythe, Bonferroni p = {:.2g}): "
             "{}.",
             *findings.summary(by_std.front()).std, *findings.summary(by_std.back()).std,
-            p < 0.05 ? "differ" : "do not differ detectably", p,
-            p < 0.05 ? "some pairs are harder" : "which pair comes out worst is chance, not geometry");
+            p < 1 - level ? "differ" : "do not differ detectably", p,
+            p < 1 - level ? "some pairs are harder" : "which pair comes out worst is chance, not geometry");
     }
     return judgement;
 }

@@ -16,6 +16,7 @@ Judgement not_in_study() {
 }
 
 std::string percent(const MeanWithError& value) {
+    if (value.half_width == 0 && value.mean < rounding_percent) return "exact to rounding";
     if (value.half_width == 0) return fmt::format("{:.3g} %", value.mean);
     const int decimals = std::max(0, 1 - static_cast<int>(std::floor(std::log10(value.half_width))));
     return fmt::format("{:.{}f} ± {:.{}f} %", value.mean, decimals, value.half_width, decimals);
@@ -28,23 +29,27 @@ std::string percent(const Share& share) {
 
 namespace {
 
+/// What a verdict is made from: intervals of mean errors, or shares and ranges of single runs.
+enum class Basis { means, runs };
+
 struct Kind {
     std::string_view name;
+    Basis basis;
     Judgement (*judge)(const ClaimEvidence&, const PublishedClaim&);
 };
 
 constexpr std::array kinds{
-    Kind{"error_falls_with_subdivision", judge_falling},
-    Kind{"error_falls_with_subdivision_not_always", judge_not_always_falling},
-    Kind{"error_falls_with_samples", judge_falling},
-    Kind{"smaller_sum_error", judge_smaller_sum_error},
-    Kind{"smaller_error", judge_smaller_error},
-    Kind{"smaller_error_not_always", judge_not_always_smaller},
-    Kind{"count_larger_error", judge_count},
-    Kind{"uniform_error", judge_uniform},
-    Kind{"nonuniform_error", judge_nonuniform},
-    Kind{"no_single_best", judge_division},
-    Kind{"best_per_class", judge_division},
+    Kind{"error_falls_with_subdivision", Basis::means, judge_falling},
+    Kind{"error_falls_with_subdivision_not_always", Basis::runs, judge_not_always_falling},
+    Kind{"error_falls_with_samples", Basis::means, judge_falling},
+    Kind{"smaller_sum_error", Basis::means, judge_smaller_sum_error},
+    Kind{"smaller_error", Basis::means, judge_smaller_error},
+    Kind{"smaller_error_not_always", Basis::runs, judge_not_always_smaller},
+    Kind{"count_larger_error", Basis::runs, judge_count},
+    Kind{"uniform_error", Basis::runs, judge_uniform},
+    Kind{"nonuniform_error", Basis::runs, judge_nonuniform},
+    Kind{"no_single_best", Basis::means, judge_division},
+    Kind{"best_per_class", Basis::means, judge_division},
 };
 
 }  // namespace
@@ -69,7 +74,14 @@ std::vector<JudgedClaim> judge_claims(const Store& store, const Findings& findin
         const auto kind = std::find_if(kinds.begin(), kinds.end(), [&](const Kind& k) { return k.name == claim.kind; });
         Judgement judgement{ClaimVerdict::inconclusive,
                             "A claim of this kind cannot be judged by numbers of the study."};
-        if (kind != kinds.end()) judgement = scene ? kind->judge(evidence, claim) : not_in_study();
+        if (kind != kinds.end() && !scene) judgement = not_in_study();
+        if (kind != kinds.end() && scene) {
+            judgement = kind->basis == Basis::means && evidence.infinite_variance(claim)
+                            ? Judgement{ClaimVerdict::inconclusive,
+                                        "A method has infinite variance on pairs that touch: no interval holds for its "
+                                        "mean error."}
+                            : kind->judge(evidence, claim);
+        }
         judged.push_back({claim, judgement.verdict, judgement.as_printed_only, judgement.evidence});
     }
     return judged;

@@ -64,7 +64,9 @@ void compare(const CellEstimates& estimates, const CellFindings& findings, const
     comparison.rank = stats::rank_among(values, comparison.printed, level, half_printed_unit(figure.printed));
     const auto sigma = moments.standard_deviation();
     const bool gaussian = figure.kind == FigureKind::form_factor || figure.kind == FigureKind::row_sum;
-    if (gaussian && sigma && *sigma > 0) comparison.z = (comparison.printed - *comparison.ours) / *sigma;
+    // Under infinite variance the sample's deviation measures nothing; ranks still hold.
+    const bool finite = summary.variance != VarianceStatus::infinite;
+    if (gaussian && finite && sigma && *sigma > 0) comparison.z = (comparison.printed - *comparison.ours) / *sigma;
 }
 
 /// The p-value of one figure: for estimates, which are sums of many hits, Student's of one more observation beside the
@@ -124,8 +126,8 @@ stats::ChiSquared combine(const std::vector<ColumnChiSquared>& columns) {
     return combined;
 }
 
-void add_chi_squared(const PublishedTables& tables, const std::map<std::size_t, CellEstimates>& estimates,
-                     TableComparison& table) {
+void add_chi_squared(const PublishedTables& tables, const Findings& findings,
+                     const std::map<std::size_t, CellEstimates>& estimates, TableComparison& table) {
     std::map<std::size_t, std::vector<const FigureComparison*>> columns;
     for (const FigureComparison& comparison : table.figures) {
         const FigureKind kind = tables.figures[comparison.figure].kind;
@@ -140,6 +142,10 @@ void add_chi_squared(const PublishedTables& tables, const std::map<std::size_t, 
             samples.push_back(&estimates.at(*figure->cell).values(figure->quantity));
         }
         if (samples.front()->size() < 2 * samples.size()) continue;  // too few trials for a covariance
+        if (std::any_of(figures.begin(), figures.end(), [&](const FigureComparison* figure) {
+                return findings.cells[*figure->cell].summary(figure->quantity).variance == VarianceStatus::infinite;
+            }))
+            continue;
         if (auto form = stats::combine_deviations(deviations, covariance(samples))) {
             form->chi_squared.p = hotelling_p(form->chi_squared, samples.front()->size());
             table.chi_squared.push_back({column, figures.size(), *form});
@@ -205,7 +211,7 @@ std::vector<TableComparison> compare_with_published(const Store& store, const Fi
             table.figures.push_back(std::move(comparison));
         }
         adjust_for_multiplicity(tables, table);
-        add_chi_squared(tables, estimates, table);
+        add_chi_squared(tables, findings, estimates, table);
         comparisons.push_back(std::move(table));
     }
     return comparisons;

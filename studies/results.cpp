@@ -18,9 +18,7 @@ StudyResults evaluate(const Store& store) {
     StudyResults results;
     results.findings = analyse(store);
     results.context = store.context();
-    for (std::size_t cell = 0; cell < results.findings.cells.size(); ++cell) {
-        if (auto check = check_variance(results.findings, cell)) results.variance_checks.push_back(std::move(*check));
-    }
+    results.variance_checks = check_variances(results.findings);
     const auto& published = results.findings.plan.spec.published;
     if (published && all_finite(results.findings)) {
         PublishedResults& compared = results.published.emplace();

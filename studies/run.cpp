@@ -106,11 +106,15 @@ class Workshop {
     }
 
     void work() {
-        while (const WorkUnit* unit = next()) {
-            UnitRecord record = worker_.carry_out(*unit);
-            const std::lock_guard lock(mutex_);
-            records_.push_back(std::move(record));
-            changed_.notify_all();
+        try {
+            while (const WorkUnit* unit = next()) {
+                UnitRecord record = worker_.carry_out(*unit);
+                const std::lock_guard lock(mutex_);
+                records_.push_back(std::move(record));
+                changed_.notify_all();
+            }
+        } catch (const Interrupted&) {
+            // The unit in hand is dropped; run again, the study begins it anew.
         }
     }
 
@@ -166,7 +170,7 @@ RunOutcome run_study(Store& store, const RunOptions& options) {
         ++progress.units_done;
         progress.expected_seconds_done += expected_seconds(plan, unit);
     }
-    const Worker worker(plan);
+    const Worker worker(plan, options.stop);
     Workshop workshop(worker, own_units(missing, options), options);
     while (const auto record = workshop.take()) {
         store.commit(*record);
@@ -182,7 +186,7 @@ RunOutcome run_study(Store& store, const RunOptions& options) {
 
 void carry_out_units(const StudyPlan& plan, const std::vector<bool>& finished, const RunOptions& options,
                      const std::function<void(const UnitRecord&)>& hand_over) {
-    const Worker worker(plan);
+    const Worker worker(plan, options.stop);
     Workshop workshop(worker, own_units(missing_units(plan, finished, options), options), options);
     while (const auto record = workshop.take()) hand_over(*record);
 }

@@ -25,10 +25,10 @@ using Deliver = std::function<bool(UnitRecord)>;
 
 struct RunOptions {
     unsigned threads = 1;
-    Shard shard;                                  ///< only the units of this share are carried out and counted
-    Shard process;                                ///< of them, what this process does of what is missing
-    std::function<void(const Deliver&)> others;   ///< delivers what other processes do; called on a thread of its own
-    const std::atomic<bool>* stop = nullptr;      ///< finish the units in hand, save them, return
+    Shard shard;                                 ///< only the units of this share are carried out and counted
+    Shard process;                               ///< of them, what this process does of what is missing
+    std::function<void(const Deliver&)> others;  ///< delivers what other processes do; called on a thread of its own
+    const std::atomic<bool>* stop = nullptr;     ///< once true, drop the units in hand and return; what was saved stays
     std::function<void(const Progress&)> report;  ///< called on the calling thread after each saved unit
 };
 

@@ -63,6 +63,15 @@ void write_cells(const Database& database, const StudyPlan& plan) {
     }
 }
 
+constexpr std::string_view of_a_pair = "WHERE cell = ? AND observable = ? AND from_face = ? AND to_face = ?";
+
+void bind_pair(Statement& query, std::size_t cell, std::string_view observable, int from_face, int to_face) {
+    query.bind(0, static_cast<std::int64_t>(cell))
+        .bind(1, observable)
+        .bind(2, std::int64_t{from_face})
+        .bind(3, std::int64_t{to_face});
+}
+
 /// The first line in which two texts differ, for a message.
 std::string first_difference(const std::string& stored, const std::string& wanted) {
     std::istringstream a(stored);
@@ -278,14 +287,9 @@ std::uint64_t Store::saved_trials(std::size_t cell) const {
 }
 
 Store::Series Store::series(std::size_t cell, std::string_view observable, int from_face, int to_face) const {
-    Statement query(
-        database_->handle(),
-        "SELECT trial, value FROM observations WHERE cell = ? AND observable = ? AND from_face = ? AND to_face = ? "
-        "ORDER BY trial");
-    query.bind(0, static_cast<std::int64_t>(cell))
-        .bind(1, observable)
-        .bind(2, std::int64_t{from_face})
-        .bind(3, std::int64_t{to_face});
+    Statement query(database_->handle(),
+                    fmt::format("SELECT trial, value FROM observations {} ORDER BY trial", of_a_pair));
+    bind_pair(query, cell, observable, from_face, to_face);
     Series series;
     while (query.step()) {
         series.trial.push_back(static_cast<std::uint64_t>(query.integer(0)));
@@ -295,14 +299,8 @@ Store::Series Store::series(std::size_t cell, std::string_view observable, int f
 }
 
 std::int64_t Store::total(std::size_t cell, std::string_view observable, int from_face, int to_face) const {
-    Statement query(
-        database_->handle(),
-        "SELECT coalesce(sum(value), 0) FROM observations WHERE cell = ? AND observable = ? AND from_face = ? AND "
-        "to_face = ?");
-    query.bind(0, static_cast<std::int64_t>(cell))
-        .bind(1, observable)
-        .bind(2, std::int64_t{from_face})
-        .bind(3, std::int64_t{to_face});
+    Statement query(database_->handle(), fmt::format("SELECT coalesce(sum(value), 0) FROM observations {}", of_a_pair));
+    bind_pair(query, cell, observable, from_face, to_face);
     query.step();
     return query.integer(0);
 }

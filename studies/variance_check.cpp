@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 namespace ff::studies {
 namespace {
@@ -18,9 +20,8 @@ double chi_squared_two_sided_p(double sampled, double exact, std::size_t trials)
     return std::min(1.0, 2.0 * std::min(upper, 1.0 - upper));
 }
 
-}  // namespace
-
-std::optional<VarianceCheck> check_variance(const Findings& findings, std::size_t cell_index) {
+/// Adjusted for the quantities of this cell only. Empty where the exact variance is not known, and below two trials.
+std::optional<VarianceCheck> check_cell(const Findings& findings, std::size_t cell_index) {
     const Cell& cell = findings.plan.cells[cell_index];
     const Method& method = findings.plan.spec.methods[cell.method];
     const CellFindings& found = findings.cells[cell_index];
@@ -58,6 +59,22 @@ std::optional<VarianceCheck> check_variance(const Findings& findings, std::size_
     check.smallest_ratio = ratio(*least);
     check.largest_ratio = ratio(*most);
     return check;
+}
+
+}  // namespace
+
+std::vector<VarianceCheck> check_variances(const Findings& findings) {
+    std::vector<VarianceCheck> checks;
+    std::vector<double> p_values;
+    for (std::size_t cell = 0; cell < findings.cells.size(); ++cell) {
+        auto check = check_cell(findings, cell);
+        if (!check) continue;
+        p_values.push_back(check->adjusted_p);
+        checks.push_back(std::move(*check));
+    }
+    const auto adjusted = stats::sidak(p_values);
+    for (std::size_t i = 0; i < checks.size(); ++i) checks[i].adjusted_p = adjusted[i];
+    return checks;
 }
 
 }  // namespace ff::studies

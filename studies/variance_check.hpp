@@ -2,7 +2,6 @@
 
 #include "studies/analysis.hpp"
 
-#include <optional>
 #include <vector>
 
 namespace ff::studies {
@@ -19,12 +18,13 @@ struct VarianceComparison {
 struct VarianceCheck {
     std::size_t cell = 0;
     std::vector<VarianceComparison> quantities;  ///< distinct pairs and row sums that vary
-    double adjusted_p = 1;                       ///< smallest Holm-adjusted p-value
+    double adjusted_p = 1;                       ///< smallest p-value, adjusted for quantities (Holm) and cells (Sidak)
     double smallest_ratio = 1;                   ///< of sampled / exact
     double largest_ratio = 1;
 };
 
-/// Empty for cells whose exact variance is not known, and below two trials.
-std::optional<VarianceCheck> check_variance(const Findings& findings, std::size_t cell);
+/// Every cell whose exact variance is known and that has two trials. One error rate for all of them together: where
+/// every spread is right, the chance that any check has `adjusted_p` below alpha is at most alpha.
+std::vector<VarianceCheck> check_variances(const Findings& findings);
 
 }  // namespace ff::studies

@@ -46,7 +46,7 @@ struct Worker::Tools {
     std::unique_ptr<PointSource> points;
 };
 
-Worker::Worker(const StudyPlan& plan) : plan_(plan) {
+Worker::Worker(const StudyPlan& plan, const std::atomic<bool>* stop) : plan_(plan) {
     for (const Cell& cell : plan.cells) {
         auto tools = std::make_unique<Tools>();
         tools->scene = &plan.scenes[cell.scene];
@@ -56,6 +56,7 @@ Worker::Worker(const StudyPlan& plan) : plan_(plan) {
             const std::uint64_t points = points_per_sequence(*tools->method, cell.subdivision, cell.samples);
             tools->points = samplers::find(tools->method->sampler)
                                 .make({points, dimension(tools->method->estimator), nodes.source, nodes.target});
+            if (stop != nullptr) tools->points = interruptible(std::move(tools->points), *stop);
         }
         if (tools->method->estimator == Estimator::ray_shooting) {
             tools->tracer = make_tracer(*tools->scene, tools->method->tracer);

@@ -1,8 +1,10 @@
 #pragma once
 
+#include "studies/interruptible_points.hpp"
 #include "studies/plan.hpp"
 #include "studies/records.hpp"
 
+#include <atomic>
 #include <memory>
 
 namespace ff::studies {
@@ -10,12 +12,13 @@ namespace ff::studies {
 /// Carries out work units of a plan. Safe to use from several threads: nothing is changed after construction.
 class Worker {
   public:
-    explicit Worker(const StudyPlan& plan);
+    /// @param stop  once true, `carry_out` throws `Interrupted`; null: never
+    explicit Worker(const StudyPlan& plan, const std::atomic<bool>* stop = nullptr);
     ~Worker();
     Worker(const Worker&) = delete;
     Worker& operator=(const Worker&) = delete;
 
-    /// A pure function of plan and unit.
+    /// A pure function of plan and unit. @throws Interrupted
     [[nodiscard]] UnitRecord carry_out(const WorkUnit& unit) const;
 
   private:

@@ -32,6 +32,25 @@ inline constexpr const char* in_memory = ":memory:";
 /// "[study]" with the cube, a seed and these lines, then `methods`.
 std::string study_text(std::string_view lines, std::string_view methods);
 
+/// A method of independent rays, the simplest there is, as a study file has it.
+inline constexpr std::string_view random_rays = R"([[method]]
+name = "SR"
+sampler = "random"
+estimator = "ray_shooting"
+samples_per_patch = 10
+)";
+
+/// The message of the exception of type Error that `action` throws.
+template <typename Error, typename Action>
+std::string message_of(Action action) {
+    try {
+        action();
+    } catch (const Error& error) {
+        return error.what();
+    }
+    return "nothing thrown";
+}
+
 /// The plan of a study file.
 studies::StudyPlan plan_of(std::string_view text);
 

@@ -13,6 +13,17 @@ ffstudy run shallow_box.toml
 expect_status 0
 expect_equal_files "$folder/promised" "$folder/stdout"
 
+# So does the study that it begins with: with two trials all lines but the verdicts of sampled methods and claims are the
+# same, and these begin as they do with a thousand.
+ffstudy sr_vs_pdm --trials 2 --out two_trials
+expect_status 0
+blocks "" "$root/README.md" | sed -n '/^sr_vs_pdm:/,/^\$ /p' | sed '$d' >"$folder/promised"
+[ "$(wc -l <"$folder/promised")" -gt 30 ] || fail "README.md does not show the study"
+while IFS= read -r line; do
+    [[ ! $line =~ (none found|supported,|of sampled methods) ]] || line=${line:0:20}
+    expect_stdout "$line"
+done <"$folder/promised"
+
 # The catalogue is shown as it is.
 blocks "" "$root/docs/command-line.md" | sed -n '/^\$ ffstudy list samplers$/,/^gauss_legendre /p' | sed 1d >"$folder/promised"
 ffstudy list samplers

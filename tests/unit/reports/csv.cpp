@@ -59,7 +59,7 @@ TEST(SummaryCsv, HasTheDocumentedColumnsInOrder) {
               "trials,from_face,to_face,pair_class,reference,mean,bias,bias_se,bias_ci_low,bias_ci_high,"
               "interval_method,level,minimum_detectable_bias,std,std_ci_low,std_ci_high,rmse,median_abs_error,"
               "relative_error_percent,skewness,excess_kurtosis,min,q05,median,q95,max,normality_p,vov,tail_index,"
-              "efficiency_samples,lost_rays");
+              "efficiency_samples,lost_rays,std_interval_method");
 }
 
 TEST(SummaryCsv, HasARowForEveryQuantityOfEveryCell) {
@@ -73,9 +73,9 @@ TEST(SummaryCsv, QuotesTextsSoThatTheyReadBack) {
 }
 
 TEST(SummaryCsv, HoldsOnlyFiniteNumbersOrNothing) {
-    const std::vector<std::string> texts{"study",     "scene",      "method",     "sampler",
-                                         "estimator", "completion", "allocation", "from_face",
-                                         "to_face",   "pair_class", "nodes",      "interval_method"};
+    const std::vector<std::string> texts{
+        "study",     "scene",   "method",     "sampler", "estimator",       "completion",         "allocation",
+        "from_face", "to_face", "pair_class", "nodes",   "interval_method", "std_interval_method"};
     for (const auto& row : summary().rows) {
         for (const auto& [column, value] : row) {
             if (std::find(texts.begin(), texts.end(), column) != texts.end() || value.empty()) continue;
@@ -132,6 +132,22 @@ TEST(SummaryCsv, NamesSumsAndTheirError) {
     for (const auto& row : summary().rows) ++targets[row.at("to_face")];
     EXPECT_EQ(targets["sum"], 2 * 7 * 6);
     EXPECT_EQ(targets["sum_re"], 2 * 7);
+}
+
+TEST(SummaryCsv, LeavesNoFaceEmptySoThatLabelsStayText) {
+    for (const auto& row : summary().rows) {
+        EXPECT_NE(row.at("from_face"), "");
+        EXPECT_EQ(row.at("from_face") == "all", row.at("to_face") == "sum_re");
+    }
+}
+
+TEST(SummaryCsv, NamesTheMethodOfEveryIntervalOfASpread) {
+    std::size_t intervals = 0;
+    for (const auto& row : summary().rows) {
+        EXPECT_EQ(row.at("std_ci_low").empty(), row.at("std_interval_method").empty());
+        intervals += row.at("std_interval_method") == "chi_squared" ? 1u : 0u;
+    }
+    EXPECT_GT(intervals, 0u);
 }
 
 TEST(TrialsCsv, HasTheDocumentedColumnsInOrder) {

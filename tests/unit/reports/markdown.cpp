@@ -7,6 +7,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <regex>
 
@@ -96,6 +98,40 @@ TEST(MarkdownReport, ShowsPrintedFiguresBesideOurs) {
     EXPECT_THAT(text, HasSubstr("table1: Pairs"));
     EXPECT_THAT(text, HasSubstr("0.900000"));
     EXPECT_THAT(text, HasSubstr("PDM is better."));
+}
+
+TEST(MarkdownReport, RepeatsNoFiguresOfTheRowAbove) {
+    const std::string text = markdown_report(test::published_results());
+    EXPECT_THAT(text, HasSubstr("| 4 - 5 | ″ | ″ | ″ | 0.200000"));
+}
+
+TEST(MarkdownReport, ShowsTheWorstPairOfEveryCellAndTOfAll) {
+    const std::string text = markdown_report(test::small_results());
+    const auto& findings = test::small_results().findings;
+    for (const studies::CellFindings& found : findings.cells) {
+        if (!found.bias || found.bias->largest_t == 0) continue;
+        const studies::Cell& cell = findings.plan.cells[found.cell];
+        const std::string row = fmt::format("| {} | {} |", cell_label(findings.plan, cell),
+                                            quantity_label(findings.plan.scenes[cell.scene], found.bias->largest_pair));
+        EXPECT_THAT(text, HasSubstr(row));
+    }
+    const auto folded = text.find("<details><summary>t of every pair");
+    ASSERT_NE(folded, std::string::npos);
+    // Two scenes, direct and reciprocal: tables of 30 and of 15 pairs, and 6 sums.
+    for (const std::ptrdiff_t columns : {30 + 6, 15 + 6}) {
+        std::size_t tables = 0;
+        for (const std::string& line : test::lines_of(text.substr(folded)))
+            tables += line.starts_with("| method and size | F 1-2 |") && bars(line) == columns + 2 ? 1u : 0u;
+        EXPECT_EQ(tables, 2u) << columns;
+    }
+}
+
+TEST(MarkdownReport, NumbersTheContradictions) {
+    const auto& results = test::published_results();
+    ASSERT_GE(results.published->audit.findings.size(), 2u);
+    const std::string text = markdown_report(results);
+    EXPECT_THAT(text, HasSubstr("\n1. "));
+    EXPECT_THAT(text, HasSubstr("\n2. "));
 }
 
 TEST(MarkdownReport, SaysThatItIsPartial) {

@@ -90,6 +90,8 @@ patches_per_face = [4, 9]
             "columns": [{"title": "PDM", "method": "PDM", "patches_per_face": 4},
                         {"title": "SR", "method": "SR", "patches_per_face": 4, "samples_per_patch": 100}],
             "rows": [{"title": "1 - 6", "quantity": "F 1-6", "printed": ["0.200000", "0.205000"]},
+                     {"title": "2 - 3", "quantity": "F 2-3", "printed": ["0.200000", "0.200000"]},
+                     {"title": "4 - 5", "quantity": "F 4-5", "printed": ["0.200000", "0.200000"]},
                      {"title": "1 - 2", "quantity": "F 1-2", "printed": ["0.300000", "0.900000"]},
                      {"title": "sum 1", "quantity": "sum 1", "printed": [null, "1.0"]}]}],
           "claims": [{"id": "c", "section": "1", "statement": "PDM is better.", "kind": "smaller_error",

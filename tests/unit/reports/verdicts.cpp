@@ -18,7 +18,7 @@ studies::CellFindings sampled(BiasFinding finding, std::size_t untestable = 0) {
     found.bias->pairs = 30;
     found.bias->untestable = untestable;
     found.bias->minimum_detectable_bias = 1.25e-4;
-    found.bias->largest_z = 7.3;
+    found.bias->largest_t = 7.3;
     found.bias->adjusted_p = 1e-9;
     found.bias->margin = 2e-4;
     found.bias->shown_below = 1.5e-4;
@@ -33,7 +33,7 @@ TEST(BiasInWords, StatesTheMinimumDetectableBiasWhereNoneIsFound) {
 
 TEST(BiasInWords, StatesScoreAndProbabilityOfABias) {
     EXPECT_THAT(bias_in_words(sampled(BiasFinding::biased)),
-                testing::AllOf(HasSubstr("BIASED"), HasSubstr("7.3"), HasSubstr("1e-09")));
+                testing::AllOf(HasSubstr("BIASED"), HasSubstr("t up to ±7.3"), HasSubstr("1e-09")));
 }
 
 TEST(BiasInWords, SaysWhyThereIsNoTest) {

@@ -112,6 +112,22 @@ TEST(SmallerError, ComparesOneClassOfPairs) {
     EXPECT_EQ(verdict({large, large, large, large}, parallel), ClaimVerdict::inconclusive);
 }
 
+TEST(Claims, OfMeansAreInconclusiveUnderInfiniteVariance) {
+    const Store store = trials({small, small, large, small});
+    Findings findings = analyse(store);
+    PublishedTables tables = about_the_cube();
+    tables.claims = {claim("smaller_error", {"A", "B"}, "adjacent"), claim("smaller_error", {"A", "B"}, "parallel"),
+                     claim("error_falls_with_subdivision_not_always", {"A"})};
+    for (Summary& summary : findings.cells[2].summaries) {
+        if (summary.pair_class == PairClass::adjacent) summary.variance = VarianceStatus::infinite;
+    }
+    const auto judged = judge_claims(store, findings, tables);
+    EXPECT_EQ(judged.at(0).verdict, ClaimVerdict::inconclusive);
+    EXPECT_THAT(judged.at(0).evidence, testing::HasSubstr("infinite variance"));
+    EXPECT_EQ(judged.at(1).verdict, ClaimVerdict::supported);
+    EXPECT_EQ(judged.at(2).verdict, ClaimVerdict::supported) << "shares of runs need no variance";
+}
+
 TEST(SmallerError, HoldsADeterministicMethodAgainstTheMean) {
     const auto beats = claim("smaller_error", {"D", "A"}, "parallel");
     EXPECT_EQ(verdict({large, small, small, small}, beats), ClaimVerdict::supported);
@@ -151,10 +167,14 @@ TEST(Counts, UseThePrintedErrorsOfTheOtherMethodFirst) {
     for (const auto& [from, to] : {std::pair(1, 6), std::pair(2, 3), std::pair(4, 5)}) add(from, to);
     auto count = claim("count_larger_error", {"A", "D"}, "parallel");
     count.number = 3;
+    count.patches_per_face = {1};
     const JudgedClaim found = judged(trials({small, small, small, large}), count, tables);
     EXPECT_EQ(found.verdict, ClaimVerdict::supported);
     EXPECT_THAT(found.evidence, testing::HasSubstr("Against the printed D errors"));
     EXPECT_THAT(found.evidence, testing::HasSubstr("D as computed here"));
+    for (Figure& figure : tables.figures) figure.patches_per_face = 4;  // not what the claim is about
+    EXPECT_THAT(judged(trials({small, small, small, large}), count, tables).evidence,
+                testing::Not(testing::HasSubstr("printed")));
 }
 
 TEST(NotAlwaysSmaller, WantsAPairOnWhichItErrsMore) {
@@ -181,6 +201,14 @@ TEST(Division, WantsEachMethodBestOnItsClass) {
         EXPECT_EQ(verdict({small, small, large, small}, division), ClaimVerdict::refuted);
         EXPECT_EQ(verdict({Errors{1e-4, 1e-3}, small, large, small}, division), ClaimVerdict::inconclusive);
     }
+}
+
+TEST(Division, MakesNoWinnerOfRounding) {
+    const auto division = claim("best_per_class", {"D", "A"});
+    const auto found = judged(trials({large, small, large, Errors{1e-15, 1e-2}}), division);
+    EXPECT_EQ(found.verdict, ClaimVerdict::supported);
+    EXPECT_THAT(found.evidence, testing::HasSubstr("D exact to rounding, A "));
+    EXPECT_THAT(found.evidence, testing::HasSubstr("best on parallel pairs: D (exact to rounding)"));
 }
 
 TEST(Claims, AboutWhatTheStudyDoesNotHaveAreInconclusive) {

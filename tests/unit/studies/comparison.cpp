@@ -106,6 +106,18 @@ TEST(Comparison, OfAMisprintGivesAnExtremeScore) {
     EXPECT_LT(c.chi_squared.at(0).form.chi_squared.p, 1e-6);
 }
 
+TEST(Comparison, UnderInfiniteVarianceIsByRankAlone) {
+    Findings infinite = findings();
+    for (Summary& summary : infinite.cells[0].summaries) summary.variance = VarianceStatus::infinite;
+    const auto table = compare_with_published(store(), infinite, an_honest_run()).at(0);
+    for (const FigureComparison& c : table.figures) {
+        EXPECT_FALSE(c.z);
+        EXPECT_TRUE(c.rank);
+        EXPECT_GT(c.adjusted_p.value(), 1e-3);
+    }
+    EXPECT_TRUE(table.chi_squared.empty());
+}
+
 TEST(Comparison, OfASumThatClosureFixesIsEqualOrImpossible) {
     EXPECT_EQ(compared(table("0.2", "0.2", "1.0", "1.0", "1.0")).figures[2].adjusted_p, 1.0);
     const FigureComparison wrong = compared(table("0.2", "0.2", "0.999", "1.0", "1.0")).figures[2];

@@ -14,12 +14,7 @@ namespace {
 using test::study_text;
 using testing::HasSubstr;
 
-constexpr std::string_view rays = R"([[method]]
-name = "SR"
-sampler = "random"
-estimator = "ray_shooting"
-samples_per_patch = 10
-)";
+constexpr std::string_view rays = test::random_rays;
 
 class LoadStudy : public testing::Test {
   protected:

@@ -117,6 +117,30 @@ TEST_F(Run, KeepsOnlyAFewUnitsInMemoryWhileTheDiskIsSlow) {
     EXPECT_LE(saved, 1u + (2 * threads + 2) + 2 * threads);  // reported + waiting + in hand
 }
 
+TEST_F(Run, StopsWithinATrialThatWouldTakeHours) {
+    constexpr std::string_view rays =
+        "sampler = \"random\"\nestimator = \"ray_shooting\"\npatches_per_face = 100\nsamples_per_patch = 4000000000";
+    constexpr std::string_view kernel =
+        "sampler = \"sobol\"\nestimator = \"area_kernel\"\npatches_per_face = 100\nsamples_per_patch = 100000000";
+    constexpr std::string_view quadrature =
+        "sampler = \"gauss_legendre\"\nnodes = 64\nestimator = \"area_kernel\"\npatches_per_face = 400";
+    for (const std::string_view method : {rays, kernel, quadrature}) {
+        Store store = Store::create_or_resume(
+            test::in_memory, plan_of(study_text("trials = 2", "[[method]]\nname = \"a\"\n" + std::string(method))));
+        std::atomic<bool> stop{false};
+        RunOptions options;
+        options.stop = &stop;
+        std::thread user([&] {
+            std::this_thread::sleep_for(std::chrono::milliseconds(50));
+            stop = true;
+        });
+        EXPECT_EQ(run_study(store, options), RunOutcome::stopped);
+        user.join();
+        const auto done = store.finished_units();
+        EXPECT_EQ(std::count(done.begin(), done.end(), true), 0);
+    }
+}
+
 TEST_F(Run, ReportsProgressThatGrowsToTheEnd) {
     Store store = Store::create_or_resume(test::in_memory, mixed_plan());
     std::vector<Progress> reports;

@@ -17,12 +17,7 @@ namespace {
 using test::study_text;
 using testing::HasSubstr;
 
-constexpr std::string_view rays = R"([[method]]
-name = "SR"
-sampler = "random"
-estimator = "ray_shooting"
-samples_per_patch = 10
-)";
+constexpr std::string_view rays = test::random_rays;
 
 /// The message with which a text is refused; empty where it is accepted.
 std::string refusal(std::string_view text) {

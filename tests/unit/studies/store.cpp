@@ -15,6 +15,7 @@ namespace ff::studies {
 namespace {
 
 using test::in_memory;
+using test::message_of;
 using test::plan_of;
 using test::study_text;
 using testing::HasSubstr;
@@ -32,17 +33,6 @@ constexpr std::string_view tables =
 
 StudyPlan plan(std::string_view lines = "trials = 3") {
     return plan_of(study_text(lines, rays));
-}
-
-/// The message of the exception of type Error that `action` throws.
-template <typename Error, typename Action>
-std::string message_of(Action action) {
-    try {
-        action();
-    } catch (const Error& error) {
-        return error.what();
-    }
-    return "nothing thrown";
 }
 
 class StoreFile : public testing::Test {

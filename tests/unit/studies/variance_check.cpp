@@ -7,6 +7,8 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <optional>
+#include <utility>
 
 namespace ff::studies {
 namespace {
@@ -25,10 +27,15 @@ StudyPlan rays(std::string_view sampler, std::string_view completion = "direct",
 /// factor of about 1 + (5.5 + 2) / sqrt(2 * 400) = 1.27, power 0.98.
 constexpr double alarm = 1e-6;
 
+std::optional<VarianceCheck> only_check(const Findings& findings) {
+    auto checks = check_variances(findings);
+    return checks.empty() ? std::nullopt : std::optional(std::move(checks.front()));
+}
+
 TEST(VarianceCheck, AgreesForIndependentRays) {
     for (const char* completion : {"direct", "reciprocal"}) {
         const Findings findings = analyse(test::run(rays("random", completion)));
-        const auto check = check_variance(findings, 0);
+        const auto check = only_check(findings);
         ASSERT_TRUE(check);
         EXPECT_GT(check->adjusted_p, alarm);
         EXPECT_GT(check->smallest_ratio, 0.8);
@@ -42,7 +49,7 @@ TEST(VarianceCheck, CatchesAWrongNumberOfRays) {
     Findings findings = analyse(test::run(rays("random")));
     for (const std::uint64_t claimed : {32u, 128u}) {  // true: 64; standard deviations wrong by sqrt(2)
         findings.plan.cells[0].samples = claimed;
-        const auto check = check_variance(findings, 0);
+        const auto check = only_check(findings);
         ASSERT_TRUE(check);
         EXPECT_LT(check->adjusted_p, alarm);
     }
@@ -51,16 +58,16 @@ TEST(VarianceCheck, CatchesAWrongNumberOfRays) {
 TEST(VarianceCheck, CatchesRaysThatAreNotIndependent) {
     // The same store under the name of a sampler with independent points.
     Findings findings = analyse(test::run(rays("sobol")));
-    EXPECT_FALSE(check_variance(findings, 0));
+    EXPECT_FALSE(only_check(findings));
     findings.plan.spec.methods[0].sampler = "random";
-    EXPECT_LT(check_variance(findings, 0)->adjusted_p, alarm);
+    EXPECT_LT(only_check(findings)->adjusted_p, alarm);
 }
 
 TEST(VarianceCheck, ExpectsTheStratifiedVarianceOfRaysFromPatches) {
     // Not the binomial F (1 - F) / N: patches beside an edge send more rays to the face beyond it. The four patches of
     // a face see the opposite one alike, so that nothing is gained there.
     const Findings findings = analyse(test::run(rays("random")));
-    const auto check = check_variance(findings, 0);
+    const auto check = only_check(findings);
     ASSERT_TRUE(check);
     for (const VarianceComparison& c : check->quantities) {
         const Summary& summary = findings.cells[0].summary(c.quantity);
@@ -76,7 +83,21 @@ TEST(VarianceCheck, HasNothingToSayOfOtherEstimators) {
     const auto plan = plan_of(study_text("trials = 4",
                                          "[[method]]\nname = \"k\"\nsampler = \"random\"\n"
                                          "estimator = \"area_kernel\"\nsamples_per_patch = 10"));
-    EXPECT_FALSE(check_variance(analyse(test::run(plan)), 0));
+    EXPECT_FALSE(only_check(analyse(test::run(plan))));
+}
+
+TEST(VarianceCheck, SharesOneErrorRateAmongTheCellsOfAStudy) {
+    const Findings one = analyse(test::run(rays("random")));
+    Findings three = one;
+    for (std::size_t cell = 1; cell < 3; ++cell) {
+        three.cells.push_back(one.cells[0]);
+        three.plan.cells.push_back(one.plan.cells[0]);
+        three.cells.back().cell = cell;
+    }
+    const double alone = only_check(one)->adjusted_p;
+    const auto together = check_variances(three);
+    ASSERT_EQ(together.size(), 3u);
+    for (const VarianceCheck& check : together) EXPECT_NEAR(check.adjusted_p, 1 - std::pow(1 - alone, 3), 1e-12);
 }
 
 }  // namespace
