@@ -17,7 +17,7 @@ expect_same_results whole enough
 rm -r whole enough long
 
 # A limit of memory costs threads, then it is refused.
-sed 's/^trials = 20/trials = 100000/' "$folder/study.toml" >"$folder/large.toml"
+sed 's/^trials = 20/trials = 20000/' "$folder/study.toml" >"$folder/large.toml"
 ffstudy run "$folder/large.toml" --dry-run --threads 64
 expect_stdout "on 64 threads"
 memory=$(sed -n 's/^about \([0-9]*\) MiB of memory.*/\1/p' "$folder/stdout")
