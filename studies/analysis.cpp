@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 namespace ff::studies {
 namespace {
@@ -57,9 +58,11 @@ BiasFamily judge_family(const CellEstimates& estimates, const std::vector<Quanti
     double largest_std = 0;
     for (const Quantity pair : pairs) {
         const Summary& summary = findings.summary(pair);
-        const auto moments = stats::moments_of(estimates.values(pair), summary.reference.value_or(0.0));
-        const auto test =
-            summary.variance == VarianceStatus::finite && summary.reference ? stats::test_bias(moments) : std::nullopt;
+        const bool testable = summary.variance == VarianceStatus::finite && summary.reference;
+        const std::span<const double> values = estimates.values(pair);
+        // Values that are no numbers have no moments either.
+        const auto moments = stats::moments_of(values.first(testable ? values.size() : 0), summary.reference.value_or(0.0));
+        const auto test = testable ? stats::test_bias(moments) : std::nullopt;
         if (!test) {
             ++family.untestable;
             if (summary.variance == VarianceStatus::infinite) ++family.infinite;
