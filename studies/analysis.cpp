@@ -61,7 +61,8 @@ BiasFamily judge_family(const CellEstimates& estimates, const std::vector<Quanti
         const bool testable = summary.variance == VarianceStatus::finite && summary.reference;
         const std::span<const double> values = estimates.values(pair);
         // Values that are no numbers have no moments either.
-        const auto moments = stats::moments_of(values.first(testable ? values.size() : 0), summary.reference.value_or(0.0));
+        const auto moments =
+            stats::moments_of(values.first(testable ? values.size() : 0), summary.reference.value_or(0.0));
         const auto test = testable ? stats::test_bias(moments) : std::nullopt;
         if (!test) {
             ++family.untestable;
