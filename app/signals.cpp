@@ -17,6 +17,11 @@ extern "C" void handle(int /*signal*/) {
     if (signalled.exchange(true)) ::_exit(static_cast<int>(ExitCode::interrupted));
 }
 
+/// All that is worth saving is saved; the exit code is the documented one.
+extern "C" void leave(int /*signal*/) {
+    ::_exit(static_cast<int>(ExitCode::interrupted));
+}
+
 void set_handler(void (*handler)(int)) {
     for (const int signal : {SIGINT, SIGTERM, SIGUSR1}) {
         struct sigaction action {};
@@ -39,7 +44,7 @@ void ask_for_the_end() {
 }
 
 void end_on_signals() {
-    set_handler(SIG_DFL);
+    set_handler(leave);
 }
 
 void turn_file_size_signal_into_errors() {

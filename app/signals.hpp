@@ -11,7 +11,7 @@ const std::atomic<bool>& stop_on_signals();
 /// Sets the flag as a first signal does.
 void ask_for_the_end();
 
-/// From here on these signals end the program at once; nothing is left that could be lost.
+/// From here on these signals end the program at once (130); nothing is left that could be lost.
 void end_on_signals();
 
 /// A file that outgrows the limit of the system then fails as on a full disk, instead of ending the program.

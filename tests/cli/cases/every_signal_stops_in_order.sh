@@ -31,8 +31,10 @@ done
 # A second signal does not wait for the units in hand nor for reports.
 sed 's/^samples_per_patch = 64/samples_per_patch = 64000000/' "$folder/study.toml" >"$folder/slow.toml"
 start "$folder/slow.toml" slow
+kill -STOP $process  # so that it meets both signals at once
 kill -INT $process
 kill -TERM $process
+kill -CONT $process
 wait $process || status=$?
 expect_status 130
 [ ! -e slow/report.md ] || fail "expected no report after a second signal"
