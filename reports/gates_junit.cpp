@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <pugixml.hpp>
 
+#include <algorithm>
 #include <numeric>
 #include <sstream>
 
@@ -57,21 +58,23 @@ std::string junit_xml(const studies::CheckResults& check, const JunitContext& co
         set(property, "name", key);
         set(property, "value", value);
     }
-    for (std::size_t i = 0; i < check.spec.gates.size(); ++i) {
-        const studies::Gate& gate = check.spec.gates[i];
+    for (const studies::Gate& gate : check.spec.gates) {
+        const auto found = std::find_if(check.results.begin(), check.results.end(),
+                                        [&](const studies::GateResult& result) { return result.gate == gate.name; });
+        const bool done = found != check.results.end();
+        const auto index = static_cast<std::size_t>(found - check.results.begin());
         pugi::xml_node test = suite.append_child("testcase");
         set(test, "name", gate.name);
         set(test, "classname", fmt::format("{}.{}", check.spec.name, name(gate.kind)));
-        set(test, "time", fmt::format("{:.3f}", i < context.seconds.size() ? context.seconds[i] : 0.0));
-        if (i >= check.results.size()) {
+        set(test, "time", fmt::format("{:.3f}", done ? context.seconds[index] : 0.0));
+        if (!done) {
             add_problem(test, "error", "not run", "not run yet, or stopped before");
             continue;
         }
-        const studies::GateResult& result = check.results[i];
-        if (result.verdict == studies::Verdict::fail) add_problem(test, "failure", "fail", gate_in_words(result));
-        if (result.verdict == studies::Verdict::inconclusive)
-            add_problem(test, "error", "inconclusive", gate_in_words(result));
-        add_comparisons(test, result, context.notes[i]);
+        if (found->verdict == studies::Verdict::fail) add_problem(test, "failure", "fail", gate_in_words(*found));
+        if (found->verdict == studies::Verdict::inconclusive)
+            add_problem(test, "error", "inconclusive", gate_in_words(*found));
+        add_comparisons(test, *found, context.notes[index]);
     }
     suite.append_child("system-out");
     suite.append_child("system-err");

@@ -120,6 +120,10 @@ Gate read_gate(const TomlReader& reader) {
     gate.band = read_band(reader, gate);
     gate.place = reader.place("band");
     if (!gate.method.sizes.empty()) gate.trials = gate.method.sizes.front().trials;
+    for (const Size& size : gate.method.sizes) {
+        if (size.trials != gate.trials)
+            reader.fail("sizes", "(a gate has one number of trials for all its sizes). Give each the same, or none.");
+    }
     return gate;
 }
 

@@ -12,7 +12,7 @@
 
 namespace ff::studies {
 
-/// Measurement for each kind of effect. Numbers in, numbers out: nothing here knows where the values come from. Empty
+/// How each kind of effect is measured. Numbers in, numbers out: nothing here knows where the values come from. Empty
 /// where the values cannot carry an interval (too few, or all equal).
 
 /// What a mean is compared with.

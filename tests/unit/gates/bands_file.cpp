@@ -144,6 +144,19 @@ TEST(BandsFile, RefusesWhatAKindDoesNotTake) {
     EXPECT_THAT(refusal(gate("coverage", "band = 0.1\nreplicates = 1")), HasSubstr("2 to 100000"));
 }
 
+TEST(BandsFile, TakesOneNumberOfTrialsForAllSizes) {
+    const auto with = [](std::string_view second) {
+        return fmt::format(
+            "[[gate]]\nname = \"g\"\nkind = \"bias\"\nscene = \"cube\"\nsampler = \"random\"\n"
+            "estimator = \"ray_shooting\"\nband = 1\n"
+            "sizes = [{{ samples_per_patch = 64, trials = 9 }}, {{ samples_per_patch = 128{} }}]\n",
+            second);
+    };
+    EXPECT_EQ(parse_bands(with(", trials = 9"), "bands.toml").gates.front().trials, 9u);
+    EXPECT_THAT(refusal(with("")), HasSubstr("one number of trials"));
+    EXPECT_THAT(refusal(with(", trials = 8")), HasSubstr("bands.toml:8:"));
+}
+
 TEST(BandsFile, RefusesOptionsOutOfRange) {
     const auto with = [](std::string_view line) {
         return fmt::format("[gates]\n{}\n{}", line, gate("bias", "band = 1"));

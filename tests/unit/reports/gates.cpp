@@ -103,6 +103,17 @@ TEST(Junit, MakesUnfinishedGatesErrors) {
     EXPECT_EQ(std::string(failed.next_sibling().child("error").attribute("type").value()), "not run");
 }
 
+TEST(Junit, FindsResultsByNameWhateverTheirOrder) {
+    auto check = two_of_three();
+    std::swap(check.results[0], check.results[1]);
+    pugi::xml_document document;
+    ASSERT_TRUE(document.load_string(junit_xml(check, {"2026-11-20T16:30:00", "host", {1.5, 0.25}, {"", ""}}).c_str()));
+    const auto first = document.child("testsuites").child("testsuite").child("testcase");
+    EXPECT_EQ(std::string(first.attribute("time").value()), "0.250");
+    EXPECT_FALSE(first.child("failure"));
+    EXPECT_TRUE(first.next_sibling().child("failure"));
+}
+
 TEST(GateLine, SaysWhatDecided) {
     const auto check = two_of_three();
     const std::string line = gate_line(check.results[1], Colour::none);
