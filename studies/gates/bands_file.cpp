@@ -57,7 +57,7 @@ void read_reference(const TomlReader& reader, Gate& gate) {
     const auto* node = reader.find("reference");
     if (node != nullptr && node->is_string()) {
         if (reader.text("reference") != "baseline")
-            reader.fail("reference", "(a number, or \"baseline\" for --baseline FILE). Write \"baseline\".");
+            reader.fail("reference", R"((a number, or "baseline" for --baseline FILE). Write "baseline".)");
         gate.against = Against::baseline;
     } else if (node != nullptr) {
         if (gate.kind == GateKind::efficiency)

@@ -73,7 +73,7 @@ StoredQuantity store_quantity(std::string cell, Quantity quantity, std::span<con
 }
 
 std::string baseline_json(const Baseline& baseline) {
-    std::string text = fmt::format("{{\"schema\": \"{}\", \"gates\": [", schema);
+    std::string text = fmt::format(R"({{"schema": "{}", "gates": [)", schema);
     for (const StoredGate& gate : baseline.gates) {
         text += fmt::format("{}\n {{\"gate\": {}, \"seconds_per_trial\": {}, \"quantities\": [",
                             &gate == baseline.gates.data() ? "" : ",", Json(gate.gate).dump(),

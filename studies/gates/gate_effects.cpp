@@ -79,7 +79,7 @@ void expect_possible(const Gate& gate, const StudyPlan& plan) {
                                        name(gate.kind)));
     if (gate.kind == GateKind::reciprocity && method.completion == Completion::reciprocal)
         refuse(gate.place,
-               "reciprocity (completion = \"reciprocal\" makes it hold by itself). Take completion = \"direct\".");
+               R"(reciprocity (completion = "reciprocal" makes it hold by itself). Take completion = "direct".)");
     if (gate.kind == GateKind::lost_rays && !shoots)
         refuse(gate.place, "lost_rays (this estimator shoots none). Take estimator = \"ray_shooting\".");
     if (gate.kind == GateKind::lost_rays && !plan.scenes.front().closed)

@@ -34,9 +34,9 @@ struct GatePlan {
 inline constexpr std::uint64_t pilot_trials = 64;
 
 /// Everything that can be wrong with a gate is found here, before any is run.
-/// @param baseline  null where none is given
+/// @param index  into spec.gates    @param baseline  null where none is given
 /// @throws UserError at the gate's place
-GatePlan prepare_gate(const GatesSpec& spec, std::size_t gate, GatePurpose purpose, const Baseline* baseline);
+GatePlan prepare_gate(const GatesSpec& spec, std::size_t index, GatePurpose purpose, const Baseline* baseline);
 
 /// Finds the number of trials of one look, from exact variances where they are known, otherwise from a pilot with
 /// random numbers of its own.
