@@ -1,6 +1,7 @@
 #include "app/commands.hpp"
 
 #include "app/common_options.hpp"
+#include "app/result_files.hpp"
 #include "app/study_files.hpp"
 
 #include "reports/output_file.hpp"
