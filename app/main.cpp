@@ -32,6 +32,7 @@ void add_run_options(CLI::App& app, RunCommand& command) {
     app.add_option("--max-time", command.max_time, "Stop in order after 90 (seconds), 15m, 2.5h, 1d");
     app.add_option("--max-memory", command.max_memory, "Keep within 500M, 2G: fewer threads, or an orderly stop");
     app.add_option("--out", command.out, "Folder for the results (default: results/<study>)");
+    app.add_option("--templates", command.templates, "Folder of own templates for report.html");
     app.add_flag("--quiet", command.quiet, "Print errors only");
     app.add_flag("--dry-run", command.dry_run, "Show work units, expected time and memory, run nothing");
 }
@@ -54,8 +55,9 @@ void add_run(CLI::App& app, RunCommand& command, Action& action) {
 void add_report(CLI::App& app, ReportCommand& command, Action& action) {
     CLI::App* sub = app.add_subcommand("report", "Write the reports of a finished study again");
     sub->add_option("RESULTS", command.results, "Folder of a study, or its results.sqlite")->required();
-    sub->add_option("--format", command.formats, "markdown, csv, json (default: all)")->delimiter(',');
+    sub->add_option("--format", command.formats, "html, markdown, csv, json (default: all)")->delimiter(',');
     sub->add_option("--out", command.out, "Folder for the files (default: where the results lie)");
+    sub->add_option("--templates", command.templates, "Folder of own templates for report.html");
     sub->add_flag("--quiet", command.quiet, "Print errors only");
     sub->callback([&] { action = [&] { return report(command); }; });
 }

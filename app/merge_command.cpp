@@ -2,6 +2,7 @@
 
 #include "app/messages.hpp"
 #include "app/result_files.hpp"
+#include "app/template_files.hpp"
 
 #include "core/error.hpp"
 #include "reports/terminal.hpp"
@@ -39,6 +40,7 @@ std::string units_in_words(const std::vector<std::size_t>& units, std::size_t al
 }  // namespace
 
 ExitCode merge(const MergeCommand& command) {
+    const auto templates = find_templates({});
     const auto target = command.out / "results.sqlite";
     const auto sources = stores_of(command, target);
     const studies::StudyPlan plan = studies::Store::open(sources.front()).plan();
@@ -51,9 +53,9 @@ ExitCode merge(const MergeCommand& command) {
             units_in_words(outcome.doubled, plan.units.size(), "are in more than one store"));
     }
     const auto results = studies::evaluate(store);
-    write_results(command.out, store, results, all_formats());
+    write_results(command.out, {store, results, templates}, all_formats());
     if (!command.quiet) {
-        fmt::print("{}\nResults: {}\n", reports::terminal_summary(results), (command.out / "report.md").string());
+        fmt::print("{}\nResults: {}\n", reports::terminal_summary(results), (command.out / "report.html").string());
     }
     if (outcome.missing.empty()) return ExitCode::passed;
     say("{}. Merge again with the shards that hold them, or run the study with --out {}.\n",

@@ -18,6 +18,7 @@ struct RunCommand {
     std::optional<std::string> max_time;    ///< "90", "15m"
     std::optional<std::string> max_memory;  ///< "500M"
     std::filesystem::path out;              ///< empty: results/<study>
+    std::filesystem::path templates;        ///< folder of own templates; empty: none
     bool quiet = false;
     bool dry_run = false;
 };
@@ -26,6 +27,7 @@ struct ReportCommand {
     std::filesystem::path results;  ///< folder or store
     std::filesystem::path out;      ///< empty: where the store lies
     std::vector<std::string> formats;
+    std::filesystem::path templates;  ///< folder of own templates; empty: none
     bool quiet = false;
 };
 

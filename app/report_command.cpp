@@ -1,6 +1,7 @@
 #include "app/commands.hpp"
 
 #include "app/result_files.hpp"
+#include "app/template_files.hpp"
 
 #include "reports/terminal.hpp"
 #include "studies/results.hpp"
@@ -11,6 +12,7 @@
 namespace ff::app {
 
 ExitCode report(const ReportCommand& command) {
+    const auto templates = find_templates(command.templates);
     const bool folder = std::filesystem::is_directory(command.results);
     const auto file = folder ? command.results / "results.sqlite" : command.results;
     const auto out = command.out.empty() ? file.parent_path() : command.out;
@@ -19,7 +21,8 @@ ExitCode report(const ReportCommand& command) {
     const auto results = studies::evaluate(store);
     if (!command.out.empty()) std::filesystem::create_directories(command.out);
     const std::vector<std::string_view> formats(command.formats.begin(), command.formats.end());
-    write_results(out, store, results, formats.empty() ? all_formats() : std::span<const std::string_view>(formats));
+    write_results(out, {store, results, templates},
+                  formats.empty() ? all_formats() : std::span<const std::string_view>(formats));
     if (!command.quiet) fmt::print("{}\nResults: {}\n", reports::terminal_summary(results), out.string());
     return ExitCode::passed;
 }

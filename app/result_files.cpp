@@ -4,6 +4,7 @@
 #include "core/nearest_name.hpp"
 #include "reports/audit_markdown.hpp"
 #include "reports/csv.hpp"
+#include "reports/html.hpp"
 #include "reports/json.hpp"
 #include "reports/markdown.hpp"
 #include "reports/output_file.hpp"
@@ -15,30 +16,34 @@
 namespace ff::app {
 namespace {
 
-void write_markdown(const std::filesystem::path& folder, const studies::Store& /*store*/,
-                    const studies::StudyResults& results) {
+void write_markdown(const std::filesystem::path& folder, const ResultSources& sources) {
+    const studies::StudyResults& results = sources.results;
     reports::write_file(folder / "report.md", reports::markdown_report(results));
     if (!results.published) return;
     reports::write_file(folder / "audit.md",
                         reports::audit_markdown(results.published->tables, results.published->audit));
 }
 
-void write_csv(const std::filesystem::path& folder, const studies::Store& store, const studies::StudyResults& results) {
+void write_csv(const std::filesystem::path& folder, const ResultSources& sources) {
     reports::write_file(folder / "summary.csv",
-                        [&](std::ostream& out) { reports::write_summary_csv(out, results.findings); });
-    reports::write_file(folder / "trials.csv", [&](std::ostream& out) { reports::write_trials_csv(out, store); });
+                        [&](std::ostream& out) { reports::write_summary_csv(out, sources.results.findings); });
+    reports::write_file(folder / "trials.csv",
+                        [&](std::ostream& out) { reports::write_trials_csv(out, sources.store); });
 }
 
-void write_json(const std::filesystem::path& folder, const studies::Store& /*store*/,
-                const studies::StudyResults& results) {
-    reports::write_file(folder / "results.json", reports::results_json(results));
-    reports::write_file(folder / "context.json", reports::context_json(results.context));
+void write_json(const std::filesystem::path& folder, const ResultSources& sources) {
+    reports::write_file(folder / "results.json", reports::results_json(sources.results));
+    reports::write_file(folder / "context.json", reports::context_json(sources.results.context));
 }
 
-constexpr std::array<std::string_view, 3> names{"markdown", "csv", "json"};
-constexpr std::array<std::string_view, 6> files{"report.md",  "audit.md",     "summary.csv",
-                                                "trials.csv", "results.json", "context.json"};
-constexpr std::array writers{write_markdown, write_csv, write_json};
+void write_html(const std::filesystem::path& folder, const ResultSources& sources) {
+    reports::write_file(folder / "report.html", reports::html_report(sources.results, sources.templates));
+}
+
+constexpr std::array<std::string_view, 4> names{"html", "markdown", "csv", "json"};
+constexpr std::array<std::string_view, 7> files{"report.html", "report.md",    "audit.md",    "summary.csv",
+                                                "trials.csv",  "results.json", "context.json"};
+constexpr std::array writers{write_html, write_markdown, write_csv, write_json};
 
 }  // namespace
 
@@ -63,8 +68,8 @@ void make_folder(const std::filesystem::path& folder) {
         throw IoError(fmt::format("{}: cannot be made ({}). Choose another --out.", folder.string(), error.message()));
 }
 
-void write_results(const std::filesystem::path& folder, const studies::Store& store,
-                   const studies::StudyResults& results, std::span<const std::string_view> formats) {
+void write_results(const std::filesystem::path& folder, const ResultSources& sources,
+                   std::span<const std::string_view> formats) {
     for (const std::string_view format : formats) {
         const auto found = std::find(names.begin(), names.end(), format);
         if (found == names.end()) {
@@ -73,8 +78,8 @@ void write_results(const std::filesystem::path& folder, const studies::Store& st
         }
     }
     for (const std::string_view format : formats) {
-        writers.at(static_cast<std::size_t>(std::find(names.begin(), names.end(), format) - names.begin()))(
-            folder, store, results);
+        writers.at(static_cast<std::size_t>(std::find(names.begin(), names.end(), format) - names.begin()))(folder,
+                                                                                                            sources);
     }
 }
 

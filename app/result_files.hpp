@@ -1,5 +1,6 @@
 #pragma once
 
+#include "reports/templates.hpp"
 #include "studies/results.hpp"
 #include "studies/store.hpp"
 
@@ -11,7 +12,14 @@
 
 namespace ff::app {
 
-/// Formats of reports: markdown, csv, json.
+/// What result files are made from.
+struct ResultSources {
+    const studies::Store& store;
+    const studies::StudyResults& results;
+    const reports::Templates& templates;
+};
+
+/// Formats of reports: html, markdown, csv, json.
 std::span<const std::string_view> all_formats();
 
 /// Before a long run: is the way free for every file that `write_results` would write?
@@ -23,7 +31,7 @@ void make_folder(const std::filesystem::path& folder);
 
 /// Writes the files of these formats into a folder, each whole or not at all.
 /// @throws IoError; UserError for an unknown format
-void write_results(const std::filesystem::path& folder, const studies::Store& store,
-                   const studies::StudyResults& results, std::span<const std::string_view> formats);
+void write_results(const std::filesystem::path& folder, const ResultSources& sources,
+                   std::span<const std::string_view> formats);
 
 }  // namespace ff::app

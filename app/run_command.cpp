@@ -8,6 +8,7 @@
 #include "app/run_context.hpp"
 #include "app/run_request.hpp"
 #include "app/signals.hpp"
+#include "app/template_files.hpp"
 
 #include "reports/terminal.hpp"
 #include "studies/resources.hpp"
@@ -93,6 +94,7 @@ ExitCode run(const RunCommand& command) {
     if (!command.quiet) {
         for (const std::string& warning : plan.warnings) say("note: {}\n", warning);
     }
+    const auto templates = find_templates(command.templates);
     const std::filesystem::path out =
         command.out.empty() ? std::filesystem::path("results") / plan.spec.name : command.out;
     make_folder(out);
@@ -128,9 +130,9 @@ ExitCode run(const RunCommand& command) {
     if (!request.shard.is_whole() && outcome == studies::RunOutcome::complete && !store.is_complete())
         return finish_shard(request.shard, out, command.quiet);
     const auto results = studies::evaluate(store);
-    write_results(out, store, results, all_formats());
+    write_results(out, {store, results, templates}, all_formats());
     if (!command.quiet) fmt::print("{}", reports::terminal_summary(results));
-    if (!command.quiet) fmt::print("\nResults: {}\n", (out / "report.md").string());
+    if (!command.quiet) fmt::print("\nResults: {}\n", (out / "report.html").string());
     if (outcome == studies::RunOutcome::complete) return ExitCode::passed;
     say("stopped early; what was done is saved. Run the same command again to go on.\n");
     return ExitCode::interrupted;

@@ -10,6 +10,7 @@ set(header ${PROJECT_BINARY_DIR}/generated/app/build_info.hpp)
 add_custom_target(ff_write_build_info
   COMMAND ${CMAKE_COMMAND}
     -D "SOURCE_DIR=${PROJECT_SOURCE_DIR}"
+    -D "BINARY_DIR=${PROJECT_BINARY_DIR}"
     -D "TEMPLATE=${CMAKE_CURRENT_LIST_DIR}/build_info.hpp.in"
     -D "HEADER=${header}"
     -D "VERSION=${PROJECT_VERSION}"

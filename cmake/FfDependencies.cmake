@@ -12,6 +12,7 @@ find_package(nlohmann_json 3.11 REQUIRED)
 find_package(pugixml 1.13 REQUIRED)
 find_package(SQLite3 3.40 REQUIRED)
 find_package(tomlplusplus 3.3 REQUIRED)
+find_package(OpenSSL 3 REQUIRED COMPONENTS Crypto)   # SHA-256 of what a report runs
 
 if(FFSTUDY_MPI)
   enable_language(C)  # of MPI only the C interface is used, and CMake looks for it with a C compiler
@@ -21,3 +22,7 @@ endif()
 find_path(RANDOM123_INCLUDE_DIR Random123/philox.h REQUIRED)
 add_library(ff_random123 INTERFACE)
 target_include_directories(ff_random123 SYSTEM INTERFACE $<BUILD_INTERFACE:${RANDOM123_INCLUDE_DIR}>)
+
+find_path(MUSTACHE_INCLUDE_DIR kainjow/mustache.hpp REQUIRED)
+add_library(ff_mustache INTERFACE)
+target_include_directories(ff_mustache SYSTEM INTERFACE $<BUILD_INTERFACE:${MUSTACHE_INCLUDE_DIR}>)

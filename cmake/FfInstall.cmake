@@ -14,6 +14,7 @@ foreach(library ${libraries})
 endforeach()
 install(DIRECTORY studies/ DESTINATION ${CMAKE_INSTALL_DATADIR}/ffstudy/studies
   FILES_MATCHING PATTERN "*.toml" PATTERN "*.json")
+install(DIRECTORY reports/templates/ DESTINATION ${CMAKE_INSTALL_DATADIR}/ffstudy/templates)
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
 
 install(EXPORT ffstudy FILE ffstudyTargets.cmake NAMESPACE ffstudy:: DESTINATION ${package_dir})

@@ -1,5 +1,6 @@
 #include "reports/markdown_sections.hpp"
 #include "reports/numbers.hpp"
+#include "reports/published_cells.hpp"
 
 #include <fmt/format.h>
 
@@ -13,39 +14,6 @@ namespace ff::reports {
 namespace {
 
 using studies::FigureComparison;
-
-/// Decimals that a single run's spread warrants, or those of the print for a deterministic value.
-std::string ours_text(const FigureComparison& c, const std::string& printed) {
-    if (!c.ours) return "–";
-    const double unit = studies::half_printed_unit(printed);
-    if (c.deterministic || !c.single_run) return to_error(*c.ours, 20 * unit);
-    const double spread = c.single_run->high - c.single_run->low;
-    if (spread == 0) return fmt::format("{:g} always", *c.ours);
-    return fmt::format("{} [{}, {}]", to_error(*c.ours, spread / 20), to_error(c.single_run->low, spread / 5),
-                       to_error(c.single_run->high, spread / 5));
-}
-
-std::string percentile_text(const stats::Rank& rank) {
-    const double percentile = 100 * rank.percentile;
-    const double step = 100.0 / static_cast<double>(rank.n);
-    if (percentile < step) return fmt::format("below {:.2g} %", step);
-    if (percentile > 100 - step) return fmt::format("above {:.4g} %", 100 - step);
-    return fmt::format("{:.3g} %", percentile);
-}
-
-std::string place_text(const FigureComparison& c, const std::string& printed, double alpha) {
-    if (!c.ours) return "–";
-    if (c.deterministic) {
-        const double difference = c.printed - *c.ours;
-        return std::abs(difference) <= 2 * studies::half_printed_unit(printed)
-                   ? "equal"
-                   : fmt::format("off by {:+.3g}", difference);
-    }
-    if (c.single_run->low == c.single_run->high) return *c.adjusted_p > 0 ? "equal" : "**impossible**";
-    const std::string place =
-        c.z ? fmt::format("z {:+.2f}, {}", *c.z, percentile_text(*c.rank)) : percentile_text(*c.rank);
-    return *c.adjusted_p < alpha ? fmt::format("**{}**", place) : place;
-}
 
 std::string table_text(const studies::PublishedResults& published, std::size_t index,
                        const std::set<std::size_t>& blamed, double alpha) {
@@ -74,8 +42,9 @@ std::string table_text(const studies::PublishedResults& published, std::size_t i
             const auto& c = *std::find_if(comparison.figures.begin(), comparison.figures.end(),
                                           [&](const auto& f) { return f.figure == *figure; });
             const std::string& printed = published.tables.figures[*figure].printed;
-            std::string text = fmt::format(" {}{} | {} | {} |", printed, blamed.contains(*figure) ? " †" : "",
-                                           ours_text(c, printed), place_text(c, printed, alpha));
+            const std::string_view mark = is_surprising(c, alpha) ? "**" : "";
+            std::string text = fmt::format(" {}{} | {} | {}{}{} |", printed, blamed.contains(*figure) ? " †" : "",
+                                           ours_text(c, printed), mark, place_text(c, printed), mark);
             // A deterministic method treats congruent faces alike: rows and rows of the same figures.
             out += text == above[column] ? std::string(" ″ | ″ | ″ |") : text;
             above[column] = std::move(text);
@@ -106,11 +75,7 @@ std::string published_tables_section(const studies::StudyResults& results) {
     if (!results.published) return {};
     const studies::PublishedResults& published = *results.published;
     const double alpha = 1 - results.findings.plan.spec.level;
-    std::set<std::size_t> blamed;
-    for (const studies::Finding& finding : published.audit.findings) {
-        if (finding.severity == studies::Severity::contradiction)
-            blamed.insert(finding.figures.begin(), finding.figures.end());
-    }
+    const std::set<std::size_t> blamed = blamed_figures(published.audit);
     std::string out = fmt::format(
         "## The published tables, three things side by side\n\n"
         "{}\n\n"

@@ -31,12 +31,13 @@ packages_of() {
     done
 }
 
-# missing_of PACKAGE...: those that are not installed.
+# missing_of PACKAGE...: those that are not installed. Some builds of nodejs bring npm along, and conflict with its package.
 missing_of() {
     local package installed
     installed=$(dpkg-query --show --showformat='${db:Status-Status} ${Package}\n' "$@" 2>/dev/null) || true
     for package in "$@"; do
-        grep -Fqx "installed $package" <<<"$installed" || echo "$package"
+        grep -Fqx "installed $package" <<<"$installed" ||
+            { [ "$package" = npm ] && command -v npm >/dev/null; } || echo "$package"
     done
 }
 

@@ -103,6 +103,14 @@ BiasFamily judge_family(const CellEstimates& estimates, const std::vector<Quanti
     return family;
 }
 
+/// Finite where it is so for every pair of the class.
+VarianceStatus class_variance(const std::vector<Summary>& summaries, PairClass pair_class) {
+    for (const Summary& summary : summaries) {
+        if (summary.pair_class == pair_class && summary.variance != VarianceStatus::finite) return summary.variance;
+    }
+    return VarianceStatus::finite;
+}
+
 }  // namespace
 
 std::optional<double> reference_of(const Scene& scene, const std::optional<Eigen::MatrixXd>& exact, Quantity quantity) {
@@ -150,6 +158,12 @@ std::optional<double> CellFindings::class_rmse(PairClass pair_class) const {
     return pairs == 0 ? std::nullopt : std::optional(std::sqrt(sum / static_cast<double>(pairs)));
 }
 
+const ClassError* CellFindings::class_error(PairClass pair_class) const {
+    const auto found = std::find_if(class_errors.begin(), class_errors.end(),
+                                    [&](const ClassError& error) { return error.pair_class == pair_class; });
+    return found == class_errors.end() ? nullptr : &*found;
+}
+
 CellFindings analyse_cell(const Store& store, std::size_t cell_index) {
     const StudyPlan& plan = store.plan();
     const Cell& cell = plan.cells[cell_index];
@@ -194,6 +208,24 @@ CellFindings analyse_cell(const Store& store, std::size_t cell_index) {
                                                              name(method.completion), quantity.from, quantity.to));
         findings.summaries.push_back(summarise(estimates.values(quantity), request));
     }
+    if (exact) {
+        for (const PairClass each : {PairClass::parallel, PairClass::adjacent, PairClass::other}) {
+            const VarianceStatus variance = class_variance(findings.summaries, each);
+            if (variance == VarianceStatus::undefined) continue;
+            if (const auto error = class_error(estimates, scene, *exact, each, variance, plan.spec.level))
+                findings.class_errors.push_back(*error);
+        }
+    }
+    for (const Quantity pair : pairs) {
+        const Summary& summary = findings.summary(pair);
+        const auto lattice = equal_areas ? estimates.lattice : std::nullopt;
+        if (!summary.reference || summary.variance == VarianceStatus::undefined) continue;
+        if (auto shape = error_shape(estimates.values(pair), *summary.reference, lattice)) {
+            shape->quantity = pair;
+            findings.shapes.push_back(std::move(*shape));
+        }
+    }
+    findings.patch_errors = patch_errors(store, cell_index);
     if (!cell.deterministic) {
         bool refuted = false;
         findings.bias = judge_family(estimates, pairs, findings, plan, refuted);

@@ -1,5 +1,8 @@
 #pragma once
 
+#include "studies/class_error.hpp"
+#include "studies/error_shape.hpp"
+#include "studies/patch_error.hpp"
 #include "studies/store.hpp"
 #include "studies/summary.hpp"
 
@@ -48,7 +51,10 @@ struct CellFindings {
     std::uint64_t trials_planned = 0;
     std::uint64_t lost_rays = 0;
     std::uint64_t evaluations_per_face = 0;
-    std::vector<Summary> summaries;  ///< in the order of `all_quantities`
+    std::vector<Summary> summaries;        ///< in the order of `all_quantities`
+    std::vector<ClassError> class_errors;  ///< of the classes that the scene has; empty without exact values
+    std::vector<ErrorShape> shapes;        ///< of distinct pairs with enough trials that vary
+    std::optional<PatchErrors> patch_errors;
     std::optional<BiasFamily> bias;  ///< empty for deterministic methods
     BiasFinding bias_finding = BiasFinding::untestable;
     EquivalenceFinding equivalence = EquivalenceFinding::not_asked;
@@ -57,6 +63,8 @@ struct CellFindings {
     /// Root mean square, over the pairs of a class, of their RMSE; empty where the cell has no such pair or
     /// reference, and where a trial of one gave no number.
     [[nodiscard]] std::optional<double> class_rmse(PairClass pair_class) const;
+    /// Null where the cell has no such pair or reference.
+    [[nodiscard]] const ClassError* class_error(PairClass pair_class) const;
 };
 
 /// All that a study found; every report is made from it. Pure: the same store gives the same findings to the bit.

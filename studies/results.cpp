@@ -28,6 +28,8 @@ StudyResults evaluate(const Store& store) {
         compared.audit = audit(compared.tables);
     }
     results.error_laws = fit_error_laws(results.findings, results.published ? &results.published->tables : nullptr);
+    results.rivals = find_rivals(results.findings,
+                                 results.published ? results.published->comparisons : std::vector<TableComparison>{});
     return results;
 }
 

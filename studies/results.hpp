@@ -6,6 +6,7 @@
 #include "studies/comparison.hpp"
 #include "studies/error_law.hpp"
 #include "studies/published.hpp"
+#include "studies/rivals.hpp"
 #include "studies/variance_check.hpp"
 
 #include <optional>
@@ -26,6 +27,7 @@ struct StudyResults {
     Findings findings;
     std::vector<VarianceCheck> variance_checks;
     std::vector<ErrorLaw> error_laws;
+    std::vector<Rivalry> rivals;
     std::optional<PublishedResults> published;  ///< empty too where a trial gave no number
     Context context;
 };

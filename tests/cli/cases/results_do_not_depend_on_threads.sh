@@ -4,7 +4,7 @@ source "$(dirname "$0")/../harness.sh"
 small_study >"$folder/study.toml"
 ffstudy run "$folder/study.toml" --threads 1 --out one
 expect_status 0
-expect_stdout "Results: one/report.md"
+expect_stdout "Results: one/report.html"
 ffstudy run "$folder/study.toml" --threads 2 --out two
 expect_status 0
 ffstudy run "$folder/study.toml" --threads 3 --quiet --out three

@@ -1,0 +1,20 @@
+#pragma once
+
+#include "reports/headline.hpp"
+#include "reports/table.hpp"
+
+#include <nlohmann/json_fwd.hpp>
+
+namespace ff::reports {
+
+/// What templates see of a headline: `verdict`, `numbers` (`value`, `label`, `detail`).
+nlohmann::ordered_json headline_view(const Headline& headline);
+
+/// What table.mustache sees of a table: `id`, `title`, `note`, `groups` (`title`, `span`), `columns` (`title`,
+/// `number`), `rows` of a `name` and `cells` (`text`, `number`, `mark`, `says`: the mark in words), `remarks`.
+nlohmann::ordered_json table_view(const Table& table);
+
+/// Context of a run, and the study as a file: `command`, `seed`, `study_file`, `context` (`key`, `value`).
+nlohmann::ordered_json reproduction_view(const studies::StudyResults& results);
+
+}  // namespace ff::reports

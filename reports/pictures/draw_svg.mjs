@@ -1,0 +1,18 @@
+// draw_svg.mjs PICTURES.json OUT: draws every picture of the file into OUT/ID.svg, without a browser.
+
+import {readFileSync, writeFileSync} from 'node:fs';
+import {join} from 'node:path';
+import {View, expressionInterpreter, parse, prepare, settle} from './runtime.js';
+
+// The colours of the light theme: for paper.
+const colours = {ground: '#ffffff', ink: '#1b1b1b', quiet: '#595959', rule: '#d0d0d0'};
+const width = 640;
+
+const [file, out] = process.argv.slice(2);
+const {kinds, pictures} = JSON.parse(readFileSync(file, 'utf8'));
+for (const {id, kind, values} of pictures) {
+  const view = new View(parse(prepare(kinds[kind], values), null, {ast: true}),
+                        {expr: expressionInterpreter, renderer: 'none'});
+  const svg = await settle(view, values, width).toSVG();
+  writeFileSync(join(out, `${id}.svg`), svg.replaceAll(/var\(--(\w+)\)/g, (_, name) => colours[name]));
+}

@@ -1,0 +1,54 @@
+#pragma once
+
+#include "studies/results.hpp"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace ff::reports {
+
+/// What a reader is to notice about a cell.
+enum class Mark {
+    none,
+    misprint,    ///< the audit blames this printed figure
+    surprising,  ///< a run as described does not give it
+    good,
+    bad,
+    open,  ///< undecided
+};
+
+struct TableCell {
+    std::string text;
+    Mark mark = Mark::none;
+};
+
+struct TableColumn {
+    std::string title;
+    bool number = false;  ///< set flush right
+    std::string group;    ///< equal neighbours share a title above theirs; may be empty
+};
+
+/// A table as readers see it, whatever the format: texts, the first column naming the row.
+struct Table {
+    std::string id;  ///< letters, digits, - and _
+    std::string title;
+    std::string note;  ///< what the columns mean; may be empty
+    std::vector<TableColumn> columns;
+    std::vector<std::vector<TableCell>> rows;
+    std::vector<std::string> remarks;  ///< sentences below it
+};
+
+/// A row for each method and size: trials, RMSE by class with its interval, sum of relative errors, bias, equivalence.
+Table methods_table(const studies::StudyResults& results);
+
+/// A published table: each figure as printed, ours, and where the printed one falls.
+Table published_table(const studies::PublishedResults& published, std::size_t index, double alpha);
+
+/// The publication's claims with verdict and evidence.
+Table claims_table(const studies::PublishedResults& published);
+
+/// Every distinct pair and row sum of one cell: exact value, mean, bias with interval, spread.
+Table pairs_table(const studies::StudyResults& results, std::size_t cell);
+
+}  // namespace ff::reports

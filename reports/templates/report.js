@@ -1,0 +1,109 @@
+"use strict";
+
+// Draws the pictures of the report as they come into view, and gives each its controls: isolate a series, choose what is
+// shown, save as SVG, read the data as a table.
+(() => {
+  if (typeof vega === "undefined") return;
+
+  const read = node => JSON.parse(node.textContent);
+  const kinds = Object.fromEntries(
+    [...document.querySelectorAll("script[data-kind]")].map(node => [node.dataset.kind, read(node)]));
+
+  function element(name, properties = {}, ...children) {
+    const made = Object.assign(document.createElement(name), properties);
+    made.append(...children);
+    return made;
+  }
+
+  const tip = element("div", {className: "tip", hidden: true});
+  document.body.append(tip);
+
+  function showTip(handler, event, item, value) {
+    tip.hidden = !value || typeof value !== "object";
+    if (tip.hidden) return;
+    const lines = Object.entries(value).filter(([, text]) => text !== "" && text !== "null" && text !== undefined);
+    tip.replaceChildren(element("dl", {}, ...lines.flatMap(
+      ([name, text]) => [element("dt", {textContent: name}), element("dd", {textContent: text})])));
+    const room = document.documentElement.clientWidth + window.scrollX - tip.offsetWidth - 8;
+    tip.style.left = `${Math.max(8, Math.min(event.pageX + 14, room))}px`;
+    tip.style.top = `${event.pageY + 14}px`;
+  }
+
+  function addIsolation(controls, view, names) {
+    const buttons = names.map(name => element("button", {type: "button", textContent: name, ariaPressed: "false"}));
+    for (const button of buttons) {
+      button.addEventListener("click", () => {
+        const isolate = button.ariaPressed === "false";
+        for (const other of buttons) other.ariaPressed = String(other === button && isolate);
+        view.signal("isolate", isolate ? button.textContent : "").run();
+      });
+    }
+    controls.append(element("span", {textContent: "Show alone:"}), ...buttons);
+  }
+
+  function addChoice(controls, view, {signal, label, values}) {
+    const list = element("select", {}, ...values.map(value => element("option", {textContent: value})));
+    list.addEventListener("change", () => view.signal(signal, list.value).run());
+    controls.append(element("label", {}, `${label} `, list));
+  }
+
+  function addSaving(controls, view, id) {
+    const button = element("button", {type: "button", textContent: "Save as SVG"});
+    button.addEventListener("click", async () => {
+      const style = getComputedStyle(document.documentElement);
+      const svg = (await view.toSVG()).replaceAll(/var\((--\w+)\)/g, (_, name) => style.getPropertyValue(name).trim());
+      const link = element("a", {href: URL.createObjectURL(new Blob([svg], {type: "image/svg+xml"})), download: `${id}.svg`});
+      link.click();
+      URL.revokeObjectURL(link.href);
+    });
+    controls.append(button);
+  }
+
+  function fillTable(place, {columns, rows}) {
+    const cells = (name, texts) => element("tr", {}, ...texts.map(text => element(name, {textContent: text ?? ""})));
+    place.append(element("table", {}, element("thead", {}, cells("th", columns)),
+                         element("tbody", {}, ...rows.map(row => cells("td", row)))));
+  }
+
+  async function draw(figure) {
+    const canvas = figure.querySelector(".canvas");
+    const controls = figure.querySelector(".controls");
+    const values = read(figure.querySelector(".values"));
+    const runtime = vega.parse(vega.prepare(kinds[figure.dataset.kind], values), null, {ast: true});
+    const view = new vega.View(runtime, {expr: vega.expressionInterpreter, renderer: "svg", hover: true})
+      .initialize(canvas.appendChild(element("div"))).tooltip(showTip);
+    await vega.settle(view, values, canvas.clientWidth).runAsync();
+    if (values.isolate) addIsolation(controls, view, values.isolate);
+    if (values.choose) addChoice(controls, view, values.choose);
+    addSaving(controls, view, figure.id);
+    figure.dataset.drawn = "true";
+    let width = canvas.clientWidth;
+    new ResizeObserver(() => {
+      if (canvas.clientWidth === width || canvas.clientWidth === 0) return;
+      width = canvas.clientWidth;
+      vega.resize(view, values, width).run();
+    }).observe(canvas);
+  }
+
+  function drawOnce(figure) {
+    if (figure.dataset.drawn) return;
+    figure.dataset.drawn = "begun";
+    seen.unobserve(figure);
+    draw(figure);
+  }
+
+  const seen = new IntersectionObserver(
+    entries => entries.filter(entry => entry.isIntersecting).forEach(entry => drawOnce(entry.target)),
+    {rootMargin: "400px"});
+  for (const figure of document.querySelectorAll("figure.picture")) {
+    seen.observe(figure);
+    const details = figure.querySelector("details.data");
+    details.addEventListener("toggle", () => {
+      const place = details.querySelector(".scroll");
+      if (!place.firstChild) fillTable(place, read(figure.querySelector(".values")));
+    });
+  }
+  window.addEventListener("beforeprint", () => {
+    for (const figure of document.querySelectorAll("details[open] figure.picture, section > figure.picture")) drawOnce(figure);
+  });
+})();
