@@ -26,6 +26,11 @@ void write_markdown(const std::filesystem::path& folder, const studies::Store& /
 void write_csv(const std::filesystem::path& folder, const studies::Store& store, const studies::StudyResults& results) {
     reports::write_file(folder / "summary.csv",
                         [&](std::ostream& out) { reports::write_summary_csv(out, results.findings); });
+    reports::write_file(folder / "slopes.csv", [&](std::ostream& out) { reports::write_slopes_csv(out, results); });
+    if (!results.findings.plan.spec.coverage.empty()) {
+        reports::write_file(folder / "coverage.csv",
+                            [&](std::ostream& out) { reports::write_coverage_csv(out, results); });
+    }
     reports::write_file(folder / "trials.csv", [&](std::ostream& out) { reports::write_trials_csv(out, store); });
 }
 
