@@ -6,13 +6,13 @@
 #include "stats/mean_interval.hpp"
 #include "stats/multiplicity.hpp"
 #include "stats/two_stage.hpp"
+#include "studies/class_errors.hpp"
 #include "studies/estimates.hpp"
 
 #include <fmt/format.h>
 
 #include <array>
 #include <cmath>
-#include <set>
 
 namespace ff::studies {
 namespace {
@@ -91,28 +91,79 @@ std::optional<Taken> take(IntervalRule rule, std::span<const double> left, const
     return take_until_short(left, task);
 }
 
-/// From each source face the first target of the class.
-std::vector<Quantity> independent_pairs(const Scene& scene, std::span<const Quantity> pairs, PairClass wanted) {
-    std::vector<Quantity> found;
-    std::set<int> sources;
-    for (const Quantity pair : pairs) {
-        if (pair_class(scene, pair.from - 1, pair.to - 1) != wanted || !sources.insert(pair.from).second) continue;
-        found.push_back(pair);
-    }
-    return found;
-}
+/// The trials of a cell, and what is known about them.
+class CellTrials {
+  public:
+    CellTrials(const Store& store, std::size_t cell, const Eigen::MatrixXd& exact)
+        : plan_(store.plan()), cell_(cell), exact_(exact), estimates_(load_estimates(store, cell)) {}
 
-/// Adds the groups of one pair.
-void count(IntervalRule rule, std::span<const double> values, const Task& task, const std::string& text, Seed seed,
-           Coverage& coverage) {
-    std::span<const double> left = values;
-    for (std::size_t group = 0;; ++group) {
-        const auto taken = take(rule, left, task, derive_key(seed, fmt::format("{}|{}", text, group)));
-        if (!taken) return;
-        left = left.subspan(taken->trials);
-        coverage.mean_trials += static_cast<double>(taken->trials);
-        ++coverage.intervals;
-        if (taken->interval && taken->interval->contains(0)) ++coverage.covered;  // no spread is no interval
+    [[nodiscard]] const StudySpec& spec() const { return plan_.spec; }
+
+    /// From each source face the first target of the class.
+    [[nodiscard]] std::vector<Quantity> independent_pairs(PairClass wanted) const {
+        const Completion completion = plan_.spec.methods[plan_.cells[cell_].method].completion;
+        const Scene& scene = plan_.scenes[plan_.cells[cell_].scene];
+        std::vector<Quantity> found;
+        for (const Quantity pair : pairs_of_class(scene, distinct_pairs(estimates_.faces, completion), wanted)) {
+            if (found.empty() || found.back().from != pair.from) found.push_back(pair);
+        }
+        return found;
+    }
+
+    [[nodiscard]] Coverage coverage(PairClass wanted, IntervalRule rule, std::uint64_t replicates) const {
+        Coverage row;
+        row.cell = cell_;
+        row.pair_class = wanted;
+        row.rule = rule;
+        row.replicates = replicates;
+        for (const Quantity pair : independent_pairs(wanted)) count(pair, row);
+        if (row.intervals == 0) return row;
+        row.mean_trials /= static_cast<double>(row.intervals);
+        row.actual = stats::clopper_pearson_interval({row.covered, row.intervals}, plan_.spec.level);
+        return row;
+    }
+
+  private:
+    [[nodiscard]] Task task_of(Quantity pair, std::uint64_t replicates) const {
+        Task task{plan_.spec.level, exact_(pair.from - 1, pair.to - 1), static_cast<std::size_t>(replicates), 0};
+        const double r = static_cast<double>(replicates);
+        const double deviation = moments_of(estimates_.values(pair), task).standard_deviation().value_or(0.0);
+        task.half_width = stats::student_critical(r - 1, (1 - task.level) / 2) * deviation / std::sqrt(stages * r);
+        return task;
+    }
+
+    /// Adds the groups of one pair.
+    void count(Quantity pair, Coverage& row) const {
+        const Task task = task_of(pair, row.replicates);
+        if (task.half_width <= 0) return;
+        const std::string text =
+            fmt::format("coverage|{}|{}|{}|{}", plan_.cells[cell_].canonical, pair.from, pair.to, row.replicates);
+        std::span<const double> left = estimates_.values(pair);
+        for (std::size_t group = 0;; ++group) {
+            const StreamKey key = derive_key(plan_.spec.seed, fmt::format("{}|{}", text, group));
+            const auto taken = take(row.rule, left, task, key);
+            if (!taken) return;
+            left = left.subspan(taken->trials);
+            row.mean_trials += static_cast<double>(taken->trials);
+            ++row.intervals;
+            if (taken->interval && taken->interval->contains(0)) ++row.covered;  // no spread is no interval
+        }
+    }
+
+    const StudyPlan& plan_;
+    std::size_t cell_;
+    const Eigen::MatrixXd& exact_;
+    CellEstimates estimates_;
+};
+
+void add_rows(const CellTrials& trials, std::vector<Coverage>& rows) {
+    for (const PairClass wanted : {PairClass::parallel, PairClass::adjacent, PairClass::other}) {
+        for (const IntervalRule rule : rules) {
+            for (const std::uint64_t replicates : trials.spec().coverage) {
+                Coverage row = trials.coverage(wanted, rule, replicates);
+                if (row.intervals > 0) rows.push_back(row);
+            }
+        }
     }
 }
 
@@ -127,42 +178,10 @@ std::string_view name(IntervalRule rule) {
 std::vector<Coverage> measure_coverage(const Store& store) {
     const StudyPlan& plan = store.plan();
     std::vector<Coverage> rows;
-    for (std::size_t cell_index = 0; cell_index < plan.cells.size(); ++cell_index) {
-        const Cell& cell = plan.cells[cell_index];
-        const Scene& scene = plan.scenes[cell.scene];
-        const auto exact = exact_form_factors(scene);
-        if (cell.deterministic || !exact) continue;
-        const CellEstimates estimates = load_estimates(store, cell_index);
-        const auto pairs = distinct_pairs(estimates.faces, plan.spec.methods[cell.method].completion);
-        for (const PairClass wanted : {PairClass::parallel, PairClass::adjacent, PairClass::other}) {
-            for (const IntervalRule rule : rules) {
-                for (const std::uint64_t replicates : plan.spec.coverage) {
-                    Coverage row;
-                    row.cell = cell_index;
-                    row.pair_class = wanted;
-                    row.rule = rule;
-                    row.replicates = replicates;
-                    for (const Quantity pair : independent_pairs(scene, pairs, wanted)) {
-                        const auto& values = estimates.values(pair);
-                        Task task{plan.spec.level, (*exact)(pair.from - 1, pair.to - 1),
-                                  static_cast<std::size_t>(replicates), 0};
-                        const auto all = moments_of(values, task);
-                        const double freedom = static_cast<double>(replicates - 1);
-                        task.half_width = stats::student_critical(freedom, (1 - task.level) / 2) *
-                                          all.standard_deviation().value_or(0.0) /
-                                          std::sqrt(stages * static_cast<double>(replicates));
-                        if (task.half_width <= 0) continue;
-                        count(rule, values, task,
-                              fmt::format("coverage|{}|{}|{}|{}", cell.canonical, pair.from, pair.to, replicates),
-                              plan.spec.seed, row);
-                    }
-                    if (row.intervals == 0) continue;
-                    row.mean_trials /= static_cast<double>(row.intervals);
-                    row.actual = stats::clopper_pearson_interval({row.covered, row.intervals}, plan.spec.level);
-                    rows.push_back(row);
-                }
-            }
-        }
+    if (plan.spec.coverage.empty()) return rows;
+    for (std::size_t cell = 0; cell < plan.cells.size(); ++cell) {
+        const auto exact = exact_form_factors(plan.scenes[plan.cells[cell].scene]);
+        if (!plan.cells[cell].deterministic && exact) add_rows(CellTrials(store, cell, *exact), rows);
     }
     if (rows.empty()) return rows;
     const double alpha = stats::sidak_level(1 - plan.spec.level, rows.size());
