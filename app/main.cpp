@@ -27,6 +27,8 @@ using Action = std::function<ExitCode()>;
 void add_run_options(CLI::App& app, RunCommand& command) {
     app.add_option("--trials", command.trials, "Repetitions of every sampled size (default: the study's)");
     app.add_option("--seed", command.seed, "Seed of all random numbers (default: the study's)");
+    app.add_option("--until", command.until, "Stop at a goal: rmse=1e-5 or ci=1e-5; --trials is then the most");
+    app.add_option("--level", command.level, "Level of intervals (default: the study's)");
     app.add_option("--threads", command.threads, "Threads; results do not depend on them (default: all cores)");
     app.add_option("--shard", command.shard, "Carry out share i/n of the work only; see 'ffstudy merge'");
     app.add_option("--max-time", command.max_time, "Stop in order after 90 (seconds), 15m, 2.5h, 1d");
@@ -50,6 +52,28 @@ void add_run(CLI::App& app, RunCommand& command, Action& action) {
             action = [&command] { return run(command); };
         });
     }
+}
+
+void add_convergence(CLI::App& app, ff::studies::ConvergenceRequest& request, RunCommand& command, Action& action) {
+    CLI::App* sub =
+        app.add_subcommand("convergence", "Run samplers on a ladder of sizes and fit how fast they converge");
+    sub->add_option("--sampler", request.samplers, "Samplers, separated by commas")->delimiter(',')->required();
+    sub->add_option("--estimator", request.estimator, "What is done with the points")->capture_default_str();
+    sub->add_option("--scene", request.scenes, "Scenes, separated by commas")->delimiter(',')->capture_default_str();
+    sub->add_option("--samples", request.samples, "Sizes: a range, or numbers separated by commas")
+        ->capture_default_str();
+    sub->add_option("--patches", request.patches_per_face, "Patches of a face")->capture_default_str();
+    sub->add_option("--allocation", request.allocation, "Whose points they are: patch (default) or face");
+    sub->add_option("--completion", request.completion, "direct (default) or reciprocal");
+    sub->add_option("--map", request.map, "How points are laid on patches that touch: uniform (default) or graded");
+    sub->add_option("--save-study", command.study_file, "Write the study file, to run or change it later");
+    add_run_options(*sub, command);
+    sub->callback([&] {
+        action = [&] {
+            command.convergence = request;
+            return run(command);
+        };
+    });
 }
 
 void add_report(CLI::App& app, ReportCommand& command, Action& action) {
@@ -134,8 +158,10 @@ ExitCode parse_and_act(int argc, char** argv) {
     AuditCommand audit_command;
     CheckCommand check_command;
     SelftestCommand selftest_command;
+    ff::studies::ConvergenceRequest convergence_request;
     std::string name;
     add_run(app, run_command, action);
+    add_convergence(app, convergence_request, run_command, action);
     add_report(app, report_command, action);
     add_merge(app, merge_command, action);
     add_check(app, check_command, action);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "studies/convergence_study.hpp"
+
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -21,6 +23,10 @@ struct RunCommand {
     std::filesystem::path templates;        ///< folder of own templates; empty: none
     bool quiet = false;
     bool dry_run = false;
+    std::optional<studies::ConvergenceRequest> convergence;  ///< instead of `study`
+    std::optional<std::string> until;                        ///< "rmse=1e-5" or "ci=1e-5"
+    std::optional<double> level;
+    std::filesystem::path study_file;  ///< to write the study to; empty: nowhere
 };
 
 struct ReportCommand {

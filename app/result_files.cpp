@@ -27,6 +27,12 @@ void write_markdown(const std::filesystem::path& folder, const ResultSources& so
 void write_csv(const std::filesystem::path& folder, const ResultSources& sources) {
     reports::write_file(folder / "summary.csv",
                         [&](std::ostream& out) { reports::write_summary_csv(out, sources.results.findings); });
+    reports::write_file(folder / "slopes.csv",
+                        [&](std::ostream& out) { reports::write_slopes_csv(out, sources.results); });
+    if (!sources.results.findings.plan.spec.coverage.empty()) {
+        reports::write_file(folder / "coverage.csv",
+                            [&](std::ostream& out) { reports::write_coverage_csv(out, sources.results); });
+    }
     reports::write_file(folder / "trials.csv",
                         [&](std::ostream& out) { reports::write_trials_csv(out, sources.store); });
 }

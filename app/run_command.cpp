@@ -10,6 +10,7 @@
 #include "app/signals.hpp"
 #include "app/template_files.hpp"
 
+#include "reports/output_file.hpp"
 #include "reports/terminal.hpp"
 #include "studies/resources.hpp"
 #include "studies/run.hpp"
@@ -26,10 +27,13 @@ namespace ff::app {
 namespace {
 
 /// The command that gives the same results.
-std::string reproduce(const studies::StudySpec& spec, const std::string& study,
-                      const std::optional<std::uint64_t>& trials) {
-    const std::string trial_option = trials ? fmt::format(" --trials {}", *trials) : std::string();
-    return fmt::format("ffstudy run {}{} --seed {}", study, trial_option, spec.seed.value);
+std::string reproduce(const RunCommand& command, const studies::StudySpec& spec) {
+    std::string text = command.convergence ? studies::convergence_command(*command.convergence)
+                                           : fmt::format("ffstudy run {}", command.study);
+    if (command.trials) text += fmt::format(" --trials {}", *command.trials);
+    if (command.until) text += fmt::format(" --until {}", *command.until);
+    if (command.level) text += fmt::format(" --level {}", *command.level);
+    return text + fmt::format(" --seed {}", spec.seed.value);
 }
 
 /// A finished shard leaves its store. Reports come from all shards together.
@@ -90,6 +94,7 @@ ExitCode run(const RunCommand& command) {
     if (!processes.leads()) return assist(processes, command);
     const RunRequest request = check(command, processes);
     const studies::StudyPlan& plan = request.plan;
+    if (!command.study_file.empty()) reports::write_file(command.study_file, studies::to_toml(plan.spec));
     if (command.dry_run) return describe_plan(request);
     if (!command.quiet) {
         for (const std::string& warning : plan.warnings) say("note: {}\n", warning);
@@ -123,7 +128,7 @@ ExitCode run(const RunCommand& command) {
     end_on_signals();
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     if (outcome == studies::RunOutcome::complete && store.context().empty()) {
-        store.set_context(describe_run(reproduce(plan.spec, command.study, command.trials), request.threads, seconds));
+        store.set_context(describe_run(reproduce(command, plan.spec), request.threads, seconds));
     }
 
     store.seal();
@@ -133,7 +138,8 @@ ExitCode run(const RunCommand& command) {
     write_results(out, {store, results, templates}, all_formats());
     if (!command.quiet) fmt::print("{}", reports::terminal_summary(results));
     if (!command.quiet) fmt::print("\nResults: {}\n", (out / "report.html").string());
-    if (outcome == studies::RunOutcome::complete) return ExitCode::passed;
+    if (outcome == studies::RunOutcome::complete)
+        return studies::all_reached(results.until) ? ExitCode::passed : ExitCode::inconclusive;
     say("stopped early; what was done is saved. Run the same command again to go on.\n");
     return ExitCode::interrupted;
 }

@@ -9,14 +9,23 @@
 
 #include <fmt/format.h>
 
-
 namespace ff::app {
 namespace {
 
 studies::StudyPlan make_plan(const RunCommand& command) {
-    studies::StudySpec spec = find_study(command.study);
+    studies::StudySpec spec =
+        command.convergence ? studies::make_convergence_study(*command.convergence) : find_study(command.study);
     if (command.trials) studies::set_trials(spec, *command.trials);
     if (command.seed) spec.seed = checked_seed(*command.seed);
+    if (command.level) {
+        if (*command.level <= 0.5 || *command.level >= 1)
+            throw UserError(fmt::format("--level {} (above 0.5 and below 1). Try 0.95.", *command.level));
+        spec.level = *command.level;
+    }
+    if (command.until) {
+        spec.until = studies::parse_stopping_rule(*command.until);
+        studies::set_trials(spec, spec.trials);  // bounds the pilot
+    }
     return studies::plan_study(std::move(spec));
 }
 
@@ -42,6 +51,11 @@ RunRequest check(const RunCommand& command, const Processes& processes) {
     request.plan = make_plan(command);
     request.threads = threads_of(command, processes);
     if (command.shard) request.shard = studies::parse_shard(*command.shard);
+    if (request.plan.spec.until && (command.shard || !processes.alone())) {
+        throw UserError(
+            "an adaptive study cannot be shared (how many trials it needs is decided on all trials of its pilots "
+            "together). Leave out --shard and mpirun, or the goal.");
+    }
     if (command.max_time) request.max_time = parse_duration(*command.max_time);
     if (command.max_memory) {
         request.max_memory = parse_size(*command.max_memory);

@@ -1,27 +1,14 @@
 #include "reports/json.hpp"
 
+#include "reports/json_laboratory.hpp"
+#include "reports/json_slopes.hpp"
+#include "reports/json_values.hpp"
 #include "reports/labels.hpp"
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 namespace ff::reports {
 namespace {
-
-using Json = nlohmann::ordered_json;
-
-Json optional(const std::optional<double>& value) {
-    return value ? Json(*value) : Json(nullptr);
-}
-
-Json interval_json(const std::optional<stats::Interval>& interval) {
-    if (!interval) return nullptr;
-    return {{"low", interval->low},
-            {"high", interval->high},
-            {"level", interval->level},
-            {"method", interval->method},
-            {"n", interval->n}};
-}
 
 std::string_view name(studies::BiasFinding finding) {
     switch (finding) {
@@ -71,31 +58,31 @@ Json summary_json(const Scene& scene, const studies::Summary& s) {
             {"pair_class", s.pair_class ? Json(ff::name(*s.pair_class)) : Json(nullptr)},
             {"variance", name(s.variance)},
             {"not_finite", s.not_finite},
-            {"reference", optional(s.reference)},
-            {"mean", optional(s.mean)},
-            {"bias", optional(s.bias)},
-            {"bias_se", optional(s.bias_se)},
+            {"reference", optional_json(s.reference)},
+            {"mean", optional_json(s.mean)},
+            {"bias", optional_json(s.bias)},
+            {"bias_se", optional_json(s.bias_se)},
             {"bias_interval", interval_json(s.bias_interval)},
-            {"minimum_detectable_bias", optional(s.minimum_detectable_bias)},
-            {"std", optional(s.std)},
+            {"minimum_detectable_bias", optional_json(s.minimum_detectable_bias)},
+            {"std", optional_json(s.std)},
             {"std_interval", interval_json(s.std_interval)},
-            {"rmse", optional(s.rmse)},
-            {"median_abs_error", optional(s.median_abs_error)},
-            {"relative_error_percent", optional(s.relative_error_percent)},
-            {"skewness", optional(s.skewness)},
-            {"excess_kurtosis", optional(s.excess_kurtosis)},
+            {"rmse", optional_json(s.rmse)},
+            {"median_abs_error", optional_json(s.median_abs_error)},
+            {"relative_error_percent", optional_json(s.relative_error_percent)},
+            {"skewness", optional_json(s.skewness)},
+            {"excess_kurtosis", optional_json(s.excess_kurtosis)},
             {"quantiles",
-             {{"min", optional(s.min)},
-              {"q025", optional(s.q025)},
-              {"q05", optional(s.q05)},
-              {"median", optional(s.median)},
-              {"q95", optional(s.q95)},
-              {"q975", optional(s.q975)},
-              {"max", optional(s.max)}}},
-            {"normality_p", optional(s.normality_p)},
-            {"vov", optional(s.vov)},
-            {"tail_index", optional(s.tail_index)},
-            {"efficiency_samples", optional(s.efficiency_samples)}};
+             {{"min", optional_json(s.min)},
+              {"q025", optional_json(s.q025)},
+              {"q05", optional_json(s.q05)},
+              {"median", optional_json(s.median)},
+              {"q95", optional_json(s.q95)},
+              {"q975", optional_json(s.q975)},
+              {"max", optional_json(s.max)}}},
+            {"normality_p", optional_json(s.normality_p)},
+            {"vov", optional_json(s.vov)},
+            {"tail_index", optional_json(s.tail_index)},
+            {"efficiency_samples", optional_json(s.efficiency_samples)}};
 }
 
 Json bias_json(const studies::StudyPlan& plan, const studies::CellFindings& found) {
@@ -118,7 +105,7 @@ Json bias_json(const studies::StudyPlan& plan, const studies::CellFindings& foun
             {"minimum_detectable_bias", family.minimum_detectable_bias},
             {"equivalence",
              {{"finding", name(found.equivalence)},
-              {"margin", optional(family.margin)},
+              {"margin", optional_json(family.margin)},
               {"shown_below", family.shown_below},
               {"planned_margin", family.planned_margin}}}};
 }
@@ -162,12 +149,12 @@ Json comparison_json(const studies::PublishedResults& published, const studies::
     for (const studies::FigureComparison& c : table.figures) {
         figures.push_back({{"figure", studies::describe(published.tables, c.figure)},
                            {"printed", published.tables.figures[c.figure].printed},
-                           {"ours", optional(c.ours)},
+                           {"ours", optional_json(c.ours)},
                            {"single_run_low", c.single_run ? Json(c.single_run->low) : Json(nullptr)},
                            {"single_run_high", c.single_run ? Json(c.single_run->high) : Json(nullptr)},
-                           {"z", optional(c.z)},
+                           {"z", optional_json(c.z)},
                            {"percentile", c.rank ? Json(100 * c.rank->percentile) : Json(nullptr)},
-                           {"adjusted_p", optional(c.adjusted_p)}});
+                           {"adjusted_p", optional_json(c.adjusted_p)}});
     }
     Json chi_squared = Json::array();
     for (const studies::ColumnChiSquared& column : table.chi_squared) {
@@ -227,10 +214,15 @@ std::string results_json(const studies::StudyResults& results) {
               {"seed", plan.spec.seed.value},
               {"level", plan.spec.level},
               {"power", plan.spec.power},
-              {"equivalence_margin", optional(plan.spec.equivalence_margin)},
+              {"equivalence_margin", optional_json(plan.spec.equivalence_margin)},
               {"warnings", plan.warnings}};
     Json& cells = json["cells"] = Json::array();
     for (const studies::CellFindings& found : results.findings.cells) cells.push_back(cell_json(plan, found));
+    json["slopes"] = slopes_json(results);
+    json["heavy_tails"] = heavy_tails_json(results);
+    json["variance_reductions"] = reductions_json(results);
+    json["coverage"] = coverage_json(results);
+    json["until"] = until_json(results);
     Json& checks = json["variance_checks"] = Json::array();
     for (const studies::VarianceCheck& check : results.variance_checks) {
         checks.push_back({{"cell", cell_label(plan, plan.cells[check.cell])},

@@ -12,6 +12,9 @@ std::string markdown_report(const studies::StudyResults& results) {
         out += "> **Partial result:** the study was stopped early; run it again to go on.\n\n";
     out += brief_section(results);
     out += methods_section(results);
+    out += slopes_section(results);
+    out += reductions_section(results);
+    out += coverage_section(results);
     out += published_tables_section(results);
     out += claims_section(results);
     out += error_law_section(results);

@@ -13,7 +13,8 @@ namespace {
 
 std::string rmse_text(const studies::CellFindings& found, PairClass pair_class) {
     const auto value = found.class_rmse(pair_class);
-    return value ? brief(*value) : "–";
+    if (value) return brief(*value);
+    return found.has_infinite_variance(pair_class) ? "infinite" : "–";
 }
 
 std::string sum_error_text(const studies::CellFindings& found) {

@@ -68,15 +68,16 @@ std::string worst_row(const StudyPlan& plan, const studies::Cell& cell, const Su
         const bool chi_squared = s.std_interval->method.starts_with("chi");
         std += fmt::format(" [{:.3e}, {:.3e}]{}", s.std_interval->low, s.std_interval->high, chi_squared ? "" : " b");
     }
-    return fmt::format("| {} | {} | {} | {} | {} | {} | {} | {} | {} | {} |\n", cell_label(plan, cell),
+    return fmt::format("| {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} |\n", cell_label(plan, cell),
                        quantity_label(plan.scenes[cell.scene], s.quantity), exact, mean, bias, t_text(s), interval,
-                       detectable, std, s.normality_p ? p_value(*s.normality_p) : "–");
+                       detectable, std, s.normality_p ? p_value(*s.normality_p) : "–", s.vov ? brief(*s.vov, 2) : "–",
+                       s.tail_index ? fmt::format("{:.1f}", *s.tail_index) : "–");
 }
 
 std::string worst_table(const studies::Findings& findings) {
     std::string out =
         "| method and size | pair | exact | mean | bias | t | interval | detectable | standard deviation of a run | "
-        "normality p |\n|---|---|--:|--:|--:|--:|--:|--:|--:|--:|\n";
+        "normality p | VOV | tail index |\n|---|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|\n";
     for (const CellFindings& found : findings.cells) {
         if (const Summary* worst = worst_pair(found))
             out += worst_row(findings.plan, findings.plan.cells[found.cell], *worst);
@@ -116,7 +117,8 @@ std::string bias_section(const studies::StudyResults& results) {
         "degrees of freedom); of a deterministic method the pair with the largest error. The interval is Student's t, "
         "level {:g}, for the pair by itself; *detectable* is the bias that the study-wide test at {:g} % finds with "
         "power {:g}. Intervals of the standard deviation are χ², or bootstrap (b) where the kurtosis forbids it. "
-        "Normality: Anderson-Darling, hit counts jittered by half a hit. All pairs, with all their statistics: "
+        "Normality: Anderson-Darling, hit counts jittered by half a hit. VOV is below 0.1 in a healthy tally; a tail "
+        "index below 2 means infinite variance. All pairs, with all their statistics: "
         "summary.csv.\n\n",
         plan.spec.level, 100 * (1 - plan.spec.level), plan.spec.power);
     out += worst_table(results.findings) + "\n";

@@ -1,6 +1,8 @@
 #include "stats/convergence.hpp"
 
 #include "core/contract.hpp"
+#include "stats/distributions.hpp"
+#include "stats/moments.hpp"
 #include "stats/quantiles.hpp"
 
 #include <boost/math/special_functions/trigamma.hpp>
@@ -11,50 +13,91 @@
 namespace ff::stats {
 namespace {
 
-double mean_square(std::span<const double> errors) {
+/// How often each replicate of a rung was drawn.
+using Draw = std::vector<std::size_t>;
+
+/// The root mean squared error of a rung, for any draw of its replicates.
+class LogRmse {
+  public:
+    explicit LogRmse(const Rung& rung) : mean_squares_(rung.replicates(), 0.0) {
+        const double width = static_cast<double>(rung.width);
+        for (std::size_t i = 0; i < rung.errors.size(); ++i)
+            mean_squares_[i / rung.width] += rung.errors[i] * rung.errors[i] / width;
+    }
+
+    [[nodiscard]] double operator()(const Draw& draw) const {
+        double sum = 0;
+        for (std::size_t i = 0; i < draw.size(); ++i) sum += static_cast<double>(draw[i]) * mean_squares_[i];
+        return std::log(sum / static_cast<double>(draw.size())) / 2;
+    }
+
+    [[nodiscard]] std::span<const double> mean_squares() const { return mean_squares_; }
+
+  private:
+    std::vector<double> mean_squares_;
+};
+
+/// The median absolute error of a rung, for any draw of its replicates: sorted once, then counted.
+class LogMedian {
+  public:
+    explicit LogMedian(const Rung& rung) {
+        for (std::size_t i = 0; i < rung.errors.size(); ++i)
+            errors_.push_back({std::abs(rung.errors[i]), i / rung.width});
+        std::sort(errors_.begin(), errors_.end(), [](const Error& a, const Error& b) { return a.size < b.size; });
+    }
+
+    [[nodiscard]] double operator()(const Draw& draw) const {
+        const std::size_t upper = errors_.size() / 2;  // the middle, or the upper of the two in the middle
+        const std::size_t lower = (errors_.size() - 1) / 2;
+        double below = 0;
+        std::size_t counted = 0;
+        for (const Error& error : errors_) {
+            const std::size_t before = counted;
+            counted += draw[error.replicate];
+            if (before <= lower && lower < counted) below = error.size;
+            if (upper < counted) return std::log((below + error.size) / 2);
+        }
+        return std::log(0.0);
+    }
+
+  private:
+    struct Error {
+        double size = 0;
+        std::size_t replicate = 0;
+    };
+    std::vector<Error> errors_;
+};
+
+/// Squared relative variation of the replicates' mean squared errors, over 2: 1 for one normal error a replicate.
+double variance_factor(std::span<const LogRmse> rungs, std::size_t width) {
+    const double normal = 2 / static_cast<double>(width);  // squared relative variation for independent normal errors
     double sum = 0;
-    for (const double error : errors) sum += error * error;
-    return sum / static_cast<double>(errors.size());
+    for (const LogRmse& rung : rungs) {
+        const auto squares = rung.mean_squares();
+        const double n = static_cast<double>(squares.size());
+        double mean = 0;
+        for (const double square : squares) mean += square / n;
+        double ratio = 0;
+        for (const double square : squares) ratio += square / mean * (square / mean) / n;
+        sum += ratio * (n + normal) / n - 1;  // exact on average for normal errors, whatever their number
+    }
+    return std::max(normal, sum / static_cast<double>(rungs.size())) / 2;
 }
-
-/// Fourth moment over squared second moment, about 0; 3 on average for normal errors whatever their number.
-double kurtosis(std::span<const double> errors) {
-    const double n = static_cast<double>(errors.size());
-    const double scale = mean_square(errors);
-    double sum = 0;
-    for (const double error : errors) sum += error * error / scale * (error * error / scale);
-    return sum / n * (n + 2) / n;
-}
-
-double kurtosis_factor(std::span<const Rung> ladder) {
-    double sum = 0;
-    for (const Rung& rung : ladder) sum += kurtosis(rung.errors);
-    const double excess = sum / static_cast<double>(ladder.size()) - 3;
-    return std::max(1.0, 1 + excess / 2);
-}
-
-double log_rmse(std::span<const double> errors) {
-    return std::log(mean_square(errors)) / 2;
-}
-
-double log_median(std::span<const double> errors) {
-    return std::log(*median_absolute_error(errors, 0));
-}
-
-using Summary = double (*)(std::span<const double>);
 
 /// ln sizes, and a summary's logarithm at each.
 struct LogLog {
     std::vector<double> x, y, variances;
 };
 
-LogLog log_log(std::span<const Rung> ladder, Summary summary, double factor) {
+template <class Summary>
+LogLog log_log(std::span<const Rung> ladder, std::span<const Summary> summaries, double factor) {
     LogLog points;
-    for (const Rung& rung : ladder) {
-        points.x.push_back(std::log(rung.size));
-        points.y.push_back(summary(rung.errors));
+    for (std::size_t i = 0; i < ladder.size(); ++i) {
+        const std::size_t replicates = ladder[i].replicates();
+        points.x.push_back(std::log(ladder[i].size));
+        points.y.push_back(summaries[i](Draw(replicates, 1)));
         // ln RMSE is half of ln MSE.
-        points.variances.push_back(factor * log_chi_squared_variance(static_cast<double>(rung.errors.size())) / 4);
+        points.variances.push_back(factor * log_chi_squared_variance(static_cast<double>(replicates)) / 4);
     }
     return points;
 }
@@ -63,17 +106,18 @@ bool all_finite(std::span<const double> values) {
     return std::all_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); });
 }
 
-/// Slopes of ladders whose errors are drawn anew, with replacement, within each size.
-std::vector<double> bootstrap_slopes(std::span<const Rung> ladder, Summary summary, LogLog points,
+/// Slopes of ladders whose replicates are drawn anew, with replacement, within each size.
+template <class Summary>
+std::vector<double> bootstrap_slopes(std::span<const Rung> ladder, std::span<const Summary> summaries, LogLog points,
                                      const ResamplingPlan& plan) {
     std::vector<double> slopes;
-    std::vector<double> sample;
+    Draw draw;
     for (std::uint32_t replicate = 0; replicate < plan.replicates; ++replicate) {
         Draws draws(plan.key, Resampling::bootstrap, replicate);
         for (std::size_t i = 0; i < ladder.size(); ++i) {
-            sample.resize(ladder[i].errors.size());
-            resample(ladder[i].errors, draws, sample);
-            points.y[i] = summary(sample);
+            draw.assign(ladder[i].replicates(), 0);
+            for (std::size_t n = 0; n < draw.size(); ++n) ++draw[draws.below(draw.size())];
+            points.y[i] = summaries[i](draw);
         }
         // A sample of exact zeros has no logarithm; it takes some errors to be exactly 0.
         if (all_finite(points.y)) slopes.push_back(fit_line(points.x, points.y, points.variances)->slope);
@@ -82,13 +126,14 @@ std::vector<double> bootstrap_slopes(std::span<const Rung> ladder, Summary summa
     return slopes;
 }
 
-std::optional<ConvergenceRate> fit_rate(std::span<const Rung> ladder, Summary summary, double factor, double level,
-                                        const ResamplingPlan& plan) {
-    const LogLog points = log_log(ladder, summary, factor);
+template <class Summary>
+std::optional<ConvergenceRate> fit_rate(std::span<const Rung> ladder, std::span<const Summary> summaries, double factor,
+                                        double level, const ResamplingPlan& plan) {
+    const LogLog points = log_log(ladder, summaries, factor);
     if (!all_finite(points.y)) return std::nullopt;
     const auto line = fit_line(points.x, points.y, points.variances);
     if (!line) return std::nullopt;
-    const std::vector<double> slopes = bootstrap_slopes(ladder, summary, points, plan);
+    const std::vector<double> slopes = bootstrap_slopes(ladder, summaries, points, plan);
     if (slopes.empty()) return std::nullopt;
 
     ConvergenceRate rate;
@@ -99,29 +144,40 @@ std::optional<ConvergenceRate> fit_rate(std::span<const Rung> ladder, Summary su
                       .level = level,
                       .method = "percentile_bootstrap",
                       .n = slopes.size()};
+    rate.standard_error = moments_of(slopes).standard_deviation().value_or(0.0);
     rate.lack_of_fit_p = line->lack_of_fit_p;
-    rate.kurtosis_factor = factor;
+    rate.variance_factor = factor;
     rate.points = ladder.size();
     return rate;
 }
 
 bool has_replicates(std::span<const Rung> ladder) {
-    return std::all_of(ladder.begin(), ladder.end(), [](const Rung& rung) { return rung.errors.size() >= 2; });
+    return !ladder.empty() &&
+           std::all_of(ladder.begin(), ladder.end(), [](const Rung& rung) { return rung.replicates() >= 2; });
 }
 
 }  // namespace
 
 std::optional<ConvergenceRate> fit_rmse_rate(std::span<const Rung> ladder, double level, const ResamplingPlan& plan) {
-    if (ladder.empty() || !has_replicates(ladder)) return std::nullopt;
-    const bool some_exact =
-        std::any_of(ladder.begin(), ladder.end(), [](const Rung& rung) { return mean_square(rung.errors) == 0; });
-    if (some_exact) return std::nullopt;
-    return fit_rate(ladder, log_rmse, kurtosis_factor(ladder), level, plan);
+    if (!has_replicates(ladder)) return std::nullopt;
+    const auto exact = [](const Rung& rung) {
+        return std::all_of(rung.errors.begin(), rung.errors.end(), [](double error) { return error == 0; });
+    };
+    if (std::any_of(ladder.begin(), ladder.end(), exact)) return std::nullopt;
+    const std::vector<LogRmse> summaries(ladder.begin(), ladder.end());
+    const double factor = variance_factor(summaries, ladder.front().width);
+    auto rate = fit_rate<LogRmse>(ladder, summaries, factor, level, plan);
+    if (rate) {
+        const double reach = rate->interval.width() / 2 / normal_critical((1 - level) / 2);
+        rate->standard_error = std::max(rate->standard_error, reach);
+    }
+    return rate;
 }
 
 std::optional<ConvergenceRate> fit_median_rate(std::span<const Rung> ladder, double level, const ResamplingPlan& plan) {
-    if (ladder.empty() || !has_replicates(ladder)) return std::nullopt;
-    auto rate = fit_rate(ladder, log_median, 1, level, plan);
+    if (!has_replicates(ladder)) return std::nullopt;
+    const std::vector<LogMedian> summaries(ladder.begin(), ladder.end());
+    auto rate = fit_rate<LogMedian>(ladder, summaries, 1, level, plan);
     if (!rate) return std::nullopt;
     // The weights are right up to a common factor, so the line is; its interval and lack of fit are not.
     rate->interval = rate->bootstrap;

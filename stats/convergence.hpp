@@ -4,16 +4,21 @@
 #include "stats/line_fit.hpp"
 #include "stats/resampling.hpp"
 
+#include <cstddef>
 #include <optional>
 #include <span>
 #include <vector>
 
 namespace ff::stats {
 
-/// One size of a ladder: the errors (estimate - truth) of its independent replicates.
+/// One size of a ladder: the errors (estimate - truth) of its independent replicates. A replicate may have several
+/// errors, e.g. those of several pairs of faces in one trial; these may depend on each other and stay together.
 struct Rung {
-    double size = 0;  ///< evaluations N > 0
-    std::vector<double> errors;
+    double size = 0;             ///< evaluations N > 0
+    std::vector<double> errors;  ///< [replicate * width + i]
+    std::size_t width = 1;       ///< errors of a replicate
+
+    [[nodiscard]] std::size_t replicates() const { return errors.size() / width; }
 };
 
 /// Rate r of "error ~ N^r": the slope of ln(error) on ln(N), -0.5 for plain Monte Carlo.
@@ -21,14 +26,18 @@ struct ConvergenceRate {
     double rate = 0;
     Interval interval;                    ///< "wls_normal" from the fit's weights
     Interval bootstrap;                   ///< "percentile_bootstrap" over replicates within each size
+    double standard_error = 0;            ///< the larger of those behind the two intervals
     std::optional<double> lack_of_fit_p;  ///< of a straight line; empty for two sizes and for medians
-    double kurtosis_factor = 1;           ///< by which the variances of normal errors were multiplied
+    double variance_factor = 1;           ///< by which the variances of one normal error a replicate were multiplied
     std::size_t points = 0;
 };
 
-/// Rate of the root mean squared error. Weights: Var(ln MSE) = trigamma(R/2) for R normal errors, times
-/// max(1, 1 + excess kurtosis / 2) (pooled over sizes). Assumes a finite fourth moment: show the median rate beside it.
+/// Rate of the root mean squared error over all errors of a size. Weights: Var(ln MSE) = trigamma(R/2) for R normal
+/// errors, times half the squared relative variation of a replicate's mean squared error (pooled over sizes): for one
+/// error a replicate 1 + excess kurtosis / 2, at least 1; for w of them at least 1 / w, as for independent normal ones.
+/// Assumes a finite fourth moment: show the median rate beside it.
 /// Empty below two sizes, below two replicates at one, or where all errors of one are 0.
+/// @pre widths are equal
 std::optional<ConvergenceRate> fit_rmse_rate(std::span<const Rung> ladder, double level, const ResamplingPlan& plan);
 
 /// Rate of the median absolute error, which survives infinite variance. `interval` repeats the bootstrap one.

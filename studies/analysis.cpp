@@ -6,7 +6,9 @@
 #include "stats/moments.hpp"
 #include "stats/multiplicity.hpp"
 #include "stats/power.hpp"
+#include "stats/two_stage.hpp"
 #include "studies/known_variance.hpp"
+#include "studies/until.hpp"
 
 #include <fmt/format.h>
 
@@ -16,16 +18,6 @@
 
 namespace ff::studies {
 namespace {
-
-/// Hits of all trials together from which Student's t holds for their mean: below, its tails are too heavy.
-constexpr double least_hits = 30;
-
-/// Whether a counted quantity has too few hits, or misses, to be tested.
-bool is_sparse(const CellEstimates& estimates, std::optional<double> reference) {
-    if (!estimates.lattice || !reference || *reference == 1.0) return false;
-    const double rays = static_cast<double>(estimates.trials()) / *estimates.lattice;
-    return std::min(*reference, std::abs(1.0 - *reference)) * rays < least_hits;
-}
 
 /// Cells whose bias is tested; at least 1.
 std::size_t sampled_cells(const StudyPlan& plan) {
@@ -40,9 +32,13 @@ double level_of_pair(const StudyPlan& plan, std::size_t pairs) {
 }
 
 /// Minimum detectable bias in standard deviations of a trial; 0 where no test is possible.
-double detectable_in_sigmas(const StudyPlan& plan, std::size_t pairs, std::size_t trials) {
+double detectable_in_sigmas(const StudyPlan& plan, std::size_t pairs, std::size_t trials,
+                            std::optional<std::size_t> pilot) {
     if (trials < 2) return 0;
-    return stats::minimum_detectable_bias(1.0, trials, {level_of_pair(plan, pairs), plan.spec.power});
+    // After two stages the spread, and the degrees of freedom, are those of the pilot.
+    const std::size_t behind_spread = std::min(trials, pilot.value_or(trials));
+    const double gain = std::sqrt(static_cast<double>(behind_spread) / static_cast<double>(trials));
+    return gain * stats::minimum_detectable_bias(1.0, behind_spread, {level_of_pair(plan, pairs), plan.spec.power});
 }
 
 BiasFamily judge_family(const CellEstimates& estimates, const std::vector<Quantity>& pairs,
@@ -63,7 +59,9 @@ BiasFamily judge_family(const CellEstimates& estimates, const std::vector<Quanti
         // Values that are no numbers have no moments either.
         const auto moments =
             stats::moments_of(values.first(testable ? values.size() : 0), summary.reference.value_or(0.0));
-        const auto test = testable ? stats::test_bias(moments) : std::nullopt;
+        const auto pilot =
+            testable && spec.until ? stats::pilot_of(values, spec.until->pilot) : std::optional<stats::Pilot>();
+        const auto test = testable ? stats::test_bias(moments, pilot) : std::nullopt;
         if (!test) {
             ++family.untestable;
             if (summary.variance == VarianceStatus::infinite) ++family.infinite;
@@ -85,11 +83,11 @@ BiasFamily judge_family(const CellEstimates& estimates, const std::vector<Quanti
         family.minimum_detectable_bias =
             std::max(family.minimum_detectable_bias, summary.minimum_detectable_bias.value_or(0.0));
         const double margin = spec.equivalence_margin.value_or(1.0);
-        if (const auto equivalence = stats::test_equivalence(moments, margin, alpha)) {
+        if (const auto equivalence = stats::test_equivalence(moments, pilot, margin, alpha)) {
             const double reach = std::max(std::abs(equivalence->interval.low), std::abs(equivalence->interval.high));
             family.shown_below = std::max(family.shown_below, reach);
         }
-        if (const auto strict = stats::test_equivalence(moments, margin, pair_alpha / 2))
+        if (const auto strict = stats::test_equivalence(moments, pilot, margin, pair_alpha / 2))
             refuted = refuted || strict->different;
     }
     if (p_values.empty()) return family;
@@ -151,6 +149,7 @@ std::optional<double> CellFindings::class_rmse(PairClass pair_class) const {
     for (const Summary& summary : summaries) {
         if (summary.pair_class != pair_class) continue;
         if (summary.not_finite > 0) return std::nullopt;
+        if (summary.variance == VarianceStatus::infinite) return std::nullopt;
         if (!summary.rmse) continue;
         sum += *summary.rmse * *summary.rmse;
         ++pairs;
@@ -162,6 +161,12 @@ const ClassError* CellFindings::class_error(PairClass pair_class) const {
     const auto found = std::find_if(class_errors.begin(), class_errors.end(),
                                     [&](const ClassError& error) { return error.pair_class == pair_class; });
     return found == class_errors.end() ? nullptr : &*found;
+}
+
+bool CellFindings::has_infinite_variance(PairClass pair_class) const {
+    return std::any_of(summaries.begin(), summaries.end(), [&](const Summary& s) {
+        return s.pair_class == pair_class && s.variance == VarianceStatus::infinite;
+    });
 }
 
 CellFindings analyse_cell(const Store& store, std::size_t cell_index) {
@@ -176,7 +181,7 @@ CellFindings analyse_cell(const Store& store, std::size_t cell_index) {
     CellFindings findings;
     findings.cell = cell_index;
     findings.trials = estimates.trials();
-    findings.trials_planned = cell.trials;
+    findings.trials_planned = needed_trials(store, cell_index);
     findings.lost_rays = estimates.lost_rays;
     findings.evaluations_per_face = estimates.evaluations_per_face;
     if (estimates.trials() == 0) return findings;
@@ -186,7 +191,8 @@ CellFindings analyse_cell(const Store& store, std::size_t cell_index) {
         }
         return true;
     }();
-    const double detectable = detectable_in_sigmas(plan, pairs.size(), estimates.trials());
+    const std::optional<std::size_t> pilot = plan.spec.until ? std::optional(plan.spec.until->pilot) : std::nullopt;
+    const double detectable = detectable_in_sigmas(plan, pairs.size(), estimates.trials(), pilot);
     for (const Quantity quantity : all_quantities(estimates)) {
         SummaryRequest request;
         request.quantity = quantity;
@@ -194,7 +200,8 @@ CellFindings analyse_cell(const Store& store, std::size_t cell_index) {
             request.pair_class = pair_class(scene, quantity.from - 1, quantity.to - 1);
         request.variance = known_variance(method, scene, quantity);
         request.reference = reference_of(scene, exact, quantity);
-        if (request.variance == VarianceStatus::finite && is_sparse(estimates, request.reference)) {
+        if (request.variance == VarianceStatus::finite &&
+            too_few_hits(estimates.lattice, request.reference, estimates.trials())) {
             request.variance = VarianceStatus::sparse;
         }
         const bool counts = quantity.kind != QuantityKind::sum_relative_error &&
@@ -204,6 +211,7 @@ CellFindings analyse_cell(const Store& store, std::size_t cell_index) {
             quantity.kind == QuantityKind::sum_relative_error ? 0 : estimates.evaluations_per_face;
         request.level = plan.spec.level;
         request.detectable_bias = detectable;
+        request.pilot = pilot;
         request.key = derive_key(plan.spec.seed, fmt::format("summary|{}|{}|{}|{}", cell.canonical,
                                                              name(method.completion), quantity.from, quantity.to));
         findings.summaries.push_back(summarise(estimates.values(quantity), request));
@@ -238,7 +246,7 @@ CellFindings analyse_cell(const Store& store, std::size_t cell_index) {
 Findings analyse(const Store& store) {
     Findings findings;
     findings.plan = store.plan();
-    findings.complete = store.is_complete();
+    findings.complete = store.plan().spec.until ? is_adaptively_complete(store) : store.is_complete();
     for (std::size_t cell = 0; cell < findings.plan.cells.size(); ++cell)
         findings.cells.push_back(analyse_cell(store, cell));
     return findings;

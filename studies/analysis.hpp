@@ -60,11 +60,13 @@ struct CellFindings {
     EquivalenceFinding equivalence = EquivalenceFinding::not_asked;
 
     [[nodiscard]] const Summary& summary(Quantity quantity) const;
-    /// Root mean square, over the pairs of a class, of their RMSE; empty where the cell has no such pair or
-    /// reference, and where a trial of one gave no number.
+    /// Root mean square, over the pairs of a class, of their RMSE; empty where the cell has no such pair or reference,
+    /// where a trial of one gave no number, and where it would mean nothing: there is no variance.
     [[nodiscard]] std::optional<double> class_rmse(PairClass pair_class) const;
     /// Null where the cell has no such pair or reference.
     [[nodiscard]] const ClassError* class_error(PairClass pair_class) const;
+    /// Whether some pair of the class has estimates without a variance.
+    [[nodiscard]] bool has_infinite_variance(PairClass pair_class) const;
 };
 
 /// All that a study found; every report is made from it. Pure: the same store gives the same findings to the bit.

@@ -2,6 +2,9 @@
 
 #include "samplers/sampler.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 namespace ff::studies {
 namespace {
 
@@ -21,6 +24,9 @@ bool has_infinite_term(const Method& method, const Scene& scene, int from, int t
     return false;
 }
 
+/// Hits of all trials together from which Student's t holds for their mean: below, its tails are too heavy.
+constexpr double least_hits = 30;
+
 }  // namespace
 
 VarianceStatus known_variance(const Method& method, const Scene& scene, Quantity quantity) {
@@ -29,6 +35,12 @@ VarianceStatus known_variance(const Method& method, const Scene& scene, Quantity
     if (method.estimator != Estimator::area_kernel) return VarianceStatus::finite;
     return has_infinite_term(method, scene, quantity.from, quantity.to) ? VarianceStatus::infinite
                                                                         : VarianceStatus::finite;
+}
+
+bool too_few_hits(std::optional<double> lattice, std::optional<double> reference, std::size_t trials) {
+    if (!lattice || !reference || *reference == 1.0) return false;
+    const double rays = static_cast<double>(trials) / *lattice;
+    return std::min(*reference, std::abs(1.0 - *reference)) * rays < least_hits;
 }
 
 }  // namespace ff::studies

@@ -94,6 +94,14 @@ void expect_feasible(const Method& method, const Scene& scene, const Cell& cell)
         method.name, evaluations, most_evaluations));
 }
 
+/// @throws UserError where an adaptive study leaves a size fewer trials than its pilot has
+void expect_room_for_pilot(const StudySpec& spec, const Method& method, const Cell& cell) {
+    if (!spec.until || cell.deterministic || cell.trials >= spec.until->pilot) return;
+    throw UserError(
+        fmt::format("method '{}': trials = {} (the pilot of [until] has {}). Take more trials, or a smaller pilot.",
+                    method.name, cell.trials, spec.until->pilot));
+}
+
 }  // namespace
 
 void add_units(const StudyPlan& plan, std::size_t cell_index, std::uint64_t first_trial, std::uint64_t end_trial,
@@ -104,8 +112,15 @@ void add_units(const StudyPlan& plan, std::size_t cell_index, std::uint64_t firs
         throw UserError(fmt::format("method '{}': {} trials make more than {} work units. Take fewer trials.",
                                     plan.spec.methods[plan.cells[cell_index].method].name, end_trial, most_units));
     }
-    for (std::uint64_t first = first_trial; first < end_trial; first += batch) {
-        units.push_back({units.size(), cell_index, first, std::min(batch, end_trial - first)});
+    const bool adaptive = plan.spec.until && !plan.cells[cell_index].deterministic;
+    const std::uint64_t pilot = adaptive ? plan.spec.until->pilot : 0;
+    for (std::uint64_t first = first_trial; first < end_trial;) {
+        std::uint64_t trials = std::min(batch, end_trial - first);
+        // A round ends where a unit does: that of the pilot, and later ones not far beyond what they need.
+        if (first < pilot) trials = std::min(trials, pilot - first);
+        if (adaptive && first >= pilot) trials = std::min(trials, std::max<std::uint64_t>(1, first / 8));
+        units.push_back({units.size(), cell_index, first, trials});
+        first += trials;
     }
 }
 
@@ -159,6 +174,7 @@ StudyPlan plan_study(StudySpec spec) {
                 cell.deterministic = is_deterministic(method);
                 expect_feasible(method, plan.scenes[scene], cell);
                 cell.trials = cell.deterministic ? 1 : size.trials.value_or(plan.spec.trials);
+                expect_room_for_pilot(plan.spec, method, cell);
                 cell.canonical = canonical_text(plan.scenes[scene], method, cell);
                 cell.key = derive_key(plan.spec.seed, cell.canonical);
                 warn_about_control(plan, method);

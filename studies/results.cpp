@@ -18,6 +18,13 @@ StudyResults evaluate(const Store& store) {
     StudyResults results;
     results.findings = analyse(store);
     results.context = store.context();
+    if (results.findings.complete && all_finite(results.findings)) {
+        results.slopes = fit_slopes(store, results.findings);
+        results.heavy_tails = find_heavy_tails(store, results.findings);
+        results.reductions = compare_with_random(store, results.findings);
+        results.coverage = measure_coverage(store);
+        results.until = until_outcomes(store);
+    }
     results.variance_checks = check_variances(results.findings);
     const auto& published = results.findings.plan.spec.published;
     if (published && all_finite(results.findings)) {

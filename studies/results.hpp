@@ -4,10 +4,15 @@
 #include "studies/audit.hpp"
 #include "studies/claims.hpp"
 #include "studies/comparison.hpp"
+#include "studies/coverage.hpp"
 #include "studies/error_law.hpp"
+#include "studies/heavy_tails.hpp"
 #include "studies/published.hpp"
 #include "studies/rivals.hpp"
+#include "studies/slopes.hpp"
+#include "studies/until.hpp"
 #include "studies/variance_check.hpp"
+#include "studies/variance_reduction.hpp"
 
 #include <optional>
 #include <vector>
@@ -25,6 +30,11 @@ struct PublishedResults {
 /// Everything that reports show, made from a store alone. Context (host, dates) stands apart.
 struct StudyResults {
     Findings findings;
+    std::vector<LadderSlopes> slopes;
+    std::vector<VarianceReduction> reductions;
+    std::vector<HeavyTail> heavy_tails;
+    std::vector<Coverage> coverage;
+    std::vector<UntilOutcome> until;
     std::vector<VarianceCheck> variance_checks;
     std::vector<ErrorLaw> error_laws;
     std::vector<Rivalry> rivals;

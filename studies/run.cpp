@@ -2,6 +2,7 @@
 
 #include "core/contract.hpp"
 #include "core/error.hpp"
+#include "studies/until.hpp"
 #include "studies/work.hpp"
 
 #include <fmt/format.h>
@@ -135,12 +136,13 @@ double expected_seconds(const StudyPlan& plan, const WorkUnit& unit) {
     return static_cast<double>(unit.trials) * expected_seconds_per_trial(plan, plan.cells[unit.cell]);
 }
 
-/// Units of the shard that are not finished yet.
+/// Units of the shard that are wanted and not finished yet.
 std::vector<const WorkUnit*> missing_units(const StudyPlan& plan, const std::vector<bool>& finished,
-                                           const RunOptions& options) {
+                                           const std::vector<bool>& wanted, const RunOptions& options) {
     std::vector<const WorkUnit*> missing;
     for (const WorkUnit& unit : plan.units) {
-        if (options.shard.holds(unit.index) && !finished[unit.index]) missing.push_back(&unit);
+        const bool ours = wanted[unit.index] && options.shard.holds(unit.index);
+        if (ours && !finished[unit.index]) missing.push_back(&unit);
     }
     return missing;
 }
@@ -154,23 +156,24 @@ std::vector<const WorkUnit*> own_units(const std::vector<const WorkUnit*>& missi
     return own;
 }
 
-}  // namespace
-
-RunOutcome run_study(Store& store, const RunOptions& options) {
-    FF_EXPECT(options.threads >= 1);
-    const StudyPlan& plan = store.plan();
-    const std::vector<bool> finished = store.finished_units();
-    const auto missing = missing_units(plan, finished, options);
-    Progress progress;
+/// Counts what is wanted and what of it is done.
+void count_units(const StudyPlan& plan, const std::vector<bool>& finished, const std::vector<bool>& wanted,
+                 const RunOptions& options, Progress& progress) {
+    progress.units = progress.units_done = 0;
+    progress.expected_seconds = progress.expected_seconds_done = 0;
     for (const WorkUnit& unit : plan.units) {
-        if (!options.shard.holds(unit.index)) continue;
+        if (!wanted[unit.index] || !options.shard.holds(unit.index)) continue;
         ++progress.units;
         progress.expected_seconds += expected_seconds(plan, unit);
         if (!finished[unit.index]) continue;
         ++progress.units_done;
         progress.expected_seconds_done += expected_seconds(plan, unit);
     }
-    const Worker worker(plan, options.stop);
+}
+
+void run_round(Store& store, const Worker& worker, const std::vector<const WorkUnit*>& missing,
+               const RunOptions& options, Progress& progress) {
+    const StudyPlan& plan = store.plan();
     Workshop workshop(worker, own_units(missing, options), options);
     while (const auto record = workshop.take()) {
         store.commit(*record);
@@ -181,13 +184,35 @@ RunOutcome run_study(Store& store, const RunOptions& options) {
         progress.cell = unit.cell;
         if (options.report) options.report(progress);
     }
-    return progress.units_done == progress.units ? RunOutcome::complete : RunOutcome::stopped;
+}
+
+}  // namespace
+
+RunOutcome run_study(Store& store, const RunOptions& options) {
+    FF_EXPECT(options.threads >= 1);
+    const StudyPlan& plan = store.plan();
+    const Worker worker(plan, options.stop);
+    Progress progress;
+    // An adaptive study has two rounds: what the second needs is known when the first is saved. Others have one, in
+    // which other processes are waited for even where nothing is missing.
+    for (bool first = true;; first = false) {
+        const std::vector<bool> finished = store.finished_units();
+        const std::vector<bool> wanted = needed_units(store);
+        const auto missing = missing_units(plan, finished, wanted, options);
+        if (missing.empty() && !first) return RunOutcome::complete;
+        count_units(plan, finished, wanted, options, progress);
+        run_round(store, worker, missing, options, progress);
+        if (progress.units_done < progress.units) return RunOutcome::stopped;
+        if (!plan.spec.until) return RunOutcome::complete;
+    }
 }
 
 void carry_out_units(const StudyPlan& plan, const std::vector<bool>& finished, const RunOptions& options,
                      const std::function<void(const UnitRecord&)>& hand_over) {
+    FF_EXPECT(!plan.spec.until);
     const Worker worker(plan, options.stop);
-    Workshop workshop(worker, own_units(missing_units(plan, finished, options), options), options);
+    const std::vector<bool> all(plan.units.size(), true);
+    Workshop workshop(worker, own_units(missing_units(plan, finished, all, options), options), options);
     while (const auto record = workshop.take()) hand_over(*record);
 }
 

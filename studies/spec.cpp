@@ -4,7 +4,9 @@
 #include "core/error.hpp"
 #include "core/nearest_name.hpp"
 #include "samplers/sampler.hpp"
+#include "studies/coverage_request.hpp"
 #include "studies/published.hpp"
+#include "studies/sample_sizes.hpp"
 #include "studies/spec_names.hpp"
 #include "studies/text_file.hpp"
 #include "studies/toml_reader.hpp"
@@ -63,6 +65,18 @@ std::vector<std::uint32_t> read_patches_per_face(const TomlReader& reader) {
     return patches;
 }
 
+/// Numbers, or a text with ranges of sizes that the sampler is made for.
+std::vector<std::uint64_t> read_samples(const TomlReader& reader, const samplers::SamplerInfo& sampler,
+                                        std::size_t dimension) {
+    const toml::node* node = reader.find("samples_per_patch");
+    if (node == nullptr || !node->is_string()) return reader.counts("samples_per_patch");
+    try {
+        return read_sample_sizes(reader.text("samples_per_patch"), sampler, dimension);
+    } catch (const UserError& error) {
+        reader.fail("samples_per_patch", error.what());
+    }
+}
+
 /// @param patches  that share one sequence of points
 void check_samples(const TomlReader& reader, const samplers::SamplerInfo& sampler, std::uint64_t samples,
                    std::uint64_t patches, std::size_t dimension) {
@@ -84,7 +98,7 @@ std::vector<Size> read_sizes(const TomlReader& reader, const samplers::SamplerIn
     }
     std::vector<Size> sizes;
     const std::vector<std::uint64_t> none{0};
-    const auto samples = sampled ? reader.counts("samples_per_patch") : none;
+    const auto samples = sampled ? read_samples(reader, *sampler, dimension(method.estimator)) : none;
     for (const std::uint32_t patches : read_patches_per_face(reader)) {
         for (const std::uint64_t count : samples) {
             const std::uint64_t sharing = method.allocation == Allocation::face ? patches : 1;
@@ -238,7 +252,7 @@ std::vector<std::string> read_scenes(const TomlReader& reader) {
 StudySpec parse_study(std::string_view text, std::string_view origin) {
     const toml::table root = parse_toml(text, origin);
     const TomlReader file(root, origin);
-    static constexpr std::array<std::string_view, 3> sections{"study", "method", "published"};
+    static constexpr std::array<std::string_view, 5> sections{"study", "method", "until", "coverage", "published"};
     file.expect_only(sections);
     const auto study = file.optional_table("study");
     if (!study) file.fail("study", "missing. Begin the file with [study].");
@@ -278,6 +292,8 @@ StudySpec parse_study(std::string_view text, std::string_view origin) {
     }
     if (spec.methods.empty()) file.fail("method", "missing (nothing would be run). Add a [[method]].");
 
+    if (const auto until = file.optional_table("until")) spec.until = read_stopping_rule(*until, spec.trials);
+    if (const auto coverage = file.optional_table("coverage")) spec.coverage = read_coverage(*coverage, spec.trials);
     if (const auto published = file.optional_table("published")) {
         static constexpr std::array<std::string_view, 1> published_keys{"tables"};
         published->expect_only(published_keys);
@@ -311,6 +327,12 @@ void set_trials(StudySpec& spec, std::uint64_t trials) {
         }
     }
     spec.trials = trials;
+    if (!spec.until) return;
+    if (trials < fewest_pilot_trials) {
+        throw UserError(fmt::format("--trials {} (the pilot of an adaptive study has at least {}). Take more.", trials,
+                                    fewest_pilot_trials));
+    }
+    spec.until->pilot = std::min(spec.until->pilot, trials);
 }
 
 }  // namespace ff::studies

@@ -4,6 +4,7 @@
 #include "core/ray_shooting.hpp"
 #include "core/stream.hpp"
 #include "core/tracer.hpp"
+#include "studies/stopping_rule.hpp"
 
 #include <cstdint>
 #include <filesystem>
@@ -81,6 +82,8 @@ struct StudySpec {
     double power = 0.9;   ///< at which minimum detectable biases are stated; in [0.5, 1 - 1e-9]
     std::optional<double> equivalence_margin;  ///< |bias| to be shown smaller than this, in units of the form factor
     std::vector<Method> methods;
+    std::optional<StoppingRule> until;    ///< of an adaptive study; `trials` is then the most that are run
+    std::vector<std::uint64_t> coverage;  ///< numbers of trials whose intervals are to be checked; may be empty
     std::optional<Published> published;
     auto operator<=>(const StudySpec&) const = default;
 };
@@ -105,6 +108,9 @@ StudySpec load_study(const std::filesystem::path& file);
 
 /// The spec as a study file in canonical form: `parse_study(to_toml(spec))` is `spec`, but for the text of the tables.
 std::string to_toml(const StudySpec& spec);
+
+/// A text in quotes, as TOML wants it.
+std::string toml_text(std::string_view text);
 
 /// Sets the number of trials; sizes with a number of their own keep their share of it, at least 2.
 void set_trials(StudySpec& spec, std::uint64_t trials);

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 namespace ff::studies {
-namespace {
 
 std::string toml_text(std::string_view text) {
     std::string out = "\"";
@@ -18,8 +17,6 @@ std::string toml_text(std::string_view text) {
     }
     return out + "\"";
 }
-
-}  // namespace
 
 std::string to_toml(const StudySpec& spec) {
     std::vector<std::string> scenes;
@@ -51,6 +48,8 @@ std::string to_toml(const StudySpec& spec) {
         }
         out += "]\n";
     }
+    if (spec.until) out += to_toml(*spec.until);
+    if (!spec.coverage.empty()) out += fmt::format("\n[coverage]\nreplicates = [{}]\n", fmt::join(spec.coverage, ", "));
     if (spec.published) out += fmt::format("\n[published]\ntables = {}\n", toml_text(spec.published->file));
     return out;
 }

@@ -5,6 +5,7 @@
 #include "stats/normality.hpp"
 #include "stats/quantiles.hpp"
 #include "stats/tail_index.hpp"
+#include "stats/two_stage.hpp"
 #include "stats/variance_interval.hpp"
 
 #include <algorithm>
@@ -55,9 +56,12 @@ void add_spread(std::span<const double> values, const stats::Moments& moments, c
             1.0 / (*summary.std * *summary.std * static_cast<double>(request.evaluations_per_face));
     }
     if (!request.reference) return;
-    summary.bias_se = moments.standard_error();
-    summary.bias_interval = stats::bias_interval_t(moments, request.level);
-    summary.minimum_detectable_bias = request.detectable_bias * *summary.std;
+    const auto pilot = request.pilot ? stats::pilot_of(values, *request.pilot) : std::nullopt;
+    summary.bias_interval = pilot ? stats::bias_interval_two_stage(moments, *pilot, request.level)
+                                  : stats::bias_interval_t(moments, request.level);
+    const double spread = pilot ? pilot->standard_deviation : *summary.std;
+    summary.bias_se = pilot ? spread / std::sqrt(static_cast<double>(values.size())) : moments.standard_error();
+    summary.minimum_detectable_bias = request.detectable_bias * spread;
 }
 
 }  // namespace

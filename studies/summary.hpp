@@ -60,7 +60,8 @@ struct SummaryRequest {
     std::uint64_t evaluations_per_face = 0;
     double level = 0.95;         ///< of intervals
     double detectable_bias = 0;  ///< that the family-wise test finds with this many trials of standard deviation 1
-    StreamKey key;               ///< for jitter and bootstrap
+    std::optional<std::size_t> pilot;  ///< trials of the pilot, after two stages
+    StreamKey key;                     ///< for jitter and bootstrap
 };
 
 Summary summarise(std::span<const double> values, const SummaryRequest& request);

@@ -62,6 +62,14 @@ TEST(SummaryCsv, HasTheDocumentedColumnsInOrder) {
               "efficiency_samples,lost_rays,std_interval_method");
 }
 
+TEST(SlopesCsv, HasTheDocumentedColumnsInOrder) {
+    std::ostringstream out;
+    write_slopes_csv(out, test::small_results());
+    EXPECT_EQ(out.str(),
+              "study,scene,method,pair_class,from_face,to_face,statistic,slope,slope_ci_low,slope_ci_high,"
+              "expected,lack_of_fit_p,points\n");
+}
+
 TEST(SummaryCsv, HasARowForEveryQuantityOfEveryCell) {
     // 7 cells on each of 2 scenes; 30 pairs, 6 sums and their error.
     EXPECT_EQ(summary().rows.size(), 2u * 7 * 37);

@@ -1,0 +1,208 @@
+#include "studies/slopes.hpp"
+
+#include "core/exact.hpp"
+#include "stats/convergence.hpp"
+#include "stats/distributions.hpp"
+#include "stats/multiplicity.hpp"
+#include "stats/power_law.hpp"
+#include "stats/quantiles.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace ff::studies {
+namespace {
+
+/// Errors of this size are those of double precision.
+constexpr double rounding = 1e-12;
+
+/// Trials drawn by all resamples of a ladder together, about: more trials need fewer resamples.
+constexpr double most_draws = 4e6;
+
+/// As many resamples as the trials allow, of (replicates + 1) / 40 whole.
+std::uint32_t resamples(std::span<const stats::Rung> rungs) {
+    std::size_t trials = 0;
+    for (const stats::Rung& rung : rungs) trials += rung.replicates();
+    for (const std::uint32_t replicates : {1999u, 999u, 399u}) {
+        if (replicates * static_cast<double>(trials) <= most_draws) return replicates;
+    }
+    return 199;
+}
+
+/// The slope through one error at each size, without any interval.
+std::optional<double> deterministic_slope(std::span<const stats::Rung> rungs, ErrorSize error) {
+    std::vector<double> sizes;
+    std::vector<double> errors;
+    for (const stats::Rung& rung : rungs) {
+        sizes.push_back(rung.size);
+        errors.push_back(error == ErrorSize::rmse ? root_mean_square(rung.errors)
+                                                  : *stats::median_absolute_error(rung.errors, 0));
+        if (errors.back() < rounding) return std::nullopt;
+    }
+    const auto law = stats::fit_power_law(sizes, errors);
+    return law ? std::optional(-law->exponent) : std::nullopt;
+}
+
+/// p of "the slope lies between the expected rate and the slowest that its logarithms allow", or below it.
+std::optional<double> p_of_expected(const Slope& slope, double standard_error) {
+    if (!slope.expected || !slope.slope || standard_error <= 0) return std::nullopt;
+    const double above = (*slope.slope - slope.slowest_expected) / standard_error;
+    const double below = (slope.expected->rate - *slope.slope) / standard_error;
+    if (slope.expected->at_least) return stats::normal_tail(above);
+    const double z = std::max({above, below, 0.0});
+    return stats::normal_two_sided_p(z);
+}
+
+void fit(std::span<const stats::Rung> rungs, double level, const stats::ResamplingPlan& plan, Slope& slope) {
+    slope.points = rungs.size();
+    if (slope.expected && slope.expected->of_median && slope.error == ErrorSize::rmse) slope.expected.reset();
+    if (slope.variance == VarianceStatus::none) {
+        slope.slope = deterministic_slope(rungs, slope.error);
+        return;
+    }
+    if (slope.variance == VarianceStatus::infinite && slope.error == ErrorSize::rmse) return;
+    const auto rate = slope.error == ErrorSize::rmse ? stats::fit_rmse_rate(rungs, level, plan)
+                                                     : stats::fit_median_rate(rungs, level, plan);
+    if (!rate) return;
+    slope.slope = rate->rate;
+    slope.interval = rate->bootstrap;
+    if (slope.error == ErrorSize::rmse) slope.from_fit = rate->interval;
+    slope.lack_of_fit_p = rate->lack_of_fit_p;
+    if (slope.expected) {
+        const double middle = std::sqrt(rungs.front().size * rungs.back().size);
+        slope.slowest_expected = slope.expected->slowest(middle);
+        slope.p = p_of_expected(slope, rate->standard_error);
+    }
+}
+
+/// All that is fitted to one ladder.
+class LadderFit {
+  public:
+    LadderFit(const Store& store, const Findings& findings, const Ladder& ladder)
+        : plan_(store.plan()), findings_(findings), ladder_(ladder) {
+        for (const std::size_t cell : ladder.cells) estimates_.push_back(load_estimates(store, cell));
+        exact_ = exact_form_factors(plan_.scenes[ladder.scene]);
+    }
+
+    [[nodiscard]] LadderSlopes slopes() const {
+        LadderSlopes found;
+        found.ladder = ladder_;
+        if (!exact_) return found;
+        const Method& method = plan_.spec.methods[ladder_.method];
+        const auto pairs = distinct_pairs(estimates_.front().faces, method.completion);
+        for (const PairClass pair_class : {PairClass::parallel, PairClass::adjacent, PairClass::other}) {
+            const auto members = pairs_of_class(plan_.scenes[ladder_.scene], pairs, pair_class);
+            if (!members.empty()) found.classes.push_back(class_slopes(pair_class, members));
+        }
+        for (const Quantity pair : pairs) {
+            for (const ErrorSize error : {ErrorSize::rmse, ErrorSize::median_abs_error})
+                found.pairs.push_back(slope(std::array{pair}, pair, error));
+        }
+        return found;
+    }
+
+  private:
+    [[nodiscard]] PairClass class_of(Quantity pair) const {
+        return pair_class(plan_.scenes[ladder_.scene], pair.from - 1, pair.to - 1);
+    }
+
+    [[nodiscard]] std::vector<stats::Rung> rungs(std::span<const Quantity> pairs) const {
+        std::vector<stats::Rung> rungs;
+        for (const CellEstimates& estimates : estimates_) {
+            stats::Rung& rung = rungs.emplace_back();
+            rung.size = static_cast<double>(estimates.evaluations_per_face);
+            rung.width = pairs.size();
+            rung.errors = errors_of(estimates, pairs, *exact_);
+        }
+        return rungs;
+    }
+
+    [[nodiscard]] Slope slope(std::span<const Quantity> pairs, std::optional<Quantity> pair, ErrorSize error) const {
+        const Method& method = plan_.spec.methods[ladder_.method];
+        Slope slope;
+        slope.pair = pair;
+        slope.pair_class = class_of(pairs.front());
+        slope.error = error;
+        slope.variance = variance_of(pairs.front());
+        if (ladder_.growth == Growth::samples) slope.expected = expected_rate(method, slope.pair_class);
+        const auto errors = rungs(pairs);
+        const std::string text = fmt::format("slope|{}|{}|{}", plan_.cells[ladder_.cells.front()].canonical,
+                                             name(method.completion), ladder_.cells.size());
+        fit(errors, plan_.spec.level, {derive_key(plan_.spec.seed, text), resamples(errors)}, slope);
+        return slope;
+    }
+
+    /// Sparse hits make no test of a mean, but their spread is one all the same.
+    [[nodiscard]] VarianceStatus variance_of(Quantity pair) const {
+        const VarianceStatus status = findings_.cells[ladder_.cells.front()].summary(pair).variance;
+        return status == VarianceStatus::sparse ? VarianceStatus::finite : status;
+    }
+
+    [[nodiscard]] ClassSlopes class_slopes(PairClass pair_class, std::span<const Quantity> members) const {
+        ClassSlopes found;
+        found.pair_class = pair_class;
+        found.pairs = members.size();
+        found.rmse = slope(members, std::nullopt, ErrorSize::rmse);
+        found.median = slope(members, std::nullopt, ErrorSize::median_abs_error);
+        const auto errors = rungs(members);
+        for (std::size_t i = 0; i < errors.size(); ++i) {
+            ClassErrors row = summarise_class(errors[i].errors, members.size(), estimates_[i].evaluations_per_face,
+                                              found.rmse.variance, plan_.spec.level);
+            row.cell = ladder_.cells[i];
+            found.sizes.push_back(row);
+        }
+        return found;
+    }
+
+    const StudyPlan& plan_;
+    const Findings& findings_;
+    const Ladder& ladder_;
+    std::vector<CellEstimates> estimates_;
+    std::optional<Eigen::MatrixXd> exact_;
+};
+
+RateFinding judge(const ClassSlopes& found, double level) {
+    const Slope& slope = found.judged();
+    if (!slope.slope || !slope.interval) return RateFinding::no_slope;
+    if (!found.adjusted_p) return RateFinding::no_theory;
+    if (*found.adjusted_p >= 1 - level) return RateFinding::as_expected;
+    return *slope.slope > slope.slowest_expected ? RateFinding::slower : RateFinding::faster;
+}
+
+/// Verdicts over the whole table.
+void judge_together(std::vector<LadderSlopes>& ladders, double level) {
+    std::vector<ClassSlopes*> family;
+    std::vector<double> p_values;
+    for (LadderSlopes& ladder : ladders) {
+        for (ClassSlopes& found : ladder.classes) {
+            if (!found.judged().p) continue;
+            family.push_back(&found);
+            p_values.push_back(*found.judged().p);
+        }
+    }
+    const auto adjusted = stats::holm(p_values);
+    for (std::size_t i = 0; i < family.size(); ++i) family[i]->adjusted_p = adjusted[i];
+    for (LadderSlopes& ladder : ladders) {
+        for (ClassSlopes& found : ladder.classes) found.finding = judge(found, level);
+    }
+}
+
+}  // namespace
+
+std::string_view name(ErrorSize size) {
+    return size == ErrorSize::rmse ? "rmse" : "median_abs_error";
+}
+
+std::vector<LadderSlopes> fit_slopes(const Store& store, const Findings& findings) {
+    if (!findings.complete) return {};
+    std::vector<LadderSlopes> ladders;
+    for (const Ladder& ladder : find_ladders(store.plan()))
+        ladders.push_back(LadderFit(store, findings, ladder).slopes());
+    judge_together(ladders, store.plan().spec.level);
+    return ladders;
+}
+
+}  // namespace ff::studies

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "core/pair_class.hpp"
+#include "stats/interval.hpp"
+#include "studies/analysis.hpp"
+
+#include <cstddef>
+#include <vector>
+
+namespace ff::studies {
+
+/// How many times less variance a cell has than one with as many independent random points, on the pairs of a class
+/// together.
+struct VarianceReduction {
+    std::size_t cell = 0;
+    std::size_t random_cell = 0;  ///< of sampler "random", with the same scene, estimator, completion and size
+    PairClass pair_class = PairClass::other;
+    double factor = 1;
+    stats::Interval interval;  ///< log-normal, from both cells' spread over trials
+};
+
+/// One for each cell and class that has a finite variance and a random counterpart, in the order of cells. Pure.
+std::vector<VarianceReduction> compare_with_random(const Store& store, const Findings& findings);
+
+}  // namespace ff::studies

@@ -1,0 +1,118 @@
+#include "stats/two_stage.hpp"
+
+#include "stats/mean_interval.hpp"
+#include "tests/support/statistical_assertions.hpp"
+#include "tests/unit/stats/samples.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+
+namespace ff::stats {
+namespace {
+
+constexpr double level = 0.95;
+
+TEST(TwoStage, PilotIsTheSpreadOfTheFirstValues) {
+    const std::vector<double> values{1, 2, 3, 100};
+    EXPECT_NEAR(pilot_of(values, 3)->standard_deviation, 1, 1e-15);
+    EXPECT_FALSE(pilot_of(values, 5));
+    EXPECT_FALSE(pilot_of(std::vector<double>{1, 1, 2}, 2));
+}
+
+// from scipy.stats import t; t.ppf(.975, 9)**2 * 4 / .5**2 -> 81.88; 4 * 9/7 / .25 -> 20.57
+TEST(TwoStage, AsksForAsManyTrialsAsTheGoalNeeds) {
+    const Pilot pilot{10, 2};
+    EXPECT_EQ(trials_for_half_width(pilot, 0.5, level), 82u);
+    EXPECT_EQ(trials_for_rmse(pilot, 0.5), 21u);
+    EXPECT_EQ(trials_for_rmse(pilot, 5), 10u);
+    EXPECT_LE(half_width_of(pilot, 82, level), 0.5);
+    EXPECT_GT(half_width_of(pilot, 81, level), 0.5);
+    EXPECT_LE(rmse_of(pilot, 21), 0.5);
+    EXPECT_GT(rmse_of(pilot, 20), 0.5);
+    EXPECT_EQ(trials_for_half_width(pilot, 1e-300, level), trials_for_half_width(pilot, 1e-200, level));
+}
+
+using Law = std::function<double()>;
+
+/// Takes a pilot of 5, then as many values as the rule asks for.
+Moments run_two_stages(const Law& law, double half_width, Pilot& pilot) {
+    std::vector<double> values(5);
+    for (double& value : values) value = law();
+    pilot = *pilot_of(values, values.size());
+    Moments all;
+    for (const double value : values) all.add(value);
+    for (std::uint64_t left = trials_for_half_width(pilot, half_width, level) - values.size(); left > 0; --left)
+        all.add(law());
+    return all;
+}
+
+/// The rule that looks natural and is wrong: go on until Student's interval is short enough.
+Moments run_until_it_looks_short(const Law& law, double half_width) {
+    Moments all;
+    for (int i = 0; i < 5; ++i) all.add(law());
+    while (bias_interval_t(all, level)->width() / 2 > half_width) all.add(law());
+    return all;
+}
+
+// Standard normal values, half-width .5: about 4 to 100 trials. Risks: 1e-6; .93 is noticed with power .99.
+TEST(TwoStage, KeepsItsCoverageOfNormalValues) {
+    std::mt19937_64 engine(1);
+    std::normal_distribution<double> normal;
+    const Law law = [&] { return normal(engine); };
+    std::uint64_t covered = 0;
+    constexpr std::uint64_t runs = 4000;
+    for (std::uint64_t run = 0; run < runs; ++run) {
+        Pilot pilot;
+        const Moments all = run_two_stages(law, 0.5, pilot);
+        covered += bias_interval_two_stage(all, pilot, level).contains(0) ? 1u : 0u;
+    }
+    EXPECT_TRUE(test::has_probability(covered, runs, level, {.detects = 0.026}));
+}
+
+// The same assertion, turned round, on a rule that is broken: it covers about .88.
+TEST(TwoStage, StoppingWhereTheIntervalLooksShortDoesNot) {
+    std::mt19937_64 engine(2);
+    std::normal_distribution<double> normal;
+    const Law law = [&] { return normal(engine); };
+    std::uint64_t covered = 0;
+    constexpr std::uint64_t runs = 4000;
+    for (std::uint64_t run = 0; run < runs; ++run)
+        covered += bias_interval_t(run_until_it_looks_short(law, 0.5), level)->contains(0) ? 1u : 0u;
+    EXPECT_FALSE(test::has_probability(covered, runs, level, {.detects = 0.026}));
+}
+
+// E (mean - truth)^2 is at most the square of what was asked for, and not far below it.
+TEST(TwoStage, KeepsThePromisedMeanSquaredError) {
+    std::mt19937_64 engine(3);
+    std::normal_distribution<double> normal(3, 2);
+    std::vector<double> ratios;
+    constexpr double rmse = 0.25;
+    for (int run = 0; run < 4000; ++run) {
+        std::vector<double> values(10);
+        for (double& value : values) value = normal(engine);
+        Moments all(3);
+        for (const double value : values) all.add(value);
+        const std::uint64_t trials = trials_for_rmse(*pilot_of(values, values.size()), rmse);
+        for (std::uint64_t i = values.size(); i < trials; ++i) all.add(normal(engine));
+        ratios.push_back(*all.bias() * *all.bias() / (rmse * rmse));
+    }
+    EXPECT_TRUE(test::unbiased(ratios, 1, {.alpha = 1e-6, .detects = 0.2}));
+}
+
+TEST(TwoStage, TestsAgreeWithTheInterval) {
+    Moments all(0);
+    for (const double value : {0.2, 0.5, -0.1, 0.4, 0.3, 0.2}) all.add(value);
+    const Pilot pilot{5, 0.2};
+    const Interval interval = bias_interval_two_stage(all, pilot, level);
+    const BiasTest test = *test_bias(all, pilot);
+    EXPECT_EQ(interval.contains(0), test.p >= 1 - level);
+    EXPECT_NEAR(interval.low + interval.high, 2 * test.bias, 1e-15);
+    EXPECT_TRUE(test_equivalence(all, pilot, 1, 0.05)->equivalent);
+    EXPECT_LT(test_equivalence(all, pilot, 1, 0.05)->p, 0.05);
+    EXPECT_TRUE(test_equivalence(all, pilot, 0.01, 0.05)->different);
+}
+
+}  // namespace
+}  // namespace ff::stats
