@@ -47,8 +47,8 @@ void write_html(const std::filesystem::path& folder, const ResultSources& source
 }
 
 constexpr std::array<std::string_view, 4> names{"html", "markdown", "csv", "json"};
-constexpr std::array<std::string_view, 7> files{"report.html", "report.md",    "audit.md",    "summary.csv",
-                                                "trials.csv",  "results.json", "context.json"};
+constexpr std::array<std::string_view, 8> files{"report.html", "report.md",  "audit.md",     "summary.csv",
+                                                "slopes.csv",  "trials.csv", "results.json", "context.json"};
 constexpr std::array writers{write_html, write_markdown, write_csv, write_json};
 
 }  // namespace
