@@ -12,15 +12,14 @@ namespace {
 /// The smallest size of at least `points` that the sampler is made for.
 std::uint64_t next_size(const SamplerInfo& info, std::uint64_t points, std::size_t dimension) {
     switch (info.sizes) {
-        case Sizes::power_of_five: {
-            std::uint64_t size = 1;
-            while (size < points) size *= 5;
+        case Sizes::powers: {
+            std::uint64_t size = info.multiple;
+            while (size < points) size *= info.base;
             return size;
         }
         case Sizes::fourth_power:
             return integer_power(floor_root(points - 1, dimension) + 1, dimension);
         case Sizes::any:
-        case Sizes::power_of_two:
         case Sizes::nodes:
             break;
     }

@@ -8,15 +8,19 @@ namespace {
 
 using testing::ElementsAre;
 
-std::vector<std::uint64_t> ladder(Sizes sizes, std::uint64_t low, std::uint64_t high, std::size_t dimension = 4) {
+std::vector<std::uint64_t> ladder(Sizes sizes, std::uint64_t low, std::uint64_t high, std::size_t dimension = 4,
+                                  std::uint32_t base = 2, std::uint32_t multiple = 1) {
     SamplerInfo info;
     info.sizes = sizes;
+    info.base = base;
+    info.multiple = multiple;
     return size_ladder(info, low, high, dimension);
 }
 
 TEST(SizeLadder, TakesPowersOfTheBaseOfANet) {
-    EXPECT_THAT(ladder(Sizes::power_of_two, 64, 512), ElementsAre(64, 128, 256, 512));
-    EXPECT_THAT(ladder(Sizes::power_of_five, 64, 65'536), ElementsAre(125, 625, 3125, 15'625));
+    EXPECT_THAT(ladder(Sizes::powers, 64, 512), ElementsAre(64, 128, 256, 512));
+    EXPECT_THAT(ladder(Sizes::powers, 64, 65'536, 4, 5), ElementsAre(125, 625, 3125, 15'625));
+    EXPECT_THAT(ladder(Sizes::powers, 100, 1000, 4, 2, 3), ElementsAre(192, 384, 768));
 }
 
 TEST(SizeLadder, TakesPowersOfTwoWhereEverySizeWillDo) {
@@ -30,10 +34,10 @@ TEST(SizeLadder, TakesOneFullGridAnOctave) {
 }
 
 TEST(SizeLadder, KeepsWithinTheRange) {
-    EXPECT_THAT(ladder(Sizes::power_of_two, 65, 127), ElementsAre());
+    EXPECT_THAT(ladder(Sizes::powers, 65, 127), ElementsAre());
     EXPECT_THAT(ladder(Sizes::fourth_power, 1, 1), ElementsAre(1));
-    EXPECT_THAT(ladder(Sizes::power_of_five, max_points / 2, max_points), ElementsAre());
-    EXPECT_THAT(ladder(Sizes::power_of_two, max_points, max_points), ElementsAre(max_points));
+    EXPECT_THAT(ladder(Sizes::powers, max_points / 2, max_points, 4, 5), ElementsAre());
+    EXPECT_THAT(ladder(Sizes::powers, max_points, max_points), ElementsAre(max_points));
 }
 
 }  // namespace
