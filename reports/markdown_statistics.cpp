@@ -15,7 +15,6 @@ namespace {
 
 using studies::CellFindings;
 using studies::Completion;
-using studies::Quantity;
 using studies::QuantityKind;
 using studies::StudyPlan;
 using studies::Summary;
