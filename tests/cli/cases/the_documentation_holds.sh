@@ -31,7 +31,7 @@ expect_equal_files "$folder/promised" "$folder/stdout"
 
 # So does the example of docs/gates.md.
 blocks toml "$root/docs/gates.md" >bands.toml
-blocks "" "$root/docs/gates.md" | sed '1,/^\$ ffstudy check bands.toml$/d; /^ffstudy check/,$d' >"$folder/promised"
+blocks "" "$root/docs/gates.md" | sed '0,/^\$ ffstudy check bands.toml$/d; /^ffstudy check/,$d' >"$folder/promised"
 ffstudy check bands.toml
 expect_status 0
 expect_equal_files "$folder/promised" "$folder/stdout"
