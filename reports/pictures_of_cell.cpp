@@ -37,6 +37,7 @@ CellView view(const studies::StudyResults& results, std::size_t index) {
 /// Form factors whose estimates are free: half of them follow under reciprocal completion.
 std::vector<const Summary*> distinct(const CellView& v) {
     std::vector<const Summary*> pairs;
+    if (v.found.summaries.empty()) return pairs;  // no trial yet
     for (const Quantity pair : studies::distinct_pairs(v.scene.faces.size(), v.method.completion))
         pairs.push_back(&v.found.summary(pair));
     return pairs;
