@@ -81,7 +81,7 @@ TEST(GateRun, FailsWhatIsWrong) {
          {one_gate("bias", "band = 0.005", centres), one_gate("bias", "band = 0.005", same_seed),
           one_gate("lost_rays", "band = 0", leaky), one_gate("closure", "band = 1e-6", leaky),
           one_gate("std", "reference = 0.01\nband = 0.2"), one_gate("slope", "expected = -1\nband = 0.1", ladder),
-          one_gate("coverage", "interval = \"wald\"\nlevel = 0.99\nband = 0.02\npairs = \"1-6\"\n",
+          one_gate("coverage", "interval = \"wald\"\nlevel = 0.95\nband = 0.03\npairs = \"1-6\"\n",
                    "sampler = \"random\"\nestimator = \"ray_shooting\"\nsamples_per_patch = 16\n"),
           one_gate("bias", "band = 1e-4\npairs = \"adjacent\"", quadrature)}) {
         const GateResult result = check(spec);
