@@ -82,7 +82,7 @@ std::string usage_problem(const CLI::App& app, const CLI::ParseError& error) {
     if (is(CLI::ExitCodes::RequiredError))
         return fmt::format("{} is missing. {}", message.substr(0, message.find(" is ")), help_of(app));
     if (is(CLI::ExitCodes::ArgumentMismatch))
-        return fmt::format("{} has no value. Give one. {}", message.substr(0, message.find(':')), help_of(app));
+        return fmt::format("{} needs one value. Give it once. {}", message.substr(0, message.find(':')), help_of(app));
     return fmt::format("{}. {}", message, help_of(app));
 }
 

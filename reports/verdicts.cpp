@@ -24,7 +24,9 @@ std::string bias_in_words(const studies::CellFindings& found) {
             return fmt::format("no test: {}", why_untested(*found.bias));
         case studies::BiasFinding::biased:
             if (found.bias->constant_and_wrong) return "BIASED (one wrong value in every trial)";
-            return fmt::format("BIASED (t up to ±{:.1f}, {})", found.bias->largest_t, p_text(found.bias->adjusted_p));
+            return fmt::format(
+                "BIASED (t up to ±{:.1f}, {}){}", found.bias->largest_t, p_text(found.bias->adjusted_p),
+                found.bias->undefined > 0 ? "; infinity or no number in some trials of other pairs" : "");
         case studies::BiasFinding::no_bias_found:
             break;
     }

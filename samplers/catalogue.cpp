@@ -29,26 +29,26 @@ namespace {
 
 /// The only list of samplers.
 constexpr std::array all_samplers{
-    entry<Random>(),                      //
-    entry<RandomMt>(),                    //
-    entry<Antithetic<Random>>(),          //
-    entry<Antithetic<Sobol>>(),           //
-    entry<Stratified>(),                  //
-    entry<LatinHypercube>(),              //
-    entry<Halton>(),                      //
-    entry<Sobol>(),                       //
-    entry<SobolLms>(),                    //
-    entry<SobolNus>(),                    //
-    entry<SobolRaw>(),                    //
-    entry<Niederreiter>(),                //
-    entry<Faure>(),                       //
-    entry<FaureInBase<7>>(),              //
-    entry<FaureInBase<11>>(),             //
-    entry<FaureInBase<13>>(),             //
-    entry<Padded>(),                      //
-    entry<Lattice>(),                     //
-    entry<RSequence>(),                   //
-    entry<GaussLegendre>(),               //
+    entry<Random>(),              //
+    entry<RandomMt>(),            //
+    entry<Antithetic<Random>>(),  //
+    entry<Antithetic<Sobol>>(),   //
+    entry<Stratified>(),          //
+    entry<LatinHypercube>(),      //
+    entry<Halton>(),              //
+    entry<Sobol>(),               //
+    entry<SobolLms>(),            //
+    entry<SobolNus>(),            //
+    entry<SobolRaw>(),            //
+    entry<Niederreiter>(),        //
+    entry<Faure>(),               //
+    entry<FaureInBase<7>>(),      //
+    entry<FaureInBase<11>>(),     //
+    entry<FaureInBase<13>>(),     //
+    entry<Padded>(),              //
+    entry<Lattice>(),             //
+    entry<RSequence>(),           //
+    entry<GaussLegendre>(),       //
 };
 
 constexpr auto all_names = [] {

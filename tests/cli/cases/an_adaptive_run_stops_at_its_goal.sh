@@ -25,7 +25,7 @@ expect_status 2
 expect_stderr "holds another study"
 
 # It cannot get there: the end is clear, and results are there.
-ffstudy "${ladder[@]}" --until rmse=1e-6 --trials 50 --out far
+ffstudy convergence --sampler sobol --samples 256 --until rmse=1e-6 --trials 50 --out far
 expect_status 4
 expect_stdout "NOT reached"
 expect_file far/report.md

@@ -27,7 +27,7 @@ expect_stdout "infinite variance, no RMSE"
 
 rm -r results again kernel mine.toml
 ffstudy convergence
-expect_refused 2 "--sampler is required"
+expect_refused 2 "--sampler is missing"
 ffstudy convergence --sampler sobl
 expect_refused 2 'Did you mean "sobol"?'
 ffstudy convergence --sampler gauss_legendre --estimator area_kernel

@@ -10,7 +10,7 @@ expect_refused 2 "ffstudy: --trials -5 (not a whole number from 0 to 2^64 - 1). 
 ffstudy sr_vs_pdm --trials 1e3
 expect_refused 2 "ffstudy: --trials 1e3 (not a whole number from 0 to 2^64 - 1). Write it like 1000."
 ffstudy sr_vs_pdm --trials
-expect_refused 2 "ffstudy: --trials has no value. Give one. See 'ffstudy sr_vs_pdm --help'."
+expect_refused 2 "ffstudy: --trials needs one value. Give it once. See 'ffstudy sr_vs_pdm --help'."
 ffstudy sr_vs_pdm --trails 5
 expect_refused 2 "ffstudy: unknown option '--trails'. Did you mean '--trials'? See 'ffstudy sr_vs_pdm --help'."
 ffstudy sr_vs_pdm --out ""

@@ -67,7 +67,8 @@ TEST(ResultsJson, HoldsThePublishedTablesAndClaims) {
     const json parsed = json::parse(results_json(test::published_results()));
     const json& published = parsed.at("published");
     EXPECT_EQ(published.at("source"), "A small publication");
-    EXPECT_EQ(published.at("tables").at(0).at("figures").size(), 5u);
+    EXPECT_EQ(published.at("tables").at(0).at("figures").size(),
+              10u);  // two columns of four pairs, and two sums of one
     EXPECT_EQ(published.at("claims").at(0).at("id"), "c");
 }
 

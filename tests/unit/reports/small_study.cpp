@@ -93,7 +93,8 @@ patches_per_face = [4, 9]
                      {"title": "2 - 3", "quantity": "F 2-3", "printed": ["0.200000", "0.200000"]},
                      {"title": "4 - 5", "quantity": "F 4-5", "printed": ["0.200000", "0.200000"]},
                      {"title": "1 - 2", "quantity": "F 1-2", "printed": ["0.300000", "0.900000"]},
-                     {"title": "sum 1", "quantity": "sum 1", "printed": [null, "1.0"]}]}],
+                     {"title": "sum 1", "quantity": "sum 1", "printed": [null, "1.0"]},
+                     {"title": "sum 6", "quantity": "sum 6", "printed": [null, "5.0"]}]}],
           "claims": [{"id": "c", "section": "1", "statement": "PDM is better.", "kind": "smaller_error",
                       "methods": ["PDM", "SR"], "pair_class": "parallel"}]})"};
         return evaluate(run(plan_study(spec)));
