@@ -103,10 +103,13 @@ BiasFamily judge_family(const CellEstimates& estimates, const std::vector<Quanti
 
 /// Finite where it is so for every pair of the class.
 VarianceStatus class_variance(const std::vector<Summary>& summaries, PairClass pair_class) {
+    VarianceStatus worst = VarianceStatus::finite;
     for (const Summary& summary : summaries) {
-        if (summary.pair_class == pair_class && summary.variance != VarianceStatus::finite) return summary.variance;
+        if (summary.pair_class != pair_class || summary.variance == VarianceStatus::finite) continue;
+        if (summary.variance == VarianceStatus::undefined) return VarianceStatus::undefined;
+        worst = summary.variance;
     }
-    return VarianceStatus::finite;
+    return worst;
 }
 
 }  // namespace

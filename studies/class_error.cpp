@@ -38,9 +38,6 @@ std::optional<ClassError> class_error(const CellEstimates& estimates, const Scen
     if (error.pairs == 0 || error.trials == 0) return std::nullopt;
     for (double& square : squares) square /= static_cast<double>(error.pairs);
 
-    // A damaged or absurd store holds values whose squares are infinite: they have no error to speak of.
-    if (!std::all_of(squares.begin(), squares.end(), [](double square) { return std::isfinite(square); }))
-        return std::nullopt;
     const auto moments = stats::moments_of(squares, 0.0);
     error.rmse = std::sqrt(*moments.mean());
     if (variance != VarianceStatus::finite || error.rmse == 0) return error;

@@ -64,6 +64,9 @@ void add_spread(std::span<const double> values, const stats::Moments& moments, c
     summary.minimum_detectable_bias = request.detectable_bias * spread;
 }
 
+/// From here up (damaged stores hold such values) fourth powers are infinite: a value counts as infinite itself.
+constexpr double largest_value = 1e75;
+
 }  // namespace
 
 Summary summarise(std::span<const double> values, const SummaryRequest& request) {
@@ -74,7 +77,8 @@ Summary summarise(std::span<const double> values, const SummaryRequest& request)
     summary.reference = request.reference;
     summary.trials = values.size();
     if (values.empty()) return summary;
-    const auto finite = std::count_if(values.begin(), values.end(), [](double value) { return std::isfinite(value); });
+    const auto finite =
+        std::count_if(values.begin(), values.end(), [](double value) { return std::abs(value) < largest_value; });
     summary.not_finite = values.size() - static_cast<std::size_t>(finite);
     if (summary.not_finite > 0) {
         // The others alone would be the trials that happened to go well.
