@@ -9,24 +9,12 @@
 #define HWY_TARGET_INCLUDE "core/polygon_factor.cpp"
 #include <hwy/foreach_target.h>
 // foreach_target.h comes first
-#include <hwy/highway.h>
+#include "core/double_rows-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace ff {
 namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
-
-using DoubleTag = hn::CappedTag<double, 8>;
-using Doubles = hn::Vec<DoubleTag>;
-
-/// Points are taken in rows of eight; a row is one vector, or two, or four.
-constexpr std::size_t row = 8;
-constexpr std::size_t lanes = hn::MaxLanes(DoubleTag());
-constexpr std::size_t vectors = row / lanes;
-
-HWY_INLINE Doubles constant(double value) {
-    return hn::Set(DoubleTag(), value);
-}
 
 /// atan(x) for |x| <= tan(pi/8): x + x^3 P(x^2), P interpolated at Chebyshev nodes; relative error 7e-18 before
 /// rounding.
@@ -76,8 +64,7 @@ HWY_INLINE Doubles edge_term(Doubles x, Doubles y, const Eigen::Vector3d& begin,
 
 double sum(const PlanePoints& points, const Polygon& polygon) {
     const DoubleTag d;
-    Doubles columns[vectors];
-    for (Doubles& column : columns) column = hn::Zero(d);
+    Columns columns;
     for (std::size_t i = 0; i < points.size; i += row) {
         for (std::size_t k = 0; k < vectors; ++k) {
             const std::size_t at = i + k * lanes;
@@ -90,14 +77,10 @@ double sum(const PlanePoints& points, const Polygon& polygon) {
             }
             // Seen from behind, the vertices run the other way round.
             factor = hn::Max(factor, hn::Zero(d));
-            columns[k] = hn::Add(columns[k], hn::Mul(factor, hn::Load(d, &points.weight[at])));
+            columns.add(k, hn::Mul(factor, hn::Load(d, &points.weight[at])));
         }
     }
-    alignas(64) std::array<double, row> total{};
-    for (std::size_t k = 0; k < vectors; ++k) hn::Store(columns[k], d, &total[k * lanes]);
-    const double all =
-        ((total[0] + total[1]) + (total[2] + total[3])) + ((total[4] + total[5]) + (total[6] + total[7]));
-    return all * (0.5 / std::numbers::pi);
+    return columns.total() * (0.5 / std::numbers::pi);
 }
 
 }  // namespace HWY_NAMESPACE

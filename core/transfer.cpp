@@ -6,24 +6,12 @@
 #define HWY_TARGET_INCLUDE "core/transfer.cpp"
 #include <hwy/foreach_target.h>
 // foreach_target.h comes first
-#include <hwy/highway.h>
+#include "core/double_rows-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace ff {
 namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
-
-using DoubleTag = hn::CappedTag<double, 8>;
-using Doubles = hn::Vec<DoubleTag>;
-
-/// Points are taken in rows of eight; a row is one vector, or two, or four.
-constexpr std::size_t row = 8;
-constexpr std::size_t lanes = hn::MaxLanes(DoubleTag());
-constexpr std::size_t vectors = row / lanes;
-
-HWY_INLINE Doubles constant(double value) {
-    return hn::Set(DoubleTag(), value);
-}
 
 struct Vectors3 {
     Doubles x, y, z;
@@ -46,8 +34,7 @@ HWY_INLINE Doubles transfer(const Vectors3& d, Doubles weight, const Normals& no
 
 double sum(const Separations& pairs, std::span<const Eigen::Vector3d> offsets, const Normals& normals) {
     const DoubleTag dd;
-    Doubles columns[vectors];
-    for (Doubles& column : columns) column = hn::Zero(dd);
+    Columns columns;
     for (const Eigen::Vector3d& offset : offsets) {
         for (std::size_t i = 0; i < pairs.size; i += row) {
             for (std::size_t k = 0; k < vectors; ++k) {
@@ -55,13 +42,11 @@ double sum(const Separations& pairs, std::span<const Eigen::Vector3d> offsets, c
                 const Vectors3 d{hn::Add(hn::Load(dd, &pairs.x[at]), constant(offset.x())),
                                  hn::Add(hn::Load(dd, &pairs.y[at]), constant(offset.y())),
                                  hn::Add(hn::Load(dd, &pairs.z[at]), constant(offset.z()))};
-                columns[k] = hn::Add(columns[k], transfer(d, hn::Load(dd, &pairs.weight[at]), normals));
+                columns.add(k, transfer(d, hn::Load(dd, &pairs.weight[at]), normals));
             }
         }
     }
-    alignas(64) std::array<double, row> total{};
-    for (std::size_t k = 0; k < vectors; ++k) hn::Store(columns[k], dd, &total[k * lanes]);
-    return ((total[0] + total[1]) + (total[2] + total[3])) + ((total[4] + total[5]) + (total[6] + total[7]));
+    return columns.total();
 }
 
 void separate_block(const Parallelogram& from, const Parallelogram& to, const WeightedBlock& points,
