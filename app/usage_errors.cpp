@@ -37,19 +37,22 @@ std::vector<std::string> command_names(const CLI::App& app) {
     return names;
 }
 
+std::string unknown(std::string_view what, const std::string& argument, const std::vector<std::string>& names,
+                    const CLI::App& app) {
+    const std::vector<std::string_view> known(names.begin(), names.end());
+    return fmt::format("unknown {} '{}'. {}{}", what, argument, did_you_mean(argument, known), help_of(app));
+}
+
 std::string unexpected(const CLI::App& app) {
     const auto rest = app.remaining(true);
     const auto is_option = [](const std::string& argument) { return argument.starts_with('-'); };
-    const auto option = std::find_if(rest.begin(), rest.end(), is_option);
-    const std::string& argument = option == rest.end() ? rest.front() : *option;
     const CLI::App& command = given_command(app);
     const bool commanded = &command != &app;
-    if (commanded && option == rest.end())
-        return fmt::format("'{}' is one argument too many. {}", argument, help_of(app));
-    const auto names = option == rest.end() ? command_names(app) : option_names(command);
-    const std::vector<std::string_view> known(names.begin(), names.end());
-    return fmt::format("unknown {} '{}'. {}{}", option == rest.end() ? "command" : "option", argument,
-                       did_you_mean(argument, known), help_of(app));
+    // Without a command, every option is unknown: the word that should have been one comes first.
+    if (!commanded && !is_option(rest.front())) return unknown("command", rest.front(), command_names(app), app);
+    const auto option = std::find_if(rest.begin(), rest.end(), is_option);
+    if (option != rest.end()) return unknown("option", *option, option_names(command), app);
+    return fmt::format("'{}' is one argument too many. {}", rest.front(), help_of(app));
 }
 
 bool counts(const CLI::Option& option) {

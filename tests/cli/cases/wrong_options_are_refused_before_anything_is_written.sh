@@ -25,6 +25,8 @@ ffstudy sr_vs_pdm --seed 9223372036854775808
 expect_refused 2 "--seed 9223372036854775808 (at most 9223372036854775807)"
 ffstudy sr_vs_pmd
 expect_refused 2 "ffstudy: unknown command 'sr_vs_pmd'. Did you mean 'sr_vs_pdm'? See 'ffstudy --help'."
+ffstudy sr_vs_pmd --trials 5
+expect_refused 2 "ffstudy: unknown command 'sr_vs_pmd'. Did you mean 'sr_vs_pdm'? See 'ffstudy --help'."
 ffstudy run sr_vs_pmd
 expect_refused 2 "Did you mean 'sr_vs_pdm'?"
 ffstudy run nothing_like_it
