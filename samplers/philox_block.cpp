@@ -79,16 +79,16 @@ HWY_INLINE Points first_counters(std::uint32_t first, const Words& counter) {
     return {{index, word1, word2, word3}, {hn::Shuffle2301(index), word1, word2, word3}};
 }
 
-HWY_INLINE void next_round(Points& points, const StreamKey& key) {
-    points.even = next_round(points.even, key);
-    points.odd = next_round(points.odd, key);
+template <class... Some>
+HWY_INLINE void next_round(const StreamKey& key, Some&... points) {
+    ((points.even = next_round(points.even, key), points.odd = next_round(points.odd, key)), ...);
 }
 
-/// Two vectors at a time hide the latency of the multiplications. Unrolled, since the first two rounds work mostly on
-/// words that all points share: the compiler takes those out of the loop over points.
-template <std::size_t... round>
-HWY_INLINE void apply_rounds(Points& low, Points& high, const RoundKeys& keys, std::index_sequence<round...> /*all*/) {
-    ((next_round(low, keys[round]), next_round(high, keys[round])), ...);
+/// Several vectors at a time hide the latency of the multiplications. Unrolled, since the first two rounds work mostly
+/// on words that all points share: the compiler takes those out of the loop over points.
+template <std::size_t... round, class... Some>
+HWY_INLINE void apply_rounds(const RoundKeys& keys, std::index_sequence<round...> /*all*/, Some&... points) {
+    (next_round(keys[round], points...), ...);
 }
 
 HWY_INLINE void store_joined(Vec32 even, Vec32 odd, std::uint32_t* HWY_RESTRICT out) {
@@ -109,14 +109,25 @@ void philox_block_impl(const Stream& stream, Purpose purpose, std::uint32_t firs
     const RoundKeys keys = round_keys(stream.key);
     const Words counter{0, stream.trial, stream.source, stream.target << 8 | static_cast<std::uint32_t>(purpose)};
 
-    // The last two vectors may end past `size`; they stay within the capacity.
-    for (std::size_t i = 0; i < block.size; i += 2 * lanes) {
-        const auto index = static_cast<std::uint32_t>(first + i);
+    constexpr auto rounds = std::make_index_sequence<Philox::rounds>();
+    const auto next = static_cast<std::uint32_t>(lanes);
+    auto index = first;
+
+    // The last vectors may end past `size`; they stay within the capacity.
+    std::size_t i = 0;
+    for (; i < block.size && i + 3 * lanes <= block_capacity; i += 3 * lanes, index += 3 * next) {
         Points low = first_counters(index, counter);
-        Points high = first_counters(index + static_cast<std::uint32_t>(lanes), counter);
-        apply_rounds(low, high, keys, std::make_index_sequence<Philox::rounds>());
+        Points middle = first_counters(index + next, counter);
+        Points high = first_counters(index + 2 * next, counter);
+        apply_rounds(keys, rounds, low, middle, high);
         store(low, i, block);
-        store(high, i + lanes, block);
+        store(middle, i + lanes, block);
+        store(high, i + 2 * lanes, block);
+    }
+    for (; i < block.size; i += lanes, index += next) {
+        Points last = first_counters(index, counter);
+        apply_rounds(keys, rounds, last);
+        store(last, i, block);
     }
 }
 
