@@ -1,5 +1,7 @@
 #include "reports/html_view.hpp"
 
+#include "reports/labels.hpp"
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -89,15 +91,10 @@ Json table_view(const Table& table) {
 
 Json reproduction_view(const studies::StudyResults& results) {
     const studies::StudySpec& spec = results.findings.plan.spec;
-    const auto command = results.context.find("command");
-    Json context = Json::array();
-    for (const auto& [key, value] : results.context) context.push_back({{"key", key}, {"value", value}});
-    return {
-        {"command", command == results.context.end() ? fmt::format("ffstudy run {}.toml", spec.name) : command->second},
-        {"seed", std::to_string(spec.seed.value)},
-        {"study_file", studies::to_toml(spec)},
-        {"has_context", !context.empty()},
-        {"context", std::move(context)}};
+    return {{"file", spec.name + ".toml"},
+            {"tables_file", spec.published ? spec.published->file : std::string()},
+            {"study_file", studies::to_toml(spec)},
+            {"program", program_label(results.context)}};
 }
 
 }  // namespace ff::reports

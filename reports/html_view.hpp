@@ -14,7 +14,7 @@ nlohmann::ordered_json headline_view(const Headline& headline);
 /// `number`), `rows` of a `name` and `cells` (`text`, `number`, `mark`, `says`: the mark in words), `remarks`.
 nlohmann::ordered_json table_view(const Table& table);
 
-/// Context of a run, and the study as a file: `command`, `seed`, `study_file`, `context` (`key`, `value`).
+/// How to get the page again: `study_file` (its text), `file` and `tables_file` (names), `program` that made it.
 nlohmann::ordered_json reproduction_view(const studies::StudyResults& results);
 
 }  // namespace ff::reports

@@ -59,4 +59,11 @@ std::string cell_label(const studies::StudyPlan& plan, const studies::Cell& cell
     return plan.scenes.size() == 1 ? text : fmt::format("{}: {}", plan.scenes[cell.scene].name, text);
 }
 
+std::string program_label(const studies::Context& context) {
+    const auto version = context.find("version");
+    const auto revision = context.find("revision");
+    if (version == context.end() || revision == context.end()) return {};
+    return fmt::format("ffstudy {}, revision {}", version->second, revision->second);
+}
+
 }  // namespace ff::reports

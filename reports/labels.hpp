@@ -1,6 +1,7 @@
 #pragma once
 
 #include "studies/analysis.hpp"
+#include "studies/store.hpp"
 
 #include <string>
 
@@ -18,5 +19,9 @@ std::string size_label(const studies::StudyPlan& plan, const studies::Cell& cell
 
 /// Method and size; the scene too where the study has several.
 std::string cell_label(const studies::StudyPlan& plan, const studies::Cell& cell);
+
+/// The program that completed a study: version and revision. Empty before that. What differs between runs of one
+/// program (host, date, seconds) stands in context.json alone.
+std::string program_label(const studies::Context& context);
 
 }  // namespace ff::reports

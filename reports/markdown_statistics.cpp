@@ -158,11 +158,10 @@ std::string reproduction_section(const studies::StudyResults& results) {
     const studies::StudyPlan& plan = results.findings.plan;
     std::string out = fmt::format("## To do it again\n\nSeed {}. The study, in full:\n\n```toml\n{}```\n\n",
                                   plan.spec.seed.value, studies::to_toml(plan.spec));
-    out += "Everything above depends on these lines alone: not on threads, machine or interruptions.\n\n";
-    if (results.context.empty()) return out;
-    out += "<!-- circumstances: not part of the result -->\n\n| circumstances | |\n|---|---|\n";
-    for (const auto& [key, value] : results.context) out += fmt::format("| {} | {} |\n", key, value);
-    return out + "\n<!-- end of circumstances -->\n";
+    out += "Everything above depends on these lines alone: not on threads, machine or interruptions.";
+    if (const std::string program = program_label(results.context); !program.empty())
+        out += fmt::format(" Made by {}.", program);
+    return out + " When, where and how fast: context.json.\n";
 }
 
 }  // namespace ff::reports

@@ -10,6 +10,7 @@
 #include "reports/markdown.hpp"
 #include "studies/results.hpp"
 #include "studies/run.hpp"
+#include "tests/fuzz/no_number.hpp"
 
 #include <bit>
 #include <cstdint>
@@ -108,14 +109,6 @@ void damage(const Place& place, const std::uint8_t* data, std::size_t size) {
     if (bytes != place.sound) return;
     for (std::size_t i = 0; i + 10 <= size && data[i] == 'v'; i += 10)
         set_value(place.file(), data[i + 1], data + i + 2);
-}
-
-/// Whether a word of a CSV or JSON text is one that C++ prints for what is no number.
-bool has_no_number(const std::string& text) {
-    for (const char* word : {",nan", ",-nan", ",inf", ",-inf", ": nan", ": inf", ": -inf", ": NaN", ": Infinity"}) {
-        if (text.find(word) != std::string::npos) return true;
-    }
-    return false;
 }
 
 }  // namespace

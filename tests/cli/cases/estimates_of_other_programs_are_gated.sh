@@ -3,10 +3,10 @@
 root=$(cd "$(dirname "$0")/../../.." && pwd)
 source "$(dirname "$0")/../harness.sh"
 
-blocks() { awk -v fence="\`\`\`$1" '/^```/ {open = !open; wanted = open && $0 == fence; next} wanted' "$root/docs/gating-your-code.md"; }
-blocks toml >bands.toml
-blocks python >example.py
-blocks cpp >example.cpp
+document=$root/docs/gating-your-code.md
+blocks toml "$document" >bands.toml
+blocks python "$document" >example.py
+blocks cpp "$document" >example.cpp
 
 python3 example.py
 ffstudy check bands.toml --estimates estimates.csv

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # docs/results.schema.json describes what the program writes, and tells other files apart. The queries of docs/results.md
-# run, those that need nothing but Python.
+# run, those that need nothing but Python; the others: tests/cli/examples_for_pandas_and_r.
 here=$(cd "$(dirname "$0")/.." && pwd)
 root=$(cd "$here/../.." && pwd)
 source "$(dirname "$0")/../harness.sh"
@@ -36,14 +36,11 @@ done
 change ""
 expect_valid changed.json
 
-# blocks LANGUAGE: the fenced blocks of this language in docs/results.md, with a line of dashes after each.
-blocks() { awk -v fence="\`\`\`$1" '/^```/ {if (wanted) print "-----"; open = !open; wanted = open && $0 == fence; next} wanted' "$root/docs/results.md"; }
-
-blocks sql | sed '/^-----/,$d' >query.sql
+blocks sql "$root/docs/results.md" 1 >query.sql
 /usr/bin/python3 -c "import sqlite3
 rows = sqlite3.connect('paper/results.sqlite').execute(open('query.sql').read()).fetchall()
 assert [row[:2] for row in rows] == [(face, 2) for face in range(2, 7)], rows
 assert all(abs(row[2] - 0.2) < 0.01 for row in rows), rows"
-blocks python | awk '/^-----/ {part++; next} part == 1' >"$folder/example.py"
+blocks python "$root/docs/results.md" 2 >"$folder/example.py"
 (cd paper && /usr/bin/python3 "$folder/example.py") >"$folder/stdout"
 grep -Eq "^patch 0 of face 1 to face 2: 0\.0[56]" "$folder/stdout" || fail "the example of patch sums gives something else"

@@ -3,9 +3,6 @@
 root=$(cd "$(dirname "$0")/../../.." && pwd)
 source "$(dirname "$0")/../harness.sh"
 
-# blocks LANGUAGE FILE: the lines of its fenced blocks of this language; `blocks "" FILE` those without one.
-blocks() { awk -v fence="\`\`\`$1" '/^```/ {open = !open; wanted = open && $0 == fence; next} wanted' "$2"; }
-
 # The README's study runs, and prints what the README says it prints.
 blocks toml "$root/README.md" >shallow_box.toml
 blocks "" "$root/README.md" | sed '1,/^\$ ffstudy run shallow_box.toml$/d' >"$folder/promised"

@@ -54,6 +54,15 @@ TEST(HtmlReport, EscapesNamesOfTheStudy) {
     EXPECT_THAT(html_report(test::small_results(), shipped()), HasSubstr("SR &quot;quoted&quot;"));
 }
 
+TEST(HtmlReport, NamesTheProgramAndNothingElseThatDiffersBetweenRuns) {
+    studies::StudyResults results = test::small_results();
+    results.context = {{"version", "1.2"}, {"revision", "abc"}};
+    const std::string one = html_report(results, shipped());
+    EXPECT_THAT(one, HasSubstr("Made by ffstudy 1.2, revision abc."));
+    results.context.insert({{"host", "somewhere"}, {"seconds", "3"}, {"command", "ffstudy run a.toml"}});
+    EXPECT_EQ(html_report(results, shipped()), one);
+}
+
 TEST(HtmlReport, BeginsWithTheVerdict) {
     const Headline top = headline(test::published_results());
     const std::string text = html_report(test::published_results(), shipped());

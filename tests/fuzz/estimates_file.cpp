@@ -1,0 +1,53 @@
+// A file of estimates gives verdicts whose numbers are numbers, or is a UserError.
+
+#include "studies/gates/estimates_file.hpp"
+#include "core/error.hpp"
+#include "reports/gates_csv.hpp"
+#include "reports/gates_json.hpp"
+#include "studies/gates/estimate_gates.hpp"
+#include "tests/fuzz/no_number.hpp"
+
+#include <cstdint>
+#include <cstdlib>
+#include <sstream>
+#include <string>
+#include <string_view>
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
+
+namespace {
+
+using namespace ff::studies;
+
+Gate gate_on(const std::string& quantity, GateKind kind) {
+    Gate gate;
+    gate.name = quantity;
+    gate.kind = kind;
+    gate.quantity = quantity;
+    gate.against = Against::number;
+    gate.reference = 0.2;
+    gate.band = kind == GateKind::bias ? Band{-0.01, 0.01} : Band{0.5, 2};
+    return gate;
+}
+
+/// @throws UserError where the trials repeat
+void judge_all(const EstimatesFile& file) {
+    CheckResults check;
+    for (const EstimateSeries& series : file.series) {
+        for (const GateKind kind : {GateKind::bias, GateKind::std})
+            check.results.push_back(judge_estimates(check.spec, gate_on(series.quantity, kind), file));
+    }
+    std::ostringstream csv;
+    ff::reports::write_verdicts_csv(csv, check);
+    if (has_no_number(csv.str()) || has_no_number(ff::reports::verdicts_json(check))) std::abort();
+}
+
+}  // namespace
+
+int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    try {
+        judge_all(parse_estimates({reinterpret_cast<const char*>(data), size}, "estimates.csv"));
+    } catch (const ff::UserError&) {
+    }
+    return 0;
+}
