@@ -53,8 +53,11 @@ constexpr Row<top_cells> tabulate_top() {
     return table;
 }
 
-inline constexpr std::array<Row<run_length>, max_dimension> run_tables{tabulate_run(0), tabulate_run(1),
-                                                                       tabulate_run(2), tabulate_run(3)};
+/// A constant of its own for each coordinate: compilers limit the work on one.
+template <std::size_t d>
+inline constexpr Row<run_length> run_table = tabulate_run(d);
+inline constexpr std::array<Row<run_length>, max_dimension> run_tables{run_table<0>, run_table<1>, run_table<2>,
+                                                                       run_table<3>};
 inline constexpr Row<top_cells> top_table = tabulate_top();
 
 /// Key of the permutations of one coordinate.
