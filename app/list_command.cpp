@@ -58,7 +58,7 @@ ExitCode list(const std::string& kind) {
     } else if (kind == "studies") {
         for (const auto& study : built_in_studies()) print_row(study.name, study.title);
     } else if (kind == "formats") {
-        for (const std::string_view format : all_formats()) fmt::print("{}\n", format);
+        for (const Format& format : all_formats()) print_row(format.name, format.files);
     } else if (kind == "controls") {
         for (const auto& control : studies::controls())
             fmt::print("{:<22} {:<12} {}\n", control.description.name, control.kind, control.description.summary);

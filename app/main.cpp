@@ -79,7 +79,8 @@ void add_convergence(CLI::App& app, ff::studies::ConvergenceRequest& request, Ru
 void add_report(CLI::App& app, ReportCommand& command, Action& action) {
     CLI::App* sub = app.add_subcommand("report", "Write the reports of a finished study again");
     sub->add_option("RESULTS", command.results, "Folder of a study, or its results.sqlite")->required();
-    sub->add_option("--format", command.formats, "html, markdown, csv, json (default: all)")->delimiter(',');
+    sub->add_option("--format", command.formats, "html, markdown, csv, json (default: these four), latex, svg, pdf")
+        ->delimiter(',');
     sub->add_option("--out", command.out, "Folder for the files (default: where the results lie)");
     sub->add_option("--templates", command.templates, "Folder of own templates for report.html");
     sub->add_flag("--quiet", command.quiet, "Print errors only");

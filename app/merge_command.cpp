@@ -53,7 +53,7 @@ ExitCode merge(const MergeCommand& command) {
             units_in_words(outcome.doubled, plan.units.size(), "are in more than one store"));
     }
     const auto results = studies::evaluate(store);
-    write_results(command.out, {store, results, templates}, all_formats());
+    write_results(command.out, {store, results, templates}, usual_formats());
     if (!command.quiet) {
         fmt::print("{}\nResults: {}\n", reports::terminal_summary(results), (command.out / "report.html").string());
     }

@@ -17,12 +17,13 @@ ExitCode report(const ReportCommand& command) {
     const auto file = folder ? command.results / "results.sqlite" : command.results;
     const auto out = command.out.empty() ? file.parent_path() : command.out;
     expect_room_for_results(out);
+    const std::vector<std::string_view> named(command.formats.begin(), command.formats.end());
+    const auto formats = named.empty() ? usual_formats() : std::span<const std::string_view>(named);
+    expect_formats(formats);
     const auto store = studies::Store::open(file);
     const auto results = studies::evaluate(store);
-    if (!command.out.empty()) std::filesystem::create_directories(command.out);
-    const std::vector<std::string_view> formats(command.formats.begin(), command.formats.end());
-    write_results(out, {store, results, templates},
-                  formats.empty() ? all_formats() : std::span<const std::string_view>(formats));
+    if (!command.out.empty()) make_folder(command.out);
+    write_results(out, {store, results, templates}, formats);
     if (!command.quiet) fmt::print("{}\nResults: {}\n", reports::terminal_summary(results), out.string());
     return ExitCode::passed;
 }

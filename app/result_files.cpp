@@ -1,16 +1,20 @@
 #include "app/result_files.hpp"
 
+#include "app/picture_files.hpp"
+
 #include "core/error.hpp"
 #include "core/nearest_name.hpp"
 #include "reports/audit_markdown.hpp"
 #include "reports/csv.hpp"
 #include "reports/html.hpp"
 #include "reports/json.hpp"
+#include "reports/latex.hpp"
 #include "reports/markdown.hpp"
 #include "reports/output_file.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 
 namespace ff::app {
@@ -46,15 +50,56 @@ void write_html(const std::filesystem::path& folder, const ResultSources& source
     reports::write_file(folder / "report.html", reports::html_report(sources.results, sources.templates));
 }
 
-constexpr std::array<std::string_view, 4> names{"html", "markdown", "csv", "json"};
+void write_latex(const std::filesystem::path& folder, const ResultSources& sources) {
+    make_folder(folder / "tables");
+    for (const auto& [path, text] : reports::latex_report(sources.results, sources.templates))
+        reports::write_file(folder / path, text);
+}
+
+void needs_nothing() {}
+
+struct KnownFormat {
+    Format format;
+    void (*expect_programs)();
+    void (*write)(const std::filesystem::path& folder, const ResultSources& sources);
+};
+
+constexpr std::array known{
+    KnownFormat{{"html", "report.html"}, needs_nothing, write_html},
+    KnownFormat{{"markdown", "report.md, audit.md"}, needs_nothing, write_markdown},
+    KnownFormat{{"csv", "summary.csv, slopes.csv, coverage.csv, trials.csv"}, needs_nothing, write_csv},
+    KnownFormat{{"json", "results.json, context.json"}, needs_nothing, write_json},
+    KnownFormat{{"latex", "tables.tex, tables/*.tex"}, needs_nothing, write_latex},
+    KnownFormat{{"svg", "pictures/*.svg"}, expect_svg_programs, write_svg},
+    KnownFormat{{"pdf", "pictures/*.pdf"}, expect_pdf_programs, write_pdf},
+};
+constexpr std::array<std::string_view, 4> of_a_run{"html", "markdown", "csv", "json"};
 constexpr std::array<std::string_view, 8> files{"report.html", "report.md",  "audit.md",     "summary.csv",
                                                 "slopes.csv",  "trials.csv", "results.json", "context.json"};
-constexpr std::array writers{write_html, write_markdown, write_csv, write_json};
+
+const KnownFormat& find_format(std::string_view name) {
+    const auto found = std::find_if(known.begin(), known.end(), [&](const auto& k) { return k.format.name == name; });
+    if (found != known.end()) return *found;
+    std::vector<std::string_view> names;
+    for (const KnownFormat& each : known) names.push_back(each.format.name);
+    throw UserError(
+        fmt::format("--format {} is unknown. {}Known: {}.", name, did_you_mean(name, names), fmt::join(names, ", ")));
+}
 
 }  // namespace
 
-std::span<const std::string_view> all_formats() {
-    return names;
+std::vector<Format> all_formats() {
+    std::vector<Format> formats;
+    for (const KnownFormat& each : known) formats.push_back(each.format);
+    return formats;
+}
+
+std::span<const std::string_view> usual_formats() {
+    return of_a_run;
+}
+
+void expect_formats(std::span<const std::string_view> formats) {
+    for (const std::string_view format : formats) find_format(format).expect_programs();
 }
 
 void expect_room_for_results(const std::filesystem::path& folder) {
@@ -76,17 +121,7 @@ void make_folder(const std::filesystem::path& folder) {
 
 void write_results(const std::filesystem::path& folder, const ResultSources& sources,
                    std::span<const std::string_view> formats) {
-    for (const std::string_view format : formats) {
-        const auto found = std::find(names.begin(), names.end(), format);
-        if (found == names.end()) {
-            throw UserError(fmt::format("--format {} is unknown. {}Known: {}.", format, did_you_mean(format, names),
-                                        fmt::join(names, ", ")));
-        }
-    }
-    for (const std::string_view format : formats) {
-        writers.at(static_cast<std::size_t>(std::find(names.begin(), names.end(), format) - names.begin()))(folder,
-                                                                                                            sources);
-    }
+    for (const std::string_view format : formats) find_format(format).write(folder, sources);
 }
 
 }  // namespace ff::app

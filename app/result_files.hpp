@@ -19,8 +19,19 @@ struct ResultSources {
     const reports::Templates& templates;
 };
 
-/// Formats of reports: html, markdown, csv, json.
-std::span<const std::string_view> all_formats();
+/// A format of reports, with the files that it stands for.
+struct Format {
+    std::string_view name;
+    std::string_view files;
+};
+
+std::vector<Format> all_formats();
+
+/// Names of those that every run writes; the others are made on request, by `ffstudy report`.
+std::span<const std::string_view> usual_formats();
+
+/// @throws UserError for an unknown format, and for one that this machine lacks a program for
+void expect_formats(std::span<const std::string_view> formats);
 
 /// Before a long run: is the way free for every file that `write_results` would write?
 /// @throws IoError that names what is in the way

@@ -135,7 +135,7 @@ ExitCode run(const RunCommand& command) {
     if (!request.shard.is_whole() && outcome == studies::RunOutcome::complete && !store.is_complete())
         return finish_shard(request.shard, out, command.quiet);
     const auto results = studies::evaluate(store);
-    write_results(out, {store, results, templates}, all_formats());
+    write_results(out, {store, results, templates}, usual_formats());
     if (!command.quiet) fmt::print("{}", reports::terminal_summary(results));
     if (!command.quiet) fmt::print("\nResults: {}\n", (out / "report.html").string());
     if (outcome == studies::RunOutcome::complete)

@@ -3,6 +3,7 @@
 #include "reports/templates.hpp"
 
 #include <filesystem>
+#include <string_view>
 
 namespace ff::app {
 
@@ -11,5 +12,8 @@ namespace ff::app {
 /// @param own  folder of the user; empty for none
 /// @throws IoError where a folder cannot be read
 reports::Templates find_templates(const std::filesystem::path& own);
+
+/// A file that lies among those of the program; empty where there is none.
+std::filesystem::path find_template_file(std::string_view name);
 
 }  // namespace ff::app

@@ -42,6 +42,9 @@ struct Table {
 /// A row for each method and size: trials, RMSE by class with its interval, sum of relative errors, bias, equivalence.
 Table methods_table(const studies::StudyResults& results);
 
+/// A row for each ladder and class of pairs: slopes with intervals, the rate that theory expects, the verdict.
+Table slopes_table(const studies::StudyResults& results);
+
 /// A published table: each figure as printed, ours, and where the printed one falls.
 Table published_table(const studies::PublishedResults& published, std::size_t index, double alpha);
 

@@ -26,4 +26,4 @@ const common = {bundle: true, minify: true, legalComments: 'none', nodePaths: [j
 await build({...common, entryPoints: [join(here, 'runtime.js')], outfile: join(out, 'vega.js'), format: 'iife',
              globalName: 'vega', target: 'es2020'});
 await build({...common, entryPoints: [join(here, 'draw_svg.mjs')], outfile: join(out, 'draw_svg.mjs'), format: 'esm',
-             platform: 'node', target: 'node18'});
+             platform: 'browser', external: ['node:*'], target: 'node18'});

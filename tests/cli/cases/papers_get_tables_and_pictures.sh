@@ -1,0 +1,73 @@
+#!/usr/bin/env bash
+# Tables compile with LaTeX whatever users call their methods; pictures are drawn without a browser.
+source "$(dirname "$0")/../harness.sh"
+
+needs() { command -v "$1" >/dev/null || { echo "$1 is missing: apt-get install $2" >&2 && exit 1; }; }
+needs pdflatex "texlive-latex-base texlive-latex-recommended"
+needs xmllint libxml2-utils
+needs rsvg-convert librsvg2-bin
+needs node nodejs
+
+{
+    small_study 3 | sed -e "s/^name = \"small\"/&\ntitle = '50 % of \$x_1\$ \& more #1 ~ \\\\end{document} {'/" \
+        -e "s/^name = \"SR\"/name = '[a]\&b%c_d\$e#f \\\\g~h^i{j}k'/" -e "s/^name = \"kernel\"/name = '*\"<-- -->\" Größe'/"
+} >"$folder/study.toml"
+ffstudy run "$folder/study.toml" --out out
+expect_status 0
+[ ! -e out/tables ] || fail "expected no tables before they are asked for"
+
+# compile FOLDER: twice, as longtable wants it.
+compile() {
+    for _ in 1 2; do
+        (cd "$1" && pdflatex -halt-on-error -interaction=nonstopmode tables.tex) >"$folder/stdout" 2>&1 </dev/null || return 1
+    done
+}
+
+ffstudy report out --format latex --out paper --quiet
+expect_status 0
+cp -r paper again
+compile again || fail "pdflatex refuses the tables"
+expect_file again/tables.pdf
+expect_in_file paper/tables/methods.tex '{[}a]\&b\%c\_d\$e\#f \textbackslash{}g\~{}h\^{}i\{j\}k'
+
+# A name that nobody escaped is noticed.
+sed -i 's/\\_d/_d/' again/tables/methods.tex
+! compile again || fail "expected pdflatex to refuse a bare _"
+
+# Own templates serve tables as well.
+mkdir own
+echo '{{title}}' >own/latex_table.mustache
+ffstudy report out --format latex --out mine --templates own --quiet
+expect_in_file mine/tables/methods.tex "Methods and sizes"
+
+# Equal bytes each time, whatever the time is.
+for pictures in one two; do
+    ffstudy report out --format svg,pdf --out $pictures --quiet
+    expect_status 0
+done
+expect_equal_files <(cd one && find . -type f | sort) <(cd two && find . -type f | sort)
+for file in one/pictures/*; do expect_equal_files "$file" "two/pictures/${file##*/}"; done
+for kind in convergence estimates bias-map cube; do
+    ls one/pictures/$kind*.svg >/dev/null || fail "expected a picture $kind"
+done
+for file in one/pictures/*.svg; do
+    xmllint --noout "$file" || fail "$file is malformed"
+    ! grep -q -e 'var(--' -e NaN "$file" || fail "$file has a colour or a number that is none"
+    [ "$(head -c 5 "${file%.svg}.pdf")" = %PDF- ] || fail "${file%.svg}.pdf is no PDF"
+done
+
+# What is missing is named before anything is written.
+mkdir bin
+for missing in node rsvg-convert; do
+    PATH=$PWD/bin ffstudy report out --format csv,pdf --out none
+    expect_status 2
+    expect_stderr "needs $missing (it is not on PATH)"
+    [ ! -e none ] || fail "expected nothing written"
+    ln -sf "$(command -v node)" bin/node  # so that the next is missing
+done
+rm bin/node
+printf '#!/bin/sh\nexit 1\n' >bin/node
+chmod +x bin/node
+PATH=$PWD/bin:$PATH ffstudy report out --format svg --out none
+expect_status 3
+expect_stderr "bin/node: failed"
