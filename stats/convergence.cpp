@@ -13,60 +13,90 @@
 namespace ff::stats {
 namespace {
 
-/// How often each replicate of a rung was drawn.
-using Draw = std::vector<std::size_t>;
+/// How often each block of a rung's replicates was drawn (LadderDraws).
+using Draw = std::span<const std::uint32_t>;
+
+/// Replicates of each block.
+std::vector<std::size_t> block_sizes(const Rung& rung, std::size_t block) {
+    std::vector<std::size_t> sizes(rung.replicates() / block, block);
+    if (const std::size_t left = rung.replicates() % block; left > 0) sizes.push_back(left);
+    return sizes;
+}
+
+std::size_t replicates_of(Draw draw, std::span<const std::size_t> sizes) {
+    std::size_t drawn = 0;
+    for (std::size_t i = 0; i < draw.size(); ++i) drawn += draw[i] * sizes[i];
+    return drawn;
+}
 
 /// The root mean squared error of a rung, for any draw of its replicates.
 class LogRmse {
   public:
-    explicit LogRmse(const Rung& rung) : mean_squares_(rung.replicates(), 0.0) {
+    LogRmse(const Rung& rung, std::size_t block)
+        : mean_squares_(rung.replicates(), 0.0), sizes_(block_sizes(rung, block)), sums_(sizes_.size(), 0.0) {
         const double width = static_cast<double>(rung.width);
         for (std::size_t i = 0; i < rung.errors.size(); ++i)
             mean_squares_[i / rung.width] += rung.errors[i] * rung.errors[i] / width;
+        for (std::size_t i = 0; i < mean_squares_.size(); ++i) sums_[i / block] += mean_squares_[i];
     }
 
-    [[nodiscard]] double operator()(const Draw& draw) const {
+    [[nodiscard]] double operator()(Draw draw) const {
         double sum = 0;
-        for (std::size_t i = 0; i < draw.size(); ++i) sum += static_cast<double>(draw[i]) * mean_squares_[i];
-        return std::log(sum / static_cast<double>(draw.size())) / 2;
+        for (std::size_t i = 0; i < draw.size(); ++i) sum += static_cast<double>(draw[i]) * sums_[i];
+        return std::log(sum / static_cast<double>(replicates_of(draw, sizes_))) / 2;
     }
 
     [[nodiscard]] std::span<const double> mean_squares() const { return mean_squares_; }
+    [[nodiscard]] std::size_t blocks() const { return sizes_.size(); }
 
   private:
-    std::vector<double> mean_squares_;
+    std::vector<double> mean_squares_;  // of each replicate
+    std::vector<std::size_t> sizes_;
+    std::vector<double> sums_;  // of mean squares, of each block
 };
 
 /// The median absolute error of a rung, for any draw of its replicates: sorted once, then counted.
 class LogMedian {
   public:
-    explicit LogMedian(const Rung& rung) {
+    LogMedian(const Rung& rung, std::size_t block) : width_(rung.width), sizes_(block_sizes(rung, block)) {
         for (std::size_t i = 0; i < rung.errors.size(); ++i)
-            errors_.push_back({std::abs(rung.errors[i]), i / rung.width});
+            errors_.push_back({std::abs(rung.errors[i]), i / rung.width / block});
         std::sort(errors_.begin(), errors_.end(), [](const Error& a, const Error& b) { return a.size < b.size; });
     }
 
-    [[nodiscard]] double operator()(const Draw& draw) const {
-        const std::size_t upper = errors_.size() / 2;  // the middle, or the upper of the two in the middle
-        const std::size_t lower = (errors_.size() - 1) / 2;
+    [[nodiscard]] double operator()(Draw draw) const {
+        const std::size_t drawn = width_ * replicates_of(draw, sizes_);
+        const std::size_t upper = drawn / 2;  // the middle, or the upper of the two in the middle
+        const std::size_t lower = (drawn - 1) / 2;
         double below = 0;
         std::size_t counted = 0;
         for (const Error& error : errors_) {
             const std::size_t before = counted;
-            counted += draw[error.replicate];
+            counted += draw[error.block];
             if (before <= lower && lower < counted) below = error.size;
             if (upper < counted) return std::log((below + error.size) / 2);
         }
         return std::log(0.0);
     }
 
+    [[nodiscard]] std::size_t blocks() const { return sizes_.size(); }
+
   private:
     struct Error {
         double size = 0;
-        std::size_t replicate = 0;
+        std::size_t block = 0;
     };
+    std::size_t width_;
+    std::vector<std::size_t> sizes_;
     std::vector<Error> errors_;
 };
+
+template <class Summary>
+std::vector<Summary> summaries_of(std::span<const Rung> ladder, const LadderDraws& draws) {
+    std::vector<Summary> summaries;
+    for (std::size_t i = 0; i < ladder.size(); ++i) summaries.emplace_back(ladder[i], draws.block(i));
+    return summaries;
+}
 
 /// Squared relative variation of the replicates' mean squared errors, over 2: 1 for one normal error a replicate.
 double variance_factor(std::span<const LogRmse> rungs, std::size_t width) {
@@ -95,7 +125,7 @@ LogLog log_log(std::span<const Rung> ladder, std::span<const Summary> summaries,
     for (std::size_t i = 0; i < ladder.size(); ++i) {
         const std::size_t replicates = ladder[i].replicates();
         points.x.push_back(std::log(ladder[i].size));
-        points.y.push_back(summaries[i](Draw(replicates, 1)));
+        points.y.push_back(summaries[i](std::vector<std::uint32_t>(summaries[i].blocks(), 1)));
         // ln RMSE is half of ln MSE.
         points.variances.push_back(factor * log_chi_squared_variance(static_cast<double>(replicates)) / 4);
     }
@@ -108,17 +138,10 @@ bool all_finite(std::span<const double> values) {
 
 /// Slopes of ladders whose replicates are drawn anew, with replacement, within each size.
 template <class Summary>
-std::vector<double> bootstrap_slopes(std::span<const Rung> ladder, std::span<const Summary> summaries, LogLog points,
-                                     const ResamplingPlan& plan) {
+std::vector<double> bootstrap_slopes(std::span<const Summary> summaries, LogLog points, const LadderDraws& draws) {
     std::vector<double> slopes;
-    Draw draw;
-    for (std::uint32_t replicate = 0; replicate < plan.replicates; ++replicate) {
-        Draws draws(plan.key, Resampling::bootstrap, replicate);
-        for (std::size_t i = 0; i < ladder.size(); ++i) {
-            draw.assign(ladder[i].replicates(), 0);
-            for (std::size_t n = 0; n < draw.size(); ++n) ++draw[draws.below(draw.size())];
-            points.y[i] = summaries[i](draw);
-        }
+    for (std::size_t resample = 0; resample < draws.resamples(); ++resample) {
+        for (std::size_t i = 0; i < summaries.size(); ++i) points.y[i] = summaries[i](draws.counts(resample, i));
         // A sample of exact zeros has no logarithm; it takes some errors to be exactly 0.
         if (all_finite(points.y)) slopes.push_back(fit_line(points.x, points.y, points.variances)->slope);
     }
@@ -128,12 +151,12 @@ std::vector<double> bootstrap_slopes(std::span<const Rung> ladder, std::span<con
 
 template <class Summary>
 std::optional<ConvergenceRate> fit_rate(std::span<const Rung> ladder, std::span<const Summary> summaries, double factor,
-                                        double level, const ResamplingPlan& plan) {
+                                        double level, const LadderDraws& draws) {
     const LogLog points = log_log(ladder, summaries, factor);
     if (!all_finite(points.y)) return std::nullopt;
     const auto line = fit_line(points.x, points.y, points.variances);
     if (!line) return std::nullopt;
-    const std::vector<double> slopes = bootstrap_slopes(ladder, summaries, points, plan);
+    const std::vector<double> slopes = bootstrap_slopes(summaries, points, draws);
     if (slopes.empty()) return std::nullopt;
 
     ConvergenceRate rate;
@@ -151,6 +174,12 @@ std::optional<ConvergenceRate> fit_rate(std::span<const Rung> ladder, std::span<
     return rate;
 }
 
+LadderDraws draw(std::span<const Rung> ladder, const ResamplingPlan& plan) {
+    std::vector<std::size_t> replicates;
+    for (const Rung& rung : ladder) replicates.push_back(rung.replicates());
+    return {replicates, plan};
+}
+
 bool has_replicates(std::span<const Rung> ladder) {
     return !ladder.empty() &&
            std::all_of(ladder.begin(), ladder.end(), [](const Rung& rung) { return rung.replicates() >= 2; });
@@ -158,15 +187,15 @@ bool has_replicates(std::span<const Rung> ladder) {
 
 }  // namespace
 
-std::optional<ConvergenceRate> fit_rmse_rate(std::span<const Rung> ladder, double level, const ResamplingPlan& plan) {
+std::optional<ConvergenceRate> fit_rmse_rate(std::span<const Rung> ladder, double level, const LadderDraws& draws) {
     if (!has_replicates(ladder)) return std::nullopt;
     const auto exact = [](const Rung& rung) {
         return std::all_of(rung.errors.begin(), rung.errors.end(), [](double error) { return error == 0; });
     };
     if (std::any_of(ladder.begin(), ladder.end(), exact)) return std::nullopt;
-    const std::vector<LogRmse> summaries(ladder.begin(), ladder.end());
+    const auto summaries = summaries_of<LogRmse>(ladder, draws);
     const double factor = variance_factor(summaries, ladder.front().width);
-    auto rate = fit_rate<LogRmse>(ladder, summaries, factor, level, plan);
+    auto rate = fit_rate<LogRmse>(ladder, summaries, factor, level, draws);
     if (rate) {
         const double reach = rate->interval.width() / 2 / normal_critical((1 - level) / 2);
         rate->standard_error = std::max(rate->standard_error, reach);
@@ -174,15 +203,23 @@ std::optional<ConvergenceRate> fit_rmse_rate(std::span<const Rung> ladder, doubl
     return rate;
 }
 
-std::optional<ConvergenceRate> fit_median_rate(std::span<const Rung> ladder, double level, const ResamplingPlan& plan) {
+std::optional<ConvergenceRate> fit_median_rate(std::span<const Rung> ladder, double level, const LadderDraws& draws) {
     if (!has_replicates(ladder)) return std::nullopt;
-    const std::vector<LogMedian> summaries(ladder.begin(), ladder.end());
-    auto rate = fit_rate<LogMedian>(ladder, summaries, 1, level, plan);
+    const auto summaries = summaries_of<LogMedian>(ladder, draws);
+    auto rate = fit_rate<LogMedian>(ladder, summaries, 1, level, draws);
     if (!rate) return std::nullopt;
     // The weights are right up to a common factor, so the line is; its interval and lack of fit are not.
     rate->interval = rate->bootstrap;
     rate->lack_of_fit_p.reset();
     return rate;
+}
+
+std::optional<ConvergenceRate> fit_rmse_rate(std::span<const Rung> ladder, double level, const ResamplingPlan& plan) {
+    return fit_rmse_rate(ladder, level, draw(ladder, plan));
+}
+
+std::optional<ConvergenceRate> fit_median_rate(std::span<const Rung> ladder, double level, const ResamplingPlan& plan) {
+    return fit_median_rate(ladder, level, draw(ladder, plan));
 }
 
 double log_chi_squared_variance(double freedom) {

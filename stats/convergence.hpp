@@ -1,8 +1,8 @@
 #pragma once
 
 #include "stats/interval.hpp"
+#include "stats/ladder_draws.hpp"
 #include "stats/line_fit.hpp"
-#include "stats/resampling.hpp"
 
 #include <cstddef>
 #include <optional>
@@ -38,10 +38,14 @@ struct ConvergenceRate {
 /// Assumes a finite fourth moment: show the median rate beside it.
 /// Empty below two sizes, below two replicates at one, or where all errors of one are 0.
 /// @pre widths are equal
-std::optional<ConvergenceRate> fit_rmse_rate(std::span<const Rung> ladder, double level, const ResamplingPlan& plan);
+std::optional<ConvergenceRate> fit_rmse_rate(std::span<const Rung> ladder, double level, const LadderDraws& draws);
 
 /// Rate of the median absolute error, which survives infinite variance. `interval` repeats the bootstrap one.
 /// Empty below two sizes or where a median is 0.
+std::optional<ConvergenceRate> fit_median_rate(std::span<const Rung> ladder, double level, const LadderDraws& draws);
+
+/// The same with draws of its own.
+std::optional<ConvergenceRate> fit_rmse_rate(std::span<const Rung> ladder, double level, const ResamplingPlan& plan);
 std::optional<ConvergenceRate> fit_median_rate(std::span<const Rung> ladder, double level, const ResamplingPlan& plan);
 
 /// Variance of the logarithm of a mean of squares of `freedom` independent standard normals: trigamma(freedom / 2).

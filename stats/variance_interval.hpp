@@ -31,9 +31,14 @@ inline constexpr std::size_t fewest_deviating_values = 7;
 std::optional<Interval> variance_interval_bootstrap(std::span<const double> values, double level,
                                                     const ResamplingPlan& plan);
 
+/// From so many values on their kurtosis is known well enough, and the bootstrap would cost seconds.
+inline constexpr std::size_t enough_for_kurtosis = 5000;
+
 /// Chi-squared where the sample's excess kurtosis G2 lies within two of its standard errors (for normal data) of 0 or
-/// below -1.5, or there are too few values to resample; else the bootstrap. `method` says which. Few values do not show
-/// their kurtosis: measured coverage for Laplace data is .86 .87 .92 .94 (n as above), for normal data at least .95.
+/// below -1.5, or there are too few values to resample; else the bootstrap, from `enough_for_kurtosis` values on
+/// chi-squared with the degrees of freedom that their kurtosis leaves (stats/spread.hpp). `method` says which. Few
+/// values do not show their kurtosis: measured coverage for Laplace data is .86 .87 .92 .94 (n as above), for normal
+/// data at least .95.
 std::optional<Interval> variance_interval(std::span<const double> values, double level, const ResamplingPlan& plan);
 
 /// Square root of `variance_interval`.

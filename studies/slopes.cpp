@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 
 namespace ff::studies {
 namespace {
@@ -22,14 +23,15 @@ constexpr double rounding = 1e-12;
 /// Trials drawn by all resamples of a ladder together, about: more trials need fewer resamples.
 constexpr double most_draws = 4e6;
 
-/// As many resamples as the trials allow, of (replicates + 1) / 40 whole.
-std::uint32_t resamples(std::span<const stats::Rung> rungs) {
-    std::size_t trials = 0;
-    for (const stats::Rung& rung : rungs) trials += rung.replicates();
-    for (const std::uint32_t replicates : {1999u, 999u, 399u}) {
-        if (replicates * static_cast<double>(trials) <= most_draws) return replicates;
-    }
-    return 199;
+/// Resamples of the trials of each size: as many as the trials allow, of (resamples + 1) / 40 whole.
+stats::LadderDraws draw_trials(std::span<const CellEstimates> sizes, const StreamKey& key) {
+    std::vector<std::size_t> trials;
+    for (const CellEstimates& estimates : sizes) trials.push_back(estimates.trials());
+    const double draws = static_cast<double>(std::accumulate(trials.begin(), trials.end(), std::size_t{0}));
+    constexpr std::array choices{1999u, 999u, 399u, 199u};
+    const auto* const chosen = std::find_if(choices.begin(), choices.end() - 1,
+                                            [&](std::uint32_t resamples) { return resamples * draws <= most_draws; });
+    return {trials, {key, *chosen}};
 }
 
 /// The slope through one error at each size, without any interval.
@@ -56,7 +58,7 @@ std::optional<double> p_of_expected(const Slope& slope, double standard_error) {
     return stats::normal_two_sided_p(z);
 }
 
-void fit(std::span<const stats::Rung> rungs, double level, const stats::ResamplingPlan& plan, Slope& slope) {
+void fit(std::span<const stats::Rung> rungs, double level, const stats::LadderDraws& draws, Slope& slope) {
     slope.points = rungs.size();
     if (slope.expected && slope.expected->of_median && slope.error == ErrorSize::rmse) slope.expected.reset();
     if (slope.variance == VarianceStatus::none) {
@@ -64,8 +66,8 @@ void fit(std::span<const stats::Rung> rungs, double level, const stats::Resampli
         return;
     }
     if (slope.variance == VarianceStatus::infinite && slope.error == ErrorSize::rmse) return;
-    const auto rate = slope.error == ErrorSize::rmse ? stats::fit_rmse_rate(rungs, level, plan)
-                                                     : stats::fit_median_rate(rungs, level, plan);
+    const auto rate = slope.error == ErrorSize::rmse ? stats::fit_rmse_rate(rungs, level, draws)
+                                                     : stats::fit_median_rate(rungs, level, draws);
     if (!rate) return;
     slope.slope = rate->rate;
     slope.interval = rate->bootstrap;
@@ -82,10 +84,12 @@ void fit(std::span<const stats::Rung> rungs, double level, const stats::Resampli
 class LadderFit {
   public:
     LadderFit(const Store& store, const Findings& findings, const Ladder& ladder)
-        : plan_(store.plan()), findings_(findings), ladder_(ladder) {
-        for (const std::size_t cell : ladder.cells) estimates_.push_back(load_estimates(store, cell));
-        exact_ = exact_form_factors(plan_.scenes[ladder.scene]);
-    }
+        : plan_(store.plan()),
+          findings_(findings),
+          ladder_(ladder),
+          estimates_(load(store, ladder)),
+          exact_(exact_form_factors(plan_.scenes[ladder.scene])),
+          draws_(draw_trials(estimates_, key())) {}
 
     [[nodiscard]] LadderSlopes slopes() const {
         LadderSlopes found;
@@ -105,6 +109,19 @@ class LadderFit {
     }
 
   private:
+    static std::vector<CellEstimates> load(const Store& store, const Ladder& ladder) {
+        std::vector<CellEstimates> estimates;
+        for (const std::size_t cell : ladder.cells) estimates.push_back(load_estimates(store, cell));
+        return estimates;
+    }
+
+    /// The same for all pairs and errors of the ladder: their trials are drawn together.
+    [[nodiscard]] StreamKey key() const {
+        const std::string text = fmt::format("slope|{}|{}|{}", plan_.cells[ladder_.cells.front()].canonical,
+                                             name(plan_.spec.methods[ladder_.method].completion), ladder_.cells.size());
+        return derive_key(plan_.spec.seed, text);
+    }
+
     [[nodiscard]] PairClass class_of(Quantity pair) const {
         return pair_class(plan_.scenes[ladder_.scene], pair.from - 1, pair.to - 1);
     }
@@ -128,10 +145,7 @@ class LadderFit {
         slope.error = error;
         slope.variance = variance_of(pairs.front());
         if (ladder_.growth == Growth::samples) slope.expected = expected_rate(method, slope.pair_class);
-        const auto errors = rungs(pairs);
-        const std::string text = fmt::format("slope|{}|{}|{}", plan_.cells[ladder_.cells.front()].canonical,
-                                             name(method.completion), ladder_.cells.size());
-        fit(errors, plan_.spec.level, {derive_key(plan_.spec.seed, text), resamples(errors)}, slope);
+        fit(rungs(pairs), plan_.spec.level, draws_, slope);
         return slope;
     }
 
@@ -162,6 +176,7 @@ class LadderFit {
     const Ladder& ladder_;
     std::vector<CellEstimates> estimates_;
     std::optional<Eigen::MatrixXd> exact_;
+    stats::LadderDraws draws_;
 };
 
 RateFinding judge(const ClassSlopes& found, double level) {

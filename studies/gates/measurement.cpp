@@ -116,7 +116,8 @@ Measurement measure_proportion(const stats::Proportion& counts, const Band& band
 
 std::optional<Measurement> measure_slope(std::span<const stats::Rung> ladder, const Band& band, const Levels& levels) {
     // One resample: the bootstrap interval does not reach the levels asked for, and is not used.
-    const auto fitted = stats::fit_rmse_rate(ladder, failing_level(levels), {.key = {}, .replicates = 1});
+    const auto fitted =
+        stats::fit_rmse_rate(ladder, failing_level(levels), stats::ResamplingPlan{.key = {}, .replicates = 1});
     if (!fitted) return std::nullopt;
     const double error = fitted->interval.width() / 2 / stats::normal_critical(levels.fail_alpha / 2);
     const auto interval_of = [&](double level) {

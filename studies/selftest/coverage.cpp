@@ -138,11 +138,12 @@ std::vector<stats::Rung> draw_ladder(stats::Draws& draws) {
 }
 
 void add_slopes(CoverageTable& table) {
-    table.add_event("slope: weighted least squares, normal errors, 4 sizes x 64", RateClaim::none, 4,
-                    [](stats::Draws& draws) {
-                        const auto rate = stats::fit_rmse_rate(draw_ladder(draws), level, {.key = {}, .replicates = 1});
-                        return rate && rate->interval.contains(-0.5);
-                    });
+    table.add_event(
+        "slope: weighted least squares, normal errors, 4 sizes x 64", RateClaim::none, 4, [](stats::Draws& draws) {
+            const auto rate =
+                stats::fit_rmse_rate(draw_ladder(draws), level, stats::ResamplingPlan{.key = {}, .replicates = 1});
+            return rate && rate->interval.contains(-0.5);
+        });
     table.add_event("slope: bootstrap, normal errors, 4 sizes x 64", RateClaim::none, 40, [](stats::Draws& draws) {
         const auto ladder = draw_ladder(draws);
         const auto plan = resampling(ladder.front().errors);

@@ -5,7 +5,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <numeric>
 
 namespace ff::stats {
 namespace {
@@ -45,6 +48,32 @@ TEST(RmseRate, IsExactForErrorsThatFollowAPowerLaw) {
     EXPECT_EQ(rmse->points, 3u);
     EXPECT_TRUE(rmse->bootstrap.contains(-0.75));
     EXPECT_NEAR(fit_median_rate(rungs, 0.95, plan(0))->rate, -0.75, 1e-12);
+}
+
+// 20 000 replicates in blocks of five. The width of the bootstrap interval is known to 3 % from 999 resamples and to 1
+// % from 4000 blocks; five standard errors. Blocks that counted as one replicate would make it sqrt(5) times as wide.
+TEST(RmseRate, HasTheSameIntervalWhereBlocksAreDrawn) {
+    std::mt19937_64 engine(4);
+    std::vector<Rung> rungs;
+    for (const double size : {16.0, 64.0, 256.0}) {
+        rungs.push_back({size, test::normal_sample(20'000, engine)});
+        for (double& error : rungs.back().errors) error /= std::sqrt(size);
+    }
+    const auto rate = fit_rmse_rate(rungs, 0.95, plan(1, 999));
+    EXPECT_NEAR(rate->bootstrap.width() / rate->interval.width(), 1, 0.17);
+}
+
+TEST(LadderDraws, DrawAsManyReplicatesAsThereAreOrBlocksOfThem) {
+    const LadderDraws draws(std::array<std::size_t, 3>{5, LadderDraws::most_blocks, 10'001}, plan(1, 2));
+    const std::array<std::size_t, 3> block{1, 1, 3};
+    const std::array<std::size_t, 3> blocks{5, LadderDraws::most_blocks, 3334};
+    for (std::size_t rung = 0; rung < blocks.size(); ++rung) {
+        const auto counts = draws.counts(1, rung);
+        EXPECT_EQ(draws.block(rung), block[rung]);
+        EXPECT_EQ(counts.size(), blocks[rung]);
+        EXPECT_EQ(std::accumulate(counts.begin(), counts.end(), std::size_t{0}), blocks[rung]);
+        EXPECT_FALSE(std::equal(counts.begin(), counts.end(), draws.counts(0, rung).begin()));
+    }
 }
 
 TEST(RmseRate, IsEmptyWhereNoLineIsDetermined) {
