@@ -24,12 +24,6 @@ void add_problem(pugi::xml_node test, const char* element, const char* type, con
     set(problem, "type", type);
 }
 
-void add_comparisons(pugi::xml_node test, const studies::GateResult& result, const std::string& note) {
-    std::string text = gate_in_words(result) + "\n";
-    if (!note.empty()) text += note + "\n";
-    test.append_child("system-out").text().set(text.c_str());
-}
-
 }  // namespace
 
 std::string junit_xml(const studies::CheckResults& check, const JunitContext& context) {
@@ -58,6 +52,7 @@ std::string junit_xml(const studies::CheckResults& check, const JunitContext& co
         set(property, "name", key);
         set(property, "value", value);
     }
+    std::string console;  // of the whole suite: Ant's schema lets no test case have an output of its own
     for (const studies::Gate& gate : check.spec.gates) {
         const auto found = std::find_if(check.results.begin(), check.results.end(),
                                         [&](const studies::GateResult& result) { return result.gate == gate.name; });
@@ -74,9 +69,10 @@ std::string junit_xml(const studies::CheckResults& check, const JunitContext& co
         if (found->verdict == studies::Verdict::fail) add_problem(test, "failure", "fail", gate_in_words(*found));
         if (found->verdict == studies::Verdict::inconclusive)
             add_problem(test, "error", "inconclusive", gate_in_words(*found));
-        add_comparisons(test, *found, context.notes[index]);
+        console += gate_line(*found, Colour::none);
+        if (!context.notes[index].empty()) console += fmt::format("{:<12}  {}\n", "", context.notes[index]);
     }
-    suite.append_child("system-out");
+    suite.append_child("system-out").text().set(console.c_str());
     suite.append_child("system-err");
     std::ostringstream out;
     document.save(out, " ", pugi::format_default, pugi::encoding_utf8);
