@@ -15,6 +15,7 @@
 #include "studies/gates/estimate_gates.hpp"
 #include "studies/gates/gate_run.hpp"
 #include "studies/gates/seed_sweep.hpp"
+#include "studies/selftest/repetitions.hpp"
 #include "studies/text_file.hpp"
 
 #include <fmt/format.h>
@@ -24,6 +25,7 @@
 #include <chrono>
 #include <cstdio>
 #include <numeric>
+#include <utility>
 
 namespace ff::app {
 namespace {
@@ -118,10 +120,24 @@ ExitCode exit_code(studies::Verdict verdict) {
     return ExitCode::inconclusive;
 }
 
+/// What `make` makes of each gate on estimates of another program; nothing is run for them.
+template <class Result>
+std::vector<Result> each_on_estimates(const Check& check, Result (*make)(const GatesSpec&, const studies::Gate&,
+                                                                         const studies::EstimatesFile&)) {
+    std::vector<Result> results;
+    if (check.command.estimates.empty()) return results;
+    const auto file = studies::load_estimates_file(check.command.estimates);
+    for (const studies::Gate& gate : check.spec.gates) {
+        if (gate.from_estimates()) results.push_back(make(check.spec, gate, file));
+    }
+    return results;
+}
+
 ExitCode show_plan(Check& check) {
     auto plans = prepare(check, check.command.save_baseline.empty() ? GatePurpose::check : GatePurpose::save_baseline);
+    const auto files = each_on_estimates(check, studies::plan_estimates);
     for (GatePlan& gate : plans) plan(check, gate);
-    fmt::print("{}", reports::gates_plan(check.spec, plans, check.options.threads));
+    fmt::print("{}", reports::gates_plan(check.spec, files, plans, check.options.threads));
     return ExitCode::passed;
 }
 
@@ -148,17 +164,6 @@ ExitCode save_baseline(Check& check) {
     return ExitCode::passed;
 }
 
-/// Gates on estimates of another program; nothing is run for them.
-std::vector<studies::GateResult> judge_file(const Check& check) {
-    std::vector<studies::GateResult> results;
-    if (check.command.estimates.empty()) return results;
-    const auto file = studies::load_estimates_file(check.command.estimates);
-    for (const studies::Gate& gate : check.spec.gates) {
-        if (gate.from_estimates()) results.push_back(judge_estimates(check.spec, gate, file));
-    }
-    return results;
-}
-
 /// @throws UserError where the bands file and --estimates do not go together
 void expect_estimates(const Check& check) {
     const auto& gates = check.spec.gates;
@@ -183,7 +188,7 @@ void expect_estimates(const Check& check) {
 
 ExitCode check_once(Check& check, const std::filesystem::path& out) {
     auto plans = prepare(check, GatePurpose::check);
-    auto judged = judge_file(check);
+    auto judged = each_on_estimates(check, studies::judge_estimates);
     const auto start = Clock::now();
     std::vector<std::uint64_t> pilots;
     for (GatePlan& gate : plans) pilots.push_back(plan(check, gate));
@@ -221,22 +226,35 @@ ExitCode check_once(Check& check, const std::filesystem::path& out) {
     return exit_code(results.verdict());
 }
 
-/// Every seed from the file's on, each a check of its own.
+/// Verdicts of all gates. @throws Interrupted
+std::vector<studies::Verdict> verdicts_with_seed(Check check, std::uint64_t seed) {
+    check.spec.seed = checked_seed(seed);
+    std::vector<studies::Verdict> verdicts;
+    for (GatePlan& gate : prepare(check, GatePurpose::check))
+        verdicts.push_back(run(check, gate, plan(check, gate)).verdict);
+    return verdicts;
+}
+
+/// Every seed from the file's on, each a check of its own; several at once, each on one thread.
 ExitCode sweep(Check& check, const std::filesystem::path& out) {
-    if (check.command.seed_sweep > most_seeds)
-        throw UserError(
-            fmt::format("--seed-sweep {} (at most {} seeds). Take fewer.", check.command.seed_sweep, most_seeds));
+    const std::uint64_t seeds = check.command.seed_sweep;
+    if (seeds > most_seeds)
+        throw UserError(fmt::format("--seed-sweep {} (at most {} seeds). Take fewer.", seeds, most_seeds));
     static_cast<void>(prepare(check, GatePurpose::check));
     make_folder(out);
     const std::uint64_t first = check.spec.seed.value;
+    const unsigned threads = std::exchange(check.options.threads, 1u);
     std::vector<studies::SeedSweep> sweeps;
     for (const studies::Gate& gate : check.spec.gates) sweeps.push_back({gate.name, 0, 0, 0});
     check.print(reports::gates_heading(check.spec));
-    for (std::uint64_t seed = 0; seed < check.command.seed_sweep; ++seed) {
-        check.spec.seed = checked_seed(first + seed);
-        auto plans = prepare(check, GatePurpose::check);
-        for (std::size_t gate = 0; gate < plans.size(); ++gate)
-            add_verdict(sweeps[gate], run(check, plans[gate], plan(check, plans[gate])).verdict);
+    for (std::uint64_t done = 0; done < seeds;) {
+        std::vector<std::vector<studies::Verdict>> verdicts(std::min<std::uint64_t>(threads, seeds - done));
+        studies::for_each_index(verdicts.size(), static_cast<unsigned>(verdicts.size()),
+                                [&](std::uint64_t i) { verdicts[i] = verdicts_with_seed(check, first + done + i); });
+        done += verdicts.size();
+        for (const auto& of_seed : verdicts) {
+            for (std::size_t gate = 0; gate < of_seed.size(); ++gate) add_verdict(sweeps[gate], of_seed[gate]);
+        }
         reports::write_file(out / "seed_sweep.csv",
                             [&](std::ostream& file) { reports::write_seed_sweep_csv(file, check.spec, sweeps); });
     }

@@ -25,9 +25,9 @@ std::string_view colour_of(Verdict verdict) {
 }
 
 std::string band_in_words(const studies::Band& band) {
+    if (band.low == 0 && band.high == 0) return "none tolerated";
     if (band.high == -band.low) return fmt::format("band ±{}", brief(band.high));
     if (!std::isfinite(band.high)) return fmt::format("band {} or more", brief(band.low));
-    if (band.low == 0 && band.high == 0) return "none tolerated";
     return fmt::format("band {} to {}", brief(band.low), brief(band.high));
 }
 
@@ -38,6 +38,13 @@ std::string faces_in_words(const studies::Comparison& c) {
 
 std::string seconds_in_words(double seconds) {
     return seconds < 100 ? fmt::format("{:.1f} s", seconds) : fmt::format("{:.1f} min", seconds / 60);
+}
+
+/// Of the column of names.
+std::size_t name_width(const studies::GatesSpec& spec) {
+    std::size_t width = 4;
+    for (const studies::Gate& gate : spec.gates) width = std::max(width, gate.name.size());
+    return width;
 }
 
 std::string trials_in_words(const studies::GatePlan& plan) {
@@ -86,10 +93,15 @@ std::string gates_summary(const studies::CheckResults& check) {
                        missing > 0 ? fmt::format(", {} not run", missing) : "");
 }
 
-std::string gates_plan(const studies::GatesSpec& spec, std::span<const studies::GatePlan> plans, unsigned threads) {
+std::string gates_plan(const studies::GatesSpec& spec, std::span<const studies::EstimatesPlan> files,
+                       std::span<const studies::GatePlan> plans, unsigned threads) {
     std::string out = gates_heading(spec);
-    out += fmt::format("{:<28}  {:<11}  {:>11}  {:>10}  {:>10}  {}\n", "gate", "kind", "comparisons", "trials",
+    const std::size_t width = name_width(spec);
+    out += fmt::format("{:<{}}  {:<11}  {:>11}  {:>10}  {:>10}  {}\n", "gate", width, "kind", "comparisons", "trials",
                        "core time", "at most");
+    for (const studies::EstimatesPlan& file : files)
+        out += fmt::format("{:<{}}  {:<11}  {:>11}  {:>10}  {:>10}  {} in the file\n", file.gate, width,
+                           name(file.kind), 1, file.needed, "", file.series.values.size());
     double total = 0;
     double most = 0;
     bool capped = false;
@@ -100,9 +112,9 @@ std::string gates_plan(const studies::GatesSpec& spec, std::span<const studies::
         total += seconds;
         most += seconds * looks;
         capped = capped || plan.wanted_trials > 0;
-        out +=
-            fmt::format("{:<28}  {:<11}  {:>11}  {:>10}  {:>10}  {}\n", gate.name, name(gate.kind), plan.effects.size(),
-                        trials_in_words(plan), seconds_in_words(seconds), seconds_in_words(seconds * looks));
+        out += fmt::format("{:<{}}  {:<11}  {:>11}  {:>10}  {:>10}  {}\n", gate.name, width, name(gate.kind),
+                           plan.effects.size(), trials_in_words(plan), seconds_in_words(seconds),
+                           seconds_in_words(seconds * looks));
     }
     if (capped) out += fmt::format("! more are needed; max_trials allows {} a look\n", spec.max_trials);
     return out + fmt::format("\nabout {} on {} thread{}, at most {} ({} looks)\n", seconds_in_words(total / threads),
@@ -110,8 +122,10 @@ std::string gates_plan(const studies::GatesSpec& spec, std::span<const studies::
 }
 
 std::string seed_sweep_table(const studies::GatesSpec& spec, std::span<const studies::SeedSweep> sweeps) {
-    std::string out = fmt::format("{:<28}  {:>6}  {:>6}  {:<24}  {:<9}  {:>12}  {:<24}  {}\n", "gate", "seeds", "fails",
-                                  "rate (95 % interval)", "alpha", "inconclusive", "rate (95 % interval)", "allowed");
+    const std::size_t width = name_width(spec);
+    std::string out =
+        fmt::format("{:<{}}  {:>6}  {:>6}  {:<24}  {:<9}  {:>12}  {:<24}  {}\n", "gate", width, "seeds", "fails",
+                    "rate (95 % interval)", "alpha", "inconclusive", "rate (95 % interval)", "allowed");
     const auto rate = [](const studies::SweepRate& r) {
         return fmt::format("{} ({} to {}){}", brief(r.rate), brief(r.interval.low, 2), brief(r.interval.high, 2),
                            r.exceeded ? " !" : "");
@@ -119,7 +133,7 @@ std::string seed_sweep_table(const studies::GatesSpec& spec, std::span<const stu
     for (const studies::SeedSweep& sweep : sweeps) {
         const auto failed = failure_rate(sweep, spec);
         const auto undecided = inconclusive_rate(sweep, spec);
-        out += fmt::format("{:<28}  {:>6}  {:>6}  {:<24}  {:<9}  {:>12}  {:<24}  {}\n", sweep.gate, sweep.seeds,
+        out += fmt::format("{:<{}}  {:>6}  {:>6}  {:<24}  {:<9}  {:>12}  {:<24}  {}\n", sweep.gate, width, sweep.seeds,
                            sweep.fails, rate(failed), brief(failed.allowed, 2), sweep.inconclusive, rate(undecided),
                            brief(undecided.allowed, 2));
     }

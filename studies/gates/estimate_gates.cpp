@@ -7,10 +7,13 @@
 #include "stats/spread.hpp"
 #include "stats/tail_index.hpp"
 #include "studies/gates/measurement.hpp"
+#include "studies/gates/needed_trials.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace ff::studies {
 namespace {
@@ -76,16 +79,25 @@ std::string heavy_tail(const std::vector<double>& values) {
     return {};
 }
 
-std::optional<Measurement> measurement_of(const Gate& gate, const EstimateSeries& series,
-                                          const Independence& independence, const Levels& levels) {
-    const auto moments = stats::moments_of(series.values, *gate.reference);
+std::optional<Measurement> measurement_of(const Gate& gate, const EstimatesPlan& plan) {
+    const auto moments = stats::moments_of(plan.series.values, *gate.reference);
     if (gate.kind == GateKind::bias)
         return measure_mean(moments, {.value = *gate.reference, .standard_error = gate.reference_se.value_or(0)},
-                            gate.band, levels, independence.time);
+                            gate.band, plan.levels, plan.independence.time);
     FF_EXPECT(gate.kind == GateKind::std);
     const auto spread = stats::spread_of(moments);
-    if (!spread || independence.time > 1) return std::nullopt;
-    return measure_spread(*spread, *gate.reference, gate.band, levels);
+    if (!spread || plan.independence.time > 1) return std::nullopt;
+    return measure_spread(*spread, *gate.reference, gate.band, plan.levels);
+}
+
+/// By the spread of the trials at hand.
+std::optional<std::uint64_t> needed_trials(const Gate& gate, const EstimatesPlan& plan) {
+    const auto moments = stats::moments_of(plan.series.values, *gate.reference);
+    if (gate.kind == GateKind::std)
+        return trials_for_ratio(gate.band, moments.excess_kurtosis().value_or(0),
+                                std::numeric_limits<double>::infinity(), plan.levels, 1);
+    return trials_for_mean(gate.band.high, std::sqrt(*moments.variance() * plan.independence.time), 0,
+                           gate.reference_se.value_or(0), plan.levels, 1);
 }
 
 }  // namespace
@@ -102,24 +114,40 @@ Independence examine_independence(const EstimateSeries& series, const std::strin
                                 static_cast<double>(series.values.size()) / time)};
 }
 
-GateResult judge_estimates(const GatesSpec& spec, const Gate& gate, const EstimatesFile& file) {
+EstimatesPlan plan_estimates(const GatesSpec& spec, const Gate& gate, const EstimatesFile& file) {
     FF_EXPECT(gate.from_estimates() && gate.reference);
-    const EstimateSeries& series = find_series(file, gate.quantity, gate.place);
-    const Independence independence = examine_independence(series, file.origin);
+    EstimatesPlan plan;
+    plan.gate = gate.name;
+    plan.kind = gate.kind;
+    plan.series = find_series(file, gate.quantity, gate.place);
+    plan.independence = examine_independence(plan.series, file.origin);
     GatesSpec one_look = spec;  // nothing can be added to a file
     one_look.looks = 1;
+    plan.levels = levels_of(one_look, 1);
+    const auto needed = needed_trials(gate, plan);
+    if (!needed)
+        throw UserError(
+            fmt::format("{}: no number of trials can decide (the reference is too uncertain for this band, or the band "
+                        "is far below the noise). Widen the band, or find a better reference.",
+                        gate.place));
+    plan.needed = *needed;
+    return plan;
+}
+
+GateResult judge_estimates(const GatesSpec& spec, const Gate& gate, const EstimatesFile& file) {
+    const EstimatesPlan plan = plan_estimates(spec, gate, file);
     Comparison row;
     row.quantity = gate.quantity;
     row.band = gate.band;
-    row.levels = levels_of(one_look, 1);
-    row.trials = series.values.size();
-    row.note = independence.note;
-    if (const std::string reason = heavy_tail(series.values); !reason.empty()) {
+    row.levels = plan.levels;
+    row.trials = plan.series.values.size();
+    row.note = plan.independence.note;
+    if (const std::string reason = heavy_tail(plan.series.values); !reason.empty()) {
         row.note = reason;
     } else {
-        row.measurement = measurement_of(gate, series, independence, row.levels);
+        row.measurement = measurement_of(gate, plan);
         row.verdict = judge(row.measurement, row.band);
-        if (!row.measurement && independence.time > 1) row.note += "; their spread cannot be judged";
+        if (!row.measurement && plan.independence.time > 1) row.note += "; their spread cannot be judged";
     }
     return {.gate = gate.name,
             .kind = gate.kind,

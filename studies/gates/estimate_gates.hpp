@@ -4,6 +4,7 @@
 #include "studies/gates/gate.hpp"
 #include "studies/gates/gate_result.hpp"
 
+#include <cstdint>
 #include <string>
 
 namespace ff::studies {
@@ -20,11 +21,24 @@ struct Independence {
 ///         1e-6), and where the series repeats itself
 Independence examine_independence(const EstimateSeries& series, const std::string& origin);
 
+/// What a gate on a file of estimates has and needs.
+struct EstimatesPlan {
+    std::string gate;
+    GateKind kind = GateKind::bias;
+    EstimateSeries series;
+    Independence independence;
+    Levels levels;
+    std::uint64_t needed = 0;  ///< trials with which it would pass with the power if there is no effect
+};
+
+/// @pre gate.from_estimates()
+/// @throws UserError where the file has no such quantity, its trials repeat, or no number of trials can decide
+EstimatesPlan plan_estimates(const GatesSpec& spec, const Gate& gate, const EstimatesFile& file);
+
 /// Judges a gate on a quantity that another program estimated, by the rules for our own. Serial correlation widens the
-/// intervals of a mean. Inconclusive, with a note, where the values have a tail of infinite variance (seen
-/// from 200 values on), and where the
-/// spread of serially correlated values is asked for.
-/// @pre gate.from_estimates()       @throws UserError where the file has no such quantity, or its trials repeat
+/// intervals of a mean. Inconclusive, with a note, where the values have a tail of infinite variance (seen from 200
+/// values on), and where the spread of serially correlated values is asked for.
+/// @pre, @throws as plan_estimates
 GateResult judge_estimates(const GatesSpec& spec, const Gate& gate, const EstimatesFile& file);
 
 }  // namespace ff::studies

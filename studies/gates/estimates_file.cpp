@@ -132,7 +132,7 @@ EstimateSeries make_series(const std::string& quantity, std::vector<Row> rows, s
     if (rows.size() < fewest_estimates)
         throw UserError(
             fmt::format("{}:{}:1: '{}' has {} row(s) (spread and independence cannot be judged below {} "
-                        "trials). Run more trials; the bands file's --dry-run says how many.",
+                        "trials). Run more trials; 50 to 200 are usual.",
                         origin, rows.back().line, quantity, rows.size(), fewest_estimates));
     return series;
 }

@@ -1,12 +1,16 @@
 #include "studies/selftest/repetitions.hpp"
 
+#include "core/error.hpp"
 #include "stats/distributions.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <exception>
 #include <mutex>
+#include <system_error>
 #include <thread>
 
 namespace ff::studies {
@@ -24,10 +28,16 @@ void for_each_index(std::uint64_t times, unsigned threads, const std::function<v
             next = times;
         }
     };
-    std::vector<std::thread> pool;
-    for (unsigned i = 1; i < threads; ++i) pool.emplace_back(work);
+    std::vector<std::jthread> pool;
+    try {
+        while (pool.size() + 1 < threads) pool.emplace_back(work);
+    } catch (const std::system_error& error) {
+        next = times;
+        throw UserError(fmt::format("{} threads (the system started {} of them: {}). Take fewer with --threads.",
+                                    threads, pool.size(), error.code().message()));
+    }
     work();
-    for (std::thread& thread : pool) thread.join();
+    pool.clear();  // joins them
     if (failure) std::rethrow_exception(failure);
 }
 

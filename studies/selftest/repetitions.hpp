@@ -25,7 +25,8 @@ struct Repetitions {
                                               const std::function<double(stats::Draws&)>& experiment) const;
 };
 
-/// Calls `task(i)` for i = 0 .. times - 1 on several threads. @throws what a task threw first
+/// Calls `task(i)` for i = 0 .. times - 1 on several threads. @throws what a task threw first; UserError where the
+/// system starts fewer threads
 void for_each_index(std::uint64_t times, unsigned threads, const std::function<void(std::uint64_t)>& task);
 
 /// A standard normal number.

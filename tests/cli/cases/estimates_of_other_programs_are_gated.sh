@@ -12,6 +12,9 @@ python3 example.py
 ffstudy check bands.toml --estimates estimates.csv
 expect_status 0
 expect_file results/bands/verdicts.csv
+ffstudy check bands.toml --estimates estimates.csv --dry-run
+expect_status 0
+expect_stdout "100 in the file"
 c++ -std=c++20 -O1 example.cpp -o example
 ./example >from_cpp.csv
 ffstudy check bands.toml --estimates from_cpp.csv --quiet
@@ -51,6 +54,10 @@ refused "bad.csv:52:1: the estimates of 'F16' repeat from here on those from lin
 sed 's/F16/F61/' from_cpp.csv >bad.csv
 refused "quantity = \"F16\" (bad.csv has no such estimates). Did you mean 'F61'?"
 
+sed 's/^band = 1e-3/reference_se = 1e-3\nband = 1e-3/' bands.toml >uncertain.toml
+ffstudy check uncertain.toml --estimates from_cpp.csv
+expect_status 2
+expect_stderr "no number of trials can decide"
 ffstudy check bands.toml
 expect_status 2
 expect_stderr "Add --estimates FILE.csv"

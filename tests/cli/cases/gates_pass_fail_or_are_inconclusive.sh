@@ -83,6 +83,8 @@ ffstudy check all.toml --seed-sweep 3 --out sweep
 expect_status 1
 expect_in_file sweep/seed_sweep.csv "right & proper,3,0,0,"
 expect_in_file sweep/seed_sweep.csv "wrong,3,3,1,"
+ffstudy check all.toml --seed-sweep 3 --threads 2 --out again
+expect_equal_files sweep/seed_sweep.csv again/seed_sweep.csv
 
 # Every column and key is explained.
 explained() { grep -Fq "\`$1\`" "$root/docs/gates.md" || fail "docs/gates.md does not explain $1"; }

@@ -65,9 +65,18 @@ TEST(JudgeEstimates, GivesTheThreeVerdicts) {
 }
 
 TEST(JudgeEstimates, AllowsForTheStandardErrorOfTheReference) {
-    Gate gate = bias_gate(5e-4);
-    gate.reference_se = 1e-3;
+    Gate gate = bias_gate(1.4e-3);
+    EXPECT_EQ(judge_file(gate, file_of(estimates(100, 2e-3))).verdict, Verdict::fail);
+    gate.reference_se = 4e-4;
     EXPECT_EQ(judge_file(gate, file_of(estimates(100, 2e-3))).verdict, Verdict::inconclusive);
+}
+
+TEST(JudgeEstimates, RefusesWhatNoNumberOfTrialsDecides) {
+    Gate gate = bias_gate(5e-4);
+    gate.place = "bands.toml:7:8";
+    gate.reference_se = 1e-3;
+    EXPECT_THAT([&] { judge_file(gate, file_of(estimates(100, 0))); },
+                testing::ThrowsMessage<UserError>(HasSubstr("bands.toml:7:8: no number of trials can decide")));
 }
 
 TEST(JudgeEstimates, WidensTheIntervalOfCorrelatedTrials) {
@@ -102,6 +111,17 @@ TEST(JudgeEstimates, PassesNothingOfInfiniteVariance) {
     const auto result = judge_file(gate, file_of(values));
     EXPECT_EQ(result.verdict, Verdict::inconclusive);
     EXPECT_THAT(result.note, HasSubstr("infinite variance"));
+}
+
+TEST(PlanEstimates, SaysHowManyTrialsAreNeeded) {
+    GatesSpec spec;
+    const auto needed = [&](double band) {
+        return plan_estimates(spec, bias_gate(band), file_of(estimates(400, 0))).needed;
+    };
+    // 10.8 (sigma / band)^2 at power 0.9; the standard deviation of 400 trials is known to 3.5 %, so that to 28 % (4 of
+    // its standard errors).
+    EXPECT_NEAR(static_cast<double>(needed(1e-4)), 1082, 0.28 * 1082);
+    EXPECT_NEAR(static_cast<double>(needed(1e-5)), 108'222, 0.28 * 108'222);
 }
 
 TEST(ExamineIndependence, RefusesTheSameSeedInEveryTrial) {
