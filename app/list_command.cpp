@@ -8,6 +8,7 @@
 #include "samplers/sampler.hpp"
 #include "studies/controls.hpp"
 #include "studies/descriptions.hpp"
+#include "studies/selftest/selftest.hpp"
 
 #include <fmt/format.h>
 
@@ -57,6 +58,7 @@ ExitCode list(const std::string& kind) {
         print_all(studies::scene_descriptions());
     } else if (kind == "studies") {
         for (const auto& study : built_in_studies()) print_row(study.name, study.title);
+        print_row(studies::selftest_description.name, studies::selftest_description.summary);
     } else if (kind == "formats") {
         for (const Format& format : all_formats()) print_row(format.name, format.files);
     } else if (kind == "controls") {
@@ -78,8 +80,9 @@ ExitCode explain(const std::string& name) {
         fmt::print("Sizes:  {}{}\n", sizes_in_words(entry.info), beside_its_sizes(entry.info.sizes));
         return ExitCode::passed;
     }
-    for (const auto& [kind, descriptions] : {std::pair("estimator", studies::estimator_descriptions()),
-                                             std::pair("scene", studies::scene_descriptions())}) {
+    for (const auto& [kind, descriptions] :
+         {std::pair("estimator", studies::estimator_descriptions()), std::pair("scene", studies::scene_descriptions()),
+          std::pair("study", std::span(&studies::selftest_description, 1))}) {
         for (const auto& description : descriptions) {
             names.emplace_back(description.name);
             if (description.name != name) continue;

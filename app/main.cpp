@@ -5,6 +5,7 @@
 #include "app/usage_errors.hpp"
 
 #include "core/error.hpp"
+#include "studies/selftest/selftest.hpp"
 
 #include "app/build_info.hpp"
 
@@ -123,8 +124,8 @@ void add_audit(CLI::App& app, AuditCommand& command, Action& action) {
 }
 
 void add_selftest(CLI::App& app, SelftestCommand& command, Action& action) {
-    CLI::App* sub =
-        app.add_subcommand("gates_selftest", "Check the checks: are controls caught, is what is sound not?");
+    constexpr auto& description = ff::studies::selftest_description;
+    CLI::App* sub = app.add_subcommand(std::string(description.name), std::string(description.summary));
     sub->add_option("--seeds", command.seeds, "Seeds that every control is run with (default: 200)")
         ->check(CLI::PositiveNumber);
     sub->add_option("--repetitions", command.repetitions, "Repetitions on made-up trials (default: 20000)")

@@ -2,6 +2,7 @@
 
 #include "core/error.hpp"
 #include "core/nearest_name.hpp"
+#include "studies/selftest/selftest.hpp"
 
 #include "app/build_info.hpp"
 
@@ -39,6 +40,8 @@ studies::StudySpec find_study(const std::string& name_or_file) {
     for (const BuiltInStudy& study : list) {
         if (study.name == name_or_file) return studies::load_study(study.file);
     }
+    if (name_or_file == studies::selftest_description.name)
+        throw UserError(fmt::format("'{0}' has options of its own. Run 'ffstudy {0}'.", name_or_file));
     const std::filesystem::path file(name_or_file);
     if (std::filesystem::exists(file) || file.extension() == ".toml") return studies::load_study(file);
     std::vector<std::string_view> names;

@@ -25,19 +25,9 @@ bool known_spread(const Findings& findings, std::size_t cell, const ClassError& 
 
 void add_ratio(const Findings& findings, const ClassError& better, const ClassError& worse, Rivalry& rivalry) {
     if (better.rmse < rounding_error) return;
-    const double ratio = worse.rmse / better.rmse;
-    rivalry.ratio = ratio;
+    rivalry.ratio = worse.rmse / better.rmse;
     if (!known_spread(findings, rivalry.better, better) || !known_spread(findings, *rivalry.worse, worse)) return;
-    std::size_t trials = std::numeric_limits<std::size_t>::max();
-    for (const ClassError* error : {&better, &worse}) {
-        if (error->interval) trials = std::min(trials, error->trials);
-    }
-    if (trials == std::numeric_limits<std::size_t>::max()) return;  // both are deterministic
-    const double level = findings.plan.spec.level;
-    const double reach = stats::student_critical(static_cast<double>(trials - 1), (1 - level) / 2) *
-                         std::sqrt(log_variance(better) + log_variance(worse));
-    rivalry.interval =
-        stats::Interval{ratio * std::exp(-reach), ratio * std::exp(reach), level, "student_t_of_logarithm", trials};
+    rivalry.interval = rmse_ratio_interval(better, worse, findings.plan.spec.level);
 }
 
 /// Cells of the last table that shows two methods for the same scene.
@@ -100,6 +90,18 @@ std::optional<Rivalry> best_two(const Findings& findings, std::size_t scene, Pai
 }
 
 }  // namespace
+
+std::optional<stats::Interval> rmse_ratio_interval(const ClassError& better, const ClassError& worse, double level) {
+    std::size_t trials = std::numeric_limits<std::size_t>::max();
+    for (const ClassError* error : {&better, &worse}) {
+        if (error->interval) trials = std::min(trials, error->trials);
+    }
+    if (trials == std::numeric_limits<std::size_t>::max()) return std::nullopt;  // both are deterministic
+    const double ratio = worse.rmse / better.rmse;
+    const double reach = stats::student_critical(static_cast<double>(trials - 1), (1 - level) / 2) *
+                         std::sqrt(log_variance(better) + log_variance(worse));
+    return stats::Interval{ratio * std::exp(-reach), ratio * std::exp(reach), level, "student_t_of_logarithm", trials};
+}
 
 bool Rivalry::decided() const {
     if (!worse) return false;

@@ -1,7 +1,6 @@
 #include "studies/variance_reduction.hpp"
 
 #include "core/exact.hpp"
-#include "studies/class_errors.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -65,6 +64,16 @@ double log_reach(const ClassErrors& errors) {
 
 }  // namespace
 
+stats::Interval variance_ratio_interval(const ClassErrors& ours, const ClassErrors& theirs) {
+    const double factor = *theirs.variance / *ours.variance;
+    const double reach = std::exp(std::hypot(log_reach(ours), log_reach(theirs)));
+    return {.low = factor / reach,
+            .high = factor * reach,
+            .level = ours.variance_interval->level,
+            .method = "log_normal",
+            .n = std::min(ours.variance_interval->n, theirs.variance_interval->n)};
+}
+
 std::vector<VarianceReduction> compare_with_random(const Store& store, const Findings& findings) {
     const StudyPlan& plan = store.plan();
     ClassVariances variances(store, findings);
@@ -81,12 +90,7 @@ std::vector<VarianceReduction> compare_with_random(const Store& store, const Fin
             found.random_cell = *random;
             found.pair_class = pair_class;
             found.factor = *theirs.variance / *ours.variance;
-            const double reach = std::exp(std::hypot(log_reach(ours), log_reach(theirs)));
-            found.interval = {.low = found.factor / reach,
-                              .high = found.factor * reach,
-                              .level = plan.spec.level,
-                              .method = "log_normal",
-                              .n = std::min(ours.variance_interval->n, theirs.variance_interval->n)};
+            found.interval = variance_ratio_interval(ours, theirs);
         }
     }
     return reductions;

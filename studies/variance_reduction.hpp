@@ -3,6 +3,7 @@
 #include "core/pair_class.hpp"
 #include "stats/interval.hpp"
 #include "studies/analysis.hpp"
+#include "studies/class_errors.hpp"
 
 #include <cstddef>
 #include <vector>
@@ -16,8 +17,12 @@ struct VarianceReduction {
     std::size_t random_cell = 0;  ///< of sampler "random", with the same scene, estimator, completion and size
     PairClass pair_class = PairClass::other;
     double factor = 1;
-    stats::Interval interval;  ///< log-normal, from both cells' spread over trials
+    stats::Interval interval;
 };
+
+/// Of theirs.variance / ours.variance: log-normal, from both cells' spread over trials.
+/// @pre both have a variance, with intervals of the same level
+stats::Interval variance_ratio_interval(const ClassErrors& ours, const ClassErrors& theirs);
 
 /// One for each cell and class that has a finite variance and a random counterpart, in the order of cells. Pure.
 std::vector<VarianceReduction> compare_with_random(const Store& store, const Findings& findings);

@@ -5,7 +5,11 @@
 #include "stats/mean_interval.hpp"
 #include "stats/quantiles.hpp"
 #include "stats/spread.hpp"
+#include "stats/two_stage.hpp"
 #include "stats/variance_interval.hpp"
+#include "studies/gates/measurement.hpp"
+#include "studies/rivals.hpp"
+#include "studies/variance_reduction.hpp"
 
 #include <fmt/format.h>
 
@@ -82,6 +86,38 @@ void add_means(CoverageTable& table) {
     for (const std::size_t n : {10u, 100u}) table.add("mean: student_t", exponential, n, RateClaim::none, student, 1);
     table.add("mean: normal", normal, 5, RateClaim::none, gauss, 0);
     table.add("mean: percentile_bootstrap", normal, 5, RateClaim::none, bootstrap, 0, 10);
+    table.add_event("mean: stein_two_stage, normal data, pilot of 10", RateClaim::equal, 1, [](stats::Draws& draws) {
+        auto values = draw_sample(normal, 10, draws);
+        const auto pilot = *stats::pilot_of(values, values.size());
+        const auto more = draw_sample(normal, stats::trials_for_half_width(pilot, 0.4, level) - pilot.n, draws);
+        values.insert(values.end(), more.begin(), more.end());
+        return stats::bias_interval_two_stage(stats::moments_of(values), pilot, level).contains(0);
+    });
+    table.add_event("mean: welch_t, normal data, n = 10, reference n = 30 twice as noisy", RateClaim::none, 1,
+                    [](stats::Draws& draws) {
+                        const auto reference = stats::moments_of(draw_sample(normal, 30, draws));
+                        const double truth = 2 * *reference.mean();
+                        const auto values = stats::moments_of(draw_sample(normal, 10, draws), truth);
+                        const Levels levels{.fail_alpha = 1 - level, .pass_alpha = (1 - level) / 2, .power = 0.9};
+                        return measure_mean(values, {truth, 2 * *reference.standard_error(), 29}, {-1, 1}, levels)
+                            ->failing.contains(0);
+                    });
+}
+
+ClassErrors ten_pairs(const std::vector<double>& errors) {
+    return summarise_class(errors, 10, 1, VarianceStatus::finite, level);
+}
+
+/// One pair, a trial an error.
+ClassError one_pair(std::vector<double> errors) {
+    for (double& error : errors) error *= error;
+    const auto squares = stats::moments_of(errors);
+    ClassError found;
+    found.trials = errors.size();
+    found.rmse = std::sqrt(*squares.mean());
+    found.mean_square_se = *squares.standard_error();
+    found.interval = stats::mean_interval_t(squares, level);
+    return found;
 }
 
 void add_variances(CoverageTable& table) {
@@ -102,6 +138,11 @@ void add_variances(CoverageTable& table) {
         table.add("variance: of gates", data, 30, RateClaim::none, spread, 1);
         table.add("variance: of gates", data, 300, RateClaim::none, spread, 1);
     }
+    const IntervalOf square = [](const auto& errors) { return one_pair(errors).interval; };
+    table.add("mean squared error: student_t", normal, 30, RateClaim::none, square, 1);
+    // 30 trials of 10 pairs.
+    const IntervalOf of_class = [](const auto& errors) { return ten_pairs(errors).variance_interval; };
+    table.add("variance over 10 pairs: log_normal", normal, 300, RateClaim::none, of_class, 1);
 }
 
 void add_proportions(CoverageTable& table) {
@@ -124,6 +165,27 @@ void add_proportions(CoverageTable& table) {
                             });
         }
     }
+}
+
+void add_ratios(CoverageTable& table) {
+    for (const Distribution& data : {normal, exponential}) {
+        table.add_event(fmt::format("ratio of spreads: F of gates, {} data, n = 100 and 30", data.name),
+                        RateClaim::none, 1, [&](stats::Draws& draws) {
+                            const auto a = stats::spread_of(stats::moments_of(draw_sample(data, 100, draws)));
+                            const auto b = stats::spread_of(stats::moments_of(draw_sample(data, 30, draws)));
+                            return stats::ratio_interval(*a, *b, level).contains(1);
+                        });
+    }
+    table.add_event("ratio of variances over 10 pairs: log_normal, normal data, n = 300 and 300", RateClaim::none, 1,
+                    [](stats::Draws& draws) {
+                        const auto a = ten_pairs(draw_sample(normal, 300, draws));
+                        return variance_ratio_interval(a, ten_pairs(draw_sample(normal, 300, draws))).contains(1);
+                    });
+    table.add_event("ratio of RMSEs: student_t_of_logarithm, normal data, n = 30 and 30", RateClaim::none, 1,
+                    [](stats::Draws& draws) {
+                        const auto a = one_pair(draw_sample(normal, 30, draws));
+                        return rmse_ratio_interval(a, one_pair(draw_sample(normal, 30, draws)), level)->contains(1);
+                    });
 }
 
 /// Errors whose root mean square falls exactly as size^-0.5.
@@ -150,6 +212,12 @@ void add_slopes(CoverageTable& table) {
         const auto rate = stats::fit_rmse_rate(ladder, level, plan);
         return rate && rate->bootstrap.contains(-0.5);
     });
+    table.add_event("slope of the median: bootstrap, normal errors, 4 sizes x 64", RateClaim::none, 40,
+                    [](stats::Draws& draws) {
+                        const auto ladder = draw_ladder(draws);
+                        const auto rate = stats::fit_median_rate(ladder, level, resampling(ladder.front().errors));
+                        return rate && rate->interval.contains(-0.5);
+                    });
 }
 
 void add_distributions(CoverageTable& table) {
@@ -167,6 +235,7 @@ RateTable measure_coverage(const Repetitions& repetitions, std::uint64_t times) 
     CoverageTable table(repetitions, times);
     add_means(table);
     add_variances(table);
+    add_ratios(table);
     add_proportions(table);
     add_slopes(table);
     add_distributions(table);
