@@ -33,13 +33,4 @@ std::optional<EquivalenceTest> test_equivalence(const Moments& moments, double m
     return test;
 }
 
-BiasVerdict judge_bias(const Moments& moments, double margin, double fail_alpha, double pass_alpha) {
-    // The (1 - fail_alpha) interval is the one of a pair of one-sided tests at fail_alpha / 2.
-    const auto failing = test_equivalence(moments, margin, fail_alpha / 2);
-    if (failing && failing->different) return BiasVerdict::fail;
-    const auto passing = test_equivalence(moments, margin, pass_alpha);
-    if (passing && passing->equivalent) return BiasVerdict::pass;
-    return BiasVerdict::inconclusive;
-}
-
 }  // namespace ff::stats

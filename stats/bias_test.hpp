@@ -33,13 +33,4 @@ struct EquivalenceTest {
 /// Empty below two values and for values that are all equal. @pre 0 < alpha < 0.5, margin > 0
 std::optional<EquivalenceTest> test_equivalence(const Moments& moments, double margin, double alpha);
 
-/// What a gate with the composite null |bias| <= margin says.
-enum class BiasVerdict { pass, fail, inconclusive };
-
-/// Fail: the (1 - fail_alpha) interval lies wholly outside +- margin. Pass: the (1 - 2 pass_alpha) interval lies
-/// inside. Otherwise, or without an interval, inconclusive.
-/// @param fail_alpha  of this pair, already adjusted for the number of pairs (sidak_level)
-/// @param pass_alpha  uncorrected: all pairs passing is an intersection-union test
-BiasVerdict judge_bias(const Moments& moments, double margin, double fail_alpha, double pass_alpha = 0.05);
-
 }  // namespace ff::stats
