@@ -2,13 +2,18 @@
 // independent points, whatever the integrand [owen1997] (t = 0), [pan2023] (b = 2).
 
 #include "net.hpp"
+#include "samplers/antithetic.hpp"
 #include "samplers/faure.hpp"
 #include "samplers/faure_in_base.hpp"
+#include "samplers/latin_hypercube.hpp"
 #include "samplers/owen_hash.hpp"
+#include "samplers/padded.hpp"
+#include "samplers/random.hpp"
 #include "samplers/sobol.hpp"
 #include "samplers/sobol_directions.hpp"
 #include "samplers/sobol_lms.hpp"
 #include "samplers/sobol_nus.hpp"
+#include "samplers/stratified.hpp"
 #include "scrambling.hpp"
 #include "stats/moments.hpp"
 
@@ -106,18 +111,23 @@ void fill_with(const Stream& stream, PointBlock& block) {
     Sampler({.points = points}).fill(stream, 0, block);
 }
 
-double bound(std::uint32_t base, unsigned t) {
-    return std::pow(base, t) * std::pow(base / (base - 1.0), 3);
+double bound(std::uint32_t base, unsigned t, int dimension = 4) {
+    return std::pow(base, t) * std::pow(base / (base - 1.0), dimension - 1);
 }
 
 /// No gain lies above the bound by more than five standard errors: a false alarm is one in 10^6 for a gain that
-/// reaches the bound, and none of these does.
+/// reaches the bound.
+void expect_below(double bound, Fill fill, std::size_t points, const std::vector<Rough>& functions,
+                  const std::string& name) {
+    for (const Rough& rough : functions) {
+        const Gain gain = measure(fill, rough, points);
+        EXPECT_LT(gain.ratio - 5 * gain.standard_error, bound) << name << ", " << rough.name;
+    }
+}
+
 template <std::uint32_t base>
 void expect_within_bound(Fill fill, std::size_t points, unsigned t, const std::string& name) {
-    for (const Rough& rough : rough_functions<base>()) {
-        const Gain gain = measure(fill, rough, points);
-        EXPECT_LT(gain.ratio - 5 * gain.standard_error, bound(base, t)) << name << ", " << rough.name;
-    }
+    expect_below(bound(base, t), fill, points, rough_functions<base>(), name);
 }
 
 unsigned sobol_parameter(unsigned m) {
@@ -141,6 +151,34 @@ TEST(Gain, OfScrambledFaurePointsStaysBelowItsBound) {
     expect_within_bound<7>(fill_with<samplers::FaureInBase<7>, 343>, 343, 0, "faure_7");
     expect_within_bound<11>(fill_with<samplers::FaureInBase<11>, 121>, 121, 0, "faure_11");
     expect_within_bound<13>(fill_with<samplers::FaureInBase<13>, 169>, 169, 0, "faure_13");
+}
+
+TEST(Gain, OfStratifiedPointsIsAtMostOne) {
+    expect_below(1, fill_with<samplers::Stratified, 256>, 256, rough_functions<2>(), "stratified");  // [owen2013]
+}
+
+TEST(Gain, OfLatinHypercubesIsHardlyMoreThanOne) {
+    expect_below(64.0 / 63, fill_with<samplers::LatinHypercube, 64>, 64, rough_functions<2>(), "64");  // [owen1998]
+    expect_below(2.0, fill_with<samplers::LatinHypercube, 2>, 2, rough_functions<2>(), "2");
+}
+
+TEST(Gain, OfMirroredPointsIsAtMostTwo) {
+    expect_below(2, fill_with<samplers::Antithetic<samplers::Random>, 64>, 64, rough_functions<2>(), "antithetic");
+    // Two coordinates mirrored: their product is the same for both points of a pair, and the bound is reached.
+    const Rough even{"digits 0, 0", 0, 1.0 / 16, [](const Point& x) { return digit<2, 0>(x[0]) * digit<2, 0>(x[1]); }};
+    const Gain gain = measure(fill_with<samplers::Antithetic<samplers::Random>, 64>, even, 64);
+    EXPECT_LT(std::abs(gain.ratio - 2), 5 * gain.standard_error);
+}
+
+TEST(Gain, OfPaddedPointsStaysBelowTheBoundOfNetsInTwoDimensionsWithinAPair) {
+    constexpr double variance = 1.0 / 16;
+    const std::vector<Rough> within{
+        {"digits 0, 0", 0, variance, [](const Point& x) { return digit<2, 0>(x[0]) * digit<2, 0>(x[1]); }},
+        {"digits 3, 3", 0, variance, [](const Point& x) { return digit<2, 3>(x[2]) * digit<2, 3>(x[3]); }},
+        {"digits 5, 1", 0, variance, [](const Point& x) { return digit<2, 5>(x[0]) * digit<2, 1>(x[1]); }},
+        {"digits 2, 6", 0, variance, [](const Point& x) { return digit<2, 2>(x[2]) * digit<2, 6>(x[3]); }},
+    };
+    expect_below(bound(2, 0, 2), fill_with<samplers::Padded, 64>, 64, within, "padded");
 }
 
 /// Every coordinate from the first of Sobol', each scrambled by itself: uniform points, and no net.

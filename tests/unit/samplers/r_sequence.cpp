@@ -18,15 +18,17 @@ PointBlock points_of(const Stream& stream, std::size_t dimension, PointIndex fir
 }
 
 TEST(RSequence, StepsByPowersOfTheGeneralisedGoldenRatio) {
-    // x^(D+1) = x + 1, by Newton's method.
+    // The ratios for one to four dimensions as published [roberts2018], and the recipe there: fractions of s + i / g^d.
+    constexpr std::array<long double, 4> ratios{1.61803398874989484820L, 1.32471795724474602596L,
+                                                1.22074408460575947536L, 1.16730397826141868425L};
     for (std::size_t dimension = 1; dimension <= max_dimension; ++dimension) {
-        const auto power = static_cast<double>(dimension + 1);
-        double g = 1.5;
-        for (int i = 0; i < 50; ++i) g -= (std::pow(g, power) - g - 1) / (power * std::pow(g, power - 1) - 1);
-        const PointBlock block = points_of({.key = {1, 2}}, dimension, 0, 2);
+        const PointBlock block = points_of({.key = {1, 2}}, dimension, 0, 1000);
         for (std::size_t d = 0; d < dimension; ++d) {
-            const std::uint32_t step = block.coordinate[d][1] - block.coordinate[d][0];
-            EXPECT_NEAR(step, std::pow(g, -static_cast<double>(d + 1)) * 0x1p32, 1.01);
+            const long double step = std::pow(ratios[dimension - 1], -static_cast<long double>(d + 1));
+            for (std::uint32_t i = 0; i < 1000; ++i) {
+                const std::uint32_t moved = block.coordinate[d][i] - block.coordinate[d][0];
+                EXPECT_NEAR(moved, static_cast<double>(std::fmod(i * step, 1.0L) * 0x1p32L), 1.01);
+            }
         }
     }
 }
