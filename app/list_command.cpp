@@ -12,8 +12,9 @@
 
 #include <fmt/format.h>
 
-#include <array>
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace ff::app {
 namespace {
@@ -21,12 +22,6 @@ namespace {
 void print_row(std::string_view name, std::string_view summary) {
     fmt::print("{:<16} {}\n", name, summary);
 }
-
-void print_all(std::span<const studies::Description> descriptions) {
-    for (const auto& description : descriptions) print_row(description.name, description.summary);
-}
-
-constexpr std::array<std::string_view, 6> kinds{"samplers", "estimators", "scenes", "studies", "formats", "controls"};
 
 void print_description(std::string_view kind, std::string_view name, std::string_view summary, std::string_view details,
                        std::string_view reference) {
@@ -47,15 +42,54 @@ std::string_view beside_its_sizes(samplers::Sizes sizes) {
     return "";
 }
 
+void print_sampler(const samplers::SamplerInfo& info) {
+    print_description("sampler", info.name, info.summary, info.details, info.reference);
+    fmt::print("Sizes:  {}{}\n", sizes_in_words(info), beside_its_sizes(info.sizes));
+    fmt::print("Random: {}\n", info.randomised ? "yes, every trial has points of its own" : "no, one trial says all");
+}
+
+/// What can be listed.
+std::vector<std::string_view> kinds() {
+    std::vector<std::string_view> all{"samplers"};
+    for (const auto& choices : studies::all_choices()) all.push_back(choices.plural);
+    all.insert(all.end(), {"studies", "formats", "controls"});
+    return all;
+}
+
+/// Everything that can be explained, but for samplers and studies, whose descriptions are made.
+struct Entry {
+    std::string kind;
+    studies::Description description;
+};
+
+std::vector<Entry> entries() {
+    std::vector<Entry> all;
+    for (const auto& [kind, plural, descriptions] : studies::all_choices()) {
+        for (const auto& description : descriptions) all.push_back({std::string(kind), description});
+    }
+    all.push_back({"study", studies::selftest_description});
+    for (const Format& format : all_formats())
+        all.push_back({"format", {format.name, format.files, "What is in them: docs/results.md.", ""}});
+    for (const auto& control : studies::controls())
+        all.push_back({fmt::format("control {}, broken on purpose", control.kind), control.description});
+    return all;
+}
+
+/// "box:2x1x0.5" is explained under the name of its pattern.
+std::string_view pattern_of(std::string_view name) {
+    return name.starts_with("box:") ? "box:AxBxC" : name;
+}
+
 }  // namespace
 
 ExitCode list(const std::string& kind) {
+    for (const auto& choices : studies::all_choices()) {
+        if (kind != choices.plural) continue;
+        for (const auto& description : choices.descriptions) print_row(description.name, description.summary);
+        return ExitCode::passed;
+    }
     if (kind == "samplers") {
         for (const auto& entry : samplers::catalogue()) print_row(entry.info.name, entry.info.summary);
-    } else if (kind == "estimators") {
-        print_all(studies::estimator_descriptions());
-    } else if (kind == "scenes") {
-        print_all(studies::scene_descriptions());
     } else if (kind == "studies") {
         for (const auto& study : built_in_studies()) print_row(study.name, study.title);
         print_row(studies::selftest_description.name, studies::selftest_description.summary);
@@ -65,8 +99,8 @@ ExitCode list(const std::string& kind) {
         for (const auto& control : studies::controls())
             fmt::print("{:<22} {:<12} {}\n", control.description.name, control.kind, control.description.summary);
     } else {
-        throw UserError(fmt::format("'{}' cannot be listed. {}Known: {}.", kind, did_you_mean(kind, kinds),
-                                    fmt::join(kinds, ", ")));
+        throw UserError(fmt::format("'{}' cannot be listed. {}Known: {}.", kind, did_you_mean(kind, kinds()),
+                                    fmt::join(kinds(), ", ")));
     }
     return ExitCode::passed;
 }
@@ -76,25 +110,13 @@ ExitCode explain(const std::string& name) {
     for (const auto& entry : samplers::catalogue()) {
         names.emplace_back(entry.info.name);
         if (entry.info.name != name) continue;
-        print_description("sampler", name, entry.info.summary, entry.info.details, entry.info.reference);
-        fmt::print("Sizes:  {}{}\n", sizes_in_words(entry.info), beside_its_sizes(entry.info.sizes));
+        print_sampler(entry.info);
         return ExitCode::passed;
     }
-    for (const auto& [kind, descriptions] :
-         {std::pair("estimator", studies::estimator_descriptions()), std::pair("scene", studies::scene_descriptions()),
-          std::pair("study", std::span(&studies::selftest_description, 1))}) {
-        for (const auto& description : descriptions) {
-            names.emplace_back(description.name);
-            if (description.name != name) continue;
-            print_description(kind, name, description.summary, description.details, description.reference);
-            return ExitCode::passed;
-        }
-    }
-    for (const auto& control : studies::controls()) {
-        const auto& [control_name, summary, details, reference] = control.description;
-        if (control_name != name) continue;
-        print_description(fmt::format("control {}, broken on purpose", control.kind), name, summary, details,
-                          reference);
+    for (const auto& [kind, description] : entries()) {
+        names.emplace_back(description.name);
+        if (description.name != pattern_of(name)) continue;
+        print_description(kind, description.name, description.summary, description.details, description.reference);
         return ExitCode::passed;
     }
     for (const auto& study : built_in_studies()) {
@@ -106,8 +128,8 @@ ExitCode explain(const std::string& name) {
         return ExitCode::passed;
     }
     const std::vector<std::string_view> known(names.begin(), names.end());
-    throw UserError(fmt::format("'{}' is unknown. {}See 'ffstudy list samplers', 'estimators', 'scenes' and 'studies'.",
-                                name, did_you_mean(name, known)));
+    throw UserError(fmt::format("'{}' is unknown. {}See 'ffstudy list KIND', with KIND one of: {}.", name,
+                                did_you_mean(name, known), fmt::join(kinds(), ", ")));
 }
 
 }  // namespace ff::app

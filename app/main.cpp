@@ -138,10 +138,10 @@ void add_selftest(CLI::App& app, SelftestCommand& command, Action& action) {
 }
 
 void add_catalogue(CLI::App& app, std::string& name, Action& action) {
-    CLI::App* listing = app.add_subcommand("list", "List samplers, estimators, scenes, studies, formats or controls");
+    CLI::App* listing = app.add_subcommand("list", "List samplers, estimators, scenes, studies and so on");
     listing->add_option("KIND", name, "samplers, estimators, scenes, studies, formats or controls")->required();
     listing->callback([&] { action = [&] { return list(name); }; });
-    CLI::App* explanation = app.add_subcommand("explain", "Say what a sampler, estimator, scene or study is");
+    CLI::App* explanation = app.add_subcommand("explain", "Say what something is, its source, its limits");
     explanation->add_option("NAME", name, "A name that 'list' shows")->required();
     explanation->callback([&] { action = [&] { return explain(name); }; });
 }

@@ -58,13 +58,67 @@ constexpr std::array scenes{
                 "howell"},
 };
 
+constexpr std::array completions{
+    Description{"direct", "every row of the matrix of faces from its own samples (the default)",
+                "completion = \"direct\". In a closed scene the rows of ray shooting sum to exactly 1.", ""},
+    Description{"reciprocal", "F(j, i) with j > i from F(i, j), by reciprocity, as in the paper",
+                "completion = \"reciprocal\": F(j, i) = A_i F(i, j) / A_j. Applied to the stored direct estimates, so "
+                "that it changes\nno random number. Errors of the first face's row add up in those of the last.",
+                "baranoski1999"},
+};
+
+constexpr std::array allocations{
+    Description{"patch", "every patch has its own sequence of points (the default)",
+                "allocation = \"patch\", for ray_shooting and point_to_polygon. The size that counts for a sampler is "
+                "samples_per_patch.",
+                ""},
+    Description{
+        "face", "one sequence of points for all patches of a face",
+        "allocation = \"face\", for ray_shooting and point_to_polygon: patch p takes points p n to (p + 1) n - 1. "
+        "The size that\ncounts for a sampler is patches_per_face times samples_per_patch. Refused for "
+        "stratified, of whose points a part is biased.",
+        ""},
+};
+
+constexpr std::array maps{
+    Description{"uniform", "points are laid evenly on both patches (the default)",
+                "map = \"uniform\", for area_kernel. Between patches that share an edge or a vertex the variance is "
+                "infinite.",
+                ""},
+    Description{"graded", "points are laid densely where two patches touch, and weighed accordingly",
+                "map = \"graded\", for area_kernel: distances s^3 from a common edge, s^2 from a common vertex. The "
+                "variance becomes\nfinite (tail index 5/2 at an edge), the fourth moment stays infinite, and the "
+                "estimate stays unbiased. No help to\ngauss_legendre.",
+                ""},
+};
+
+constexpr std::array tracers{
+    Description{"automatic", "the analytic tracer where it applies, Embree elsewhere (the default)",
+                "tracer = \"automatic\", for ray_shooting.", ""},
+    Description{
+        "box", "an analytic, vectorised tracer for the inside of an empty box",
+        "tracer = \"box\", for ray_shooting. Refused for other scenes. Both tracers shoot the same rays and agree "
+        "but for rays that\npass within rounding of an edge.",
+        ""},
+    Description{"embree", "the general tracer",
+                "tracer = \"embree\", for ray_shooting. Robust mode, no epsilon: a ray's own surface is left out by a "
+                "mask.",
+                "wald2014"},
+};
+
+constexpr std::array choices{
+    Choices{"estimator", "estimators", estimators},
+    Choices{"scene", "scenes", scenes},
+    Choices{"completion", "completions", completions},
+    Choices{"allocation", "allocations", allocations},
+    Choices{"map", "maps", maps},
+    Choices{"tracer", "tracers", tracers},
+};
+
 }  // namespace
 
-std::span<const Description> estimator_descriptions() {
-    return estimators;
-}
-std::span<const Description> scene_descriptions() {
-    return scenes;
+std::span<const Choices> all_choices() {
+    return choices;
 }
 
 }  // namespace ff::studies

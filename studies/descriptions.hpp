@@ -13,7 +13,14 @@ struct Description {
     std::string_view reference;  ///< key of docs/references.md
 };
 
-std::span<const Description> estimator_descriptions();
-std::span<const Description> scene_descriptions();
+/// What a study file chooses from, beside samplers.
+struct Choices {
+    std::string_view kind;    ///< "estimator"
+    std::string_view plural;  ///< "estimators"
+    std::span<const Description> descriptions;
+};
+
+/// Estimators, scenes, and the values of a method's keys `completion`, `allocation`, `map` and `tracer`.
+std::span<const Choices> all_choices();
 
 }  // namespace ff::studies

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 source "$(dirname "$0")/../harness.sh"
 
-for kind in sampler estimator scene study; do
+for kind in sampler estimator scene completion allocation map tracer study format; do
     plural=${kind/%y/ie}s
     ffstudy list "$plural"
     expect_status 0
@@ -26,7 +26,13 @@ done <"$folder/names"
 ffstudy list samplers
 ! grep -qFf "$folder/names" "$folder/stdout" || fail "expected no control among the samplers"
 
-ffstudy list formats
-expect_status 0
-expect_stdout markdown
+# A sampler's sizes, source and whether it is random are there.
+ffstudy explain faure
+for words in "powers of 5; others lose the net property" "[faure1982]" "Random: yes"; do expect_stdout "$words"; done
+ffstudy explain sobol_raw
+expect_stdout "Random: no"
+ffstudy explain lattice
+expect_stdout "worst-case error"
+ffstudy explain box:2x1x0.5
+expect_stdout "box:AxBxC (scene)"
 expect_nothing_written
