@@ -5,6 +5,7 @@
 #include "app/result_files.hpp"
 #include "app/run_context.hpp"
 #include "app/signals.hpp"
+#include "app/terminal_colour.hpp"
 
 #include "core/error.hpp"
 #include "reports/gates_csv.hpp"
@@ -19,7 +20,6 @@
 #include "studies/text_file.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
@@ -200,7 +200,7 @@ ExitCode check_once(Check& check, const std::filesystem::path& out) {
     studies::CheckResults results{check.spec, {}};
     write_verdicts(out, results, junit);
     check.print(reports::gates_heading(check.spec));
-    const auto colour = ::isatty(STDOUT_FILENO) == 1 ? reports::Colour::ansi : reports::Colour::none;
+    const auto colour = colour_of_stdout();
     for (studies::GateResult& result : judged) {
         check.print(reports::gate_line(result, colour));
         results.results.push_back(std::move(result));

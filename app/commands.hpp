@@ -16,6 +16,9 @@ ExitCode report(const ReportCommand& command);
 /// Brings the stores of shards together and writes the reports; inconclusive where units are missing.
 ExitCode merge(const MergeCommand& command);
 
+/// Two runs side by side; failed where some method differs, else inconclusive where one cannot be tested.
+ExitCode compare(const CompareCommand& command);
+
 /// Checks published tables for contradictions; failed where there are some.
 ExitCode audit(const AuditCommand& command);
 

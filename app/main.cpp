@@ -88,6 +88,16 @@ void add_report(CLI::App& app, ReportCommand& command, Action& action) {
     sub->callback([&] { action = [&] { return report(command); }; });
 }
 
+void add_compare(CLI::App& app, CompareCommand& command, Action& action) {
+    CLI::App* sub = app.add_subcommand("compare", "Show two runs side by side: what differs, and how sure that is");
+    sub->add_option("A", command.first, "Folder of a study, or its results.sqlite")->required();
+    sub->add_option("B", command.second, "The other")->required();
+    sub->add_option("--out", command.out, "Folder for comparison.md and comparison.html (default: none is written)");
+    sub->add_option("--templates", command.templates, "Folder of own templates for comparison.html");
+    sub->add_flag("--quiet", command.quiet, "Print errors only");
+    sub->callback([&] { action = [&] { return compare(command); }; });
+}
+
 void add_merge(CLI::App& app, MergeCommand& command, Action& action) {
     CLI::App* sub = app.add_subcommand("merge", "Bring the results of shards together");
     sub->add_option("RESULTS", command.sources, "Folders of the shards, or their results.sqlite")->required();
@@ -157,6 +167,7 @@ ExitCode parse_and_act(int argc, char** argv) {
     RunCommand run_command;
     ReportCommand report_command;
     MergeCommand merge_command;
+    CompareCommand compare_command;
     AuditCommand audit_command;
     CheckCommand check_command;
     SelftestCommand selftest_command;
@@ -166,6 +177,7 @@ ExitCode parse_and_act(int argc, char** argv) {
     add_convergence(app, convergence_request, run_command, action);
     add_report(app, report_command, action);
     add_merge(app, merge_command, action);
+    add_compare(app, compare_command, action);
     add_check(app, check_command, action);
     add_selftest(app, selftest_command, action);
     add_audit(app, audit_command, action);

@@ -3,6 +3,7 @@
 #include "app/messages.hpp"
 #include "app/result_files.hpp"
 #include "app/template_files.hpp"
+#include "app/terminal_colour.hpp"
 
 #include "core/error.hpp"
 #include "reports/terminal.hpp"
@@ -18,7 +19,7 @@ namespace {
 std::vector<std::filesystem::path> stores_of(const MergeCommand& command, const std::filesystem::path& target) {
     std::vector<std::filesystem::path> stores;
     for (const auto& source : command.sources) {
-        stores.push_back(std::filesystem::is_directory(source) ? source / "results.sqlite" : source);
+        stores.push_back(store_of(source));
         std::error_code missing;
         if (std::filesystem::equivalent(stores.back(), target, missing)) {
             throw UserError(fmt::format("--out {}: one of the stores to be merged lies there. Choose another folder.",
@@ -55,7 +56,8 @@ ExitCode merge(const MergeCommand& command) {
     const auto results = studies::evaluate(store);
     write_results(command.out, {store, results, templates}, usual_formats());
     if (!command.quiet) {
-        fmt::print("{}\nResults: {}\n", reports::terminal_summary(results), (command.out / "report.html").string());
+        fmt::print("{}\nResults: {}\n", reports::terminal_summary(results, colour_of_stdout()),
+                   (command.out / "report.html").string());
     }
     if (outcome.missing.empty()) return ExitCode::passed;
     say("{}. Merge again with the shards that hold them, or run the study with --out {}.\n",

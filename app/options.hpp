@@ -43,6 +43,14 @@ struct MergeCommand {
     bool quiet = false;
 };
 
+struct CompareCommand {
+    std::filesystem::path first;  ///< folder or store
+    std::filesystem::path second;
+    std::filesystem::path out;        ///< empty: nothing is written
+    std::filesystem::path templates;  ///< folder of own templates; empty: none
+    bool quiet = false;
+};
+
 struct AuditCommand {
     std::filesystem::path tables;
     std::filesystem::path out;  ///< empty: nothing is written

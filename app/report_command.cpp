@@ -2,6 +2,7 @@
 
 #include "app/result_files.hpp"
 #include "app/template_files.hpp"
+#include "app/terminal_colour.hpp"
 
 #include "reports/terminal.hpp"
 #include "studies/results.hpp"
@@ -13,8 +14,7 @@ namespace ff::app {
 
 ExitCode report(const ReportCommand& command) {
     const auto templates = find_templates(command.templates);
-    const bool folder = std::filesystem::is_directory(command.results);
-    const auto file = folder ? command.results / "results.sqlite" : command.results;
+    const auto file = store_of(command.results);
     const auto out = command.out.empty() ? file.parent_path() : command.out;
     expect_room_for_results(out);
     const std::vector<std::string_view> named(command.formats.begin(), command.formats.end());
@@ -24,7 +24,8 @@ ExitCode report(const ReportCommand& command) {
     const auto results = studies::evaluate(store);
     if (!command.out.empty()) make_folder(command.out);
     write_results(out, {store, results, templates}, formats);
-    if (!command.quiet) fmt::print("{}\nResults: {}\n", reports::terminal_summary(results), out.string());
+    if (!command.quiet)
+        fmt::print("{}\nResults: {}\n", reports::terminal_summary(results, colour_of_stdout()), out.string());
     return ExitCode::passed;
 }
 

@@ -102,6 +102,10 @@ void expect_formats(std::span<const std::string_view> formats) {
     for (const std::string_view format : formats) find_format(format).expect_programs();
 }
 
+std::filesystem::path store_of(const std::filesystem::path& results) {
+    return std::filesystem::is_directory(results) ? results / "results.sqlite" : results;
+}
+
 void expect_room_for_results(const std::filesystem::path& folder) {
     for (const std::string_view file : files) {
         if (std::filesystem::is_directory(folder / file)) {

@@ -33,6 +33,9 @@ std::span<const std::string_view> usual_formats();
 /// @throws UserError for an unknown format, and for one that this machine lacks a program for
 void expect_formats(std::span<const std::string_view> formats);
 
+/// The store of a run that is named by its folder or by the store itself.
+std::filesystem::path store_of(const std::filesystem::path& results);
+
 /// Before a long run: is the way free for every file that `write_results` would write?
 /// @throws IoError that names what is in the way
 void expect_room_for_results(const std::filesystem::path& folder);

@@ -9,6 +9,7 @@
 #include "app/run_request.hpp"
 #include "app/signals.hpp"
 #include "app/template_files.hpp"
+#include "app/terminal_colour.hpp"
 
 #include "reports/output_file.hpp"
 #include "reports/terminal.hpp"
@@ -136,7 +137,7 @@ ExitCode run(const RunCommand& command) {
         return finish_shard(request.shard, out, command.quiet);
     const auto results = studies::evaluate(store);
     write_results(out, {store, results, templates}, usual_formats());
-    if (!command.quiet) fmt::print("{}", reports::terminal_summary(results));
+    if (!command.quiet) fmt::print("{}", reports::terminal_summary(results, colour_of_stdout()));
     if (!command.quiet) fmt::print("\nResults: {}\n", (out / "report.html").string());
     if (outcome == studies::RunOutcome::complete)
         return studies::all_reached(results.until) ? ExitCode::passed : ExitCode::inconclusive;

@@ -12,16 +12,16 @@ namespace {
 
 using studies::Verdict;
 
-std::string_view colour_of(Verdict verdict) {
+Mark mark_of(Verdict verdict) {
     switch (verdict) {
         case Verdict::pass:
-            return "\033[32m";
+            return Mark::good;
         case Verdict::fail:
-            return "\033[31m";
+            return Mark::bad;
         case Verdict::inconclusive:
             break;
     }
-    return "\033[33m";
+    return Mark::open;
 }
 
 std::string band_in_words(const studies::Band& band) {
@@ -81,9 +81,8 @@ std::string gate_in_words(const studies::GateResult& result) {
 
 std::string gate_line(const studies::GateResult& result, Colour colour) {
     const std::string verdict = fmt::format("{:<12}", name(result.verdict));
-    const std::string shown =
-        colour == Colour::ansi ? fmt::format("{}{}\033[0m", colour_of(result.verdict), verdict) : verdict;
-    return fmt::format("{}  {:<28}  {}\n", shown, result.gate, gate_in_words(result));
+    return fmt::format("{}  {:<28}  {}\n", painted(verdict, mark_of(result.verdict), colour), result.gate,
+                       gate_in_words(result));
 }
 
 std::string gates_summary(const studies::CheckResults& check) {

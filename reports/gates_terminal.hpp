@@ -1,5 +1,6 @@
 #pragma once
 
+#include "reports/colour.hpp"
 #include "studies/gates/check_results.hpp"
 #include "studies/gates/estimate_gates.hpp"
 #include "studies/gates/gate_plan.hpp"
@@ -9,8 +10,6 @@
 #include <string>
 
 namespace ff::reports {
-
-enum class Colour { none, ansi };
 
 /// What is checked, at which risks.
 std::string gates_heading(const studies::GatesSpec& spec);

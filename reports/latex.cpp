@@ -3,6 +3,7 @@
 #include "reports/latex_text.hpp"
 #include "reports/mustache.hpp"
 #include "reports/picture_values.hpp"
+#include "reports/text_table.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <regex>
+#include <string_view>
 #include <utility>
 
 namespace ff::reports {
@@ -115,11 +116,6 @@ std::string latex_with_numbers(const std::string& text) {
         after = found[0].second;
     }
     return out + escape_latex(std::string(after, text.cend()));
-}
-
-std::size_t visible_length(std::string_view utf8) {
-    return static_cast<std::size_t>(
-        std::count_if(utf8.begin(), utf8.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xc0) != 0x80; }));
 }
 
 }  // namespace ff::reports

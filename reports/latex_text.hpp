@@ -1,7 +1,6 @@
 #pragma once
 
 #include <string>
-#include <string_view>
 
 namespace ff::reports {
 
@@ -11,8 +10,5 @@ std::string escape_latex(const std::string& text);
 
 /// The same, with numbers as mathematics sets them: "-7.2e-05" becomes $-7.2\times10^{-5}$.
 std::string latex_with_numbers(const std::string& text);
-
-/// How many characters a reader sees.
-std::size_t visible_length(std::string_view utf8);
 
 }  // namespace ff::reports

@@ -8,6 +8,7 @@
 #include "reports/reduction_words.hpp"
 #include "reports/tail_words.hpp"
 #include "reports/terminal_sections.hpp"
+#include "reports/text_table.hpp"
 #include "reports/until_words.hpp"
 #include "reports/verdicts.hpp"
 #include "studies/resources.hpp"
@@ -17,14 +18,31 @@
 #include <algorithm>
 #include <iterator>
 #include <set>
+#include <string_view>
+#include <vector>
 
 namespace ff::reports {
 namespace {
 
-std::string rmse(const studies::CellFindings& found, PairClass pair_class) {
+/// Two significant digits where nothing is known about the error of the third.
+std::string rmse(const studies::StudyPlan& plan, const studies::CellFindings& found, PairClass pair_class) {
     const auto value = found.class_rmse(pair_class);
-    if (value) return fmt::format("{:.2e}", *value);
-    return found.has_infinite_variance(pair_class) ? "infinite" : "-";
+    if (!value) return found.has_infinite_variance(pair_class) ? "infinite" : "-";
+    const bool known = plan.cells[found.cell].deterministic || found.class_error(pair_class)->interval;
+    return fmt::format("{:.{}e}", *value, known ? 2 : 1);
+}
+
+/// With the scene, where there are several.
+std::string method_of(const studies::StudyPlan& plan, const studies::CellFindings& found) {
+    const studies::Cell& cell = plan.cells[found.cell];
+    const std::string scene = plan.scenes.size() == 1 ? std::string() : plan.scenes[cell.scene].name + " ";
+    return scene + plan.spec.methods[cell.method].name;
+}
+
+Mark mark_of(const studies::CellFindings& found) {
+    if (!found.bias) return Mark::none;
+    if (found.bias_finding == studies::BiasFinding::untestable) return Mark::open;
+    return found.bias_finding == studies::BiasFinding::biased ? Mark::bad : Mark::good;
 }
 
 /// Cells in the middle of long ladders: there the slopes say more. What must be seen is never among them.
@@ -49,27 +67,40 @@ std::string seconds_in_words(double seconds) {
 
 }  // namespace
 
-std::string terminal_summary(const studies::StudyResults& results) {
+std::string terminal_summary(const studies::StudyResults& results, Colour colour) {
     const studies::StudyPlan& plan = results.findings.plan;
     const std::string title = plan.spec.title == plan.spec.name ? "" : fmt::format(": {}", plan.spec.title);
     std::string out = fmt::format("{}{}\nseed {}{}\n\n", plan.spec.name, title, plan.spec.seed.value,
                                   results.findings.complete ? "" : "  (PARTIAL: stopped early)");
-    out += fmt::format("{:<15} {:<20} {:>6}  {:>8}  {:>8}  {}\n", "method", "size", "trials", "RMSE", "RMSE", "bias");
-    out += fmt::format("{:<15} {:<20} {:>6}  {:>8}  {:>8}  {}\n", "", "patches a face × …", "", "parallel", "adjacent",
-                       "(all pairs together)");
     const auto hidden = hidden_cells(results);
+    std::vector<const studies::CellFindings*> shown;
+    std::size_t names = 15;
+    std::size_t sizes = 20;
     for (const studies::CellFindings& found : results.findings.cells) {
         if (hidden.contains(found.cell)) continue;
-        const studies::Cell& cell = plan.cells[found.cell];
-        const std::string scene = plan.scenes.size() == 1 ? std::string() : plan.scenes[cell.scene].name + " ";
-        const std::string margin = equivalence_in_words(found);
-        out += fmt::format("{:<15} {:<20} {:>6}  {:>8}  {:>8}  {}{}{}\n", scene + plan.spec.methods[cell.method].name,
-                           size_label(plan, cell), found.trials, rmse(found, PairClass::parallel),
-                           rmse(found, PairClass::adjacent), bias_in_words(found), margin.empty() ? "" : "; ", margin);
-        if (found.lost_rays > 0) out += fmt::format("{:<15} {} rays LOST\n", "", found.lost_rays);
+        shown.push_back(&found);
+        names = std::max(names, visible_length(method_of(plan, found)));
+        sizes = std::max(sizes, visible_length(size_label(plan, plan.cells[found.cell])));
+    }
+    const auto add_row = [&](std::string_view method, std::string_view size, std::string_view trials,
+                             std::string_view parallel, std::string_view adjacent, const std::string& verdict) {
+        out += fmt::format("{:<{}} {:<{}} {:>6}  {:>8}  {:>8}  {}\n", method, names, size, sizes, trials, parallel,
+                           adjacent, verdict);
+    };
+    add_row("method", "size", "trials", "RMSE", "RMSE", "bias");
+    add_row("", "patches a face × …", "", "parallel", "adjacent", "(all pairs together)");
+    for (const studies::CellFindings* found : shown) {
+        const std::string margin = equivalence_in_words(*found);
+        add_row(method_of(plan, *found), size_label(plan, plan.cells[found->cell]), std::to_string(found->trials),
+                rmse(plan, *found, PairClass::parallel), rmse(plan, *found, PairClass::adjacent),
+                painted(fmt::format("{}{}{}", bias_in_words(*found), margin.empty() ? "" : "; ", margin),
+                        mark_of(*found), colour));
+        if (found->lost_rays > 0)
+            out += fmt::format("{:<{}} {}\n", "", names,
+                               painted(fmt::format("{} rays LOST", found->lost_rays), Mark::bad, colour));
     }
     if (!hidden.empty()) out += fmt::format("({} sizes in between: report.md)\n", hidden.size());
-    out += terminal_slopes(results);
+    out += terminal_slopes(results, colour);
     for (const auto& lines : {heavy_tails_in_brief(results), reductions_in_brief(results), coverage_in_brief(results),
                               until_in_brief(results)}) {
         if (!lines.empty()) out += fmt::format("\n{}\n", fmt::join(lines, "\n"));

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "reports/colour.hpp"
 #include "studies/plan.hpp"
 #include "studies/results.hpp"
 
@@ -8,7 +9,7 @@
 namespace ff::reports {
 
 /// The result in a dozen lines: a row for each method and size, then what the publication comes to.
-std::string terminal_summary(const studies::StudyResults& results);
+std::string terminal_summary(const studies::StudyResults& results, Colour colour = Colour::none);
 
 /// What a run would do: units, trials, evaluations and expected time.
 std::string terminal_plan(const studies::StudyPlan& plan, unsigned threads);

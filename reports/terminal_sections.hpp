@@ -1,5 +1,6 @@
 #pragma once
 
+#include "reports/colour.hpp"
 #include "studies/results.hpp"
 
 #include <string>
@@ -7,6 +8,6 @@
 namespace ff::reports {
 
 /// Sections of what a run prints; empty where the study has nothing for them.
-std::string terminal_slopes(const studies::StudyResults& results);
+std::string terminal_slopes(const studies::StudyResults& results, Colour colour);
 
 }  // namespace ff::reports

@@ -1,10 +1,12 @@
 #include "studies/class_error.hpp"
 
+#include "stats/distributions.hpp"
 #include "stats/mean_interval.hpp"
 #include "stats/moments.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 namespace ff::studies {
@@ -16,6 +18,12 @@ stats::Interval efficiency_interval(stats::Interval rmse, double evaluations) {
     rmse.low = 1 / (rmse.high * rmse.high * evaluations);
     rmse.high = high;
     return rmse;
+}
+
+/// Of ln RMSE, from trial to trial; 0 for a deterministic method.
+double log_variance(const ClassError& error) {
+    const double relative = error.mean_square_se / (2 * error.rmse * error.rmse);
+    return relative * relative;
 }
 
 }  // namespace
@@ -49,6 +57,18 @@ std::optional<ClassError> class_error(const CellEstimates& estimates, const Scen
     error.interval = stats::square_root(*interval);
     error.efficiency_interval = efficiency_interval(*error.interval, evaluations);
     return error;
+}
+
+std::optional<stats::Interval> rmse_ratio_interval(const ClassError& first, const ClassError& second, double level) {
+    std::size_t trials = std::numeric_limits<std::size_t>::max();
+    for (const ClassError* error : {&first, &second}) {
+        if (error->interval) trials = std::min(trials, error->trials);
+    }
+    if (trials == std::numeric_limits<std::size_t>::max()) return std::nullopt;
+    const double ratio = second.rmse / first.rmse;
+    const double reach = stats::student_critical(static_cast<double>(trials - 1), (1 - level) / 2) *
+                         std::sqrt(log_variance(first) + log_variance(second));
+    return stats::Interval{ratio * std::exp(-reach), ratio * std::exp(reach), level, "student_t_of_logarithm", trials};
 }
 
 }  // namespace ff::studies

@@ -32,4 +32,9 @@ struct ClassError {
 std::optional<ClassError> class_error(const CellEstimates& estimates, const Scene& scene, const Eigen::MatrixXd& exact,
                                       PairClass pair_class, VarianceStatus variance, double level);
 
+/// Interval of second.rmse / first.rmse, of independent trials: exp(ln ratio ± t s), s the standard error of the
+/// logarithms by the delta method, t with one less than the fewest trials for degrees of freedom. Errors without an
+/// interval count as exact; empty where both are.
+std::optional<stats::Interval> rmse_ratio_interval(const ClassError& first, const ClassError& second, double level);
+
 }  // namespace ff::studies

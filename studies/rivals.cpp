@@ -1,10 +1,6 @@
 #include "studies/rivals.hpp"
 
-#include "stats/distributions.hpp"
-
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <map>
 #include <set>
 #include <tuple>
@@ -12,12 +8,6 @@
 
 namespace ff::studies {
 namespace {
-
-/// Relative variance of the RMSE, from trial to trial; 0 for a deterministic method.
-double log_variance(const ClassError& error) {
-    const double relative = error.mean_square_se / (2 * error.rmse * error.rmse);
-    return relative * relative;
-}
 
 bool known_spread(const Findings& findings, std::size_t cell, const ClassError& error) {
     return findings.plan.cells[findings.cells[cell].cell].deterministic || error.interval;

@@ -1,0 +1,37 @@
+#include "reports/markdown_table.hpp"
+
+#include <fmt/format.h>
+
+namespace ff::reports {
+namespace {
+
+/// A bar would end the cell.
+std::string cell_text(const TableCell& cell) {
+    std::string out;
+    for (const char c : cell.text) out += c == '|' ? "\\|" : std::string(1, c);
+    const bool stressed = (cell.mark == Mark::bad || cell.mark == Mark::surprising) && !out.empty();
+    return stressed ? fmt::format("**{}**", out) : out;
+}
+
+}  // namespace
+
+std::string markdown_table(const Table& table) {
+    std::string out = "|";
+    std::string rule = "|";
+    for (const TableColumn& column : table.columns) {
+        const std::string title =
+            column.group.empty() ? column.title : fmt::format("{} {}", column.group, column.title);
+        out += fmt::format(" {} |", title);
+        rule += column.number ? "--:|" : "---|";
+    }
+    out += "\n" + rule + "\n";
+    for (const auto& row : table.rows) {
+        out += "|";
+        for (const TableCell& cell : row) out += fmt::format(" {} |", cell_text(cell));
+        out += "\n";
+    }
+    for (const std::string& remark : table.remarks) out += fmt::format("\n> {}\n", remark);
+    return out + "\n";
+}
+
+}  // namespace ff::reports

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "reports/table.hpp"
+
+#include <string>
+
+namespace ff::reports {
+
+/// Rows and remarks of a table for a code host; title and note are left to the caller.
+std::string markdown_table(const Table& table);
+
+}  // namespace ff::reports

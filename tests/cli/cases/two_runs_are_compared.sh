@@ -1,0 +1,84 @@
+#!/usr/bin/env bash
+source "$(dirname "$0")/../harness.sh"
+
+# study SAMPLER SEED [SCENE]: one sampled method, one deterministic.
+study() {
+    cat <<END
+[study]
+name = "s"
+scene = "${3-cube}"
+trials = 200
+seed = $2
+
+[[method]]
+name = "rays"
+sampler = "$1"
+estimator = "ray_shooting"
+samples_per_patch = 256
+
+[[method]]
+name = "PDM"
+sampler = "gauss_legendre"
+nodes = 3
+estimator = "area_kernel"
+END
+}
+
+run() {
+    study "${@:2}" >"$1.toml"
+    ffstudy run "$1.toml" --out "$1" --quiet
+    expect_status 0
+}
+run a random 1
+run again random 1
+run other_seed random 2
+run broken patch_centres 2
+run other_scene random 1 box:2x1x0.5
+
+# Sound: another seed makes no difference. The chance of one by accident is 5 %, and the seeds are fixed.
+ffstudy compare a other_seed
+expect_status 0
+expect_stdout "A: s (seed 1), B: s (seed 2)"
+expect_stdout "no difference found (would detect"
+expect_stdout "Of 2 methods and sizes in both runs 0 differ. (60 tests, 5 % together)"
+! grep -q $'\033' "$folder/stdout" || fail "expected no colour where there is no terminal"
+
+# The same random numbers have to give the same hits.
+ffstudy compare a again
+expect_status 0
+expect_stdout "the same random numbers, equal in all 200 trials"
+
+# Broken: it is seen, and where the studies differ is said. The report is the same each time.
+for out in one two; do
+    ffstudy compare a broken --out $out
+    expect_status 1
+    expect_stdout "DIFFERENT: mean of F"
+    expect_stdout '"patch_centres"'
+done
+expect_equal_files one/comparison.html two/comparison.html
+expect_equal_files one/comparison.md two/comparison.md
+expect_in_file one/comparison.md "Of 2 methods and sizes in both runs 1 differ"
+ffstudy compare a/results.sqlite broken --quiet
+expect_status 1
+expect_no_stdout
+
+# On a terminal verdicts have colours, unless NO_COLOR says otherwise.
+on_a_terminal() { /usr/bin/python3 -c 'import pty, sys; pty.spawn(sys.argv[1:])' "$program" compare a broken >"$folder/stdout"; }
+TERM=xterm on_a_terminal
+expect_stdout $'\033[31mDIFFERENT'
+TERM=xterm NO_COLOR=1 on_a_terminal
+! grep -q $'\033' "$folder/stdout" || fail "expected no colour with NO_COLOR"
+
+# What cannot be compared is refused.
+ffstudy compare a ./a
+expect_status 2
+expect_stderr "a run is equal to itself"
+ffstudy compare a other_scene
+expect_status 2
+expect_stderr "scenes are cube there and box:2x1x0.5 here"
+ffstudy compare a missing
+expect_status 3
+ffstudy compare a a.toml
+expect_status 2
+ffstudy compare a
+expect_status 2
