@@ -81,18 +81,6 @@ std::optional<Rivalry> best_two(const Findings& findings, std::size_t scene, Pai
 
 }  // namespace
 
-std::optional<stats::Interval> rmse_ratio_interval(const ClassError& better, const ClassError& worse, double level) {
-    std::size_t trials = std::numeric_limits<std::size_t>::max();
-    for (const ClassError* error : {&better, &worse}) {
-        if (error->interval) trials = std::min(trials, error->trials);
-    }
-    if (trials == std::numeric_limits<std::size_t>::max()) return std::nullopt;  // both are deterministic
-    const double ratio = worse.rmse / better.rmse;
-    const double reach = stats::student_critical(static_cast<double>(trials - 1), (1 - level) / 2) *
-                         std::sqrt(log_variance(better) + log_variance(worse));
-    return stats::Interval{ratio * std::exp(-reach), ratio * std::exp(reach), level, "student_t_of_logarithm", trials};
-}
-
 bool Rivalry::decided() const {
     if (!worse) return false;
     return interval ? interval->low > 1 : !ratio || *ratio > 1;

@@ -27,10 +27,6 @@ struct Rivalry {
 /// Errors of form factors below this are rounding.
 inline constexpr double rounding_error = 1e-12;
 
-/// Of worse.rmse / better.rmse, exp(ln ratio ± t s): the standard error s of ln RMSE from trial to trial, by the delta
-/// method; t with one less than the fewest trials for degrees of freedom. Empty where neither varies.
-std::optional<stats::Interval> rmse_ratio_interval(const ClassError& better, const ClassError& worse, double level);
-
 /// Who is better on each class of pairs of each scene, at sizes that allow the comparison. Where tables of a
 /// publication are at hand, the methods and sizes of the last table that sets two methods side by side; otherwise the
 /// two best methods, closed forms left out, at the size that most methods share (the largest of several).
