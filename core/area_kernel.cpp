@@ -1,5 +1,6 @@
 #include "core/area_kernel.hpp"
 
+#include "core/contract.hpp"
 #include "core/facing.hpp"
 #include "core/transfer.hpp"
 
@@ -39,6 +40,8 @@ struct SurfacePair {
     const PatchedSurface* from = nullptr;
     const PatchedSurface* to = nullptr;
     double transfer = 0;
+    std::vector<double> of_source;  ///< the part of each source patch
+    std::vector<double> of_target;  ///< the part of each target patch; for pairs that stand for both orders only
 
     [[nodiscard]] Normals normals() const { return {from->surface->normal, to->surface->normal}; }
 };
@@ -53,7 +56,9 @@ std::vector<SurfacePair> visible_pairs(const std::vector<PatchedSurface>& surfac
             if (from.surface->face == to.surface->face) continue;
             if (pairs == Pairs::unordered && &to < &from) continue;
             if (!face_each_other(*from.surface, *to.surface)) continue;
-            result.push_back({&from, &to});
+            SurfacePair pair{&from, &to, 0, std::vector<double>(from.corners.size()), {}};
+            if (pairs == Pairs::unordered) pair.of_target.resize(to.corners.size());
+            result.push_back(std::move(pair));
         }
     }
     return result;
@@ -84,7 +89,7 @@ double graded_transfer(const GradedPair& pair, const Normals& normals, WeightedB
 
 /// The pairs of patches of two surfaces that are graded.
 struct GradedPatches {
-    std::vector<GradedPair> pairs;
+    std::vector<GradedPair> pairs;                  ///< by source patch, then by target patch
     std::vector<std::vector<std::size_t>> targets;  ///< by source patch, ascending
 };
 
@@ -103,13 +108,27 @@ GradedPatches find_graded(const SurfacePair& pair, PointMap map) {
     return found;
 }
 
-/// Offsets from one patch to all patches of a surface but those left out.
-void offsets_from(const Eigen::Vector3d& corner, const std::vector<Eigen::Vector3d>& targets,
-                  const std::vector<std::size_t>& left_out, std::vector<Eigen::Vector3d>& offsets) {
-    offsets.clear();
-    for (std::size_t j = 0; j < targets.size(); ++j) {
-        if (!std::binary_search(left_out.begin(), left_out.end(), j)) offsets.emplace_back(targets[j] - corner);
+/// The pairs of one source patch with all patches of a surface but some.
+struct Offsets {
+    std::vector<Eigen::Vector3d> offsets;
+    std::vector<std::size_t> targets;
+    std::vector<double> sums;  ///< by target; empty where they are not wanted
+
+    void collect(const SurfacePair& pair, std::size_t source, const std::vector<std::size_t>& left_out) {
+        offsets.clear();
+        targets.clear();
+        for (std::size_t j = 0; j < pair.to->corners.size(); ++j) {
+            if (std::binary_search(left_out.begin(), left_out.end(), j)) continue;
+            offsets.emplace_back(pair.to->corners[j] - pair.from->corners[source]);
+            targets.push_back(j);
+        }
+        sums.assign(pair.of_target.empty() ? 0 : offsets.size(), 0.0);
     }
+};
+
+void add(SurfacePair& pair, std::size_t source, double transfer) {
+    pair.transfer += transfer;
+    pair.of_source[source] += transfer;
 }
 
 /// One set of points serves all pairs of patches.
@@ -120,19 +139,25 @@ void sum_with_common_points(const PointSource& points, const Stream& stream, Poi
     const auto separations = std::make_unique_for_overwrite<Separations>();
     std::vector<GradedPatches> graded;
     for (const SurfacePair& pair : pairs) graded.push_back(find_graded(pair, map));
-    std::vector<Eigen::Vector3d> offsets;
+    Offsets all;
     for_each_block(points, stream, *block, [&] {
         for (std::size_t k = 0; k < pairs.size(); ++k) {
             SurfacePair& pair = pairs[k];
             separate(pair.from->shape, pair.to->shape, *block, *separations);
             for (std::size_t i = 0; i < pair.from->corners.size(); ++i) {
                 points.checkpoint();
-                offsets_from(pair.from->corners[i], pair.to->corners, graded[k].targets[i], offsets);
-                pair.transfer += sum_transfer(*separations, offsets, pair.normals());
+                all.collect(pair, i, graded[k].targets[i]);
+                add(pair, i, sum_transfer(*separations, all.offsets, pair.normals(), all.sums));
+                for (std::size_t n = 0; n < all.sums.size(); ++n) pair.of_target[all.targets[n]] += all.sums[n];
             }
-            for (const GradedPair& touching : graded[k].pairs) {
-                *graded_block = *block;
-                pair.transfer += graded_transfer(touching, pair.normals(), *graded_block, *separations);
+            auto touching = graded[k].pairs.begin();
+            for (std::size_t i = 0; i < graded[k].targets.size(); ++i) {
+                for (const std::size_t j : graded[k].targets[i]) {
+                    *graded_block = *block;
+                    const double transfer = graded_transfer(*touching++, pair.normals(), *graded_block, *separations);
+                    add(pair, i, transfer);
+                    if (!pair.of_target.empty()) pair.of_target[j] += transfer;
+                }
             }
         }
     });
@@ -152,10 +177,10 @@ void sum_with_own_points(const PointSource& points, Stream stream, PointMap map,
                     map == PointMap::graded ? grade_pair(patch_at(*pair.from, i), patch_at(*pair.to, j)) : std::nullopt;
                 for_each_block(points, stream, *block, [&] {
                     if (graded) {
-                        pair.transfer += graded_transfer(*graded, pair.normals(), *block, *separations);
+                        add(pair, i, graded_transfer(*graded, pair.normals(), *block, *separations));
                     } else {
                         separate(pair.from->shape, pair.to->shape, *block, *separations);
-                        pair.transfer += sum_transfer(*separations, {&offset, 1}, pair.normals());
+                        add(pair, i, sum_transfer(*separations, {&offset, 1}, pair.normals()));
                     }
                 });
             }
@@ -163,10 +188,39 @@ void sum_with_own_points(const PointSource& points, Stream stream, PointMap map,
     }
 }
 
+/// Factors of the patches of one surface to a face, from their parts of a transfer.
+void add_factors(const PatchedSurface& surface, int face, const std::vector<double>& parts, double scale,
+                 Eigen::MatrixXd& factors) {
+    for (std::size_t p = 0; p < parts.size(); ++p) {
+        factors(static_cast<Eigen::Index>(surface.first_patch + p), face) += scale * parts[p];
+    }
+}
+
+void add_patch_factors(const Scene& scene, Subdivision subdivision, const std::vector<SurfacePair>& pairs,
+                       PatchFactorSums& sums) {
+    const auto patches = static_cast<Eigen::Index>(subdivision.patches(scene));
+    const auto faces = static_cast<Eigen::Index>(scene.faces.size());
+    Eigen::MatrixXd factors = Eigen::MatrixXd::Zero(patches, faces);
+    for (const SurfacePair& pair : pairs) {
+        const double to_target = area(pair.to->shape) / std::numbers::pi;
+        const double to_source = area(pair.from->shape) / std::numbers::pi;
+        add_factors(*pair.from, pair.to->surface->face, pair.of_source, to_target, factors);
+        add_factors(*pair.to, pair.from->surface->face, pair.of_target, to_source, factors);
+    }
+    FF_EXPECT(sums.factors.empty() || sums.factors.size() == static_cast<std::size_t>(factors.size()));
+    sums.factors.resize(static_cast<std::size_t>(factors.size()));
+    sums.factors_squared.resize(sums.factors.size());
+    std::size_t at = 0;
+    for (const double factor : factors.reshaped<Eigen::RowMajor>()) {
+        sums.factors[at] += factor;
+        sums.factors_squared[at++] += factor * factor;
+    }
+}
+
 }  // namespace
 
 Eigen::MatrixXd area_kernel(const Scene& scene, Subdivision subdivision, const PointSource& points, PointMap map,
-                            StreamKey key, std::uint32_t trial) {
+                            StreamKey key, std::uint32_t trial, PatchFactorSums* sums) {
     const std::vector<PatchedSurface> surfaces = divide(scene, subdivision);
     const bool common = !points.randomised();
     // Swapping the patches of a pair then only reorders the terms of a sum.
@@ -188,6 +242,7 @@ Eigen::MatrixXd area_kernel(const Scene& scene, Subdivision subdivision, const P
         result(from, to) += exchange / face_area(scene, from);
         if (symmetric) result(to, from) += exchange / face_area(scene, to);
     }
+    if (sums != nullptr) add_patch_factors(scene, subdivision, pairs, *sums);
     return result;
 }
 

@@ -7,8 +7,15 @@
 #include <Eigen/Core>
 
 #include <cstdint>
+#include <vector>
 
 namespace ff {
+
+/// Sums over trials of patch-to-face factors and of their squares, [patch * faces + face].
+struct PatchFactorSums {
+    std::vector<double> factors;
+    std::vector<double> factors_squared;
+};
 
 /// One trial of the area-to-area estimator in an unoccluded convex scene: the integral over both patches of
 /// cos_i cos_j / (pi r^2), divided by the source area, with the 4-D points (2 on the source, 2 on the target patch) and
@@ -20,8 +27,9 @@ namespace ff {
 /// Streams are keyed by ordered patch pair.
 /// Points that are not randomised serve all pairs; where they are exchangeable as well, the sum for (j, i) is the one
 /// for (i, j) and is done once. Points that coincide (r = 0) count as 0. The same bits on every CPU.
+/// @param sums  empty, or from earlier trials of the same size: the trial's patch factors are added. Null: not wanted
 /// @return face-to-face matrix, every entry estimated directly (no reciprocity), diagonal 0
 Eigen::MatrixXd area_kernel(const Scene& scene, Subdivision subdivision, const PointSource& points, PointMap map,
-                            StreamKey key, std::uint32_t trial);
+                            StreamKey key, std::uint32_t trial, PatchFactorSums* sums = nullptr);
 
 }  // namespace ff

@@ -32,19 +32,25 @@ HWY_INLINE Doubles transfer(const Vectors3& d, Doubles weight, const Normals& no
     return hn::Mul(hn::Mul(leaving, hn::Neg(arriving)), weight);
 }
 
-double sum(const Separations& pairs, std::span<const Eigen::Vector3d> offsets, const Normals& normals) {
+double sum(const Separations& pairs, std::span<const Eigen::Vector3d> offsets, const Normals& normals,
+           std::span<double> each) {
     const DoubleTag dd;
     Columns columns;
-    for (const Eigen::Vector3d& offset : offsets) {
+    for (std::size_t o = 0; o < offsets.size(); ++o) {
+        const Eigen::Vector3d& offset = offsets[o];
+        Columns own;  // of this offset
         for (std::size_t i = 0; i < pairs.size; i += row) {
             for (std::size_t k = 0; k < vectors; ++k) {
                 const std::size_t at = i + k * lanes;
                 const Vectors3 d{hn::Add(hn::Load(dd, &pairs.x[at]), constant(offset.x())),
                                  hn::Add(hn::Load(dd, &pairs.y[at]), constant(offset.y())),
                                  hn::Add(hn::Load(dd, &pairs.z[at]), constant(offset.z()))};
-                columns.add(k, transfer(d, hn::Load(dd, &pairs.weight[at]), normals));
+                const auto term = transfer(d, hn::Load(dd, &pairs.weight[at]), normals);
+                columns.add(k, term);
+                own.add(k, term);
             }
         }
+        if (!each.empty()) each[o] += own.total();
     }
     return columns.total();
 }
@@ -86,8 +92,10 @@ void separate(const Parallelogram& from, const Parallelogram& to, const Weighted
     HWY_DYNAMIC_DISPATCH(separate_block)(from, to, points, pairs);
 }
 
-double sum_transfer(const Separations& pairs, std::span<const Eigen::Vector3d> offsets, const Normals& normals) {
-    return HWY_DYNAMIC_DISPATCH(sum)(pairs, offsets, normals);
+double sum_transfer(const Separations& pairs, std::span<const Eigen::Vector3d> offsets, const Normals& normals,
+                    std::span<double> each) {
+    FF_EXPECT(each.empty() || each.size() == offsets.size());
+    return HWY_DYNAMIC_DISPATCH(sum)(pairs, offsets, normals, each);
 }
 
 }  // namespace ff

@@ -28,6 +28,8 @@ struct Normals {
 /// The sum over `offsets` (corner to corner) and over pairs of weight * cos_from * cos_to / r^2, in 1 / length^2.
 /// Cosines of points behind a patch count as 0, and so do points that coincide.
 /// Terms are added in eight columns whatever the vector length, so every CPU gives the same bits.
-double sum_transfer(const Separations& pairs, std::span<const Eigen::Vector3d> offsets, const Normals& normals);
+/// @param each  where not empty, the sum of offset k by itself is added to its element k
+double sum_transfer(const Separations& pairs, std::span<const Eigen::Vector3d> offsets, const Normals& normals,
+                    std::span<double> each = {});
 
 }  // namespace ff

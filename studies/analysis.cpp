@@ -112,6 +112,10 @@ VarianceStatus class_variance(const std::vector<Summary>& summaries, PairClass p
     return worst;
 }
 
+bool has_no_rmse(const Summary& summary) {
+    return summary.variance == VarianceStatus::infinite || summary.variance == VarianceStatus::undefined;
+}
+
 }  // namespace
 
 std::optional<double> reference_of(const Scene& scene, const std::optional<Eigen::MatrixXd>& exact, Quantity quantity) {
@@ -236,7 +240,8 @@ CellFindings analyse_cell(const Store& store, std::size_t cell_index) {
             findings.shapes.push_back(std::move(*shape));
         }
     }
-    findings.patch_errors = patch_errors(store, cell_index);
+    if (std::none_of(findings.summaries.begin(), findings.summaries.end(), has_no_rmse))
+        findings.patch_errors = patch_errors(store, cell_index);
     if (!cell.deterministic) {
         bool refuted = false;
         findings.bias = judge_family(estimates, pairs, findings, plan, refuted);

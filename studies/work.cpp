@@ -10,6 +10,8 @@
 
 #include <fmt/format.h>
 
+#include <bit>
+
 namespace ff::studies {
 namespace {
 
@@ -73,6 +75,7 @@ UnitRecord Worker::carry_out(const WorkUnit& unit) const {
     UnitRecord record;
     record.unit = unit.index;
     PatchSums sums;
+    PatchFactorSums factor_sums;
     RayTally tally;
     for (std::uint64_t trial = unit.first_trial; trial < unit.first_trial + unit.trials; ++trial) {
         const auto stream_trial = static_cast<std::uint32_t>(trial);
@@ -88,7 +91,7 @@ UnitRecord Worker::carry_out(const WorkUnit& unit) const {
             }
             case Estimator::area_kernel:
                 add_matrix(area_kernel(*tools.scene, cell.subdivision, *tools.points, tools.method->map, cell.key,
-                                       stream_trial),
+                                       stream_trial, &factor_sums),
                            trial, record);
                 break;
             case Estimator::point_to_polygon:
@@ -105,6 +108,10 @@ UnitRecord Worker::carry_out(const WorkUnit& unit) const {
     }
     record.patch_hits = std::move(sums.hits);
     record.patch_hits_squared = std::move(sums.hits_squared);
+    // Records hold words: of doubles, their bits.
+    for (const double sum : factor_sums.factors) record.patch_hits.push_back(std::bit_cast<std::uint64_t>(sum));
+    for (const double sum : factor_sums.factors_squared)
+        record.patch_hits_squared.push_back(std::bit_cast<std::uint64_t>(sum));
     return record;
 }
 

@@ -1,6 +1,7 @@
 #include "studies/patch_error.hpp"
 
 #include "core/exact.hpp"
+#include "studies/analysis.hpp"
 #include "tests/support/studies.hpp"
 
 #include <fmt/format.h>
@@ -44,6 +45,31 @@ TEST(PatchErrors, OfIndependentRaysAreBinomial) {
 
 TEST(PatchErrors, AreSmallerWithStratifiedRays) {
     EXPECT_LT(patch_errors(shoot("stratified", 3), 0)->inside, 0.9 * patch_errors(shoot("random", 3), 0)->inside);
+}
+
+Store integrate(const char* sampler, const char* size) {
+    return test::run(test::plan_of(test::study_text("trials = 20", fmt::format(R"([[method]]
+name = "kernel"
+sampler = "{}"
+estimator = "area_kernel"
+patches_per_face = 25
+{}
+)",
+                                                                               sampler, size))));
+}
+
+/// The kernel is unbounded where patches share an edge, and smooth elsewhere.
+TEST(PatchErrors, OfAQuadratureLieAlongTheEdges) {
+    const auto errors = patch_errors(integrate("gauss_legendre", "nodes = 5"), 0);
+    ASSERT_TRUE(errors);
+    ASSERT_EQ(errors->rmse.size(), 150u);
+    EXPECT_GT(errors->at_edges, 100 * errors->inside);
+    EXPECT_GT(errors->inside, 0);
+}
+
+TEST(PatchErrors, AreNotOfEstimatesWithoutAVariance) {
+    EXPECT_FALSE(analyse_cell(integrate("random", "samples_per_patch = 20"), 0).patch_errors);
+    EXPECT_TRUE(analyse_cell(shoot("random", 3), 0).patch_errors);
 }
 
 TEST(PatchErrors, AreEmptyForOnePatch) {

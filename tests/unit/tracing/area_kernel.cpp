@@ -53,6 +53,48 @@ TEST(AreaKernel, GivesTheSameWhetherOrNotSymmetryIsUsed) {
     EXPECT_NEAR(6 * full(face_1, face_2), 3 * full(face_2, face_1), 1e-14) << "A_1 F_12 = A_2 F_21";
 }
 
+// The patches of a face are equal: its factors are the means of theirs. Rounding of sums of some hundred terms.
+void expect_means_of_patch_factors(const Scene& box, const PointSource& points, PointMap map) {
+    constexpr std::uint32_t m = 3;
+    PatchFactorSums sums;
+    const Eigen::MatrixXd once = area_kernel(box, {m}, points, map, {1, 2}, 0, &sums);
+    ASSERT_EQ(sums.factors.size(), 6u * m * m * 6);
+    for (std::size_t i = 0; i < sums.factors.size(); ++i)
+        ASSERT_DOUBLE_EQ(sums.factors_squared[i], sums.factors[i] * sums.factors[i]);
+    const Eigen::MatrixXd twice = once + area_kernel(box, {m}, points, map, {1, 2}, 1, &sums);
+    for (int from = 0; from < 6; ++from) {
+        for (int to = 0; to < 6; ++to) {
+            double sum = 0;
+            for (std::size_t p = 0; p < m * m; ++p)
+                sum += sums.factors[(static_cast<std::size_t>(from) * m * m + p) * 6 + static_cast<std::size_t>(to)];
+            EXPECT_NEAR(sum / (m * m), twice(from, to), 1e-13) << from << ' ' << to;
+        }
+    }
+}
+
+TEST(AreaKernel, FactorsOfFacesAreMeansOfThoseOfTheirPatches) {
+    const Scene box = make_box(3, 2, 1);
+    for (const PointMap map : {PointMap::uniform, PointMap::graded}) {
+        expect_means_of_patch_factors(box, test::GaussPoints(4, 4), map);  // one set of points, both orders at once
+        expect_means_of_patch_factors(box, test::GaussPoints(4, 3), map);  // one set of points
+        expect_means_of_patch_factors(box, test::PhiloxPoints(50), map);   // points for each pair of patches
+    }
+}
+
+TEST(AreaKernel, GivesThePatchFactorsOfBothOrdersAtOnce) {
+    const Scene box = make_box(3, 2, 1);
+    for (const PointMap map : {PointMap::uniform, PointMap::graded}) {
+        test::GaussPoints points(4, 4);
+        PatchFactorSums halved;
+        PatchFactorSums full;
+        area_kernel(box, {3}, points, map, {}, 0, &halved);
+        points.deny_exchangeable();
+        area_kernel(box, {3}, points, map, {}, 0, &full);
+        ASSERT_EQ(halved.factors.size(), full.factors.size());
+        for (std::size_t i = 0; i < full.factors.size(); ++i) EXPECT_NEAR(halved.factors[i], full.factors[i], 1e-14);
+    }
+}
+
 TEST(AreaKernel, LeavesTheDiagonalAtZero) {
     EXPECT_TRUE(gauss(make_box(3, 2, 1), 2, 3, 3).diagonal().isZero(0));
 }
