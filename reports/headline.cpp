@@ -36,7 +36,8 @@ Contest describe(const studies::Findings& findings, const Rivalry& rivalry) {
     if (!rivalry.worse) return contest;
     contest.worse = method(*rivalry.worse);
     contest.worse_rmse = rmse(*rivalry.worse);
-    contest.sizes += fmt::format(" against {}", size_label(plan, plan.cells[*rivalry.worse]));
+    const std::string other = size_label(plan, plan.cells[*rivalry.worse]);
+    contest.sizes = contest.sizes == other ? "both at " + other : fmt::format("at {} against {}", contest.sizes, other);
     return contest;
 }
 
@@ -68,7 +69,7 @@ KeyNumber contest_number(const Rivalry& rivalry, const Contest& c) {
     KeyNumber number;
     number.label = c.where;
     const std::string errors =
-        fmt::format("RMSE of a run {} against {}, at {}.", brief(c.better_rmse), brief(c.worse_rmse), c.sizes);
+        fmt::format("RMSE of a run {} against {}, {}.", brief(c.better_rmse), brief(c.worse_rmse), c.sizes);
     if (!rivalry.worse) {
         number.value = brief(c.better_rmse);
         number.detail = fmt::format("RMSE of a run of {} at {}.", c.better, c.sizes);

@@ -1,6 +1,7 @@
 #include "reports/html.hpp"
 
 #include "reports/html_view.hpp"
+#include "reports/in_brief.hpp"
 #include "reports/labels.hpp"
 #include "reports/mustache.hpp"
 #include "reports/pictures.hpp"
@@ -21,14 +22,21 @@ Json published_view(const studies::PublishedResults& published, double alpha, co
     Json tables = Json::array();
     for (std::size_t i = 0; i < published.tables.tables.size(); ++i)
         tables.push_back(table_view(published_table(published, i, alpha)));
-    Json lines = Json::array();
-    for (const std::string& line : wrong) lines.push_back({{"text", line}});
     return {{"source", published.tables.source},
-            {"wrong", std::move(lines)},
+            {"wrong", texts_view(wrong)},
             {"tables", std::move(tables)},
             {"has_claims", !published.claims.empty()},
             {"claims", table_view(claims_table(published))},
             {"alpha", fmt::format("{:g}", 100 * alpha)}};
+}
+
+/// The tables of what is asked beyond bias and spread, as far as the study has it.
+Json findings_view(const studies::StudyResults& results) {
+    Json tables = Json::array();
+    for (auto* make : {convergence_table, reductions_table, coverage_table, error_law_table, spreads_table}) {
+        if (const Table table = make(results); !table.rows.empty()) tables.push_back(table_view(table));
+    }
+    return tables;
 }
 
 Json pairs_view(const studies::StudyResults& results) {
@@ -94,7 +102,11 @@ std::string html_report(const studies::StudyResults& results, const Templates& t
     view["title"] = spec.title;
     view["partial"] = !results.findings.complete;
     view["published"] = results.published ? published_view(*results.published, 1 - spec.level, top.published) : Json();
+    view["brief"] = texts_view(results_in_brief(results));
+    view["has_brief"] = !view["brief"].empty();
     view["methods"] = table_view(methods_table(results));
+    view["findings"] = findings_view(results);
+    view["has_findings"] = !view["findings"].empty();
     view["pairs"] = pairs_view(results);
     view["again"] = reproduction_view(results);
 

@@ -51,13 +51,13 @@ Json groups_of(const Table& table) {
     return any ? groups : Json::array();
 }
 
-Json texts(const std::vector<std::string>& lines) {
+}  // namespace
+
+Json texts_view(const std::vector<std::string>& lines) {
     Json list = Json::array();
     for (const std::string& line : lines) list.push_back({{"text", line}});
     return list;
 }
-
-}  // namespace
 
 Json headline_view(const Headline& headline) {
     Json numbers = Json::array();
@@ -84,9 +84,14 @@ Json table_view(const Table& table) {
     }
     Json groups = groups_of(table);
     const bool grouped = !groups.empty();
-    return {{"id", table.id},          {"title", table.title},           {"note", table.note},
-            {"grouped", grouped},      {"groups", std::move(groups)},    {"columns", std::move(columns)},
-            {"rows", std::move(rows)}, {"remarks", texts(table.remarks)}};
+    return {{"id", table.id},
+            {"title", table.title},
+            {"note", table.note},
+            {"grouped", grouped},
+            {"groups", std::move(groups)},
+            {"columns", std::move(columns)},
+            {"rows", std::move(rows)},
+            {"remarks", texts_view(table.remarks)}};
 }
 
 Json reproduction_view(const studies::StudyResults& results) {

@@ -5,7 +5,13 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include <string>
+#include <vector>
+
 namespace ff::reports {
+
+/// A list of `text`.
+nlohmann::ordered_json texts_view(const std::vector<std::string>& lines);
 
 /// What templates see of a headline: `verdict`, `numbers` (`value`, `label`, `detail`).
 nlohmann::ordered_json headline_view(const Headline& headline);

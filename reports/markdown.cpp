@@ -1,6 +1,7 @@
 #include "reports/markdown.hpp"
 
 #include "reports/markdown_sections.hpp"
+#include "reports/markdown_table.hpp"
 
 #include <fmt/format.h>
 
@@ -13,14 +14,14 @@ std::string markdown_report(const studies::StudyResults& results) {
     out += brief_section(results);
     out += methods_section(results);
     out += slopes_section(results);
-    out += reductions_section(results);
-    out += coverage_section(results);
+    out += markdown_section(reductions_table(results));
+    out += markdown_section(coverage_table(results));
     out += published_tables_section(results);
     out += claims_section(results);
-    out += error_law_section(results);
+    out += markdown_section(error_law_table(results));
     out += audit_section(results);
     out += bias_section(results);
-    out += variance_section(results);
+    out += markdown_section(spreads_table(results));
     out += reproduction_section(results);
     return out;
 }

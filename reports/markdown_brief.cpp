@@ -1,12 +1,8 @@
-#include "reports/coverage_words.hpp"
+#include "reports/in_brief.hpp"
 #include "reports/labels.hpp"
 #include "reports/markdown_sections.hpp"
 #include "reports/numbers.hpp"
 #include "reports/published_summary.hpp"
-#include "reports/reduction_words.hpp"
-#include "reports/slope_words.hpp"
-#include "reports/tail_words.hpp"
-#include "reports/until_words.hpp"
 
 #include <fmt/format.h>
 
@@ -111,10 +107,7 @@ std::string brief_section(const studies::StudyResults& results) {
         }
     }
     out += bias_line(results.findings);
-    for (const auto& lines : {heavy_tails_in_brief(results), slopes_in_brief(results), reductions_in_brief(results),
-                              coverage_in_brief(results), until_in_brief(results)}) {
-        for (const std::string& line : lines) out += fmt::format("- {}\n", line);
-    }
+    for (const std::string& line : results_in_brief(results)) out += fmt::format("- {}\n", line);
     if (results.published) {
         for (const std::string& line : published_in_brief(*results.published, 1 - results.findings.plan.spec.level))
             out += fmt::format("- {}\n", line);

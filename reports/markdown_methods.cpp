@@ -5,9 +5,6 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-#include <vector>
-
 namespace ff::reports {
 namespace {
 
@@ -52,38 +49,6 @@ std::string methods_section(const studies::StudyResults& results) {
                            equivalence_in_words(found));
     }
     for (const std::string& warning : plan.warnings) out += fmt::format("\n> {}\n", warning);
-    return out + "\n";
-}
-
-std::string error_law_section(const studies::StudyResults& results) {
-    if (results.error_laws.empty()) return {};
-    std::string out =
-        "## How the error of the deterministic methods falls\n\n"
-        "Closure error (mean row sum − 1) with m patches along an edge, fitted by c/m; the exponent fitted freely "
-        "beside it.\n\n"
-        "| method | m | closure error | c | largest residual of c/m | free exponent |\n|---|---|---|--:|--:|--:|\n";
-    for (const studies::ErrorLaw& law : results.error_laws) {
-        std::vector<std::string> errors;
-        for (const double error : law.closure_errors) errors.push_back(fmt::format("{:+.6f}", error));
-        out += fmt::format("| {}{} | {} | {} | {:+.4f} | {:.2g} % | {} |\n", law.method,
-                           law.published ? ", as printed" : "", fmt::join(law.m, ", "), fmt::join(errors, ", "),
-                           law.first_order.coefficient, 100 * law.first_order.largest_residual,
-                           law.free ? fmt::format("{:.4f}", law.free->exponent) : "–");
-    }
-    for (const studies::ErrorLaw& printed : results.error_laws) {
-        if (!printed.published) continue;
-        for (const studies::ErrorLaw& ours : results.error_laws) {
-            if (ours.published || ours.method != printed.method) continue;
-            const double ratio = ours.first_order.coefficient / printed.first_order.coefficient;
-            if (std::abs(ratio - 1) < 0.01) continue;
-            out += fmt::format(
-                "\nThe printed {} figures follow the same kind of law with another constant: c is {:.2f} times as "
-                "large here. "
-                "The method as the paper describes it does not give the paper's figures; nothing was tuned to make it "
-                "so.\n",
-                printed.method, ratio);
-        }
-    }
     return out + "\n";
 }
 

@@ -10,14 +10,10 @@ namespace ff::reports {
 std::string brief_section(const studies::StudyResults& results);
 std::string methods_section(const studies::StudyResults& results);
 std::string slopes_section(const studies::StudyResults& results);
-std::string reductions_section(const studies::StudyResults& results);
-std::string coverage_section(const studies::StudyResults& results);
 std::string published_tables_section(const studies::StudyResults& results);
 std::string claims_section(const studies::StudyResults& results);
 std::string audit_section(const studies::StudyResults& results);
-std::string error_law_section(const studies::StudyResults& results);
 std::string bias_section(const studies::StudyResults& results);
-std::string variance_section(const studies::StudyResults& results);
 std::string reproduction_section(const studies::StudyResults& results);
 
 }  // namespace ff::reports

@@ -1,5 +1,6 @@
 #include "reports/labels.hpp"
 #include "reports/markdown_sections.hpp"
+#include "reports/markdown_table.hpp"
 #include "reports/numbers.hpp"
 #include "reports/slope_words.hpp"
 
@@ -20,21 +21,6 @@ std::string with_interval(const std::optional<double>& value, const std::optiona
     if (!value) return "–";
     if (!interval) return brief(*value);
     return fmt::format("{} [{}, {}]", brief(*value), brief(interval->low), brief(interval->high));
-}
-
-std::string theory(const studies::Slope& slope) {
-    if (!slope.expected) return "none known";
-    return fmt::format("{} [{}]: {}", expected_text(slope), slope.expected->source, slope.expected->because);
-}
-
-std::string class_row(const studies::LadderSlopes& ladder, const studies::ClassSlopes& found) {
-    const studies::Slope& judged = found.judged();
-    return fmt::format("| {} | {} | {} | {} | {} | {} | {} | {} | {} | {} |\n", ladder.ladder.label,
-                       name(found.pair_class), found.rmse.slope ? fmt::format("{:.3f}", *found.rmse.slope) : "–",
-                       interval_text(found.rmse.interval), interval_text(found.rmse.from_fit),
-                       found.rmse.lack_of_fit_p ? p_value(*found.rmse.lack_of_fit_p) : "–",
-                       found.median.slope ? fmt::format("{:.3f}", *found.median.slope) : "–",
-                       interval_text(found.median.interval), theory(judged), finding_in_words(found));
 }
 
 std::string size_rows(const studies::ClassSlopes& found) {
@@ -62,8 +48,9 @@ std::string pair_rows(const Scene& scene, const studies::LadderSlopes& ladder) {
 }
 
 std::string ladder_details(const studies::StudyPlan& plan, const studies::LadderSlopes& ladder) {
-    std::string out = fmt::format("<details><summary>{}: sizes {}, pair by pair</summary>\n\n", ladder.ladder.label,
-                                  sizes_text(plan, ladder.ladder));
+    const std::string scene = plan.scenes.size() == 1 ? "" : plan.scenes[ladder.ladder.scene].name + ": ";
+    std::string out = fmt::format("<details><summary>{}{}: sizes {}, pair by pair</summary>\n\n", scene,
+                                  ladder.ladder.label, sizes_text(plan, ladder.ladder));
     out +=
         "| pairs | N | RMSE | median of the absolute error | mean bias | efficiency 1 / (variance N) "
         "|\n|---|--:|--:|--:|--:|--:|\n";
@@ -78,35 +65,8 @@ std::string ladder_details(const studies::StudyPlan& plan, const studies::Ladder
 }  // namespace
 
 std::string slopes_section(const studies::StudyResults& results) {
-    if (results.slopes.empty()) return {};
-    const studies::StudyPlan& plan = results.findings.plan;
-    std::string out = fmt::format(
-        "## Convergence\n\n"
-        "Slope of ln(error) on ln N, N evaluations for a face (for a pair of faces with area_kernel): weighted least "
-        "squares with Var(ln MSE) = ψ₁(T/2), scaled by how trials vary. Two intervals of level {0:g}: by bootstrap "
-        "over "
-        "whole trials (whose pairs may depend on each other), and from the weights of the fit. *Lack of fit*: χ² of "
-        "the "
-        "straight line. *Theory*: the rate expected, with its source; \"≤\" where it only bounds the error; a range "
-        "where powers of ln N slow it down at these sizes. Verdicts: Holm over all rows with a theory, {1:g} % "
-        "together.\n\n",
-        plan.spec.level, 100 * (1 - plan.spec.level));
-    for (std::size_t scene = 0; scene < plan.scenes.size(); ++scene) {
-        std::string rows;
-        std::string details;
-        for (const studies::LadderSlopes& ladder : results.slopes) {
-            if (ladder.ladder.scene != scene) continue;
-            for (const studies::ClassSlopes& found : ladder.classes) rows += class_row(ladder, found);
-            details += ladder_details(plan, ladder);
-        }
-        if (rows.empty()) continue;
-        if (plan.scenes.size() > 1) out += fmt::format("### {}\n\n", plan.scenes[scene].name);
-        out +=
-            "| method | pairs | RMSE slope | bootstrap | from the fit | lack of fit p | median slope | bootstrap | "
-            "theory | |\n"
-            "|---|---|--:|--:|--:|--:|--:|--:|---|---|\n" +
-            rows + "\n" + details;
-    }
+    std::string out = markdown_section(convergence_table(results));
+    for (const studies::LadderSlopes& ladder : results.slopes) out += ladder_details(results.findings.plan, ladder);
     return out;
 }
 

@@ -134,26 +134,6 @@ std::string bias_section(const studies::StudyResults& results) {
                      tables);
 }
 
-std::string variance_section(const studies::StudyResults& results) {
-    if (results.variance_checks.empty()) return {};
-    const studies::StudyPlan& plan = results.findings.plan;
-    std::string out =
-        "## The sampled spread against the exact one\n\n"
-        "With n independent rays from each of P patches Var F = (1/P²) Σ F_p (1 − F_p) / n, from exact patch-to-face "
-        "factors; "
-        "row sums likewise. Two-sided χ² tests of every pair and row sum; p adjusted by Holm over these and by Šidák "
-        "over methods and sizes.\n\n"
-        "| method and size | quantities | sampled / exact standard deviation | smallest adjusted p | "
-        "|\n|---|--:|--:|--:|---|\n";
-    for (const studies::VarianceCheck& check : results.variance_checks) {
-        out +=
-            fmt::format("| {} | {} | {:.3f} to {:.3f} | {} | {} |\n", cell_label(plan, plan.cells[check.cell]),
-                        check.quantities.size(), check.smallest_ratio, check.largest_ratio, p_value(check.adjusted_p),
-                        check.adjusted_p < 1 - plan.spec.level ? "**differs**" : "agrees");
-    }
-    return out + "\n";
-}
-
 std::string reproduction_section(const studies::StudyResults& results) {
     const studies::StudyPlan& plan = results.findings.plan;
     std::string out = fmt::format("## To do it again\n\nSeed {}. The study, in full:\n\n```toml\n{}```\n\n",

@@ -34,4 +34,9 @@ std::string markdown_table(const Table& table) {
     return out + "\n";
 }
 
+std::string markdown_section(const Table& table) {
+    if (table.rows.empty()) return {};
+    return fmt::format("## {}\n\n{}\n\n{}", table.title, table.note, markdown_table(table));
+}
+
 }  // namespace ff::reports

@@ -10,6 +10,7 @@ namespace {
 
 std::string rmse_text(const studies::CellFindings& found, PairClass pair_class) {
     const studies::ClassError* error = found.class_error(pair_class);
+    if (found.has_infinite_variance(pair_class)) return "infinite";
     if (error == nullptr) return "–";
     if (!error->interval) return brief(error->rmse);
     const double reach = error->interval->width() / 2;
@@ -19,7 +20,7 @@ std::string rmse_text(const studies::CellFindings& found, PairClass pair_class) 
 std::string sum_error_text(const studies::CellFindings& found) {
     for (const studies::Summary& summary : found.summaries) {
         if (summary.quantity.kind != studies::QuantityKind::sum_relative_error || !summary.mean) continue;
-        if (!summary.q025 || found.trials < 2) return brief(*summary.mean);
+        if (!summary.q025 || summary.q025 == summary.q975) return brief(*summary.mean);
         return fmt::format("{} [{}, {}]", brief(*summary.mean), brief(*summary.q025), brief(*summary.q975));
     }
     return "–";
@@ -74,7 +75,8 @@ Table methods_table(const studies::StudyResults& results) {
     for (const PairClass each : classes) table.columns.push_back({std::string(name(each)), true, "RMSE of a run"});
     table.columns.push_back({"Σ r.e. (%)", true, ""});
     table.columns.push_back({"bias", false, ""});
-    table.columns.push_back({"equivalence", false, ""});
+    const bool margin = plan.spec.equivalence_margin.has_value();
+    if (margin) table.columns.push_back({"equivalence", false, ""});
     for (const studies::CellFindings& found : results.findings.cells) {
         const studies::Cell& cell = plan.cells[found.cell];
         const std::string scene = plan.scenes.size() == 1 ? std::string() : plan.scenes[cell.scene].name + ": ";
@@ -84,7 +86,7 @@ Table methods_table(const studies::StudyResults& results) {
         for (const PairClass each : classes) row.push_back({rmse_text(found, each), Mark::none});
         row.push_back({sum_error_text(found), Mark::none});
         row.push_back({bias_in_words(found), bias_mark(found)});
-        row.push_back({equivalence_in_words(found), equivalence_mark(found.equivalence)});
+        if (margin) row.push_back({equivalence_in_words(found), equivalence_mark(found.equivalence)});
         table.rows.push_back(std::move(row));
     }
     return table;

@@ -16,7 +16,7 @@ struct Picture {
     std::string finding;      ///< one sentence, computed from the results
     std::string description;  ///< for those who cannot see it: what is drawn, and the finding
     /// JSON: `columns`, `rows`; optionally `isolate` (series that can be shown alone), `choose` (`signal`, `label`,
-    /// `values`: what can be chosen, the first at the start), `aspect` (height / width).
+    /// `values`: what can be chosen, the first at the start), `signals` (values of others), `aspect` (height / width).
     std::string values;
 };
 

@@ -90,6 +90,11 @@ std::optional<Picture> estimates_picture(const studies::StudyResults& results, s
                     shown ? figure->second : ""});
     }
     if (values.empty()) return std::nullopt;
+    auto shown = nlohmann::ordered_json::array({"exact", "ours"});
+    if (v.found.trials > 1) shown.push_back("95 % of single runs");
+    if (!printed.empty()) shown.push_back("published");
+    const nlohmann::ordered_json labels{{"ours", intervals > 0 ? "mean, its interval" : "computed"}};
+    values.set("signals", {{"shown", std::move(shown)}, {"labels", labels}});
     Picture picture = named("estimates", v, fmt::format("Estimates against the exact values, {}.", v.label));
     if (intervals > 0) {
         picture.finding = fmt::format(

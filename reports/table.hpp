@@ -45,6 +45,21 @@ Table methods_table(const studies::StudyResults& results);
 /// A row for each ladder and class of pairs: slopes with intervals, the rate that theory expects, the verdict.
 Table slopes_table(const studies::StudyResults& results);
 
+/// The same with both intervals of each slope, lack of fit, and what the theory rests on.
+Table convergence_table(const studies::StudyResults& results);
+
+/// How the closure error of deterministic methods falls with subdivision, ours and as printed.
+Table error_law_table(const studies::StudyResults& results);
+
+/// Variances against those of random points.
+Table reductions_table(const studies::StudyResults& results);
+
+/// How often intervals contain the exact value.
+Table coverage_table(const studies::StudyResults& results);
+
+/// Sampled standard deviations against exact ones.
+Table spreads_table(const studies::StudyResults& results);
+
 /// A published table: each figure as printed, ours, and where the printed one falls.
 Table published_table(const studies::PublishedResults& published, std::size_t index, double alpha);
 

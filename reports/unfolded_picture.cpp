@@ -41,10 +41,11 @@ std::optional<Picture> unfolded_picture(const studies::StudyResults& results, st
     const std::string label = cell_label(plan, cell);
     picture.id = slug(fmt::format("cube-{}-{}", found.cell, label));
     picture.title = fmt::format("Where on the faces it errs, {}.", label);
-    picture.finding = fmt::format(
-        "The factors of a patch err most on face {} (RMSE {}); along the edges by {}, elsewhere by "
-        "{}.",
-        face_of(errors.worst), brief(errors.rmse[errors.worst]), brief(errors.at_edges), brief(errors.inside));
+    picture.finding = fmt::format("The factors of a patch err most on face {} (RMSE {})", face_of(errors.worst),
+                                  brief(errors.rmse[errors.worst]));
+    picture.finding += cell.subdivision.m < 3 ? "."  // all patches are along edges
+                                              : fmt::format("; along the edges by {}, elsewhere by {}.",
+                                                            brief(errors.at_edges), brief(errors.inside));
     picture.description = fmt::format(
         "The faces laid flat, each patch coloured by the RMSE of its factors to the other faces "
         "in a run. {}",

@@ -17,6 +17,11 @@ const logger = {level: () => logger, error: text => warnings.push(text), warn: t
                 info: () => logger, debug: () => logger};
 for (const file of readdirSync(here).filter(name => name.endsWith('.vl.json')).sort()) {
   const {spec} = compile(JSON.parse(readFileSync(join(here, file), 'utf8')), {config, logger});
+  for (const legend of spec.legends ?? []) {
+    if (!legend.shape) continue;
+    legend.fill = 'color';  // Vega-Lite joins both in one legend only where all layers have both
+    delete legend.encode.symbols;
+  }
   spec.autosize = {type: 'fit-x', contains: 'padding'};  // as wide as there is room, as high as it takes
   writeFileSync(join(out, file.replace('.vl.json', '.json')), JSON.stringify(spec));
   if (warnings.length > 0) throw new Error(`${file}: ${warnings.join('; ')}`);

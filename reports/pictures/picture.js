@@ -17,5 +17,6 @@ export function resize(view, {aspect}, width) {
 /** Sets what the values say about a new view. */
 export function settle(view, values, width) {
   if (values.choose) view.signal(values.choose.signal, values.choose.values[0]);
+  for (const [name, value] of Object.entries(values.signals ?? {})) view.signal(name, value);
   return resize(view, values, width);
 }

@@ -71,7 +71,7 @@
     const values = read(figure.querySelector(".values"));
     const runtime = vega.parse(vega.prepare(kinds[figure.dataset.kind], values), null, {ast: true});
     const view = new vega.View(runtime, {expr: vega.expressionInterpreter, renderer: "svg", hover: true})
-      .initialize(canvas.appendChild(element("div"))).tooltip(showTip);
+      .initialize(canvas.appendChild(element("div", {ariaHidden: "true"}))).tooltip(showTip);
     await vega.settle(view, values, canvas.clientWidth).runAsync();
     if (values.isolate) addIsolation(controls, view, values.isolate);
     if (values.choose) addChoice(controls, view, values.choose);
@@ -104,6 +104,8 @@
     });
   }
   window.addEventListener("beforeprint", () => {
-    for (const figure of document.querySelectorAll("details[open] figure.picture, section > figure.picture")) drawOnce(figure);
+    for (const figure of document.querySelectorAll("figure.picture")) {
+      if (!figure.closest("details:not([open])")) drawOnce(figure);
+    }
   });
 })();
