@@ -77,6 +77,22 @@ void add_convergence(CLI::App& app, ff::studies::ConvergenceRequest& request, Ru
     });
 }
 
+void add_radiosity(CLI::App& app, RadiosityOptions& options, RunCommand& command, Action& action) {
+    CLI::App* sub = app.add_subcommand("radiosity", "Run a study and send light through its form factors");
+    sub->add_option("STUDY", command.study, "Study file (.toml) or built-in name")->required();
+    sub->add_option("--reflectance", options.reflectance,
+                    "Reflectances, each solved for by itself (default: the study's, or 0.1,0.5,0.9,0.99,0.999)");
+    sub->add_option("--emission", options.emission,
+                    "Emitted exitance, one number or one for each face (default: the study's, or 1 on the last face)");
+    add_run_options(*sub, command);
+    sub->callback([&] {
+        action = [&] {
+            command.radiosity = options;
+            return run(command);
+        };
+    });
+}
+
 void add_report(CLI::App& app, ReportCommand& command, Action& action) {
     CLI::App* sub = app.add_subcommand("report", "Write the reports of a finished study again");
     sub->add_option("RESULTS", command.results, "Folder of a study, or its results.sqlite")->required();
@@ -172,9 +188,11 @@ ExitCode parse_and_act(int argc, char** argv) {
     CheckCommand check_command;
     SelftestCommand selftest_command;
     ff::studies::ConvergenceRequest convergence_request;
+    RadiosityOptions radiosity_options;
     std::string name;
     add_run(app, run_command, action);
     add_convergence(app, convergence_request, run_command, action);
+    add_radiosity(app, radiosity_options, run_command, action);
     add_report(app, report_command, action);
     add_merge(app, merge_command, action);
     add_compare(app, compare_command, action);

@@ -10,6 +10,12 @@
 
 namespace ff::app {
 
+/// What `ffstudy radiosity` asks of a study, beyond what its file says. Empty texts: as there.
+struct RadiosityOptions {
+    std::string reflectance;  ///< "0.5,0.9"
+    std::string emission;     ///< "0,0,0,0,0,1"
+};
+
 /// What the commands that run something take.
 struct RunCommand {
     std::string study;  ///< built-in name, or a file
@@ -24,7 +30,8 @@ struct RunCommand {
     bool quiet = false;
     bool dry_run = false;
     std::optional<studies::ConvergenceRequest> convergence;  ///< instead of `study`
-    std::optional<std::string> until;                        ///< "rmse=1e-5" or "ci=1e-5"
+    std::optional<RadiosityOptions> radiosity;
+    std::optional<std::string> until;  ///< "rmse=1e-5" or "ci=1e-5"
     std::optional<double> level;
     std::filesystem::path study_file;  ///< to write the study to; empty: nowhere
 };

@@ -6,10 +6,12 @@
 #include "core/nearest_name.hpp"
 #include "reports/audit_markdown.hpp"
 #include "reports/csv.hpp"
+#include "reports/csv_radiosity.hpp"
 #include "reports/html.hpp"
 #include "reports/json.hpp"
 #include "reports/latex.hpp"
 #include "reports/markdown.hpp"
+#include "reports/matrix_files.hpp"
 #include "reports/output_file.hpp"
 
 #include <fmt/format.h>
@@ -28,6 +30,16 @@ void write_markdown(const std::filesystem::path& folder, const ResultSources& so
                         reports::audit_markdown(results.published->tables, results.published->audit));
 }
 
+struct RadiosityTable {
+    std::string_view file;
+    void (*write)(std::ostream& out, const studies::StudyResults& results);
+};
+constexpr std::array tables_of_radiosity{RadiosityTable{"matrices.csv", reports::write_matrices_csv},
+                                         RadiosityTable{"systems.csv", reports::write_systems_csv},
+                                         RadiosityTable{"exitance.csv", reports::write_exitance_csv},
+                                         RadiosityTable{"solvers.csv", reports::write_solvers_csv},
+                                         RadiosityTable{"residuals.csv", reports::write_residuals_csv}};
+
 void write_csv(const std::filesystem::path& folder, const ResultSources& sources) {
     reports::write_file(folder / "summary.csv",
                         [&](std::ostream& out) { reports::write_summary_csv(out, sources.results.findings); });
@@ -36,6 +48,10 @@ void write_csv(const std::filesystem::path& folder, const ResultSources& sources
     if (!sources.results.findings.plan.spec.coverage.empty()) {
         reports::write_file(folder / "coverage.csv",
                             [&](std::ostream& out) { reports::write_coverage_csv(out, sources.results); });
+    }
+    if (sources.results.radiosity) {
+        for (const auto& [name, write] : tables_of_radiosity)
+            reports::write_file(folder / name, [&](std::ostream& out) { write(out, sources.results); });
     }
     reports::write_file(folder / "trials.csv",
                         [&](std::ostream& out) { reports::write_trials_csv(out, sources.store); });
@@ -56,6 +72,14 @@ void write_latex(const std::filesystem::path& folder, const ResultSources& sourc
         reports::write_file(folder / path, text);
 }
 
+void write_matrices(const std::filesystem::path& folder, const ResultSources& sources) {
+    for (const auto& [path, text] : reports::matrix_files(sources.store)) {
+        const auto file = folder / "matrices" / path;
+        make_folder(file.parent_path());
+        reports::write_file(file, text);
+    }
+}
+
 void needs_nothing() {}
 
 struct KnownFormat {
@@ -69,6 +93,7 @@ constexpr std::array known{
     KnownFormat{{"markdown", "report.md, audit.md"}, needs_nothing, write_markdown},
     KnownFormat{{"csv", "summary.csv, slopes.csv, coverage.csv, trials.csv"}, needs_nothing, write_csv},
     KnownFormat{{"json", "results.json, context.json"}, needs_nothing, write_json},
+    KnownFormat{{"matrices", "matrices/*/*.mtx, matrices/*/*.npy"}, needs_nothing, write_matrices},
     KnownFormat{{"latex", "tables.tex, tables/*.tex"}, needs_nothing, write_latex},
     KnownFormat{{"svg", "pictures/*.svg"}, expect_svg_programs, write_svg},
     KnownFormat{{"pdf", "pictures/*.pdf"}, expect_pdf_programs, write_pdf},

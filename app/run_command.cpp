@@ -29,8 +29,13 @@ namespace {
 
 /// The command that gives the same results.
 std::string reproduce(const RunCommand& command, const studies::StudySpec& spec) {
-    std::string text = command.convergence ? studies::convergence_command(*command.convergence)
-                                           : fmt::format("ffstudy run {}", command.study);
+    std::string text = command.convergence
+                           ? studies::convergence_command(*command.convergence)
+                           : fmt::format("ffstudy {} {}", command.radiosity ? "radiosity" : "run", command.study);
+    if (command.radiosity && !command.radiosity->reflectance.empty())
+        text += fmt::format(" --reflectance {}", command.radiosity->reflectance);
+    if (command.radiosity && !command.radiosity->emission.empty())
+        text += fmt::format(" --emission {}", command.radiosity->emission);
     if (command.trials) text += fmt::format(" --trials {}", *command.trials);
     if (command.until) text += fmt::format(" --until {}", *command.until);
     if (command.level) text += fmt::format(" --level {}", *command.level);

@@ -12,6 +12,18 @@
 namespace ff::app {
 namespace {
 
+/// The study with the light that the command line asks for.
+void set_radiosity(studies::StudySpec& spec, const RadiosityOptions& options) {
+    if (!spec.radiosity) spec.radiosity.emplace();
+    if (!options.reflectance.empty()) {
+        spec.radiosity->reflectance.clear();
+        for (const double value : studies::parse_numbers(options.reflectance, "--reflectance"))
+            spec.radiosity->reflectance.push_back({value});
+    }
+    if (!options.emission.empty()) spec.radiosity->emission = studies::parse_numbers(options.emission, "--emission");
+    studies::check_radiosity(*spec.radiosity, "--");
+}
+
 studies::StudyPlan make_plan(const RunCommand& command) {
     studies::StudySpec spec =
         command.convergence ? studies::make_convergence_study(*command.convergence) : find_study(command.study);
@@ -22,6 +34,7 @@ studies::StudyPlan make_plan(const RunCommand& command) {
             throw UserError(fmt::format("--level {} (above 0.5 and below 1). Try 0.95.", *command.level));
         spec.level = *command.level;
     }
+    if (command.radiosity) set_radiosity(spec, *command.radiosity);
     if (command.until) {
         spec.until = studies::parse_stopping_rule(*command.until);
         studies::set_trials(spec, spec.trials);  // bounds the pilot

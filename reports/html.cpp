@@ -5,6 +5,8 @@
 #include "reports/labels.hpp"
 #include "reports/mustache.hpp"
 #include "reports/pictures.hpp"
+#include "reports/radiosity_tables.hpp"
+#include "reports/radiosity_words.hpp"
 #include "reports/security_policy.hpp"
 
 #include <fmt/format.h>
@@ -62,6 +64,12 @@ Json pictures_view(const std::vector<Picture>& pictures, bool drawn) {
     return list;
 }
 
+Json radiosity_view(const studies::StudyResults& results) {
+    Json tables = Json::array();
+    for (const Table& table : radiosity_tables(results)) tables.push_back(table_view(table));
+    return {{"lines", texts_view(radiosity_in_brief(results))}, {"tables", std::move(tables)}};
+}
+
 /// The specifications of the pictures that are shown.
 Json kinds_view(const std::vector<Picture>& pictures, const std::vector<PictureGroup>& groups,
                 const Templates& templates) {
@@ -104,6 +112,7 @@ std::string html_report(const studies::StudyResults& results, const Templates& t
     view["published"] = results.published ? published_view(*results.published, 1 - spec.level, top.published) : Json();
     view["brief"] = texts_view(results_in_brief(results));
     view["has_brief"] = !view["brief"].empty();
+    view["radiosity"] = results.radiosity ? radiosity_view(results) : Json();
     view["methods"] = table_view(methods_table(results));
     view["findings"] = findings_view(results);
     view["has_findings"] = !view["findings"].empty();

@@ -1,6 +1,7 @@
 #include "reports/json.hpp"
 
 #include "reports/json_laboratory.hpp"
+#include "reports/json_radiosity.hpp"
 #include "reports/json_slopes.hpp"
 #include "reports/json_values.hpp"
 #include "reports/labels.hpp"
@@ -241,6 +242,7 @@ std::string results_json(const studies::StudyResults& results) {
                         {"largest_residual", law.first_order.largest_residual},
                         {"free_exponent", law.free ? Json(law.free->exponent) : Json(nullptr)}});
     }
+    json["radiosity"] = radiosity_json(results);
     json["published"] = results.published ? published_json(*results.published) : Json(nullptr);
     return json.dump(2) + "\n";
 }

@@ -16,6 +16,7 @@ std::string markdown_report(const studies::StudyResults& results) {
     out += slopes_section(results);
     out += markdown_section(reductions_table(results));
     out += markdown_section(coverage_table(results));
+    out += radiosity_section(results);
     out += published_tables_section(results);
     out += claims_section(results);
     out += markdown_section(error_law_table(results));

@@ -10,6 +10,7 @@ namespace ff::reports {
 std::string brief_section(const studies::StudyResults& results);
 std::string methods_section(const studies::StudyResults& results);
 std::string slopes_section(const studies::StudyResults& results);
+std::string radiosity_section(const studies::StudyResults& results);
 std::string published_tables_section(const studies::StudyResults& results);
 std::string claims_section(const studies::StudyResults& results);
 std::string audit_section(const studies::StudyResults& results);

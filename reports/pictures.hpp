@@ -36,6 +36,9 @@ std::vector<Picture> pictures_of_cell(const studies::StudyResults& results, std:
 /// All groups of a report; that of the methods which the verdict compares are open.
 std::vector<PictureGroup> picture_groups(const studies::StudyResults& results);
 
+/// Errors of the light, spectral radius, residuals, exitance; empty where the study has no [radiosity].
+std::optional<PictureGroup> radiosity_pictures(const studies::StudyResults& results);
+
 std::optional<Picture> unfolded_picture(const studies::StudyResults& results, std::size_t cell);
 std::optional<Picture> estimates_picture(const studies::StudyResults& results, std::size_t cell);
 std::optional<Picture> bias_picture(const studies::StudyResults& results, std::size_t cell);

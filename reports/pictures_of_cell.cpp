@@ -162,6 +162,7 @@ std::vector<PictureGroup> picture_groups(const studies::StudyResults& results) {
         if (!group.pictures.empty()) groups.push_back(std::move(group));
     }
     std::stable_partition(groups.begin(), groups.end(), [](const PictureGroup& group) { return group.open; });
+    if (auto light = radiosity_pictures(results)) groups.insert(groups.begin(), std::move(*light));
     return groups;
 }
 

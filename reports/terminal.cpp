@@ -5,6 +5,7 @@
 #include "reports/labels.hpp"
 #include "reports/numbers.hpp"
 #include "reports/published_summary.hpp"
+#include "reports/radiosity_words.hpp"
 #include "reports/reduction_words.hpp"
 #include "reports/tail_words.hpp"
 #include "reports/terminal_sections.hpp"
@@ -102,7 +103,7 @@ std::string terminal_summary(const studies::StudyResults& results, Colour colour
     if (!hidden.empty()) out += fmt::format("({} sizes in between: report.md)\n", hidden.size());
     out += terminal_slopes(results, colour);
     for (const auto& lines : {heavy_tails_in_brief(results), reductions_in_brief(results), coverage_in_brief(results),
-                              until_in_brief(results)}) {
+                              radiosity_in_brief(results), until_in_brief(results)}) {
         if (!lines.empty()) out += fmt::format("\n{}\n", fmt::join(lines, "\n"));
     }
     if (results.published) {

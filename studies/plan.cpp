@@ -161,6 +161,9 @@ StudyPlan plan_study(StudySpec spec) {
     StudyPlan plan;
     plan.spec = std::move(spec);
     for (const std::string& scene : plan.spec.scenes) plan.scenes.push_back(built_in_scene(scene));
+    for (const Scene& scene : plan.scenes) {
+        if (plan.spec.radiosity) expect_fitting(*plan.spec.radiosity, scene);
+    }
     for (std::size_t scene = 0; scene < plan.scenes.size(); ++scene) {
         for (std::size_t m = 0; m < plan.spec.methods.size(); ++m) {
             const Method& method = plan.spec.methods[m];

@@ -24,6 +24,10 @@ StudyResults evaluate(const Store& store) {
         results.reductions = compare_with_random(store, results.findings);
         results.coverage = measure_coverage(store);
         results.until = until_outcomes(store);
+        if (results.findings.plan.spec.radiosity) {
+            results.radiosity = evaluate_radiosity(store);
+            results.bias_orders = bias_orders(results.findings.plan, *results.radiosity);
+        }
     }
     results.variance_checks = check_variances(results.findings);
     const auto& published = results.findings.plan.spec.published;

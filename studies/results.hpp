@@ -8,6 +8,8 @@
 #include "studies/error_law.hpp"
 #include "studies/heavy_tails.hpp"
 #include "studies/published.hpp"
+#include "studies/radiosity/bias_order.hpp"
+#include "studies/radiosity/consequences.hpp"
 #include "studies/rivals.hpp"
 #include "studies/slopes.hpp"
 #include "studies/until.hpp"
@@ -38,6 +40,8 @@ struct StudyResults {
     std::vector<VarianceCheck> variance_checks;
     std::vector<ErrorLaw> error_laws;
     std::vector<Rivalry> rivals;
+    std::optional<RadiosityResults> radiosity;  ///< empty too where a study is not complete, or a trial gave no number
+    std::vector<BiasOrder> bias_orders;         ///< of the exitance
     std::optional<PublishedResults> published;  ///< empty too where a trial gave no number
     Context context;
 };

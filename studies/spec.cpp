@@ -252,7 +252,8 @@ std::vector<std::string> read_scenes(const TomlReader& reader) {
 StudySpec parse_study(std::string_view text, std::string_view origin) {
     const toml::table root = parse_toml(text, origin);
     const TomlReader file(root, origin);
-    static constexpr std::array<std::string_view, 5> sections{"study", "method", "until", "coverage", "published"};
+    static constexpr std::array<std::string_view, 6> sections{"study",    "method",    "until",
+                                                              "coverage", "radiosity", "published"};
     file.expect_only(sections);
     const auto study = file.optional_table("study");
     if (!study) file.fail("study", "missing. Begin the file with [study].");
@@ -294,6 +295,7 @@ StudySpec parse_study(std::string_view text, std::string_view origin) {
 
     if (const auto until = file.optional_table("until")) spec.until = read_stopping_rule(*until, spec.trials);
     if (const auto coverage = file.optional_table("coverage")) spec.coverage = read_coverage(*coverage, spec.trials);
+    if (const auto radiosity = file.optional_table("radiosity")) spec.radiosity = read_radiosity(*radiosity);
     if (const auto published = file.optional_table("published")) {
         static constexpr std::array<std::string_view, 1> published_keys{"tables"};
         published->expect_only(published_keys);

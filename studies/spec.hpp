@@ -4,6 +4,7 @@
 #include "core/ray_shooting.hpp"
 #include "core/stream.hpp"
 #include "core/tracer.hpp"
+#include "studies/radiosity/request.hpp"
 #include "studies/stopping_rule.hpp"
 
 #include <cstdint>
@@ -84,6 +85,7 @@ struct StudySpec {
     std::vector<Method> methods;
     std::optional<StoppingRule> until;    ///< of an adaptive study; `trials` is then the most that are run
     std::vector<std::uint64_t> coverage;  ///< numbers of trials whose intervals are to be checked; may be empty
+    std::optional<RadiosityRequest> radiosity;
     std::optional<Published> published;
     auto operator<=>(const StudySpec&) const = default;
 };

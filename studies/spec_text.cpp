@@ -50,6 +50,7 @@ std::string to_toml(const StudySpec& spec) {
     }
     if (spec.until) out += to_toml(*spec.until);
     if (!spec.coverage.empty()) out += fmt::format("\n[coverage]\nreplicates = [{}]\n", fmt::join(spec.coverage, ", "));
+    if (spec.radiosity) out += to_toml(*spec.radiosity);
     if (spec.published) out += fmt::format("\n[published]\ntables = {}\n", toml_text(spec.published->file));
     return out;
 }

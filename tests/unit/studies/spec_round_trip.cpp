@@ -101,6 +101,11 @@ StudySpec any_spec() {
     if (*rc::gen::arbitrary<bool>()) spec.equivalence_margin = any_fraction();
     const auto names = *rc::gen::nonEmpty(rc::gen::container<std::set<std::string>>(any_name()));
     for (const std::string& name : names) spec.methods.push_back(any_method(name));
+    if (*rc::gen::arbitrary<bool>()) {
+        spec.radiosity =
+            RadiosityRequest{{{any_fraction()}, {any_fraction(), 0.25}}, {}, 1e-13 + any_fraction() / 2, 3};
+        if (*rc::gen::arbitrary<bool>()) spec.radiosity->emission = {any_fraction(), 1.5};
+    }
     if (*rc::gen::arbitrary<bool>()) spec.published = Published{*any_text(), {}};
     return spec;
 }

@@ -1,0 +1,88 @@
+#include "core/radiosity/patch_factors.hpp"
+
+#include "core/contract.hpp"
+#include "core/exact.hpp"
+
+#include <algorithm>
+#include <memory>
+#include <vector>
+
+namespace ff {
+namespace {
+
+/// The patch of a surface's grid that a hit lies in.
+std::uint32_t patch_of(const Hit& hit, Subdivision subdivision) {
+    const auto cell = [&](float coordinate) {
+        const float scaled = coordinate * static_cast<float>(subdivision.m);
+        return std::min(static_cast<std::uint32_t>(std::max(scaled, 0.0f)), subdivision.m - 1);
+    };
+    return hit.surface * subdivision.per_surface() + cell(hit.t) * subdivision.m + cell(hit.s);
+}
+
+}  // namespace
+
+Eigen::MatrixXd shoot_patch_factors(const Scene& scene, Subdivision subdivision, const Tracer& tracer,
+                                    const PointSource& points, std::uint64_t samples_per_patch, Allocation allocation,
+                                    StreamKey key, std::uint32_t trial) {
+    FF_EXPECT(points.equal_weights());
+    const std::uint32_t per_surface = subdivision.per_surface();
+    const Eigen::Index patches = subdivision.patches(scene);
+    Eigen::MatrixXd factors = Eigen::MatrixXd::Zero(patches, patches);
+    const auto block = std::make_unique<PointBlock>();
+    RayBatch rays;
+    std::vector<Hit> hits;
+    for (std::uint32_t surface = 0; surface < scene.surfaces.size(); ++surface) {
+        for (std::uint32_t p = 0; p < per_surface; ++p) {
+            const std::uint32_t patch = surface * per_surface + p;
+            const bool own_stream = allocation == Allocation::patch;
+            const Stream stream{.key = key, .trial = trial, .source = own_stream ? patch : surface};
+            const PointIndex first = own_stream ? 0 : p * samples_per_patch;
+            for (std::uint64_t done = 0; done < samples_per_patch; done += block->size) {
+                block->size =
+                    static_cast<std::size_t>(std::min<std::uint64_t>(block_capacity, samples_per_patch - done));
+                points.fill(stream, first + done, *block);
+                generate_rays(scene.surfaces[surface], surface, subdivision, p, *block, rays);
+                hits.resize(rays.size());
+                tracer.trace(rays, hits);
+                for (const Hit& hit : hits) {
+                    if (hit.surface != no_surface) factors(patch, patch_of(hit, subdivision)) += 1;
+                }
+            }
+        }
+    }
+    return factors / static_cast<double>(samples_per_patch);
+}
+
+std::optional<Eigen::MatrixXd> exact_patch_factors(const Scene& scene, Subdivision subdivision) {
+    const Eigen::Index patches = subdivision.patches(scene);
+    std::vector<Surface> all;
+    for (const Surface& surface : scene.surfaces) {
+        for (std::uint32_t p = 0; p < subdivision.per_surface(); ++p) {
+            all.push_back(surface);
+            all.back().shape = patch(surface.shape, subdivision, p);
+        }
+    }
+    Eigen::MatrixXd factors = Eigen::MatrixXd::Zero(patches, patches);
+    for (Eigen::Index i = 0; i < patches; ++i) {
+        for (Eigen::Index j = 0; j < i; ++j) {
+            const Surface& from = all[static_cast<std::size_t>(i)];
+            const Surface& to = all[static_cast<std::size_t>(j)];
+            const auto exchange = exact_exchange_area(from, to);
+            if (!exchange) return std::nullopt;
+            factors(i, j) = *exchange / area(from.shape);
+            factors(j, i) = *exchange / area(to.shape);
+        }
+    }
+    return factors;
+}
+
+Eigen::VectorXd patch_areas(const Scene& scene, Subdivision subdivision) {
+    Eigen::VectorXd areas(subdivision.patches(scene));
+    for (std::size_t surface = 0; surface < scene.surfaces.size(); ++surface) {
+        areas.segment(static_cast<Eigen::Index>(surface) * subdivision.per_surface(), subdivision.per_surface())
+            .setConstant(area(scene.surfaces[surface].shape) / subdivision.per_surface());
+    }
+    return areas;
+}
+
+}  // namespace ff

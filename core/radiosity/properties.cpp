@@ -1,0 +1,62 @@
+#include "core/radiosity/properties.hpp"
+
+#include "core/contract.hpp"
+
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace ff {
+namespace {
+
+constexpr int most_power_steps = 2000;
+constexpr double smallest_entry = 1e-280;  // of the iterated vector, before quotients lose their digits
+
+}  // namespace
+
+Bounds spectral_radius(const Eigen::MatrixXd& matrix, double tolerance) {
+    FF_EXPECT(matrix.rows() == matrix.cols() && matrix.size() > 0);
+    FF_EXPECT(matrix.minCoeff() >= 0 && matrix.allFinite());
+    Eigen::VectorXd x = Eigen::VectorXd::Ones(matrix.rows());
+    Bounds bounds{0, std::numeric_limits<double>::infinity()};
+    for (int step = 0; step < most_power_steps; ++step) {
+        const Eigen::VectorXd image = matrix * x;
+        const Eigen::VectorXd quotients = image.cwiseQuotient(x);
+        bounds.low = std::max(bounds.low, quotients.minCoeff());
+        bounds.high = std::min(bounds.high, quotients.maxCoeff());
+        if (bounds.high - bounds.low <= tolerance * bounds.high) break;
+        // A + shift has the same vector, and no second eigenvalue of the same modulus, as that of two patches has.
+        x = image + bounds.high / 2 * x;
+        x /= x.maxCoeff();
+        if (x.minCoeff() < smallest_entry) break;
+    }
+    // Rounding may let ends that are equal cross.
+    return {std::min(bounds.low, bounds.high), std::max(bounds.low, bounds.high)};
+}
+
+FactorProperties factor_properties(const Eigen::MatrixXd& factors, const Eigen::VectorXd& areas) {
+    FF_EXPECT(factors.rows() == areas.size());
+    FactorProperties properties;
+    properties.row_sums = factors.rowwise().sum();
+    properties.closure_defect = (properties.row_sums.array() - 1).abs().maxCoeff();
+    const Eigen::MatrixXd exchange = areas.asDiagonal() * factors;
+    const Eigen::MatrixXd difference = areas.cwiseInverse().asDiagonal() * (exchange - exchange.transpose());
+    properties.reciprocity_defect = difference.cwiseAbs().maxCoeff();
+    properties.spectral_radius = spectral_radius(factors);
+    return properties;
+}
+
+SystemProperties system_properties(const RadiositySystem& system) {
+    SystemProperties properties;
+    const Eigen::MatrixXd coefficients = coefficient_matrix(system);
+    const Eigen::VectorXd diagonal = coefficients.diagonal().cwiseAbs();
+    properties.dominance = (2 * diagonal - coefficients.cwiseAbs().rowwise().sum()).minCoeff();
+    properties.spectral_radius = spectral_radius(reflection_matrix(system));
+    const double reciprocal = Eigen::PartialPivLU<Eigen::MatrixXd>(coefficients).rcond();
+    properties.condition = reciprocal > 0 ? 1 / reciprocal : std::numeric_limits<double>::infinity();
+    return properties;
+}
+
+}  // namespace ff

@@ -1,0 +1,47 @@
+#pragma once
+
+#include "core/radiosity/system.hpp"
+
+#include <Eigen/Core>
+
+namespace ff {
+
+/// A value known to lie in [low, high].
+struct Bounds {
+    double low = 0;
+    double high = 0;
+
+    [[nodiscard]] double middle() const { return (low + high) / 2; }
+};
+
+/// Spectral radius of a matrix without negative entries, by power iteration. For every positive x it lies between the
+/// least and the largest (A x)_i / x_i (Collatz, Wielandt): the bounds hold but for rounding, some n * 1e-16 of the
+/// result, and stop when they are within `tolerance` of each other, relatively. They stay apart where parts of the
+/// matrix have nothing to do with each other. @pre square, finite, no negative entry @see [varga1962] section 2.1
+Bounds spectral_radius(const Eigen::MatrixXd& matrix, double tolerance = 1e-12);
+
+/// What errors do to a matrix of form factors.
+struct FactorProperties {
+    Eigen::VectorXd row_sums;
+    double closure_defect = 0;      ///< largest |row sum - 1|; 0 in a closed scene without errors
+    double reciprocity_defect = 0;  ///< largest |F_ij - F_ji A_j / A_i|; 0 without errors
+    Bounds spectral_radius;         ///< of F; 1 in a closed scene without errors
+
+    /// With one reflectance for all patches G is strictly diagonally dominant below this one and not from it on:
+    /// 1 / the largest row sum.
+    [[nodiscard]] double dominant_below() const { return 1 / row_sums.maxCoeff(); }
+};
+
+/// @pre as for `spectral_radius`; areas > 0, one for each row
+FactorProperties factor_properties(const Eigen::MatrixXd& factors, const Eigen::VectorXd& areas);
+
+/// What decides whether a system can be solved, and how fast.
+struct SystemProperties {
+    double dominance = 0;  ///< least |G_ii| - sum of |G_ij|, j != i: G is strictly diagonally dominant where it is > 0
+    Bounds spectral_radius;  ///< of P F: the series I + P F + (P F)^2 + ... converges where it is < 1
+    double condition = 0;    ///< of G in the 1-norm, estimated from its LU factors; infinity where G is singular
+};
+
+SystemProperties system_properties(const RadiositySystem& system);
+
+}  // namespace ff

@@ -1,0 +1,71 @@
+#pragma once
+
+#include "core/radiosity/system.hpp"
+
+#include <Eigen/Core>
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+namespace ff {
+
+/// Methods for radiosity systems. An iteration is a sweep over all patches; of the shooting methods it is n shots.
+enum class Solver {
+    jacobi,                  ///< all patches from the values of the last sweep [young1971]
+    gauss_seidel,            ///< each patch from the newest values: gathering
+    sor,                     ///< Gauss-Seidel, each change multiplied by SolverOptions::relaxation
+    chebyshev,               ///< m + P F m made faster, eigenvalues known to lie within ± a bound [golub1961]
+    conjugate_gradient,      ///< Eigen's, on the symmetrised system; factors that are not reciprocal mislead it
+    progressive_refinement,  ///< Southwell's relaxation: the patch with most unshot power shoots [cohen1988]
+    overshooting,            ///< the same, each shot with an estimate of what will come back [feda1992]
+    lu,                      ///< Gaussian elimination with pivoting: exact but for rounding
+};
+
+inline constexpr std::array all_solvers{Solver::jacobi,
+                                        Solver::gauss_seidel,
+                                        Solver::sor,
+                                        Solver::chebyshev,
+                                        Solver::conjugate_gradient,
+                                        Solver::progressive_refinement,
+                                        Solver::overshooting,
+                                        Solver::lu};
+
+std::string_view name(Solver solver);
+
+struct SolverOptions {
+    double tolerance = 1e-6;  ///< of the residual: largest |e - G m| <= tolerance * largest e
+    std::size_t most_iterations = 100'000;
+    double relaxation = 1.1;                    ///< of `sor`, in (0, 2)
+    std::optional<double> spectral_bound = {};  ///< of `chebyshev`, in [0, 1); empty: the largest reflectance, which
+                                                ///< holds for factors without errors
+};
+
+enum class SolverOutcome {
+    converged,
+    diverged,   ///< the residual grows, or is no number
+    stalled,    ///< it has not fallen for some iterations
+    exhausted,  ///< it falls, but too slowly for most_iterations
+};
+
+std::string_view name(SolverOutcome outcome);
+
+struct SolverRun {
+    SolverOutcome outcome = SolverOutcome::exhausted;
+    Eigen::VectorXd exitance;       ///< where the run ended, converged or not
+    std::vector<double> residuals;  ///< largest |e - G m| / largest e: at the start (m = e), and after each iteration
+    double flops = 0;  ///< additions and multiplications of the method; watching the residual is not counted
+
+    [[nodiscard]] std::size_t iterations() const { return residuals.size() - 1; }
+};
+
+/// Starts from m = e. Ends when the residual is within the tolerance, or will not be.
+/// @pre a physical system; some patch emits
+SolverRun solve(const RadiositySystem& system, Solver solver, const SolverOptions& options = {});
+
+/// The exact solution, but for rounding; empty where G is singular to working precision.
+std::optional<Eigen::VectorXd> solve_exactly(const RadiositySystem& system);
+
+}  // namespace ff

@@ -1,0 +1,95 @@
+#include "reports/matrix_files.hpp"
+
+#include "core/exact.hpp"
+#include "core/radiosity/patch_factors.hpp"
+#include "core/radiosity/system.hpp"
+#include "reports/labels.hpp"
+#include "studies/radiosity/consequences.hpp"
+#include "studies/radiosity/patch_matrix.hpp"
+#include "studies/radiosity/treatment.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <bit>
+
+namespace ff::reports {
+namespace {
+
+using Files = std::map<std::string, std::string>;
+
+void add(Files& files, const std::string& path, const Eigen::MatrixXd& matrix, const std::string& comment) {
+    files[path + ".mtx"] = matrix_market(matrix, comment);
+    files[path + ".npy"] = npy(matrix);
+}
+
+void add_system(Files& files, const std::string& folder, const std::string& label, const studies::StudyPlan& plan,
+                std::size_t scene, const Eigen::MatrixXd& factors) {
+    add(files, folder + "form_factors", factors, fmt::format("form factors, {}", label));
+    if (!plan.spec.radiosity) return;
+    for (std::size_t setting = 0; setting < plan.spec.radiosity->reflectance.size(); ++setting) {
+        const auto system = studies::make_system(plan, scene, setting, factors);
+        const std::string words = studies::in_words(plan.spec.radiosity->reflectance[setting]);
+        add(files, fmt::format("{}system_{}", folder, setting), coefficient_matrix(system),
+            fmt::format("I - P F at reflectance {}, {}", words, label));
+        if (setting == 0) add(files, folder + "emission", system.emission, fmt::format("emitted exitance, {}", label));
+    }
+}
+
+}  // namespace
+
+std::string matrix_market(const Eigen::MatrixXd& matrix, const std::string& comment) {
+    std::string out = "%%MatrixMarket matrix array real general\n";
+    if (!comment.empty()) out += fmt::format("% {}\n", comment);
+    out += fmt::format("{} {}\n", matrix.rows(), matrix.cols());
+    for (const double value : matrix.reshaped()) out += fmt::format("{}\n", value);
+    return out;
+}
+
+std::string npy(const Eigen::MatrixXd& matrix) {
+    static_assert(std::endian::native == std::endian::little);
+    constexpr std::size_t before = 10;  // magic, version, length of the header
+    constexpr std::size_t alignment = 64;
+    const std::string shape = matrix.cols() == 1 ? fmt::format("({},)", matrix.rows())
+                                                 : fmt::format("({}, {})", matrix.rows(), matrix.cols());
+    std::string header = fmt::format("{{'descr': '<f8', 'fortran_order': True, 'shape': {}, }}", shape);
+    header.append((alignment - (before + header.size() + 1) % alignment) % alignment, ' ');
+    header += '\n';
+    std::string out("\x93NUMPY\x01\x00", 8);
+    out += static_cast<char>(header.size() % 256);
+    out += static_cast<char>(header.size() / 256);
+    out += header;
+    for (const double value : matrix.reshaped()) {
+        const auto bytes = std::bit_cast<std::array<char, sizeof(double)>>(value);
+        out.append(bytes.data(), bytes.size());
+    }
+    return out;
+}
+
+std::map<std::string, std::string> matrix_files(const studies::Store& store) {
+    const studies::StudyPlan& plan = store.plan();
+    Files files;
+    for (std::size_t scene = 0; scene < plan.scenes.size(); ++scene) {
+        const auto exact = exact_form_factors(plan.scenes[scene]);
+        if (exact) add_system(files, fmt::format("exact_{}/", scene), plan.scenes[scene].name, plan, scene, *exact);
+    }
+    for (std::size_t index = 0; index < plan.cells.size(); ++index) {
+        const studies::Cell& cell = plan.cells[index];
+        const auto trials = studies::load_matrices(store, index);
+        if (trials.direct.empty()) continue;
+        const auto treatment = studies::treatment_of(plan.spec.methods[cell.method].completion);
+        const std::string folder = fmt::format("cell_{}/", index);
+        const std::string label = fmt::format("{}: {}, trial {}", plan.scenes[cell.scene].name, cell_label(plan, cell),
+                                              trials.numbers.front());
+        add(files, folder + "areas", trials.areas, fmt::format("areas of the faces, {}", label));
+        add_system(files, folder, label, plan, cell.scene, studies::treat(trials, trials.direct.front(), treatment));
+        if (const auto patches = studies::trace_patch_factors(plan, index, trials.numbers.front())) {
+            add(files, folder + "patch_form_factors", *patches, fmt::format("between patches, direct, {}", label));
+            add(files, folder + "patch_areas", patch_areas(plan.scenes[cell.scene], cell.subdivision),
+                fmt::format("areas of the patches, {}", label));
+        }
+    }
+    return files;
+}
+
+}  // namespace ff::reports

@@ -1,0 +1,231 @@
+#include "reports/radiosity_tables.hpp"
+
+#include "reports/labels.hpp"
+#include "reports/numbers.hpp"
+#include "reports/radiosity_words.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace ff::reports {
+namespace {
+
+using studies::Consequences;
+
+/// The cells that name a row: method and size.
+std::vector<TableCell> row_of(const studies::StudyPlan& plan, std::size_t index) {
+    const studies::Cell& cell = plan.cells[index];
+    const std::string scene = plan.scenes.size() == 1 ? std::string() : plan.scenes[cell.scene].name + ": ";
+    return {{scene + plan.spec.methods[cell.method].name, Mark::none}, {size_label(plan, cell), Mark::none}};
+}
+
+Table matrices_table(const studies::StudyResults& results) {
+    const studies::StudyPlan& plan = results.findings.plan;
+    Table table{
+        "radiosity-matrices",
+        "What is wrong with the matrices",
+        "Median over trials, in brackets the range. Closure defect: largest |row sum − 1|. Reciprocity defect: largest "
+        "|F_ij − F_ji A_j / A_i|. Correction: largest change of a factor by the treatment. Error: root mean "
+        "square over pairs against the exact factors. The last two columns are reflectances, the same for all "
+        "faces, below which I − P F is strictly diagonally dominant, and the spectral radius of P F below 1; "
+        "above 1 they hold for every surface.",
+        {{"method", false, ""},
+         {"size (patches a face)", false, ""},
+         {"treatment", false, ""},
+         {"closure defect", true, ""},
+         {"reciprocity defect", true, ""},
+         {"correction", true, ""},
+         {"error", true, ""},
+         {"dominant below", true, ""},
+         {"convergent below", true, ""}},
+        {},
+        {}};
+    for (const Consequences& found : results.radiosity->consequences) {
+        if (found.trials == 0) continue;
+        auto row = row_of(plan, found.cell);
+        row.push_back({std::string(studies::name(found.treatment)), Mark::none});
+        for (const auto* range :
+             {&found.closure_defect, &found.reciprocity_defect, &found.correction, &found.factor_error})
+            row.push_back({over_trials_text(*range, found.trials, 2), Mark::none});
+        for (const auto* range : {&found.dominant_below, &found.convergent_below}) {
+            row.push_back(
+                {over_trials_text(*range, found.trials, 5), range->least < 1 - 1e-12 ? Mark::bad : Mark::good});
+        }
+        table.rows.push_back(std::move(row));
+        if (found.not_balanced > 0) {
+            table.remarks.push_back(fmt::format("{}: {} of {} trials have no closed reciprocal matrix near.",
+                                                cell_label(plan, plan.cells[found.cell]), found.not_balanced,
+                                                found.not_balanced + found.trials));
+        }
+    }
+    return table;
+}
+
+std::string bias_text(const studies::ExitanceFindings& found) {
+    if (!found.bias) return "no mean";
+    if (!found.bias_interval) return percent(*found.bias / found.exact);
+    return fmt::format("{} ± {}", percent(*found.bias / found.exact),
+                       percent(found.bias_interval->width() / 2 / found.exact, 1));
+}
+
+/// The face that errs most, relatively. @pre moments
+const studies::ExitanceFindings& worst_face(const studies::SettingFindings& at) {
+    return *std::max_element(at.exitance.begin() + 1, at.exitance.end(),
+                             [](const auto& a, const auto& b) { return *a.rmse / a.exact < *b.rmse / b.exact; });
+}
+
+Table exitance_table(const studies::StudyResults& results) {
+    const studies::StudyPlan& plan = results.findings.plan;
+    Table table{
+        "radiosity-exitance",
+        "What becomes of the light",
+        fmt::format("Dominant: trials in which I − P F is strictly diagonally dominant. Spectral radius of P F, "
+                    "condition of I − P F (1-norm, estimated) and energy lost (share of the emitted power that "
+                    "nothing absorbs; negative: made of nothing): medians and ranges over trials. Mean "
+                    "exitance: of all faces by area, relative to that with exact factors; ± half of its {:g} % "
+                    "interval (Student t). Error of the light: root mean square over trials and faces, relative to "
+                    "the mean exact exitance; on the worst face: relative to its own. Negative light: trials "
+                    "whose solution no light is. Where some of several trials are not convergent, the "
+                    "exitance passes a pole and has no mean.",
+                    100 * plan.spec.level),
+        {{"method", false, ""},
+         {"size (patches a face)", false, ""},
+         {"treatment", false, ""},
+         {"reflectance", true, ""},
+         {"dominant", true, ""},
+         {"spectral radius", true, ""},
+         {"condition", true, ""},
+         {"energy lost (%)", true, ""},
+         {"bias of mean exitance", true, ""},
+         {"error of the light", true, ""},
+         {"on the worst face", true, ""},
+         {"negative light", true, ""}},
+        {},
+        {}};
+    for (const Consequences& found : results.radiosity->consequences) {
+        for (const studies::SettingFindings& at : found.settings) {
+            auto row = row_of(plan, found.cell);
+            row.push_back({std::string(studies::name(found.treatment)), Mark::none});
+            row.push_back({setting_text(plan, at.setting), Mark::none});
+            row.push_back(
+                {fmt::format("{} of {}", at.dominant, at.trials), at.dominant < at.trials ? Mark::bad : Mark::good});
+            row.push_back({over_trials_text(at.spectral_radius, at.trials, 5),
+                           at.convergent < at.trials ? Mark::bad : Mark::none});
+            row.push_back({over_trials_text(at.condition, at.trials, 3), Mark::none});
+            if (at.energy_defect) {
+                const auto& e = *at.energy_defect;
+                row.push_back(
+                    {over_trials_text({100 * e.least, 100 * e.median, 100 * e.largest}, at.trials, 2), Mark::none});
+            } else {
+                row.push_back({"–", Mark::none});
+            }
+            const Mark mark = at.negative > 0 ? Mark::bad : Mark::none;
+            row.push_back({at.exitance.empty() ? "singular" : bias_text(at.exitance.front()), mark});
+            row.push_back({at.light_error ? percent(*at.light_error) : "–", mark});
+            if (at.light_error) {
+                const auto& worst = worst_face(at);
+                row.push_back({fmt::format("{} (face {})", percent(*worst.rmse / worst.exact), worst.face), mark});
+            } else {
+                row.push_back({"–", mark});
+            }
+            row.push_back({at.negative == 0 ? "" : fmt::format("{} of {}", at.negative, at.trials), mark});
+            table.rows.push_back(std::move(row));
+        }
+    }
+    return table;
+}
+
+TableCell solver_cell(const studies::SolverFindings& found) {
+    if (found.converged == found.runs) return {over_trials_text(*found.iterations, found.runs, 6), Mark::none};
+    std::vector<std::string> parts;
+    for (const auto& [count, word] : {std::pair{found.converged, "converged"}, std::pair{found.diverged, "diverged"},
+                                      std::pair{found.stalled, "stalled"}, std::pair{found.exhausted, "too slow"}}) {
+        if (count > 0) parts.push_back(found.runs == 1 ? std::string(word) : fmt::format("{} {}", count, word));
+    }
+    return {fmt::format("{}", fmt::join(parts, ", ")), Mark::bad};
+}
+
+Table solvers_table(const studies::StudyResults& results) {
+    const studies::StudyPlan& plan = results.findings.plan;
+    Table table{"radiosity-solvers",
+                "How many iterations solvers take",
+                fmt::format("Until the largest |e − G m| is {:g} of the largest emission, from m = e: sweeps over all "
+                            "faces, or n shots; median and range over the first {} trials at most, as each method is "
+                            "completed. Flops: solvers.csv.",
+                            plan.spec.radiosity->tolerance, plan.spec.radiosity->solver_trials),
+                {{"method", false, ""}, {"size (patches a face)", false, ""}, {"reflectance", true, ""}},
+                {},
+                {}};
+    for (const Solver solver : all_solvers) {
+        if (solver != Solver::lu) table.columns.push_back({std::string(ff::name(solver)), true, "iterations"});
+    }
+    const auto add = [&](std::vector<TableCell> row, std::size_t setting,
+                         const std::vector<studies::SolverFindings>& solvers) {
+        if (solvers.empty()) return;
+        row.push_back({setting_text(plan, setting), Mark::none});
+        for (const studies::SolverFindings& found : solvers) {
+            if (found.solver != Solver::lu) row.push_back(solver_cell(found));
+        }
+        table.rows.push_back(std::move(row));
+    };
+    for (const studies::ExactSystem& system : results.radiosity->exact) {
+        const std::string scene = plan.scenes.size() == 1 ? std::string() : plan.scenes[system.scene].name + ": ";
+        add({{scene + "exact factors", Mark::none}, {"–", Mark::none}}, system.setting, system.solvers);
+    }
+    for (const Consequences& found : results.radiosity->consequences) {
+        for (const studies::SettingFindings& at : found.settings) add(row_of(plan, found.cell), at.setting, at.solvers);
+    }
+    return table;
+}
+
+Table bias_order_table(const studies::StudyResults& results) {
+    const studies::StudyPlan& plan = results.findings.plan;
+    Table table{"radiosity-bias",
+                "The bias of the exitance",
+                fmt::format("Of the mean exitance of all faces, relative, at each size; and N times that, which stays "
+                            "where the bias is of order 1/N, N evaluations for a face. Slope of ln |bias| on ln N with "
+                            "its {:g} % interval, where the bias is beyond three standard errors at every size.",
+                            100 * plan.spec.level),
+                {{"ladder", false, ""},
+                 {"treatment", false, ""},
+                 {"reflectance", true, ""},
+                 {"N", true, ""},
+                 {"bias", true, ""},
+                 {"N × bias", true, ""},
+                 {"slope", true, ""}},
+                {},
+                {}};
+    for (const studies::BiasOrder& order : results.bias_orders) {
+        const std::string scene = plan.scenes.size() == 1 ? std::string() : plan.scenes[order.scene].name + ": ";
+        std::vector<std::string> sizes, biases, products;
+        for (const auto& point : order.points) {
+            sizes.push_back(fmt::format("{:.0f}", point.evaluations));
+            biases.push_back(fmt::format("{} ± {}", percent(point.bias), percent(point.error, 1)));
+            products.push_back(brief(point.evaluations * point.bias, 2));
+        }
+        const std::string slope = order.slope ? fmt::format("{:.2f} [{:.2f}, {:.2f}]", *order.slope,
+                                                            order.interval->low, order.interval->high)
+                                              : "–";
+        table.rows.push_back({{scene + order.label, Mark::none},
+                              {std::string(studies::name(order.treatment)), Mark::none},
+                              {setting_text(plan, order.setting), Mark::none},
+                              {fmt::format("{}", fmt::join(sizes, "; ")), Mark::none},
+                              {fmt::format("{}", fmt::join(biases, "; ")), Mark::none},
+                              {fmt::format("{}", fmt::join(products, "; ")), Mark::none},
+                              {slope, Mark::none}});
+    }
+    return table;
+}
+
+}  // namespace
+
+std::vector<Table> radiosity_tables(const studies::StudyResults& results) {
+    if (!results.radiosity) return {};
+    std::vector<Table> tables{matrices_table(results), exitance_table(results), solvers_table(results)};
+    if (!results.bias_orders.empty()) tables.push_back(bias_order_table(results));
+    return tables;
+}
+
+}  // namespace ff::reports

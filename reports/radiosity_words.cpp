@@ -1,0 +1,165 @@
+#include "reports/radiosity_words.hpp"
+
+#include "reports/labels.hpp"
+#include "reports/numbers.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+namespace ff::reports {
+namespace {
+
+using studies::Consequences;
+using studies::Treatment;
+
+/// Row sums that are 1 but for rounding.
+constexpr double rounding = 1e-12;
+
+Treatment own_treatment(const studies::StudyPlan& plan, std::size_t cell) {
+    return studies::treatment_of(plan.spec.methods[plan.cells[cell].method].completion);
+}
+
+std::string dominance_text(const Consequences& found) {
+    if (found.dominant_below.least > 1 - rounding) return "keeps diagonal dominance at every reflectance below 1";
+    if (found.trials == 1) {
+        return fmt::format("loses diagonal dominance from reflectance {} on, and its spectral radius reaches 1 at {}",
+                           brief(found.dominant_below.least, 4), brief(found.convergent_below.least, 4));
+    }
+    return fmt::format(
+        "loses diagonal dominance from reflectance {} on in half of the trials, from {} in the worst, whose "
+        "spectral radius reaches 1 at {}",
+        brief(found.dominant_below.median, 4), brief(found.dominant_below.least, 4),
+        brief(found.convergent_below.least, 4));
+}
+
+/// What becomes of the exitance at one setting.
+std::string light_text(const studies::StudyPlan& plan, const Consequences& found, std::size_t setting) {
+    const studies::SettingFindings& at = found.settings[setting];
+    const std::string where = setting_text(plan, setting);
+    const std::size_t impossible = at.negative + at.singular;
+    if (found.trials == 1 && impossible > 0) return fmt::format("at {} no light solves the system", where);
+    if (impossible > 0)
+        return fmt::format("at {} no light solves the system in {} of {} trials", where, impossible, at.trials);
+    if (!at.light_error) return fmt::format("at {} its error has no mean", where);
+    return fmt::format("at {} the light errs by {}", where, percent(*at.light_error));
+}
+
+/// The setting that a reader is told about besides the last: the middle one.
+std::size_t told_setting(const studies::StudyPlan& plan) {
+    return plan.spec.radiosity->reflectance.size() / 2;
+}
+
+std::vector<std::string> lines_of_scene(const studies::StudyResults& results, std::size_t scene) {
+    const studies::StudyPlan& plan = results.findings.plan;
+    const std::size_t told = told_setting(plan);
+    const std::size_t last = plan.spec.radiosity->reflectance.size() - 1;
+    std::vector<std::string> lines;
+    for (const std::size_t cell : lit_cells(plan, scene)) {
+        const Consequences* found = results.radiosity->find(cell, own_treatment(plan, cell));
+        if (found == nullptr || found->settings.empty()) continue;
+        std::string line =
+            fmt::format("{}, {}: I − P F {}; {}", cell_label(plan, plan.cells[cell]), studies::name(found->treatment),
+                        dominance_text(*found), light_text(plan, *found, told));
+        if (last != told) line += fmt::format(", {}", light_text(plan, *found, last));
+        lines.push_back(line + ".");
+    }
+    return lines;
+}
+
+/// What each treatment leaves of the error of the light.
+std::string repair_line(const studies::StudyResults& results) {
+    const studies::StudyPlan& plan = results.findings.plan;
+    const std::size_t told = told_setting(plan);
+    std::vector<std::string> parts;
+    for (std::size_t scene = 0; scene < plan.scenes.size(); ++scene) {
+        for (const std::size_t cell : lit_cells(plan, scene)) {
+            std::vector<std::string> errors;
+            for (const Treatment treatment : studies::all_treatments) {
+                const Consequences* found = results.radiosity->find(cell, treatment);
+                if (found == nullptr || found->settings.empty() || !found->settings[told].light_error) continue;
+                errors.push_back(
+                    fmt::format("{} {}", studies::name(treatment), percent(*found->settings[told].light_error)));
+            }
+            if (!errors.empty())
+                parts.push_back(fmt::format("{}: {}", cell_label(plan, plan.cells[cell]), fmt::join(errors, ", ")));
+        }
+    }
+    if (parts.empty()) return {};
+    return fmt::format("What repairs leave of the error of the light at reflectance {}: {}.", setting_text(plan, told),
+                       fmt::join(parts, "; "));
+}
+
+std::string bias_order_line(const studies::StudyResults& results) {
+    std::size_t fitted = 0;
+    std::size_t as_expected = 0;
+    double slowest = -10;
+    double fastest = 10;
+    for (const studies::BiasOrder& order : results.bias_orders) {
+        if (!order.slope) continue;
+        ++fitted;
+        as_expected += order.interval->contains(-1);
+        slowest = std::max(slowest, *order.slope);
+        fastest = std::min(fastest, *order.slope);
+    }
+    if (fitted == 0) return {};
+    return fmt::format(
+        "The exitance is biased though the factors are not. On {} of {} ladders, each at one reflectance, this is "
+        "clear at "
+        "every size: there the bias falls as N to the power {} to {}; −1, expected for large N, is within {} of the "
+        "intervals.",
+        fitted, results.bias_orders.size(), brief(fastest), brief(slowest), as_expected);
+}
+
+}  // namespace
+
+std::vector<std::size_t> lit_cells(const studies::StudyPlan& plan, std::size_t scene) {
+    std::map<std::uint64_t, std::vector<std::size_t>> by_cost;
+    std::vector<std::size_t> all;
+    for (std::size_t i = 0; i < plan.cells.size(); ++i) {
+        const studies::Cell& cell = plan.cells[i];
+        if (cell.scene != scene || plan.spec.methods[cell.method].estimator == studies::Estimator::closed_form)
+            continue;
+        by_cost[studies::evaluations_per_trial(plan, cell)].push_back(i);
+        all.push_back(i);
+    }
+    for (auto group = by_cost.rbegin(); group != by_cost.rend(); ++group) {
+        std::set<std::size_t> methods;
+        for (const std::size_t cell : group->second) methods.insert(plan.cells[cell].method);
+        if (methods.size() > 1) return group->second;
+    }
+    return all;
+}
+
+std::string percent(double share, int digits) {
+    const double percents = 100 * share;
+    if (std::abs(percents) < 1e-9) return "0 %";  // rounding
+    return std::abs(percents) < 100 ? fmt::format("{} %", brief(percents, digits)) : fmt::format("{:.0f} %", percents);
+}
+
+std::string over_trials_text(const studies::OverTrials& range, std::size_t trials, int digits) {
+    if (trials == 1) return brief(range.median, digits);
+    return fmt::format("{} [{}, {}]", brief(range.median, digits), brief(range.least, digits),
+                       brief(range.largest, digits));
+}
+
+std::string setting_text(const studies::StudyPlan& plan, std::size_t setting) {
+    return studies::in_words(plan.spec.radiosity->reflectance[setting]);
+}
+
+std::vector<std::string> radiosity_in_brief(const studies::StudyResults& results) {
+    if (!results.radiosity) return {};
+    std::vector<std::string> lines;
+    for (std::size_t scene = 0; scene < results.findings.plan.scenes.size(); ++scene) {
+        for (std::string& line : lines_of_scene(results, scene)) lines.push_back(std::move(line));
+    }
+    for (std::string line : {repair_line(results), bias_order_line(results)}) {
+        if (!line.empty()) lines.push_back(std::move(line));
+    }
+    return lines;
+}
+
+}  // namespace ff::reports

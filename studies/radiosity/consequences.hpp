@@ -1,0 +1,104 @@
+#pragma once
+
+#include "core/radiosity/properties.hpp"
+#include "core/radiosity/solver.hpp"
+#include "stats/interval.hpp"
+#include "studies/radiosity/treatment.hpp"
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace ff::studies {
+
+/// How a number varies over the trials of a cell.
+struct OverTrials {
+    double least = 0;
+    double median = 0;
+    double largest = 0;
+};
+
+/// The exitance of a face, or the mean of all by area, over the trials: against the solution with exact factors. Mean,
+/// bias and spread are those of single values too, but empty where a trial of several is not convergent: as the
+/// spectral radius passes 1 the exitance passes a pole, and has no mean.
+struct ExitanceFindings {
+    int face = 0;  ///< from 1; 0 for all
+    double exact = 0;
+    std::optional<double> mean;
+    std::optional<double> bias;
+    std::optional<stats::Interval> bias_interval;  ///< Student's t; empty for one trial
+    std::optional<double> std;                     ///< of a trial; empty for one
+    std::optional<double> rmse;
+    double q025 = 0, median = 0, q975 = 0;  ///< of single trials
+};
+
+/// One solver on the systems of one setting.
+struct SolverFindings {
+    Solver solver = Solver::jacobi;
+    std::size_t runs = 0;
+    std::size_t converged = 0, diverged = 0, stalled = 0, exhausted = 0;
+    std::optional<OverTrials> iterations;  ///< of the runs that converged
+    std::optional<double> flops;           ///< their median
+    std::vector<double> residuals;         ///< of the first trial, after each iteration
+};
+
+/// All trials of a cell, treated alike, at one setting of reflectances.
+struct SettingFindings {
+    std::size_t setting = 0;  ///< index into RadiosityRequest::reflectance
+    std::size_t trials = 0;
+    std::size_t dominant = 0;    ///< trials with G strictly diagonally dominant
+    std::size_t convergent = 0;  ///< trials with a spectral radius of P F certainly below 1
+    std::size_t divergent = 0;   ///< certainly 1 or more
+    std::size_t singular = 0;    ///< G singular to working precision: without exitance
+    std::size_t negative = 0;    ///< with a solution that is negative somewhere: no exitance
+    OverTrials spectral_radius;
+    double radius_uncertainty = 0;  ///< largest width of its bounds
+    OverTrials condition;
+    std::optional<OverTrials> energy_defect;  ///< share of the emitted power that is lost; empty if all are singular
+    std::vector<ExitanceFindings> exitance;   ///< all faces together, then each; empty if some trial is singular
+    /// Root mean square over trials and faces of the exitance's error, relative to the mean exact exitance; empty as
+    /// the mean of ExitanceFindings.
+    std::optional<double> light_error;
+    std::vector<SolverFindings> solvers;  ///< of the method's own completion only
+};
+
+/// What one treatment of the estimates of one cell leads to.
+struct Consequences {
+    std::size_t cell = 0;
+    Treatment treatment = Treatment::direct;
+    std::size_t trials = 0;
+    std::size_t not_balanced = 0;   ///< trials that no closed reciprocal matrix is near to; they are left out
+    OverTrials closure_defect;      ///< largest |row sum - 1|
+    OverTrials reciprocity_defect;  ///< largest |F_ij - F_ji A_j / A_i|
+    OverTrials correction;          ///< largest change of a factor by the treatment
+    OverTrials factor_error;        ///< root mean square over pairs of F - exact
+    OverTrials dominant_below;      ///< with one reflectance for all faces G is strictly diagonally dominant below
+    OverTrials convergent_below;    ///< and the spectral radius of P F is below 1 below this
+    std::vector<SettingFindings> settings;
+};
+
+/// The system of a scene with exact factors, at one setting.
+struct ExactSystem {
+    std::size_t scene = 0;
+    std::size_t setting = 0;
+    Eigen::VectorXd exitance;
+    SystemProperties properties;
+    std::vector<SolverFindings> solvers;
+};
+
+struct RadiosityResults {
+    std::vector<ExactSystem> exact;          ///< by scene, then setting
+    std::vector<Consequences> consequences;  ///< by cell, then treatment
+
+    [[nodiscard]] const ExactSystem& exact_system(std::size_t scene, std::size_t setting) const;
+    /// Null where the cell has none.
+    [[nodiscard]] const Consequences* find(std::size_t cell, Treatment treatment) const;
+};
+
+/// Sends light through the matrix of every trial. @pre the plan has a request; every estimate is finite
+RadiosityResults evaluate_radiosity(const Store& store);
+
+/// The system of a scene at a setting, with these factors.
+RadiositySystem make_system(const StudyPlan& plan, std::size_t scene, std::size_t setting, Eigen::MatrixXd factors);
+
+}  // namespace ff::studies

@@ -1,0 +1,71 @@
+#include "studies/radiosity/treatment.hpp"
+
+#include "core/radiosity/repair.hpp"
+
+namespace ff::studies {
+namespace {
+
+Eigen::MatrixXd by_reciprocity(const Eigen::MatrixXd& direct, const Eigen::VectorXd& areas) {
+    Eigen::MatrixXd result = direct;
+    for (Eigen::Index i = 0; i < direct.rows(); ++i) {
+        for (Eigen::Index j = 0; j < i; ++j) result(i, j) = direct(j, i) * (areas[j] / areas[i]);
+    }
+    return result;
+}
+
+Eigen::MatrixXd balanced(const TrialMatrices& trials, const Eigen::MatrixXd& direct) {
+    const auto rays = Eigen::VectorXd::Constant(direct.rows(), static_cast<double>(trials.rays));
+    const Balanced result =
+        balance(direct, trials.rays > 0 ? weights_of_hits(direct, rays) : weights_of_values(direct), trials.areas);
+    return result.balanced ? result.factors : Eigen::MatrixXd();
+}
+
+}  // namespace
+
+std::string_view name(Treatment treatment) {
+    static constexpr std::array<std::string_view, all_treatments.size()> names{"direct", "reciprocal", "normalised",
+                                                                               "balanced"};
+    return names.at(static_cast<std::size_t>(treatment));
+}
+
+Treatment treatment_of(Completion completion) {
+    return completion == Completion::direct ? Treatment::direct : Treatment::reciprocal;
+}
+
+TrialMatrices load_matrices(const Store& store, std::size_t cell_index) {
+    const StudyPlan& plan = store.plan();
+    const Cell& cell = plan.cells[cell_index];
+    const Scene& scene = plan.scenes[cell.scene];
+    const CellEstimates estimates = load_estimates(store, cell_index, Completion::direct);
+    const auto faces = static_cast<Eigen::Index>(estimates.faces);
+    TrialMatrices trials;
+    trials.numbers = estimates.trial_numbers;
+    trials.areas.resize(faces);
+    for (Eigen::Index i = 0; i < faces; ++i) trials.areas[i] = face_area(scene, static_cast<int>(i));
+    if (plan.spec.methods[cell.method].estimator == Estimator::ray_shooting)
+        trials.rays = estimates.evaluations_per_face;
+    trials.direct.assign(estimates.trials(), Eigen::MatrixXd::Zero(faces, faces));
+    for (Eigen::Index i = 0; i < faces; ++i) {
+        for (Eigen::Index j = 0; j < faces; ++j) {
+            const auto& values = estimates.factors[static_cast<std::size_t>(i * faces + j)];
+            for (std::size_t trial = 0; trial < values.size(); ++trial) trials.direct[trial](i, j) = values[trial];
+        }
+    }
+    return trials;
+}
+
+Eigen::MatrixXd treat(const TrialMatrices& trials, const Eigen::MatrixXd& direct, Treatment treatment) {
+    switch (treatment) {
+        case Treatment::direct:
+            return direct;
+        case Treatment::reciprocal:
+            return by_reciprocity(direct, trials.areas);
+        case Treatment::normalised:
+            return normalise_rows(by_reciprocity(direct, trials.areas));
+        case Treatment::balanced:
+            break;
+    }
+    return balanced(trials, direct);
+}
+
+}  // namespace ff::studies

@@ -1,0 +1,43 @@
+#pragma once
+
+#include "studies/estimates.hpp"
+
+#include <Eigen/Core>
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+namespace ff::studies {
+
+/// What is done with the direct estimates of a trial before light is sent through them.
+enum class Treatment {
+    direct,      ///< nothing: every row from its own samples
+    reciprocal,  ///< the lower triangle from the upper one
+    normalised,  ///< the reciprocal matrix, every row divided by its sum
+    balanced,    ///< least squares on all direct estimates: closed, reciprocal, nonnegative
+};
+
+inline constexpr std::array all_treatments{Treatment::direct, Treatment::reciprocal, Treatment::normalised,
+                                           Treatment::balanced};
+
+std::string_view name(Treatment treatment);
+
+/// The treatment that is a method's own completion.
+Treatment treatment_of(Completion completion);
+
+/// Direct estimates of all trials of a cell as matrices.
+struct TrialMatrices {
+    std::vector<std::uint64_t> numbers;  ///< of the trials
+    std::vector<Eigen::MatrixXd> direct;
+    Eigen::VectorXd areas;
+    std::uint64_t rays = 0;  ///< of a face, where factors are shares of counted hits; else 0
+};
+
+TrialMatrices load_matrices(const Store& store, std::size_t cell);
+
+/// A treated matrix; empty (0 x 0) where balancing finds none. @pre `direct` is one of `trials.direct`
+Eigen::MatrixXd treat(const TrialMatrices& trials, const Eigen::MatrixXd& direct, Treatment treatment);
+
+}  // namespace ff::studies

@@ -1,0 +1,198 @@
+#include "studies/radiosity/consequences.hpp"
+
+#include "core/error.hpp"
+#include "core/exact.hpp"
+#include "studies/radiosity/bias_order.hpp"
+#include "studies/results.hpp"
+#include "tests/support/studies.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace ff::studies {
+namespace {
+
+constexpr std::string_view rays = R"([[method]]
+name = "SR"
+sampler = "random"
+estimator = "ray_shooting"
+completion = "reciprocal"
+samples_per_patch = 200
+)";
+
+constexpr std::string_view pdm = R"([[method]]
+name = "PDM"
+sampler = "gauss_legendre"
+nodes = 5
+estimator = "area_kernel"
+[[method]]
+name = "exact"
+estimator = "closed_form"
+)";
+
+StudyPlan lit_plan(std::string_view trials, std::string_view methods, std::string_view light = "") {
+    return test::plan_of(test::study_text(trials, std::string(methods) + "[radiosity]\n" + std::string(light)));
+}
+
+const RadiosityResults& small_results() {
+    static const RadiosityResults made =
+        evaluate_radiosity(test::run(lit_plan("trials = 100", std::string(rays) + std::string(pdm))));
+    return made;
+}
+
+const Consequences& of(std::size_t cell, Treatment treatment) {
+    return *small_results().find(cell, treatment);
+}
+
+TEST(Consequences, OfDirectRaysKeepDominanceAtEveryReflectance) {
+    const Consequences& direct = of(0, Treatment::direct);
+    EXPECT_NEAR(direct.dominant_below.least, 1, 1e-14);
+    for (const SettingFindings& at : direct.settings) {
+        EXPECT_EQ(at.dominant, 100u);
+        EXPECT_EQ(at.convergent, 100u);
+        EXPECT_NEAR(at.energy_defect->median, 0, 0.05);
+    }
+    EXPECT_GT(direct.reciprocity_defect.least, 0);
+}
+
+TEST(Consequences, OfReciprocalRaysNeedNot) {
+    const Consequences& reciprocal = of(0, Treatment::reciprocal);
+    EXPECT_LT(reciprocal.dominant_below.median, 0.999);
+    EXPECT_LT(reciprocal.settings.back().dominant, 100u);
+    EXPECT_LT(reciprocal.settings.back().convergent, 100u);
+    EXPECT_GT(reciprocal.settings.back().negative, 0u);
+    EXPECT_EQ(reciprocal.settings.front().dominant, 100u);
+    EXPECT_TRUE(reciprocal.settings.front().light_error);
+    EXPECT_FALSE(reciprocal.settings.back().light_error) << "trials lie on either side of a pole";
+    EXPECT_FALSE(reciprocal.settings.back().exitance[0].mean);
+    EXPECT_LT(reciprocal.reciprocity_defect.largest, 1e-15);
+}
+
+// Its rows sum to more than 1: found here from the estimates themselves.
+TEST(Consequences, OfPdmLoseDominanceAboveTheReciprocalOfARowSum) {
+    const Consequences& found = of(1, Treatment::direct);
+    ASSERT_EQ(found.trials, 1u);
+    const double limit = found.dominant_below.median;
+    EXPECT_LT(limit, 0.99);
+    EXPECT_NEAR(1 / limit - 1, found.closure_defect.median, 1e-12);
+    for (const SettingFindings& at : found.settings) {
+        const double reflectance = RadiosityRequest().reflectance[at.setting].front();
+        EXPECT_EQ(at.dominant == 1, reflectance < limit) << reflectance;
+        EXPECT_EQ(at.divergent == 1, reflectance > limit) << reflectance;
+        EXPECT_EQ(at.negative == 1, reflectance > limit) << "no light solves it";
+    }
+    // Sweeps diverge where the spectral radius is above 1, and say so.
+    EXPECT_EQ(found.settings.back().solvers.front().diverged, 1u);
+    EXPECT_EQ(found.settings.front().solvers.front().converged, 1u);
+}
+
+TEST(Consequences, OfExactFactorsAreNone) {
+    for (const Treatment treatment : all_treatments) {
+        const Consequences& found = of(2, treatment);
+        EXPECT_LT(found.factor_error.median, 1e-14);
+        for (const SettingFindings& at : found.settings) {
+            EXPECT_EQ(at.dominant, 1u);
+            for (const ExitanceFindings& e : at.exitance) EXPECT_NEAR(*e.mean / e.exact, 1, 1e-11) << name(treatment);
+        }
+    }
+}
+
+TEST(Treatments, MendWhatTheyPromise) {
+    EXPECT_LT(of(0, Treatment::normalised).closure_defect.largest, 1e-14);
+    EXPECT_GT(of(0, Treatment::normalised).reciprocity_defect.median, 1e-4);
+    const Consequences& balanced = of(0, Treatment::balanced);
+    EXPECT_EQ(balanced.not_balanced, 0u);
+    EXPECT_LT(balanced.closure_defect.largest, 1e-11);
+    EXPECT_LT(balanced.reciprocity_defect.largest, 1e-12);
+    EXPECT_GT(balanced.correction.least, 0);
+    EXPECT_EQ(of(0, Treatment::direct).correction.largest, 0);
+    EXPECT_LT(balanced.factor_error.median, of(0, Treatment::direct).factor_error.median);
+    // Errors of adjacent pairs are spread over all: parallel ones, which were exact, pay for closure.
+    EXPECT_LT(of(1, Treatment::balanced).factor_error.median, of(1, Treatment::direct).factor_error.median);
+}
+
+// Uniform light in a uniform box hides all errors of rows that sum to 1: e / (1 - rho) in every trial.
+TEST(Consequences, OfAFurnaceAreNone) {
+    const auto results =
+        evaluate_radiosity(test::run(lit_plan("trials = 20", rays, "reflectance = [0.5, 0.99]\nemission = 2\n")));
+    for (const SettingFindings& at : results.find(0, Treatment::direct)->settings) {
+        const double expected = 2 / (1 - (at.setting == 0 ? 0.5 : 0.99));
+        for (const ExitanceFindings& e : at.exitance) {
+            EXPECT_NEAR(e.exact / expected, 1, 1e-12);
+            EXPECT_NEAR(e.q025 / expected, 1, 1e-12);
+            EXPECT_NEAR(e.q975 / expected, 1, 1e-12);
+        }
+    }
+    EXPECT_GT(results.find(0, Treatment::reciprocal)->settings[0].exitance[1].std.value(), 1e-3);
+}
+
+TEST(SolverRuns, AreKeptForTheOwnCompletionOfTheFirstTrials) {
+    EXPECT_TRUE(of(0, Treatment::direct).settings[0].solvers.empty());
+    const auto& solvers = of(0, Treatment::reciprocal).settings[0].solvers;
+    ASSERT_EQ(solvers.size(), all_solvers.size());
+    for (const SolverFindings& found : solvers) {
+        EXPECT_EQ(found.runs, RadiosityRequest().solver_trials);
+        EXPECT_EQ(found.runs, found.converged + found.diverged + found.stalled + found.exhausted);
+        EXPECT_FALSE(found.residuals.empty());
+    }
+    EXPECT_EQ(small_results().exact.size(), RadiosityRequest().reflectance.size());
+}
+
+// With direct rows of independent rays the factors are unbiased. Two errors meet in the second reflection, so that the
+// exitance has a bias, and half the rays make it twice as large: -1 within 6 standard errors of the slope.
+TEST(BiasOrder, OfUnbiasedFactorsIsOneOverN) {
+    const StudyPlan plan = lit_plan("trials = 20000", R"([[method]]
+name = "SR"
+sampler = "random"
+estimator = "ray_shooting"
+samples_per_patch = [100, 200, 400]
+)",
+                                    "reflectance = 0.8\n");
+    const auto results = evaluate_radiosity(test::run(plan));
+    const auto orders = bias_orders(plan, results);
+    // Where rows and columns both sum to 1 the mean exitance of a cube is what it is: nothing varies when balanced.
+    ASSERT_EQ(orders.size(), 3u);
+    const BiasOrder& reciprocal = orders[1];
+    ASSERT_EQ(reciprocal.treatment, Treatment::reciprocal);
+    ASSERT_EQ(reciprocal.points.size(), 3u);
+    for (const auto& point : reciprocal.points) EXPECT_GT(point.bias, 6 * point.error);
+    ASSERT_TRUE(reciprocal.slope);
+    // Second order in 1/N: at N = 100 the next term is some tenth, and the slope off by as much.
+    EXPECT_NEAR(*reciprocal.slope, -1, 0.25);
+    EXPECT_LT(reciprocal.interval->width(), 0.3) << "or the slope would say nothing";
+}
+
+TEST(RadiosityRequest, RefusesWhatNoRoomHas) {
+    const auto message = [](std::string_view light) {
+        return test::message_of<UserError>([&] { lit_plan("trials = 4", rays, light); });
+    };
+    using testing::HasSubstr;
+    EXPECT_THAT(message("reflectance = [0.5, 1]"), HasSubstr("1 is 1 or more: light that nothing absorbs piles up"));
+    EXPECT_THAT(message("reflectance = -0.5"), HasSubstr("below 0"));
+    EXPECT_THAT(message("reflectance = [[0.5, 0.5]]"), HasSubstr("has 2 numbers (scene 'cube' has 6 faces)"));
+    EXPECT_THAT(message("reflectance = []"), HasSubstr("leaves nothing to do"));
+    EXPECT_THAT(message("reflectance = [\"bright\"]"), HasSubstr("Write it like"));
+    EXPECT_THAT(message("emission = [0, 0, 0, 0, 0, -1]"), HasSubstr("no surface emits that"));
+    EXPECT_THAT(message("emission = 0"), HasSubstr("all would be dark"));
+    EXPECT_THAT(message("emission = [1, 0]"), HasSubstr("emission has 2 numbers"));
+    EXPECT_THAT(message("tolerance = 1"), HasSubstr("Try 1e-6"));
+    EXPECT_THAT(message("reflectence = 0.5"), HasSubstr("reflectance"));
+    EXPECT_EQ(message("reflectance = [0.5, [0.1, 0.2, 0.3, 0.4, 0.5, 0]]"), "nothing thrown");
+}
+
+TEST(RadiosityRequest, WantsAClosedScene) {
+    Scene scene = lit_plan("trials = 4", rays).scenes.front();
+    EXPECT_NO_THROW(expect_fitting(RadiosityRequest(), scene));
+    scene.closed = false;
+    EXPECT_THROW(expect_fitting(RadiosityRequest(), scene), UserError);
+}
+
+TEST(StudyResults, HaveRadiosityOnlyWhereItIsAskedFor) {
+    EXPECT_FALSE(evaluate(test::run(test::plan_of(test::study_text("trials = 4", rays)))).radiosity);
+    EXPECT_TRUE(evaluate(test::run(lit_plan("trials = 4", rays))).radiosity);
+}
+
+}  // namespace
+}  // namespace ff::studies

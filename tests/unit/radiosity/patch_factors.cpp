@@ -1,0 +1,84 @@
+#include "core/radiosity/patch_factors.hpp"
+
+#include "core/box.hpp"
+#include "core/exact.hpp"
+#include "core/radiosity/properties.hpp"
+#include "tests/support/philox_points.hpp"
+#include "tests/support/statistical_assertions.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace ff {
+namespace {
+
+constexpr Subdivision divided{3};
+constexpr StreamKey key{1, 2};
+
+Eigen::MatrixXd shot(const Scene& scene, std::uint64_t rays, Allocation allocation = Allocation::patch) {
+    return shoot_patch_factors(scene, divided, *make_tracer(scene, TracerChoice::automatic), test::PhiloxPoints(rays),
+                               rays, allocation, key, 5);
+}
+
+TEST(ExactPatchFactors, AddUpToThoseOfFaces) {
+    for (const char* name : {"cube", "box:2x1x0.5"}) {
+        const Scene scene = built_in_scene(name);
+        const Eigen::MatrixXd factors = exact_patch_factors(scene, divided).value();
+        const Eigen::MatrixXd to_faces = exact_patch_to_face(scene, divided).value();
+        for (int face = 0; face < 6; ++face) {
+            const Eigen::VectorXd sums = factors.middleCols(face * 9, 9).rowwise().sum();
+            // 1e-15 of the squared extent, over the area of a patch, nine times.
+            EXPECT_LT((sums - to_faces.col(face)).cwiseAbs().maxCoeff(), 1e-12);
+        }
+        const FactorProperties properties = factor_properties(factors, patch_areas(scene, divided));
+        EXPECT_LT(properties.closure_defect, 1e-11);
+        EXPECT_LT(properties.reciprocity_defect, 1e-15);
+    }
+}
+
+TEST(ShotPatchFactors, AreTheRaysOfTheTrial) {
+    for (const Allocation allocation : {Allocation::patch, Allocation::face}) {
+        const Scene scene = built_in_scene("box:2x1x0.5");
+        const std::uint64_t rays = 1500;  // more than a block
+        RayTally tally;
+        PatchSums sums;
+        ray_shooting(scene, divided, *make_tracer(scene, TracerChoice::automatic), test::PhiloxPoints(rays), rays,
+                     allocation, key, 5, tally, sums);
+        const Eigen::MatrixXd factors = shot(scene, rays, allocation);
+        for (int patch = 0; patch < 54; ++patch) {
+            EXPECT_NEAR(factors.row(patch).sum(), 1, 1e-14);
+            for (int face = 0; face < 6; ++face) {
+                const double hits = factors.row(patch).segment(face * 9, 9).sum() * static_cast<double>(rays);
+                EXPECT_EQ(std::llround(hits),
+                          static_cast<long long>(sums.hits[static_cast<std::size_t>(patch * 6 + face)]));
+            }
+        }
+    }
+}
+
+// Each of 54 patches and its most likely target: 54 exact binomial tests of 1e-7 each. Rows and columns of the grid
+// swapped, or counted from the other end, would change these factors by 0.02 and more.
+TEST(ShotPatchFactors, AreUnbiased) {
+    const Scene scene = built_in_scene("box:2x1x0.5");
+    const Eigen::MatrixXd exact = exact_patch_factors(scene, divided).value();
+    const std::uint64_t rays = 20000;
+    const Eigen::MatrixXd factors = shot(scene, rays);
+    for (Eigen::Index patch = 0; patch < 54; ++patch) {
+        Eigen::Index to = 0;
+        exact.row(patch).maxCoeff(&to);
+        const auto hits = static_cast<std::uint64_t>(std::llround(factors(patch, to) * static_cast<double>(rays)));
+        EXPECT_TRUE(test::has_probability(hits, rays, exact(patch, to), {.alpha = 1e-7, .detects = 0.04})) << patch;
+    }
+}
+
+TEST(PatchAreas, AddUpToTheScene) {
+    const Eigen::VectorXd areas = patch_areas(built_in_scene("box:2x1x0.5"), divided);
+    EXPECT_NEAR(areas.sum(), 2 * (2 * 1 + 2 * 0.5 + 1 * 0.5), 1e-14);
+    EXPECT_NEAR(areas[0], 2.0 / 9, 1e-15);
+    EXPECT_NEAR(areas[53], 2.0 / 9, 1e-15);
+    EXPECT_NEAR(areas[9], 1.0 / 9, 1e-15);
+}
+
+}  // namespace
+}  // namespace ff
