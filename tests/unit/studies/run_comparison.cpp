@@ -12,7 +12,6 @@
 namespace ff::studies {
 namespace {
 
-using test::in_memory;
 
 Store made(std::string_view sampler, int seed, int trials = 60, std::string_view more = "") {
     return test::run(test::plan_of(fmt::format(
@@ -38,7 +37,7 @@ TEST(RunComparison, CallsSoundRunsDifferentNoMoreOftenThanItSays) {
         const auto comparison = compare_runs(made("random", 2 * i + 1, 12), made("random", 2 * i + 2, 12));
         EXPECT_EQ(comparison.tests, 60u);
         EXPECT_EQ(comparison.cells.front().basis, Basis::independent);
-        alarms += comparison.count(Likeness::different) > 0 ? 1 : 0;
+        alarms += comparison.count(Likeness::different) > 0 ? 1u : 0u;
     }
     const auto interval = stats::clopper_pearson_interval({alarms, static_cast<std::uint64_t>(repeats)}, 1 - 2e-6);
     EXPECT_LE(interval.low, 0.05) << alarms;
