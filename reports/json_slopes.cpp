@@ -51,11 +51,12 @@ Json class_json(const Scene& scene, const studies::ClassSlopes& found) {
               {"adjusted_p", optional_json(found.adjusted_p)},
               {"slopes", {slope_json(scene, found.rmse), slope_json(scene, found.median)}}};
     Json& sizes = json["sizes"] = Json::array();
-    for (const studies::ClassErrors& size : found.sizes) {
+    for (const studies::ClassError& size : found.sizes) {
+        const bool infinite = size.status == studies::VarianceStatus::infinite;
         sizes.push_back({{"evaluations", size.evaluations},
-                         {"rmse", optional_json(size.rmse)},
-                         {"median_abs_error", optional_json(size.median_abs_error)},
-                         {"bias", optional_json(size.bias)},
+                         {"rmse", infinite ? Json() : Json(size.rmse)},
+                         {"median_abs_error", size.median_abs_error},
+                         {"bias", size.bias},
                          {"bias_interval", interval_json(size.bias_interval)},
                          {"efficiency", optional_json(size.efficiency)},
                          {"efficiency_interval", interval_json(size.efficiency_interval)}});

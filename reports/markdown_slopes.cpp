@@ -13,23 +13,19 @@ std::string interval_text(const std::optional<stats::Interval>& interval) {
     return interval ? fmt::format("[{:.3f}, {:.3f}]", interval->low, interval->high) : "–";
 }
 
-std::string number(const std::optional<double>& value, int digits = 3) {
-    return value ? brief(*value, digits) : "–";
-}
-
-std::string with_interval(const std::optional<double>& value, const std::optional<stats::Interval>& interval) {
-    if (!value) return "–";
-    if (!interval) return brief(*value);
-    return fmt::format("{} [{}, {}]", brief(*value), brief(interval->low), brief(interval->high));
+std::string with_interval(double value, const std::optional<stats::Interval>& interval) {
+    if (!interval) return brief(value);
+    return fmt::format("{} [{}, {}]", brief(value), brief(interval->low), brief(interval->high));
 }
 
 std::string size_rows(const studies::ClassSlopes& found) {
     std::string out;
-    for (const studies::ClassErrors& size : found.sizes) {
-        out +=
-            fmt::format("| {} | {} | {} | {} | {} | {} |\n", name(found.pair_class), size.evaluations,
-                        number(size.rmse), number(size.median_abs_error), with_interval(size.bias, size.bias_interval),
-                        with_interval(size.efficiency, size.efficiency_interval));
+    for (const studies::ClassError& size : found.sizes) {
+        const bool infinite = size.status == studies::VarianceStatus::infinite;
+        out += fmt::format("| {} | {} | {} | {} | {} | {} |\n", name(found.pair_class), size.evaluations,
+                           infinite ? "infinite" : brief(size.rmse), brief(size.median_abs_error),
+                           with_interval(size.bias, size.bias_interval),
+                           size.efficiency ? with_interval(*size.efficiency, size.efficiency_interval) : "–");
     }
     return out;
 }
@@ -52,7 +48,7 @@ std::string ladder_details(const studies::StudyPlan& plan, const studies::Ladder
     std::string out = fmt::format("<details><summary>{}{}: sizes {}, pair by pair</summary>\n\n", scene,
                                   ladder.ladder.label, sizes_text(plan, ladder.ladder));
     out +=
-        "| pairs | N | RMSE | median of the absolute error | mean bias | efficiency 1 / (variance N) "
+        "| pairs | N | RMSE | median of the absolute error | mean bias | efficiency 1 / (RMSE² N) "
         "|\n|---|--:|--:|--:|--:|--:|\n";
     for (const studies::ClassSlopes& found : ladder.classes) out += size_rows(found);
     out +=

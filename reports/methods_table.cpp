@@ -12,6 +12,7 @@ std::string rmse_text(const studies::CellFindings& found, PairClass pair_class) 
     const studies::ClassError* error = found.class_error(pair_class);
     if (found.has_infinite_variance(pair_class)) return "infinite";
     if (error == nullptr) return "–";
+    if (error->status == studies::VarianceStatus::infinite) return "infinite";
     if (!error->interval) return brief(error->rmse);
     const double reach = error->interval->width() / 2;
     return fmt::format("{} ± {:.1g}", to_error(error->rmse, reach), reach);

@@ -107,7 +107,7 @@ VarianceStatus class_variance(const std::vector<Summary>& summaries, PairClass p
     for (const Summary& summary : summaries) {
         if (summary.pair_class != pair_class || summary.variance == VarianceStatus::finite) continue;
         if (summary.variance == VarianceStatus::undefined) return VarianceStatus::undefined;
-        worst = summary.variance;
+        if (worst != VarianceStatus::infinite) worst = summary.variance;
     }
     return worst;
 }
@@ -151,17 +151,8 @@ const Summary& CellFindings::summary(Quantity quantity) const {
 }
 
 std::optional<double> CellFindings::class_rmse(PairClass pair_class) const {
-    double sum = 0;
-    std::size_t pairs = 0;
-    for (const Summary& summary : summaries) {
-        if (summary.pair_class != pair_class) continue;
-        if (summary.not_finite > 0) return std::nullopt;
-        if (summary.variance == VarianceStatus::infinite) return std::nullopt;
-        if (!summary.rmse) continue;
-        sum += *summary.rmse * *summary.rmse;
-        ++pairs;
-    }
-    return pairs == 0 ? std::nullopt : std::optional(std::sqrt(sum / static_cast<double>(pairs)));
+    const ClassError* error = class_error(pair_class);
+    return error == nullptr || error->status == VarianceStatus::infinite ? std::nullopt : std::optional(error->rmse);
 }
 
 const ClassError* CellFindings::class_error(PairClass pair_class) const {
@@ -227,7 +218,7 @@ CellFindings analyse_cell(const Store& store, std::size_t cell_index) {
         for (const PairClass each : {PairClass::parallel, PairClass::adjacent, PairClass::other}) {
             const VarianceStatus variance = class_variance(findings.summaries, each);
             if (variance == VarianceStatus::undefined) continue;
-            if (const auto error = class_error(estimates, scene, *exact, each, variance, plan.spec.level))
+            if (const auto error = class_error(estimates, scene, *exact, pairs, each, variance, plan.spec.level))
                 findings.class_errors.push_back(*error);
         }
     }

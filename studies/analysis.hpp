@@ -60,10 +60,9 @@ struct CellFindings {
     EquivalenceFinding equivalence = EquivalenceFinding::not_asked;
 
     [[nodiscard]] const Summary& summary(Quantity quantity) const;
-    /// Root mean square, over the pairs of a class, of their RMSE; empty where the cell has no such pair or reference,
-    /// where a trial of one gave no number, and where it would mean nothing: there is no variance.
+    /// Of `class_error`; empty where that is missing, and where it would mean nothing: there is no variance.
     [[nodiscard]] std::optional<double> class_rmse(PairClass pair_class) const;
-    /// Null where the cell has no such pair or reference.
+    /// Null where the cell has no such pair or reference, or some trial of one gave no number.
     [[nodiscard]] const ClassError* class_error(PairClass pair_class) const;
     /// Whether some pair of the class has estimates without a variance.
     [[nodiscard]] bool has_infinite_variance(PairClass pair_class) const;

@@ -3,14 +3,57 @@
 #include "stats/distributions.hpp"
 #include "stats/mean_interval.hpp"
 #include "stats/moments.hpp"
+#include "stats/quantiles.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <vector>
 
 namespace ff::studies {
 namespace {
+
+/// Mean over the pairs of each trial.
+std::vector<double> trial_means(std::span<const double> values, std::size_t pairs) {
+    std::vector<double> means(values.size() / pairs, 0.0);
+    for (std::size_t i = 0; i < values.size(); ++i) means[i / pairs] += values[i];
+    for (double& mean : means) mean /= static_cast<double>(pairs);
+    return means;
+}
+
+/// Squared deviations from `centres`, one for each pair.
+std::vector<double> squared_deviations(std::span<const double> errors, const std::vector<double>& centres) {
+    std::vector<double> squares;
+    for (std::size_t i = 0; i < errors.size(); ++i) {
+        const double deviation = errors[i] - centres[i % centres.size()];
+        squares.push_back(deviation * deviation);
+    }
+    return squares;
+}
+
+/// Mean over trials of each pair.
+std::vector<double> pair_means(std::span<const double> errors, std::size_t pairs) {
+    const auto trials = static_cast<double>(errors.size() / pairs);
+    std::vector<double> means(pairs, 0.0);
+    for (std::size_t i = 0; i < errors.size(); ++i) means[i % pairs] += errors[i] / trials;
+    return means;
+}
+
+void add_variance(std::span<const double> errors, double level, ClassError& found) {
+    const auto deviations = squared_deviations(errors, pair_means(errors, found.pairs));
+    const auto squares = stats::moments_of(trial_means(deviations, found.pairs));
+    const auto trials = static_cast<double>(found.trials);
+    if (trials < 2 || *squares.mean() <= 0) return;
+    found.variance = *squares.mean() * trials / (trials - 1);
+    const double relative_error = *squares.standard_error() / *squares.mean();
+    const double factor = std::exp(stats::normal_critical((1 - level) / 2) * relative_error);
+    found.variance_interval = stats::Interval{.low = *found.variance / factor,
+                                              .high = *found.variance * factor,
+                                              .level = level,
+                                              .method = "log_normal",
+                                              .n = found.trials};
+}
 
 /// Interval of 1 / (x N) from that of sqrt(x): the ends change places.
 stats::Interval efficiency_interval(stats::Interval rmse, double evaluations) {
@@ -26,37 +69,68 @@ double log_variance(const ClassError& error) {
     return relative * relative;
 }
 
+/// @param squares  of the errors, about the exact values
+void add_efficiency(const stats::Moments& squares, double level, ClassError& found) {
+    if (found.rmse == 0) return;
+    found.mean_square_se = squares.standard_error().value_or(0.0);
+    const auto evaluations = static_cast<double>(found.evaluations);
+    found.efficiency = 1 / (*squares.mean() * evaluations);
+    const auto interval = stats::mean_interval_t(squares, level);
+    if (!interval || interval->low <= 0) return;
+    found.interval = stats::square_root(*interval);
+    found.efficiency_interval = efficiency_interval(*found.interval, evaluations);
+}
+
 }  // namespace
 
 std::optional<ClassError> class_error(const CellEstimates& estimates, const Scene& scene, const Eigen::MatrixXd& exact,
-                                      PairClass pair_class, VarianceStatus variance, double level) {
-    ClassError error;
-    error.pair_class = pair_class;
-    error.trials = estimates.trials();
-    std::vector<double> squares(error.trials, 0.0);  // by trial, summed over pairs
-    for (const Quantity pair : distinct_pairs(estimates.faces, Completion::direct)) {
-        if (ff::pair_class(scene, pair.from - 1, pair.to - 1) != pair_class) continue;
-        ++error.pairs;
-        const double truth = exact(pair.from - 1, pair.to - 1);
-        const auto& values = estimates.values(pair);
-        for (std::size_t trial = 0; trial < values.size(); ++trial) {
-            squares[trial] += (values[trial] - truth) * (values[trial] - truth);
-        }
-    }
-    if (error.pairs == 0 || error.trials == 0) return std::nullopt;
-    for (double& square : squares) square /= static_cast<double>(error.pairs);
+                                      std::span<const Quantity> pairs, PairClass pair_class, VarianceStatus status,
+                                      double level) {
+    const auto members = pairs_of_class(scene, pairs, pair_class);
+    const auto errors = errors_of(estimates, members, exact);
+    if (errors.empty()) return std::nullopt;
+    ClassError found = class_error_of(errors, members.size(), estimates.evaluations_per_face, status, level);
+    found.pair_class = pair_class;
+    return found;
+}
 
-    const auto moments = stats::moments_of(squares, 0.0);
-    error.rmse = std::sqrt(*moments.mean());
-    if (variance != VarianceStatus::finite || error.rmse == 0) return error;
-    error.mean_square_se = moments.standard_error().value_or(0.0);
-    const auto evaluations = static_cast<double>(estimates.evaluations_per_face);
-    error.efficiency = 1 / (*moments.mean() * evaluations);
-    auto interval = stats::mean_interval_t(moments, level);
-    if (!interval || interval->low <= 0) return error;
-    error.interval = stats::square_root(*interval);
-    error.efficiency_interval = efficiency_interval(*error.interval, evaluations);
-    return error;
+ClassError class_error_of(std::span<const double> errors, std::size_t pairs, std::uint64_t evaluations,
+                          VarianceStatus status, double level) {
+    ClassError found;
+    found.pairs = pairs;
+    found.trials = errors.size() / pairs;
+    found.evaluations = evaluations;
+    found.status = status;
+    const std::vector<double> exactly(found.pairs, 0.0);
+    const auto squares = stats::moments_of(trial_means(squared_deviations(errors, exactly), found.pairs), 0.0);
+    const auto means = stats::moments_of(trial_means(errors, found.pairs));
+    found.rmse = std::sqrt(*squares.mean());
+    found.median_abs_error = *stats::median_absolute_error(errors, 0);
+    found.bias = *means.mean();
+    // Too few hits make no test of a mean, but their spread is one all the same.
+    if (status == VarianceStatus::finite || status == VarianceStatus::sparse) add_variance(errors, level, found);
+    if (status != VarianceStatus::finite) return found;
+    found.bias_interval = stats::mean_interval_t(means, level);
+    add_efficiency(squares, level, found);
+    return found;
+}
+
+std::vector<double> errors_of(const CellEstimates& estimates, std::span<const Quantity> pairs,
+                              const Eigen::MatrixXd& exact) {
+    std::vector<double> errors;
+    errors.reserve(estimates.trials() * pairs.size());
+    for (std::size_t trial = 0; trial < estimates.trials(); ++trial) {
+        for (const Quantity pair : pairs)
+            errors.push_back(estimates.values(pair)[trial] - exact(pair.from - 1, pair.to - 1));
+    }
+    return errors;
+}
+
+std::vector<Quantity> pairs_of_class(const Scene& scene, std::span<const Quantity> pairs, PairClass wanted) {
+    std::vector<Quantity> members;
+    std::copy_if(pairs.begin(), pairs.end(), std::back_inserter(members),
+                 [&](const Quantity pair) { return pair_class(scene, pair.from - 1, pair.to - 1) == wanted; });
+    return members;
 }
 
 std::optional<stats::Interval> rmse_ratio_interval(const ClassError& first, const ClassError& second, double level) {

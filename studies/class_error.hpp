@@ -9,28 +9,51 @@
 #include <Eigen/Core>
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
+#include <span>
+#include <vector>
 
 namespace ff::studies {
 
-/// How large the error of one run is on the pairs of a class.
+/// How large the error of one run is on the pairs of a class, all of them together. Intervals rest on one value a
+/// trial, so that pairs of a trial may depend on each other.
 struct ClassError {
     PairClass pair_class = PairClass::other;
     std::size_t pairs = 0;
-    double rmse = 0;            ///< root mean square over trials and pairs
-    double mean_square_se = 0;  ///< standard error of rmse², from trial to trial; 0 for one trial
     std::size_t trials = 0;
-    std::optional<stats::Interval> interval;  ///< of the RMSE; empty for a deterministic method and infinite variance
-    std::optional<double> efficiency;         ///< 1 / (rmse² N), N evaluations for a face; as `interval`
+    std::uint64_t evaluations = 0;  ///< N, of a face or of a pair of faces
+    VarianceStatus status = VarianceStatus::finite;
+    double rmse = 0;            ///< root mean square over trials and pairs; without a variance, of these trials only
+    double mean_square_se = 0;  ///< standard error of rmse², from trial to trial; 0 without a finite variance
+    std::optional<stats::Interval> interval;  ///< of the RMSE: Student's t for the mean square, its root taken
+    double median_abs_error = 0;
+    double bias = 0;                                   ///< mean over pairs
+    std::optional<stats::Interval> bias_interval;      ///< Student's t
+    std::optional<double> variance;                    ///< mean over pairs, of one trial
+    std::optional<stats::Interval> variance_interval;  ///< log-normal
+    std::optional<double> efficiency;                  ///< 1 / (rmse² N)
     std::optional<stats::Interval> efficiency_interval;
 };
 
-/// Empty where the scene has no pair of the class, or there is no trial. The interval is Student's t for the mean over
-/// trials of a trial's mean square over pairs, so that pairs of one trial may depend on each other.
-/// @param variance  of the estimates of this class
+/// Empty where none of the pairs belongs to the class, or there is no trial.
+/// @param pairs  distinct ones  @param exact  form factors, faces from 0
+/// @param status  of the estimates of this class: intervals and efficiency need a finite variance
 /// @param level  of the intervals, in (0, 1)
 std::optional<ClassError> class_error(const CellEstimates& estimates, const Scene& scene, const Eigen::MatrixXd& exact,
-                                      PairClass pair_class, VarianceStatus variance, double level);
+                                      std::span<const Quantity> pairs, PairClass pair_class, VarianceStatus status,
+                                      double level);
+
+/// The same of errors, [trial * pairs + pair]; the class is left as it is. @pre at least one trial
+ClassError class_error_of(std::span<const double> errors, std::size_t pairs, std::uint64_t evaluations,
+                          VarianceStatus status, double level);
+
+/// Estimate - exact value, [trial * pairs + pair]. @param exact  form factors, faces from 0
+std::vector<double> errors_of(const CellEstimates& estimates, std::span<const Quantity> pairs,
+                              const Eigen::MatrixXd& exact);
+
+/// Those of the pairs that belong to the class.
+std::vector<Quantity> pairs_of_class(const Scene& scene, std::span<const Quantity> pairs, PairClass wanted);
 
 /// Interval of second.rmse / first.rmse, of independent trials: exp(ln ratio ± t s), s the standard error of the
 /// logarithms by the delta method, t with one less than the fewest trials for degrees of freedom. Errors without an

@@ -6,7 +6,7 @@
 #include "stats/mean_interval.hpp"
 #include "stats/multiplicity.hpp"
 #include "stats/two_stage.hpp"
-#include "studies/class_errors.hpp"
+#include "studies/class_error.hpp"
 #include "studies/estimates.hpp"
 
 #include <fmt/format.h>

@@ -21,7 +21,7 @@ StudyResults evaluate(const Store& store) {
     if (results.findings.complete && all_finite(results.findings)) {
         results.slopes = fit_slopes(store, results.findings);
         results.heavy_tails = find_heavy_tails(store, results.findings);
-        results.reductions = compare_with_random(store, results.findings);
+        results.reductions = compare_with_random(results.findings);
         results.coverage = measure_coverage(store);
         results.until = until_outcomes(store);
         if (results.findings.plan.spec.radiosity) {

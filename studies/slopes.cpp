@@ -34,6 +34,11 @@ stats::LadderDraws draw_trials(std::span<const CellEstimates> sizes, const Strea
     return {trials, {key, *chosen}};
 }
 
+double root_mean_square(std::span<const double> errors) {
+    return std::sqrt(std::inner_product(errors.begin(), errors.end(), errors.begin(), 0.0) /
+                     static_cast<double>(errors.size()));
+}
+
 /// The slope through one error at each size, without any interval.
 std::optional<double> deterministic_slope(std::span<const stats::Rung> rungs, ErrorSize error) {
     std::vector<double> sizes;
@@ -161,12 +166,8 @@ class LadderFit {
         found.pairs = members.size();
         found.rmse = slope(members, std::nullopt, ErrorSize::rmse);
         found.median = slope(members, std::nullopt, ErrorSize::median_abs_error);
-        const auto errors = rungs(members);
-        for (std::size_t i = 0; i < errors.size(); ++i) {
-            ClassErrors row = summarise_class(errors[i].errors, members.size(), estimates_[i].evaluations_per_face,
-                                              found.rmse.variance, plan_.spec.level);
-            row.cell = ladder_.cells[i];
-            found.sizes.push_back(row);
+        for (const std::size_t cell : ladder_.cells) {
+            if (const ClassError* error = findings_.cells[cell].class_error(pair_class)) found.sizes.push_back(*error);
         }
         return found;
     }

@@ -3,7 +3,6 @@
 #include "core/pair_class.hpp"
 #include "stats/interval.hpp"
 #include "studies/analysis.hpp"
-#include "studies/class_errors.hpp"
 #include "studies/expected_rate.hpp"
 #include "studies/ladders.hpp"
 
@@ -48,7 +47,7 @@ struct ClassSlopes {
     std::size_t pairs = 0;
     Slope rmse;
     Slope median;
-    std::vector<ClassErrors> sizes;
+    std::vector<ClassError> sizes;
     std::optional<double> adjusted_p;  ///< Holm over all classes of all ladders with an expected rate
     RateFinding finding = RateFinding::no_slope;
 

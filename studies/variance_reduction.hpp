@@ -3,7 +3,7 @@
 #include "core/pair_class.hpp"
 #include "stats/interval.hpp"
 #include "studies/analysis.hpp"
-#include "studies/class_errors.hpp"
+#include "studies/class_error.hpp"
 
 #include <cstddef>
 #include <vector>
@@ -22,9 +22,9 @@ struct VarianceReduction {
 
 /// Of theirs.variance / ours.variance: log-normal, from both cells' spread over trials.
 /// @pre both have a variance, with intervals of the same level
-stats::Interval variance_ratio_interval(const ClassErrors& ours, const ClassErrors& theirs);
+stats::Interval variance_ratio_interval(const ClassError& ours, const ClassError& theirs);
 
 /// One for each cell and class that has a finite variance and a random counterpart, in the order of cells. Pure.
-std::vector<VarianceReduction> compare_with_random(const Store& store, const Findings& findings);
+std::vector<VarianceReduction> compare_with_random(const Findings& findings);
 
 }  // namespace ff::studies

@@ -104,8 +104,8 @@ void add_means(CoverageTable& table) {
                     });
 }
 
-ClassErrors ten_pairs(const std::vector<double>& errors) {
-    return summarise_class(errors, 10, 1, VarianceStatus::finite, level);
+ClassError ten_pairs(const std::vector<double>& errors) {
+    return class_error_of(errors, 10, 1, VarianceStatus::finite, level);
 }
 
 /// One pair, a trial an error.

@@ -28,13 +28,19 @@ CellEstimates shifted(const Eigen::MatrixXd& exact, const std::vector<double>& e
 
 class ClassErrors : public testing::Test {
   protected:
+    [[nodiscard]] std::optional<ClassError> of(const std::vector<double>& errors, PairClass pair_class,
+                                               VarianceStatus status = VarianceStatus::finite,
+                                               double level = 0.95) const {
+        return class_error(shifted(exact, errors), cube, exact, distinct_pairs(6, Completion::direct), pair_class,
+                           status, level);
+    }
+
     Scene cube = make_box(1, 1, 1);
     Eigen::MatrixXd exact = *exact_form_factors(cube);
 };
 
 TEST_F(ClassErrors, AreRootMeanSquaresOverTrialsAndPairs) {
-    const auto error =
-        class_error(shifted(exact, {0.03, -0.04}), cube, exact, PairClass::parallel, VarianceStatus::finite, 0.95);
+    const auto error = of({0.03, -0.04}, PairClass::parallel);
     ASSERT_TRUE(error);
     EXPECT_EQ(error->pairs, 6u);
     EXPECT_NEAR(error->rmse, std::sqrt((0.0009 + 0.0016) / 2), 1e-12);
@@ -43,8 +49,7 @@ TEST_F(ClassErrors, AreRootMeanSquaresOverTrialsAndPairs) {
 }
 
 TEST_F(ClassErrors, HaveTheIntervalOfTheMeanOverTrials) {
-    const auto error = class_error(shifted(exact, {1e-3, 2e-3, 3e-3, 4e-3}), cube, exact, PairClass::adjacent,
-                                   VarianceStatus::finite, 0.5);
+    const auto error = of({1e-3, 2e-3, 3e-3, 4e-3}, PairClass::adjacent, VarianceStatus::finite, 0.5);
     ASSERT_TRUE(error && error->interval);
     // Student t of the squares 1, 4, 9, 16: qt(0.75, 3) * sd / sqrt(4) in R's words.
     const double reach = 0.7648923284 * std::sqrt(129.0 / 3 / 4);
@@ -54,22 +59,44 @@ TEST_F(ClassErrors, HaveTheIntervalOfTheMeanOverTrials) {
     EXPECT_NEAR(error->efficiency_interval->low * error->interval->high * error->interval->high, 0.01, 1e-9);
 }
 
+TEST_F(ClassErrors, HaveBiasAndVarianceOfTheTrials) {
+    const auto error = of({1e-3, 2e-3, 3e-3, 4e-3}, PairClass::adjacent);
+    ASSERT_TRUE(error && error->bias_interval && error->variance_interval);
+    EXPECT_NEAR(error->bias, 2.5e-3, 1e-12);
+    EXPECT_NEAR(error->median_abs_error, 2.5e-3, 1e-12);
+    EXPECT_NEAR(*error->variance, 5e-6 / 3, 1e-12);
+    // python3 -c "from scipy import stats; print(stats.t.isf(.025, 3) * (5 / 3 / 4)**.5)"
+    EXPECT_NEAR(error->bias_interval->width() / 2, 2.0542602567604967e-3, 1e-9);
+    // Squared deviations 2.25, 0.25, 0.25, 2.25 (times 1e-6): mean 1.25, standard error sqrt(4 / 3 / 4).
+    EXPECT_NEAR(std::log(error->variance_interval->high / *error->variance),
+                1.959963984540054 * std::sqrt(1.0 / 3) / 1.25, 1e-9);
+}
+
+TEST_F(ClassErrors, OfFewHitsHaveASpreadAndNoTest) {
+    const auto error = of({0.01, 0.02, 0.03}, PairClass::adjacent, VarianceStatus::sparse);
+    ASSERT_TRUE(error);
+    EXPECT_TRUE(error->variance);
+    EXPECT_FALSE(error->interval);
+    EXPECT_FALSE(error->bias_interval);
+}
+
 TEST_F(ClassErrors, HaveNoIntervalWhereNoneHolds) {
-    const auto estimates = shifted(exact, {0.01, 0.02, 0.03});
     for (const VarianceStatus status : {VarianceStatus::infinite, VarianceStatus::none}) {
-        const auto error = class_error(estimates, cube, exact, PairClass::adjacent, status, 0.95);
+        const auto error = of({0.01, 0.02, 0.03}, PairClass::adjacent, status);
         ASSERT_TRUE(error);
         EXPECT_FALSE(error->interval);
+        EXPECT_FALSE(error->bias_interval);
+        EXPECT_FALSE(error->variance);
         EXPECT_FALSE(error->efficiency);
     }
-    const auto one =
-        class_error(shifted(exact, {0.01}), cube, exact, PairClass::adjacent, VarianceStatus::finite, 0.95);
+    const auto one = of({0.01}, PairClass::adjacent);
     ASSERT_TRUE(one);
     EXPECT_FALSE(one->interval);
+    EXPECT_FALSE(one->variance);
 }
 
 TEST_F(ClassErrors, AreEmptyWhereTheSceneHasNoSuchPair) {
-    EXPECT_FALSE(class_error(shifted(exact, {0.01}), cube, exact, PairClass::other, VarianceStatus::finite, 0.95));
+    EXPECT_FALSE(of({0.01}, PairClass::other));
 }
 
 }  // namespace

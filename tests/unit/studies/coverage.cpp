@@ -83,7 +83,7 @@ estimator = "point_to_polygon"
 samples_per_patch = 32
 )"));
     const Store store = normal_trials(plan, 0, 0.005);
-    const auto found = compare_with_random(store, analyse(store));
+    const auto found = compare_with_random(analyse(store));
     ASSERT_EQ(found.size(), 2u);  // the classes of "other"
     for (const VarianceReduction& reduction : found) {
         EXPECT_EQ(reduction.cell, 1u);

@@ -87,7 +87,8 @@ TEST(Slopes, OfInfiniteVarianceAreThoseOfTheMedianOnly) {
     const ClassSlopes& adjacent = found.front().classes.back();
     EXPECT_EQ(adjacent.pair_class, PairClass::adjacent);
     EXPECT_FALSE(adjacent.rmse.slope);
-    EXPECT_FALSE(adjacent.sizes.front().rmse);
+    EXPECT_EQ(adjacent.sizes.front().status, VarianceStatus::infinite);
+    EXPECT_FALSE(adjacent.sizes.front().efficiency);
     EXPECT_TRUE(adjacent.median.interval->contains(-1.0 / 3));
     EXPECT_EQ(adjacent.finding, RateFinding::as_expected);
 }
