@@ -41,19 +41,11 @@ std::vector<const studies::ClassSlopes*> ladders_of(const studies::StudyResults&
     return found;
 }
 
-std::optional<Point> point_of(const studies::CellFindings& found, PairClass pair_class,
-                              const std::vector<const studies::ClassSlopes*>& ladders) {
+std::optional<Point> point_of(const studies::CellFindings& found, PairClass pair_class) {
     const studies::ClassError* error = found.class_error(pair_class);
     if (error == nullptr || found.evaluations_per_face == 0) return std::nullopt;
-    Point point{&found, error->rmse, found.has_infinite_variance(pair_class)};
-    if (point.is_median) {
-        point.error = 0;
-        for (const studies::ClassSlopes* slopes : ladders) {
-            for (const studies::ClassErrors& size : slopes->sizes) {
-                if (size.cell == found.cell) point.error = size.median_abs_error.value_or(0);
-            }
-        }
-    }
+    const bool is_median = found.has_infinite_variance(pair_class);
+    const Point point{&found, is_median ? error->median_abs_error : error->rmse, is_median};
     return point.error < studies::rounding_error ? std::nullopt : std::optional(point);
 }
 
@@ -65,7 +57,7 @@ std::vector<Series> series_of(const studies::StudyResults& results, std::size_t 
         for (const studies::CellFindings& found : findings.cells) {
             const studies::Cell& cell = findings.plan.cells[found.cell];
             if (cell.scene != scene || cell.method != method) continue;
-            if (const auto point = point_of(found, pair_class, series.ladders)) series.points.push_back(*point);
+            if (const auto point = point_of(found, pair_class)) series.points.push_back(*point);
         }
         std::stable_sort(series.points.begin(), series.points.end(), [](const Point& a, const Point& b) {
             return a.found->evaluations_per_face < b.found->evaluations_per_face;
@@ -106,8 +98,9 @@ void add_expected(const Series& series, const studies::ClassSlopes& slopes, Pict
     if (!slope.slope || !slope.expected) return;
     std::vector<const Point*> points;
     for (const Point& point : series.points) {
-        const bool on_ladder = std::any_of(slopes.sizes.begin(), slopes.sizes.end(),
-                                           [&](const auto& size) { return size.cell == point.found->cell; });
+        const bool on_ladder = std::any_of(slopes.sizes.begin(), slopes.sizes.end(), [&](const auto& size) {
+            return size.evaluations == point.found->evaluations_per_face;
+        });
         if (on_ladder) points.push_back(&point);
     }
     if (points.size() < 2) return;

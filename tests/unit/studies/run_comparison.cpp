@@ -12,7 +12,6 @@
 namespace ff::studies {
 namespace {
 
-
 Store made(std::string_view sampler, int seed, int trials = 60, std::string_view more = "") {
     return test::run(test::plan_of(fmt::format(
         "[study]\nname = \"s\"\nscene = \"cube\"\nseed = {}\ntrials = {}\n[[method]]\nname = \"rays\"\nsampler = "
