@@ -4,7 +4,7 @@
 
 #include <algorithm>
 #include <array>
-#include <regex>
+#include <optional>
 #include <string_view>
 #include <utility>
 
@@ -74,6 +74,52 @@ bool is_control(char c) {
     return static_cast<unsigned char>(c) < 0x20 || c == 0x7f;
 }
 
+bool is_digit(char c) {
+    return c >= '0' && c <= '9';
+}
+
+bool is_alphanumeric(char c) {
+    return is_digit(c) || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+}
+
+std::string_view digits_of(std::string_view text) {
+    return text.substr(0,
+                       static_cast<std::size_t>(std::find_if_not(text.begin(), text.end(), is_digit) - text.begin()));
+}
+
+/// A decimal number as it stands in a text.
+struct Number {
+    std::string_view sign;  ///< may be empty
+    std::string_view digits;
+    bool negative_exponent = false;
+    std::string_view exponent;  ///< without leading zeros; empty where there is none
+    std::size_t length = 0;
+};
+
+/// The number that the text starts with.
+std::optional<Number> number_at(std::string_view text) {
+    Number number;
+    if (text.starts_with('-') || text.starts_with('+')) number.sign = text.substr(0, 1);
+    std::string_view rest = text.substr(number.sign.size());
+    std::size_t size = digits_of(rest).size();
+    if (size == 0) return std::nullopt;
+    if (rest.substr(size).starts_with('.')) {
+        const std::size_t decimals = digits_of(rest.substr(size + 1)).size();
+        if (decimals > 0) size += 1 + decimals;
+    }
+    number.digits = rest.substr(0, size);
+    number.length = number.sign.size() + size;
+    rest = rest.substr(size);
+    if (!rest.starts_with('e')) return number;
+    const bool is_signed = rest.substr(1).starts_with('-') || rest.substr(1).starts_with('+');
+    const std::string_view exponent = digits_of(rest.substr(is_signed ? 2 : 1));
+    if (exponent.empty()) return number;
+    number.negative_exponent = rest[1] == '-';
+    number.exponent = exponent.substr(std::min(exponent.find_first_not_of('0'), exponent.size() - 1));
+    number.length += (is_signed ? 2 : 1) + exponent.size();
+    return number;
+}
+
 }  // namespace
 
 std::string escape_latex(const std::string& text) {
@@ -98,24 +144,28 @@ std::string escape_latex(const std::string& text) {
 }
 
 std::string latex_with_numbers(const std::string& text) {
-    // A sign belongs to a number unless something stands before it, as in "F 1-6"; an exponent ends it.
-    static const std::regex number(R"(([-+]?)([0-9]+(?:\.[0-9]+)?)(?:e([-+]?)0*([0-9]+))?)");
     std::string out;
-    auto after = text.cbegin();
-    for (std::sregex_iterator it(text.begin(), text.end(), number), end; it != end; ++it) {
-        const std::smatch& found = *it;
-        const auto start = found[0].first;
-        const bool inside = start != text.cbegin() &&
-                            (std::isalnum(static_cast<unsigned char>(*(start - 1))) != 0 || *(start - 1) == '.');
-        if (inside || (found[1].length() == 0 && !found[4].matched)) continue;
-        out += escape_latex(std::string(after, start));
-        out += fmt::format("${}{}", found[1].str(), found[2].str());
-        if (found[4].matched)
-            out += fmt::format("\\times10^{{{}{}}}", found[3].str() == "-" ? "-" : "", found[4].str());
-        out += '$';
-        after = found[0].second;
+    const std::string_view all = text;
+    std::size_t written = 0;
+    for (std::size_t at = 0; at < all.size();) {
+        const auto number = number_at(all.substr(at));
+        if (!number) {
+            ++at;
+            continue;
+        }
+        // A sign belongs to a number unless something stands before it, as in "F 1-6"; an exponent ends it.
+        const bool inside = at > 0 && (is_alphanumeric(all[at - 1]) || all[at - 1] == '.');
+        if (!inside && (!number->sign.empty() || !number->exponent.empty())) {
+            out += escape_latex(text.substr(written, at - written));
+            out += fmt::format("${}{}", number->sign, number->digits);
+            if (!number->exponent.empty())
+                out += fmt::format("\\times10^{{{}{}}}", number->negative_exponent ? "-" : "", number->exponent);
+            out += '$';
+            written = at + number->length;
+        }
+        at += number->length;
     }
-    return out + escape_latex(std::string(after, text.cend()));
+    return out + escape_latex(text.substr(written));
 }
 
 }  // namespace ff::reports

@@ -1,5 +1,7 @@
 #include "studies/rivals.hpp"
 
+#include "samplers/sampler.hpp"
+
 #include <algorithm>
 #include <map>
 #include <set>
@@ -36,6 +38,13 @@ std::vector<std::size_t> published_rivals(const Findings& findings, const std::v
     return {};
 }
 
+/// A point set that is neither randomised nor a quadrature: its error is that of one throw, which no interval
+/// accompanies, and may be luck.
+bool may_be_luck(const StudyPlan& plan, const Cell& cell) {
+    const Method& method = plan.spec.methods[cell.method];
+    return cell.deterministic && !method.sampler.empty() && samplers::find(method.sampler).info.equal_weights;
+}
+
 /// One cell a method: sampled ones at the size that most of them share, quadratures at the same number of patches.
 std::vector<std::size_t> comparable_cells(const Findings& findings, std::size_t scene) {
     const StudyPlan& plan = findings.plan;
@@ -54,6 +63,7 @@ std::vector<std::size_t> comparable_cells(const Findings& findings, std::size_t 
     for (std::size_t i = 0; i < plan.cells.size(); ++i) {
         const Cell& cell = plan.cells[i];
         if (cell.scene != scene || plan.spec.methods[cell.method].estimator == Estimator::closed_form) continue;
+        if (may_be_luck(plan, cell)) continue;
         const bool fits =
             cell.deterministic ? cell.subdivision.m == size.first : std::pair(cell.subdivision.m, cell.samples) == size;
         if (fits || (cell.deterministic && !chosen.contains(cell.method))) chosen.insert_or_assign(cell.method, i);

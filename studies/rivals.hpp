@@ -29,7 +29,8 @@ inline constexpr double rounding_error = 1e-12;
 
 /// Who is better on each class of pairs of each scene, at sizes that allow the comparison. Where tables of a
 /// publication are at hand, the methods and sizes of the last table that sets two methods side by side; otherwise the
-/// two best methods, closed forms left out, at the size that most methods share (the largest of several).
+/// two best methods at the size that most methods share (the largest of several). Closed forms are left out there, and
+/// point sets that are neither randomised nor quadratures.
 std::vector<Rivalry> find_rivals(const Findings& findings, const std::vector<TableComparison>& published);
 
 }  // namespace ff::studies

@@ -48,6 +48,29 @@ TEST(Rivals, AreUndecidedWhereTheirErrorsAreAlike) {
     EXPECT_FALSE(parallel(rivals).decided());
 }
 
+TEST(Rivals, AreNotPointSetsThatAreNotRandomised) {
+    const auto plan = test::plan_of(test::study_text("trials = 70", R"([[method]]
+name = "one throw"
+sampler = "sobol_raw"
+estimator = "ray_shooting"
+samples_per_patch = 64
+[[method]]
+name = "random"
+sampler = "random"
+estimator = "ray_shooting"
+samples_per_patch = 64
+[[method]]
+name = "sobol"
+sampler = "sobol"
+estimator = "ray_shooting"
+samples_per_patch = 64
+)"));
+    for (const Rivalry& rivalry : find_rivals(analyse(test::run(plan)), {})) {
+        EXPECT_EQ(rivalry.better, 2u);
+        EXPECT_EQ(rivalry.worse, 1u);
+    }
+}
+
 TEST(Rivals, OfASingleMethodAreNone) {
     const auto plan = test::plan_of(test::study_text("trials = 10", R"([[method]]
 name = "A"
