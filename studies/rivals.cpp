@@ -24,9 +24,9 @@ void add_ratio(const Findings& findings, const ClassError& better, const ClassEr
 
 /// Cells of the last table that shows two methods for the same scene.
 std::vector<std::size_t> published_rivals(const Findings& findings, const std::vector<TableComparison>& published) {
-    for (auto table = published.rbegin(); table != published.rend(); ++table) {
+    for (std::size_t table = published.size(); table-- > 0;) {
         std::map<std::size_t, std::size_t> cell_of_method;
-        for (const FigureComparison& figure : table->figures) {
+        for (const FigureComparison& figure : published[table].figures) {
             if (figure.cell && figure.ours)
                 cell_of_method.insert_or_assign(findings.plan.cells[*figure.cell].method, *figure.cell);
         }
@@ -56,7 +56,7 @@ std::vector<std::size_t> comparable_cells(const Findings& findings, std::size_t 
     std::pair<std::uint32_t, std::uint64_t> size{0, 0};
     std::tuple<std::size_t, std::uint64_t> best{0, 0};
     for (const auto& [candidate, methods] : methods_of_size) {
-        const std::tuple rank{methods.size(), candidate.first * candidate.first * candidate.second};
+        const std::tuple rank{methods.size(), std::uint64_t{candidate.first} * candidate.first * candidate.second};
         if (rank > best) std::tie(best, size) = std::pair(rank, candidate);
     }
     std::map<std::size_t, std::size_t> chosen;  // cell by method
