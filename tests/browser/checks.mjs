@@ -1,6 +1,6 @@
 // What must hold of a report in a browser. Each check is given a page, and returns what is wrong, a line each.
 
-import {mkdtempSync, readFileSync, readdirSync, rmSync} from 'node:fs';
+import {existsSync, mkdtempSync, readFileSync, rmSync} from 'node:fs';
 import {createRequire} from 'node:module';
 import {tmpdir} from 'node:os';
 import {join} from 'node:path';
@@ -130,15 +130,30 @@ export async function saving(page) {
   const problems = [];
   const folder = mkdtempSync(join(tmpdir(), 'ffstudy-saved-'));
   const session = await page.createCDPSession();
-  await session.send('Browser.setDownloadBehavior', {behavior: 'allow', downloadPath: folder});
+  await session.send('Browser.setDownloadBehavior', {behavior: 'allow', downloadPath: folder, eventsEnabled: true});
+  // Under its own name the file is there before its content is: only the event says that it is whole.
+  const saved = () => new Promise(resolve => {
+    const ended = ({state}) => {
+      if (state === 'inProgress') return;
+      session.off('Browser.downloadProgress', ended);
+      resolve(state);
+    };
+    session.on('Browser.downloadProgress', ended);
+  });
   for (const id of await oneOfEachKind(page)) {
+    const end = Promise.race([saved(), setTimeout(20_000, 'never', {ref: false})]);
     await page.$$eval(`#${id} .controls button`, buttons => buttons.find(button => button.textContent === 'Save as SVG').click());
-    const file = `${id}.svg`;
-    for (let i = 0; i < 100 && !readdirSync(folder).includes(file); ++i) await setTimeout(50);
-    const svg = readdirSync(folder).includes(file) ? readFileSync(join(folder, file), 'utf8') : '';
+    const state = await end;
+    const file = join(folder, `${id}.svg`);
+    if (state !== 'completed' || !existsSync(file)) {
+      problems.push(`${id}: not saved (${state})`);
+      continue;
+    }
+    const svg = readFileSync(file, 'utf8');
     const root = await page.evaluate(text => new DOMParser().parseFromString(text, 'image/svg+xml').documentElement.localName, svg);
     if (root !== 'svg' || svg.includes('var(')) problems.push(`${id}: not saved as SVG that stands alone`);
   }
+  await session.send('Browser.setDownloadBehavior', {behavior: 'default'});
   rmSync(folder, {recursive: true});
   return problems;
 }
