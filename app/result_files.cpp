@@ -50,8 +50,8 @@ void write_csv(const std::filesystem::path& folder, const ResultSources& sources
                             [&](std::ostream& out) { reports::write_coverage_csv(out, sources.results); });
     }
     if (sources.results.radiosity) {
-        for (const auto& [name, write] : tables_of_radiosity)
-            reports::write_file(folder / name, [&](std::ostream& out) { write(out, sources.results); });
+        for (const RadiosityTable& table : tables_of_radiosity)
+            reports::write_file(folder / table.file, [&](std::ostream& out) { table.write(out, sources.results); });
     }
     reports::write_file(folder / "trials.csv",
                         [&](std::ostream& out) { reports::write_trials_csv(out, sources.store); });

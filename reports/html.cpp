@@ -1,5 +1,6 @@
 #include "reports/html.hpp"
 
+#include "reports/cells_in_between.hpp"
 #include "reports/html_view.hpp"
 #include "reports/in_brief.hpp"
 #include "reports/labels.hpp"
@@ -42,9 +43,11 @@ Json findings_view(const studies::StudyResults& results) {
 }
 
 Json pairs_view(const studies::StudyResults& results) {
+    const auto hidden = cells_in_between(results);
     Json cells = Json::array();
-    for (std::size_t i = 0; i < results.findings.cells.size(); ++i)
-        cells.push_back(table_view(pairs_table(results, i)));
+    for (std::size_t i = 0; i < results.findings.cells.size(); ++i) {
+        if (!hidden.contains(results.findings.cells[i].cell)) cells.push_back(table_view(pairs_table(results, i)));
+    }
     return cells;
 }
 

@@ -16,9 +16,6 @@ namespace {
 
 using studies::CellFindings;
 
-/// Errors below this are rounding of form factors around 0.2.
-constexpr double rounding = 1e-12;
-
 /// What a cell is ranked by on a class of pairs: its RMSE, for a sampled method at one evaluation a face.
 std::optional<double> rank(const studies::Findings& findings, const CellFindings& found, PairClass pair_class) {
     const auto rmse = found.class_rmse(pair_class);
@@ -26,7 +23,7 @@ std::optional<double> rank(const studies::Findings& findings, const CellFindings
     return *rmse * std::sqrt(static_cast<double>(found.evaluations_per_face));
 }
 
-/// The most accurate quadrature, or the most efficient sampled method, on a class of pairs; formulas left out.
+/// The most accurate deterministic method, or the most efficient sampled one, on a class of pairs; formulas left out.
 const CellFindings* best(const studies::Findings& findings, std::size_t scene, PairClass pair_class,
                          bool deterministic) {
     const CellFindings* best = nullptr;
@@ -40,15 +37,15 @@ const CellFindings* best(const studies::Findings& findings, std::size_t scene, P
     return best;
 }
 
-/// Names of the quadratures whose error is rounding at some size.
+/// Names of the deterministic methods whose error is rounding at some size.
 std::string exact_methods(const studies::Findings& findings, std::size_t scene, PairClass pair_class) {
     std::vector<std::string> names;
     for (const CellFindings& found : findings.cells) {
         const studies::Cell& cell = findings.plan.cells[found.cell];
         const studies::Method& method = findings.plan.spec.methods[cell.method];
         const auto rmse = found.class_rmse(pair_class);
-        const bool quadrature = cell.deterministic && method.estimator != studies::Estimator::closed_form;
-        if (cell.scene != scene || !quadrature || !rmse || *rmse >= rounding) continue;
+        const bool computed = cell.deterministic && method.estimator != studies::Estimator::closed_form;
+        if (cell.scene != scene || !computed || !rmse || *rmse >= studies::rounding_error) continue;
         if (std::find(names.begin(), names.end(), method.name) == names.end()) names.push_back(method.name);
     }
     return fmt::format("{}", fmt::join(names, ", "));
@@ -61,14 +58,14 @@ std::string accuracy_line(const studies::Findings& findings, std::size_t scene, 
         if (found == nullptr) continue;
         const double rmse = *found->class_rmse(pair_class);
         const std::string label = cell_label(findings.plan, findings.plan.cells[found->cell]);
-        if (rmse < rounding) {
-            parts.push_back(
-                fmt::format("quadrature is exact to rounding (**{}**)", exact_methods(findings, scene, pair_class)));
+        if (rmse < studies::rounding_error) {
+            parts.push_back(fmt::format("deterministic methods are exact to rounding (**{}**)",
+                                        exact_methods(findings, scene, pair_class)));
         } else {
-            parts.push_back(
-                fmt::format("{} **{}** (RMSE {})",
-                            deterministic ? "the best quadrature is" : "sample for sample the best sampled method is",
-                            label, brief(rmse, 2)));
+            parts.push_back(fmt::format(
+                "{} **{}** (RMSE {})",
+                deterministic ? "the best deterministic method is" : "sample for sample the best sampled method is",
+                label, brief(rmse, 2)));
         }
     }
     if (parts.empty()) return {};

@@ -8,7 +8,6 @@ namespace ff::reports {
 
 /// Sections of report.md, each with its heading; empty where the study has nothing for them.
 std::string brief_section(const studies::StudyResults& results);
-std::string methods_section(const studies::StudyResults& results);
 std::string slopes_section(const studies::StudyResults& results);
 std::string radiosity_section(const studies::StudyResults& results);
 std::string published_tables_section(const studies::StudyResults& results);

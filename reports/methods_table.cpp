@@ -1,3 +1,4 @@
+#include "reports/cells_in_between.hpp"
 #include "reports/labels.hpp"
 #include "reports/numbers.hpp"
 #include "reports/table.hpp"
@@ -78,7 +79,9 @@ Table methods_table(const studies::StudyResults& results) {
     table.columns.push_back({"bias", false, ""});
     const bool margin = plan.spec.equivalence_margin.has_value();
     if (margin) table.columns.push_back({"equivalence", false, ""});
+    const auto hidden = cells_in_between(results);
     for (const studies::CellFindings& found : results.findings.cells) {
+        if (hidden.contains(found.cell)) continue;
         const studies::Cell& cell = plan.cells[found.cell];
         const std::string scene = plan.scenes.size() == 1 ? std::string() : plan.scenes[cell.scene].name + ": ";
         std::vector<TableCell> row{{scene + plan.spec.methods[cell.method].name, Mark::none},
@@ -89,6 +92,10 @@ Table methods_table(const studies::StudyResults& results) {
         row.push_back({bias_in_words(found), bias_mark(found)});
         if (margin) row.push_back({equivalence_in_words(found), equivalence_mark(found.equivalence)});
         table.rows.push_back(std::move(row));
+    }
+    if (!hidden.empty()) {
+        table.remarks.push_back(
+            fmt::format("{} sizes in the middle of ladders are not listed; summary.csv has them.", hidden.size()));
     }
     return table;
 }

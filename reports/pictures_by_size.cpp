@@ -2,6 +2,7 @@
 #include "reports/numbers.hpp"
 #include "reports/picture_values.hpp"
 #include "reports/pictures.hpp"
+#include "reports/size_series.hpp"
 #include "reports/slope_words.hpp"
 
 #include <fmt/format.h>
@@ -14,61 +15,8 @@
 namespace ff::reports {
 namespace {
 
-/// A method at one size on a class of pairs.
-struct Point {
-    const studies::CellFindings* found = nullptr;
-    double error = 0;  ///< RMSE of a run; where it does not exist the median of the absolute error
-    bool is_median = false;
-};
-
-/// A method's sizes on one class of pairs, by ascending number of evaluations, and its ladders.
-struct Series {
-    std::string method;
-    std::vector<Point> points;
-    std::vector<const studies::ClassSlopes*> ladders;
-};
-
-/// The slopes of a method on a class of pairs.
-std::vector<const studies::ClassSlopes*> ladders_of(const studies::StudyResults& results, std::size_t scene,
-                                                    std::size_t method, PairClass pair_class) {
-    std::vector<const studies::ClassSlopes*> found;
-    for (const studies::LadderSlopes& ladder : results.slopes) {
-        if (ladder.ladder.scene != scene || ladder.ladder.method != method) continue;
-        for (const studies::ClassSlopes& slopes : ladder.classes) {
-            if (slopes.pair_class == pair_class) found.push_back(&slopes);
-        }
-    }
-    return found;
-}
-
-std::optional<Point> point_of(const studies::CellFindings& found, PairClass pair_class) {
-    const studies::ClassError* error = found.class_error(pair_class);
-    if (error == nullptr || found.evaluations_per_face == 0) return std::nullopt;
-    const bool is_median = found.has_infinite_variance(pair_class);
-    const Point point{&found, is_median ? error->median_abs_error : error->rmse, is_median};
-    return point.error < studies::rounding_error ? std::nullopt : std::optional(point);
-}
-
-std::vector<Series> series_of(const studies::StudyResults& results, std::size_t scene, PairClass pair_class) {
-    const studies::Findings& findings = results.findings;
-    std::vector<Series> all;
-    for (std::size_t method = 0; method < findings.plan.spec.methods.size(); ++method) {
-        Series series{findings.plan.spec.methods[method].name, {}, ladders_of(results, scene, method, pair_class)};
-        for (const studies::CellFindings& found : findings.cells) {
-            const studies::Cell& cell = findings.plan.cells[found.cell];
-            if (cell.scene != scene || cell.method != method) continue;
-            if (const auto point = point_of(found, pair_class)) series.points.push_back(*point);
-        }
-        std::stable_sort(series.points.begin(), series.points.end(), [](const Point& a, const Point& b) {
-            return a.found->evaluations_per_face < b.found->evaluations_per_face;
-        });
-        if (!series.points.empty()) all.push_back(std::move(series));
-    }
-    return all;
-}
-
 /// The method, with its slope where it has one ladder.
-std::string legend_of(const Series& series) {
+std::string legend_of(const SizeSeries& series) {
     if (series.ladders.size() != 1) return series.method;
     const studies::Slope& slope = series.ladders.front()->judged();
     if (!slope.slope) return series.method;
@@ -82,9 +30,9 @@ std::string where(const studies::StudyPlan& plan, std::size_t scene, PairClass p
     return fmt::format("{} pairs{}", name(pair_class), of_scene);
 }
 
-nlohmann::ordered_json names_of(const std::vector<Series>& all) {
+nlohmann::ordered_json names_of(const std::vector<SizeSeries>& all) {
     auto names = nlohmann::ordered_json::array();
-    for (const Series& series : all) names.push_back(series.method);
+    for (const SizeSeries& series : all) names.push_back(series.method);
     return names;
 }
 
@@ -93,35 +41,36 @@ nlohmann::ordered_json interval_end(const std::optional<stats::Interval>& interv
 }
 
 /// The two ends of a line with the slope that theory allows, through the middle of the points of a ladder.
-void add_expected(const Series& series, const studies::ClassSlopes& slopes, PictureValues& values) {
+void add_expected(const SizeSeries& series, const studies::ClassSlopes& slopes, PictureValues& values) {
     const studies::Slope& slope = slopes.judged();
     if (!slope.slope || !slope.expected) return;
-    std::vector<const Point*> points;
-    for (const Point& point : series.points) {
+    std::vector<const SizePoint*> points;
+    for (const SizePoint& point : series.points) {
         const bool on_ladder = std::any_of(slopes.sizes.begin(), slopes.sizes.end(), [&](const auto& size) {
             return size.evaluations == point.found->evaluations_per_face;
         });
         if (on_ladder) points.push_back(&point);
     }
     if (points.size() < 2) return;
-    const auto log_size = [](const Point& point) {
+    const auto log_size = [](const SizePoint& point) {
         return std::log(static_cast<double>(point.found->evaluations_per_face));
     };
     double mean_size = 0;
     double mean_error = 0;
-    for (const Point* point : points) {
+    for (const SizePoint* point : points) {
         mean_size += log_size(*point) / static_cast<double>(points.size());
         mean_error += std::log(point->error) / static_cast<double>(points.size());
     }
-    for (const Point* end : {points.front(), points.back()}) {
+    for (const SizePoint* end : {points.front(), points.back()}) {
         const double error = std::exp(mean_error + slopes.judged().slowest_expected * (log_size(*end) - mean_size));
         values.add(
             {series.method, "expected", "", end->found->evaluations_per_face, drawn(error, 4), nullptr, nullptr});
     }
 }
 
-void add_measured(const studies::StudyPlan& plan, PairClass pair_class, const Series& series, PictureValues& values) {
-    for (const Point& point : series.points) {
+void add_measured(const studies::StudyPlan& plan, PairClass pair_class, const SizeSeries& series,
+                  PictureValues& values) {
+    for (const SizePoint& point : series.points) {
         const auto interval = point.is_median ? std::nullopt : point.found->class_error(pair_class)->interval;
         values.add({series.method, point.is_median ? "median" : "RMSE", size_label(plan, plan.cells[point.found->cell]),
                     point.found->evaluations_per_face, drawn(point.error),
@@ -130,10 +79,10 @@ void add_measured(const studies::StudyPlan& plan, PairClass pair_class, const Se
 }
 
 /// The point with the smallest RMSE; of medians where there is no other.
-const Point& least_error(const std::vector<Series>& all) {
-    const Point* best = &all.front().points.front();
-    for (const Series& series : all) {
-        for (const Point& point : series.points) {
+const SizePoint& least_error(const std::vector<SizeSeries>& all) {
+    const SizePoint* best = &all.front().points.front();
+    for (const SizeSeries& series : all) {
+        for (const SizePoint& point : series.points) {
             if (std::pair(point.is_median, point.error) < std::pair(best->is_median, best->error)) best = &point;
         }
     }
@@ -141,17 +90,17 @@ const Point& least_error(const std::vector<Series>& all) {
 }
 
 Picture convergence_picture(const studies::Findings& findings, std::size_t scene, PairClass pair_class,
-                            const std::vector<Series>& all) {
+                            const std::vector<SizeSeries>& all) {
     PictureValues values({"method", "role", "size", "evaluations", "error", "low", "high"});
     auto labels = nlohmann::ordered_json::object();
-    for (const Series& series : all) {
+    for (const SizeSeries& series : all) {
         labels[series.method] = legend_of(series);
         add_measured(findings.plan, pair_class, series, values);
         for (const studies::ClassSlopes* slopes : series.ladders) add_expected(series, *slopes, values);
     }
     values.set("isolate", names_of(all));
     values.set("signals", {{"labels", std::move(labels)}});
-    const Point& best = least_error(all);
+    const SizePoint& best = least_error(all);
     const std::string place = where(findings.plan, scene, pair_class);
     Picture picture;
     picture.id = slug(fmt::format("convergence-{}", place));
@@ -171,7 +120,7 @@ Picture convergence_picture(const studies::Findings& findings, std::size_t scene
 }
 
 std::optional<Picture> efficiency_picture(const studies::Findings& findings, std::size_t scene, PairClass pair_class,
-                                          const std::vector<Series>& all) {
+                                          const std::vector<SizeSeries>& all) {
     PictureValues values({"method", "size", "evaluations", "efficiency", "low", "high"});
     auto names = nlohmann::ordered_json::array();
     const studies::CellFindings* best = nullptr;
@@ -179,9 +128,9 @@ std::optional<Picture> efficiency_picture(const studies::Findings& findings, std
     const auto efficiency = [&](const studies::CellFindings& found) {
         return found.class_error(pair_class)->efficiency;
     };
-    for (const Series& series : all) {
+    for (const SizeSeries& series : all) {
         bool any = false;
-        for (const Point& point : series.points) {
+        for (const SizePoint& point : series.points) {
             const studies::CellFindings& found = *point.found;
             if (!efficiency(found)) continue;
             const studies::ClassError& error = *found.class_error(pair_class);
@@ -222,7 +171,7 @@ std::vector<Picture> pictures_by_size(const studies::StudyResults& results) {
     std::vector<Picture> pictures;
     for (std::size_t scene = 0; scene < findings.plan.scenes.size(); ++scene) {
         for (const PairClass pair_class : {PairClass::parallel, PairClass::adjacent, PairClass::other}) {
-            const auto all = series_of(results, scene, pair_class);
+            const auto all = size_series(results, scene, pair_class);
             if (all.empty()) continue;
             pictures.push_back(convergence_picture(findings, scene, pair_class, all));
             if (auto efficiency = efficiency_picture(findings, scene, pair_class, all))

@@ -1,3 +1,4 @@
+#include "reports/cells_in_between.hpp"
 #include "reports/labels.hpp"
 #include "reports/numbers.hpp"
 #include "reports/picture_values.hpp"
@@ -157,7 +158,9 @@ std::vector<PictureGroup> picture_groups(const studies::StudyResults& results) {
         if (rivalry.worse) rivals.insert(*rivalry.worse);
     }
     std::vector<PictureGroup> groups;
+    const auto hidden = cells_in_between(results);
     for (std::size_t cell = 0; cell < results.findings.cells.size(); ++cell) {
+        if (hidden.contains(results.findings.cells[cell].cell) && !rivals.contains(cell)) continue;
         PictureGroup group{view(results, cell).label, rivals.contains(cell), pictures_of_cell(results, cell)};
         if (!group.pictures.empty()) groups.push_back(std::move(group));
     }

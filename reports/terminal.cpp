@@ -1,6 +1,7 @@
 #include "reports/terminal.hpp"
 
 #include "reports/audit_markdown.hpp"
+#include "reports/cells_in_between.hpp"
 #include "reports/coverage_words.hpp"
 #include "reports/labels.hpp"
 #include "reports/numbers.hpp"
@@ -12,13 +13,10 @@
 #include "reports/text_table.hpp"
 #include "reports/until_words.hpp"
 #include "reports/verdicts.hpp"
-#include "studies/resources.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <iterator>
-#include <set>
 #include <string_view>
 #include <vector>
 
@@ -46,26 +44,6 @@ Mark mark_of(const studies::CellFindings& found) {
     return found.bias_finding == studies::BiasFinding::biased ? Mark::bad : Mark::good;
 }
 
-/// Cells in the middle of long ladders: there the slopes say more. What must be seen is never among them.
-std::set<std::size_t> hidden_cells(const studies::StudyResults& results) {
-    std::set<std::size_t> hidden;
-    for (const studies::LadderSlopes& ladder : results.slopes) {
-        const auto& cells = ladder.ladder.cells;
-        if (cells.size() < 5) continue;
-        hidden.insert(std::next(cells.begin()), std::prev(cells.end()));
-    }
-    for (const studies::CellFindings& found : results.findings.cells) {
-        const bool remarkable =
-            found.lost_rays > 0 || (found.bias && found.bias_finding == studies::BiasFinding::biased);
-        if (remarkable || found.equivalence == studies::EquivalenceFinding::refuted) hidden.erase(found.cell);
-    }
-    return hidden;
-}
-
-std::string seconds_in_words(double seconds) {
-    return seconds < 100 ? fmt::format("{:.1f} s", seconds) : fmt::format("{:.1f} min", seconds / 60);
-}
-
 }  // namespace
 
 std::string terminal_summary(const studies::StudyResults& results, Colour colour) {
@@ -73,7 +51,7 @@ std::string terminal_summary(const studies::StudyResults& results, Colour colour
     const std::string title = plan.spec.title == plan.spec.name ? "" : fmt::format(": {}", plan.spec.title);
     std::string out = fmt::format("{}{}\nseed {}{}\n\n", plan.spec.name, title, plan.spec.seed.value,
                                   results.findings.complete ? "" : "  (PARTIAL: stopped early)");
-    const auto hidden = hidden_cells(results);
+    const auto hidden = cells_in_between(results);
     std::vector<const studies::CellFindings*> shown;
     std::size_t names = 15;
     std::size_t sizes = 20;
@@ -102,6 +80,7 @@ std::string terminal_summary(const studies::StudyResults& results, Colour colour
     }
     if (!hidden.empty()) out += fmt::format("({} sizes in between: report.md)\n", hidden.size());
     out += terminal_slopes(results, colour);
+    out += terminal_plots(results);
     for (const auto& lines : {heavy_tails_in_brief(results), reductions_in_brief(results), coverage_in_brief(results),
                               radiosity_in_brief(results), until_in_brief(results)}) {
         if (!lines.empty()) out += fmt::format("\n{}\n", fmt::join(lines, "\n"));
@@ -112,22 +91,6 @@ std::string terminal_summary(const studies::StudyResults& results, Colour colour
             out += fmt::format("{}\n", line);
         out += audit_summary(results.published->tables, results.published->audit);
     }
-    return out;
-}
-
-std::string terminal_plan(const studies::StudyPlan& plan, unsigned threads) {
-    std::string out = fmt::format("{}: {} work units\n\n{:<15} {:<20} {:>8} {:>14} {:>12}\n", plan.spec.name,
-                                  plan.units.size(), "method", "size", "trials", "samples/trial", "core time");
-    double total = 0;
-    for (const studies::Cell& cell : plan.cells) {
-        const double seconds = static_cast<double>(cell.trials) * studies::expected_seconds_per_trial(plan, cell);
-        total += seconds;
-        out += fmt::format("{:<15} {:<20} {:>8} {:>14} {:>12}\n", plan.spec.methods[cell.method].name,
-                           size_label(plan, cell), cell.trials, studies::evaluations_per_trial(plan, cell),
-                           seconds_in_words(seconds));
-    }
-    const double expected = total / threads + studies::expected_seconds_of_results(plan);
-    out += fmt::format("\nabout {} on {} thread{}\n", seconds_in_words(expected), threads, threads == 1 ? "" : "s");
     return out;
 }
 

@@ -13,14 +13,9 @@
 namespace ff::reports {
 namespace {
 
+using test::shipped_templates;
 using testing::HasSubstr;
 using testing::Not;
-
-const Templates& shipped() {
-    static const std::array<std::filesystem::path, 1> folders{FF_TEMPLATES};
-    static const Templates templates = Templates::read(folders);
-    return templates;
-}
 
 /// Rows of the tabular material whose number of cells differs from the header's; those that span are left out.
 std::vector<std::string> unbalanced_rows(const std::string& text) {
@@ -82,7 +77,7 @@ TEST(LatexWithNumbers, TakesNoNameForANumber) {
 
 TEST(LatexTable, HasAsManyCellsInEveryRow) {
     for (const auto* results : {&test::small_results(), &test::published_results()}) {
-        for (const NamedText& file : latex_report(*results, shipped()))
+        for (const NamedText& file : latex_report(*results, shipped_templates()))
             EXPECT_THAT(unbalanced_rows(file.text), testing::IsEmpty()) << file.path;
     }
 }
@@ -97,7 +92,7 @@ TEST(LatexTable, SetsGroupsOfEqualColumnsBelowEachOther) {
     table.columns = {
         {"", false, ""}, {"printed", true, "36"}, {"ours", true, "36"}, {"printed", true, "81"}, {"ours", true, "81"}};
     table.rows = {{{"1 - 6"}, {"0.1"}, {"0.2"}, {"0.3"}, {"0.4"}}, {{"1 - 2"}, {""}, {""}, {"0.5"}, {"0.6"}}};
-    const std::string text = latex_table(table, shipped());
+    const std::string text = latex_table(table, shipped_templates());
     EXPECT_THAT(text,
                 HasSubstr("\\multicolumn{3}{l}{\\textit{36}} \\\\\n1 - 6 & 0.1 & 0.2 \\\\\n\\addlinespace\n"
                           "\\multicolumn{3}{l}{\\textit{81}} \\\\\n1 - 6 & 0.3 & 0.4 \\\\\n1 - 2 & 0.5 & 0.6 \\\\"));
@@ -105,21 +100,21 @@ TEST(LatexTable, SetsGroupsOfEqualColumnsBelowEachOther) {
 
 TEST(LatexTable, MarksMisprintsAndSaysWhatTheMarkMeans) {
     Table table = small_table();
-    EXPECT_THAT(latex_table(table, shipped()), Not(HasSubstr("contradicts")));
+    EXPECT_THAT(latex_table(table, shipped_templates()), Not(HasSubstr("contradicts")));
     table.rows[0][1].mark = Mark::misprint;
-    EXPECT_THAT(latex_table(table, shipped()),
+    EXPECT_THAT(latex_table(table, shipped_templates()),
                 testing::AllOf(HasSubstr("1\\ensuremath{^\\dagger}"), HasSubstr("contradicts")));
 }
 
 TEST(LatexTable, IsBrokenAcrossPagesWhereItIsLong) {
     Table table = small_table();
-    EXPECT_THAT(latex_table(table, shipped()), HasSubstr("\\begin{tabular}"));
+    EXPECT_THAT(latex_table(table, shipped_templates()), HasSubstr("\\begin{tabular}"));
     table.rows.resize(41, table.rows.front());
-    EXPECT_THAT(latex_table(table, shipped()), HasSubstr("\\begin{longtable}"));
+    EXPECT_THAT(latex_table(table, shipped_templates()), HasSubstr("\\begin{longtable}"));
 }
 
 TEST(LatexReport, TakesInEveryTableOnce) {
-    const auto files = latex_report(test::published_results(), shipped());
+    const auto files = latex_report(test::published_results(), shipped_templates());
     std::set<std::string> paths;
     for (const NamedText& file : files) EXPECT_TRUE(paths.insert(file.path).second) << file.path;
     for (const std::string& path : paths) {
@@ -135,10 +130,11 @@ TEST(LatexReport, KeepsTablesApartWhoseNamesAreAlike) {
     studies::StudyResults results = test::published_results();
     results.published->tables.tables[0].id = "methods";
     std::set<std::string> paths;
-    for (const NamedText& file : latex_report(results, shipped()))
+    for (const NamedText& file : latex_report(results, shipped_templates()))
         EXPECT_TRUE(paths.insert(file.path).second) << file.path;
     results.published->tables.tables[0].id = "../Таблица";
-    for (const NamedText& file : latex_report(results, shipped())) EXPECT_THAT(file.path, Not(HasSubstr("..")));
+    for (const NamedText& file : latex_report(results, shipped_templates()))
+        EXPECT_THAT(file.path, Not(HasSubstr("..")));
 }
 
 }  // namespace

@@ -2,6 +2,8 @@
 
 #include "tests/support/studies.hpp"
 
+#include <array>
+#include <filesystem>
 #include <sstream>
 
 namespace ff::test {
@@ -100,6 +102,12 @@ patches_per_face = [4, 9]
         return evaluate(run(plan_study(spec)));
     }();
     return made;
+}
+
+const reports::Templates& shipped_templates() {
+    static const std::array<std::filesystem::path, 1> folders{FF_TEMPLATES};
+    static const auto templates = reports::Templates::read(folders);
+    return templates;
 }
 
 std::vector<std::string> csv_fields(std::string_view line) {

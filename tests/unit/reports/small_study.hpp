@@ -1,5 +1,6 @@
 #pragma once
 
+#include "reports/templates.hpp"
 #include "studies/results.hpp"
 
 #include <string>
@@ -15,6 +16,9 @@ const studies::StudyResults& small_results();
 
 /// The paper's tables beside a small study of its methods.
 const studies::StudyResults& published_results();
+
+/// The templates that come with the program.
+const reports::Templates& shipped_templates();
 
 /// Cells of a line of CSV (RFC 4180), quotes taken off.
 std::vector<std::string> csv_fields(std::string_view line);

@@ -15,7 +15,7 @@
 namespace ff {
 namespace {
 
-constexpr int face_1 = 0, face_2 = 1, face_6 = 5;
+constexpr int face_1 = 0, face_6 = 5;
 
 /// With n x n nodes on every patch (and one, of weight 1, on the target, where no point is).
 Eigen::MatrixXd gauss(const Scene& scene, std::uint32_t m, int nodes) {

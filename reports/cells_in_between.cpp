@@ -1,0 +1,22 @@
+#include "reports/cells_in_between.hpp"
+
+#include <iterator>
+
+namespace ff::reports {
+
+std::set<std::size_t> cells_in_between(const studies::StudyResults& results) {
+    std::set<std::size_t> hidden;
+    for (const studies::LadderSlopes& ladder : results.slopes) {
+        const auto& cells = ladder.ladder.cells;
+        if (cells.size() < 5) continue;
+        hidden.insert(std::next(cells.begin()), std::prev(cells.end()));
+    }
+    for (const studies::CellFindings& found : results.findings.cells) {
+        const bool remarkable =
+            found.lost_rays > 0 || (found.bias && found.bias_finding == studies::BiasFinding::biased);
+        if (remarkable || found.equivalence == studies::EquivalenceFinding::refuted) hidden.erase(found.cell);
+    }
+    return hidden;
+}
+
+}  // namespace ff::reports
