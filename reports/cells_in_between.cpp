@@ -16,6 +16,10 @@ std::set<std::size_t> cells_in_between(const studies::StudyResults& results) {
             found.lost_rays > 0 || (found.bias && found.bias_finding == studies::BiasFinding::biased);
         if (remarkable || found.equivalence == studies::EquivalenceFinding::refuted) hidden.erase(found.cell);
     }
+    for (const studies::Rivalry& rivalry : results.rivals) {
+        hidden.erase(results.findings.cells[rivalry.better].cell);
+        if (rivalry.worse) hidden.erase(results.findings.cells[*rivalry.worse].cell);
+    }
     return hidden;
 }
 

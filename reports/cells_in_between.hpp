@@ -9,7 +9,7 @@ namespace ff::reports {
 
 /// Cells (indices into StudyPlan::cells) in the middle of ladders of five sizes and more, which reports do not show one
 /// by one: slopes and pictures of error against evaluations say more. What must be seen is never among them: lost rays,
-/// a bias, a margin that is not kept.
+/// a bias, a margin that is not kept, sizes that the verdict is about.
 std::set<std::size_t> cells_in_between(const studies::StudyResults& results);
 
 }  // namespace ff::reports

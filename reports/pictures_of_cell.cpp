@@ -160,7 +160,7 @@ std::vector<PictureGroup> picture_groups(const studies::StudyResults& results) {
     std::vector<PictureGroup> groups;
     const auto hidden = cells_in_between(results);
     for (std::size_t cell = 0; cell < results.findings.cells.size(); ++cell) {
-        if (hidden.contains(results.findings.cells[cell].cell) && !rivals.contains(cell)) continue;
+        if (hidden.contains(results.findings.cells[cell].cell)) continue;
         PictureGroup group{view(results, cell).label, rivals.contains(cell), pictures_of_cell(results, cell)};
         if (!group.pictures.empty()) groups.push_back(std::move(group));
     }

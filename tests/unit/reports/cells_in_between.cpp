@@ -40,7 +40,7 @@ samples_per_patch = [64, 256, 1024]
 }
 
 TEST(CellsInBetween, AreTheMiddleOfLongLaddersOnly) {
-    EXPECT_EQ(cells_in_between(ladders()), (std::set<std::size_t>{1, 2, 3, 4}));
+    EXPECT_EQ(cells_in_between(ladders()), (std::set<std::size_t>{1, 2, 3})) << "the verdict compares at 1024 rays";
     EXPECT_TRUE(cells_in_between(test::published_results()).empty());
 }
 
@@ -49,14 +49,14 @@ TEST(CellsInBetween, AreShownWhenSomethingIsWrong) {
     results.findings.cells[2].lost_rays = 1;
     ASSERT_TRUE(results.findings.cells[3].bias);
     results.findings.cells[3].bias_finding = studies::BiasFinding::biased;
-    EXPECT_EQ(cells_in_between(results), (std::set<std::size_t>{1, 4}));
+    EXPECT_EQ(cells_in_between(results), (std::set<std::size_t>{1}));
 }
 
 TEST(CellsInBetween, AreLeftOutOfTablesAndGroupsOfPictures) {
     const Table table = methods_table(ladders());
-    EXPECT_EQ(table.rows.size(), 5u);
-    EXPECT_THAT(table.remarks.back(), HasSubstr("4 sizes"));
-    EXPECT_THAT(picture_groups(ladders()), testing::SizeIs(5));
+    EXPECT_EQ(table.rows.size(), 6u);
+    EXPECT_THAT(table.remarks.back(), HasSubstr("3 sizes"));
+    EXPECT_THAT(picture_groups(ladders()), testing::SizeIs(6));
     const std::string page = html_report(ladders(), test::shipped_templates());
     EXPECT_THAT(page, HasSubstr("long, 1 × 2048 rays, pair by pair"));
     EXPECT_THAT(page, Not(HasSubstr("long, 1 × 256 rays, pair by pair")));
