@@ -1,7 +1,9 @@
 #include "studies/resources.hpp"
 
+#include "studies/ladders.hpp"
 #include "studies/records.hpp"
 #include "studies/run.hpp"
+#include "studies/slopes.hpp"
 #include "studies/store.hpp"
 
 #include <algorithm>
@@ -13,6 +15,9 @@ constexpr std::uint64_t program = 30ULL << 20;  // code, libraries, the scene, t
 constexpr std::uint64_t bytes_of_a_row = 30;    // of an observation in the store, keys and page overhead included
 constexpr double seconds_of_a_row = 3e-6;       // two thirds to save it, one to read and evaluate it
 constexpr std::uint64_t bytes_of_a_line = 100;  // of trials.csv, while it is made
+constexpr double seconds_of_a_draw = 6e-9;      // of one trial into a resample of a ladder, for each pair of faces
+constexpr double seconds_of_a_group = 8e-6;     // a trial of a pair in intervals by all rules, for [coverage]
+constexpr std::uint64_t bytes_of_a_cell_in_reports = 1400 << 10;  // its tables and pictures in report.html
 
 std::uint64_t observations_per_trial(const StudyPlan& plan, const Cell& cell) {
     const std::uint64_t faces = plan.scenes[cell.scene].faces.size();
@@ -31,8 +36,9 @@ std::uint64_t largest_record(const StudyPlan& plan) {
     std::uint64_t largest = 0;
     for (const WorkUnit& unit : plan.units) {
         const Cell& cell = plan.cells[unit.cell];
-        // Lists grow by doubling: half of the room is used on average.
-        const std::uint64_t observations = 2 * unit.trials * observations_per_trial(plan, cell) * sizeof(Observation);
+        // Lists grow by doubling: a third of their room is free on average.
+        const std::uint64_t observations =
+            unit.trials * observations_per_trial(plan, cell) * sizeof(Observation) * 3 / 2;
         largest = std::max(largest, observations + patch_sums(plan, cell));
     }
     return largest;
@@ -47,7 +53,47 @@ std::uint64_t memory_of_analysis(const StudyPlan& plan) {
         largest = std::max(largest, estimates + cell.trials * bytes_of_a_line);
         all += estimates;
     }
+    // The sizes of a ladder are held together while slopes are fitted to errors of each class of pairs and to their
+    // absolute values: four times the estimates, as measured.
+    for (const Ladder& ladder : find_ladders(plan)) {
+        std::uint64_t estimates = 0;
+        for (const std::size_t cell : ladder.cells)
+            estimates += plan.cells[cell].trials * sizeof(double) * observations_per_trial(plan, plan.cells[cell]);
+        largest = std::max(largest, 4 * estimates);
+    }
     return plan.spec.published ? largest + all : largest;
+}
+
+double seconds_of_slopes(const StudyPlan& plan) {
+    double draws = 0;
+    for (const Ladder& ladder : find_ladders(plan)) {
+        if (plan.cells[ladder.cells.front()].deterministic) continue;
+        std::uint64_t trials = 0;
+        for (const std::size_t cell : ladder.cells) trials += plan.cells[cell].trials;
+        const double pairs = static_cast<double>(observations_per_trial(plan, plan.cells[ladder.cells.front()]));
+        draws += pairs * static_cast<double>(trials) * resamples_of_ladder(trials);
+    }
+    return draws * seconds_of_a_draw;
+}
+
+/// Intervals are made of one pair of each class from each face.
+double seconds_of_coverage(const StudyPlan& plan) {
+    double groups = 0;
+    for (const Cell& cell : plan.cells) {
+        if (cell.deterministic) continue;
+        const double pairs = 2 * static_cast<double>(plan.scenes[cell.scene].faces.size());
+        groups += pairs * static_cast<double>(cell.trials) * static_cast<double>(plan.spec.coverage.size());
+    }
+    return groups * seconds_of_a_group;
+}
+
+/// Of ladders that are long only the ends are shown one by one.
+std::uint64_t cells_in_reports(const StudyPlan& plan) {
+    std::uint64_t cells = plan.cells.size();
+    for (const Ladder& ladder : find_ladders(plan)) {
+        if (ladder.cells.size() >= 5) cells -= ladder.cells.size() - 2;
+    }
+    return cells;
 }
 
 }  // namespace
@@ -63,7 +109,7 @@ double expected_seconds_of_results(const StudyPlan& plan) {
     double observations = 0;
     for (const Cell& cell : plan.cells)
         observations += static_cast<double>(cell.trials * observations_per_trial(plan, cell));
-    return observations * seconds_of_a_row;
+    return observations * seconds_of_a_row + seconds_of_slopes(plan) + seconds_of_coverage(plan);
 }
 
 std::uint64_t expected_memory(const StudyPlan& plan, unsigned threads) {
@@ -71,7 +117,8 @@ std::uint64_t expected_memory(const StudyPlan& plan, unsigned threads) {
         std::min<std::uint64_t>(plan.units.size(), threads + units_waiting(threads) + std::uint64_t{1});
     const std::uint64_t running =
         units * largest_record(plan) + std::min(Store::page_cache_bytes, expected_store_size(plan));
-    return program + std::max(running, memory_of_analysis(plan)) + plan.units.size() * sizeof(WorkUnit);
+    const std::uint64_t reporting = memory_of_analysis(plan) + cells_in_reports(plan) * bytes_of_a_cell_in_reports;
+    return program + std::max(running, reporting) + plan.units.size() * sizeof(WorkUnit);
 }
 
 }  // namespace ff::studies

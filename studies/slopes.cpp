@@ -23,15 +23,11 @@ constexpr double rounding = 1e-12;
 /// Trials drawn by all resamples of a ladder together, about: more trials need fewer resamples.
 constexpr double most_draws = 4e6;
 
-/// Resamples of the trials of each size: as many as the trials allow, of (resamples + 1) / 40 whole.
+/// Resamples of the trials of each size.
 stats::LadderDraws draw_trials(std::span<const CellEstimates> sizes, const StreamKey& key) {
     std::vector<std::size_t> trials;
     for (const CellEstimates& estimates : sizes) trials.push_back(estimates.trials());
-    const double draws = static_cast<double>(std::accumulate(trials.begin(), trials.end(), std::size_t{0}));
-    constexpr std::array choices{1999u, 999u, 399u, 199u};
-    const auto* const chosen = std::find_if(choices.begin(), choices.end() - 1,
-                                            [&](std::uint32_t resamples) { return resamples * draws <= most_draws; });
-    return {trials, {key, *chosen}};
+    return {trials, {key, resamples_of_ladder(std::accumulate(trials.begin(), trials.end(), std::uint64_t{0}))}};
 }
 
 double root_mean_square(std::span<const double> errors) {
@@ -210,6 +206,13 @@ void judge_together(std::vector<LadderSlopes>& ladders, double level) {
 
 std::string_view name(ErrorSize size) {
     return size == ErrorSize::rmse ? "rmse" : "median_abs_error";
+}
+
+std::uint32_t resamples_of_ladder(std::uint64_t trials) {
+    constexpr std::array choices{1999u, 999u, 399u, 199u};
+    return *std::find_if(choices.begin(), choices.end() - 1, [trials](std::uint32_t resamples) {
+        return resamples * static_cast<double>(trials) <= most_draws;
+    });
 }
 
 std::vector<LadderSlopes> fit_slopes(const Store& store, const Findings& findings) {

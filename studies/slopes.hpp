@@ -7,6 +7,7 @@
 #include "studies/ladders.hpp"
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -60,6 +61,10 @@ struct LadderSlopes {
     std::vector<ClassSlopes> classes;
     std::vector<Slope> pairs;  ///< rmse and median of every distinct pair
 };
+
+/// Resamples behind the intervals of a ladder's slopes, by the trials of all its sizes together: as many as these
+/// allow, of (resamples + 1) / 40 whole.
+std::uint32_t resamples_of_ladder(std::uint64_t trials);
 
 /// Slopes of all ladders of a complete study. Pure.
 std::vector<LadderSlopes> fit_slopes(const Store& store, const Findings& findings);
