@@ -3,6 +3,7 @@
 #include "app/result_files.hpp"
 #include "app/study_files.hpp"
 
+#include "core/configurations/catalogue.hpp"
 #include "core/error.hpp"
 #include "core/nearest_name.hpp"
 #include "samplers/sampler.hpp"
@@ -48,15 +49,30 @@ void print_sampler(const samplers::SamplerInfo& info) {
     fmt::print("Random: {}\n", info.randomised ? "yes, every trial has points of its own" : "no, one trial says all");
 }
 
+/// A form factor with as many digits as are right.
+std::string exact_value(const Configuration& configuration) {
+    return fmt::format("{:.15f}", configuration.exact());
+}
+
+void print_configuration(const Configuration& configuration) {
+    const std::string_view no_scene = why_no_scene(configuration.kind);
+    print_description(
+        "configuration", configuration.name, configuration.summary,
+        fmt::format("Exact:  {}\nFrom:   {}\nHidden: {}{}{}", exact_value(configuration), configuration.formula,
+                    configuration.occluded ? "in part, something stands in between" : "nothing",
+                    no_scene.empty() ? "" : "\nNo scene: ", no_scene),
+        configuration.reference);
+}
+
 /// What can be listed.
 std::vector<std::string_view> kinds() {
     std::vector<std::string_view> all{"samplers"};
     for (const auto& choices : studies::all_choices()) all.push_back(choices.plural);
-    all.insert(all.end(), {"studies", "formats", "controls"});
+    all.insert(all.end(), {"configurations", "studies", "formats", "controls"});
     return all;
 }
 
-/// Everything that can be explained, but for samplers and studies, whose descriptions are made.
+/// Everything that can be explained, but for samplers, configurations and studies, whose descriptions are made.
 struct Entry {
     std::string kind;
     studies::Description description;
@@ -90,6 +106,9 @@ ExitCode list(const std::string& kind) {
     }
     if (kind == "samplers") {
         for (const auto& entry : samplers::catalogue()) print_row(entry.info.name, entry.info.summary);
+    } else if (kind == "configurations") {
+        for (const Configuration& configuration : configurations())
+            fmt::print("{:<25} {} {}\n", configuration.name, exact_value(configuration), configuration.summary);
     } else if (kind == "studies") {
         for (const auto& study : built_in_studies()) print_row(study.name, study.title);
         print_row(studies::selftest_description.name, studies::selftest_description.summary);
@@ -117,6 +136,12 @@ ExitCode explain(const std::string& name) {
         names.emplace_back(description.name);
         if (description.name != pattern_of(name)) continue;
         print_description(kind, description.name, description.summary, description.details, description.reference);
+        return ExitCode::passed;
+    }
+    for (const Configuration& configuration : configurations()) {
+        names.emplace_back(configuration.name);
+        if (configuration.name != name && configuration.id != name) continue;
+        print_configuration(configuration);
         return ExitCode::passed;
     }
     for (const auto& study : built_in_studies()) {

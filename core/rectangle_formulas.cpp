@@ -47,7 +47,19 @@ Real limited_log(Real x) {
     return x > 0 ? std::log(x) : Real{0};
 }
 
+/// One corner term of the formula for parallel rectangles; the slants are sqrt(u^2 + z^2) and sqrt(v^2 + z^2).
+template <class Real>
+Real corner_term(Real u, Real u_slant, Real v, Real v_slant, Real zz) {
+    return v * x_atan(u_slant, v) + u * x_atan(v_slant, u) - zz / 2 * limited_log(u * u + v * v + zz);
+}
+
 }  // namespace
+
+template <class Real>
+Real parallel_corner(Real u, Real v, Real gap) {
+    const Real zz = gap * gap;
+    return corner_term(u, std::sqrt(u * u + zz), v, std::sqrt(v * v + zz), zz);
+}
 
 template <class Real>
 Real parallel_exchange_area(const Interval& x_from, const Interval& y_from, const Interval& x_to, const Interval& y_to,
@@ -71,9 +83,8 @@ Real parallel_exchange_area(const Interval& x_from, const Interval& y_from, cons
     Real sum = 0;
     for (std::size_t i = 0; i < 4; ++i) {
         for (std::size_t j = 0; j < 4; ++j) {
-            const Real corner = v[j] * x_atan(u_slant[i], v[j]) + u[i] * x_atan(v_slant[j], u[i]) -
-                                zz / 2 * limited_log(u[i] * u[i] + v[j] * v[j] + zz);
-            sum += static_cast<Real>(second_difference[i] * second_difference[j]) * corner;
+            sum += static_cast<Real>(second_difference[i] * second_difference[j]) *
+                   corner_term(u[i], u_slant[i], v[j], v_slant[j], zz);
         }
     }
     return std::max(Real{0}, sum / (2 * std::numbers::pi_v<Real>)) * unit * unit;
@@ -106,6 +117,7 @@ Real perpendicular_exchange_area(const Interval& along_from, const Interval& alo
     return std::max(Real{0}, -sum / (4 * std::numbers::pi_v<Real>)) * unit * unit;
 }
 
+template long double parallel_corner(long double, long double, long double);
 template double parallel_exchange_area(const Interval&, const Interval&, const Interval&, const Interval&, long double);
 template long double parallel_exchange_area(const Interval&, const Interval&, const Interval&, const Interval&,
                                             long double);

@@ -14,6 +14,11 @@ template <class Real>
 Real parallel_exchange_area(const Interval& x_from, const Interval& y_from, const Interval& x_to, const Interval& y_to,
                             long double gap);
 
+/// One corner term of `parallel_exchange_area`, times 2 pi: the kernel 1 / (pi r^4), integrated four times, at offsets
+/// u, v >= 0 in the two directions of the planes, `gap` apart.
+template <class Real>
+Real parallel_corner(Real u, Real v, Real gap);
+
 /// Two rectangles in perpendicular planes, each wholly in front of the other: `along` is the axis parallel to both
 /// planes, `height` the distance of a rectangle's points from the other one's plane (its low end is 0 where the
 /// rectangle touches that plane).

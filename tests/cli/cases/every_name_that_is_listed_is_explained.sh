@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 source "$(dirname "$0")/../harness.sh"
 
-for kind in sampler estimator scene completion allocation map tracer study format; do
+for kind in sampler estimator scene completion allocation map tracer configuration study format; do
     plural=${kind/%y/ie}s
     ffstudy list "$plural"
     expect_status 0

@@ -26,6 +26,14 @@ blocks "" "$root/docs/command-line.md" | sed -n '/^\$ ffstudy list samplers$/,/^
 ffstudy list samplers
 expect_equal_files "$folder/promised" "$folder/stdout"
 
+# So are the configurations, with the digits that are computed.
+for command in "list configurations" "explain squares_blocked"; do
+    blocks "" "$root/docs/catalogue.md" | sed -n "/^\$ ffstudy $command\$/,/^\$ /p" | sed '1d; /^\$ /d' >"$folder/promised"
+    # shellcheck disable=SC2086  # two words
+    ffstudy $command
+    expect_equal_files "$folder/promised" "$folder/stdout"
+done
+
 # So does the example of docs/gates.md.
 blocks toml "$root/docs/gates.md" >bands.toml
 blocks "" "$root/docs/gates.md" | sed '0,/^\$ ffstudy check bands.toml$/d; /^ffstudy check/,$d' >"$folder/promised"

@@ -1,0 +1,143 @@
+#include "core/configurations/catalogue.hpp"
+
+#include "core/configurations/aperture.hpp"
+#include "core/configurations/cylinder_and_cone.hpp"
+#include "core/configurations/discs.hpp"
+#include "core/configurations/endless.hpp"
+#include "core/configurations/nested_cubes.hpp"
+#include "core/configurations/polygons.hpp"
+#include "core/configurations/rectangle_element.hpp"
+#include "core/configurations/spheres.hpp"
+#include "core/rectangle_formulas.hpp"
+
+#include <array>
+#include <numbers>
+
+namespace ff {
+namespace {
+
+using enum ConfigurationKind;
+
+constexpr long double pi = std::numbers::pi_v<long double>;
+constexpr Interval unit{0, 1};
+constexpr Interval three{0, 3};
+
+/// Identical rectangles x by y, opposite each other.
+long double opposite_rectangles(long double x, long double y, long double gap) {
+    return parallel_exchange_area<long double>({0, x}, {0, y}, {0, x}, {0, y}, gap) / (x * y);
+}
+
+/// Rectangles at right angles with a common edge of length 1, `from` and `to` wide.
+long double perpendicular_rectangles(long double from, long double to) {
+    return perpendicular_exchange_area<long double>(unit, unit, {0, from}, {0, to}) / from;
+}
+
+long double squares_through_aperture() {
+    constexpr Interval middle{0.25, 0.75};
+    return exchange_area_through_aperture(unit, unit, unit, unit, 1, {middle, middle, 0.5});
+}
+
+constexpr std::array catalogue{
+    Configuration{"R01", "cube_opposite_faces", "opposite faces of a cube", "C-11 with X = Y = 1", "howell", surfaces,
+                  false, [] { return opposite_rectangles(1, 1, 1); }},
+    Configuration{"R02", "cube_adjacent_faces", "adjacent faces of a cube", "C-14 with H = W = 1", "howell", surfaces,
+                  false, [] { return perpendicular_rectangles(1, 1); }},
+    Configuration{"R03", "parallel_rectangles", "parallel 2 x 1 rectangles, 1 apart", "C-11 with X = 2, Y = 1",
+                  "howell", surfaces, false, [] { return opposite_rectangles(2, 1, 1); }},
+    Configuration{"R04", "parallel_squares_close", "parallel squares, a tenth of their side apart",
+                  "C-11 with X = Y = 10", "howell", surfaces, false, [] { return opposite_rectangles(10, 10, 1); }},
+    Configuration{"R05", "parallel_squares_far", "parallel squares, ten times their side apart",
+                  "C-11 with X = Y = 0.1", "howell", surfaces, false, [] { return opposite_rectangles(1, 1, 10); }},
+    Configuration{"R07", "perpendicular_rectangles",
+                  "1 x 0.5 rectangle to a perpendicular 1 x 2 one, the edge of 1 in common", "C-14 with W = 0.5, H = 2",
+                  "howell", surfaces, false, [] { return perpendicular_rectangles(0.5L, 2); }},
+    Configuration{"R09a", "squares_at_60_degrees", "unit squares with a common edge, 60 degrees between them",
+                  "C-16, as a contour integral", "howell", surfaces, false,
+                  [] { return rectangles_at_angle_factor(1, 1, 1, pi / 3); }},
+    Configuration{"R10", "tetrahedron", "two faces of a regular tetrahedron",
+                  "contour integral; 1/3 by symmetry and closure", "sparrow1963", surfaces, false,
+                  [] { return tetrahedron_factor(); }},
+    Configuration{"R11", "parallel_right_triangles", "the same half of two opposite faces of a unit cube",
+                  "contour integral", "sparrow1963", surfaces, false, [] { return parallel_right_triangles_factor(); }},
+    Configuration{"R13", "coaxial_discs_equal", "coaxial discs of radius 1, 1 apart", "C-41 with R1 = R2 = 1", "howell",
+                  surfaces, false, [] { return coaxial_discs_factor(1, 1, 1); }},
+    Configuration{"R14", "coaxial_discs_unequal", "disc of radius 1 to a coaxial one of radius 2, 1 apart",
+                  "C-41 with R1 = 1, R2 = 2", "howell", surfaces, false, [] { return coaxial_discs_factor(1, 2, 1); }},
+    Configuration{"R15", "element_to_disc", "element of area to a coaxial disc of radius 1, 1 apart", "B-12", "howell",
+                  element, false, [] { return element_to_disc_factor(1, 1); }},
+    Configuration{"R16", "element_to_square",
+                  "element of area to a parallel unit square above it, corner on its normal", "B-4", "howell", element,
+                  false, [] { return element_to_rectangle_factor(1, 1, 1); }},
+    Configuration{"R17", "sphere_to_disc", "sphere to a coaxial disc of radius 1, its centre 2 away",
+                  "(1 - 1/sqrt(1 + (r/h)^2)) / 2, for every sphere that does not reach the disc's plane", "howell",
+                  surfaces, false, [] { return sphere_to_disc_factor(1, 2); }},
+    Configuration{"R20", "cylinder_wall", "wall of a cylinder of radius 1 and height 2, to itself",
+                  "1 + H - sqrt(1 + H^2) with H = h / 2r = 1", "howell", surfaces, false,
+                  [] { return cylinder_wall_to_itself_factor(1, 2); }},
+    Configuration{"R21", "cylinder_base_to_wall", "base of a cylinder of radius 1 and height 2, to its wall",
+                  "2 H / (H + sqrt(1 + H^2)) with H = h / 2r = 1", "howell", surfaces, false,
+                  [] { return cylinder_base_to_wall_factor(1, 2); }},
+    Configuration{"R22", "sphere_caps", "cap of height 0.5 of a sphere of radius 1, to the opposite one, inside",
+                  "h / 2R, the share of the sphere's area", "howell", surfaces, false,
+                  [] { return sphere_cap_factor(1, 0.5L); }},
+    Configuration{"R23", "hemisphere", "inside of a hemisphere, to itself", "h / 2R with h = R", "howell", surfaces,
+                  false, [] { return sphere_cap_factor(1, 1); }},
+    Configuration{"R24", "cone_wall", "wall of a cone of radius 1 and height 1, to itself, inside",
+                  "1 - r / sqrt(r^2 + h^2)", "howell", surfaces, false,
+                  [] { return cone_wall_to_itself_factor(1, 1); }},
+    Configuration{"R27", "wedge", "endless plates of equal width, at right angles", "1 - sin(angle / 2)", "hottel1954",
+                  endless, false, [] { return wedge_factor(pi / 2); }},
+    Configuration{"R29", "plane_to_tubes", "endless plane to a row of tubes, axes two diameters apart",
+                  "1 - sqrt(1 - D^2) + D acos(D) with D = 0.5; the tubes shade each other", "hottel1954", endless, true,
+                  [] { return plane_to_tubes_factor(0.5L); }},
+    Configuration{"O01", "squares_blocked",
+                  "opposite unit squares 1 apart, with a square of side 0.5 in the middle between them",
+                  "C-11 less what an aperture lets through", "ehlert1993", surfaces, true,
+                  [] { return opposite_rectangles(1, 1, 1) - squares_through_aperture(); }},
+    Configuration{"O01c", "squares_through_aperture",
+                  "opposite unit squares 1 apart, through a square hole of side 0.5 in a plate between them",
+                  "piecewise linear cross-sections, integrated against the corner function of C-13", "ehlert1993",
+                  surfaces, true, [] { return squares_through_aperture(); }},
+    Configuration{"O03", "l_shaped_room",
+                  "long wall of 3 x 3 to the far short wall of 1 x 3 of an L-shaped room, past the corner",
+                  "as through an aperture, a third of the way", "ehlert1993", surfaces, true,
+                  [] {
+                      return exchange_area_through_aperture(three, three, unit, three, 3, {unit, three, 1.0L / 3}) / 9;
+                  }},
+    Configuration{"O05", "concentric_spheres", "sphere of radius 2, inside, to itself past one of radius 1",
+                  "1 - (r1 / r2)^2, by reciprocity and closure", "howell", surfaces, true,
+                  [] { return outer_sphere_to_itself_factor(1, 2); }},
+    Configuration{"O08", "discs_blocked",
+                  "disc of radius 0.5 to a coaxial one of radius 1, 1 apart, past one of radius 0.25 halfway",
+                  "difference of two C-41; all of the blocker's shadow falls on the second disc", "howell", surfaces,
+                  true,
+                  [] {
+                      return blocked_coaxial_discs_factor(0.5L, 1, 1, {0.25L, 0.5L});
+                  }},
+    Configuration{"O11a", "nested_cubes_opposite", "opposite faces of a cube of 6, past a cube of 2 in its middle",
+                  "closed form, and Gauss's rule for the corners of the shadow", "ehlert1993", surfaces, true,
+                  [] { return nested_cubes_opposite_factor(2, 6); }},
+    Configuration{"O11b", "nested_cubes_adjacent", "adjacent faces of a cube of 6, past a cube of 2 in its middle",
+                  "closure: a face sends 1/9 to the inner cube", "ehlert1993", surfaces, true,
+                  [] { return nested_cubes_adjacent_factor(2, 6); }},
+};
+
+}  // namespace
+
+std::span<const Configuration> configurations() {
+    return catalogue;
+}
+
+std::string_view why_no_scene(ConfigurationKind kind) {
+    switch (kind) {
+        case surfaces:
+            break;
+        case element:
+            return "a differential area has no points to start rays from, and estimates are of finite surfaces";
+        case endless:
+            return "scenes are three-dimensional and finite; cut off somewhere it would be another configuration";
+    }
+    return "";
+}
+
+}  // namespace ff

@@ -1,0 +1,172 @@
+// Discs, spheres, cylinders, cones and elements of area against integrals of the kernel, and against each other.
+
+#include "core/configurations/cylinder_and_cone.hpp"
+#include "core/configurations/discs.hpp"
+#include "core/configurations/rectangle_element.hpp"
+#include "core/configurations/spheres.hpp"
+#include "core/error.hpp"
+#include "near.hpp"
+
+#include <gtest/gtest.h>
+
+#include <boost/math/quadrature/gauss.hpp>
+
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <numbers>
+#include <vector>
+
+namespace ff {
+namespace {
+
+using Real = long double;
+constexpr Real pi = std::numbers::pi_v<Real>;
+/// Of sums and quadratures of smooth functions in extended precision, here below 10 in size.
+constexpr Real rounding = 2e-18L;
+
+/// Gauss's rule on 16 panels: integrands are analytic at least a quarter of the interval around it, so that 30 nodes
+/// leave less than 8^-60.
+template <class Function>
+Real integral(const Function& f, Real low, Real high) {
+    constexpr int panels = 16;
+    const Real width = (high - low) / panels;
+    Real sum = 0;
+    for (int panel = 0; panel < panels; ++panel)
+        sum += boost::math::quadrature::gauss<Real, 30>::integrate(f, low + width * panel, low + width * (panel + 1));
+    return sum;
+}
+
+/// From an element at a distance `aside` from the axis to a parallel disc: from its polar integral, [howell] B-13.
+Real element_aside_to_disc(Real radius, Real distance, Real aside) {
+    const Real squares = distance * distance + aside * aside;
+    const Real sum = squares + radius * radius;
+    return (1 - (squares - radius * radius) / std::sqrt(sum * sum - 4 * aside * aside * radius * radius)) / 2;
+}
+
+TEST(CoaxialDiscs, AreTheIntegralOverTheFirstDisc) {
+    for (const auto& [r1, r2, h] : {std::array<Real, 3>{1, 1, 1}, {1, 2, 1}, {2, 1, 1}, {0.5, 3, 2}, {1, 1, 4}}) {
+        const Real by_kernel =
+            2 / (r1 * r1) *
+            integral([&, r2 = r2, h = h](Real a) { return a * element_aside_to_disc(r2, h, a); }, 0, r1);
+        EXPECT_PRED3(test::near, coaxial_discs_factor(r1, r2, h), by_kernel, rounding) << r1 << " " << r2 << " " << h;
+    }
+}
+
+TEST(CoaxialDiscs, KeepTheirDigitsFarApartAndCloseTogether) {
+    EXPECT_PRED3(test::near, coaxial_discs_factor(1, 1, 1e8L) * 1e16L, 1, 1e-15L);       // r^2 / h^2 (1 - O(r^2 / h^2))
+    EXPECT_PRED3(test::near, (1 - coaxial_discs_factor(1, 1, 1e-8L)) * 1e8L, 1, 1e-8L);  // h / r (1 - O(h))
+    EXPECT_PRED3(test::near, coaxial_discs_factor(3, 1, 2) * 9, coaxial_discs_factor(1, 3, 2), rounding);
+}
+
+TEST(BlockedDiscs, AreTheIntegralOfWhatIsSeenPastTheBlocker) {
+    // The part of the view that the blocker covers is seen as a disc of its own, inside the second disc.
+    const auto seen = [](Real a) {
+        return a * (element_aside_to_disc(1, 1, a) - element_aside_to_disc(0.25L, 0.5L, a));
+    };
+    EXPECT_PRED3(test::near, blocked_coaxial_discs_factor(0.5L, 1, 1, {0.25L, 0.5L}), 8 * integral(seen, 0, 0.5L),
+                 rounding);
+    // Here the shadow just fits; a little larger, it does not, and the formula would be wrong.
+    EXPECT_NO_THROW(blocked_coaxial_discs_factor(0.5L, 1, 1, {0.25L, 0.5L}));
+    EXPECT_THROW(blocked_coaxial_discs_factor(0.5L, 1, 1, {0.26L, 0.5L}), UserError);
+    EXPECT_THROW(blocked_coaxial_discs_factor(0.5L, 1, 1, {0.25L, 1}), UserError);
+}
+
+TEST(ElementToDisc, IsTheIntegralOverTheDisc) {
+    for (const Real h : {0.5L, 1.0L, 3.0L}) {
+        const auto kernel = [h](Real r) { return 2 * r * h * h / ((r * r + h * h) * (r * r + h * h)); };
+        EXPECT_PRED3(test::near, element_to_disc_factor(1, h), integral(kernel, 0, 1), rounding);
+        EXPECT_PRED3(test::near, element_to_disc_factor(1, h), element_aside_to_disc(1, h, 0), rounding);
+    }
+}
+
+TEST(ElementToRectangle, IsTheIntegralOverTheRectangle) {
+    for (const auto& [a, b, c] : {std::array<Real, 3>{1, 1, 1}, {2, 0.5, 1}, {1, 3, 2}}) {
+        const auto over_y = [&, b = b, c = c](Real x) {
+            return integral(
+                [&](Real y) {
+                    const Real squared_distance = x * x + y * y + c * c;
+                    return c * c / (pi * squared_distance * squared_distance);
+                },
+                0, b);
+        };
+        EXPECT_PRED3(test::near, element_to_rectangle_factor(a, b, c), integral(over_y, 0, a), rounding);
+    }
+}
+
+TEST(SphereToDisc, IsTheShareOfAllDirections) {
+    for (const Real h : {0.25L, 2.0L, 50.0L}) {
+        // The element 2 pi r dr is seen under a cosine h / d at a distance d.
+        const auto share = [h](Real r) { return r * h / (2 * std::pow(r * r + h * h, 1.5L)); };
+        EXPECT_PRED3(test::near, sphere_to_disc_factor(1, h), integral(share, 0, 1), rounding);
+    }
+}
+
+TEST(SphereCap, ReceivesAlikeFromEveryPoint) {
+    // Inside a sphere the kernel is the same for all pairs of points: cosines are r / 2R.
+    constexpr Real radius = 1.5L;
+    for (const Real angle : {0.1L, 1.0L, 3.0L}) {
+        const Real distance = 2 * radius * std::sin(angle / 2);
+        const Real cosine = distance / (2 * radius);
+        const Real kernel = cosine * cosine / (pi * distance * distance);
+        EXPECT_PRED3(test::near, kernel * 2 * pi * radius * 0.5L, sphere_cap_factor(radius, 0.5L), rounding);
+    }
+    EXPECT_EQ(sphere_cap_factor(1, 2), 1);
+    EXPECT_THROW(sphere_cap_factor(1, 2.5L), UserError);
+}
+
+TEST(ConcentricSpheres, KeepTheRest) {
+    EXPECT_PRED3(test::near, outer_sphere_to_itself_factor(1, 2) + 0.25L, 1, rounding);
+    EXPECT_THROW(outer_sphere_to_itself_factor(2, 2), UserError);
+}
+
+TEST(Cylinder, ClosesWithItsBases) {
+    for (const auto& [r, h] : {std::array<Real, 2>{1, 2}, {1, 0.01L}, {1, 100}, {3, 1}}) {
+        const Real base_to_base = coaxial_discs_factor(r, r, h);
+        EXPECT_PRED3(test::near, cylinder_base_to_wall_factor(r, h), 1 - base_to_base, rounding);
+        // What the wall sends to a base follows by reciprocity; two bases and the wall itself get all of it.
+        const Real wall_to_base = (1 - base_to_base) * r / (2 * h);
+        EXPECT_PRED3(test::near, cylinder_wall_to_itself_factor(r, h), 1 - 2 * wall_to_base, 100 * rounding);
+    }
+}
+
+TEST(ConeWall, IsTheIntegralOverItsRings) {
+    // A ring at a share s of the slant height sees the cone beyond any plane across the axis through that plane's disc.
+    // By reciprocity with the discs of radius r s, ring to base is the derivative of what they exchange with the base.
+    for (const auto& [r, h] : {std::array<Real, 2>{1, 1}, {1, 3}, {2, 0.5}}) {
+        // A disc at s sees the base with A_s F; all that passes it comes from, or goes to, the wall above it.
+        const auto wall_to_base = [&, r = r, h = h](Real s) {
+            const Real step = 1e-5L;  // central difference of the exchange area, error about step^2
+            const auto exchange = [&](Real share) {
+                return share * share * coaxial_discs_factor(share * r, r, (1 - share) * h);
+            };
+            return (exchange(s + step) - exchange(s - step)) / (2 * step);
+        };
+        const Real slant = std::hypot(r, h);
+        const Real to_base = integral(wall_to_base, 2e-5L, 1 - 2e-5L);  // of the base's area
+        EXPECT_PRED3(test::near, 1 - cone_wall_to_itself_factor(r, h), to_base * r / slant, 2e-4L);
+    }
+}
+
+TEST(RoundConfigurations, RefuseLengthsThatAreNone) {
+    for (const Real wrong :
+         {0.0L, -1.0L, std::numeric_limits<Real>::infinity(), std::numeric_limits<Real>::quiet_NaN()}) {
+        const std::vector<std::function<Real()>> formulas{
+            [&] { return coaxial_discs_factor(wrong, 1, 1); },
+            [&] { return element_to_disc_factor(1, wrong); },
+            [&] {
+                return blocked_coaxial_discs_factor(1, 9, 1, {wrong, 0.5L});
+            },
+            [&] { return element_to_rectangle_factor(1, wrong, 1); },
+            [&] { return sphere_to_disc_factor(1, wrong); },
+            [&] { return sphere_cap_factor(wrong, 1); },
+            [&] { return outer_sphere_to_itself_factor(wrong, 2); },
+            [&] { return cylinder_wall_to_itself_factor(wrong, 1); },
+            [&] { return cylinder_base_to_wall_factor(1, wrong); },
+            [&] { return cone_wall_to_itself_factor(1, wrong); }};
+        for (const auto& formula : formulas) EXPECT_THROW(formula(), UserError);
+    }
+}
+
+}  // namespace
+}  // namespace ff
