@@ -13,7 +13,10 @@ std::string exact(std::optional<double> value) {
 
 std::string to_error(double value, double error) {
     if (!(error > 0)) return fmt::format("{:.8g}", value);
-    const int decimals = std::clamp(1 - static_cast<int>(std::floor(std::log10(error))), 0, 15);
+    const auto magnitude = [](double x) { return static_cast<int>(std::floor(std::log10(x))); };
+    const double size = std::abs(value);
+    if (size < 1e-4 && size >= error) return fmt::format("{:.{}e}", value, magnitude(size) - magnitude(error) + 1);
+    const int decimals = std::clamp(1 - magnitude(error), 0, 15);
     return fmt::format("{:.{}f}", value, decimals);
 }
 

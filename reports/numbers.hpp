@@ -9,7 +9,7 @@ namespace ff::reports {
 std::string exact(std::optional<double> value);
 
 /// As many decimals as the error warrants: its second significant digit is the last one shown. An error of 0 shows
-/// eight significant digits.
+/// eight significant digits. With an exponent below 1e-4, unless the error is larger.
 std::string to_error(double value, double error);
 
 /// A few significant digits, with an exponent below 1e-4: "0.0123", "7.7e-05".

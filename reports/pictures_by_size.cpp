@@ -79,14 +79,34 @@ void add_measured(const studies::StudyPlan& plan, PairClass pair_class, const Si
 }
 
 /// The point with the smallest RMSE; of medians where there is no other.
-const SizePoint& least_error(const std::vector<SizeSeries>& all) {
-    const SizePoint* best = &all.front().points.front();
+/// @return null where there is no such point
+const SizePoint* least_error(const studies::StudyPlan& plan, const std::vector<SizeSeries>& all, bool deterministic) {
+    const SizePoint* best = nullptr;
     for (const SizeSeries& series : all) {
         for (const SizePoint& point : series.points) {
-            if (std::pair(point.is_median, point.error) < std::pair(best->is_median, best->error)) best = &point;
+            if (plan.cells[point.found->cell].deterministic != deterministic) continue;
+            if (best == nullptr || std::pair(point.is_median, point.error) < std::pair(best->is_median, best->error))
+                best = &point;
         }
     }
-    return *best;
+    return best;
+}
+
+/// The one error of a deterministic method may be small by luck, so that it is not set against those of samples.
+std::string least_errors_in_words(const studies::StudyPlan& plan, const std::vector<SizeSeries>& all) {
+    std::vector<std::string> parts;
+    for (const bool deterministic : {false, true}) {
+        const SizePoint* best = least_error(plan, all, deterministic);
+        if (best == nullptr) continue;
+        const char* measure = deterministic ? "an error of" : best->is_median ? "a median error of" : "an RMSE of";
+        parts.push_back(fmt::format("of {} methods {} errs least, {} {} with {} evaluations",
+                                    deterministic ? "deterministic" : "sampled",
+                                    cell_label(plan, plan.cells[best->found->cell]), measure, brief(best->error),
+                                    best->found->evaluations_per_face));
+    }
+    std::string text = fmt::format("{}.", fmt::join(parts, "; "));
+    text.front() = 'O';
+    return text;
 }
 
 Picture convergence_picture(const studies::Findings& findings, std::size_t scene, PairClass pair_class,
@@ -100,16 +120,12 @@ Picture convergence_picture(const studies::Findings& findings, std::size_t scene
     }
     values.set("isolate", names_of(all));
     values.set("signals", {{"labels", std::move(labels)}});
-    const SizePoint& best = least_error(all);
     const std::string place = where(findings.plan, scene, pair_class);
     Picture picture;
     picture.id = slug(fmt::format("convergence-{}", place));
     picture.kind = "convergence";
     picture.title = fmt::format("Error against evaluations, {}.", place);
-    picture.finding =
-        fmt::format("Of what is not exact to rounding, {} errs least: {} {} in a run of {} evaluations.",
-                    cell_label(findings.plan, findings.plan.cells[best.found->cell]),
-                    best.is_median ? "median error" : "RMSE", brief(best.error), best.found->evaluations_per_face);
+    picture.finding = least_errors_in_words(findings.plan, all);
     picture.description = fmt::format(
         "RMSE of a run on {} against evaluations for a face, both logarithmic, with {:g} % intervals, a line for each "
         "method; where the variance is infinite, the median of the absolute error. Thin dashed lines have the slope "

@@ -54,7 +54,7 @@
       const svg = (await view.toSVG()).replaceAll(/var\((--\w+)\)/g, (_, name) => style.getPropertyValue(name).trim());
       const link = element("a", {href: URL.createObjectURL(new Blob([svg], {type: "image/svg+xml"})), download: `${id}.svg`});
       link.click();
-      URL.revokeObjectURL(link.href);
+      setTimeout(() => URL.revokeObjectURL(link.href), 60_000);
     });
     controls.append(button);
   }

@@ -144,6 +144,7 @@ export async function saving(page) {
     const end = Promise.race([saved(), setTimeout(20_000, 'never', {ref: false})]);
     await page.$$eval(`#${id} .controls button`, buttons => buttons.find(button => button.textContent === 'Save as SVG').click());
     const state = await end;
+    await setTimeout(200);  // browsers let a page save ten files at once and no more
     const file = join(folder, `${id}.svg`);
     if (state !== 'completed' || !existsSync(file)) {
       problems.push(`${id}: not saved (${state})`);

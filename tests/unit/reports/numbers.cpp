@@ -28,6 +28,12 @@ TEST(ToError, ShowsTheSecondSignificantDigitOfTheError) {
     EXPECT_EQ(to_error(1234.5, 30), "1234");
 }
 
+TEST(ToError, ShowsSmallValuesWithAnExponent) {
+    EXPECT_EQ(to_error(5.2213e-7, 3.4e-8), "5.22e-07");
+    EXPECT_EQ(to_error(-3.38e-6, 2e-6), "-3.4e-06");
+    EXPECT_EQ(to_error(3.3e-6, 2e-3), "0.0000");
+}
+
 TEST(ToError, ShowsEightDigitsWithoutAnError) {
     EXPECT_EQ(to_error(0.199824895, 0), "0.1998249");
     EXPECT_EQ(to_error(1, 0), "1");
