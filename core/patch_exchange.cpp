@@ -1,0 +1,119 @@
+#include "core/patch_exchange.hpp"
+
+#include "core/aligned_rectangle.hpp"
+#include "core/exact.hpp"
+#include "core/polygon_exchange.hpp"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <vector>
+
+namespace ff {
+namespace {
+
+using Eigen::Vector3d;
+
+/// Gives pairs of patches that lie to each other in the same way the same number. A pair is given by column and row of
+/// both patches; its offset is a sum of these times the patches' edges, in which equal edges of the two count together.
+class Offsets {
+  public:
+    Offsets(const Parallelogram& from, const Parallelogram& to, std::uint32_t m) {
+        const std::array<Vector3d, 2> from_edges{from.edge_u, from.edge_v};
+        const std::array<Vector3d, 2> to_edges{to.edge_u, to.edge_v};
+        std::array<bool, 2> taken{};
+        for (std::size_t i = 0; i < 2; ++i) {
+            strides_[i] = size_;
+            std::size_t values = m;
+            for (std::size_t j = 0; j < 2; ++j) {
+                const int sign = equal(from_edges[i], to_edges[j]) - equal(from_edges[i], -to_edges[j]);
+                if (sign == 0 || taken[j]) continue;
+                taken[j] = true;
+                values = 2 * m - 1;
+                // -a + b from -(m-1) to m-1, or -a - b: equal offsets for equal a + b.
+                strides_[2 + j] = size_;
+                if (sign > 0) reversed_[2 + j] = true;
+            }
+            size_ *= values;
+        }
+        for (std::size_t j = 0; j < 2; ++j) {
+            if (taken[j]) continue;
+            strides_[2 + j] = size_;
+            size_ *= m;
+        }
+        last_ = m - 1;
+    }
+
+    [[nodiscard]] std::size_t size() const { return size_; }
+
+    /// @param place  column and row of the first patch, column and row of the second
+    [[nodiscard]] std::size_t number(const std::array<std::uint32_t, 4>& place) const {
+        std::size_t number = 0;
+        for (std::size_t k = 0; k < place.size(); ++k)
+            number += strides_[k] * (reversed_[k] ? last_ - place[k] : place[k]);
+        return number;
+    }
+
+  private:
+    static bool equal(const Vector3d& a, const Vector3d& b) {
+        return (a - b).norm() <= 4 * std::numeric_limits<double>::epsilon() * a.norm();
+    }
+
+    std::array<std::size_t, 4> strides_{};
+    std::array<bool, 4> reversed_{};
+    std::size_t size_ = 1;
+    std::size_t last_ = 0;
+};
+
+/// Corners counter-clockwise as seen from the side that radiates.
+Corners<double> corners_of(const Parallelogram& p, const Vector3d& normal) {
+    Corners<double> corners{p.corner, p.corner + p.edge_u, p.corner + p.edge_u + p.edge_v, p.corner + p.edge_v};
+    if (p.edge_u.cross(p.edge_v).dot(normal) < 0) std::reverse(corners.begin(), corners.end());
+    return corners;
+}
+
+/// Squared diagonal of the box around both.
+double squared_extent(const Corners<double>& a, const Corners<double>& b) {
+    Eigen::AlignedBox3d box;
+    for (const Vector3d& corner : a) box.extend(corner);
+    for (const Vector3d& corner : b) box.extend(corner);
+    return box.diagonal().squaredNorm();
+}
+
+BoundedValue<double> exchange_of(const Surface& from, const Surface& to) {
+    const auto from_corners = corners_of(from.shape, from.normal);
+    const auto to_corners = corners_of(to.shape, to.normal);
+    if (const auto exact = exact_exchange_area(from, to))
+        return {*exact, 1e-15 * squared_extent(from_corners, to_corners)};
+    return polygon_exchange_area<double>(from_corners, to_corners);
+}
+
+}  // namespace
+
+PatchExchange patch_exchange(const Surface& from, const Surface& to, Subdivision subdivision) {
+    const std::uint32_t m = subdivision.m;
+    const Offsets offsets(from.shape, to.shape, m);
+    std::vector<std::optional<double>> known(offsets.size());
+    PatchExchange result;
+    result.areas.resize(subdivision.per_surface(), subdivision.per_surface());
+    for (std::uint32_t j = 0; j < subdivision.per_surface(); ++j) {
+        for (std::uint32_t i = 0; i < subdivision.per_surface(); ++i) {
+            auto& exchange = known[offsets.number({i % m, i / m, j % m, j / m})];
+            if (!exchange) {
+                const auto value = exchange_of({patch(from.shape, subdivision, i), from.normal, from.face},
+                                               {patch(to.shape, subdivision, j), to.normal, to.face});
+                exchange = value.value;
+                result.error = std::max(result.error, value.error);
+                ++result.computed;
+            }
+            result.areas(i, j) = *exchange;
+        }
+    }
+    return result;
+}
+
+}  // namespace ff
