@@ -84,6 +84,8 @@ void add_radiosity(CLI::App& app, RadiosityOptions& options, RunCommand& command
                     "Reflectances, each solved for by itself (default: the study's, or 0.1,0.5,0.9,0.99,0.999)");
     sub->add_option("--emission", options.emission,
                     "Emitted exitance, one number or one for each face (default: the study's, or 1 on the last face)");
+    sub->add_option("--patch-trials", options.patch_trials,
+                    "Trials that are solved between patches too (default: the study's, or 0)");
     add_run_options(*sub, command);
     sub->callback([&] {
         action = [&] {

@@ -14,6 +14,7 @@ namespace ff::app {
 struct RadiosityOptions {
     std::string reflectance;  ///< "0.5,0.9"
     std::string emission;     ///< "0,0,0,0,0,1"
+    std::optional<std::uint64_t> patch_trials;
 };
 
 /// What the commands that run something take.

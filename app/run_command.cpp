@@ -36,6 +36,8 @@ std::string reproduce(const RunCommand& command, const studies::StudySpec& spec)
         text += fmt::format(" --reflectance {}", command.radiosity->reflectance);
     if (command.radiosity && !command.radiosity->emission.empty())
         text += fmt::format(" --emission {}", command.radiosity->emission);
+    if (command.radiosity && command.radiosity->patch_trials)
+        text += fmt::format(" --patch-trials {}", *command.radiosity->patch_trials);
     if (command.trials) text += fmt::format(" --trials {}", *command.trials);
     if (command.until) text += fmt::format(" --until {}", *command.until);
     if (command.level) text += fmt::format(" --level {}", *command.level);

@@ -21,6 +21,7 @@ void set_radiosity(studies::StudySpec& spec, const RadiosityOptions& options) {
             spec.radiosity->reflectance.push_back({value});
     }
     if (!options.emission.empty()) spec.radiosity->emission = studies::parse_numbers(options.emission, "--emission");
+    if (options.patch_trials) spec.radiosity->patch_trials = *options.patch_trials;
     studies::check_radiosity(*spec.radiosity, "--");
 }
 

@@ -234,13 +234,15 @@ Eigen::MatrixXd area_kernel(const Scene& scene, Subdivision subdivision, const P
     }
 
     const auto faces = static_cast<Eigen::Index>(scene.faces.size());
+    Eigen::VectorXd areas(faces);
+    for (Eigen::Index face = 0; face < faces; ++face) areas[face] = face_area(scene, static_cast<int>(face));
     Eigen::MatrixXd result = Eigen::MatrixXd::Zero(faces, faces);
     for (const SurfacePair& pair : pairs) {
         const int from = pair.from->surface->face;
         const int to = pair.to->surface->face;
         const double exchange = pair.transfer * area(pair.from->shape) * area(pair.to->shape) / std::numbers::pi;
-        result(from, to) += exchange / face_area(scene, from);
-        if (symmetric) result(to, from) += exchange / face_area(scene, to);
+        result(from, to) += exchange / areas[from];
+        if (symmetric) result(to, from) += exchange / areas[to];
     }
     if (sums != nullptr) add_patch_factors(scene, subdivision, pairs, *sums);
     return result;

@@ -2,6 +2,7 @@
 
 #include "reports/csv_field.hpp"
 #include "reports/numbers.hpp"
+#include "reports/radiosity_words.hpp"
 
 #include <fmt/format.h>
 
@@ -14,15 +15,24 @@ namespace {
 
 using studies::StudyPlan;
 
-/// study .. samples_per_patch
-std::string cell_fields(const StudyPlan& plan, std::size_t index) {
-    const studies::Cell& cell = plan.cells[index];
-    return fmt::format("{},{},{},{},{}", csv_field(plan.spec.name), csv_field(plan.scenes[cell.scene].name),
+/// study .. between
+std::string cell_fields(const StudyPlan& plan, const studies::Consequences& found) {
+    const studies::Cell& cell = plan.cells[found.cell];
+    return fmt::format("{},{},{},{},{},{}", csv_field(plan.spec.name), csv_field(plan.scenes[cell.scene].name),
                        csv_field(plan.spec.methods[cell.method].name), cell.subdivision.per_surface(),
-                       cell.samples == 0 ? std::string() : std::to_string(cell.samples));
+                       cell.samples == 0 ? std::string() : std::to_string(cell.samples), studies::name(found.between));
 }
 
-constexpr std::string_view cell_columns = "study,scene,method,patches_per_face,samples_per_patch";
+constexpr std::string_view cell_columns = "study,scene,method,patches_per_face,samples_per_patch,between";
+
+/// Three columns: label of the face, row and column of the patch.
+std::string element_fields(const StudyPlan& plan, const studies::Consequences& found, std::size_t element) {
+    if (element == 0) return "all,,";
+    const studies::Cell& cell = plan.cells[found.cell];
+    const auto place = place_of(plan.scenes[cell.scene], cell.subdivision, found.between, element);
+    if (found.between == studies::Between::faces) return csv_field(place.face) + ",,";
+    return fmt::format("{},{},{}", csv_field(place.face), place.row, place.column);
+}
 
 std::string setting_field(const StudyPlan& plan, std::size_t setting) {
     return fmt::format("{}", fmt::join(plan.spec.radiosity->reflectance[setting], ";"));
@@ -44,14 +54,16 @@ void for_each_solver(const studies::StudyResults& results,
     const StudyPlan& plan = results.findings.plan;
     for (const studies::ExactSystem& system : results.radiosity->exact) {
         const std::string prefix =
-            fmt::format("{},{},,,,{}", csv_field(plan.spec.name), csv_field(plan.scenes[system.scene].name),
+            fmt::format("{},{},,{},,{},{}", csv_field(plan.spec.name), csv_field(plan.scenes[system.scene].name),
+                        system.m == 0 ? std::string() : std::to_string(system.m * system.m),
+                        studies::name(system.m == 0 ? studies::Between::faces : studies::Between::patches),
                         setting_field(plan, system.setting));
         for (const auto& found : system.solvers) row(prefix, found);
     }
     for (const studies::Consequences& found : results.radiosity->consequences) {
+        const std::string cell = cell_fields(results.findings.plan, found);
         for (const studies::SettingFindings& at : found.settings) {
-            const std::string prefix =
-                fmt::format("{},{}", cell_fields(plan, found.cell), setting_field(plan, at.setting));
+            const std::string prefix = fmt::format("{},{}", cell, setting_field(plan, at.setting));
             for (const auto& solver : at.solvers) row(prefix, solver);
         }
     }
@@ -71,13 +83,14 @@ void write_matrices_csv(std::ostream& out, const studies::StudyResults& results)
                        columns_of("closure_defect"), columns_of("reciprocity_defect"), columns_of("correction"),
                        columns_of("factor_error"), columns_of("dominant_below"), columns_of("convergent_below"));
     for (const studies::Consequences& found : results.radiosity->consequences) {
+        const std::string cell = cell_fields(results.findings.plan, found);
         const auto some = [&](const studies::OverTrials& range) {
             return fields_of(found.trials > 0 ? std::optional(range) : std::nullopt);
         };
-        out << fmt::format("{},{},{},{},{},{},{},{},{},{}\n", cell_fields(results.findings.plan, found.cell),
-                           studies::name(found.treatment), found.trials, found.not_balanced, some(found.closure_defect),
-                           some(found.reciprocity_defect), some(found.correction), some(found.factor_error),
-                           some(found.dominant_below), some(found.convergent_below));
+        out << fmt::format("{},{},{},{},{},{},{},{},{},{}\n", cell, studies::name(found.treatment), found.trials,
+                           found.not_balanced, some(found.closure_defect), some(found.reciprocity_defect),
+                           some(found.correction), some(found.factor_error), some(found.dominant_below),
+                           some(found.convergent_below));
     }
 }
 
@@ -88,9 +101,9 @@ void write_systems_csv(std::ostream& out, const studies::StudyResults& results) 
         "{},{},light_error\n",
         cell_columns, columns_of("spectral_radius"), columns_of("condition"), columns_of("energy_defect"));
     for (const studies::Consequences& found : results.radiosity->consequences) {
+        const std::string cell = cell_fields(results.findings.plan, found);
         for (const studies::SettingFindings& at : found.settings) {
-            out << fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n",
-                               cell_fields(results.findings.plan, found.cell), studies::name(found.treatment),
+            out << fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", cell, studies::name(found.treatment),
                                setting_field(results.findings.plan, at.setting), at.trials, at.dominant, at.convergent,
                                at.divergent, at.singular, at.negative, fields_of(at.spectral_radius),
                                exact(at.radius_uncertainty), fields_of(at.condition), fields_of(at.energy_defect),
@@ -101,22 +114,20 @@ void write_systems_csv(std::ostream& out, const studies::StudyResults& results) 
 
 void write_exitance_csv(std::ostream& out, const studies::StudyResults& results) {
     out << cell_columns
-        << ",treatment,reflectance,trials,face,exact,mean,bias,bias_ci_low,bias_ci_high,interval_method,level,std,rmse,"
-           "q025,median,q975\n";
+        << ",treatment,reflectance,trials,face,row,column,exact,mean,bias,bias_ci_low,bias_ci_high,interval_method,"
+           "level,std,rmse,q025,median,q975\n";
     const StudyPlan& plan = results.findings.plan;
     for (const studies::Consequences& found : results.radiosity->consequences) {
-        const Scene& scene = plan.scenes[plan.cells[found.cell].scene];
+        const std::string cell = cell_fields(results.findings.plan, found);
         for (const studies::SettingFindings& at : found.settings) {
             for (const studies::ExitanceFindings& e : at.exitance) {
                 const auto& interval = e.bias_interval;
-                out << fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n",
-                                   cell_fields(plan, found.cell), studies::name(found.treatment),
-                                   setting_field(plan, at.setting), at.trials,
-                                   e.face == 0 ? "all" : csv_field(scene.faces[static_cast<std::size_t>(e.face) - 1]),
-                                   exact(e.exact), exact(e.mean), exact(e.bias), interval ? exact(interval->low) : "",
-                                   interval ? exact(interval->high) : "", interval ? interval->method : "",
-                                   interval ? exact(interval->level) : "", exact(e.std), exact(e.rmse), exact(e.q025),
-                                   exact(e.median), exact(e.q975));
+                out << fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", cell,
+                                   studies::name(found.treatment), setting_field(plan, at.setting), at.trials,
+                                   element_fields(plan, found, e.element), exact(e.exact), exact(e.mean), exact(e.bias),
+                                   interval ? exact(interval->low) : "", interval ? exact(interval->high) : "",
+                                   interval ? interval->method : "", interval ? exact(interval->level) : "",
+                                   exact(e.std), exact(e.rmse), exact(e.q025), exact(e.median), exact(e.q975));
             }
         }
     }

@@ -1,6 +1,7 @@
 #include "reports/json_radiosity.hpp"
 
 #include "reports/labels.hpp"
+#include "reports/radiosity_words.hpp"
 
 #include <cmath>
 #include <string>
@@ -33,9 +34,15 @@ Json solvers_json(const std::vector<studies::SolverFindings>& solvers) {
     return list;
 }
 
-Json exitance_json(const Scene& scene, const studies::ExitanceFindings& found) {
-    const std::string face = found.face == 0 ? "all" : scene.faces[static_cast<std::size_t>(found.face) - 1];
-    return {{"face", face},
+Json exitance_json(const studies::StudyPlan& plan, const studies::Consequences& of,
+                   const studies::ExitanceFindings& found) {
+    const studies::Cell& cell = plan.cells[of.cell];
+    const Place place = found.element == 0
+                            ? Place{"all"}
+                            : place_of(plan.scenes[cell.scene], cell.subdivision, of.between, found.element);
+    return {{"face", place.face},
+            {"row", place.row == 0 ? Json(nullptr) : Json(place.row)},
+            {"column", place.column == 0 ? Json(nullptr) : Json(place.column)},
             {"exact", found.exact},
             {"mean", optional_json(found.mean)},
             {"bias", optional_json(found.bias)},
@@ -47,9 +54,20 @@ Json exitance_json(const Scene& scene, const studies::ExitanceFindings& found) {
             {"q975", found.q975}};
 }
 
-Json setting_json(const studies::StudyPlan& plan, const Scene& scene, const studies::SettingFindings& at) {
-    Json exitance = Json::array();
-    for (const auto& found : at.exitance) exitance.push_back(exitance_json(scene, found));
+/// Of all together and each face; between patches of all and the worst patch, the rest is in exitance.csv.
+Json exitances_json(const studies::StudyPlan& plan, const studies::Consequences& of,
+                    const studies::SettingFindings& at) {
+    Json list = Json::array();
+    if (of.between == studies::Between::faces) {
+        for (const auto& found : at.exitance) list.push_back(exitance_json(plan, of, found));
+    } else if (!at.exitance.empty()) {
+        list.push_back(exitance_json(plan, of, at.exitance.front()));
+        if (const auto* worst = worst_element(at)) list.push_back(exitance_json(plan, of, *worst));
+    }
+    return list;
+}
+
+Json setting_json(const studies::StudyPlan& plan, const studies::Consequences& of, const studies::SettingFindings& at) {
     return {{"reflectance", plan.spec.radiosity->reflectance[at.setting]},
             {"dominant", at.dominant},
             {"convergent", at.convergent},
@@ -61,18 +79,18 @@ Json setting_json(const studies::StudyPlan& plan, const Scene& scene, const stud
             {"condition", range_json(at.condition)},
             {"energy_defect", at.energy_defect ? range_json(*at.energy_defect) : Json(nullptr)},
             {"light_error", optional_json(at.light_error)},
-            {"exitance", std::move(exitance)},
+            {"exitance", exitances_json(plan, of, at)},
             {"solvers", solvers_json(at.solvers)}};
 }
 
 Json consequences_json(const studies::StudyPlan& plan, const studies::Consequences& found) {
-    const studies::Cell& cell = plan.cells[found.cell];
     const auto some = [&](const studies::OverTrials& range) {
         return found.trials > 0 ? range_json(range) : Json(nullptr);
     };
     Json settings = Json::array();
-    for (const auto& at : found.settings) settings.push_back(setting_json(plan, plan.scenes[cell.scene], at));
-    return {{"cell", cell_label(plan, cell)},
+    for (const auto& at : found.settings) settings.push_back(setting_json(plan, found, at));
+    return {{"cell", cell_label(plan, plan.cells[found.cell])},
+            {"between", studies::name(found.between)},
             {"treatment", studies::name(found.treatment)},
             {"trials", found.trials},
             {"not_balanced", found.not_balanced},
@@ -88,6 +106,7 @@ Json consequences_json(const studies::StudyPlan& plan, const studies::Consequenc
 Json exact_json(const studies::StudyPlan& plan, const studies::ExactSystem& system) {
     const std::vector<double> exitance(system.exitance.begin(), system.exitance.end());
     return {{"scene", plan.scenes[system.scene].name},
+            {"patches_per_face", system.m == 0 ? Json(nullptr) : Json(system.m * system.m)},
             {"reflectance", plan.spec.radiosity->reflectance[system.setting]},
             {"exitance", exitance},
             {"spectral_radius", system.properties.spectral_radius.middle()},

@@ -4,7 +4,7 @@
 #include "core/radiosity/patch_factors.hpp"
 #include "core/radiosity/system.hpp"
 #include "reports/labels.hpp"
-#include "studies/radiosity/consequences.hpp"
+#include "studies/radiosity/lighting.hpp"
 #include "studies/radiosity/patch_matrix.hpp"
 #include "studies/radiosity/treatment.hpp"
 
@@ -15,6 +15,9 @@
 
 namespace ff::reports {
 namespace {
+
+/// Most patches of a scene that a matrix is written for: as text it has 100 MB then.
+constexpr std::uint32_t most_patches = 2000;
 
 using Files = std::map<std::string, std::string>;
 
@@ -27,12 +30,31 @@ void add_system(Files& files, const std::string& folder, const std::string& labe
                 std::size_t scene, const Eigen::MatrixXd& factors) {
     add(files, folder + "form_factors", factors, fmt::format("form factors, {}", label));
     if (!plan.spec.radiosity) return;
+    const studies::Lighting lighting = studies::light_faces(plan, scene);
     for (std::size_t setting = 0; setting < plan.spec.radiosity->reflectance.size(); ++setting) {
-        const auto system = studies::make_system(plan, scene, setting, factors);
+        const RadiositySystem system = lighting.system(setting, factors);
         const std::string words = studies::in_words(plan.spec.radiosity->reflectance[setting]);
         add(files, fmt::format("{}system_{}", folder, setting), coefficient_matrix(system),
             fmt::format("I - P F at reflectance {}, {}", words, label));
         if (setting == 0) add(files, folder + "emission", system.emission, fmt::format("emitted exitance, {}", label));
+    }
+}
+
+/// Factors between patches, and what makes a system of them. The matrix I - diag(reflectance) F itself is as large as
+/// F.
+void add_patches(Files& files, const std::string& folder, const std::string& label, const studies::StudyPlan& plan,
+                 std::size_t index, std::uint64_t trial) {
+    const studies::Cell& cell = plan.cells[index];
+    add(files, folder + "patch_form_factors", studies::trace_patch_factors(plan, index, trial),
+        fmt::format("between patches, direct, {}", label));
+    add(files, folder + "patch_areas", patch_areas(plan.scenes[cell.scene], cell.subdivision),
+        fmt::format("areas of the patches, {}", label));
+    if (!plan.spec.radiosity) return;
+    const studies::PatchLight light = studies::patch_light(plan, cell.scene, cell.subdivision);
+    add(files, folder + "patch_emission", light.emission, fmt::format("emitted exitance of the patches, {}", label));
+    for (std::size_t setting = 0; setting < light.reflectance.size(); ++setting) {
+        add(files, fmt::format("{}patch_reflectance_{}", folder, setting), light.reflectance[setting],
+            fmt::format("reflectance of the patches, {}", label));
     }
 }
 
@@ -81,13 +103,15 @@ std::map<std::string, std::string> matrix_files(const studies::Store& store) {
         const std::string folder = fmt::format("cell_{}/", index);
         const std::string label = fmt::format("{}: {}, trial {}", plan.scenes[cell.scene].name, cell_label(plan, cell),
                                               trials.numbers.front());
-        add(files, folder + "areas", trials.areas, fmt::format("areas of the faces, {}", label));
-        add_system(files, folder, label, plan, cell.scene, studies::treat(trials, trials.direct.front(), treatment));
-        if (const auto patches = studies::trace_patch_factors(plan, index, trials.numbers.front())) {
-            add(files, folder + "patch_form_factors", *patches, fmt::format("between patches, direct, {}", label));
-            add(files, folder + "patch_areas", patch_areas(plan.scenes[cell.scene], cell.subdivision),
-                fmt::format("areas of the patches, {}", label));
-        }
+        studies::Elements faces;
+        faces.areas = studies::face_areas(plan.scenes[cell.scene]);
+        faces.sight = all_but_itself(faces.areas.size());
+        add(files, folder + "areas", faces.areas, fmt::format("areas of the faces, {}", label));
+        add_system(files, folder, label, plan, cell.scene,
+                   studies::treat(faces, trials.rays, trials.direct.front(), treatment));
+        if (cell.subdivision.patches(plan.scenes[cell.scene]) <= most_patches &&
+            studies::tells_patches_apart(plan, index))
+            add_patches(files, folder, label, plan, index, trials.numbers.front());
     }
     return files;
 }

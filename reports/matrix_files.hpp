@@ -17,8 +17,8 @@ std::string matrix_market(const Eigen::MatrixXd& matrix, const std::string& comm
 std::string npy(const Eigen::MatrixXd& matrix);
 
 /// The first trial of every cell, as its method completes it, and the exact factors: form factors, areas, and for a
-/// study with [radiosity] the matrices I - P F with their right-hand sides; of ray shooting also the factors between
-/// patches, where they are not too many. Contents by path.
+/// study with [radiosity] the matrices I - P F with their right-hand sides; of rays and kernels also the factors
+/// between patches, where they are not too many. Contents by path.
 std::map<std::string, std::string> matrix_files(const studies::Store& store);
 
 }  // namespace ff::reports

@@ -39,6 +39,9 @@ std::vector<PictureGroup> picture_groups(const studies::StudyResults& results);
 /// Errors of the light, spectral radius, residuals, exitance; empty where the study has no [radiosity].
 std::optional<PictureGroup> radiosity_pictures(const studies::StudyResults& results);
 
+/// The unfolded box in radiant exitance, with exact factors and as methods give it, and where that errs.
+std::vector<Picture> exitance_pictures(const studies::StudyResults& results, std::size_t scene);
+
 std::optional<Picture> unfolded_picture(const studies::StudyResults& results, std::size_t cell);
 std::optional<Picture> estimates_picture(const studies::StudyResults& results, std::size_t cell);
 std::optional<Picture> bias_picture(const studies::StudyResults& results, std::size_t cell);

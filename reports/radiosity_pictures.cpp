@@ -1,5 +1,3 @@
-#include "core/exact.hpp"
-#include "core/unfold.hpp"
 #include "reports/labels.hpp"
 #include "reports/numbers.hpp"
 #include "reports/picture_values.hpp"
@@ -10,6 +8,7 @@
 
 #include <algorithm>
 #include <set>
+#include <utility>
 
 namespace ff::reports {
 namespace {
@@ -154,7 +153,7 @@ std::optional<Picture> residuals_picture(const studies::StudyResults& results, s
         }
     };
     for (const studies::ExactSystem& system : results.radiosity->exact) {
-        if (system.scene == scene)
+        if (system.scene == scene && system.m == 0)
             add(fmt::format("exact factors, reflectance {}", setting_text(plan, system.setting)), system.solvers);
     }
     for (const std::size_t cell : lit_cells(plan, scene)) {
@@ -183,64 +182,6 @@ std::optional<Picture> residuals_picture(const studies::StudyResults& results, s
     return picture;
 }
 
-/// The faces laid flat in the exitance that exact factors give: each patch gathers from the faces, whose exitance is
-/// that of the system between faces.
-std::optional<Picture> exitance_picture(const studies::StudyResults& results, std::size_t scene_index) {
-    constexpr Subdivision subdivision{13};
-    const StudyPlan& plan = results.findings.plan;
-    const Scene& scene = plan.scenes[scene_index];
-    const auto box = unfold_box(scene, subdivision);
-    const auto factors = exact_patch_to_face(scene, subdivision);
-    if (!box || !factors) return std::nullopt;
-    PictureValues values({"face", "reflectance", "left", "bottom", "exitance", "label", "width", "height"});
-    const auto face_of = [&](std::size_t patch) { return scene.surfaces[patch / subdivision.per_surface()].face; };
-    auto settings = nlohmann::ordered_json::array();
-    std::string finding;
-    for (const studies::ExactSystem& solved : results.radiosity->exact) {
-        if (solved.scene != scene_index) continue;
-        const std::string reflectance = setting_text(plan, solved.setting);
-        settings.push_back(reflectance);
-        const auto system = make_system(plan, scene_index, solved.setting, exact_form_factors(scene).value());
-        const Eigen::VectorXd gathered = *factors * solved.exitance;
-        double least = 0;
-        double largest = 0;
-        for (std::size_t patch = 0; patch < box->patches.size(); ++patch) {
-            const Eigen::Index face = face_of(patch);
-            const double exitance =
-                (system.emission[face] + system.reflectance[face] * gathered[static_cast<Eigen::Index>(patch)]) /
-                system.emission.maxCoeff();
-            least = patch == 0 ? exitance : std::min(least, exitance);
-            largest = std::max(largest, exitance);
-            const FlatRectangle& at = box->patches[patch];
-            values.add({scene.faces[static_cast<std::size_t>(face)], reflectance, drawn(at.left, 4),
-                        drawn(at.bottom, 4), drawn(exitance, 4)});
-        }
-        if (finding.empty()) {
-            finding = fmt::format("At reflectance {} the exitance of patches is {} to {} times the emission.",
-                                  reflectance, brief(least), brief(largest));
-        }
-    }
-    for (std::size_t surface = 0; surface < box->surfaces.size(); ++surface) {
-        const FlatRectangle& at = box->surfaces[surface];
-        values.add({nullptr, nullptr, drawn((at.left + at.right) / 2), drawn((at.bottom + at.top) / 2), nullptr,
-                    scene.faces[static_cast<std::size_t>(scene.surfaces[surface].face)],
-                    drawn((at.right - at.left) / subdivision.m), drawn((at.top - at.bottom) / subdivision.m)});
-    }
-    values.set("choose", {{"signal", "reflectance"}, {"label", "Reflectance"}, {"values", std::move(settings)}});
-    values.set("aspect", drawn((box->extent.top - box->extent.bottom) / (box->extent.right - box->extent.left)));
-    Picture picture;
-    picture.id = slug(fmt::format("exitance{}", place(plan, scene_index)));
-    picture.kind = "exitance";
-    picture.title = fmt::format("The light with exact factors{}.", place(plan, scene_index));
-    picture.finding = finding;
-    picture.description = fmt::format(
-        "The faces laid flat, each patch coloured by its exitance: what it emits, and reflects of the light that it "
-        "gathers from the faces. {}",
-        finding);
-    picture.values = values.text();
-    return picture;
-}
-
 }  // namespace
 
 std::optional<PictureGroup> radiosity_pictures(const studies::StudyResults& results) {
@@ -249,9 +190,10 @@ std::optional<PictureGroup> radiosity_pictures(const studies::StudyResults& resu
     for (std::size_t scene = 0; scene < results.findings.plan.scenes.size(); ++scene) {
         const auto shown = shown_of(results, scene);
         for (auto& picture : {errors_picture(results, scene, shown), radius_picture(results, scene, shown),
-                              residuals_picture(results, scene), exitance_picture(results, scene)}) {
+                              residuals_picture(results, scene)}) {
             if (picture) group.pictures.push_back(*picture);
         }
+        for (Picture& picture : exitance_pictures(results, scene)) group.pictures.push_back(std::move(picture));
     }
     return group;
 }

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <cstdint>
 #include <utility>
 
 namespace ff::reports {
@@ -21,15 +21,25 @@ std::vector<TableCell> row_of(const studies::StudyPlan& plan, std::size_t index)
     return {{scene + plan.spec.methods[cell.method].name, Mark::none}, {size_label(plan, cell), Mark::none}};
 }
 
-Table matrices_table(const studies::StudyResults& results) {
+using studies::Between;
+
+/// Tables of systems between patches have titles and ids of their own.
+std::string title_of(Between between, const std::string& title) {
+    return between == Between::faces ? title : title + ", between patches";
+}
+std::string id_of(Between between, const std::string& id) {
+    return between == Between::faces ? id : id + "-patches";
+}
+
+Table matrices_table(const studies::StudyResults& results, Between between) {
     const studies::StudyPlan& plan = results.findings.plan;
     Table table{
-        "radiosity-matrices",
-        "What is wrong with the matrices",
+        id_of(between, "radiosity-matrices"),
+        title_of(between, "What is wrong with the matrices"),
         "Median over trials, in brackets the range. Closure defect: largest |row sum − 1|. Reciprocity defect: largest "
         "|F_ij − F_ji A_j / A_i|. Correction: largest change of a factor by the treatment. Error: root mean "
-        "square over pairs against the exact factors. The last two columns are reflectances, the same for all "
-        "faces, below which I − P F is strictly diagonally dominant, and the spectral radius of P F below 1; "
+        "square over pairs against the exact factors. The last two columns are reflectances, the same "
+        "everywhere, below which I − P F is strictly diagonally dominant, and the spectral radius of P F below 1; "
         "above 1 they hold for every surface.",
         {{"method", false, ""},
          {"size (patches a face)", false, ""},
@@ -43,6 +53,7 @@ Table matrices_table(const studies::StudyResults& results) {
         {},
         {}};
     for (const Consequences& found : results.radiosity->consequences) {
+        if (found.between != between) continue;
         if (found.trials == 0) continue;
         auto row = row_of(plan, found.cell);
         row.push_back({std::string(studies::name(found.treatment)), Mark::none});
@@ -70,26 +81,20 @@ std::string bias_text(const studies::ExitanceFindings& found) {
                        percent(found.bias_interval->width() / 2 / found.exact, 1));
 }
 
-/// The face that errs most, relatively. @pre moments
-const studies::ExitanceFindings& worst_face(const studies::SettingFindings& at) {
-    return *std::max_element(at.exitance.begin() + 1, at.exitance.end(),
-                             [](const auto& a, const auto& b) { return *a.rmse / a.exact < *b.rmse / b.exact; });
-}
-
-Table exitance_table(const studies::StudyResults& results) {
+Table exitance_table(const studies::StudyResults& results, Between between) {
     const studies::StudyPlan& plan = results.findings.plan;
     Table table{
-        "radiosity-exitance",
-        "What becomes of the light",
+        id_of(between, "radiosity-exitance"),
+        title_of(between, "What becomes of the light"),
         fmt::format("Dominant: trials in which I − P F is strictly diagonally dominant. Spectral radius of P F, "
                     "condition of I − P F (1-norm, estimated) and energy lost (share of the emitted power that "
                     "nothing absorbs; negative: made of nothing): medians and ranges over trials. Mean "
-                    "exitance: of all faces by area, relative to that with exact factors; ± half of its {:g} % "
-                    "interval (Student t). Error of the light: root mean square over trials and faces, relative to "
-                    "the mean exact exitance; on the worst face: relative to its own. Negative light: trials "
+                    "exitance: of all {0} by area, relative to that with exact factors; ± half of its {1:g} % "
+                    "interval (Student t). Error of the light: root mean square over trials and {0}, relative to "
+                    "the mean exact exitance; at the worst: relative to its own. Negative light: trials "
                     "whose solution no light is. Where some of several trials are not convergent, the "
                     "exitance passes a pole and has no mean.",
-                    100 * plan.spec.level),
+                    studies::name(between), 100 * plan.spec.level),
         {{"method", false, ""},
          {"size (patches a face)", false, ""},
          {"treatment", false, ""},
@@ -100,11 +105,12 @@ Table exitance_table(const studies::StudyResults& results) {
          {"energy lost (%)", true, ""},
          {"bias of mean exitance", true, ""},
          {"error of the light", true, ""},
-         {"on the worst face", true, ""},
+         {between == Between::patches ? "on the worst patch" : "on the worst face", true, ""},
          {"negative light", true, ""}},
         {},
         {}};
     for (const Consequences& found : results.radiosity->consequences) {
+        if (found.between != between) continue;
         for (const studies::SettingFindings& at : found.settings) {
             auto row = row_of(plan, found.cell);
             row.push_back({std::string(studies::name(found.treatment)), Mark::none});
@@ -125,8 +131,10 @@ Table exitance_table(const studies::StudyResults& results) {
             row.push_back({at.exitance.empty() ? "singular" : bias_text(at.exitance.front()), mark});
             row.push_back({at.light_error ? percent(*at.light_error) : "–", mark});
             if (at.light_error) {
-                const auto& worst = worst_face(at);
-                row.push_back({fmt::format("{} (face {})", percent(*worst.rmse / worst.exact), worst.face), mark});
+                const auto& worst = *worst_element(at);
+                row.push_back({fmt::format("{} ({})", percent(*worst.rmse / worst.exact),
+                                           element_text(plan, found, worst.element)),
+                               mark});
             } else {
                 row.push_back({"–", mark});
             }
@@ -147,14 +155,17 @@ TableCell solver_cell(const studies::SolverFindings& found) {
     return {fmt::format("{}", fmt::join(parts, ", ")), Mark::bad};
 }
 
-Table solvers_table(const studies::StudyResults& results) {
+Table solvers_table(const studies::StudyResults& results, Between between) {
     const studies::StudyPlan& plan = results.findings.plan;
-    Table table{"radiosity-solvers",
-                "How many iterations solvers take",
+    const std::uint64_t trials = plan.spec.radiosity->solver_trials;
+    Table table{id_of(between, "radiosity-solvers"),
+                title_of(between, "How many iterations solvers take"),
                 fmt::format("Until the largest |e − G m| is {:g} of the largest emission, from m = e: sweeps over all "
-                            "faces, or n shots; median and range over the first {} trials at most, as each method is "
-                            "completed. Flops: solvers.csv.",
-                            plan.spec.radiosity->tolerance, plan.spec.radiosity->solver_trials),
+                            "{}, or n shots; {}, as each method is completed. Flops: solvers.csv.",
+                            plan.spec.radiosity->tolerance, studies::name(between),
+                            between == Between::patches
+                                ? std::string("the first trial")
+                                : fmt::format("median and range over the first {} trials at most", trials)),
                 {{"method", false, ""}, {"size (patches a face)", false, ""}, {"reflectance", true, ""}},
                 {},
                 {}};
@@ -171,10 +182,13 @@ Table solvers_table(const studies::StudyResults& results) {
         table.rows.push_back(std::move(row));
     };
     for (const studies::ExactSystem& system : results.radiosity->exact) {
+        if ((system.m != 0) != (between == Between::patches)) continue;
         const std::string scene = plan.scenes.size() == 1 ? std::string() : plan.scenes[system.scene].name + ": ";
-        add({{scene + "exact factors", Mark::none}, {"–", Mark::none}}, system.setting, system.solvers);
+        const std::string size = system.m == 0 ? "–" : std::to_string(system.m * system.m);
+        add({{scene + "exact factors", Mark::none}, {size, Mark::none}}, system.setting, system.solvers);
     }
     for (const Consequences& found : results.radiosity->consequences) {
+        if (found.between != between) continue;
         for (const studies::SettingFindings& at : found.settings) add(row_of(plan, found.cell), at.setting, at.solvers);
     }
     return table;
@@ -223,7 +237,13 @@ Table bias_order_table(const studies::StudyResults& results) {
 
 std::vector<Table> radiosity_tables(const studies::StudyResults& results) {
     if (!results.radiosity) return {};
-    std::vector<Table> tables{matrices_table(results), exitance_table(results), solvers_table(results)};
+    std::vector<Table> tables;
+    for (const Between between : {Between::faces, Between::patches}) {
+        for (const Table& table :
+             {matrices_table(results, between), exitance_table(results, between), solvers_table(results, between)}) {
+            if (!table.rows.empty()) tables.push_back(table);
+        }
+    }
     if (!results.bias_orders.empty()) tables.push_back(bias_order_table(results));
     return tables;
 }

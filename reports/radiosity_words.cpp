@@ -93,6 +93,33 @@ std::string repair_line(const studies::StudyResults& results) {
                        fmt::join(parts, "; "));
 }
 
+/// The same between patches, with the patch that errs most.
+std::vector<std::string> patch_lines(const studies::StudyResults& results) {
+    const studies::StudyPlan& plan = results.findings.plan;
+    const std::size_t told = told_setting(plan);
+    std::vector<std::string> lines;
+    for (std::size_t scene = 0; scene < plan.scenes.size(); ++scene) {
+        for (const std::size_t cell : lit_cells(plan, scene)) {
+            std::vector<std::string> errors;
+            for (const Treatment treatment : studies::all_treatments) {
+                const Consequences* found = results.radiosity->find(cell, treatment, studies::Between::patches);
+                if (found == nullptr || found->settings.empty() || !found->settings[told].light_error) continue;
+                const auto& worst = *worst_element(found->settings[told]);
+                errors.push_back(fmt::format("{} {}, on the worst patch {} ({})", studies::name(treatment),
+                                             percent(*found->settings[told].light_error),
+                                             percent(*worst.rmse / worst.exact),
+                                             element_text(plan, *found, worst.element)));
+            }
+            if (errors.empty()) continue;
+            lines.push_back(fmt::format("Between the {} patches of {}, error of the light at reflectance {}: {}.",
+                                        plan.cells[cell].subdivision.patches(plan.scenes[scene]),
+                                        cell_label(plan, plan.cells[cell]), setting_text(plan, told),
+                                        fmt::join(errors, "; ")));
+        }
+    }
+    return lines;
+}
+
 std::string bias_order_line(const studies::StudyResults& results) {
     std::size_t fitted = 0;
     std::size_t as_expected = 0;
@@ -146,6 +173,27 @@ std::string over_trials_text(const studies::OverTrials& range, std::size_t trial
                        brief(range.largest, digits));
 }
 
+const studies::ExitanceFindings* worst_element(const studies::SettingFindings& at) {
+    if (!at.light_error) return nullptr;
+    return &*std::max_element(at.exitance.begin() + 1, at.exitance.end(),
+                              [](const auto& a, const auto& b) { return *a.rmse / a.exact < *b.rmse / b.exact; });
+}
+
+Place place_of(const Scene& scene, Subdivision subdivision, studies::Between between, std::size_t element) {
+    if (between == studies::Between::faces) return {scene.faces[element - 1]};
+    const std::size_t on_surface = (element - 1) % subdivision.per_surface();
+    const int face = scene.surfaces[(element - 1) / subdivision.per_surface()].face;
+    return {scene.faces[static_cast<std::size_t>(face)], on_surface / subdivision.m + 1,
+            on_surface % subdivision.m + 1};
+}
+
+std::string element_text(const studies::StudyPlan& plan, const studies::Consequences& found, std::size_t element) {
+    const studies::Cell& cell = plan.cells[found.cell];
+    const Place place = place_of(plan.scenes[cell.scene], cell.subdivision, found.between, element);
+    if (place.row == 0) return fmt::format("face {}", place.face);
+    return fmt::format("face {}, row {}, column {}", place.face, place.row, place.column);
+}
+
 std::string setting_text(const studies::StudyPlan& plan, std::size_t setting) {
     return studies::in_words(plan.spec.radiosity->reflectance[setting]);
 }
@@ -156,9 +204,9 @@ std::vector<std::string> radiosity_in_brief(const studies::StudyResults& results
     for (std::size_t scene = 0; scene < results.findings.plan.scenes.size(); ++scene) {
         for (std::string& line : lines_of_scene(results, scene)) lines.push_back(std::move(line));
     }
-    for (std::string line : {repair_line(results), bias_order_line(results)}) {
-        if (!line.empty()) lines.push_back(std::move(line));
-    }
+    if (std::string line = repair_line(results); !line.empty()) lines.push_back(std::move(line));
+    for (std::string& line : patch_lines(results)) lines.push_back(std::move(line));
+    if (std::string line = bias_order_line(results); !line.empty()) lines.push_back(std::move(line));
     return lines;
 }
 

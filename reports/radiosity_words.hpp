@@ -20,6 +20,22 @@ std::string over_trials_text(const studies::OverTrials& range, std::size_t trial
 /// Errors relative to the exact value: "1.2 %"; rounding shows as "0 %".
 std::string percent(double share, int digits = 2);
 
+/// The face or patch whose exitance errs most, relatively; null where the exitance has no mean.
+const studies::ExitanceFindings* worst_element(const studies::SettingFindings& at);
+
+/// A face, or a patch of it: row and column from 1, 0 for the whole face.
+struct Place {
+    std::string face;
+    std::size_t row = 0;
+    std::size_t column = 0;
+};
+
+/// @param element of ExitanceFindings, > 0
+Place place_of(const Scene& scene, Subdivision subdivision, studies::Between between, std::size_t element);
+
+/// "face 3", or "face 3, row 1, column 13".
+std::string element_text(const studies::StudyPlan& plan, const studies::Consequences& found, std::size_t element);
+
 /// Reflectances of a setting as text: "0.9".
 std::string setting_text(const studies::StudyPlan& plan, std::size_t setting);
 

@@ -5,6 +5,7 @@
 #include "core/tracer.hpp"
 #include "samplers/sampler.hpp"
 #include "studies/applicability.hpp"
+#include "studies/radiosity/patch_matrix.hpp"
 
 #include <fmt/format.h>
 
@@ -183,6 +184,7 @@ StudyPlan plan_study(StudySpec spec) {
                 warn_about_control(plan, method);
                 warn_about_size(plan, method, cell);
                 plan.cells.push_back(std::move(cell));
+                expect_few_patches(plan, plan.cells.size() - 1);
                 add_units(plan, plan.cells.size() - 1, 0, plan.cells.back().trials, plan.units);
             }
         }

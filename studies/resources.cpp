@@ -1,6 +1,7 @@
 #include "studies/resources.hpp"
 
 #include "studies/ladders.hpp"
+#include "studies/radiosity/cost.hpp"
 #include "studies/records.hpp"
 #include "studies/run.hpp"
 #include "studies/slopes.hpp"
@@ -61,7 +62,7 @@ std::uint64_t memory_of_analysis(const StudyPlan& plan) {
             estimates += plan.cells[cell].trials * sizeof(double) * observations_per_trial(plan, plan.cells[cell]);
         largest = std::max(largest, 4 * estimates);
     }
-    return plan.spec.published ? largest + all : largest;
+    return std::max(plan.spec.published ? largest + all : largest, memory_of_radiosity(plan));
 }
 
 double seconds_of_slopes(const StudyPlan& plan) {
@@ -109,7 +110,8 @@ double expected_seconds_of_results(const StudyPlan& plan) {
     double observations = 0;
     for (const Cell& cell : plan.cells)
         observations += static_cast<double>(cell.trials * observations_per_trial(plan, cell));
-    return observations * seconds_of_a_row + seconds_of_slopes(plan) + seconds_of_coverage(plan);
+    return observations * seconds_of_a_row + seconds_of_slopes(plan) + seconds_of_coverage(plan) +
+           seconds_of_radiosity(plan);
 }
 
 std::uint64_t expected_memory(const StudyPlan& plan, unsigned threads) {

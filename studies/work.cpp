@@ -41,6 +41,13 @@ void add_tally(const RayTally& tally, std::uint64_t trial, UnitRecord& record) {
 
 }  // namespace
 
+std::unique_ptr<PointSource> make_points(const Method& method, const Cell& cell) {
+    if (method.sampler.empty()) return nullptr;
+    const Nodes nodes = method.nodes.value_or(Nodes{});
+    const std::uint64_t points = points_per_sequence(method, cell.subdivision, cell.samples);
+    return samplers::find(method.sampler).make({points, dimension(method.estimator), nodes.source, nodes.target});
+}
+
 struct Worker::Tools {
     const Scene* scene = nullptr;
     const Method* method = nullptr;
@@ -53,13 +60,8 @@ Worker::Worker(const StudyPlan& plan, const std::atomic<bool>* stop) : plan_(pla
         auto tools = std::make_unique<Tools>();
         tools->scene = &plan.scenes[cell.scene];
         tools->method = &plan.spec.methods[cell.method];
-        if (!tools->method->sampler.empty()) {
-            const Nodes nodes = tools->method->nodes.value_or(Nodes{});
-            const std::uint64_t points = points_per_sequence(*tools->method, cell.subdivision, cell.samples);
-            tools->points = samplers::find(tools->method->sampler)
-                                .make({points, dimension(tools->method->estimator), nodes.source, nodes.target});
-            if (stop != nullptr) tools->points = interruptible(std::move(tools->points), *stop);
-        }
+        tools->points = make_points(*tools->method, cell);
+        if (tools->points && stop != nullptr) tools->points = interruptible(std::move(tools->points), *stop);
         if (tools->method->estimator == Estimator::ray_shooting) {
             tools->tracer = make_tracer(*tools->scene, tools->method->tracer);
         }

@@ -9,6 +9,9 @@
 
 namespace ff::studies {
 
+/// The points of a cell. Null where its method takes none.
+std::unique_ptr<PointSource> make_points(const Method& method, const Cell& cell);
+
 /// Carries out work units of a plan. Safe to use from several threads: nothing is changed after construction.
 class Worker {
   public:

@@ -1,7 +1,9 @@
 #include "core/radiosity/patch_factors.hpp"
 
+#include "core/area_kernel.hpp"
 #include "core/contract.hpp"
 #include "core/exact.hpp"
+#include "core/facing.hpp"
 
 #include <algorithm>
 #include <memory>
@@ -17,6 +19,18 @@ std::uint32_t patch_of(const Hit& hit, Subdivision subdivision) {
         return std::min(static_cast<std::uint32_t>(std::max(scaled, 0.0f)), subdivision.m - 1);
     };
     return hit.surface * subdivision.per_surface() + cell(hit.t) * subdivision.m + cell(hit.s);
+}
+
+/// Every patch as a surface of its own.
+std::vector<Surface> patches_of(const Scene& scene, Subdivision subdivision) {
+    std::vector<Surface> all;
+    for (const Surface& surface : scene.surfaces) {
+        for (std::uint32_t p = 0; p < subdivision.per_surface(); ++p) {
+            all.push_back(surface);
+            all.back().shape = patch(surface.shape, subdivision, p);
+        }
+    }
+    return all;
 }
 
 }  // namespace
@@ -53,15 +67,19 @@ Eigen::MatrixXd shoot_patch_factors(const Scene& scene, Subdivision subdivision,
     return factors / static_cast<double>(samples_per_patch);
 }
 
+Eigen::MatrixXd kernel_patch_factors(const Scene& scene, Subdivision subdivision, const PointSource& points,
+                                     PointMap map, StreamKey key, std::uint32_t trial) {
+    // Streams are keyed by patches, whose numbers stay what they are when each is a face of its own.
+    Scene divided;
+    divided.surfaces = patches_of(scene, subdivision);
+    divided.faces.resize(divided.surfaces.size());
+    for (std::size_t i = 0; i < divided.surfaces.size(); ++i) divided.surfaces[i].face = static_cast<int>(i);
+    return area_kernel(divided, Subdivision{1}, points, map, key, trial);
+}
+
 std::optional<Eigen::MatrixXd> exact_patch_factors(const Scene& scene, Subdivision subdivision) {
     const Eigen::Index patches = subdivision.patches(scene);
-    std::vector<Surface> all;
-    for (const Surface& surface : scene.surfaces) {
-        for (std::uint32_t p = 0; p < subdivision.per_surface(); ++p) {
-            all.push_back(surface);
-            all.back().shape = patch(surface.shape, subdivision, p);
-        }
-    }
+    const std::vector<Surface> all = patches_of(scene, subdivision);
     Eigen::MatrixXd factors = Eigen::MatrixXd::Zero(patches, patches);
     for (Eigen::Index i = 0; i < patches; ++i) {
         for (Eigen::Index j = 0; j < i; ++j) {
@@ -83,6 +101,22 @@ Eigen::VectorXd patch_areas(const Scene& scene, Subdivision subdivision) {
             .setConstant(area(scene.surfaces[surface].shape) / subdivision.per_surface());
     }
     return areas;
+}
+
+Sight patch_sight(const Scene& scene, Subdivision subdivision) {
+    const std::vector<Surface> all = patches_of(scene, subdivision);
+    const Eigen::Index patches = subdivision.patches(scene);
+    Sight sight = Sight::Constant(patches, patches, false);
+    for (Eigen::Index i = 0; i < patches; ++i) {
+        for (Eigen::Index j = 0; j < i; ++j) {
+            // Patches of one surface are in one plane, but for rounding.
+            const bool seen = i / subdivision.per_surface() != j / subdivision.per_surface() &&
+                              face_each_other(all[static_cast<std::size_t>(i)], all[static_cast<std::size_t>(j)]);
+            sight(i, j) = seen;
+            sight(j, i) = seen;
+        }
+    }
+    return sight;
 }
 
 }  // namespace ff

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace ff {
 namespace {
@@ -49,14 +50,21 @@ FactorProperties factor_properties(const Eigen::MatrixXd& factors, const Eigen::
 }
 
 SystemProperties system_properties(const RadiositySystem& system) {
-    SystemProperties properties;
-    const Eigen::MatrixXd coefficients = coefficient_matrix(system);
+    return solve_with_properties(system).properties;
+}
+
+SolvedSystem solve_with_properties(const RadiositySystem& system) {
+    SolvedSystem solved;
+    solved.properties.spectral_radius = spectral_radius(reflection_matrix(system));
+    Eigen::MatrixXd coefficients = coefficient_matrix(system);
     const Eigen::VectorXd diagonal = coefficients.diagonal().cwiseAbs();
-    properties.dominance = (2 * diagonal - coefficients.cwiseAbs().rowwise().sum()).minCoeff();
-    properties.spectral_radius = spectral_radius(reflection_matrix(system));
-    const double reciprocal = Eigen::PartialPivLU<Eigen::MatrixXd>(coefficients).rcond();
-    properties.condition = reciprocal > 0 ? 1 / reciprocal : std::numeric_limits<double>::infinity();
-    return properties;
+    solved.properties.dominance = (2 * diagonal - coefficients.cwiseAbs().rowwise().sum()).minCoeff();
+    const Eigen::PartialPivLU<Eigen::MatrixXd> factorised(std::move(coefficients));
+    const double reciprocal = factorised.rcond();
+    solved.properties.condition = reciprocal > 0 ? 1 / reciprocal : std::numeric_limits<double>::infinity();
+    if (reciprocal > std::numeric_limits<double>::epsilon())
+        solved.exitance = Eigen::VectorXd(factorised.solve(system.emission));
+    return solved;
 }
 
 }  // namespace ff

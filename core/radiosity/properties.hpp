@@ -4,6 +4,8 @@
 
 #include <Eigen/Core>
 
+#include <optional>
+
 namespace ff {
 
 /// A value known to lie in [low, high].
@@ -43,5 +45,13 @@ struct SystemProperties {
 };
 
 SystemProperties system_properties(const RadiositySystem& system);
+
+struct SolvedSystem {
+    SystemProperties properties;
+    std::optional<Eigen::VectorXd> exitance;  ///< as `solve_exactly`
+};
+
+/// Both from one elimination, which is most of the work of either where patches are many. Two n x n matrices at a time.
+SolvedSystem solve_with_properties(const RadiositySystem& system);
 
 }  // namespace ff

@@ -2,7 +2,7 @@
 
 #include "core/contract.hpp"
 
-#include <Eigen/Cholesky>
+#include <Eigen/IterativeLinearSolvers>
 
 #include <algorithm>
 
@@ -48,14 +48,23 @@ Eigen::MatrixXd normalise_rows(const Eigen::MatrixXd& factors) {
     return sums.cwiseInverse().asDiagonal() * factors;
 }
 
-Eigen::MatrixXd weights_of_hits(const Eigen::MatrixXd& factors, const Eigen::VectorXd& rays) {
-    FF_EXPECT(factors.rows() == rays.size() && rays.minCoeff() > 0);
-    const auto targets = static_cast<double>(factors.cols() - 1);
+Sight all_but_itself(Eigen::Index patches) {
+    Sight sight = Sight::Constant(patches, patches, true);
+    sight.matrix().diagonal().setConstant(false);
+    return sight;
+}
+
+Eigen::MatrixXd weights_of_hits(const Eigen::MatrixXd& factors, const Eigen::VectorXd& rays,
+                                const Eigen::VectorXd& areas, const Sight& sight) {
+    FF_EXPECT(factors.rows() == rays.size() && rays.minCoeff() > 0 && areas.size() == rays.size());
+    const Eigen::VectorXd density = rays.cwiseQuotient(areas);  // expected hits of a unit of exchange area
     Eigen::MatrixXd weights = Eigen::MatrixXd::Zero(factors.rows(), factors.cols());
     for (Eigen::Index i = 0; i < factors.rows(); ++i) {
         for (Eigen::Index j = 0; j < factors.cols(); ++j) {
-            const double share = (factors(i, j) * rays[i] + 0.5) / (rays[i] + targets / 2);
-            if (i != j) weights(i, j) = rays[i] / share;
+            if (!sight(i, j)) continue;
+            const double hits = factors(i, j) * rays[i] + factors(j, i) * rays[j] + 1;
+            const double exchange = hits / (density[i] + density[j]);
+            weights(i, j) = rays[i] * areas[i] / exchange;
         }
     }
     return weights;
@@ -86,9 +95,12 @@ Balanced balance(const Eigen::MatrixXd& estimates, const Eigen::MatrixXd& weight
                 if (i != j) derivative(i, i) += 1 / terms.curvature(i, j);
             }
         }
-        // Two patches that see only each other leave the difference of their multipliers free.
-        derivative.diagonal().array() += 1e-14 * derivative.diagonal().maxCoeff();
-        multipliers += derivative.ldlt().solve(missing);
+        // Scaled by its diagonal it is 1 plus a small part: a few steps do, where elimination takes n^3 / 3. Patches
+        // that see only each other leave a direction free, which conjugate gradients never enter.
+        const Eigen::ConjugateGradient<Eigen::MatrixXd, Eigen::Lower | Eigen::Upper> solver(derivative);
+        const Eigen::VectorXd change = solver.solve(missing);
+        if (!change.allFinite()) break;
+        multipliers += change;
         exchange = terms.exchange(multipliers);
     }
     result.factors = areas.cwiseInverse().asDiagonal() * exchange;

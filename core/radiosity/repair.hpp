@@ -4,14 +4,24 @@
 
 namespace ff {
 
+/// Which patches see which. Symmetric; true on the diagonal where a patch sees itself.
+using Sight = Eigen::Array<bool, Eigen::Dynamic, Eigen::Dynamic>;
+
+/// All pairs but that of a patch with itself: what faces of a convex room see.
+Sight all_but_itself(Eigen::Index patches);
+
 /// Every row divided by its sum: closure, at the cost of reciprocity. Rows without a factor stay.
 Eigen::MatrixXd normalise_rows(const Eigen::MatrixXd& factors);
 
 /// Weights (1 / variance, for differences that sum to 0 in each row) of factors that are shares of counted hits. The
 /// covariance of such shares is multinomial, and its generalised inverse is diagonal: N / p. The unknown p is estimated
-/// as (hits + 1/2) / (N + targets/2), so that no hit does not pass for no variance. @param factors hits / N
-/// @param rays N of each row, > 0 @return 0 on the diagonal: no patch that is counted sees itself
-Eigen::MatrixXd weights_of_hits(const Eigen::MatrixXd& factors, const Eigen::VectorXd& rays);
+/// from the hits of both directions, which estimate the same exchange area, half a hit added to each, so that no hit
+/// does not pass for no variance. (From the own hits alone the direction with fewer of them would weigh more, and the
+/// mean of the two would be too small.)
+/// @param factors hits / N @param rays N of each row, > 0 @param areas > 0
+/// @param sight which pairs can see each other at all: the others get weight 0
+Eigen::MatrixXd weights_of_hits(const Eigen::MatrixXd& factors, const Eigen::VectorXd& rays,
+                                const Eigen::VectorXd& areas, const Sight& sight);
 
 /// Weights of factors whose errors are not known: a variance that grows as the factor, as that of hits does. Factors of
 /// exactly 0 have none and stay 0.

@@ -16,10 +16,12 @@ Iteration jacobi(const RadiositySystem& system) {
 }
 
 Iteration successive_relaxation(const RadiositySystem& system, double relaxation) {
-    return [&system, relaxation](Eigen::VectorXd& m) {
+    // Rows of a matrix that is stored by columns miss the cache at every element: many patches want them in a piece.
+    using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+    return [&system, relaxation, rows = std::make_shared<const Rows>(system.factors)](Eigen::VectorXd& m) {
         for (Eigen::Index i = 0; i < system.size(); ++i) {
             const double own = system.reflectance[i] * system.factors(i, i);
-            const double gathered = system.reflectance[i] * system.factors.row(i).dot(m) - own * m[i];
+            const double gathered = system.reflectance[i] * rows->row(i).dot(m) - own * m[i];
             m[i] += relaxation * ((system.emission[i] + gathered) / (1 - own) - m[i]);
         }
         return true;

@@ -6,10 +6,17 @@
 #include "studies/radiosity/treatment.hpp"
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 namespace ff::studies {
+
+/// What the rows of a system stand for.
+enum class Between { faces, patches };
+
+std::string_view name(Between between);
 
 /// How a number varies over the trials of a cell.
 struct OverTrials {
@@ -18,11 +25,11 @@ struct OverTrials {
     double largest = 0;
 };
 
-/// The exitance of a face, or the mean of all by area, over the trials: against the solution with exact factors. Mean,
-/// bias and spread are those of single values too, but empty where a trial of several is not convergent: as the
-/// spectral radius passes 1 the exitance passes a pole, and has no mean.
+/// The exitance of a face or patch, or the mean of all by area, over the trials: against the solution with exact
+/// factors. Mean, bias and spread are those of single values too, but empty where a trial of several is not convergent:
+/// as the spectral radius passes 1 the exitance passes a pole, and has no mean.
 struct ExitanceFindings {
-    int face = 0;  ///< from 1; 0 for all
+    std::size_t element = 0;  ///< face, or patch in the order of Subdivision, from 1; 0 for all
     double exact = 0;
     std::optional<double> mean;
     std::optional<double> bias;
@@ -55,8 +62,8 @@ struct SettingFindings {
     double radius_uncertainty = 0;  ///< largest width of its bounds
     OverTrials condition;
     std::optional<OverTrials> energy_defect;  ///< share of the emitted power that is lost; empty if all are singular
-    std::vector<ExitanceFindings> exitance;   ///< all faces together, then each; empty if some trial is singular
-    /// Root mean square over trials and faces of the exitance's error, relative to the mean exact exitance; empty as
+    std::vector<ExitanceFindings> exitance;   ///< all together, then each; empty if some trial is singular
+    /// Root mean square over trials and elements of the exitance's error, relative to the mean exact exitance; empty as
     /// the mean of ExitanceFindings.
     std::optional<double> light_error;
     std::vector<SolverFindings> solvers;  ///< of the method's own completion only
@@ -65,6 +72,7 @@ struct SettingFindings {
 /// What one treatment of the estimates of one cell leads to.
 struct Consequences {
     std::size_t cell = 0;
+    Between between = Between::faces;
     Treatment treatment = Treatment::direct;
     std::size_t trials = 0;
     std::size_t not_balanced = 0;   ///< trials that no closed reciprocal matrix is near to; they are left out
@@ -72,7 +80,7 @@ struct Consequences {
     OverTrials reciprocity_defect;  ///< largest |F_ij - F_ji A_j / A_i|
     OverTrials correction;          ///< largest change of a factor by the treatment
     OverTrials factor_error;        ///< root mean square over pairs of F - exact
-    OverTrials dominant_below;      ///< with one reflectance for all faces G is strictly diagonally dominant below
+    OverTrials dominant_below;      ///< with one reflectance for all elements G is strictly diagonally dominant below
     OverTrials convergent_below;    ///< and the spectral radius of P F is below 1 below this
     std::vector<SettingFindings> settings;
 };
@@ -80,6 +88,7 @@ struct Consequences {
 /// The system of a scene with exact factors, at one setting.
 struct ExactSystem {
     std::size_t scene = 0;
+    std::uint32_t m = 0;  ///< between patches, m x m of a surface; 0: between faces
     std::size_t setting = 0;
     Eigen::VectorXd exitance;
     SystemProperties properties;
@@ -87,18 +96,17 @@ struct ExactSystem {
 };
 
 struct RadiosityResults {
-    std::vector<ExactSystem> exact;          ///< by scene, then setting
-    std::vector<Consequences> consequences;  ///< by cell, then treatment
+    std::vector<ExactSystem> exact;          ///< between faces by scene and setting, then between patches by m too
+    std::vector<Consequences> consequences;  ///< between faces by cell and treatment, then between patches
 
-    [[nodiscard]] const ExactSystem& exact_system(std::size_t scene, std::size_t setting) const;
+    /// @param m as of ExactSystem
+    [[nodiscard]] const ExactSystem& exact_system(std::size_t scene, std::size_t setting, std::uint32_t m = 0) const;
     /// Null where the cell has none.
-    [[nodiscard]] const Consequences* find(std::size_t cell, Treatment treatment) const;
+    [[nodiscard]] const Consequences* find(std::size_t cell, Treatment treatment,
+                                           Between between = Between::faces) const;
 };
 
 /// Sends light through the matrix of every trial. @pre the plan has a request; every estimate is finite
 RadiosityResults evaluate_radiosity(const Store& store);
-
-/// The system of a scene at a setting, with these factors.
-RadiositySystem make_system(const StudyPlan& plan, std::size_t scene, std::size_t setting, Eigen::MatrixXd factors);
 
 }  // namespace ff::studies

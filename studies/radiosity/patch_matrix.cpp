@@ -1,20 +1,48 @@
 #include "studies/radiosity/patch_matrix.hpp"
 
+#include "core/contract.hpp"
+#include "core/error.hpp"
 #include "core/radiosity/patch_factors.hpp"
-#include "samplers/sampler.hpp"
+#include "studies/work.hpp"
+
+#include <fmt/format.h>
 
 namespace ff::studies {
 
-std::optional<Eigen::MatrixXd> trace_patch_factors(const StudyPlan& plan, std::size_t index, std::uint64_t trial) {
+bool tells_patches_apart(const StudyPlan& plan, std::size_t index) {
+    const Estimator estimator = plan.spec.methods[plan.cells[index].method].estimator;
+    return plan.cells[index].subdivision.m > 1 &&
+           (estimator == Estimator::ray_shooting || estimator == Estimator::area_kernel);
+}
+
+bool has_patch_systems(const StudyPlan& plan, std::size_t index) {
+    return plan.spec.radiosity && plan.spec.radiosity->patch_trials > 0 && tells_patches_apart(plan, index);
+}
+
+void expect_few_patches(const StudyPlan& plan, std::size_t index) {
+    if (!has_patch_systems(plan, index)) return;
+    const Cell& cell = plan.cells[index];
+    const Method& method = plan.spec.methods[cell.method];
+    const std::uint32_t patches = cell.subdivision.patches(plan.scenes[cell.scene]);
+    const std::uint32_t most = method.estimator == Estimator::ray_shooting ? most_traced_patches : most_kernel_patches;
+    if (patches <= most) return;
+    throw UserError(fmt::format(
+        "[radiosity]: patch_trials with method '{}' and {} patches in all (every pair has a factor: at most {} patches "
+        "with {}). Take fewer patches a face, or leave patch_trials out.",
+        method.name, patches, most, name(method.estimator)));
+}
+
+Eigen::MatrixXd trace_patch_factors(const StudyPlan& plan, std::size_t index, std::uint64_t trial) {
+    FF_EXPECT(tells_patches_apart(plan, index));
     const Cell& cell = plan.cells[index];
     const Scene& scene = plan.scenes[cell.scene];
     const Method& method = plan.spec.methods[cell.method];
-    if (method.estimator != Estimator::ray_shooting || cell.subdivision.m == 1) return std::nullopt;
-    if (cell.subdivision.patches(scene) > most_traced_patches) return std::nullopt;
-    const std::uint64_t count = points_per_sequence(method, cell.subdivision, cell.samples);
-    const auto points = samplers::find(method.sampler).make({count, dimension(method.estimator), 0, 0});
+    const auto number = static_cast<std::uint32_t>(trial);
+    const auto points = make_points(method, cell);
+    if (method.estimator == Estimator::area_kernel)
+        return kernel_patch_factors(scene, cell.subdivision, *points, method.map, cell.key, number);
     return shoot_patch_factors(scene, cell.subdivision, *make_tracer(scene, method.tracer), *points, cell.samples,
-                               method.allocation, cell.key, static_cast<std::uint32_t>(trial));
+                               method.allocation, cell.key, number);
 }
 
 }  // namespace ff::studies

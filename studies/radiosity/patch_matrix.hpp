@@ -6,16 +6,25 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 
 namespace ff::studies {
 
-/// Most patches of a scene for which `trace_patch_factors` gives a matrix: it has 32 MB.
-inline constexpr std::uint32_t most_traced_patches = 2000;
+/// Most patches of a scene between which systems are solved: 800 MB for a matrix, of which several are needed at a
+/// time. Sums of kernels are kept for every pair while they are made.
+inline constexpr std::uint32_t most_traced_patches = 10'000;
+inline constexpr std::uint32_t most_kernel_patches = 3000;
 
-/// Direct factors between the patches of a trial of ray shooting. No store holds them; the rays of the trial are traced
-/// again: they are the same, since points are addressed.
-/// @return empty for other estimators, for one patch a face, and beyond most_traced_patches
-std::optional<Eigen::MatrixXd> trace_patch_factors(const StudyPlan& plan, std::size_t cell, std::uint64_t trial);
+/// Whether a trial of the cell tells patches from patches: rays and kernels do, where faces are divided.
+bool tells_patches_apart(const StudyPlan& plan, std::size_t cell);
+
+/// Whether the study asks for systems between the patches of this cell.
+bool has_patch_systems(const StudyPlan& plan, std::size_t cell);
+
+/// @throws UserError where that asks for more patches than stated above
+void expect_few_patches(const StudyPlan& plan, std::size_t cell);
+
+/// Direct factors between the patches of a trial. No store holds them; the trial is done again: it is the same, since
+/// points are addressed. @pre tells_patches_apart
+Eigen::MatrixXd trace_patch_factors(const StudyPlan& plan, std::size_t cell, std::uint64_t trial);
 
 }  // namespace ff::studies

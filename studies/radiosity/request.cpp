@@ -67,7 +67,8 @@ void expect_numbers_for(const std::vector<double>& numbers, std::string_view wha
 }  // namespace
 
 RadiosityRequest read_radiosity(const TomlReader& reader) {
-    static constexpr std::array<std::string_view, 4> known{"reflectance", "emission", "tolerance", "solver_trials"};
+    static constexpr std::array<std::string_view, 5> known{"reflectance", "emission", "tolerance", "solver_trials",
+                                                           "patch_trials"};
     reader.expect_only(known);
     RadiosityRequest request;
     if (reader.has("reflectance")) request.reflectance = read_settings(reader, "reflectance");
@@ -82,6 +83,7 @@ RadiosityRequest read_radiosity(const TomlReader& reader) {
     if (request.tolerance < 1e-13 || request.tolerance >= 1)
         reader.fail("tolerance", "(1e-13 to below 1: no residual is smaller than rounding). Try 1e-6.");
     request.solver_trials = reader.optional_count("solver_trials").value_or(request.solver_trials);
+    request.patch_trials = reader.optional_count("patch_trials").value_or(request.patch_trials);
     return request;
 }
 
@@ -114,7 +116,8 @@ std::string to_toml(const RadiosityRequest& request) {
     for (const auto& setting : request.reflectance) settings.push_back(fmt::format("[{}]", fmt::join(setting, ", ")));
     std::string out = fmt::format("\n[radiosity]\nreflectance = [{}]\n", fmt::join(settings, ", "));
     if (!request.emission.empty()) out += fmt::format("emission = [{}]\n", fmt::join(request.emission, ", "));
-    return out + fmt::format("tolerance = {}\nsolver_trials = {}\n", request.tolerance, request.solver_trials);
+    out += fmt::format("tolerance = {}\nsolver_trials = {}\n", request.tolerance, request.solver_trials);
+    return request.patch_trials == 0 ? out : out + fmt::format("patch_trials = {}\n", request.patch_trials);
 }
 
 void expect_fitting(const RadiosityRequest& request, const Scene& scene) {

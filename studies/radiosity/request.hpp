@@ -18,6 +18,7 @@ struct RadiosityRequest {
     std::vector<double> emission;
     double tolerance = 1e-6;           ///< of the solvers' residual, relative to the largest emission; in (0, 1)
     std::uint64_t solver_trials = 10;  ///< how many trials of a cell the solvers are run on, at most
+    std::uint64_t patch_trials = 0;    ///< how many trials of a cell are put into systems between patches too, at most
     auto operator<=>(const RadiosityRequest&) const = default;
 };
 

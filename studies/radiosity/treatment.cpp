@@ -1,7 +1,5 @@
 #include "studies/radiosity/treatment.hpp"
 
-#include "core/radiosity/repair.hpp"
-
 namespace ff::studies {
 namespace {
 
@@ -13,10 +11,11 @@ Eigen::MatrixXd by_reciprocity(const Eigen::MatrixXd& direct, const Eigen::Vecto
     return result;
 }
 
-Eigen::MatrixXd balanced(const TrialMatrices& trials, const Eigen::MatrixXd& direct) {
-    const auto rays = Eigen::VectorXd::Constant(direct.rows(), static_cast<double>(trials.rays));
-    const Balanced result =
-        balance(direct, trials.rays > 0 ? weights_of_hits(direct, rays) : weights_of_values(direct), trials.areas);
+Eigen::MatrixXd balanced(const Elements& elements, std::uint64_t rays, const Eigen::MatrixXd& direct) {
+    const auto shot = Eigen::VectorXd::Constant(direct.rows(), static_cast<double>(rays));
+    const Balanced result = balance(
+        direct, rays > 0 ? weights_of_hits(direct, shot, elements.areas, elements.sight) : weights_of_values(direct),
+        elements.areas);
     return result.balanced ? result.factors : Eigen::MatrixXd();
 }
 
@@ -35,13 +34,10 @@ Treatment treatment_of(Completion completion) {
 TrialMatrices load_matrices(const Store& store, std::size_t cell_index) {
     const StudyPlan& plan = store.plan();
     const Cell& cell = plan.cells[cell_index];
-    const Scene& scene = plan.scenes[cell.scene];
     const CellEstimates estimates = load_estimates(store, cell_index, Completion::direct);
     const auto faces = static_cast<Eigen::Index>(estimates.faces);
     TrialMatrices trials;
     trials.numbers = estimates.trial_numbers;
-    trials.areas.resize(faces);
-    for (Eigen::Index i = 0; i < faces; ++i) trials.areas[i] = face_area(scene, static_cast<int>(i));
     if (plan.spec.methods[cell.method].estimator == Estimator::ray_shooting)
         trials.rays = estimates.evaluations_per_face;
     trials.direct.assign(estimates.trials(), Eigen::MatrixXd::Zero(faces, faces));
@@ -54,18 +50,19 @@ TrialMatrices load_matrices(const Store& store, std::size_t cell_index) {
     return trials;
 }
 
-Eigen::MatrixXd treat(const TrialMatrices& trials, const Eigen::MatrixXd& direct, Treatment treatment) {
+Eigen::MatrixXd treat(const Elements& elements, std::uint64_t rays, const Eigen::MatrixXd& direct,
+                      Treatment treatment) {
     switch (treatment) {
         case Treatment::direct:
             return direct;
         case Treatment::reciprocal:
-            return by_reciprocity(direct, trials.areas);
+            return by_reciprocity(direct, elements.areas);
         case Treatment::normalised:
-            return normalise_rows(by_reciprocity(direct, trials.areas));
+            return normalise_rows(by_reciprocity(direct, elements.areas));
         case Treatment::balanced:
             break;
     }
-    return balanced(trials, direct);
+    return balanced(elements, rays, direct);
 }
 
 }  // namespace ff::studies

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/radiosity/repair.hpp"
 #include "studies/estimates.hpp"
 
 #include <Eigen/Core>
@@ -27,17 +28,23 @@ std::string_view name(Treatment treatment);
 /// The treatment that is a method's own completion.
 Treatment treatment_of(Completion completion);
 
-/// Direct estimates of all trials of a cell as matrices.
+/// The faces or patches that a matrix is between.
+struct Elements {
+    Eigen::VectorXd areas;
+    Sight sight;
+};
+
+/// Direct estimates of all trials of a cell, between faces.
 struct TrialMatrices {
     std::vector<std::uint64_t> numbers;  ///< of the trials
     std::vector<Eigen::MatrixXd> direct;
-    Eigen::VectorXd areas;
     std::uint64_t rays = 0;  ///< of a face, where factors are shares of counted hits; else 0
 };
 
 TrialMatrices load_matrices(const Store& store, std::size_t cell);
 
-/// A treated matrix; empty (0 x 0) where balancing finds none. @pre `direct` is one of `trials.direct`
-Eigen::MatrixXd treat(const TrialMatrices& trials, const Eigen::MatrixXd& direct, Treatment treatment);
+/// A treated matrix; empty (0 x 0) where balancing finds none.
+/// @param rays of each element, where factors are shares of counted hits; else 0
+Eigen::MatrixXd treat(const Elements& elements, std::uint64_t rays, const Eigen::MatrixXd& direct, Treatment treatment);
 
 }  // namespace ff::studies

@@ -75,6 +75,32 @@ to_face_6 = sum(patches[column * 24 + row] for row in range(4) for column in ran
 assert abs(to_face_6 - faces[5 * 6 + 0]) < 1e-14, (to_face_6, faces[30])
 END
 
+# Between patches as well: every file has them, the same for any number of threads, and from the store again.
+{ cat lit.toml; echo 'patch_trials = 3'; } >patches.toml
+ffstudy run patches.toml --out patches --threads 2
+expect_status 0
+expect_stdout "Between the 24 patches of "
+grep -Fq "What becomes of the light, between patches" patches/report.md || fail "report.md says nothing of patches"
+/usr/bin/python3 "$here/validate_results" patches/results.json || fail "results.json breaks the schema"
+ffstudy radiosity "$folder/study.toml" --reflectance 0.5,0.95 --emission 0,0,0,0,0,1 --patch-trials 3 --threads 1 \
+    --out patches_again
+for file in matrices systems exitance solvers residuals; do
+    grep -Fq ",patches," patches/$file.csv || fail "$file.csv has no systems between patches"
+    ! grep -Fq ",patches," lit/$file.csv || fail "$file.csv has systems that nobody asked for"
+    expect_equal_files patches/$file.csv patches_again/$file.csv
+done
+
+# What does not fit is refused before anything is done, and the message says how much would.
+sed 's/patches_per_face = .*/patches_per_face = 400/' patches.toml >large.toml
+ffstudy run large.toml --max-memory 100M --out refused
+expect_status 2
+expect_stderr "--max-memory 100 MiB: too little for 'small' (about 6"
+[ ! -e refused ] || fail "something was written"
+sed 's/patches_per_face = .*/patches_per_face = 1764/' patches.toml >larger.toml
+ffstudy run larger.toml --out refused
+expect_status 2
+expect_stderr "at most 10000 patches with ray_shooting"
+
 # Without the section there are none.
 ffstudy run "$folder/study.toml" --out dark
 [ ! -e dark/exitance.csv ] || fail "a study without [radiosity] has exitances"

@@ -3,13 +3,16 @@
 #include "core/error.hpp"
 #include "core/exact.hpp"
 #include "studies/radiosity/bias_order.hpp"
+#include "studies/radiosity/cost.hpp"
 #include "studies/results.hpp"
 #include "tests/support/studies.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <tuple>
 
 namespace ff::studies {
 namespace {
@@ -111,6 +114,122 @@ TEST(Treatments, MendWhatTheyPromise) {
     EXPECT_LT(balanced.factor_error.median, of(0, Treatment::direct).factor_error.median);
     // Errors of adjacent pairs are spread over all: parallel ones, which were exact, pay for closure.
     EXPECT_LT(of(1, Treatment::balanced).factor_error.median, of(1, Treatment::direct).factor_error.median);
+}
+
+const RadiosityResults& between_patches() {
+    static const RadiosityResults made = evaluate_radiosity(test::run(lit_plan("trials = 8", R"([[method]]
+name = "SR"
+sampler = "random"
+estimator = "ray_shooting"
+completion = "reciprocal"
+patches_per_face = [1, 4]
+samples_per_patch = 400
+[[method]]
+name = "PDM"
+sampler = "gauss_legendre"
+nodes = 5
+estimator = "area_kernel"
+patches_per_face = [4, 16]
+[[method]]
+name = "points"
+sampler = "random"
+estimator = "point_to_polygon"
+patches_per_face = 4
+samples_per_patch = 16
+)",
+                                                                               "patch_trials = 5\n")));
+    return made;
+}
+
+TEST(PatchConsequences, AreOfDividedFacesAndOfTheTrialsAskedFor) {
+    const RadiosityResults& results = between_patches();
+    for (const auto& [cell, patches, trials] :
+         {std::tuple{std::size_t{1}, 24u, 5u}, {std::size_t{2}, 24u, 1u}, {std::size_t{3}, 96u, 1u}}) {
+        const Consequences* found = results.find(cell, Treatment::direct, Between::patches);
+        ASSERT_NE(found, nullptr);
+        EXPECT_EQ(found->trials, trials);
+        EXPECT_EQ(found->settings[0].exitance.size(), patches + 1);
+        EXPECT_EQ(results.exact_system(0, 0, patches == 24 ? 2 : 4).exitance.size(), patches);
+    }
+    EXPECT_EQ(results.find(0, Treatment::direct, Between::patches), nullptr) << "one patch a face: the face itself";
+    EXPECT_EQ(results.find(4, Treatment::direct, Between::patches), nullptr) << "points tell faces apart, not patches";
+    EXPECT_NE(results.find(4, Treatment::direct), nullptr);
+    EXPECT_EQ(small_results().find(0, Treatment::direct, Between::patches), nullptr) << "nobody asked";
+}
+
+// What a patch gathers differs over a face: patches change the light of a face by some percent, ever less as they
+// shrink.
+TEST(PatchConsequences, HaveExactSolutionsThatSettle) {
+    for (std::size_t setting = 0; setting < 5; ++setting) {
+        const Eigen::VectorXd& faces = between_patches().exact_system(0, setting).exitance;
+        const Eigen::VectorXd& coarse = between_patches().exact_system(0, setting, 2).exitance;
+        const Eigen::VectorXd& fine = between_patches().exact_system(0, setting, 4).exitance;
+        EXPECT_NEAR(fine.mean() / faces.mean(), 1, 1e-10) << "one reflectance: what is emitted is absorbed";
+        const double from_faces = std::abs(coarse.head(4).mean() - faces[0]);
+        EXPECT_LT(std::abs(fine.head(16).mean() - coarse.head(4).mean()), from_faces);
+        EXPECT_GT(from_faces / faces[0], 1e-5) << "nearly even at 0.999";
+    }
+}
+
+TEST(PatchConsequences, MendWhatTheyPromise) {
+    const auto of = [](Treatment treatment) -> const Consequences& {
+        return *between_patches().find(1, treatment, Between::patches);
+    };
+    EXPECT_LT(of(Treatment::direct).closure_defect.largest, 1e-13);
+    EXPECT_GT(of(Treatment::direct).reciprocity_defect.least, 1e-3);
+    EXPECT_GT(of(Treatment::reciprocal).closure_defect.least, 1e-3);
+    EXPECT_LT(of(Treatment::reciprocal).reciprocity_defect.largest, 1e-15);
+    EXPECT_EQ(of(Treatment::balanced).not_balanced, 0u);
+    EXPECT_LT(of(Treatment::balanced).closure_defect.largest, 1e-12);
+    EXPECT_LT(of(Treatment::balanced).reciprocity_defect.largest, 1e-13);
+    EXPECT_LT(of(Treatment::balanced).factor_error.largest, of(Treatment::direct).factor_error.least);
+    EXPECT_FALSE(of(Treatment::reciprocal).settings[0].solvers.empty());
+    EXPECT_EQ(of(Treatment::reciprocal).settings[0].solvers[0].runs, 1u);
+    EXPECT_TRUE(of(Treatment::direct).settings[0].solvers.empty());
+}
+
+// The row of a corner patch errs the same however small the patches are: dividing helps faces, not the worst patch.
+TEST(PatchConsequences, OfPdmLoseDominanceAtTheSameReflectanceForAnySubdivision) {
+    const double coarse = between_patches().find(2, Treatment::direct, Between::patches)->dominant_below.median;
+    const double fine = between_patches().find(3, Treatment::direct, Between::patches)->dominant_below.median;
+    EXPECT_LT(coarse, 0.9);
+    EXPECT_NEAR(fine / coarse, 1, 1e-3);
+    const auto faces = [](std::size_t cell) { return between_patches().find(cell, Treatment::direct)->dominant_below; };
+    EXPECT_GT(faces(3).median, faces(2).median + 0.02);
+}
+
+TEST(PatchTrials, RefuseMorePatchesThanAMatrixHoldsPairsOf) {
+    const auto message = [](std::string_view estimator, int patches) {
+        return test::message_of<UserError>([&] {
+            lit_plan("trials = 4",
+                     fmt::format("[[method]]\nname = \"m\"\nsampler = \"random\"\nestimator = \"{}\"\n"
+                                 "patches_per_face = {}\nsamples_per_patch = 1\n",
+                                 estimator, patches),
+                     "patch_trials = 1\n");
+        });
+    };
+    EXPECT_EQ(message("ray_shooting", 1600), "nothing thrown");
+    EXPECT_THAT(message("ray_shooting", 1681), testing::HasSubstr("at most 10000 patches with ray_shooting"));
+    EXPECT_EQ(message("area_kernel", 484), "nothing thrown");
+    EXPECT_THAT(message("area_kernel", 529), testing::HasSubstr("at most 3000 patches with area_kernel"));
+    EXPECT_EQ(message("point_to_polygon", 1681), "nothing thrown") << "it has no systems between patches";
+}
+
+TEST(RadiosityCost, GrowsWithTheSquareOfThePatches) {
+    const auto plan = [](int patches, int trials) {
+        return lit_plan("trials = 4",
+                        fmt::format("[[method]]\nname = \"m\"\nsampler = \"random\"\nestimator = \"ray_shooting\"\n"
+                                    "patches_per_face = {}\nsamples_per_patch = 1\n",
+                                    patches),
+                        fmt::format("patch_trials = {}\n", trials));
+    };
+    const std::uint64_t of_400 = memory_of_radiosity(plan(400, 1));
+    EXPECT_GT(of_400, 2400ULL * 2400 * 8 * 4) << "exact factors, estimates, system, elimination";
+    EXPECT_NEAR(static_cast<double>(memory_of_radiosity(plan(1600, 1))) / static_cast<double>(of_400), 16, 0.1);
+    EXPECT_LT(memory_of_radiosity(plan(400, 0)), 100'000u);
+    EXPECT_GT(seconds_of_radiosity(plan(1600, 1)), 16 * seconds_of_radiosity(plan(400, 1))) << "elimination: n^3";
+    EXPECT_LT(seconds_of_radiosity(plan(1600, 0)), 0.01);
+    EXPECT_EQ(memory_of_radiosity(test::plan_of(test::study_text("trials = 4", rays))), 0u);
 }
 
 // Uniform light in a uniform box hides all errors of rows that sum to 1: e / (1 - rho) in every trial.

@@ -1,5 +1,6 @@
 #include "core/radiosity/patch_factors.hpp"
 
+#include "core/area_kernel.hpp"
 #include "core/box.hpp"
 #include "core/exact.hpp"
 #include "core/radiosity/properties.hpp"
@@ -69,6 +70,33 @@ TEST(ShotPatchFactors, AreUnbiased) {
         exact.row(patch).maxCoeff(&to);
         const auto hits = static_cast<std::uint64_t>(std::llround(factors(patch, to) * static_cast<double>(rays)));
         EXPECT_TRUE(test::has_probability(hits, rays, exact(patch, to), {.alpha = 1e-7, .detects = 0.04})) << patch;
+    }
+}
+
+// The same sums, once more: random points have the streams of their pair of patches, others serve all pairs.
+TEST(KernelPatchFactors, AddUpToTheTrial) {
+    const Scene scene = built_in_scene("box:2x1x0.5");
+    for (const PointMap map : {PointMap::uniform, PointMap::graded}) {
+        const test::PhiloxPoints points(40);
+        PatchFactorSums sums;
+        const Eigen::MatrixXd faces = area_kernel(scene, divided, points, map, key, 5, &sums);
+        const Eigen::MatrixXd factors = kernel_patch_factors(scene, divided, points, map, key, 5);
+        EXPECT_EQ(factors.diagonal(), Eigen::VectorXd::Zero(54));
+        for (int patch = 0; patch < 54; ++patch) {
+            for (int face = 0; face < 6; ++face) {
+                EXPECT_NEAR(factors.row(patch).segment(face * 9, 9).sum(),
+                            sums.factors[static_cast<std::size_t>(patch * 6 + face)], 1e-13);
+            }
+        }
+        EXPECT_NEAR(factors.block(0, 45, 9, 9).sum() / 9, faces(0, 5), 1e-13);
+    }
+}
+
+TEST(PatchSight, IsThatOfTheExactFactors) {
+    for (const char* name : {"cube", "box:2x1x0.5"}) {
+        const Scene scene = built_in_scene(name);
+        const Eigen::MatrixXd factors = exact_patch_factors(scene, divided).value();
+        EXPECT_TRUE((patch_sight(scene, divided) == (factors.array() > 0)).all());
     }
 }
 

@@ -103,8 +103,9 @@ StudySpec any_spec() {
     for (const std::string& name : names) spec.methods.push_back(any_method(name));
     if (*rc::gen::arbitrary<bool>()) {
         spec.radiosity =
-            RadiosityRequest{{{any_fraction()}, {any_fraction(), 0.25}}, {}, 1e-13 + any_fraction() / 2, 3};
+            RadiosityRequest{{{any_fraction()}, {any_fraction(), 0.25}}, {}, 1e-13 + any_fraction() / 2, 3, 0};
         if (*rc::gen::arbitrary<bool>()) spec.radiosity->emission = {any_fraction(), 1.5};
+        spec.radiosity->patch_trials = *rc::gen::inRange<std::uint64_t>(0, 9);
     }
     if (*rc::gen::arbitrary<bool>()) spec.published = Published{*any_text(), {}};
     return spec;

@@ -1,0 +1,129 @@
+#include "studies/radiosity/collector.hpp"
+
+#include "stats/mean_interval.hpp"
+#include "stats/moments.hpp"
+#include "stats/quantiles.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace ff::studies {
+namespace {
+
+ExitanceFindings summarise_exitance(std::size_t element, double exact, const std::vector<double>& values) {
+    ExitanceFindings findings;
+    findings.element = element;
+    findings.exact = exact;
+    const auto ascending = stats::sorted(values);
+    findings.q025 = stats::quantile(ascending, 0.025);
+    findings.median = stats::quantile(ascending, 0.5);
+    findings.q975 = stats::quantile(ascending, 0.975);
+    return findings;
+}
+
+void add_moments(ExitanceFindings& findings, const std::vector<double>& values, double level) {
+    const auto moments = stats::moments_of(values, findings.exact);
+    findings.mean = moments.mean();
+    findings.bias = moments.bias();
+    findings.bias_interval = stats::bias_interval_t(moments, level);
+    findings.std = moments.standard_deviation();
+    findings.rmse = moments.root_mean_squared_error();
+}
+
+/// Root mean square over the off-diagonal pairs.
+double error_of(const Eigen::MatrixXd& factors, const Eigen::MatrixXd& exact) {
+    return (factors - exact).norm() / std::sqrt(static_cast<double>(exact.size() - exact.rows()));
+}
+
+}  // namespace
+
+void SettingCollector::add(const RadiositySystem& system) {
+    const auto [properties, exitance] = solve_with_properties(system);
+    ++findings_.trials;
+    findings_.dominant += properties.dominance > 0;
+    findings_.convergent += properties.spectral_radius.high < 1;
+    findings_.divergent += properties.spectral_radius.low >= 1;
+    radius_.push_back(properties.spectral_radius.middle());
+    findings_.radius_uncertainty =
+        std::max(findings_.radius_uncertainty, properties.spectral_radius.high - properties.spectral_radius.low);
+    condition_.push_back(properties.condition);
+    if (!exitance) {
+        ++findings_.singular;
+        return;
+    }
+    findings_.negative += exitance->minCoeff() < 0;
+    energy_.push_back(energy_balance(system, *exitance).defect());
+    const auto elements = static_cast<std::size_t>(exitance->size());
+    by_element_.resize(elements + 1);
+    by_element_[0].push_back(system.areas.dot(*exitance) / system.areas.sum());
+    for (std::size_t i = 0; i < elements; ++i) by_element_[i + 1].push_back((*exitance)[static_cast<Eigen::Index>(i)]);
+}
+
+SettingFindings SettingCollector::finish(const Eigen::VectorXd& exact, const Eigen::VectorXd& areas, double level) {
+    findings_.solvers = solvers_.finish();
+    findings_.spectral_radius = over_trials(radius_);
+    findings_.condition = over_trials(condition_);
+    if (!energy_.empty()) findings_.energy_defect = over_trials(energy_);
+    if (findings_.singular > 0) return std::move(findings_);
+    const double mean = areas.dot(exact) / areas.sum();
+    const bool has_moments = findings_.trials == 1 || findings_.convergent == findings_.trials;
+    double squares = 0;
+    for (std::size_t i = 0; i < by_element_.size(); ++i) {
+        const double truth = i == 0 ? mean : exact[static_cast<Eigen::Index>(i) - 1];
+        auto& found = findings_.exitance.emplace_back(summarise_exitance(i, truth, by_element_[i]));
+        if (has_moments) add_moments(found, by_element_[i], level);
+        if (i > 0) squares += std::pow(found.rmse.value_or(0), 2);
+    }
+    if (has_moments) findings_.light_error = std::sqrt(squares / static_cast<double>(exact.size())) / mean;
+    return std::move(findings_);
+}
+
+ConsequencesCollector::ConsequencesCollector(const Lighting& lighting, std::span<const Eigen::VectorXd> exitance,
+                                             Between between, Treatment treatment, std::uint64_t solver_trials,
+                                             const SolverOptions& options)
+    : lighting_(&lighting), exitance_(exitance), solver_trials_(solver_trials), options_(options) {
+    found_.between = between;
+    found_.treatment = treatment;
+    for (std::size_t setting = 0; setting < exitance.size(); ++setting) settings_.emplace_back(setting);
+}
+
+void ConsequencesCollector::add(const Eigen::MatrixXd& direct, std::uint64_t rays) {
+    Eigen::MatrixXd matrix = treat(lighting_->elements, rays, direct, found_.treatment);
+    if (matrix.size() == 0) {
+        ++found_.not_balanced;
+        return;
+    }
+    const FactorProperties properties = factor_properties(matrix, lighting_->elements.areas);
+    closure_.push_back(properties.closure_defect);
+    reciprocity_.push_back(properties.reciprocity_defect);
+    correction_.push_back((matrix - direct).cwiseAbs().maxCoeff());
+    error_.push_back(error_of(matrix, lighting_->exact));
+    dominant_.push_back(properties.dominant_below());
+    convergent_.push_back(1 / properties.spectral_radius.middle());
+    RadiositySystem system = lighting_->system(0, std::move(matrix));
+    for (std::size_t setting = 0; setting < settings_.size(); ++setting) {
+        system.reflectance = lighting_->reflectance[setting];
+        settings_[setting].add(system);
+        if (found_.trials < solver_trials_) settings_[setting].run_solvers(system, options_);
+    }
+    ++found_.trials;
+}
+
+Consequences ConsequencesCollector::finish(std::size_t cell, double level) {
+    found_.cell = cell;
+    if (found_.trials == 0) return std::move(found_);
+    found_.closure_defect = over_trials(closure_);
+    found_.reciprocity_defect = over_trials(reciprocity_);
+    found_.correction = over_trials(correction_);
+    found_.factor_error = over_trials(error_);
+    found_.dominant_below = over_trials(dominant_);
+    found_.convergent_below = over_trials(convergent_);
+    for (SettingCollector& setting : settings_) {
+        const std::size_t index = found_.settings.size();
+        found_.settings.push_back(setting.finish(exitance_[index], lighting_->elements.areas, level));
+    }
+    return std::move(found_);
+}
+
+}  // namespace ff::studies

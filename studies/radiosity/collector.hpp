@@ -1,0 +1,49 @@
+#pragma once
+
+#include "studies/radiosity/consequences.hpp"
+#include "studies/radiosity/lighting.hpp"
+#include "studies/radiosity/solver_runs.hpp"
+
+#include <span>
+#include <vector>
+
+namespace ff::studies {
+
+/// What the trials of one setting say.
+class SettingCollector {
+  public:
+    explicit SettingCollector(std::size_t setting) { findings_.setting = setting; }
+
+    void add(const RadiositySystem& system);
+    void run_solvers(const RadiositySystem& system, const SolverOptions& options) { solvers_.add(system, options); }
+    SettingFindings finish(const Eigen::VectorXd& exact, const Eigen::VectorXd& areas, double level);
+
+  private:
+    SettingFindings findings_;
+    SolverRuns solvers_;
+    std::vector<double> radius_, condition_, energy_;
+    std::vector<std::vector<double>> by_element_;  // all together, then each
+};
+
+/// What the trials of a cell say together under one treatment. Matrices come one by one and are not kept.
+class ConsequencesCollector {
+  public:
+    /// @param exitance exact solutions, by setting @param solver_trials how many trials solvers are run on
+    ConsequencesCollector(const Lighting& lighting, std::span<const Eigen::VectorXd> exitance, Between between,
+                          Treatment treatment, std::uint64_t solver_trials, const SolverOptions& options);
+
+    /// @param rays as of `treat`
+    void add(const Eigen::MatrixXd& direct, std::uint64_t rays);
+    Consequences finish(std::size_t cell, double level);
+
+  private:
+    const Lighting* lighting_;
+    std::span<const Eigen::VectorXd> exitance_;
+    std::uint64_t solver_trials_;
+    SolverOptions options_;
+    Consequences found_;
+    std::vector<double> closure_, reciprocity_, correction_, error_, dominant_, convergent_;
+    std::vector<SettingCollector> settings_;
+};
+
+}  // namespace ff::studies

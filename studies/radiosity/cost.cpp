@@ -1,0 +1,92 @@
+#include "studies/radiosity/cost.hpp"
+
+#include "studies/radiosity/patch_matrix.hpp"
+#include "studies/radiosity/treatment.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ff::studies {
+namespace {
+
+/// Matrices between patches at a time: exact factors, estimates, treated ones, and what balancing or elimination needs.
+constexpr std::uint64_t matrices = 9;
+constexpr std::uint64_t bytes_of_a_kernel_pair = 110;
+constexpr std::uint64_t bytes_of_a_small_matrix = 48;  // beside its entries
+
+constexpr double seconds_between_faces = 6e-6;  // a system of six faces
+constexpr double seconds_of_an_exact_factor = 6e-7;
+constexpr double seconds_of_a_traced_ray = 2e-8;    // one by one, beside its point
+constexpr double seconds_of_an_entry = 7e-10;       // of a matrix times a vector, from memory
+constexpr double seconds_of_elimination = 1.2e-10;  // a floating-point operation
+constexpr double passes_over_a_matrix = 150;        // properties, balancing, conditions
+constexpr double passes_of_solvers = 10;            // all solvers, for each iteration of Jacobi's
+
+/// Iterations of Jacobi's method to the tolerance, by the largest reflectance.
+double iterations(const RadiosityRequest& request, const std::vector<double>& reflectance) {
+    const double largest = *std::max_element(reflectance.begin(), reflectance.end());
+    return largest > 0 ? std::log(request.tolerance) / std::log(largest) : 1;
+}
+
+/// Of one matrix at all settings. @param n patches
+double seconds_of_systems(const RadiosityRequest& request, double n, bool with_solvers) {
+    double seconds = passes_over_a_matrix * n * n * seconds_of_an_entry;
+    for (const auto& reflectance : request.reflectance) {
+        seconds += 2.0 / 3 * n * n * n * seconds_of_elimination;
+        if (with_solvers) {
+            seconds += 2.0 / 3 * n * n * n * seconds_of_elimination;
+            seconds += passes_of_solvers * iterations(request, reflectance) * n * n * seconds_of_an_entry;
+        }
+    }
+    return seconds;
+}
+
+}  // namespace
+
+std::uint64_t memory_of_radiosity(const StudyPlan& plan) {
+    if (!plan.spec.radiosity) return 0;
+    const std::uint64_t settings = plan.spec.radiosity->reflectance.size();
+    std::uint64_t largest = 0;
+    for (std::size_t index = 0; index < plan.cells.size(); ++index) {
+        const Cell& cell = plan.cells[index];
+        const std::uint64_t faces = plan.scenes[cell.scene].faces.size();
+        const std::uint64_t exitances = all_treatments.size() * settings * (faces + 4) * sizeof(double);
+        std::uint64_t bytes = cell.trials * (2 * faces * faces * sizeof(double) + bytes_of_a_small_matrix + exitances);
+        if (has_patch_systems(plan, index)) {
+            const std::uint64_t n = cell.subdivision.patches(plan.scenes[cell.scene]);
+            const bool kernels = plan.spec.methods[cell.method].estimator == Estimator::area_kernel;
+            const std::uint64_t bytes_of_a_pair =
+                std::max(matrices * sizeof(double), kernels ? bytes_of_a_kernel_pair : 0);
+            const std::uint64_t trials = std::min(cell.trials, plan.spec.radiosity->patch_trials);
+            bytes = std::max(bytes,
+                             n * n * bytes_of_a_pair + trials * all_treatments.size() * settings * n * sizeof(double));
+        }
+        largest = std::max(largest, bytes);
+    }
+    return largest;
+}
+
+double seconds_of_radiosity(const StudyPlan& plan) {
+    if (!plan.spec.radiosity) return 0;
+    const RadiosityRequest& request = *plan.spec.radiosity;
+    const auto settings = static_cast<double>(request.reflectance.size());
+    double seconds = 0;
+    for (std::size_t index = 0; index < plan.cells.size(); ++index) {
+        const Cell& cell = plan.cells[index];
+        const double treatments = all_treatments.size();
+        seconds += static_cast<double>(cell.trials) * treatments * settings * seconds_between_faces;
+        if (!has_patch_systems(plan, index)) continue;
+        const double n = cell.subdivision.patches(plan.scenes[cell.scene]);
+        const bool solvers = request.solver_trials > 0;
+        const auto trials = static_cast<double>(std::min(cell.trials, request.patch_trials));
+        double trial = expected_seconds_per_trial(plan, cell);
+        if (plan.spec.methods[cell.method].estimator == Estimator::ray_shooting)
+            trial += seconds_of_a_traced_ray * static_cast<double>(evaluations_per_trial(plan, cell));
+        seconds += n * n / 2 * seconds_of_an_exact_factor + seconds_of_systems(request, n, solvers);
+        seconds += trials * (trial + treatments * seconds_of_systems(request, n, false));
+        if (solvers) seconds += seconds_of_systems(request, n, true) - seconds_of_systems(request, n, false);
+    }
+    return seconds;
+}
+
+}  // namespace ff::studies

@@ -1,0 +1,40 @@
+#pragma once
+
+#include "core/radiosity/solver.hpp"
+#include "studies/plan.hpp"
+#include "studies/radiosity/treatment.hpp"
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace ff::studies {
+
+/// The systems of a scene, between its faces or its patches: all but the factors of a trial.
+struct Lighting {
+    Elements elements;
+    Eigen::MatrixXd exact;                     ///< form factors
+    std::vector<Eigen::VectorXd> reflectance;  ///< by setting, of each element
+    Eigen::VectorXd emission;
+
+    /// With these factors instead of the exact ones.
+    [[nodiscard]] RadiositySystem system(std::size_t setting, Eigen::MatrixXd factors) const;
+};
+
+/// Reflectance and emission of every patch.
+struct PatchLight {
+    std::vector<Eigen::VectorXd> reflectance;  ///< by setting
+    Eigen::VectorXd emission;
+};
+
+Eigen::VectorXd face_areas(const Scene& scene);
+
+/// @pre the plan has a request
+PatchLight patch_light(const StudyPlan& plan, std::size_t scene, Subdivision subdivision);
+Lighting light_faces(const StudyPlan& plan, std::size_t scene);
+/// @pre `light_faces`; more than one patch a face makes a difference
+Lighting light_patches(const StudyPlan& plan, std::size_t scene, Subdivision subdivision);
+
+SolverOptions solver_options(const StudyPlan& plan);
+
+}  // namespace ff::studies
