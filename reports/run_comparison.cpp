@@ -40,6 +40,11 @@ std::string independent_in_words(const RunComparison& comparison, const CellComp
                                     quantity_label(scene, cell.spread->pair), brief(std::sqrt(cell.spread->size), 2),
                                     p_text(cell.spread->adjusted_p)));
     }
+    for (const studies::RmseRatio& ratio : cell.ratios) {
+        if (ratio.adjusted_p >= alpha) continue;
+        parts.push_back(fmt::format("RMSE on {} pairs by a factor {} ({})", name(ratio.pair_class),
+                                    brief(ratio.second / ratio.first), p_text(ratio.adjusted_p)));
+    }
     if (!parts.empty()) return fmt::format("DIFFERENT: {}", fmt::join(parts, "; "));
     const std::string untested = cell.untestable == 0
                                      ? std::string()
@@ -69,7 +74,7 @@ Table cells_table(const RunComparison& comparison) {
         "Method by method",
         fmt::format("RMSE of a run against the exact form factors. B / A with its {:g} % interval (Student t of "
                     "the logarithm, over trials), each by itself. Verdicts: means by Welch's t, variances by "
-                    "Brown and Forsythe, on every distinct pair; {} tests, {:g} % together (Holm); in "
+                    "Brown and Forsythe, on every distinct pair, RMSEs by that t; {} tests, {:g} % together (Holm); in "
                     "parentheses what is found with power {:g}.",
                     100 * comparison.level, comparison.tests, 100 * (1 - comparison.level), comparison.power),
         {{"method", false, ""},

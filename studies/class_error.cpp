@@ -133,16 +133,27 @@ std::vector<Quantity> pairs_of_class(const Scene& scene, std::span<const Quantit
     return members;
 }
 
-std::optional<stats::Interval> rmse_ratio_interval(const ClassError& first, const ClassError& second, double level) {
+std::optional<LogRatio> rmse_log_ratio(const ClassError& first, const ClassError& second) {
     std::size_t trials = std::numeric_limits<std::size_t>::max();
     for (const ClassError* error : {&first, &second}) {
         if (error->interval) trials = std::min(trials, error->trials);
     }
     if (trials == std::numeric_limits<std::size_t>::max()) return std::nullopt;
-    const double ratio = second.rmse / first.rmse;
-    const double reach = stats::student_critical(static_cast<double>(trials - 1), (1 - level) / 2) *
-                         std::sqrt(log_variance(first) + log_variance(second));
-    return stats::Interval{ratio * std::exp(-reach), ratio * std::exp(reach), level, "student_t_of_logarithm", trials};
+    return LogRatio{std::log(second.rmse / first.rmse), std::sqrt(log_variance(first) + log_variance(second)), trials};
+}
+
+std::optional<stats::Interval> rmse_ratio_interval(const ClassError& first, const ClassError& second, double level) {
+    const auto ratio = rmse_log_ratio(first, second);
+    if (!ratio) return std::nullopt;
+    const double reach =
+        stats::student_critical(static_cast<double>(ratio->trials - 1), (1 - level) / 2) * ratio->standard_error;
+    return stats::Interval{std::exp(ratio->value - reach), std::exp(ratio->value + reach), level,
+                           "student_t_of_logarithm", ratio->trials};
+}
+
+double p_of_equal(const LogRatio& ratio) {
+    if (ratio.standard_error == 0) return ratio.value == 0 ? 1 : 0;
+    return stats::student_two_sided_p(ratio.value / ratio.standard_error, static_cast<double>(ratio.trials - 1));
 }
 
 }  // namespace ff::studies

@@ -55,9 +55,20 @@ std::vector<double> errors_of(const CellEstimates& estimates, std::span<const Qu
 /// Those of the pairs that belong to the class.
 std::vector<Quantity> pairs_of_class(const Scene& scene, std::span<const Quantity> pairs, PairClass wanted);
 
-/// Interval of second.rmse / first.rmse, of independent trials: exp(ln ratio ± t s), s the standard error of the
-/// logarithms by the delta method, t with one less than the fewest trials for degrees of freedom. Errors without an
-/// interval count as exact; empty where both are.
+/// ln(second.rmse / first.rmse) of independent trials.
+struct LogRatio {
+    double value = 0;
+    double standard_error = 0;  ///< of both logarithms together, by the delta method
+    std::size_t trials = 0;     ///< the fewest; one less is the degrees of freedom
+};
+
+/// Errors without an interval count as exact; empty where both are.
+std::optional<LogRatio> rmse_log_ratio(const ClassError& first, const ClassError& second);
+
+/// Interval of second.rmse / first.rmse: exp(ln ratio ± t s). Empty as above.
 std::optional<stats::Interval> rmse_ratio_interval(const ClassError& first, const ClassError& second, double level);
+
+/// Two-sided p of equal RMSEs by Student's t.
+double p_of_equal(const LogRatio& ratio);
 
 }  // namespace ff::studies

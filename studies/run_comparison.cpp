@@ -21,13 +21,16 @@ namespace {
 /// deviations against 1 of standard deviations.
 constexpr double brown_forsythe_cost = 1.1415926535897931;
 
-/// A test of one pair; `cell` is an index into the comparison.
-struct PairTest {
+enum class Tested { mean, spread, rmse };
+
+/// A test of one pair, or of a class of pairs; `cell` is an index into the comparison.
+struct Test {
     std::size_t cell = 0;
-    bool of_means = true;
+    Tested tested = Tested::mean;
     Contrast contrast;
     double p = 1;
-    double log_error = 0;  ///< of the ratio of standard deviations
+    double log_error = 0;   ///< of the ratio of standard deviations
+    std::size_t ratio = 0;  ///< of RMSEs: index into the cell's ratios
 };
 
 Basis basis_of(const Cell& first, const Cell& second) {
@@ -60,19 +63,19 @@ std::vector<RmseRatio> ratios_of(const CellFindings& first, const CellFindings& 
     for (const ClassError& a : first.class_errors) {
         const ClassError* b = second.class_error(a.pair_class);
         if (b == nullptr) continue;
-        RmseRatio& found = ratios.emplace_back(RmseRatio{a.pair_class, a.rmse, b->rmse, std::nullopt, std::nullopt});
+        RmseRatio& found = ratios.emplace_back(RmseRatio{a.pair_class, a.rmse, b->rmse, {}, {}, {}, 1});
         if (a.rmse < rounding_error || b->rmse < rounding_error) continue;
         found.ratio = b->rmse / a.rmse;
-        if (basis == Basis::independent && a.interval && b->interval)
-            found.interval = rmse_ratio_interval(a, *b, level);
+        if (basis != Basis::independent || !a.interval || !b->interval) continue;
+        found.logarithm = rmse_log_ratio(a, *b);
+        found.interval = rmse_ratio_interval(a, *b, level);
     }
     return ratios;
 }
 
 /// Both tests of every pair that has them.
 void test_pairs(const CellEstimates& a, const CellEstimates& b, const Findings& first, const Findings& second,
-                const std::vector<Quantity>& pairs, std::size_t index, CellComparison& cell,
-                std::vector<PairTest>& tests) {
+                const std::vector<Quantity>& pairs, std::size_t index, CellComparison& cell, std::vector<Test>& tests) {
     for (const Quantity pair : pairs) {
         const Summary& of_a = first.cells[cell.first].summary(pair);
         const Summary& of_b = second.cells[cell.second].summary(pair);
@@ -87,7 +90,7 @@ void test_pairs(const CellEstimates& a, const CellEstimates& b, const Findings& 
             ++cell.untestable;
             continue;
         }
-        tests.push_back({index, true, {pair, means->difference, means->standard_error, 1}, means->p, 0});
+        tests.push_back({index, Tested::mean, {pair, means->difference, means->standard_error, 1}, means->p, 0, 0});
         // A sample that never varies cannot stand below; then the ratio is 1 / 0.
         const bool inverse = *in_a.variance() == 0;
         const auto spread =
@@ -100,7 +103,15 @@ void test_pairs(const CellEstimates& a, const CellEstimates& b, const Findings& 
             spread_a && spread_b
                 ? std::sqrt(brown_forsythe_cost * (1 / (2 * spread_a->freedom) + 1 / (2 * spread_b->freedom)))
                 : 0;
-        tests.push_back({index, false, {pair, ratio, 0, 1}, spread->p, error});
+        tests.push_back({index, Tested::spread, {pair, ratio, 0, 1}, spread->p, error, 0});
+    }
+}
+
+/// All pairs of a class together see a small difference of all of them, which no pair shows by itself.
+void test_classes(std::size_t index, const CellComparison& cell, std::vector<Test>& tests) {
+    for (std::size_t i = 0; i < cell.ratios.size(); ++i) {
+        if (const auto& logarithm = cell.ratios[i].logarithm; logarithm && logarithm->trials >= 3)
+            tests.push_back({index, Tested::rmse, {}, p_of_equal(*logarithm), 0, i});
     }
 }
 
@@ -138,22 +149,32 @@ void keep_smaller(std::optional<Contrast>& kept, const Contrast& contrast) {
 }
 
 /// Shares the error rate among all tests, and judges the cells by them.
-void judge(const std::vector<PairTest>& tests, RunComparison& comparison) {
+void judge(const std::vector<Test>& tests, RunComparison& comparison) {
     comparison.tests = tests.size();
     if (tests.empty()) return;
     std::vector<double> p;
-    for (const PairTest& test : tests) p.push_back(test.p);
+    for (const Test& test : tests) p.push_back(test.p);
     const auto adjusted = stats::holm(p);
     const double alpha = 1 - comparison.level;
     const double reach = stats::normal_critical(stats::bonferroni_level(alpha, tests.size()) / 2) +
                          stats::normal_critical(1 - comparison.power);
     for (std::size_t i = 0; i < tests.size(); ++i) {
-        const PairTest& test = tests[i];
+        const Test& test = tests[i];
         CellComparison& cell = comparison.cells[test.cell];
         Contrast contrast = test.contrast;
         contrast.adjusted_p = adjusted[i];
-        keep_smaller(test.of_means ? cell.mean : cell.spread, contrast);
-        if (test.of_means) cell.detectable_difference = std::max(cell.detectable_difference, reach * contrast.error);
+        switch (test.tested) {
+            case Tested::mean:
+                keep_smaller(cell.mean, contrast);
+                cell.detectable_difference = std::max(cell.detectable_difference, reach * contrast.error);
+                break;
+            case Tested::spread:
+                keep_smaller(cell.spread, contrast);
+                break;
+            case Tested::rmse:
+                cell.ratios[test.ratio].adjusted_p = adjusted[i];
+                break;
+        }
         cell.detectable_ratio = std::max(cell.detectable_ratio, std::exp(reach * test.log_error));
         if (cell.likeness == Likeness::untestable) cell.likeness = Likeness::alike;
         if (adjusted[i] < alpha) cell.likeness = Likeness::different;
@@ -181,7 +202,7 @@ RunComparison compare_runs(const Store& first, const Store& second) {
     out.power = a.spec.power;
     out.differences = differences_of(a.spec, b.spec);
     std::vector<bool> met(b.cells.size(), false);
-    std::vector<PairTest> tests;
+    std::vector<Test> tests;
     for (std::size_t i = 0; i < a.cells.size(); ++i) {
         const Cell& cell = a.cells[i];
         const auto other = counterpart(b, a.scenes[cell.scene].name, a.spec.methods[cell.method].name, cell);
@@ -202,6 +223,7 @@ RunComparison compare_runs(const Store& first, const Store& second) {
         switch (compared.basis) {
             case Basis::independent:
                 test_pairs(in_a, in_b, out.first, out.second, pairs, out.cells.size() - 1, compared, tests);
+                test_classes(out.cells.size() - 1, compared, tests);
                 break;
             case Basis::same_random_numbers:
                 compare_trials(first, second, compared);

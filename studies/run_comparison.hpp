@@ -25,7 +25,9 @@ struct RmseRatio {
     double first = 0;
     double second = 0;
     std::optional<double> ratio;              ///< second / first; empty where one is rounding
+    std::optional<LogRatio> logarithm;        ///< of the ratio; independent runs only
     std::optional<stats::Interval> interval;  ///< of the ratio by itself; independent runs only
+    double adjusted_p = 1;                    ///< of equal errors, Holm over all tests of the comparison
 };
 
 /// The pair on which two independent runs differ most.
@@ -33,7 +35,7 @@ struct Contrast {
     Quantity pair;
     double size = 0;        ///< difference of the means, second - first; or ratio of the variances, second / first
     double error = 0;       ///< standard error of the difference; 0 for the ratio
-    double adjusted_p = 1;  ///< Holm over all tests of the comparison, of means and of variances
+    double adjusted_p = 1;  ///< Holm over all tests of the comparison
 };
 
 enum class Likeness { alike, different, untestable };
@@ -73,7 +75,7 @@ struct RunComparison {
     std::vector<std::size_t> only_first;  ///< cells without a counterpart
     std::vector<std::size_t> only_second;
     std::vector<SpecDifference> differences;
-    std::size_t tests = 0;  ///< of means and variances, that share one error rate
+    std::size_t tests = 0;  ///< of means, variances and RMSEs, that share one error rate
     double level = 0.95;    ///< 1 - that error rate; of intervals too
     double power = 0.9;
 

@@ -5,9 +5,16 @@ source "$(dirname "$0")/../harness.sh"
 
 # The README's study runs, and prints what the README says it prints.
 blocks toml "$root/README.md" >shallow_box.toml
-blocks "" "$root/README.md" | sed '1,/^\$ ffstudy run shallow_box.toml$/d' >"$folder/promised"
+promised_after() { blocks "" "$root/README.md" | sed "1,/^\\$ $1\$/d" | sed '/^\$ /,$d'; }
+promised_after "ffstudy run shallow_box.toml" >"$folder/promised"
 ffstudy run shallow_box.toml
 expect_status 0
+expect_equal_files "$folder/promised" "$folder/stdout"
+sed 's/"sobol"/"halton"/' shallow_box.toml >halton.toml
+ffstudy run halton.toml --out results/halton --quiet
+promised_after "ffstudy compare results\/halton results\/shallow_box" >"$folder/promised"
+ffstudy compare results/halton results/shallow_box
+expect_status 1
 expect_equal_files "$folder/promised" "$folder/stdout"
 
 # So does the study that it begins with: with two trials all lines but the verdicts of sampled methods and claims are the

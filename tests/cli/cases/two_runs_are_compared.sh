@@ -40,7 +40,7 @@ ffstudy compare a other_seed
 expect_status 0
 expect_stdout "A: s (seed 1), B: s (seed 2)"
 expect_stdout "no difference found (would detect"
-expect_stdout "Of 2 methods and sizes in both runs 0 differ. (60 tests, 5 % together)"
+expect_stdout "Of 2 methods and sizes in both runs 0 differ. (62 tests, 5 % together)"
 ! grep -q $'\033' "$folder/stdout" || fail "expected no colour where there is no terminal"
 
 # The same random numbers have to give the same hits.

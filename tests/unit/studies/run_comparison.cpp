@@ -34,7 +34,7 @@ TEST(RunComparison, CallsSoundRunsDifferentNoMoreOftenThanItSays) {
     constexpr int repeats = 300;
     for (int i = 0; i < repeats; ++i) {
         const auto comparison = compare_runs(made("random", 2 * i + 1, 12), made("random", 2 * i + 2, 12));
-        EXPECT_EQ(comparison.tests, 60u);
+        EXPECT_EQ(comparison.tests, 62u);
         EXPECT_EQ(comparison.cells.front().basis, Basis::independent);
         alarms += comparison.count(Likeness::different) > 0 ? 1u : 0u;
     }
@@ -57,6 +57,15 @@ TEST(RunComparison, SeesABrokenSamplerInTheSpread) {
     EXPECT_LT(cell.spread->adjusted_p, 1e-6);
     EXPECT_GT(cell.spread->size, 1);
     for (const RmseRatio& ratio : cell.ratios) EXPECT_GT(ratio.interval->low, 1);
+}
+
+// Halton against Sobol' rays: a few percent on every pair, more than five standard errors of them all together.
+TEST(RunComparison, SeesASmallDifferenceOfAllPairsInTheRmse) {
+    const auto comparison = compare_runs(made("halton", 1, 400), made("sobol", 2, 400));
+    const CellComparison& cell = comparison.cells.front();
+    EXPECT_EQ(cell.likeness, Likeness::different);
+    EXPECT_GE(cell.mean->adjusted_p, 0.05);
+    EXPECT_LT(cell.ratios.back().adjusted_p, cell.spread->adjusted_p / 100);
 }
 
 TEST(RunComparison, SeesTrialsThatNeverVary) {
