@@ -33,7 +33,7 @@ class BareScene {
     explicit BareScene(const Scene& scene) : device_(rtcNewDevice("threads=1")), scene_(rtcNewScene(device_)) {
         rtcSetSceneFlags(scene_, RTC_SCENE_FLAG_ROBUST);
         rtcSetSceneBuildQuality(scene_, RTC_BUILD_QUALITY_HIGH);
-        for (unsigned i = 0; i < scene.surfaces.size(); ++i) add(scene.surfaces[i].shape, i);
+        for (unsigned i = 0; i < scene.surfaces.size(); ++i) add(parallelogram(scene.surfaces[i]), i);
         rtcCommitScene(scene_);
     }
     ~BareScene() {

@@ -22,7 +22,7 @@ void cube_of_1014_patches(benchmark::State& state) {
     if (state.range(0) != 0) {
         const Eigen::AngleAxisd turn(0.7, Eigen::Vector3d(1, 2, 3).normalized());
         for (Surface& surface : cube.surfaces) {
-            Parallelogram& shape = surface.shape;
+            Parallelogram& shape = parallelogram(surface);
             shape = {turn * shape.corner, turn * shape.edge_u, turn * shape.edge_v};
             surface.normal = turn * surface.normal;
         }

@@ -19,7 +19,9 @@ std::optional<std::size_t> axis_of(const Eigen::Vector3d& vector) {
 }  // namespace
 
 std::optional<AlignedRectangle> aligned_rectangle(const Surface& surface) {
-    const auto& [corner, edge_u, edge_v] = surface.shape;
+    const auto* shape = std::get_if<Parallelogram>(&surface.shape);
+    if (shape == nullptr) return std::nullopt;
+    const auto& [corner, edge_u, edge_v] = *shape;
     const auto axis_u = axis_of(edge_u);
     const auto axis_v = axis_of(edge_v);
     const auto axis = axis_of(surface.normal);

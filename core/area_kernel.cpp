@@ -25,10 +25,10 @@ std::vector<PatchedSurface> divide(const Scene& scene, Subdivision subdivision) 
     for (const Surface& surface : scene.surfaces) {
         PatchedSurface divided{&surface,
                                static_cast<std::uint32_t>(result.size()) * subdivision.per_surface(),
-                               patch(surface.shape, subdivision, 0),
+                               patch(parallelogram(surface), subdivision, 0),
                                {}};
         for (std::uint32_t p = 0; p < subdivision.per_surface(); ++p) {
-            divided.corners.push_back(patch(surface.shape, subdivision, p).corner);
+            divided.corners.push_back(patch(parallelogram(surface), subdivision, p).corner);
         }
         result.push_back(std::move(divided));
     }

@@ -36,7 +36,7 @@ void require_edge(std::string_view edge, double length) {
 }
 
 Surface wall(int face, const Vector3d& corner, const Vector3d& edge_u, const Vector3d& edge_v, const Vector3d& normal) {
-    return {{corner, edge_u, edge_v}, normal, face};
+    return {Parallelogram{corner, edge_u, edge_v}, normal, face};
 }
 
 /// Takes "AxBxC" apart; empty unless it is three numbers.

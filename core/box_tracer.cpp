@@ -177,8 +177,8 @@ BoxTracer::BoxTracer(const Scene& scene) {
         const Surface& surface = scene.surfaces[i];
         const SurfaceFrame frame = surface_frame(surface);
         BoxSurface& s = surfaces_[i];
-        s.axis_u = axis_of(surface.shape.edge_u);
-        s.axis_v = axis_of(surface.shape.edge_v);
+        s.axis_u = axis_of(parallelogram(surface).edge_u);
+        s.axis_v = axis_of(parallelogram(surface).edge_v);
         s.axis_n = axis_of(surface.normal);
         s.on_low_side = frame.normal[s.axis_n] > 0;
         s.box.extent_u = frame.edge_u[s.axis_u];

@@ -2,11 +2,13 @@
 
 #include "core/contract.hpp"
 #include "core/facing.hpp"
+#include "core/touching.hpp"
 
 #include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cstddef>
+#include <vector>
 
 namespace ff {
 namespace {
@@ -15,6 +17,9 @@ using Eigen::Vector3d;
 
 /// Room for rounding, relative to the patches.
 constexpr double tolerance = 1e-12;
+
+/// Of scenes with more, contacts are not looked for: no estimator that suffers from them can do as many pairs.
+constexpr std::size_t most_surfaces = 4096;
 
 /// The sides of one patch that an edge or a corner belongs to.
 using Sides = std::array<Side, 2>;
@@ -77,6 +82,32 @@ Touch touch(Contact contact, const Sides& from, const Sides& to) {
     return {contact, {from[0], from[1], to[0], to[1]}};
 }
 
+/// The contact of two surfaces one of which is no parallelogram.
+Contact contact_of_shapes(const Surface& from, const Surface& to) {
+    if (meet_along_line(from, to)) return Contact::edge;
+    Contact contact = Contact::none;
+    const auto look_at = [&](const Surface& a, const Surface& b) {
+        const std::vector<Vector3d> of_a = corners(a.shape);
+        for (const Vector3d& corner : of_a) {
+            const double gap = tolerance * ((of_a[1] - of_a[0]).norm() + (of_a[2] - of_a[1]).norm());
+            if (!lies_on(corner, b, gap)) continue;
+            contact = std::max(contact, Contact::point);
+            for (const Vector3d& other : corners(b.shape)) {
+                if ((corner - other).norm() <= gap) contact = Contact::vertex;
+            }
+        }
+    };
+    look_at(from, to);
+    look_at(to, from);
+    return contact;
+}
+
+Contact contact_of(const Surface& from, const Surface& to) {
+    const auto* a = std::get_if<Parallelogram>(&from.shape);
+    const auto* b = std::get_if<Parallelogram>(&to.shape);
+    return a != nullptr && b != nullptr ? find_touch(*a, *b).contact : contact_of_shapes(from, to);
+}
+
 }  // namespace
 
 Touch find_touch(const Parallelogram& from, const Parallelogram& to) {
@@ -106,11 +137,12 @@ Contact closest_contact(const Scene& scene, int from_face, int to_face) {
     FF_EXPECT(from_face >= 0 && static_cast<std::size_t>(from_face) < scene.faces.size());
     FF_EXPECT(to_face >= 0 && static_cast<std::size_t>(to_face) < scene.faces.size());
     Contact closest = Contact::none;
+    if (scene.surfaces.size() > most_surfaces) return closest;
     for (const Surface& from : scene.surfaces) {
         if (from.face != from_face) continue;
         for (const Surface& to : scene.surfaces) {
             if (to.face != to_face || !face_each_other(from, to)) continue;
-            closest = std::max(closest, find_touch(from.shape, to.shape).contact);
+            closest = std::max(closest, contact_of(from, to));
         }
     }
     return closest;

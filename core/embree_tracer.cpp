@@ -1,17 +1,19 @@
 // The only file that knows Embree.
 
 #include "core/contract.hpp"
+#include "core/line_meets.hpp"
 #include "core/rays.hpp"
+#include "core/surface_map.hpp"
 #include "core/tracer.hpp"
 
 #include <embree3/rtcore.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <limits>
 #include <memory>
 #include <stdexcept>
-#include <string>
 #include <type_traits>
 
 namespace ff {
@@ -20,8 +22,13 @@ namespace {
 /// Rays in a packet: 8 was as fast as 4, 16 and streams within noise, and later major versions still have it.
 constexpr std::size_t packet = 8;
 
-/// With at most this many surfaces each has its own bit of the ray mask; with more, a filter excludes the source.
+/// With at most this many surfaces each is a geometry with a bit of the ray mask; with more, surfaces of a kind share a
+/// geometry, and a filter excludes the source.
 constexpr std::size_t mask_bits = 32;
+
+/// Of a second attempt: how much nearer to the middle of its surface a ray starts, and how much larger round shapes
+/// are.
+constexpr double second_attempt = 0x1p-20;
 
 template <auto release>
 struct Releaser {
@@ -32,61 +39,143 @@ struct Releaser {
 };
 using Device = std::unique_ptr<std::remove_pointer_t<RTCDevice>, Releaser<rtcReleaseDevice>>;
 using SceneHandle = std::unique_ptr<std::remove_pointer_t<RTCScene>, Releaser<rtcReleaseScene>>;
-using Geometry = std::unique_ptr<std::remove_pointer_t<RTCGeometry>, Releaser<rtcReleaseGeometry>>;
+using GeometryHandle = std::unique_ptr<std::remove_pointer_t<RTCGeometry>, Releaser<rtcReleaseGeometry>>;
 
 void require_no_error(const Device& device, const char* what) {
-    const RTCError error = rtcGetDeviceError(device.get());
-    if (error != RTC_ERROR_NONE) {
-        throw std::runtime_error(std::string("Embree: ") + what + " failed with error " +
-                                 std::to_string(static_cast<int>(error)));
-    }
+    if (const RTCError error = rtcGetDeviceError(device.get()); error != RTC_ERROR_NONE)
+        throw std::runtime_error(fmt::format("Embree: {} failed with error {}", what, static_cast<int>(error)));
 }
 
-/// Embree's context with the surface that rays start on behind it, where the filter finds it.
+enum class Kind { quads, triangles, round };
+
+Kind kind_of(const Surface& surface) {
+    if (std::holds_alternative<Parallelogram>(surface.shape)) return Kind::quads;
+    return std::holds_alternative<Triangle>(surface.shape) ? Kind::triangles : Kind::round;
+}
+
+/// Surfaces of one kind that share a geometry; primitive i is surfaces[i].
+struct Group {
+    const std::vector<Surface>* scene = nullptr;
+    Kind kind = Kind::quads;
+    std::vector<std::uint32_t> surfaces;
+
+    [[nodiscard]] const Surface& surface(unsigned primitive) const { return (*scene)[surfaces[primitive]]; }
+};
+
+/// Embree's context, and behind it what the callbacks need of a ray.
 struct Context {
     RTCIntersectContext embree;
     std::uint32_t source;
+    double rim;
 };
-static_assert(std::is_standard_layout_v<Context>, "the filter gets a pointer to the first member");
+static_assert(std::is_standard_layout_v<Context>, "callbacks get a pointer to the first member");
+
+const Context& context_of(const RTCIntersectContext* context) {
+    return *reinterpret_cast<const Context*>(context);
+}
 
 void reject_source(const RTCFilterFunctionNArguments* arguments) {
-    const auto* context = reinterpret_cast<const Context*>(arguments->context);
+    const auto& group = *static_cast<const Group*>(arguments->geometryUserPtr);
+    const std::uint32_t source = context_of(arguments->context).source;
     for (unsigned i = 0; i < arguments->N; ++i) {
-        if (RTCHitN_geomID(arguments->hit, arguments->N, i) == context->source) arguments->valid[i] = 0;
+        const unsigned primitive = RTCHitN_primID(arguments->hit, arguments->N, i);
+        if (arguments->valid[i] != 0 && group.surfaces[primitive] == source) arguments->valid[i] = 0;
     }
 }
 
-/// Components of consecutive rays, wherever they are stored.
-struct RayPointers {
-    const float *origin_x, *origin_y, *origin_z;
-    const float *direction_x, *direction_y, *direction_z;
+/// Bounds in single precision that contain those in double precision.
+void bound(const RTCBoundsFunctionArguments* arguments) {
+    const auto& group = *static_cast<const Group*>(arguments->geometryUserPtr);
+    float* const low = &arguments->bounds_o->lower_x;
+    float* const high = &arguments->bounds_o->upper_x;
+    for (Eigen::Index axis = 0; axis < 3; ++axis) {
+        const Extent along = extent(group.surface(arguments->primID), Eigen::Vector3d::Unit(axis));
+        const double room = 4 * second_attempt * (std::abs(along.low) + std::abs(along.high));
+        low[axis] = static_cast<float>(along.low - room);
+        high[axis] = static_cast<float>(along.high + room);
+    }
+}
+
+/// In place of the hit coordinate u, which core/surface_map finds for round shapes.
+constexpr float meets_outward = 1;
+
+void intersect_round(const RTCIntersectFunctionNArguments* arguments) {
+    const auto& group = *static_cast<const Group*>(arguments->geometryUserPtr);
+    const std::uint32_t index = group.surfaces[arguments->primID];
+    const Surface& surface = group.surface(arguments->primID);
+    const Context& context = context_of(arguments->context);
+    // In a second attempt a ray starts inside of its hollow source, not on it.
+    const bool begins = index == context.source &&
+                        (context.rim == 0 || is_flat(surface.shape) || facing(surface.shape) == Facing::outward);
+    const unsigned n = arguments->N;
+    RTCRayN* const rays = RTCRayHitN_RayN(arguments->rayhit, n);
+    RTCHitN* const hits = RTCRayHitN_HitN(arguments->rayhit, n);
+    for (unsigned i = 0; i < n; ++i) {
+        if (arguments->valid[i] == 0) continue;
+        const Line line{{RTCRayN_org_x(rays, n, i), RTCRayN_org_y(rays, n, i), RTCRayN_org_z(rays, n, i)},
+                        {RTCRayN_dir_x(rays, n, i), RTCRayN_dir_y(rays, n, i), RTCRayN_dir_z(rays, n, i)}};
+        const auto meeting = line_meets(line, surface, {.begins = begins}, context.rim);
+        if (!meeting || meeting->time > static_cast<double>(RTCRayN_tfar(rays, n, i))) continue;
+        RTCRayN_tfar(rays, n, i) = static_cast<float>(meeting->time);
+        RTCHitN_u(hits, n, i) = meeting->outward ? meets_outward : 0;
+        RTCHitN_geomID(hits, n, i) = arguments->geomID;
+        RTCHitN_primID(hits, n, i) = arguments->primID;
+    }
+}
+
+/// Components of consecutive rays, wherever they are stored: of origins, then of directions.
+using RayPointers = std::array<const float*, 6>;
+
+template <class Rays>
+RayPointers pointers_to(const Rays& rays) {
+    return {rays.origin_x.data(),    rays.origin_y.data(),    rays.origin_z.data(),
+            rays.direction_x.data(), rays.direction_y.data(), rays.direction_z.data()};
+}
+
+Line line_of(const RayPointers& rays, std::size_t i) {
+    return {{rays[0][i], rays[1][i], rays[2][i]}, {rays[3][i], rays[4][i], rays[5][i]}};
+}
+
+/// What Embree found.
+struct Found {
+    std::uint32_t surface = no_surface;
+    float time = 0;
+    float u = 0;
+    float v = 0;
 };
 
 class EmbreeTracer final : public Tracer {
   public:
     explicit EmbreeTracer(const Scene& scene);
-
     [[nodiscard]] std::string_view name() const override { return "embree"; }
     void shoot(std::uint32_t source, Subdivision subdivision, std::uint32_t patch, const PointBlock& block,
                std::span<std::uint64_t> hits) const override;
     void trace(const RayBatch& rays, std::span<Hit> hits) const override;
 
   private:
-    void attach(const Surface& surface, std::uint32_t index);
+    void group_surfaces();
+    void attach(Group& group, unsigned index);
+    void attach_polygons(const Group& group, RTCGeometry geometry) const;
 
-    /// Calls visit(ray, surface or no_surface, u, v) for every ray in order.
+    /// Calls visit(ray, found) for every ray in order.
     template <class Visit>
     void intersect(const RayPointers& rays, std::size_t count, std::uint32_t source, Visit visit) const;
+    [[nodiscard]] Found intersect_again(const Line& line, std::uint32_t source) const;
+
+    [[nodiscard]] bool is_received(const Found& found, const RayPointers& rays, std::size_t i) const;
+    [[nodiscard]] std::uint32_t mask_of(std::uint32_t source) const;
 
     Device device_;
+    std::vector<Surface> surfaces_;
+    std::vector<Group> groups_;  ///< by geometry
     SceneHandle scene_;
     bool by_mask_ = false;
-    std::vector<SurfaceFrame> frames_;
-    std::vector<std::size_t> face_of_;
+    bool closed_ = false;
     std::size_t faces_ = 0;
 };
 
-EmbreeTracer::EmbreeTracer(const Scene& scene) : device_(rtcNewDevice("threads=1")), faces_(scene.faces.size()) {
+EmbreeTracer::EmbreeTracer(const Scene& scene)
+    : device_(rtcNewDevice("threads=1")), surfaces_(scene.surfaces), closed_(scene.closed), faces_(scene.faces.size()) {
     if (!device_) throw std::runtime_error("Embree: no device");
     by_mask_ = scene.surfaces.size() <= mask_bits &&
                rtcGetDeviceProperty(device_.get(), RTC_DEVICE_PROPERTY_RAY_MASK_SUPPORTED) != 0;
@@ -96,37 +185,67 @@ EmbreeTracer::EmbreeTracer(const Scene& scene) : device_(rtcNewDevice("threads=1
     scene_.reset(rtcNewScene(device_.get()));
     rtcSetSceneFlags(scene_.get(), RTC_SCENE_FLAG_ROBUST);
     rtcSetSceneBuildQuality(scene_.get(), RTC_BUILD_QUALITY_HIGH);
-    for (const Surface& surface : scene.surfaces) {
-        attach(surface, static_cast<std::uint32_t>(frames_.size()));
-        frames_.push_back(surface_frame(surface));
-        face_of_.push_back(static_cast<std::size_t>(surface.face));
-    }
+    for (const Surface& surface : surfaces_) expect_single_precision(surface);
+    group_surfaces();
+    for (unsigned i = 0; i < groups_.size(); ++i) attach(groups_[i], i);
     rtcCommitScene(scene_.get());
     require_no_error(device_, "building the scene");
 }
 
-/// One quad is one geometry, so that geometry number and surface index are the same.
-void EmbreeTracer::attach(const Surface& surface, std::uint32_t index) {
-    const Geometry geometry(rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_QUAD));
-    auto* vertices = static_cast<float*>(
-        rtcSetNewGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float), 4));
-    auto* indices = static_cast<unsigned*>(
-        rtcSetNewGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT4, 4 * sizeof(unsigned), 1));
-    require_no_error(device_, "allocating a surface");
-    const auto& [corner, edge_u, edge_v] = surface.shape;
-    // In this order Embree's u and v are our s and t.
-    const std::array<Eigen::Vector3d, 4> corners{corner, corner + edge_u, corner + edge_u + edge_v, corner + edge_v};
-    for (unsigned i = 0; i < 4; ++i) {
-        for (unsigned axis = 0; axis < 3; ++axis) vertices[3 * i + axis] = static_cast<float>(corners[i][axis]);
-        indices[i] = i;
+void EmbreeTracer::group_surfaces() {
+    if (!by_mask_)
+        groups_ = {{&surfaces_, Kind::quads, {}}, {&surfaces_, Kind::triangles, {}}, {&surfaces_, Kind::round, {}}};
+    for (std::uint32_t i = 0; i < surfaces_.size(); ++i) {
+        const Kind kind = kind_of(surfaces_[i]);
+        if (by_mask_) {
+            groups_.push_back({&surfaces_, kind, {i}});
+        } else {
+            groups_[static_cast<std::size_t>(kind)].surfaces.push_back(i);
+        }
     }
-    if (by_mask_) {
-        rtcSetGeometryMask(geometry.get(), 1u << index);
+}
+
+void EmbreeTracer::attach(Group& group, unsigned index) {
+    if (group.surfaces.empty()) return;
+    constexpr std::array types{RTC_GEOMETRY_TYPE_QUAD, RTC_GEOMETRY_TYPE_TRIANGLE, RTC_GEOMETRY_TYPE_USER};
+    const GeometryHandle geometry(rtcNewGeometry(device_.get(), types.at(static_cast<std::size_t>(group.kind))));
+    rtcSetGeometryUserData(geometry.get(), &group);
+    if (group.kind == Kind::round) {
+        rtcSetGeometryUserPrimitiveCount(geometry.get(), static_cast<unsigned>(group.surfaces.size()));
+        rtcSetGeometryBoundsFunction(geometry.get(), bound, nullptr);
+        rtcSetGeometryIntersectFunction(geometry.get(), intersect_round);
     } else {
-        rtcSetGeometryIntersectFilterFunction(geometry.get(), reject_source);
+        attach_polygons(group, geometry.get());
     }
+    if (by_mask_) rtcSetGeometryMask(geometry.get(), 1u << index);
+    if (!by_mask_ && group.kind != Kind::round) rtcSetGeometryIntersectFilterFunction(geometry.get(), reject_source);
     rtcCommitGeometry(geometry.get());
     rtcAttachGeometryByID(scene_.get(), geometry.get(), index);
+}
+
+void EmbreeTracer::attach_polygons(const Group& group, RTCGeometry geometry) const {
+    const unsigned n = group.kind == Kind::quads ? 4 : 3;
+    const RTCFormat format = group.kind == Kind::quads ? RTC_FORMAT_UINT4 : RTC_FORMAT_UINT3;
+    const std::size_t count = group.surfaces.size();
+    auto* vertices = static_cast<float*>(
+        rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float), n * count));
+    auto* indices = static_cast<unsigned*>(
+        rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, format, n * sizeof(unsigned), count));
+    require_no_error(device_, "allocating surfaces");
+    unsigned next = 0;
+    for (const std::uint32_t index : group.surfaces) {
+        // In this order Embree's u and v are our s and t on a parallelogram.
+        for (const Eigen::Vector3d& corner : corners(surfaces_[index].shape)) {
+            for (Eigen::Index axis = 0; axis < 3; ++axis) *vertices++ = static_cast<float>(corner[axis]);
+            indices[next] = next;
+            ++next;
+        }
+    }
+}
+
+/// A round source is told by core/line_meets where it is not met again.
+std::uint32_t EmbreeTracer::mask_of(std::uint32_t source) const {
+    return by_mask_ && is_flat(surfaces_[source].shape) ? ~(1u << source) : ~0u;
 }
 
 template <class Visit>
@@ -137,46 +256,86 @@ void EmbreeTracer::intersect(const RayPointers& rays, std::size_t count, std::ui
     alignas(32) std::array<int, packet> valid{};
     valid.fill(-1);
     RTCRayHit8 p{};  // tnear is 0 and stays so
-    std::fill_n(p.ray.mask, packet, by_mask_ ? ~(1u << source) : ~0u);
+    std::fill_n(p.ray.mask, packet, mask_of(source));
+    const std::array components{p.ray.org_x, p.ray.org_y, p.ray.org_z, p.ray.dir_x, p.ray.dir_y, p.ray.dir_z};
     for (std::size_t first = 0; first < count; first += packet) {
         const std::size_t n = std::min(packet, count - first);
         const auto load = [first, n](const float* from, float* to) {
             // A copy of known length is two instructions, one of unknown length is a call.
             n == packet ? std::copy_n(from + first, packet, to) : std::copy_n(from + first, n, to);
         };
-        load(rays.origin_x, p.ray.org_x);
-        load(rays.origin_y, p.ray.org_y);
-        load(rays.origin_z, p.ray.org_z);
-        load(rays.direction_x, p.ray.dir_x);
-        load(rays.direction_y, p.ray.dir_y);
-        load(rays.direction_z, p.ray.dir_z);
+        for (std::size_t c = 0; c < rays.size(); ++c) load(rays[c], components[c]);
         std::fill_n(p.ray.tfar, packet, std::numeric_limits<float>::infinity());
         std::fill_n(p.hit.geomID, packet, RTC_INVALID_GEOMETRY_ID);
         if (n < packet) std::fill(valid.begin() + n, valid.end(), 0);
         rtcIntersect8(valid.data(), scene_.get(), &context.embree, &p);
-        for (std::size_t i = 0; i < n; ++i) visit(first + i, p.hit.geomID[i], p.hit.u[i], p.hit.v[i]);
+        for (std::size_t i = 0; i < n; ++i) {
+            if (p.hit.geomID[i] != RTC_INVALID_GEOMETRY_ID) {
+                const std::uint32_t surface = groups_[p.hit.geomID[i]].surfaces[p.hit.primID[i]];
+                visit(first + i, Found{surface, p.ray.tfar[i], p.hit.u[i], p.hit.v[i]});
+            } else {
+                visit(first + i, closed_ ? intersect_again(line_of(rays, first + i), source) : Found{});
+            }
+        }
     }
+}
+
+Found EmbreeTracer::intersect_again(const Line& line, std::uint32_t source) const {
+    Context context{};
+    rtcInitIntersectContext(&context.embree);
+    context.source = source;
+    context.rim = second_attempt;
+    const Eigen::Vector3f from =
+        (line.origin + second_attempt * (middle(surfaces_[source]) - line.origin)).cast<float>();
+    const Eigen::Vector3f to = line.direction.cast<float>();
+    RTCRayHit ray{};
+    ray.ray = {
+        from.x(),        from.y(), from.z(), 0, to.x(), to.y(), to.z(), 0, std::numeric_limits<float>::infinity(),
+        mask_of(source), 0,        0};
+    ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+    rtcIntersect1(scene_.get(), &context.embree, &ray);
+    if (ray.hit.geomID == RTC_INVALID_GEOMETRY_ID) return {};
+    return {groups_[ray.hit.geomID].surfaces[ray.hit.primID], ray.ray.tfar, ray.hit.u, ray.hit.v};
+}
+
+bool EmbreeTracer::is_received(const Found& found, const RayPointers& rays, std::size_t i) const {
+    const Surface& surface = surfaces_[found.surface];
+    if (surface.face == no_face) return false;
+    if (is_flat(surface.shape)) return surface.normal.dot(line_of(rays, i).direction) < 0;
+    return (facing(surface.shape) == Facing::inward) == (found.u == meets_outward);
 }
 
 void EmbreeTracer::shoot(std::uint32_t source, Subdivision subdivision, std::uint32_t patch, const PointBlock& block,
                          std::span<std::uint64_t> hits) const {
     FF_EXPECT(hits.size() == faces_ + 1);
     RayBlock rays;
-    generate_ray_block(frames_.at(source), patch_map(subdivision, patch), block, rays);
-    const RayPointers pointers{rays.origin_x.data(),    rays.origin_y.data(),    rays.origin_z.data(),
-                               rays.direction_x.data(), rays.direction_y.data(), rays.direction_z.data()};
-    intersect(pointers, block.size, source, [&](std::size_t, std::uint32_t surface, float, float) {
-        ++hits[surface == no_surface ? faces_ : face_of_[surface]];
+    generate_ray_block(surfaces_.at(source), subdivision, patch, block, rays);
+    const RayPointers pointers = pointers_to(rays);
+    intersect(pointers, block.size, source, [&](std::size_t i, const Found& found) {
+        if (found.surface == no_surface) {
+            ++hits[faces_];
+        } else if (is_received(found, pointers, i)) {
+            ++hits[static_cast<std::size_t>(surfaces_[found.surface].face)];
+        }
     });
 }
 
 void EmbreeTracer::trace(const RayBatch& rays, std::span<Hit> hits) const {
     FF_EXPECT(hits.size() >= rays.size());
-    const RayPointers pointers{rays.origin_x.data(),    rays.origin_y.data(),    rays.origin_z.data(),
-                               rays.direction_x.data(), rays.direction_y.data(), rays.direction_z.data()};
-    static_assert(RTC_INVALID_GEOMETRY_ID == no_surface);
-    intersect(pointers, rays.size(), rays.source, [hits](std::size_t i, std::uint32_t surface, float u, float v) {
-        hits[i] = surface == no_surface ? Hit{} : Hit{surface, std::clamp(u, 0.0f, 1.0f), std::clamp(v, 0.0f, 1.0f)};
+    const RayPointers pointers = pointers_to(rays);
+    intersect(pointers, rays.size(), rays.source, [&](std::size_t i, const Found& found) {
+        Hit& hit = hits[i] = {.surface = found.surface};
+        if (found.surface == no_surface) return;
+        hit.received = is_received(found, pointers, i);
+        if (std::holds_alternative<Parallelogram>(surfaces_[found.surface].shape)) {
+            hit.s = std::clamp(found.u, 0.0f, 1.0f);
+            hit.t = std::clamp(found.v, 0.0f, 1.0f);
+            return;
+        }
+        const auto [s, t] =
+            SurfaceMap(surfaces_[found.surface]).coordinates(line_of(pointers, i).at(static_cast<double>(found.time)));
+        hit.s = static_cast<float>(s);
+        hit.t = static_cast<float>(t);
     });
 }
 

@@ -88,7 +88,7 @@ std::optional<Eigen::MatrixXd> exact_patch_to_face(const Scene& scene, Subdivisi
     Eigen::Index row = 0;
     for (const Surface& source : scene.surfaces) {
         for (std::uint32_t p = 0; p < subdivision.per_surface(); ++p, ++row) {
-            const Surface piece{patch(source.shape, subdivision, p), source.normal, source.face};
+            const Surface piece{patch(parallelogram(source), subdivision, p), source.normal, source.face};
             const auto from = aligned_rectangle(piece);
             FF_ENSURE(from.has_value());
             for (std::size_t s = 0; s < surfaces->size(); ++s) {

@@ -1,9 +1,10 @@
 #include "core/facing.hpp"
 
+#include "core/surface_map.hpp"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
-#include <utility>
 
 namespace ff {
 namespace {
@@ -11,29 +12,61 @@ namespace {
 /// Room for rounding, relative to the surfaces.
 constexpr double tolerance = 1e-12;
 
-/// The least and the greatest height of a surface's corners above the plane of another.
-std::pair<double, double> heights(const Surface& above, const Surface& surface) {
-    const auto& [corner, edge_u, edge_v] = surface.shape;
-    const double base = above.normal.dot(corner - above.shape.corner);
-    const double u = above.normal.dot(edge_u);
-    const double v = above.normal.dot(edge_v);
-    return std::minmax({base, base + u, base + v, base + u + v});
+constexpr std::size_t most_surfaces = 4096;
+
+/// The least and the greatest height of a surface above the plane of a flat one.
+Extent heights(const Surface& above, const Surface& surface) {
+    const Extent own = extent(above, above.normal);
+    const Extent other = extent(surface, above.normal);
+    return {other.low - own.low, other.high - own.low};
+}
+
+bool has_some_in_front(const Surface& surface, const Surface& other) {
+    return !is_flat(surface.shape) || heights(surface, other).high > 0;
+}
+
+bool is_hollow(const Surface& surface) {
+    return !is_flat(surface.shape) && facing(surface.shape) == Facing::inward;
 }
 
 double size(const Surface& surface) {
-    return surface.shape.edge_u.norm() + surface.shape.edge_v.norm();
+    double sum = 0;
+    for (Eigen::Index axis = 0; axis < 3; ++axis) {
+        const Extent along = extent(surface, Eigen::Vector3d::Unit(axis));
+        sum += along.high - along.low;
+    }
+    return sum;
 }
 
 }  // namespace
 
 bool face_each_other(const Surface& a, const Surface& b) {
-    return heights(a, b).second > 0 && heights(b, a).second > 0;
+    if (&a == &b) return is_hollow(a);
+    return has_some_in_front(a, b) && has_some_in_front(b, a);
+}
+
+bool sees_itself(const Scene& scene, int face) {
+    std::vector<const Surface*> own;
+    for (const Surface& surface : scene.surfaces) {
+        if (surface.face != face) continue;
+        if (is_hollow(surface)) return true;
+        own.push_back(&surface);
+    }
+    if (own.size() > most_surfaces) return true;
+    for (const Surface* a : own) {
+        for (const Surface* b : own) {
+            if (a < b && face_each_other(*a, *b)) return true;
+        }
+    }
+    return false;
 }
 
 bool is_convex(const Scene& scene) {
+    if (scene.surfaces.size() > most_surfaces) return false;
     for (const Surface& plane : scene.surfaces) {
+        if (!is_flat(plane.shape)) return false;
         for (const Surface& surface : scene.surfaces) {
-            if (heights(plane, surface).first < -tolerance * (size(plane) + size(surface))) return false;
+            if (heights(plane, surface).low < -tolerance * (size(plane) + size(surface))) return false;
         }
     }
     return true;

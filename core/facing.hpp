@@ -4,11 +4,16 @@
 
 namespace ff {
 
-/// Whether some of each surface lies in front of the other: if not, nothing passes between them.
+/// Whether some of each surface may lie in front of the other: if not, nothing passes between them. Of a curved surface
+/// it is only known that a hollow one sees itself and one that bulges does not.
 bool face_each_other(const Surface& a, const Surface& b);
 
+/// Whether a straight line may lead from the radiating side of a face to that side again.
+bool sees_itself(const Scene& scene, int face);
+
 /// Whether no surface has a part behind the plane of another (by more than 1e-12 of the two surfaces' size): then
-/// nothing stands between any two of them. The inside of a box is convex.
+/// nothing stands between any two of them. The inside of a box is convex. False where some surface is curved, and of
+/// more than 4096 surfaces without looking: it takes the square of their number.
 bool is_convex(const Scene& scene);
 
 }  // namespace ff

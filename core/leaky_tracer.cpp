@@ -25,8 +25,11 @@ class LeakyTracer final : public Tracer {
         std::vector<Hit> found(rays.size());
         trace(rays, found);
         for (const Hit& hit : found) {
-            const bool lost = hit.surface == no_surface;
-            ++hits[lost ? scene_.faces.size() : static_cast<std::size_t>(scene_.surfaces[hit.surface].face)];
+            if (hit.surface == no_surface) {
+                ++hits[scene_.faces.size()];
+            } else if (hit.received) {
+                ++hits[static_cast<std::size_t>(scene_.surfaces[hit.surface].face)];
+            }
         }
     }
 

@@ -17,7 +17,8 @@ enum class PairClass {
 /// "self", "parallel", "adjacent" or "other".
 std::string_view name(PairClass pair_class);
 
-/// Symmetric in the two faces. Angles below 1e-12 and gaps below 1e-12 of the surfaces' size count as none.
+/// Symmetric in the two faces. Angles below 1e-12 and gaps below 1e-12 of the surfaces' size count as none. Two faces
+/// of more than 4 million pairs of surfaces are `other` without looking.
 /// @pre both are indices into scene.faces
 PairClass pair_class(const Scene& scene, int from_face, int to_face);
 

@@ -85,8 +85,8 @@ double squared_extent(const Corners<double>& a, const Corners<double>& b) {
 }
 
 BoundedValue<double> exchange_of(const Surface& from, const Surface& to) {
-    const auto from_corners = corners_of(from.shape, from.normal);
-    const auto to_corners = corners_of(to.shape, to.normal);
+    const auto from_corners = corners_of(parallelogram(from), from.normal);
+    const auto to_corners = corners_of(parallelogram(to), to.normal);
     if (const auto exact = exact_exchange_area(from, to))
         return {*exact, 1e-15 * squared_extent(from_corners, to_corners)};
     return polygon_exchange_area<double>(from_corners, to_corners);
@@ -96,7 +96,7 @@ BoundedValue<double> exchange_of(const Surface& from, const Surface& to) {
 
 PatchExchange patch_exchange(const Surface& from, const Surface& to, Subdivision subdivision) {
     const std::uint32_t m = subdivision.m;
-    const Offsets offsets(from.shape, to.shape, m);
+    const Offsets offsets(parallelogram(from), parallelogram(to), m);
     std::vector<std::optional<double>> known(offsets.size());
     PatchExchange result;
     result.areas.resize(subdivision.per_surface(), subdivision.per_surface());
@@ -104,8 +104,8 @@ PatchExchange patch_exchange(const Surface& from, const Surface& to, Subdivision
         for (std::uint32_t i = 0; i < subdivision.per_surface(); ++i) {
             auto& exchange = known[offsets.number({i % m, i / m, j % m, j / m})];
             if (!exchange) {
-                const auto value = exchange_of({patch(from.shape, subdivision, i), from.normal, from.face},
-                                               {patch(to.shape, subdivision, j), to.normal, to.face});
+                const auto value = exchange_of({patch(parallelogram(from), subdivision, i), from.normal, from.face},
+                                               {patch(parallelogram(to), subdivision, j), to.normal, to.face});
                 exchange = value.value;
                 result.error = std::max(result.error, value.error);
                 ++result.computed;

@@ -18,9 +18,9 @@ struct SourceFrame {
     Eigen::Vector3d origin;
     Eigen::Matrix3d axes;  ///< rows
 
-    explicit SourceFrame(const Surface& source) : origin(source.shape.corner) {
-        axes.row(0) = source.shape.edge_u.normalized();
-        axes.row(1) = source.normal.cross(source.shape.edge_u).normalized();
+    explicit SourceFrame(const Surface& source) : origin(parallelogram(source).corner) {
+        axes.row(0) = parallelogram(source).edge_u.normalized();
+        axes.row(1) = source.normal.cross(parallelogram(source).edge_u).normalized();
         axes.row(2) = source.normal;
     }
 
@@ -30,7 +30,7 @@ struct SourceFrame {
 
 /// The corners of a surface, counter-clockwise as seen from the side of its normal.
 Polygon corners(const Surface& surface) {
-    const auto& [corner, edge_u, edge_v] = surface.shape;
+    const auto& [corner, edge_u, edge_v] = parallelogram(surface);
     Polygon polygon{corner, corner + edge_u, corner + edge_u + edge_v, corner + edge_v};
     if (edge_u.cross(edge_v).dot(surface.normal) < 0) std::reverse(polygon.begin(), polygon.end());
     return polygon;
@@ -89,7 +89,7 @@ Eigen::MatrixXd point_to_polygon(const Scene& scene, Subdivision subdivision, co
         const SourceFrame frame(source);
         std::vector<Target> targets = visible_targets(scene, source, frame);
         for (std::uint32_t p = 0; p < per_surface; ++p) {
-            const Parallelogram shape = patch(source.shape, subdivision, p);
+            const Parallelogram shape = patch(parallelogram(source), subdivision, p);
             const Stream stream{.key = key, .trial = trial, .source = own_stream ? s * per_surface + p : s};
             const PointIndex first = own_stream ? 0 : p * samples_per_patch;
             for (std::uint64_t done = 0; done < samples_per_patch; done += block->size) {

@@ -2,7 +2,10 @@
 
 #include "core/contract.hpp"
 #include "core/error.hpp"
+#include "core/surface_map.hpp"
 #include "core/tracer.hpp"
+
+#include <Eigen/Geometry>
 
 #include <cmath>
 #include <memory>
@@ -76,7 +79,7 @@ SurfaceFrame::Vector to_single(const Eigen::Vector3d& v) {
 }  // namespace
 
 SurfaceFrame surface_frame(const Surface& surface) {
-    const auto& [corner, edge_u, edge_v] = surface.shape;
+    const auto& [corner, edge_u, edge_v] = parallelogram(surface);
     const Eigen::Vector3d tangent = edge_u.normalized();
     const Eigen::Vector3d bitangent = (edge_v - edge_v.dot(tangent) * tangent).normalized();
     return {.corner = to_single(corner),
@@ -101,16 +104,64 @@ float patch_step(float edge, std::uint32_t m) {
 
 HWY_EXPORT(generate);
 
-void generate_ray_block(const SurfaceFrame& frame, const PatchMap& map, const PointBlock& points, RayBlock& rays) {
+namespace {
+
+/// Rays that leave the origin around the z axis.
+constexpr SurfaceFrame upright{.corner = {0, 0, 0},
+                               .edge_u = {0, 0, 0},
+                               .edge_v = {0, 0, 0},
+                               .tangent = {1, 0, 0},
+                               .bitangent = {0, 1, 0},
+                               .normal = {0, 0, 1}};
+
+/// Moves upright rays to the places of a surface that their points stand for, and turns them to the normals there.
+void place_rays(const Surface& surface, Subdivision subdivision, std::uint32_t patch, const PointBlock& points,
+                RayBlock& rays) {
+    const SurfaceMap map(surface);
+    const double m = subdivision.m;
+    const double column = patch % subdivision.m;
+    const double row = patch / subdivision.m;
+    const auto coordinate = [&](std::size_t d, std::size_t i) { return (points.coordinate[d][i] + 0.5) * 0x1p-32; };
+    for (std::size_t i = 0; i < points.size; ++i) {
+        const SurfacePoint point = map.at((column + coordinate(0, i)) / m, (row + coordinate(1, i)) / m);
+        const Eigen::Vector3d bitangent = point.normal.cross(point.tangent);
+        const Eigen::Vector3f direction = (static_cast<double>(rays.direction_x[i]) * point.tangent +
+                                           static_cast<double>(rays.direction_y[i]) * bitangent +
+                                           static_cast<double>(rays.direction_z[i]) * point.normal)
+                                              .cast<float>();
+        const Eigen::Vector3f origin = point.position.cast<float>();
+        rays.origin_x[i] = origin.x();
+        rays.origin_y[i] = origin.y();
+        rays.origin_z[i] = origin.z();
+        rays.direction_x[i] = direction.x();
+        rays.direction_y[i] = direction.y();
+        rays.direction_z[i] = direction.z();
+    }
+}
+
+}  // namespace
+
+void expect_single_precision(const Surface& surface) {
+    for (Eigen::Index axis = 0; axis < 3; ++axis) {
+        const Extent along = extent(surface, Eigen::Vector3d::Unit(axis));
+        static_cast<void>(to_single({along.low, along.high, along.high - along.low}));
+    }
+}
+
+void generate_ray_block(const Surface& surface, Subdivision subdivision, std::uint32_t patch, const PointBlock& points,
+                        RayBlock& rays) {
     FF_EXPECT(points.dimension == 4);
     FF_EXPECT(points.size <= block_capacity);
-    HWY_DYNAMIC_DISPATCH(generate)(frame, map, points, rays);
+    const bool vectorised = std::holds_alternative<Parallelogram>(surface.shape);
+    const SurfaceFrame frame = vectorised ? surface_frame(surface) : upright;
+    HWY_DYNAMIC_DISPATCH(generate)(frame, patch_map(subdivision, patch), points, rays);
+    if (!vectorised) place_rays(surface, subdivision, patch, points, rays);
 }
 
 void generate_rays(const Surface& surface, std::uint32_t source, Subdivision subdivision, std::uint32_t patch,
                    const PointBlock& block, RayBatch& rays) {
     const auto generated = std::make_unique<RayBlock>();
-    generate_ray_block(surface_frame(surface), patch_map(subdivision, patch), block, *generated);
+    generate_ray_block(surface, subdivision, patch, block, *generated);
     const auto take = [&block](const RayBlock::Component& from, std::vector<float>& to) {
         to.assign(from.begin(), from.begin() + static_cast<std::ptrdiff_t>(block.size));
     };

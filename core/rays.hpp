@@ -8,8 +8,8 @@
 
 namespace ff {
 
-/// A surface in single precision, with the directions that rays are built from: `tangent` along edge_u, `bitangent`
-/// perpendicular to it on the side of edge_v, and the normal, all of unit length.
+/// A parallelogram in single precision, with the directions that rays are built from: `tangent` along edge_u,
+/// `bitangent` perpendicular to it on the side of edge_v, and the normal, all of unit length.
 struct SurfaceFrame {
     using Vector = std::array<float, 3>;
     Vector corner, edge_u, edge_v;
@@ -17,6 +17,7 @@ struct SurfaceFrame {
 };
 
 /// @throws UserError where a coordinate is not finite in single precision
+/// @pre a parallelogram
 SurfaceFrame surface_frame(const Surface& surface);
 
 /// Where a patch lies in the m x m grid of its surface. A coordinate of a point is put in the fraction of a float,
@@ -41,7 +42,13 @@ struct RayBlock {
 };
 
 /// One ray for each point of the block; what `Tracer::shoot` shoots and `generate_rays` stores. Up to a whole vector
-/// past the size of the block may be written.
-void generate_ray_block(const SurfaceFrame& frame, const PatchMap& map, const PointBlock& points, RayBlock& rays);
+/// past the size of the block may be written. Rays of parallelograms are computed in single precision and vectorised;
+/// those of other shapes in double precision, one by one, with origins at all 32 bits of a coordinate.
+/// @throws UserError where the surface does not fit single precision
+void generate_ray_block(const Surface& surface, Subdivision subdivision, std::uint32_t patch, const PointBlock& points,
+                        RayBlock& rays);
+
+/// @throws UserError where a coordinate is not finite in single precision
+void expect_single_precision(const Surface& surface);
 
 }  // namespace ff

@@ -1,15 +1,42 @@
 #include "core/scene.hpp"
 
 #include "core/contract.hpp"
+#include "core/overloaded.hpp"
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <numbers>
 
 namespace ff {
 
 double area(const Parallelogram& shape) {
     return shape.edge_u.cross(shape.edge_v).norm();
+}
+
+double area(const Shape& shape) {
+    constexpr double pi = std::numbers::pi;
+    return std::visit(
+        Overloaded{
+            [](const Parallelogram& p) { return area(p); },
+            [](const Triangle& p) { return (p.b - p.a).cross(p.c - p.a).norm() / 2; },
+            [](const Disc& p) { return pi * (p.outer_radius - p.inner_radius) * (p.outer_radius + p.inner_radius); },
+            [](const Frustum& p) {
+                return pi * (p.base_radius + p.top_radius) * std::hypot(p.axis.norm(), p.top_radius - p.base_radius);
+            },
+            [](const SphereZone& p) { return 2 * pi * p.radius * p.radius * (p.high - p.low); },
+        },
+        shape);
+}
+
+std::vector<Eigen::Vector3d> corners(const Shape& shape) {
+    if (const auto* p = std::get_if<Parallelogram>(&shape)) {
+        return {p->corner, p->corner + p->edge_u, p->corner + p->edge_u + p->edge_v, p->corner + p->edge_v};
+    }
+    if (const auto* p = std::get_if<Triangle>(&shape)) return {p->a, p->b, p->c};
+    return {};
 }
 
 Parallelogram patch(const Parallelogram& shape, Subdivision subdivision, std::uint32_t index) {
@@ -19,6 +46,23 @@ Parallelogram patch(const Parallelogram& shape, Subdivision subdivision, std::ui
     const double column = index % subdivision.m;
     const double row = index / subdivision.m;
     return {shape.corner + shape.edge_u * column / m + shape.edge_v * row / m, shape.edge_u / m, shape.edge_v / m};
+}
+
+const Parallelogram& parallelogram(const Surface& surface) {
+    const auto* shape = std::get_if<Parallelogram>(&surface.shape);
+    FF_EXPECT(shape != nullptr);
+    return *shape;
+}
+
+Parallelogram& parallelogram(Surface& surface) {
+    auto* shape = std::get_if<Parallelogram>(&surface.shape);
+    FF_EXPECT(shape != nullptr);
+    return *shape;
+}
+
+bool has_only_parallelograms(const Scene& scene) {
+    return std::all_of(scene.surfaces.begin(), scene.surfaces.end(),
+                       [](const Surface& surface) { return std::holds_alternative<Parallelogram>(surface.shape); });
 }
 
 double face_area(const Scene& scene, int face) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/shape.hpp"
+
 #include <Eigen/Core>
 
 #include <cstdint>
@@ -9,18 +11,15 @@
 
 namespace ff {
 
-/// The points corner + s * edge_u + t * edge_v with 0 <= s, t <= 1. Lengths in the scene's unit.
-struct Parallelogram {
-    Eigen::Vector3d corner;
-    Eigen::Vector3d edge_u;
-    Eigen::Vector3d edge_v;
-};
+/// No face: a surface that only stands in the way. Rays end there and are counted nowhere.
+inline constexpr int no_face = -1;
 
-/// One piece of a scene's boundary. It radiates and receives on the side of `normal` (unit length) only.
+/// One piece of a scene's boundary. It radiates and receives on one side only: that of `normal` (unit length) where it
+/// is flat, that of its `facing` where it is curved (`normal` is then 0).
 struct Surface {
-    Parallelogram shape;
+    Shape shape;
     Eigen::Vector3d normal;
-    int face = 0;  ///< index into Scene::faces
+    int face = 0;  ///< index into Scene::faces, or no_face
 };
 
 /// Surfaces, and the faces (groups of surfaces) that results are reported for.
@@ -34,8 +33,8 @@ struct Scene {
         empty_box;  ///< edge lengths a, b, c where the scene is the inside of [0,a]x[0,b]x[0,c]
 };
 
-/// m x m equal patches on every surface. Patch s*m*m + row*m + column lies on surface s, at
-/// [column/m, (column+1)/m] along edge_u and [row/m, (row+1)/m] along edge_v.
+/// m x m patches of equal area on every surface. Patch k*m*m + row*m + column lies on surface k, at s in
+/// [column/m, (column+1)/m] and t in [row/m, (row+1)/m]: on a parallelogram, along edge_u and edge_v.
 struct Subdivision {
     std::uint32_t m = 1;
 
@@ -45,11 +44,22 @@ struct Subdivision {
     }
 };
 
-/// Area of a parallelogram, in squared units of length.
+/// Area of a shape, in squared units of length.
 double area(const Parallelogram& shape);
+double area(const Shape& shape);
+
+/// The corners of a parallelogram or a triangle in order around it; none of a round shape.
+std::vector<Eigen::Vector3d> corners(const Shape& shape);
 
 /// Patch `index` (0 .. m*m-1) of a surface.
 Parallelogram patch(const Parallelogram& shape, Subdivision subdivision, std::uint32_t index);
+
+/// The shape of a surface that is known to be a parallelogram.
+const Parallelogram& parallelogram(const Surface& surface);
+Parallelogram& parallelogram(Surface& surface);
+
+/// Whether every surface is a parallelogram.
+bool has_only_parallelograms(const Scene& scene);
 
 /// Total area of a face.
 double face_area(const Scene& scene, int face);

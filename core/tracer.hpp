@@ -12,7 +12,8 @@
 
 namespace ff {
 
-/// Rays in single precision, one array a component; they start on surface `source`, which they cannot hit.
+/// Rays in single precision, one array a component; they start on surface `source` and lead to its radiating side. A
+/// flat source they cannot hit, nor one that bulges; a hollow one only elsewhere.
 struct RayBatch {
     std::vector<float> origin_x, origin_y, origin_z;
     std::vector<float> direction_x, direction_y, direction_z;  ///< not necessarily of unit length
@@ -28,15 +29,17 @@ struct Hit {
     std::uint32_t surface = no_surface;  ///< no_surface: the ray met nothing
     float s = 0;
     float t = 0;
+    bool received = true;  ///< false on the back of the surface, and where it belongs to no face
 };
 
 /// Hits of the rays of one patch by face; entry faces() is the number of lost rays.
 using FaceHits = std::vector<std::uint64_t>;
 
-/// Finds what rays hit. Surfaces are opaque from both sides: a ray that comes from behind ends there too, and counts as
-/// a hit (in a closed scene whose normals point inward there is none). The surface that a ray starts on is excluded as
-/// such, never by a distance. Safe to use from several threads at once. Patches are found from hit coordinates by
-/// arithmetic, so the cost does not grow with them.
+/// Finds what rays hit. Surfaces are opaque from both sides, but receive on their radiating side only: a ray that
+/// comes from behind ends there and is no face's hit, nor is it lost (in a closed scene whose normals point inward
+/// there is none). The surface that a ray starts on is excluded as such, never by a distance; of a curved one, the
+/// place. Safe to use from several threads at once. Patches are found from hit coordinates by arithmetic, so the cost
+/// does not grow with them.
 class Tracer {
   public:
     virtual ~Tracer() = default;
@@ -44,6 +47,7 @@ class Tracer {
 
     /// Shoots one cosine-distributed ray for each 4-D point (s, t on the patch; direction) of `block` from patch
     /// `patch` of surface `source` and adds the hits by face to `hits` (faces + 1 entries, the last for lost rays).
+    /// Rays that end where nothing receives are counted nowhere.
     virtual void shoot(std::uint32_t source, Subdivision subdivision, std::uint32_t patch, const PointBlock& block,
                        std::span<std::uint64_t> hits) const = 0;
 
@@ -59,9 +63,10 @@ class Tracer {
 };
 
 /// The rays that `Tracer::shoot` shoots for these points, in single precision and the same to the bit on every CPU.
-/// Coordinates 0 and 1 place the origin along edge_u and edge_v of the patch, at the middle of one of 2^23 cells;
-/// coordinate 2 is the squared sine of the angle to the normal, coordinate 3 the azimuth in turns from edge_u towards
-/// edge_v. @throws UserError where the surface does not fit single precision
+/// Coordinates 0 and 1 place the origin at (s, t) on the patch: of a parallelogram along edge_u and edge_v, at the
+/// middle of one of 2^23 cells. Coordinate 2 is the squared sine of the angle to the normal, coordinate 3 the azimuth
+/// in turns: on a parallelogram from edge_u towards edge_v, elsewhere from the tangent of SurfacePoint. @throws
+/// UserError where the surface does not fit single precision
 void generate_rays(const Surface& surface, std::uint32_t source, Subdivision subdivision, std::uint32_t patch,
                    const PointBlock& block, RayBatch& rays);
 
@@ -69,8 +74,11 @@ void generate_rays(const Surface& surface, std::uint32_t source, Subdivision sub
 /// the opposite surface first, then the one across edge_v. @pre scene.empty_box
 std::unique_ptr<Tracer> make_box_tracer(const Scene& scene);
 
-/// Embree in robust mode, for any scene. Rays that pass within rounding of an edge may be seen differently by its code
-/// for different CPUs; in a closed box none is lost. @see [wald2014]
+/// Embree in robust mode, for any scene: flat polygons by its own code, round shapes by core/line_meets, in double
+/// precision. Rays that pass within rounding of an edge may be seen differently by its code for different CPUs; in a
+/// closed box none is lost. Round shapes and flat ones meet in edges that have no corners in common, and a ray's origin
+/// is rounded: in a closed scene, a ray that meets nothing is traced once more from 2^-20 nearer to the middle of its
+/// surface, among round shapes larger by 2^-20. What is lost then is a hole. @see [wald2014]
 std::unique_ptr<Tracer> make_embree_tracer(const Scene& scene);
 
 enum class TracerChoice {

@@ -61,24 +61,24 @@ FlatRectangle flatten(const Plane& plane, Side side, double depth, const Paralle
 
 std::optional<UnfoldedBox> unfold_box(const Scene& scene, Subdivision subdivision) {
     if (!scene.empty_box || scene.surfaces.size() != 6) return std::nullopt;
-    const auto& [corner, edge_u, edge_v] = scene.surfaces.front().shape;
+    const auto& [corner, edge_u, edge_v] = parallelogram(scene.surfaces.front());
     const Plane plane{corner,        edge_u.normalized(), edge_v.normalized(), scene.surfaces.front().normal,
                       edge_u.norm(), edge_v.norm()};
     // The box is as deep as the surface that reaches farthest from the first.
     double depth = 0;
     for (const Surface& surface : scene.surfaces)
-        depth = std::max(depth, (surface.shape.corner - plane.corner).dot(plane.normal));
+        depth = std::max(depth, (parallelogram(surface).corner - plane.corner).dot(plane.normal));
     UnfoldedBox box;
     constexpr double infinity = std::numeric_limits<double>::infinity();
     box.extent = {infinity, infinity, -infinity, -infinity};
     for (const Surface& surface : scene.surfaces) {
         const Side side = side_of(plane, surface);
-        const FlatRectangle whole = flatten(plane, side, depth, surface.shape);
+        const FlatRectangle whole = flatten(plane, side, depth, parallelogram(surface));
         box.surfaces.push_back(whole);
         box.extent = {std::min(box.extent.left, whole.left), std::min(box.extent.bottom, whole.bottom),
                       std::max(box.extent.right, whole.right), std::max(box.extent.top, whole.top)};
         for (std::uint32_t p = 0; p < subdivision.per_surface(); ++p)
-            box.patches.push_back(flatten(plane, side, depth, patch(surface.shape, subdivision, p)));
+            box.patches.push_back(flatten(plane, side, depth, patch(parallelogram(surface), subdivision, p)));
     }
     return box;
 }

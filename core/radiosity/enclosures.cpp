@@ -15,9 +15,10 @@ Surface reflected(const Surface& surface, const Surface& mirror) {
     const Eigen::Vector3d& n = mirror.normal;
     const auto turned = [&](const Eigen::Vector3d& v) { return Eigen::Vector3d(v - 2 * n.dot(v) * n); };
     Surface image = surface;
-    image.shape.corner = mirror.shape.corner + turned(surface.shape.corner - mirror.shape.corner);
-    image.shape.edge_u = turned(surface.shape.edge_u);
-    image.shape.edge_v = turned(surface.shape.edge_v);
+    parallelogram(image).corner =
+        parallelogram(mirror).corner + turned(parallelogram(surface).corner - parallelogram(mirror).corner);
+    parallelogram(image).edge_u = turned(parallelogram(surface).edge_u);
+    parallelogram(image).edge_v = turned(parallelogram(surface).edge_v);
     image.normal = turned(surface.normal);
     return image;
 }

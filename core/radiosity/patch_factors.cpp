@@ -27,7 +27,7 @@ std::vector<Surface> patches_of(const Scene& scene, Subdivision subdivision) {
     for (const Surface& surface : scene.surfaces) {
         for (std::uint32_t p = 0; p < subdivision.per_surface(); ++p) {
             all.push_back(surface);
-            all.back().shape = patch(surface.shape, subdivision, p);
+            all.back().shape = patch(parallelogram(surface), subdivision, p);
         }
     }
     return all;
@@ -59,7 +59,7 @@ Eigen::MatrixXd shoot_patch_factors(const Scene& scene, Subdivision subdivision,
                 hits.resize(rays.size());
                 tracer.trace(rays, hits);
                 for (const Hit& hit : hits) {
-                    if (hit.surface != no_surface) factors(patch, patch_of(hit, subdivision)) += 1;
+                    if (hit.surface != no_surface && hit.received) factors(patch, patch_of(hit, subdivision)) += 1;
                 }
             }
         }

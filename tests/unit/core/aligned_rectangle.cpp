@@ -21,7 +21,7 @@ TEST(AlignedRectangle, HasAnIntervalAlongEachAxisAndASide) {
 }
 
 TEST(AlignedRectangle, OrdersTheEndsOfEdgesThatPointBackwards) {
-    const auto found = aligned_rectangle({{{2, 0, 0}, {-3, 0, 0}, {0, 1, 0}}, {0, 0, 1}, 0});
+    const auto found = aligned_rectangle({Parallelogram{{2, 0, 0}, {-3, 0, 0}, {0, 1, 0}}, {0, 0, 1}, 0});
     ASSERT_TRUE(found);
     EXPECT_EQ(found->extent[0].low, -1);
     EXPECT_EQ(found->extent[0].high, 2);
@@ -32,12 +32,12 @@ TEST(AlignedRectangle, IsEmptyForWhatIsNotARectangleAlongTheAxes) {
     const Eigen::Vector3d x(1, 0, 0);
     const Eigen::Vector3d y(0, 1, 0);
     const Eigen::Vector3d z(0, 0, 1);
-    EXPECT_TRUE(aligned_rectangle({{corner, x, y}, z, 0}));
-    EXPECT_FALSE(aligned_rectangle({{corner, x + y, y - x}, z, 0})) << "turned by 45 degrees";
-    EXPECT_FALSE(aligned_rectangle({{corner, x, x + y}, z, 0})) << "slanting";
-    EXPECT_FALSE(aligned_rectangle({{corner, x, 2 * x}, z, 0})) << "no area";
-    EXPECT_FALSE(aligned_rectangle({{corner, x, 0 * y}, z, 0})) << "an edge of length 0";
-    EXPECT_FALSE(aligned_rectangle({{corner, x, y}, y, 0})) << "the normal lies in the plane";
+    EXPECT_TRUE(aligned_rectangle({Parallelogram{corner, x, y}, z, 0}));
+    EXPECT_FALSE(aligned_rectangle({Parallelogram{corner, x + y, y - x}, z, 0})) << "turned by 45 degrees";
+    EXPECT_FALSE(aligned_rectangle({Parallelogram{corner, x, x + y}, z, 0})) << "slanting";
+    EXPECT_FALSE(aligned_rectangle({Parallelogram{corner, x, 2 * x}, z, 0})) << "no area";
+    EXPECT_FALSE(aligned_rectangle({Parallelogram{corner, x, 0 * y}, z, 0})) << "an edge of length 0";
+    EXPECT_FALSE(aligned_rectangle({Parallelogram{corner, x, y}, y, 0})) << "the normal lies in the plane";
 }
 
 }  // namespace

@@ -39,7 +39,7 @@ std::string scene_message(const std::string& name) {
 }
 
 Eigen::Vector3d centre(const Surface& surface) {
-    return surface.shape.corner + (surface.shape.edge_u + surface.shape.edge_v) / 2;
+    return parallelogram(surface).corner + (parallelogram(surface).edge_u + parallelogram(surface).edge_v) / 2;
 }
 
 TEST(MakeBox, NumbersTheFacesAsThePaperDoes) {
@@ -63,9 +63,9 @@ TEST(MakeBox, HasUnitNormalsThatPointInwardAndEdgesAlongThePositiveAxes) {
     for (const Surface& surface : box.surfaces) {
         const Eigen::Vector3d inward = Eigen::Vector3d(1, 1.5, 2.5) - centre(surface);
         EXPECT_EQ(surface.normal, inward.normalized());
-        EXPECT_EQ(surface.normal.cross(surface.shape.edge_u.cross(surface.shape.edge_v)).norm(), 0);
-        EXPECT_GE(surface.shape.edge_u.minCoeff(), 0);
-        EXPECT_GE(surface.shape.edge_v.minCoeff(), 0);
+        EXPECT_EQ(surface.normal.cross(parallelogram(surface).edge_u.cross(parallelogram(surface).edge_v)).norm(), 0);
+        EXPECT_GE(parallelogram(surface).edge_u.minCoeff(), 0);
+        EXPECT_GE(parallelogram(surface).edge_v.minCoeff(), 0);
     }
 }
 

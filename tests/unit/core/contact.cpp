@@ -55,7 +55,8 @@ TEST(Contact, SurvivesRounding) {
     std::size_t edges = 0, vertices = 0;
     for (std::uint32_t i = 0; i < 49; ++i) {
         for (std::uint32_t j = 0; j < 49; ++j) {
-            const Touch touch = find_touch(patch(box.surfaces[0].shape, {7}, i), patch(box.surfaces[1].shape, {7}, j));
+            const Touch touch = find_touch(patch(parallelogram(box.surfaces[0]), {7}, i),
+                                           patch(parallelogram(box.surfaces[1]), {7}, j));
             edges += touch.contact == Contact::edge;
             vertices += touch.contact == Contact::vertex;
             EXPECT_NE(touch.contact, Contact::point);
@@ -75,7 +76,7 @@ TEST(ClosestContact, IsAnEdgeBetweenNeighboursInABox) {
 TEST(ClosestContact, CountsOnlySurfacesThatFaceEachOther) {
     Scene halves = make_box(3, 2, 1);
     halves.surfaces[1] = halves.surfaces[0];  // two faces in one plane exchange nothing
-    halves.surfaces[1].shape.corner.x() += 3;
+    parallelogram(halves.surfaces[1]).corner.x() += 3;
     halves.surfaces[1].face = 1;
     EXPECT_EQ(closest_contact(halves, 0, 1), Contact::none);
 }

@@ -113,16 +113,16 @@ TEST(ExactExchangeArea, DoesNotDependOnHowTheEdgesAreDirected) {
     const Surface floor = rectangle("0:1 0:2 0:0 +z");
     const Surface wall = rectangle("0:1 0:0 0:3 +y");
     Surface turned = wall;
-    turned.shape.corner += turned.shape.edge_u;
-    turned.shape.edge_u *= -1;
-    std::swap(turned.shape.edge_u, turned.shape.edge_v);
+    parallelogram(turned).corner += parallelogram(turned).edge_u;
+    parallelogram(turned).edge_u *= -1;
+    std::swap(parallelogram(turned).edge_u, parallelogram(turned).edge_v);
     EXPECT_EQ(exact_exchange_area(floor, turned), exact_exchange_area(floor, wall));
 }
 
 TEST(ExactExchangeArea, IsEmptyWhereNoElementaryFormulaApplies) {
     const Surface floor = rectangle("0:1 0:1 0:0 +z");
     Surface tilted = rectangle("0:1 0:1 1:1 -z");
-    tilted.shape.edge_v = {0, 1, 0.5};
+    parallelogram(tilted).edge_v = {0, 1, 0.5};
     tilted.normal = Eigen::Vector3d(0, 0.5, -1).normalized();
     EXPECT_FALSE(exact_exchange_area(floor, tilted));
     EXPECT_FALSE(exact_exchange_area(tilted, floor));
@@ -149,8 +149,8 @@ TEST(ExactFormFactors, OfTheCubeAreThoseOfHowellsCatalogue) {
 TEST(ExactFormFactor, SumsOverTheSurfacesOfAFace) {
     // The floor of a cube in two unequal pieces is still its floor.
     Scene scene = make_box(1, 1, 1);
-    scene.surfaces[0].shape.edge_u *= 0.25;
-    scene.surfaces.push_back({{{0.25, 0, 0}, {0.75, 0, 0}, {0, 1, 0}}, {0, 0, 1}, 0});
+    parallelogram(scene.surfaces[0]).edge_u *= 0.25;
+    scene.surfaces.push_back({Parallelogram{{0.25, 0, 0}, {0.75, 0, 0}, {0, 1, 0}}, {0, 0, 1}, 0});
     EXPECT_DOUBLE_EQ(exact_form_factor(scene, 0, 5).value(), 0.199824895698387383);
     EXPECT_DOUBLE_EQ(exact_form_factor(scene, 1, 0).value(), 0.200043776075403154);
     EXPECT_DOUBLE_EQ(exact_patch_to_face(scene, {1}).value()(5, 0), 0.199824895698387383);

@@ -31,7 +31,7 @@ double exchange(const Surface& from, const Surface& to) {
 }
 
 Surface piece(const Surface& surface, Subdivision subdivision, std::uint32_t index) {
-    return {patch(surface.shape, subdivision, index), surface.normal, surface.face};
+    return {patch(parallelogram(surface), subdivision, index), surface.normal, surface.face};
 }
 
 /// Sum over all pairs of patches.

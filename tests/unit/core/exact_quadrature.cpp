@@ -40,16 +40,17 @@ double integrate(const Parallelogram& shape, const Function& f) {
 }
 
 double integrated_exchange_area(const Surface& from, const Surface& to) {
-    return integrate(from.shape, [&](const Vector3d& x) {
-        return integrate(to.shape, [&](const Vector3d& y) { return kernel(from, x, to, y); });
+    return integrate(parallelogram(from), [&](const Vector3d& x) {
+        return integrate(parallelogram(to), [&](const Vector3d& y) { return kernel(from, x, to, y); });
     });
 }
 
 /// Wholly in front of, or wholly behind, the plane of the other: the kernel has no kink.
 bool crosses_plane_of(const Surface& surface, const Surface& other) {
-    const auto height = [&](const Vector3d& x) { return (x - other.shape.corner).dot(other.normal); };
-    const double begin = height(surface.shape.corner);
-    const double end = height(surface.shape.corner + surface.shape.edge_u + surface.shape.edge_v);
+    const auto height = [&](const Vector3d& x) { return (x - parallelogram(other).corner).dot(other.normal); };
+    const double begin = height(parallelogram(surface).corner);
+    const double end =
+        height(parallelogram(surface).corner + parallelogram(surface).edge_u + parallelogram(surface).edge_v);
     return std::min(begin, end) < 0 && std::max(begin, end) > 0;
 }
 

@@ -63,10 +63,10 @@ TEST(PairClass, FindsTheSharedEdgeOfAnyTwoPlanesFarFromTheOrigin) {
     const Eigen::Vector3d corner(100, -250, 30);
     const auto wing = [&](double angle, double begin) {
         const Eigen::AngleAxisd opening(angle, Eigen::Vector3d::UnitX());
-        return Surface{{corner + rotation * Eigen::Vector3d(begin, 0, 0), rotation * Eigen::Vector3d(1, 0, 0),
-                        rotation * (opening * Eigen::Vector3d(0.3, 1, 0))},
-                       rotation * (opening * Eigen::Vector3d(0, 0, 1)),
-                       0};
+        return Surface{
+            Parallelogram{corner + rotation * Eigen::Vector3d(begin, 0, 0), rotation * Eigen::Vector3d(1, 0, 0),
+                          rotation * (opening * Eigen::Vector3d(0.3, 1, 0))},
+            rotation * (opening * Eigen::Vector3d(0, 0, 1)), 0};
     };
     EXPECT_EQ(class_of(wing(0, 0), wing(std::numbers::pi / 3, 0)), PairClass::adjacent);
     EXPECT_EQ(class_of(wing(0, 0), wing(std::numbers::pi / 3, 0.5)), PairClass::adjacent);

@@ -18,13 +18,13 @@ using Eigen::Vector3d;
 
 Surface turned(const Surface& surface) {
     const Eigen::AngleAxisd turn(0.7, Vector3d(1, 2, 3).normalized());
-    const Parallelogram& shape = surface.shape;
+    const Parallelogram& shape = parallelogram(surface);
     return {Parallelogram{turn * shape.corner, turn * shape.edge_u, turn * shape.edge_v}, turn * surface.normal,
             surface.face};
 }
 
 Surface turned_edges(Surface surface) {
-    Parallelogram& shape = surface.shape;
+    Parallelogram& shape = parallelogram(surface);
     shape.corner += shape.edge_u;
     const Vector3d edge = shape.edge_u;
     shape.edge_u = shape.edge_v;
@@ -36,8 +36,8 @@ Surface turned_edges(Surface surface) {
 void expect_every_pair(const Surface& from, const Surface& to, const PatchExchange& exchange, Subdivision m) {
     for (std::uint32_t i = 0; i < m.per_surface(); ++i) {
         for (std::uint32_t j = 0; j < m.per_surface(); ++j) {
-            const auto expected =
-                exact_exchange_area({patch(from.shape, m, i), from.normal, 0}, {patch(to.shape, m, j), to.normal, 1});
+            const auto expected = exact_exchange_area({patch(parallelogram(from), m, i), from.normal, 0},
+                                                      {patch(parallelogram(to), m, j), to.normal, 1});
             ASSERT_NEAR(exchange.areas(i, j), expected.value(), exchange.error) << i << " " << j;
         }
     }

@@ -21,9 +21,8 @@ rc::Gen<double> sixteenths(int low, int high) {
 Surface make_rectangle(const Vector3d& corner, double length_u, double length_v, int orientation) {
     const int axis = orientation % 3;
     const double side = orientation < 3 ? 1 : -1;
-    return {{corner, length_u * Vector3d::Unit((axis + 1) % 3), length_v * Vector3d::Unit((axis + 2) % 3)},
-            side * Vector3d::Unit(axis),
-            0};
+    return {Parallelogram{corner, length_u * Vector3d::Unit((axis + 1) % 3), length_v * Vector3d::Unit((axis + 2) % 3)},
+            side * Vector3d::Unit(axis), 0};
 }
 
 /// Lower corner within `room` (in sixteenths) of `middle` along every axis.

@@ -36,9 +36,8 @@ Surface rectangle(const std::string& text) {
     const int axis = letter - 'x';
     const int u = (axis + 1) % 3;
     const int v = (axis + 2) % 3;
-    return {{low, (high[u] - low[u]) * Vector3d::Unit(u), (high[v] - low[v]) * Vector3d::Unit(v)},
-            (side == '+' ? 1.0 : -1.0) * Vector3d::Unit(axis),
-            0};
+    return {Parallelogram{low, (high[u] - low[u]) * Vector3d::Unit(u), (high[v] - low[v]) * Vector3d::Unit(v)},
+            (side == '+' ? 1.0 : -1.0) * Vector3d::Unit(axis), 0};
 }
 
 Scene scene_of(std::vector<Surface> surfaces) {
@@ -52,8 +51,8 @@ Scene scene_of(std::vector<Surface> surfaces) {
 }
 
 double squared_extent(const Surface& a, const Surface& b) {
-    const Vector3d low = lowest(a.shape).cwiseMin(lowest(b.shape));
-    const Vector3d high = highest(a.shape).cwiseMax(highest(b.shape));
+    const Vector3d low = lowest(parallelogram(a)).cwiseMin(lowest(parallelogram(b)));
+    const Vector3d high = highest(parallelogram(a)).cwiseMax(highest(parallelogram(b)));
     return (high - low).squaredNorm();
 }
 
@@ -64,26 +63,27 @@ testing::AssertionResult same_exchange_area(double a, double b, double squared_e
 }
 
 Surface translated(Surface surface, const Vector3d& offset) {
-    surface.shape.corner += offset;
+    parallelogram(surface).corner += offset;
     return surface;
 }
 
 Surface scaled(Surface surface, double factor) {
-    surface.shape.corner *= factor;
-    surface.shape.edge_u *= factor;
-    surface.shape.edge_v *= factor;
+    parallelogram(surface).corner *= factor;
+    parallelogram(surface).edge_u *= factor;
+    parallelogram(surface).edge_v *= factor;
     return surface;
 }
 
 Surface axes_rotated(const Surface& surface) {
     const auto rotate = [](const Vector3d& v) { return Vector3d(v[2], v[0], v[1]); };
-    return {{rotate(surface.shape.corner), rotate(surface.shape.edge_u), rotate(surface.shape.edge_v)},
-            rotate(surface.normal),
-            surface.face};
+    return {Parallelogram{rotate(parallelogram(surface).corner), rotate(parallelogram(surface).edge_u),
+                          rotate(parallelogram(surface).edge_v)},
+            rotate(surface.normal), surface.face};
 }
 
 Surface mirrored(Surface surface, int axis) {
-    for (Vector3d* vector : {&surface.shape.corner, &surface.shape.edge_u, &surface.shape.edge_v, &surface.normal}) {
+    for (Vector3d* vector : {&parallelogram(surface).corner, &parallelogram(surface).edge_u,
+                             &parallelogram(surface).edge_v, &surface.normal}) {
         (*vector)[axis] *= -1;
     }
     return surface;

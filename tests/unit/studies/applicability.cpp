@@ -33,7 +33,7 @@ Scene occluded_scene() {
     Scene scene = make_box(6, 6, 6);
     scene.name = "room";
     scene.empty_box.reset();
-    scene.surfaces.push_back({{{2, 2, 3}, {2, 0, 0}, {0, 2, 0}}, {0, 0, 1}, 6});
+    scene.surfaces.push_back({Parallelogram{{2, 2, 3}, {2, 0, 0}, {0, 2, 0}}, {0, 0, 1}, 6});
     scene.faces.emplace_back("plate");
     return scene;
 }

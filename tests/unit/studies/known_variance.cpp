@@ -22,8 +22,8 @@ VarianceStatus of_pair(const Method& method, const Scene& scene, int from, int t
 /// Unit squares at a right angle, the second one shifted along the line where their planes meet.
 Scene two_squares(double shift) {
     Scene scene;
-    scene.surfaces = {{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {0, 0, 1}, 0},
-                      {{{shift, 0, 0}, {1, 0, 0}, {0, 0, 1}}, {0, 1, 0}, 1}};
+    scene.surfaces = {{Parallelogram{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {0, 0, 1}, 0},
+                      {Parallelogram{{shift, 0, 0}, {1, 0, 0}, {0, 0, 1}}, {0, 1, 0}, 1}};
     scene.faces = {"1", "2"};
     return scene;
 }

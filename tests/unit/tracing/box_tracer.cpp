@@ -64,7 +64,7 @@ Hit trace_one(const RayBatch& rays) {
 TEST(BoxTracer, FindsTheWallAndThePlaceOnIt) {
     const Hit opposite = trace_one(ray({1.5f, 0.75f, 0}, {1, 0.5f, 0.7f}));
     EXPECT_EQ(opposite.surface, 5u);
-    const auto& shape = long_box().surfaces[5].shape;
+    const Parallelogram& shape = parallelogram(long_box().surfaces[5]);
     const Eigen::Vector3d at = shape.corner + opposite.s * shape.edge_u + opposite.t * shape.edge_v;
     EXPECT_LT((at - Eigen::Vector3d(2.5, 1.25, 0.7)).norm(), 1e-6);
 

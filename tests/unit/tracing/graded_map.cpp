@@ -20,8 +20,8 @@ namespace {
 /// Two unit squares at a right angle, with a common edge or, shifted along it by 1, a common vertex.
 Scene two_squares(double shift) {
     Scene scene;
-    scene.surfaces = {{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {0, 0, 1}, 0},
-                      {{{shift, 0, 0}, {1, 0, 0}, {0, 0, 1}}, {0, 1, 0}, 1}};
+    scene.surfaces = {{Parallelogram{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {0, 0, 1}, 0},
+                      {Parallelogram{{shift, 0, 0}, {1, 0, 0}, {0, 0, 1}}, {0, 1, 0}, 1}};
     scene.faces = {"floor", "wall"};
     return scene;
 }

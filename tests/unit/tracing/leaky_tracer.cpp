@@ -17,9 +17,9 @@ double exact_leak(const Scene& scene) {
     double kept = 0;
     for (std::size_t to = 1; to < scene.surfaces.size(); ++to) {
         Surface inner = scene.surfaces[to];
-        inner.shape.corner += crack_width * (inner.shape.edge_u + inner.shape.edge_v);
-        inner.shape.edge_u *= 1 - 2 * crack_width;
-        inner.shape.edge_v *= 1 - 2 * crack_width;
+        parallelogram(inner).corner += crack_width * (parallelogram(inner).edge_u + parallelogram(inner).edge_v);
+        parallelogram(inner).edge_u *= 1 - 2 * crack_width;
+        parallelogram(inner).edge_v *= 1 - 2 * crack_width;
         kept += *exact_exchange_area(scene.surfaces[0], inner);
     }
     return 1 - kept / area(scene.surfaces[0].shape);

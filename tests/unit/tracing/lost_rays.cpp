@@ -47,7 +47,7 @@ std::vector<Place> grid(const std::array<float, 3>& edges, std::uint32_t number)
 /// Rays from every place on surface `source` to every place on an edge or corner that lies in front of it.
 void add_rays(const Scene& scene, std::uint32_t source, const std::vector<Place>& grid_places, RayBatch& rays) {
     const Eigen::Vector3f normal = scene.surfaces[source].normal.cast<float>();
-    const Eigen::Vector3f corner = scene.surfaces[source].shape.corner.cast<float>();
+    const Eigen::Vector3f corner = parallelogram(scene.surfaces[source]).corner.cast<float>();
     const Eigen::Vector3f box = scene.empty_box->cast<float>();
     rays = {};
     rays.source = source;
@@ -112,7 +112,7 @@ TEST(LostRays, AreNoneBetweenEdgesAndCorners) {
 // The checker itself: a box with a slit of 1e-4 along one edge does lose rays.
 TEST(LostRays, AreFoundThroughASlit) {
     Scene leaky = make_box(6, 6, 6);
-    leaky.surfaces[5].shape.edge_u *= 1 - 1e-4;
+    parallelogram(leaky.surfaces[5]).edge_u *= 1 - 1e-4;
     RayBatch rays;
     std::vector<Hit> hits;
     add_rays(leaky, 0, grid({6, 6, 6}, 0), rays);

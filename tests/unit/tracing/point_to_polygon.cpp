@@ -47,8 +47,8 @@ TEST(PointToPolygon, SeesAllOfTheHemisphereFromEveryPoint) {
 
 TEST(PointToPolygon, CountsOnlyWhatLiesAboveTheHorizonAndOnlyFromItsFront) {
     // Two plates that cross each other's plane without hiding anything: half of each is of no use to the other.
-    const Surface floor{{{0, -1, 0}, {2, 0, 0}, {0, 2, 0}}, {0, 0, 1}, 0};
-    const Surface wall{{{0, 0, -1}, {2, 0, 0}, {0, 0, 4}}, {0, 1, 0}, 1};
+    const Surface floor{Parallelogram{{0, -1, 0}, {2, 0, 0}, {0, 2, 0}}, {0, 0, 1}, 0};
+    const Surface wall{Parallelogram{{0, 0, -1}, {2, 0, 0}, {0, 0, 4}}, {0, 1, 0}, 1};
     Scene crossing;
     crossing.surfaces = {floor, wall};
     crossing.faces = {"floor", "wall"};

@@ -18,8 +18,8 @@ namespace {
 
 /// A skew parallelogram that lies along no axis.
 Surface tilted_surface() {
-    Surface surface{{{0.3, -1, 2}, {1, 2, 0.5}, {-0.4, 0.7, 1.1}}, {}, 0};
-    surface.normal = surface.shape.edge_u.cross(surface.shape.edge_v).normalized();
+    Surface surface{Parallelogram{{0.3, -1, 2}, {1, 2, 0.5}, {-0.4, 0.7, 1.1}}, {}, 0};
+    surface.normal = parallelogram(surface).edge_u.cross(parallelogram(surface).edge_v).normalized();
     return surface;
 }
 
@@ -41,7 +41,7 @@ TEST(Rays, DirectionsAreMalleysToSinglePrecision) {
     const auto block = test::random_block(1);
     RayBatch rays;
     generate_rays(surface, 0, {1}, 0, *block, rays);
-    const Eigen::Vector3d tangent = surface.shape.edge_u.normalized();
+    const Eigen::Vector3d tangent = parallelogram(surface).edge_u.normalized();
     const Eigen::Vector3d bitangent = surface.normal.cross(tangent);
     ASSERT_EQ(rays.size(), block->size);
     for (std::size_t i = 0; i < rays.size(); ++i) {
@@ -62,7 +62,7 @@ TEST(Rays, OriginsAreTheSurfacePointsOfThePatch) {
     RayBatch rays;
     generate_rays(surface, 3, subdivision, index, *block, rays);
     EXPECT_EQ(rays.source, 3u);
-    const Parallelogram shape = patch(surface.shape, subdivision, index);
+    const Parallelogram shape = patch(parallelogram(surface), subdivision, index);
     for (std::size_t i = 0; i < rays.size(); ++i) {
         const Eigen::Vector3d expected = shape.corner + value(block->coordinate[0][i]) * shape.edge_u +
                                          value(block->coordinate[1][i]) * shape.edge_v;
@@ -89,13 +89,13 @@ TEST(Rays, AreWellDefinedAtTheExtremesOfEveryCoordinate) {
             EXPECT_GE(origin(rays, i).minCoeff(), 0);
             EXPECT_LE(origin(rays, i).maxCoeff(), 6);
             EXPECT_EQ(origin(rays, i).dot(box.surfaces[s].normal),
-                      box.surfaces[s].shape.corner.dot(box.surfaces[s].normal));
+                      parallelogram(box.surfaces[s]).corner.dot(box.surfaces[s].normal));
         }
     }
 }
 
 TEST(Rays, NeverStartOutsideTheSurfaceWhateverTheSubdivision) {
-    const Surface unit{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {0, 0, 1}, 0};
+    const Surface unit{Parallelogram{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {0, 0, 1}, 0};
     PointBlock block;
     block.size = 1;
     for (auto& row : block.coordinate) row[0] = 0xffffffff;
@@ -127,7 +127,7 @@ TEST(Rays, HaveTheSameBitsWithEveryInstructionSet) {
 
 TEST(Rays, RefuseLengthsBeyondSinglePrecision) {
     Surface surface = tilted_surface();
-    surface.shape.edge_u *= 1e300;
+    parallelogram(surface).edge_u *= 1e300;
     EXPECT_THROW(surface_frame(surface), UserError);
 }
 
