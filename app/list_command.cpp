@@ -56,11 +56,13 @@ std::string exact_value(const Configuration& configuration) {
 
 void print_configuration(const Configuration& configuration) {
     const std::string_view no_scene = why_no_scene(configuration.kind);
+    const std::string scene = no_scene.empty() ? fmt::format("{} (scene), face {} to face {}", configuration.scene_name,
+                                                             configuration.from + 1, configuration.to + 1)
+                                               : fmt::format("none: {}", no_scene);
     print_description(
         "configuration", configuration.name, configuration.summary,
-        fmt::format("Exact:  {}\nFrom:   {}\nHidden: {}{}{}", exact_value(configuration), configuration.formula,
-                    configuration.occluded ? "in part, something stands in between" : "nothing",
-                    no_scene.empty() ? "" : "\nNo scene: ", no_scene),
+        fmt::format("Exact:  {}\nFrom:   {}\nHidden: {}\nScene:  {}", exact_value(configuration), configuration.formula,
+                    configuration.occluded ? "in part, something stands in between" : "nothing", scene),
         configuration.reference);
 }
 
@@ -102,6 +104,10 @@ ExitCode list(const std::string& kind) {
     for (const auto& choices : studies::all_choices()) {
         if (kind != choices.plural) continue;
         for (const auto& description : choices.descriptions) print_row(description.name, description.summary);
+        if (kind == "scenes") {
+            for (const std::string_view name : configuration_scene_names())
+                fmt::print("{:<24} {}\n", name, "of the catalogue (ffstudy list configurations)");
+        }
         return ExitCode::passed;
     }
     if (kind == "samplers") {
@@ -138,12 +144,14 @@ ExitCode explain(const std::string& name) {
         print_description(kind, description.name, description.summary, description.details, description.reference);
         return ExitCode::passed;
     }
+    bool explained = false;
     for (const Configuration& configuration : configurations()) {
         names.emplace_back(configuration.name);
-        if (configuration.name != name && configuration.id != name) continue;
+        if (configuration.name != name && configuration.id != name && configuration.scene_name != name) continue;
         print_configuration(configuration);
-        return ExitCode::passed;
+        explained = true;
     }
+    if (explained) return ExitCode::passed;
     for (const auto& study : built_in_studies()) {
         names.push_back(study.name);
         if (study.name != name) continue;

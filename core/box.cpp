@@ -1,5 +1,6 @@
 #include "core/box.hpp"
 
+#include "core/configurations/catalogue.hpp"
 #include "core/error.hpp"
 #include "core/nearest_name.hpp"
 
@@ -10,6 +11,8 @@
 #include <cmath>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace ff {
 namespace {
@@ -59,10 +62,11 @@ std::optional<std::array<double, 3>> parse_edges(std::string_view text) {
 
 /// "Did you mean" for a scene name that is not known, with the edges that the user gave.
 std::string suggestion(std::string_view name) {
-    constexpr std::array<std::string_view, 2> known{"cube", "box"};
+    std::vector<std::string_view> known = configuration_scene_names();
+    known.insert(known.end(), {"cube", "box"});
     const std::size_t colon = name.find(':');
     const std::string nearest = nearest_name(name.substr(0, colon), known);
-    if (nearest == "cube") return "Did you mean cube?";
+    if (!nearest.empty() && nearest != "box") return fmt::format("Did you mean {}?", nearest);
     if (nearest == "box" && colon != std::string_view::npos)
         return fmt::format("Did you mean box{}?", name.substr(colon));
     return "Try cube or box:2x1x0.5.";
@@ -108,7 +112,14 @@ Scene built_in_scene(std::string_view name) {
         }
         scene = make_box((*edges)[0], (*edges)[1], (*edges)[2]);
     } else {
-        throw UserError(fmt::format("scene {} (unknown; built in are cube and box:AxBxC). {}", name, suggestion(name)));
+        auto configuration = configuration_scene(name);
+        if (!configuration) {
+            throw UserError(
+                fmt::format("scene {} (unknown; built in are cube, box:AxBxC and those that 'ffstudy list "
+                            "scenes' shows). {}",
+                            name, suggestion(name)));
+        }
+        scene = std::move(*configuration);
     }
     scene.name = name;
     return scene;

@@ -26,10 +26,11 @@ std::optional<double> exact_exchange_area(const Surface& from, const Surface& to
 /// @pre both are indices into scene.faces
 std::optional<double> exact_form_factor(const Scene& scene, int from_face, int to_face);
 
-/// Factors from every patch (rows, in the order of Subdivision) to every face (columns). Empty as above.
+/// Factors from every patch (rows, in the order of Subdivision) to every face (columns). Empty as above, and where
+/// something may stand between two surfaces (core/facing.hpp, is_convex).
 std::optional<Eigen::MatrixXd> exact_patch_to_face(const Scene& scene, Subdivision subdivision);
 
-/// Factors from every face (rows) to every face (columns). Empty as above.
+/// Factors from every face (rows) to every face (columns). Empty as above, and where something may stand in between.
 std::optional<Eigen::MatrixXd> exact_form_factors(const Scene& scene);
 
 }  // namespace ff

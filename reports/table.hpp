@@ -48,6 +48,9 @@ Table slopes_table(const studies::StudyResults& results);
 /// The same with both intervals of each slope, lack of fit, and what the theory rests on.
 Table convergence_table(const studies::StudyResults& results);
 
+/// Pairs of faces of the catalogue: estimate, interval, exact value, deviation.
+Table configurations_table(const studies::StudyResults& results);
+
 /// How the closure error of deterministic methods falls with subdivision, ours and as printed.
 Table error_law_table(const studies::StudyResults& results);
 

@@ -79,6 +79,7 @@ std::string terminal_summary(const studies::StudyResults& results, Colour colour
                                painted(fmt::format("{} rays LOST", found->lost_rays), Mark::bad, colour));
     }
     if (!hidden.empty()) out += fmt::format("({} sizes in between: report.md)\n", hidden.size());
+    out += terminal_configurations(results, colour);
     out += terminal_slopes(results, colour);
     out += terminal_plots(results);
     for (const auto& lines : {heavy_tails_in_brief(results), reductions_in_brief(results), coverage_in_brief(results),

@@ -1,5 +1,6 @@
 #include "studies/analysis.hpp"
 
+#include "core/configurations/catalogue.hpp"
 #include "core/exact.hpp"
 #include "core/pair_class.hpp"
 #include "stats/bias_test.hpp"
@@ -121,6 +122,7 @@ bool has_no_rmse(const Summary& summary) {
 std::optional<double> reference_of(const Scene& scene, const std::optional<Eigen::MatrixXd>& exact, Quantity quantity) {
     switch (quantity.kind) {
         case QuantityKind::form_factor:
+            if (const auto known = known_form_factor(scene, quantity.from - 1, quantity.to - 1)) return known;
             if (exact) return (*exact)(quantity.from - 1, quantity.to - 1);
             return std::nullopt;
         case QuantityKind::row_sum:

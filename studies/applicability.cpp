@@ -1,6 +1,7 @@
 #include "studies/applicability.hpp"
 
 #include "core/error.hpp"
+#include "core/exact.hpp"
 #include "core/facing.hpp"
 
 #include <fmt/format.h>
@@ -42,6 +43,20 @@ void expect_unoccluded(const Method& method, const Scene& scene) {
         method.name, name(method.estimator), scene.name));
 }
 
+void expect_parallelograms(const Method& method, const Scene& scene) {
+    if (has_only_parallelograms(scene)) return;
+    throw UserError(fmt::format(
+        "method '{}': {} cannot be used in scene '{}' (it lays points on parallelograms only). Use estimator = "
+        "\"ray_shooting\".",
+        method.name, name(method.estimator), scene.name));
+}
+
+void expect_formulas(const Method& method, const Scene& scene) {
+    if (exact_form_factors(scene)) return;
+    throw UserError(
+        fmt::format("method '{}': scene '{}' has no closed form. Use another estimator.", method.name, scene.name));
+}
+
 }  // namespace
 
 void expect_applicable(const Method& method, const Scene& scene) {
@@ -53,8 +68,11 @@ void expect_applicable(const Method& method, const Scene& scene) {
         case Estimator::area_kernel:
         case Estimator::point_to_polygon:
             expect_unoccluded(method, scene);
+            expect_parallelograms(method, scene);
             break;
         case Estimator::closed_form:
+            expect_unoccluded(method, scene);
+            expect_formulas(method, scene);
             break;
     }
 }

@@ -110,7 +110,7 @@ CellEstimates complete(const StudyPlan& plan, std::size_t cell_index, Completion
     const bool counted = method.estimator == Estimator::ray_shooting;
     if (counted) {
         estimates.lattice = 1.0 / static_cast<double>(estimates.evaluations_per_face);
-        estimates.lost_rays = direct.lost_rays;
+        if (scene.closed) estimates.lost_rays = direct.lost_rays;  // out of an open scene rays may go
     }
     const int faces = static_cast<int>(estimates.faces);
     for (int i = 1; completion == Completion::reciprocal && i <= faces; ++i) {

@@ -103,6 +103,33 @@ void expect_room_for_pilot(const StudySpec& spec, const Method& method, const Ce
                     method.name, cell.trials, spec.until->pilot));
 }
 
+/// Whether a method takes part in a scene. One that cannot be used there is named in `left_out`, where the study says
+/// so.
+/// @throws UserError otherwise
+bool takes_part(const StudySpec& spec, const Method& method, const Scene& scene, std::vector<std::string>& left_out) {
+    try {
+        expect_applicable(method, scene);
+    } catch (const UserError&) {
+        if (spec.inapplicable == Inapplicable::refuse) throw;
+        left_out.push_back(scene.name);
+        return false;
+    }
+    return true;
+}
+
+void warn_about_left_out(StudyPlan& plan, const std::vector<std::vector<std::string>>& left_out) {
+    for (std::size_t m = 0; m < left_out.size(); ++m) {
+        if (left_out[m].empty()) continue;
+        add_warning(plan, fmt::format("method '{}' cannot be used in {} of {} scenes, and is left out there: {}",
+                                      plan.spec.methods[m].name, left_out[m].size(), plan.scenes.size(),
+                                      fmt::join(left_out[m], ", ")));
+    }
+    if (!plan.cells.empty()) return;
+    throw UserError(
+        "no method of the study can be used in any of its scenes (inapplicable = \"skip\" leaves them all "
+        "out). Leave the key out to see why.");
+}
+
 }  // namespace
 
 void add_units(const StudyPlan& plan, std::size_t cell_index, std::uint64_t first_trial, std::uint64_t end_trial,
@@ -165,10 +192,11 @@ StudyPlan plan_study(StudySpec spec) {
     for (const Scene& scene : plan.scenes) {
         if (plan.spec.radiosity) expect_fitting(*plan.spec.radiosity, scene);
     }
+    std::vector<std::vector<std::string>> left_out(plan.spec.methods.size());  // scenes, by method
     for (std::size_t scene = 0; scene < plan.scenes.size(); ++scene) {
         for (std::size_t m = 0; m < plan.spec.methods.size(); ++m) {
             const Method& method = plan.spec.methods[m];
-            expect_applicable(method, plan.scenes[scene]);
+            if (!takes_part(plan.spec, method, plan.scenes[scene], left_out[m])) continue;
             for (const Size& size : method.sizes) {
                 Cell cell;
                 cell.scene = scene;
@@ -189,6 +217,7 @@ StudyPlan plan_study(StudySpec spec) {
             }
         }
     }
+    warn_about_left_out(plan, left_out);
     return plan;
 }
 

@@ -257,8 +257,8 @@ StudySpec parse_study(std::string_view text, std::string_view origin) {
     file.expect_only(sections);
     const auto study = file.optional_table("study");
     if (!study) file.fail("study", "missing. Begin the file with [study].");
-    static constexpr std::array<std::string_view, 8> known{"name", "title", "scene", "trials",
-                                                           "seed", "level", "power", "equivalence_margin"};
+    static constexpr std::array<std::string_view, 9> known{
+        "name", "title", "scene", "trials", "seed", "level", "power", "equivalence_margin", "inapplicable"};
     study->expect_only(known);
 
     StudySpec spec;
@@ -283,6 +283,8 @@ StudySpec parse_study(std::string_view text, std::string_view origin) {
     if (spec.equivalence_margin && *spec.equivalence_margin <= 0) {
         study->fail("equivalence_margin", "(no number of trials shows a bias of exactly 0). Try 1e-4.");
     }
+
+    spec.inapplicable = choice(*study, "inapplicable", inapplicable_names, Inapplicable::refuse);
 
     std::set<std::string> names;
     for (const TomlReader& table : file.tables("method")) {

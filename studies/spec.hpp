@@ -72,11 +72,18 @@ struct Published {
     auto operator<=>(const Published&) const = default;
 };
 
+/// What becomes of a method in a scene that it cannot be used in.
+enum class Inapplicable {
+    refuse,  ///< the study is
+    skip,    ///< the method is left out there, with a warning
+};
+
 /// What a study file says. Everything that results depend on is here.
 struct StudySpec {
     std::string name;
     std::string title;
     std::vector<std::string> scenes;
+    Inapplicable inapplicable = Inapplicable::refuse;
     std::uint64_t trials = 0;
     Seed seed;
     double level = 0.95;  ///< of every interval, and 1 - the family-wise error rate of the bias tests; in (0.5, 1)

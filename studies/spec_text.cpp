@@ -26,6 +26,7 @@ std::string to_toml(const StudySpec& spec) {
                     toml_text(spec.name), toml_text(spec.title), fmt::join(scenes, ", "), spec.trials, spec.seed.value,
                     spec.level, spec.power);
     if (spec.equivalence_margin) out += fmt::format("equivalence_margin = {}\n", *spec.equivalence_margin);
+    if (spec.inapplicable == Inapplicable::skip) out += "inapplicable = \"skip\"\n";
     for (const Method& method : spec.methods) {
         out += fmt::format("\n[[method]]\nname = {}\n", toml_text(method.name));
         if (!method.sampler.empty()) out += fmt::format("sampler = {}\n", toml_text(method.sampler));

@@ -1,7 +1,11 @@
 #pragma once
 
+#include "core/scene.hpp"
+
+#include <optional>
 #include <span>
 #include <string_view>
+#include <vector>
 
 namespace ff {
 
@@ -22,10 +26,33 @@ struct Configuration {
     ConfigurationKind kind = ConfigurationKind::surfaces;
     bool occluded = false;             ///< something stands between parts of the two surfaces
     long double (*exact)() = nullptr;  ///< computes the form factor from the first to the second surface
+    /// Makes the scene; null where there is none.
+    Scene (*scene)() = nullptr;
+    int from = 0;  ///< faces of the scene
+    int to = 1;
+    std::string_view scene_name = name;  ///< several configurations may be pairs of faces of one scene
 };
 
 /// All of them, in the order in which they are shown.
 std::span<const Configuration> configurations();
+
+/// The scene of that name, if the catalogue has it; each is made by one of its configurations.
+std::optional<Scene> configuration_scene(std::string_view name);
+
+/// Whether a scene is the one that a configuration is a pair of faces of.
+bool is_configuration(const Scene& scene, const Configuration& configuration);
+
+/// Of a configuration of a face with itself, how many other faces share the rest of its light, alike: F = 1 - n F(from,
+/// other). 0 where it is one of two faces.
+int other_faces(const Scene& scene, const Configuration& configuration);
+
+/// Names of all scenes of the catalogue, in its order.
+std::vector<std::string_view> configuration_scene_names();
+
+/// The form factor between two faces of a scene of the catalogue, where it has an exact value or one follows: by
+/// reciprocity, and by closure where what a face does not send to itself is shared by others that are alike.
+/// @pre both are indices into scene.faces
+std::optional<double> known_form_factor(const Scene& scene, int from_face, int to_face);
 
 /// What a kind means for estimating: empty for surfaces, otherwise why there is no scene.
 std::string_view why_no_scene(ConfigurationKind kind);
