@@ -10,6 +10,9 @@ namespace ff::app {
 /// Runs a study, or goes on with it, writes its reports, prints a short result.
 ExitCode run(const RunCommand& command);
 
+/// Light in an enclosure that sees itself, by exact factors and by rays drawn from them.
+ExitCode enclosure(const EnclosureCommand& command);
+
 /// Writes reports from a store.
 ExitCode report(const ReportCommand& command);
 

@@ -95,6 +95,23 @@ void add_radiosity(CLI::App& app, RadiosityOptions& options, RunCommand& command
     });
 }
 
+void add_enclosure(CLI::App& app, EnclosureCommand& command, Action& action) {
+    CLI::App* sub = app.add_subcommand("enclosure", "Light where surfaces see themselves: round rooms, mirrors");
+    sub->add_option("NAME", command.name, "cylinder:RxH, cap:RxH, cone:RxH, spheres:RxS, or cube, box:AxBxC")
+        ->required();
+    sub->add_option("--mirror", command.mirror, "The face of a box that is a perfect mirror");
+    sub->add_option("--reflectance", command.light.reflectance,
+                    "Reflectances, each solved for by itself (default: 0.1,0.5,0.9,0.99,0.999)");
+    sub->add_option("--emission", command.light.emission,
+                    "Emitted exitance, one number or one for each surface (default: 1 on the last)");
+    sub->add_option("--trials", command.trials, "Trials of rays drawn from the exact factors (default: 0)");
+    sub->add_option("--rays", command.rays, "Rays from each surface in a trial")->capture_default_str();
+    sub->add_option("--seed", command.seed, "Seed of all random numbers")->capture_default_str();
+    sub->add_option("--out", command.out, "Folder for enclosure.md and the matrices (default: none is written)");
+    sub->add_flag("--quiet", command.quiet, "Print errors only");
+    sub->callback([&] { action = [&] { return enclosure(command); }; });
+}
+
 void add_report(CLI::App& app, ReportCommand& command, Action& action) {
     CLI::App* sub = app.add_subcommand("report", "Write the reports of a finished study again");
     sub->add_option("RESULTS", command.results, "Folder of a study, or its results.sqlite")->required();
@@ -191,10 +208,12 @@ ExitCode parse_and_act(int argc, char** argv) {
     SelftestCommand selftest_command;
     ff::studies::ConvergenceRequest convergence_request;
     RadiosityOptions radiosity_options;
+    EnclosureCommand enclosure_command;
     std::string name;
     add_run(app, run_command, action);
     add_convergence(app, convergence_request, run_command, action);
     add_radiosity(app, radiosity_options, run_command, action);
+    add_enclosure(app, enclosure_command, action);
     add_report(app, report_command, action);
     add_merge(app, merge_command, action);
     add_compare(app, compare_command, action);

@@ -37,6 +37,18 @@ struct RunCommand {
     std::filesystem::path study_file;  ///< to write the study to; empty: nowhere
 };
 
+/// Of `ffstudy enclosure`.
+struct EnclosureCommand {
+    std::string name;
+    std::optional<std::string> mirror;
+    RadiosityOptions light;
+    std::uint64_t rays = 1000;
+    std::uint64_t trials = 0;
+    std::uint64_t seed = 1;
+    std::filesystem::path out;
+    bool quiet = false;
+};
+
 struct ReportCommand {
     std::filesystem::path results;  ///< folder or store
     std::filesystem::path out;      ///< empty: where the store lies

@@ -12,19 +12,6 @@
 namespace ff::app {
 namespace {
 
-/// The study with the light that the command line asks for.
-void set_radiosity(studies::StudySpec& spec, const RadiosityOptions& options) {
-    if (!spec.radiosity) spec.radiosity.emplace();
-    if (!options.reflectance.empty()) {
-        spec.radiosity->reflectance.clear();
-        for (const double value : studies::parse_numbers(options.reflectance, "--reflectance"))
-            spec.radiosity->reflectance.push_back({value});
-    }
-    if (!options.emission.empty()) spec.radiosity->emission = studies::parse_numbers(options.emission, "--emission");
-    if (options.patch_trials) spec.radiosity->patch_trials = *options.patch_trials;
-    studies::check_radiosity(*spec.radiosity, "--");
-}
-
 studies::StudyPlan make_plan(const RunCommand& command) {
     studies::StudySpec spec =
         command.convergence ? studies::make_convergence_study(*command.convergence) : find_study(command.study);
@@ -35,7 +22,10 @@ studies::StudyPlan make_plan(const RunCommand& command) {
             throw UserError(fmt::format("--level {} (above 0.5 and below 1). Try 0.95.", *command.level));
         spec.level = *command.level;
     }
-    if (command.radiosity) set_radiosity(spec, *command.radiosity);
+    if (command.radiosity) {
+        if (!spec.radiosity) spec.radiosity.emplace();
+        set_light(*spec.radiosity, *command.radiosity);
+    }
     if (command.until) {
         spec.until = studies::parse_stopping_rule(*command.until);
         studies::set_trials(spec, spec.trials);  // bounds the pilot
@@ -59,6 +49,17 @@ unsigned threads_within(const studies::StudyPlan& plan, unsigned threads, std::u
 }
 
 }  // namespace
+
+void set_light(studies::RadiosityRequest& light, const RadiosityOptions& options) {
+    if (!options.reflectance.empty()) {
+        light.reflectance.clear();
+        for (const double value : studies::parse_numbers(options.reflectance, "--reflectance"))
+            light.reflectance.push_back({value});
+    }
+    if (!options.emission.empty()) light.emission = studies::parse_numbers(options.emission, "--emission");
+    if (options.patch_trials) light.patch_trials = *options.patch_trials;
+    studies::check_radiosity(light, "--");
+}
 
 RunRequest check(const RunCommand& command, const Processes& processes) {
     RunRequest request;

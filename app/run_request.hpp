@@ -20,6 +20,9 @@ struct RunRequest {
     std::optional<std::uint64_t> max_memory;  ///< bytes; threads are few enough to keep within it, by the plan
 };
 
+/// What the command line says of the light. @throws UserError
+void set_light(studies::RadiosityRequest& light, const RadiosityOptions& options);
+
 /// @throws UserError, IoError
 RunRequest check(const RunCommand& command, const Processes& processes);
 

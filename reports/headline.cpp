@@ -3,6 +3,7 @@
 #include "reports/labels.hpp"
 #include "reports/numbers.hpp"
 #include "reports/published_summary.hpp"
+#include "reports/radiosity_words.hpp"
 
 #include <fmt/format.h>
 
@@ -137,6 +138,12 @@ std::vector<std::string> wrong_in_print(const studies::PublishedResults& publish
 Headline headline(const studies::StudyResults& results) {
     Headline out;
     std::vector<std::string> clauses;
+    if (const auto light = light_in_brief(results)) {
+        clauses.push_back(light->clause);
+        out.numbers.push_back({light->value, fmt::format("error of the light at reflectance {}", light->reflectance),
+                               "Root mean square over runs and faces, of the mean exitance: with each method as it is "
+                               "completed, before repairs."});
+    }
     for (const Rivalry& rivalry : results.rivals) {
         const Contest contest = describe(results.findings, rivalry);
         clauses.push_back(clause(rivalry, contest));

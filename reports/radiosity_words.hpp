@@ -3,6 +3,7 @@
 #include "studies/results.hpp"
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,6 +11,14 @@ namespace ff::reports {
 
 /// What the errors do to the light, a sentence each; empty where the study has no [radiosity].
 std::vector<std::string> radiosity_in_brief(const studies::StudyResults& results);
+
+/// How much the light errs with each method that is compared, at the reflectance that is told about.
+struct LightInBrief {
+    std::string reflectance;
+    std::string clause;  ///< "at reflectance 0.9 the light errs by 27 % with PDM and 0.9 % with SR"
+    std::string value;   ///< "0.9 % to 27 %"
+};
+std::optional<LightInBrief> light_in_brief(const studies::StudyResults& results);
 
 /// The cells that a comparison is about: those of the largest cost that several methods share; else all.
 std::vector<std::size_t> lit_cells(const studies::StudyPlan& plan, std::size_t scene);

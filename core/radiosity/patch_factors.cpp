@@ -4,6 +4,7 @@
 #include "core/contract.hpp"
 #include "core/exact.hpp"
 #include "core/facing.hpp"
+#include "core/patch_exchange.hpp"
 
 #include <algorithm>
 #include <memory>
@@ -79,16 +80,21 @@ Eigen::MatrixXd kernel_patch_factors(const Scene& scene, Subdivision subdivision
 
 std::optional<Eigen::MatrixXd> exact_patch_factors(const Scene& scene, Subdivision subdivision) {
     const Eigen::Index patches = subdivision.patches(scene);
-    const std::vector<Surface> all = patches_of(scene, subdivision);
+    const Eigen::Index per_surface = subdivision.per_surface();
     Eigen::MatrixXd factors = Eigen::MatrixXd::Zero(patches, patches);
-    for (Eigen::Index i = 0; i < patches; ++i) {
-        for (Eigen::Index j = 0; j < i; ++j) {
-            const Surface& from = all[static_cast<std::size_t>(i)];
-            const Surface& to = all[static_cast<std::size_t>(j)];
-            const auto exchange = exact_exchange_area(from, to);
-            if (!exchange) return std::nullopt;
-            factors(i, j) = *exchange / area(from.shape);
-            factors(j, i) = *exchange / area(to.shape);
+    for (std::size_t i = 0; i < scene.surfaces.size(); ++i) {
+        for (std::size_t j = 0; j < i; ++j) {
+            const Surface& from = scene.surfaces[i];
+            const Surface& to = scene.surfaces[j];
+            if (!exact_exchange_area(from, to)) return std::nullopt;
+            const Eigen::MatrixXd areas = patch_exchange(from, to, subdivision).areas;
+            const auto row = static_cast<Eigen::Index>(i) * per_surface;
+            const auto column = static_cast<Eigen::Index>(j) * per_surface;
+            const auto patch_area = [&](const Surface& surface) {
+                return area(surface.shape) / static_cast<double>(per_surface);
+            };
+            factors.block(row, column, per_surface, per_surface) = areas / patch_area(from);
+            factors.block(column, row, per_surface, per_surface) = areas.transpose() / patch_area(to);
         }
     }
     return factors;

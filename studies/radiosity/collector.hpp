@@ -32,8 +32,7 @@ class ConsequencesCollector {
     ConsequencesCollector(const Lighting& lighting, std::span<const Eigen::VectorXd> exitance, Between between,
                           Treatment treatment, std::uint64_t solver_trials, const SolverOptions& options);
 
-    /// @param rays as of `treat`
-    void add(const Eigen::MatrixXd& direct, std::uint64_t rays);
+    void add(const Eigen::MatrixXd& direct, const Uncertainty& errors);
     Consequences finish(std::size_t cell, double level);
 
   private:

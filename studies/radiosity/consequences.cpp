@@ -20,7 +20,7 @@ std::vector<Eigen::VectorXd> solve_with_exact_factors(const StudyPlan& plan, std
     for (std::size_t setting = 0; setting < lighting.reflectance.size(); ++setting) {
         system.reflectance = lighting.reflectance[setting];
         SolverRuns runs;
-        if (m == 0 || plan.spec.radiosity->solver_trials > 0) runs.add(system, solver_options(plan));
+        if (m == 0 || runs_solvers(plan, lighting.elements.areas.size())) runs.add(system, solver_options(plan));
         auto [properties, solution] = solve_with_properties(system);
         exitance.push_back(*solution);
         systems.push_back({scene, m, setting, std::move(*solution), properties, runs.finish()});
@@ -28,14 +28,16 @@ std::vector<Eigen::VectorXd> solve_with_exact_factors(const StudyPlan& plan, std
     return exitance;
 }
 
-/// One collector for each treatment. Solvers are run on the method's own completion.
+/// One collector for each treatment that is possible. Solvers are run on the method's own completion.
 std::vector<ConsequencesCollector> make_collectors(const StudyPlan& plan, std::size_t cell, const Lighting& lighting,
-                                                   const std::vector<Eigen::VectorXd>& exitance, Between between) {
-    const std::uint64_t wanted = plan.spec.radiosity->solver_trials;
-    const std::uint64_t solver_trials = between == Between::patches ? std::min<std::uint64_t>(1, wanted) : wanted;
+                                                   const std::vector<Eigen::VectorXd>& exitance, Between between,
+                                                   const Uncertainty& errors) {
+    std::uint64_t solver_trials = plan.spec.radiosity->solver_trials;
+    if (between == Between::patches) solver_trials = runs_solvers(plan, lighting.elements.areas.size()) ? 1 : 0;
     const Treatment own = treatment_of(plan.spec.methods[plan.cells[cell].method].completion);
     std::vector<ConsequencesCollector> collectors;
     for (const Treatment treatment : all_treatments) {
+        if (treatment == Treatment::weighted && errors.covariances.empty()) continue;
         collectors.emplace_back(lighting, exitance, between, treatment, treatment == own ? solver_trials : 0,
                                 solver_options(plan));
     }
@@ -50,9 +52,9 @@ void evaluate_between_faces(const Store& store, RadiosityResults& results) {
         for (std::size_t cell = 0; cell < plan.cells.size(); ++cell) {
             if (plan.cells[cell].scene != scene) continue;
             const TrialMatrices trials = load_matrices(store, cell);
-            auto collectors = make_collectors(plan, cell, lighting, exitance, Between::faces);
+            auto collectors = make_collectors(plan, cell, lighting, exitance, Between::faces, trials.errors);
             for (const Eigen::MatrixXd& direct : trials.direct) {
-                for (ConsequencesCollector& collector : collectors) collector.add(direct, trials.rays);
+                for (ConsequencesCollector& collector : collectors) collector.add(direct, trials.errors);
             }
             for (ConsequencesCollector& collector : collectors)
                 results.consequences.push_back(collector.finish(cell, plan.spec.level));
@@ -74,11 +76,11 @@ void evaluate_between_patches(const Store& store, RadiosityResults& results) {
         for (const std::size_t cell : cells) {
             const std::uint64_t trials = std::min(plan.cells[cell].trials, plan.spec.radiosity->patch_trials);
             const bool counted = plan.spec.methods[plan.cells[cell].method].estimator == Estimator::ray_shooting;
-            const std::uint64_t rays = counted ? plan.cells[cell].samples : 0;
-            auto collectors = make_collectors(plan, cell, lighting, exitance, Between::patches);
+            const Uncertainty errors{counted ? plan.cells[cell].samples : 0, {}};
+            auto collectors = make_collectors(plan, cell, lighting, exitance, Between::patches, errors);
             for (std::uint64_t trial = 0; trial < trials; ++trial) {
                 const Eigen::MatrixXd direct = trace_patch_factors(plan, cell, trial);
-                for (ConsequencesCollector& collector : collectors) collector.add(direct, rays);
+                for (ConsequencesCollector& collector : collectors) collector.add(direct, errors);
             }
             for (ConsequencesCollector& collector : collectors)
                 results.consequences.push_back(collector.finish(cell, plan.spec.level));

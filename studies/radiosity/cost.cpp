@@ -9,6 +9,8 @@
 namespace ff::studies {
 namespace {
 
+constexpr double treatments_between_patches = 4;
+
 /// Matrices between patches at a time: exact factors, estimates, treated ones, and what balancing or elimination needs.
 constexpr std::uint64_t matrices = 9;
 constexpr std::uint64_t bytes_of_a_kernel_pair = 110;
@@ -73,17 +75,17 @@ double seconds_of_radiosity(const StudyPlan& plan) {
     double seconds = 0;
     for (std::size_t index = 0; index < plan.cells.size(); ++index) {
         const Cell& cell = plan.cells[index];
-        const double treatments = all_treatments.size();
+        const auto treatments = static_cast<double>(all_treatments.size());
         seconds += static_cast<double>(cell.trials) * treatments * settings * seconds_between_faces;
         if (!has_patch_systems(plan, index)) continue;
         const double n = cell.subdivision.patches(plan.scenes[cell.scene]);
-        const bool solvers = request.solver_trials > 0;
+        const bool solvers = runs_solvers(plan, cell.subdivision.patches(plan.scenes[cell.scene]));
         const auto trials = static_cast<double>(std::min(cell.trials, request.patch_trials));
         double trial = expected_seconds_per_trial(plan, cell);
         if (plan.spec.methods[cell.method].estimator == Estimator::ray_shooting)
             trial += seconds_of_a_traced_ray * static_cast<double>(evaluations_per_trial(plan, cell));
         seconds += n * n / 2 * seconds_of_an_exact_factor + seconds_of_systems(request, n, solvers);
-        seconds += trials * (trial + treatments * seconds_of_systems(request, n, false));
+        seconds += trials * (trial + treatments_between_patches * seconds_of_systems(request, n, false));
         if (solvers) seconds += seconds_of_systems(request, n, true) - seconds_of_systems(request, n, false);
     }
     return seconds;

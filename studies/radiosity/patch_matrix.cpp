@@ -19,6 +19,11 @@ bool has_patch_systems(const StudyPlan& plan, std::size_t index) {
     return plan.spec.radiosity && plan.spec.radiosity->patch_trials > 0 && tells_patches_apart(plan, index);
 }
 
+bool runs_solvers(const StudyPlan& plan, std::int64_t patches) {
+    constexpr std::int64_t most = 256;
+    return plan.spec.radiosity->solver_trials > 0 && patches <= most;
+}
+
 void expect_few_patches(const StudyPlan& plan, std::size_t index) {
     if (!has_patch_systems(plan, index)) return;
     const Cell& cell = plan.cells[index];

@@ -20,6 +20,9 @@ bool tells_patches_apart(const StudyPlan& plan, std::size_t cell);
 /// Whether the study asks for systems between the patches of this cell.
 bool has_patch_systems(const StudyPlan& plan, std::size_t cell);
 
+/// Whether solvers are run between so many patches: up to 256. Near reflectance 1 they take thousands of iterations.
+bool runs_solvers(const StudyPlan& plan, std::int64_t patches);
+
 /// @throws UserError where that asks for more patches than stated above
 void expect_few_patches(const StudyPlan& plan, std::size_t cell);
 

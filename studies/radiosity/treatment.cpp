@@ -1,5 +1,7 @@
 #include "studies/radiosity/treatment.hpp"
 
+#include "core/radiosity/correlated_repair.hpp"
+
 namespace ff::studies {
 namespace {
 
@@ -11,19 +13,46 @@ Eigen::MatrixXd by_reciprocity(const Eigen::MatrixXd& direct, const Eigen::Vecto
     return result;
 }
 
-Eigen::MatrixXd balanced(const Elements& elements, std::uint64_t rays, const Eigen::MatrixXd& direct) {
-    const auto shot = Eigen::VectorXd::Constant(direct.rows(), static_cast<double>(rays));
+Eigen::MatrixXd balanced(const Elements& elements, const Uncertainty& errors, const Eigen::MatrixXd& direct) {
+    const auto rays = Eigen::VectorXd::Constant(direct.rows(), static_cast<double>(errors.rays));
     const Balanced result = balance(
-        direct, rays > 0 ? weights_of_hits(direct, shot, elements.areas, elements.sight) : weights_of_values(direct),
+        direct,
+        errors.rays > 0 ? weights_of_hits(direct, rays, elements.areas, elements.sight) : weights_of_values(direct),
         elements.areas);
     return result.balanced ? result.factors : Eigen::MatrixXd();
+}
+
+Eigen::MatrixXd weighted(const Elements& elements, const Uncertainty& errors, const Eigen::MatrixXd& direct) {
+    const Balanced result = balance_correlated(direct, errors.covariances, elements.areas, elements.sight);
+    return result.balanced ? result.factors : Eigen::MatrixXd();
+}
+
+/// Kernels of points that are laid evenly have no variance where faces touch.
+bool has_covariances(const Method& method, const Cell& cell, const TrialMatrices& trials) {
+    if (cell.deterministic || trials.direct.size() < least_trials_of_covariances) return false;
+    if (method.estimator == Estimator::area_kernel && method.map == PointMap::uniform) return false;
+    return trials.direct.front().rows() <= most_correlated_patches;
+}
+
+std::vector<Eigen::MatrixXd> measure_covariances(const TrialMatrices& trials) {
+    const Eigen::Index n = trials.direct.front().rows();
+    const auto count = static_cast<Eigen::Index>(trials.direct.size());
+    const Sight sight = all_but_itself(n);
+    const double rays = static_cast<double>(trials.errors.rays) * static_cast<double>(count);
+    std::vector<Eigen::MatrixXd> covariances;
+    for (Eigen::Index i = 0; i < n; ++i) {
+        Eigen::MatrixXd rows(count, n);
+        for (Eigen::Index t = 0; t < count; ++t) rows.row(t) = trials.direct[static_cast<std::size_t>(t)].row(i);
+        covariances.push_back(covariance_of_row(rows, sight.row(i).transpose(), rays > 0 ? 0.5 / rays : 0));
+    }
+    return covariances;
 }
 
 }  // namespace
 
 std::string_view name(Treatment treatment) {
     static constexpr std::array<std::string_view, all_treatments.size()> names{"direct", "reciprocal", "normalised",
-                                                                               "balanced"};
+                                                                               "balanced", "weighted"};
     return names.at(static_cast<std::size_t>(treatment));
 }
 
@@ -39,7 +68,7 @@ TrialMatrices load_matrices(const Store& store, std::size_t cell_index) {
     TrialMatrices trials;
     trials.numbers = estimates.trial_numbers;
     if (plan.spec.methods[cell.method].estimator == Estimator::ray_shooting)
-        trials.rays = estimates.evaluations_per_face;
+        trials.errors.rays = estimates.evaluations_per_face;
     trials.direct.assign(estimates.trials(), Eigen::MatrixXd::Zero(faces, faces));
     for (Eigen::Index i = 0; i < faces; ++i) {
         for (Eigen::Index j = 0; j < faces; ++j) {
@@ -47,10 +76,12 @@ TrialMatrices load_matrices(const Store& store, std::size_t cell_index) {
             for (std::size_t trial = 0; trial < values.size(); ++trial) trials.direct[trial](i, j) = values[trial];
         }
     }
+    if (has_covariances(plan.spec.methods[cell.method], cell, trials))
+        trials.errors.covariances = measure_covariances(trials);
     return trials;
 }
 
-Eigen::MatrixXd treat(const Elements& elements, std::uint64_t rays, const Eigen::MatrixXd& direct,
+Eigen::MatrixXd treat(const Elements& elements, const Uncertainty& errors, const Eigen::MatrixXd& direct,
                       Treatment treatment) {
     switch (treatment) {
         case Treatment::direct:
@@ -60,9 +91,11 @@ Eigen::MatrixXd treat(const Elements& elements, std::uint64_t rays, const Eigen:
         case Treatment::normalised:
             return normalise_rows(by_reciprocity(direct, elements.areas));
         case Treatment::balanced:
+            return balanced(elements, errors, direct);
+        case Treatment::weighted:
             break;
     }
-    return balanced(elements, rays, direct);
+    return weighted(elements, errors, direct);
 }
 
 }  // namespace ff::studies

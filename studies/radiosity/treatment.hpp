@@ -18,10 +18,11 @@ enum class Treatment {
     reciprocal,  ///< the lower triangle from the upper one
     normalised,  ///< the reciprocal matrix, every row divided by its sum
     balanced,    ///< least squares on all direct estimates: closed, reciprocal, nonnegative
+    weighted,    ///< the same with the covariance that the method's own trials show
 };
 
 inline constexpr std::array all_treatments{Treatment::direct, Treatment::reciprocal, Treatment::normalised,
-                                           Treatment::balanced};
+                                           Treatment::balanced, Treatment::weighted};
 
 std::string_view name(Treatment treatment);
 
@@ -34,17 +35,26 @@ struct Elements {
     Sight sight;
 };
 
+/// What is known of the errors of direct estimates.
+struct Uncertainty {
+    std::uint64_t rays = 0;                    ///< of each element, where factors are shares of counted hits; else 0
+    std::vector<Eigen::MatrixXd> covariances;  ///< of each row over trials; empty where they are not known
+};
+
 /// Direct estimates of all trials of a cell, between faces.
 struct TrialMatrices {
     std::vector<std::uint64_t> numbers;  ///< of the trials
     std::vector<Eigen::MatrixXd> direct;
-    std::uint64_t rays = 0;  ///< of a face, where factors are shares of counted hits; else 0
+    Uncertainty errors;
 };
+
+/// Trials that covariances are measured from, at least.
+inline constexpr std::size_t least_trials_of_covariances = 30;
 
 TrialMatrices load_matrices(const Store& store, std::size_t cell);
 
-/// A treated matrix; empty (0 x 0) where balancing finds none.
-/// @param rays of each element, where factors are shares of counted hits; else 0
-Eigen::MatrixXd treat(const Elements& elements, std::uint64_t rays, const Eigen::MatrixXd& direct, Treatment treatment);
+/// A treated matrix; empty (0 x 0) where balancing finds none. @pre covariances for Treatment::weighted
+Eigen::MatrixXd treat(const Elements& elements, const Uncertainty& errors, const Eigen::MatrixXd& direct,
+                      Treatment treatment);
 
 }  // namespace ff::studies

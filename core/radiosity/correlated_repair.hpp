@@ -1,0 +1,30 @@
+#pragma once
+
+#include "core/radiosity/repair.hpp"
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace ff {
+
+/// Most patches for `balance_correlated`: its systems have some n^2 / 2 unknowns.
+inline constexpr Eigen::Index most_correlated_patches = 24;
+
+/// As `balance`, where the errors within a row are correlated in a known way: the factors with the least sum over rows
+/// of (f - estimate)' C^+ (f - estimate), C^+ the generalised inverse of the row's covariance. Rows are independent of
+/// each other. An active-set method; what a row's covariance leaves without variance is not held to its estimate but
+/// free, as the constraints are there to fix it (rows of rays sum to 1 in every trial).
+/// @param covariances one n x n matrix for each row, positive semidefinite @param sight pairs without it stay 0
+/// @pre at most `most_correlated_patches`; areas > 0
+Balanced balance_correlated(const Eigen::MatrixXd& estimates, const std::vector<Eigen::MatrixXd>& covariances,
+                            const Eigen::VectorXd& areas, const Sight& sight);
+
+/// Covariance of a row of factors over trials, drawn towards that of counted hits (p on the diagonal, minus p p') of
+/// the same total variance as if by `targets` further trials, so that a pair which no trial hit does not pass for
+/// certain.
+/// @param rows trials x targets, at least two @param floor added to the mean factor of pairs with sight: half a hit
+Eigen::MatrixXd covariance_of_row(const Eigen::MatrixXd& rows, const Eigen::Array<bool, Eigen::Dynamic, 1>& sight,
+                                  double floor);
+
+}  // namespace ff

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "studies/radiosity/enclosure_study.hpp"
+
+#include <string>
+
+namespace ff::reports {
+
+/// What `ffstudy enclosure` prints, in Markdown: exact factors, exact solutions, and what rays make of them.
+std::string enclosure_text(const studies::EnclosureRequest& request, const studies::EnclosureResults& results);
+
+}  // namespace ff::reports

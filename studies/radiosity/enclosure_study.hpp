@@ -1,0 +1,49 @@
+#pragma once
+
+#include "core/radiosity/enclosures.hpp"
+#include "core/stream.hpp"
+#include "studies/radiosity/consequences.hpp"
+#include "studies/radiosity/request.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace ff::studies {
+
+/// An enclosure some surfaces of which see themselves, by its exact factors.
+struct NamedEnclosure {
+    std::string description;
+    std::vector<std::string> surfaces;  ///< labels, in the order of the matrix
+    Enclosure enclosure;
+};
+
+/// "cylinder:RxH", "cap:RxH" (a spherical cap of height H and the disk that closes it), "cone:RxH", "spheres:RxS" (S
+/// inside R), or a box with a mirror. @param mirror label of the face, of boxes only @throws UserError
+NamedEnclosure find_enclosure(std::string_view name, const std::optional<std::string>& mirror);
+
+/// What `ffstudy enclosure` is asked for.
+struct EnclosureRequest {
+    std::string name;
+    std::optional<std::string> mirror;
+    RadiosityRequest light;    ///< one reflectance for all surfaces in each setting
+    std::uint64_t rays = 0;    ///< from each surface in a trial, at most 2^32
+    std::uint64_t trials = 0;  ///< 0: exact factors only
+    Seed seed;
+};
+
+struct EnclosureResults {
+    NamedEnclosure of;
+    Eigen::VectorXd emission;
+    std::vector<ExactSystem> exact;          ///< by setting
+    std::vector<Consequences> consequences;  ///< by treatment; `cell` means nothing
+};
+
+/// Solves with exact factors, and with those of trials. A ray of a trial is not traced: where a diffuse ray from a
+/// surface falls has the exact factors as its probabilities, mirrors and self-views included, so that independent rays
+/// are drawn from them. @throws UserError
+EnclosureResults study_enclosure(const EnclosureRequest& request);
+
+}  // namespace ff::studies
