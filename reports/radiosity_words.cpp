@@ -101,7 +101,10 @@ std::vector<std::string> patch_lines(const studies::StudyResults& results) {
     for (std::size_t scene = 0; scene < plan.scenes.size(); ++scene) {
         for (const std::size_t cell : lit_cells(plan, scene)) {
             std::vector<std::string> errors;
+            const Treatment own = own_treatment(plan, cell);
             for (const Treatment treatment : studies::all_treatments) {
+                if (treatment == Treatment::normalised || (treatment == Treatment::reciprocal && treatment != own))
+                    continue;
                 const Consequences* found = results.radiosity->find(cell, treatment, studies::Between::patches);
                 if (found == nullptr || found->settings.empty() || !found->settings[told].light_error) continue;
                 const auto& worst = *worst_element(found->settings[told]);
@@ -121,24 +124,19 @@ std::vector<std::string> patch_lines(const studies::StudyResults& results) {
 }
 
 std::string bias_order_line(const studies::StudyResults& results) {
-    std::size_t fitted = 0;
-    std::size_t as_expected = 0;
-    double slowest = -10;
-    double fastest = 10;
+    std::vector<std::string> fitted;
     for (const studies::BiasOrder& order : results.bias_orders) {
         if (!order.slope) continue;
-        ++fitted;
-        as_expected += order.interval->contains(-1);
-        slowest = std::max(slowest, *order.slope);
-        fastest = std::min(fastest, *order.slope);
+        fitted.push_back(fmt::format(
+            "{:.2f} [{:.2f}, {:.2f}] ({}, {}, reflectance {})", *order.slope, order.interval->low, order.interval->high,
+            order.label, studies::name(order.treatment), setting_text(results.findings.plan, order.setting)));
     }
-    if (fitted == 0) return {};
+    if (fitted.empty()) return {};
     return fmt::format(
-        "The exitance is biased though the factors are not. On {} of {} ladders, each at one reflectance, this is "
-        "clear at "
-        "every size: there the bias falls as N to the power {} to {}; −1, expected for large N, is within {} of the "
-        "intervals.",
-        fitted, results.bias_orders.size(), brief(fastest), brief(slowest), as_expected);
+        "The exitance is biased though the factors are not: with N rays a face by some power of N, −1 for large N. "
+        "Clear "
+        "at every size in {} of {} cases: {}.",
+        fitted.size(), results.bias_orders.size(), fmt::join(fitted, "; "));
 }
 
 }  // namespace
