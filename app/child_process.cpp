@@ -14,11 +14,11 @@
 namespace ff::app {
 
 std::filesystem::path find_program(std::string_view name) {
-    const char* const search = std::getenv("PATH");
+    const char* const search = std::getenv("PATH");  // NOLINT(concurrency-mt-unsafe): nobody sets it
     std::string_view rest = search == nullptr ? std::string_view() : search;
     while (!rest.empty()) {
         const auto end = std::min(rest.find(':'), rest.size());
-        const auto program = std::filesystem::path(rest.substr(0, end)) / name;
+        auto program = std::filesystem::path(rest.substr(0, end)) / name;
         if (end > 0 && ::access(program.c_str(), X_OK) == 0 && std::filesystem::is_regular_file(program))
             return program;
         rest.remove_prefix(std::min(end + 1, rest.size()));

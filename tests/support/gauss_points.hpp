@@ -11,7 +11,7 @@ namespace ff::test {
 /// Tensor Gauss-Legendre points, made with Boost.Math: so that tests of `core` need no sampler.
 class GaussPoints : public PointSource {
   public:
-    explicit GaussPoints(int source_nodes, int target_nodes) {
+    explicit GaussPoints(int source_nodes, int target_nodes) : exchangeable_(source_nodes == target_nodes) {
         const Rule source = rule(source_nodes);
         const Rule target = rule(target_nodes);
         for (const Node& a : source) {
@@ -23,7 +23,6 @@ class GaussPoints : public PointSource {
                 }
             }
         }
-        exchangeable_ = source_nodes == target_nodes;
     }
 
     [[nodiscard]] std::uint64_t points() const override { return points_.size(); }

@@ -25,7 +25,7 @@ Eigen::MatrixXd gauss(const Scene& scene, std::uint32_t m, int nodes) {
 
 Eigen::MatrixXd random(const Scene& scene, std::uint32_t m, std::uint64_t samples, Allocation allocation,
                        std::uint32_t trial) {
-    const std::uint64_t points = allocation == Allocation::face ? m * m * samples : samples;
+    const std::uint64_t points = allocation == Allocation::face ? samples * m * m : samples;
     return point_to_polygon(scene, {m}, test::PhiloxPoints(points), samples, allocation, {1, 2}, trial);
 }
 
@@ -123,7 +123,8 @@ TEST(PointToPolygon, GivesEveryPatchItsOwnPoints) {
     Recorder shared(28);
     point_to_polygon(make_box(1, 1, 1), {2}, shared, 7, Allocation::face, {}, 0);
     ASSERT_EQ(shared.requests.size(), 24u);
-    for (std::uint32_t p = 0; p < 24; ++p) EXPECT_EQ(shared.requests[p], (Recorder::Request{p / 4, 0, p % 4 * 7, 7}));
+    for (std::uint32_t p = 0; p < 24; ++p)
+        EXPECT_EQ(shared.requests[p], (Recorder::Request{p / 4, 0, PointIndex{p % 4} * 7, 7}));
 }
 
 }  // namespace
