@@ -18,11 +18,11 @@ constexpr std::uint64_t bytes_of_a_small_matrix = 48;  // beside its entries
 
 constexpr double seconds_between_faces = 6e-6;  // a system of six faces
 constexpr double seconds_of_an_exact_factor = 6e-7;
-constexpr double seconds_of_a_traced_ray = 2e-8;    // one by one, beside its point
-constexpr double seconds_of_an_entry = 7e-10;       // of a matrix times a vector, from memory
-constexpr double seconds_of_elimination = 1.2e-10;  // a floating-point operation
-constexpr double passes_over_a_matrix = 150;        // properties, balancing, conditions
-constexpr double passes_of_solvers = 10;            // all solvers, for each iteration of Jacobi's
+constexpr double seconds_of_a_traced_ray = 2e-8;  // one by one, beside its point
+constexpr double seconds_of_an_entry = 3e-10;     // of a matrix times a vector, from memory
+constexpr double seconds_of_elimination = 6e-11;  // a floating-point operation
+constexpr double passes_over_a_matrix = 150;      // properties, balancing, conditions
+constexpr double passes_of_solvers = 10;          // all solvers, for each iteration of Jacobi's
 
 /// Iterations of Jacobi's method to the tolerance, by the largest reflectance.
 double iterations(const RadiosityRequest& request, const std::vector<double>& reflectance) {
