@@ -8,7 +8,7 @@ std::set<std::size_t> cells_in_between(const studies::StudyResults& results) {
     std::set<std::size_t> hidden;
     for (const studies::LadderSlopes& ladder : results.slopes) {
         const auto& cells = ladder.ladder.cells;
-        if (cells.size() < 5) continue;
+        if (cells.size() < studies::long_ladder) continue;
         hidden.insert(std::next(cells.begin()), std::prev(cells.end()));
     }
     for (const studies::CellFindings& found : results.findings.cells) {

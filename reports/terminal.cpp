@@ -78,7 +78,7 @@ std::string terminal_summary(const studies::StudyResults& results, Colour colour
             out += fmt::format("{:<{}} {}\n", "", names,
                                painted(fmt::format("{} rays LOST", found->lost_rays), Mark::bad, colour));
     }
-    if (!hidden.empty()) out += fmt::format("({} sizes in between: report.md)\n", hidden.size());
+    if (!hidden.empty()) out += fmt::format("({} sizes in between: summary.csv)\n", hidden.size());
     out += terminal_configurations(results, colour);
     out += terminal_slopes(results, colour);
     out += terminal_plots(results);

@@ -20,6 +20,9 @@ struct Ladder {
     std::vector<std::size_t> cells;  ///< by ascending number of evaluations
 };
 
+/// Reports show ladders of so many sizes by their ends.
+inline constexpr std::size_t long_ladder = 5;
+
 /// All ladders of a study, in the order of its cells. Ladders that grow by patches are those of methods that have no
 /// ladder of samples.
 std::vector<Ladder> find_ladders(const StudyPlan& plan);

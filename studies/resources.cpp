@@ -92,7 +92,7 @@ double seconds_of_coverage(const StudyPlan& plan) {
 std::uint64_t cells_in_reports(const StudyPlan& plan) {
     std::uint64_t cells = plan.cells.size();
     for (const Ladder& ladder : find_ladders(plan)) {
-        if (ladder.cells.size() >= 5) cells -= ladder.cells.size() - 2;
+        if (ladder.cells.size() >= long_ladder) cells -= ladder.cells.size() - 2;
     }
     return cells;
 }
