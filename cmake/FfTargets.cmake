@@ -1,7 +1,7 @@
 # Settings that every target of the project shares, in one place.
 
 option(FFSTUDY_CONTRACTS "Check FF_EXPECT and FF_ENSURE at run time" OFF)
-option(FFSTUDY_WERROR "Treat warnings as errors" ON)
+option(FFSTUDY_WERROR "Treat warnings as errors; the presets for developers do" OFF)
 set(FFSTUDY_SANITIZE "" CACHE STRING "Sanitizers for -fsanitize=, e.g. address,undefined")
 
 add_library(ff_settings INTERFACE)

@@ -70,8 +70,9 @@ void add_expected(const SizeSeries& series, const studies::ClassSlopes& slopes, 
 
 void add_measured(const studies::StudyPlan& plan, PairClass pair_class, const SizeSeries& series,
                   PictureValues& values) {
+    const std::optional<stats::Interval> of_median;  // there is none
     for (const SizePoint& point : series.points) {
-        const auto interval = point.is_median ? std::nullopt : point.found->class_error(pair_class)->interval;
+        const auto& interval = point.is_median ? of_median : point.found->class_error(pair_class)->interval;
         values.add({series.method, point.is_median ? "median" : "RMSE", size_label(plan, plan.cells[point.found->cell]),
                     point.found->evaluations_per_face, drawn(point.error),
                     interval_end(interval, &stats::Interval::low), interval_end(interval, &stats::Interval::high)});
