@@ -19,6 +19,8 @@ if(FFSTUDY_MPI)
   find_package(MPI 3 REQUIRED COMPONENTS C)
 endif()
 
+find_path(TINYOBJLOADER_INCLUDE_DIR tiny_obj_loader.h REQUIRED)  # the header alone, for double precision
+
 find_path(RANDOM123_INCLUDE_DIR Random123/philox.h REQUIRED)
 add_library(ff_random123 INTERFACE)
 target_include_directories(ff_random123 SYSTEM INTERFACE $<BUILD_INTERFACE:${RANDOM123_INCLUDE_DIR}>)

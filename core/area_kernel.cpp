@@ -2,6 +2,8 @@
 
 #include "core/contract.hpp"
 #include "core/facing.hpp"
+#include "core/occlusion.hpp"
+#include "core/surface_map.hpp"
 #include "core/transfer.hpp"
 
 #include <algorithm>
@@ -12,12 +14,24 @@
 namespace ff {
 namespace {
 
-/// A surface as the kernel sees it: any of its patches moved to the origin, and the corners of all.
+/// A surface as the kernel sees it: of a parallelogram any of its patches moved to the origin, and the corners of all.
 struct PatchedSurface {
     const Surface* surface = nullptr;
     std::uint32_t first_patch = 0;  ///< of the scene
-    Parallelogram shape;            ///< of one patch
-    std::vector<Eigen::Vector3d> corners;
+    Subdivision subdivision;
+    SurfaceMap map;
+    double patch_area = 0;
+    Parallelogram shape;                   ///< of one patch
+    std::vector<Eigen::Vector3d> corners;  ///< of all patches
+
+    [[nodiscard]] std::size_t patches() const { return subdivision.per_surface(); }
+
+    /// The point at (s, t) on a patch.
+    [[nodiscard]] SurfacePoint at(std::size_t patch, double s, double t) const {
+        const double m = subdivision.m;
+        return map.at((static_cast<double>(patch % subdivision.m) + s) / m,
+                      (static_cast<double>(patch / subdivision.m) + t) / m);
+    }
 };
 
 std::vector<PatchedSurface> divide(const Scene& scene, Subdivision subdivision) {
@@ -25,10 +39,17 @@ std::vector<PatchedSurface> divide(const Scene& scene, Subdivision subdivision) 
     for (const Surface& surface : scene.surfaces) {
         PatchedSurface divided{&surface,
                                static_cast<std::uint32_t>(result.size()) * subdivision.per_surface(),
-                               patch(parallelogram(surface), subdivision, 0),
+                               subdivision,
+                               SurfaceMap(surface),
+                               area(surface.shape) / subdivision.per_surface(),
+                               {},
                                {}};
-        for (std::uint32_t p = 0; p < subdivision.per_surface(); ++p) {
-            divided.corners.push_back(patch(parallelogram(surface), subdivision, p).corner);
+        if (const auto* shape = std::get_if<Parallelogram>(&surface.shape)) {
+            divided.shape = patch(*shape, subdivision, 0);
+            divided.patch_area = area(divided.shape);
+            for (std::uint32_t p = 0; p < subdivision.per_surface(); ++p) {
+                divided.corners.push_back(patch(*shape, subdivision, p).corner);
+            }
         }
         result.push_back(std::move(divided));
     }
@@ -40,24 +61,29 @@ struct SurfacePair {
     const PatchedSurface* from = nullptr;
     const PatchedSurface* to = nullptr;
     double transfer = 0;
-    std::vector<double> of_source;  ///< the part of each source patch
-    std::vector<double> of_target;  ///< the part of each target patch; for pairs that stand for both orders only
+    std::vector<double> of_source;         ///< the part of each source patch
+    std::vector<double> of_target;         ///< the part of each target patch; for pairs that stand for both orders only
+    std::vector<const Surface*> blockers;  ///< what may stand in between
 
     [[nodiscard]] Normals normals() const { return {from->surface->normal, to->surface->normal}; }
+
+    /// Whether the vectorised sum will do: two parallelograms that nothing stands between.
+    [[nodiscard]] bool is_plain() const { return blockers.empty() && !from->corners.empty() && !to->corners.empty(); }
 };
 
 /// Ordered pairs; with `Pairs::unordered`, each pair once.
 enum class Pairs { ordered, unordered };
 
-std::vector<SurfacePair> visible_pairs(const std::vector<PatchedSurface>& surfaces, Pairs pairs) {
+std::vector<SurfacePair> visible_pairs(const Scene& scene, const std::vector<PatchedSurface>& surfaces, Pairs pairs) {
     std::vector<SurfacePair> result;
     for (const PatchedSurface& from : surfaces) {
         for (const PatchedSurface& to : surfaces) {
-            if (from.surface->face == to.surface->face) continue;
+            if (from.surface->face == no_face || to.surface->face == no_face) continue;
             if (pairs == Pairs::unordered && &to < &from) continue;
             if (!face_each_other(*from.surface, *to.surface)) continue;
-            SurfacePair pair{&from, &to, 0, std::vector<double>(from.corners.size()), {}};
-            if (pairs == Pairs::unordered) pair.of_target.resize(to.corners.size());
+            SurfacePair pair{&from, &to, 0, std::vector<double>(from.patches()), {}, {}};
+            if (pairs == Pairs::unordered && &from != &to) pair.of_target.resize(to.patches());
+            if (!scene.empty_box) pair.blockers = possible_blockers(scene, *from.surface, *to.surface);
             result.push_back(std::move(pair));
         }
     }
@@ -79,6 +105,23 @@ Parallelogram patch_at(const PatchedSurface& divided, std::size_t patch) {
     return {divided.corners[patch], divided.shape.edge_u, divided.shape.edge_v};
 }
 
+/// The transfer of one pair of patches of any shape, point by point: what the blockers hide counts as 0.
+double transfer_in_sight(const SurfacePair& pair, std::size_t source, std::size_t target, const WeightedBlock& block) {
+    double sum = 0;
+    for (std::size_t i = 0; i < block.size; ++i) {
+        const SurfacePoint from = pair.from->at(source, block.coordinate[0][i], block.coordinate[1][i]);
+        const SurfacePoint to = pair.to->at(target, block.coordinate[2][i], block.coordinate[3][i]);
+        const Eigen::Vector3d apart = to.position - from.position;
+        const double leaving = apart.dot(from.normal);
+        const double arriving = -apart.dot(to.normal);
+        if (!(leaving > 0 && arriving > 0)) continue;
+        if (!sees(from.position, *pair.from->surface, to.position, *pair.to->surface, pair.blockers)) continue;
+        const double squared = apart.squaredNorm();
+        sum += block.weight[i] * leaving * arriving / (squared * squared);
+    }
+    return sum;
+}
+
 /// The transfer of one pair of patches whose points are graded. `block` is changed.
 double graded_transfer(const GradedPair& pair, const Normals& normals, WeightedBlock& block, Separations& separations) {
     grade_points(pair.power, block);
@@ -95,8 +138,8 @@ struct GradedPatches {
 
 GradedPatches find_graded(const SurfacePair& pair, PointMap map) {
     GradedPatches found;
-    found.targets.resize(pair.from->corners.size());
-    if (map == PointMap::uniform) return found;
+    found.targets.resize(pair.from->patches());
+    if (map == PointMap::uniform || !pair.is_plain()) return found;
     for (std::size_t i = 0; i < pair.from->corners.size(); ++i) {
         for (std::size_t j = 0; j < pair.to->corners.size(); ++j) {
             const auto graded = grade_pair(patch_at(*pair.from, i), patch_at(*pair.to, j));
@@ -131,6 +174,18 @@ void add(SurfacePair& pair, std::size_t source, double transfer) {
     pair.of_source[source] += transfer;
 }
 
+/// All pairs of patches of one pair of surfaces.
+void sum_in_sight(const PointSource& points, const WeightedBlock& block, SurfacePair& pair) {
+    for (std::size_t i = 0; i < pair.from->patches(); ++i) {
+        points.checkpoint();
+        for (std::size_t j = 0; j < pair.to->patches(); ++j) {
+            const double transfer = transfer_in_sight(pair, i, j, block);
+            add(pair, i, transfer);
+            if (!pair.of_target.empty()) pair.of_target[j] += transfer;
+        }
+    }
+}
+
 /// One set of points serves all pairs of patches.
 void sum_with_common_points(const PointSource& points, const Stream& stream, PointMap map,
                             std::vector<SurfacePair>& pairs) {
@@ -143,6 +198,10 @@ void sum_with_common_points(const PointSource& points, const Stream& stream, Poi
     for_each_block(points, stream, *block, [&] {
         for (std::size_t k = 0; k < pairs.size(); ++k) {
             SurfacePair& pair = pairs[k];
+            if (!pair.is_plain()) {
+                sum_in_sight(points, *block, pair);
+                continue;
+            }
             separate(pair.from->shape, pair.to->shape, *block, *separations);
             for (std::size_t i = 0; i < pair.from->corners.size(); ++i) {
                 points.checkpoint();
@@ -168,10 +227,15 @@ void sum_with_own_points(const PointSource& points, Stream stream, PointMap map,
     const auto block = std::make_unique_for_overwrite<WeightedBlock>();
     const auto separations = std::make_unique_for_overwrite<Separations>();
     for (SurfacePair& pair : pairs) {
-        for (std::uint32_t i = 0; i < pair.from->corners.size(); ++i) {
+        for (std::uint32_t i = 0; i < pair.from->patches(); ++i) {
             stream.source = pair.from->first_patch + i;
-            for (std::uint32_t j = 0; j < pair.to->corners.size(); ++j) {
+            for (std::uint32_t j = 0; j < pair.to->patches(); ++j) {
                 stream.target = pair.to->first_patch + j + 1;
+                if (!pair.is_plain()) {
+                    for_each_block(points, stream, *block,
+                                   [&] { add(pair, i, transfer_in_sight(pair, i, j, *block)); });
+                    continue;
+                }
                 const Eigen::Vector3d offset = pair.to->corners[j] - pair.from->corners[i];
                 const auto graded =
                     map == PointMap::graded ? grade_pair(patch_at(*pair.from, i), patch_at(*pair.to, j)) : std::nullopt;
@@ -202,8 +266,8 @@ void add_patch_factors(const Scene& scene, Subdivision subdivision, const std::v
     const auto faces = static_cast<Eigen::Index>(scene.faces.size());
     Eigen::MatrixXd factors = Eigen::MatrixXd::Zero(patches, faces);
     for (const SurfacePair& pair : pairs) {
-        const double to_target = area(pair.to->shape) / std::numbers::pi;
-        const double to_source = area(pair.from->shape) / std::numbers::pi;
+        const double to_target = pair.to->patch_area / std::numbers::pi;
+        const double to_source = pair.from->patch_area / std::numbers::pi;
         add_factors(*pair.from, pair.to->surface->face, pair.of_source, to_target, factors);
         add_factors(*pair.to, pair.from->surface->face, pair.of_target, to_source, factors);
     }
@@ -225,7 +289,7 @@ Eigen::MatrixXd area_kernel(const Scene& scene, Subdivision subdivision, const P
     const bool common = !points.randomised();
     // Swapping the patches of a pair then only reorders the terms of a sum.
     const bool symmetric = common && points.exchangeable();
-    std::vector<SurfacePair> pairs = visible_pairs(surfaces, symmetric ? Pairs::unordered : Pairs::ordered);
+    std::vector<SurfacePair> pairs = visible_pairs(scene, surfaces, symmetric ? Pairs::unordered : Pairs::ordered);
     const Stream stream{.key = key, .trial = trial};
     if (common) {
         sum_with_common_points(points, stream, map, pairs);
@@ -240,9 +304,9 @@ Eigen::MatrixXd area_kernel(const Scene& scene, Subdivision subdivision, const P
     for (const SurfacePair& pair : pairs) {
         const int from = pair.from->surface->face;
         const int to = pair.to->surface->face;
-        const double exchange = pair.transfer * area(pair.from->shape) * area(pair.to->shape) / std::numbers::pi;
+        const double exchange = pair.transfer * pair.from->patch_area * pair.to->patch_area / std::numbers::pi;
         result(from, to) += exchange / areas[from];
-        if (symmetric) result(to, from) += exchange / areas[to];
+        if (symmetric && pair.from != pair.to) result(to, from) += exchange / areas[to];
     }
     if (sums != nullptr) add_patch_factors(scene, subdivision, pairs, *sums);
     return result;

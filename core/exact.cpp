@@ -2,7 +2,7 @@
 
 #include "core/aligned_rectangle.hpp"
 #include "core/contract.hpp"
-#include "core/facing.hpp"
+#include "core/occlusion.hpp"
 #include "core/rectangle_formulas.hpp"
 
 #include <algorithm>
@@ -83,7 +83,7 @@ std::optional<double> exact_form_factor(const Scene& scene, int from_face, int t
 
 std::optional<Eigen::MatrixXd> exact_patch_to_face(const Scene& scene, Subdivision subdivision) {
     const auto surfaces = aligned_rectangles(scene);
-    if (!surfaces || !is_convex(scene)) return std::nullopt;
+    if (!surfaces || may_be_occluded(scene)) return std::nullopt;
     Eigen::MatrixXd factors = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(subdivision.patches(scene)),
                                                     static_cast<Eigen::Index>(scene.faces.size()));
     Eigen::Index row = 0;
@@ -102,7 +102,7 @@ std::optional<Eigen::MatrixXd> exact_patch_to_face(const Scene& scene, Subdivisi
 }
 
 std::optional<Eigen::MatrixXd> exact_form_factors(const Scene& scene) {
-    if (!is_convex(scene)) return std::nullopt;
+    if (may_be_occluded(scene)) return std::nullopt;
     const auto faces = static_cast<int>(scene.faces.size());
     Eigen::MatrixXd factors(faces, faces);
     for (int from = 0; from < faces; ++from) {

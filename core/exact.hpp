@@ -10,7 +10,8 @@ namespace ff {
 
 /// Exact form factors by elementary formulas: axis-aligned rectangles in parallel or perpendicular planes, anywhere to
 /// each other, overlapping, offset, with or without a common edge or corner. Only the parts in front of each other's
-/// `normal` side count; whether something stands in between is the caller's to know.
+/// `normal` side count; whether something stands in between is the caller's to know, but for whole matrices, which are
+/// empty where it may.
 
 /// Exchange area A_1 F_12, in squared units of length, within 1e-15 of the squared extent: the squared diagonal of the
 /// box around both surfaces (measured: at most 1.3e-16 over 18 000 random pairs). The error is not relative to the

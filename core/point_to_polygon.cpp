@@ -46,7 +46,7 @@ struct Target {
 std::vector<Target> visible_targets(const Scene& scene, const Surface& source, const SourceFrame& frame) {
     std::vector<Target> targets;
     for (const Surface& surface : scene.surfaces) {
-        if (surface.face == source.face || !face_each_other(source, surface)) continue;
+        if (surface.face == no_face || !face_each_other(source, surface)) continue;
         Polygon polygon = corners(surface);
         for (Eigen::Vector3d& vertex : polygon) vertex = frame.point(vertex);
         targets.push_back({surface.face, clip_at_horizon(polygon)});
@@ -86,6 +86,7 @@ Eigen::MatrixXd point_to_polygon(const Scene& scene, Subdivision subdivision, co
     Eigen::MatrixXd result = Eigen::MatrixXd::Zero(faces, faces);
     for (std::uint32_t s = 0; s < scene.surfaces.size(); ++s) {
         const Surface& source = scene.surfaces[s];
+        if (source.face == no_face) continue;
         const SourceFrame frame(source);
         std::vector<Target> targets = visible_targets(scene, source, frame);
         for (std::uint32_t p = 0; p < per_surface; ++p) {

@@ -20,8 +20,8 @@ namespace ff {
 /// Weights of `points` count with Allocation::patch; with Allocation::face all must be equal. The same bits on every
 /// CPU.
 /// @param samples_per_patch  points.points() with Allocation::patch, and so many a patch with Allocation::face
-/// @return face-to-face matrix, every entry estimated directly, diagonal 0
-/// @pre nothing stands between two surfaces; see is_convex in core/facing.hpp
+/// @return face-to-face matrix, every entry estimated directly; the diagonal is 0 where a face does not see itself
+/// @pre all surfaces are parallelograms, and nothing stands between two of them: core/occlusion.hpp
 Eigen::MatrixXd point_to_polygon(const Scene& scene, Subdivision subdivision, const PointSource& points,
                                  std::uint64_t samples_per_patch, Allocation allocation, StreamKey key,
                                  std::uint32_t trial);

@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace ff::reports {
 namespace {
 
@@ -14,6 +16,12 @@ std::string why_untested(const studies::BiasFamily& family) {
     return family.sparse > 0 ? "too few hits" : "no spread";
 }
 
+bool has_exact_value(const studies::CellFindings& found) {
+    return std::any_of(found.summaries.begin(), found.summaries.end(), [](const studies::Summary& summary) {
+        return summary.quantity.kind == studies::QuantityKind::form_factor && summary.reference;
+    });
+}
+
 }  // namespace
 
 std::string bias_in_words(const studies::CellFindings& found) {
@@ -21,7 +29,7 @@ std::string bias_in_words(const studies::CellFindings& found) {
     if (!found.bias) return "deterministic: the error is the bias";
     switch (found.bias_finding) {
         case studies::BiasFinding::untestable:
-            return fmt::format("no test: {}", why_untested(*found.bias));
+            return fmt::format("no test: {}", has_exact_value(found) ? why_untested(*found.bias) : "no exact value");
         case studies::BiasFinding::biased:
             if (found.bias->constant_and_wrong) return "BIASED (one wrong value in every trial)";
             return fmt::format(

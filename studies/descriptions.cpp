@@ -25,7 +25,9 @@ constexpr std::array estimators{
         "differential method (PDM); its error near common edges falls as 1/m only. map = \"graded\" lays points s^3 "
         "from a "
         "common\n"
-        "edge (s^2 from a common vertex): tail index 5/2, finite variance. Unoccluded convex scenes.",
+        "edge (s^2 from a common vertex): tail index 5/2, finite variance. What may stand between two surfaces is "
+        "looked at\n"
+        "point by point.",
         "baranoski1992"},
     Description{
         "point_to_polygon", "exact factors from points of the source to each face (Lambert's formula)",
@@ -56,6 +58,10 @@ constexpr std::array scenes{
                 "Faces 1 and 6 are A x B at distance C, faces 2 and 3 are A x C at distance B, faces 4 and 5 are B x C "
                 "at distance A.",
                 "howell"},
+    Description{"FILE", "a scene file beside the study file: .obj, .vs3 or .toml",
+                "Wavefront OBJ (groups are faces), View3D, or TOML with every shape; what is in each: docs/scenes.md.\n"
+                "There are no exact values but for rectangles along the axes that nothing can stand between.",
+                ""},
 };
 
 constexpr std::array completions{

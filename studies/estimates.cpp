@@ -2,6 +2,8 @@
 
 #include "core/contract.hpp"
 #include "core/error.hpp"
+#include "core/face_averages.hpp"
+#include "core/facing.hpp"
 
 #include <fmt/format.h>
 
@@ -81,14 +83,17 @@ CellEstimates load_estimates(const Store& store, std::size_t cell) {
 CellEstimates load_estimates(const Store& store, std::size_t cell_index, Completion completion) {
     const StudyPlan& plan = store.plan();
     const Cell& cell = plan.cells[cell_index];
-    const bool counted = plan.spec.methods[cell.method].estimator == Estimator::ray_shooting;
+    const Scene& scene = plan.scenes[cell.scene];
+    const bool shoots = plan.spec.methods[cell.method].estimator == Estimator::ray_shooting;
+    const bool counted = shoots && has_one_surface_a_face(scene);
     const int faces = static_cast<int>(plan.scenes[cell.scene].faces.size());
     DirectEstimates direct;
     direct.trial_numbers = store.saved_trial_numbers(cell_index);
     for (int i = 1; i <= faces; ++i) {
-        if (counted) direct.lost_rays += static_cast<std::uint64_t>(store.total(cell_index, observable::lost, i, 0));
+        const bool with_itself = sees_itself(scene, i - 1);
+        if (shoots) direct.lost_rays += static_cast<std::uint64_t>(store.total(cell_index, observable::lost, i, 0));
         for (int j = 1; j <= faces; ++j) {
-            const bool used = i < j || (i > j && completion == Completion::direct);
+            const bool used = i < j || (i > j && completion == Completion::direct) || (i == j && with_itself);
             direct.values.push_back(used ? direct_values(store, cell_index, direct, i, j, counted)
                                          : std::vector<double>());
         }
@@ -108,10 +113,9 @@ CellEstimates complete(const StudyPlan& plan, std::size_t cell_index, Completion
     estimates.evaluations_per_face = cell.subdivision.per_surface() * cell.samples;
     if (method.estimator == Estimator::area_kernel) estimates.evaluations_per_face *= cell.subdivision.per_surface();
     const bool counted = method.estimator == Estimator::ray_shooting;
-    if (counted) {
+    if (counted && scene.closed) estimates.lost_rays = direct.lost_rays;  // out of an open scene rays may go
+    if (counted && has_one_surface_a_face(scene))
         estimates.lattice = 1.0 / static_cast<double>(estimates.evaluations_per_face);
-        if (scene.closed) estimates.lost_rays = direct.lost_rays;  // out of an open scene rays may go
-    }
     const int faces = static_cast<int>(estimates.faces);
     for (int i = 1; completion == Completion::reciprocal && i <= faces; ++i) {
         for (int j = 1; j < i; ++j) {
@@ -140,6 +144,10 @@ std::vector<Quantity> distinct_pairs(std::size_t faces, Completion completion) {
 
 std::vector<Quantity> all_quantities(const CellEstimates& estimates) {
     auto quantities = distinct_pairs(estimates.faces, Completion::direct);
+    for (int i = 1; i <= static_cast<int>(estimates.faces); ++i) {
+        const Quantity with_itself{QuantityKind::form_factor, i, i};
+        if (!estimates.values(with_itself).empty()) quantities.push_back(with_itself);
+    }
     for (int i = 1; i <= static_cast<int>(estimates.faces); ++i) quantities.push_back({QuantityKind::row_sum, i, 0});
     if (!estimates.sum_relative_error.empty()) quantities.push_back({QuantityKind::sum_relative_error, 0, 0});
     return quantities;

@@ -1,11 +1,11 @@
 #include "studies/plan.hpp"
 
-#include "core/box.hpp"
 #include "core/error.hpp"
 #include "core/tracer.hpp"
 #include "samplers/sampler.hpp"
 #include "studies/applicability.hpp"
 #include "studies/radiosity/patch_matrix.hpp"
+#include "studies/scene_files/scene_file.hpp"
 
 #include <fmt/format.h>
 
@@ -188,8 +188,11 @@ double expected_seconds_per_trial(const StudyPlan& plan, const Cell& cell) {
 StudyPlan plan_study(StudySpec spec) {
     StudyPlan plan;
     plan.spec = std::move(spec);
-    for (const std::string& scene : plan.spec.scenes) plan.scenes.push_back(built_in_scene(scene));
+    for (const std::string& scene : plan.spec.scenes) plan.scenes.push_back(make_scene(scene));
     for (const Scene& scene : plan.scenes) {
+        if (!scene.empty_box) {
+            for (std::string& doubt : doubts_about(scene)) add_warning(plan, std::move(doubt));
+        }
         if (plan.spec.radiosity) expect_fitting(*plan.spec.radiosity, scene);
     }
     std::vector<std::vector<std::string>> left_out(plan.spec.methods.size());  // scenes, by method

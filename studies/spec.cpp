@@ -1,12 +1,12 @@
 #include "studies/spec.hpp"
 
-#include "core/box.hpp"
 #include "core/error.hpp"
 #include "core/nearest_name.hpp"
 #include "samplers/sampler.hpp"
 #include "studies/coverage_request.hpp"
 #include "studies/published.hpp"
 #include "studies/sample_sizes.hpp"
+#include "studies/scene_files/scene_file.hpp"
 #include "studies/spec_names.hpp"
 #include "studies/text_file.hpp"
 #include "studies/toml_reader.hpp"
@@ -238,9 +238,9 @@ std::vector<std::string> read_scenes(const TomlReader& reader) {
     std::vector<std::string> names = reader.texts("scene");
     std::set<std::string> scenes;
     for (const std::string& scene : names) {
-        std::string canonical;
+        std::string canonical = scene;
         try {
-            canonical = built_in_scene(scene).canonical;
+            if (!names_scene_file(scene) || has_scene_text(scene)) canonical = make_scene(scene).canonical;
         } catch (const UserError& error) {
             reader.fail("scene", fmt::format("is refused: {}", error.what()));
         }
@@ -308,6 +308,11 @@ StudySpec parse_study(std::string_view text, std::string_view origin) {
 
 StudySpec load_study(const std::filesystem::path& file) {
     StudySpec spec = parse_study(read_text_file(file), file.string());
+    for (std::string& scene : spec.scenes) {
+        if (!names_scene_file(scene) || has_scene_text(scene)) continue;
+        scene = with_scene_text(scene, read_text_file(file.parent_path() / scene));
+        static_cast<void>(make_scene(scene));  // refused before it is run
+    }
     if (spec.published) {
         const auto tables = file.parent_path() / spec.published->file;
         spec.published->text = read_text_file(tables);

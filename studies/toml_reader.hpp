@@ -45,6 +45,9 @@ class TomlReader {
     [[nodiscard]] std::vector<TomlReader> tables(std::string_view key) const;
     [[nodiscard]] std::optional<TomlReader> optional_table(std::string_view key) const;
 
+    /// Where the table begins.
+    [[nodiscard]] std::uint64_t line() const { return table_->source().begin.line; }
+
     /// "origin:line:column" of the value of `key`, or of the table where it is missing.
     [[nodiscard]] std::string place(std::string_view key) const;
 

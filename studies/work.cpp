@@ -3,6 +3,8 @@
 #include "core/area_kernel.hpp"
 #include "core/error.hpp"
 #include "core/exact.hpp"
+#include "core/face_averages.hpp"
+#include "core/facing.hpp"
 #include "core/point_to_polygon.hpp"
 #include "core/ray_shooting.hpp"
 #include "core/tracer.hpp"
@@ -11,19 +13,46 @@
 #include <fmt/format.h>
 
 #include <bit>
+#include <map>
+#include <memory>
+#include <utility>
+#include <vector>
 
 namespace ff::studies {
 namespace {
 
-void add_matrix(const Eigen::MatrixXd& factors, std::uint64_t trial, UnitRecord& record) {
+/// Whether a pair of faces is observed: of a face with itself only where it sees itself.
+using Observed = std::vector<bool>;  // by face
+
+void add_matrix(const Eigen::MatrixXd& factors, const Observed& with_itself, std::uint64_t trial, UnitRecord& record) {
     for (int i = 0; i < factors.rows(); ++i) {
         for (int j = 0; j < factors.cols(); ++j) {
-            if (i != j) record.observations.push_back({observable::estimate, i + 1, j + 1, trial, factors(i, j)});
+            if (i != j || with_itself[static_cast<std::size_t>(i)])
+                record.observations.push_back({observable::estimate, i + 1, j + 1, trial, factors(i, j)});
         }
     }
 }
 
-void add_tally(const RayTally& tally, std::uint64_t trial, UnitRecord& record) {
+void add_rays(const RayTally& tally, std::uint64_t trial, UnitRecord& record) {
+    for (std::size_t i = 0; i < tally.rays.size(); ++i) {
+        const int from = static_cast<int>(i) + 1;
+        record.observations.push_back({observable::rays, from, 0, trial, static_cast<std::int64_t>(tally.rays[i])});
+        if (tally.lost[i] != 0) {
+            record.observations.push_back({observable::lost, from, 0, trial, static_cast<std::int64_t>(tally.lost[i])});
+        }
+    }
+}
+
+void add(const PatchSums& trial, PatchSums& sums) {
+    sums.hits.resize(trial.hits.size());
+    sums.hits_squared.resize(trial.hits.size());
+    for (std::size_t i = 0; i < trial.hits.size(); ++i) {
+        sums.hits[i] += trial.hits[i];
+        sums.hits_squared[i] += trial.hits_squared[i];
+    }
+}
+
+void add_tally(const RayTally& tally, const Observed& with_itself, std::uint64_t trial, UnitRecord& record) {
     const std::size_t faces = tally.rays.size();
     for (std::size_t i = 0; i < faces; ++i) {
         const int from = static_cast<int>(i) + 1;
@@ -32,7 +61,7 @@ void add_tally(const RayTally& tally, std::uint64_t trial, UnitRecord& record) {
             record.observations.push_back({observable::lost, from, 0, trial, static_cast<std::int64_t>(tally.lost[i])});
         }
         for (std::size_t j = 0; j < faces; ++j) {
-            if (i == j) continue;
+            if (i == j && !with_itself[i]) continue;
             const auto hits = static_cast<std::int64_t>(tally.hits[i * faces + j]);
             record.observations.push_back({observable::hits, from, static_cast<int>(j) + 1, trial, hits});
         }
@@ -51,11 +80,14 @@ std::unique_ptr<PointSource> make_points(const Method& method, const Cell& cell)
 struct Worker::Tools {
     const Scene* scene = nullptr;
     const Method* method = nullptr;
-    std::unique_ptr<Tracer> tracer;
+    std::shared_ptr<const Tracer> tracer;
     std::unique_ptr<PointSource> points;
+    Observed with_itself;
+    bool counts_hits = false;
 };
 
 Worker::Worker(const StudyPlan& plan, const std::atomic<bool>* stop) : plan_(plan) {
+    std::map<std::pair<std::size_t, TracerChoice>, std::shared_ptr<const Tracer>> tracers;
     for (const Cell& cell : plan.cells) {
         auto tools = std::make_unique<Tools>();
         tools->scene = &plan.scenes[cell.scene];
@@ -63,8 +95,13 @@ Worker::Worker(const StudyPlan& plan, const std::atomic<bool>* stop) : plan_(pla
         tools->points = make_points(*tools->method, cell);
         if (tools->points && stop != nullptr) tools->points = interruptible(std::move(tools->points), *stop);
         if (tools->method->estimator == Estimator::ray_shooting) {
-            tools->tracer = make_tracer(*tools->scene, tools->method->tracer);
+            auto& tracer = tracers[{cell.scene, tools->method->tracer}];
+            if (!tracer) tracer = make_tracer(*tools->scene, tools->method->tracer);
+            tools->tracer = tracer;
         }
+        tools->counts_hits = has_one_surface_a_face(*tools->scene);
+        for (int face = 0; face < static_cast<int>(tools->scene->faces.size()); ++face)
+            tools->with_itself.push_back(sees_itself(*tools->scene, face));
         tools_.push_back(std::move(tools));
     }
 }
@@ -88,23 +125,33 @@ UnitRecord Worker::carry_out(const WorkUnit& unit) const {
                     throw UserError(fmt::format("method '{}': scene '{}' has no closed form. Use another estimator.",
                                                 tools.method->name, tools.scene->name));
                 }
-                add_matrix(*factors, trial, record);
+                add_matrix(*factors, tools.with_itself, trial, record);
                 break;
             }
             case Estimator::area_kernel:
                 add_matrix(area_kernel(*tools.scene, cell.subdivision, *tools.points, tools.method->map, cell.key,
                                        stream_trial, &factor_sums),
-                           trial, record);
+                           tools.with_itself, trial, record);
                 break;
             case Estimator::point_to_polygon:
                 add_matrix(point_to_polygon(*tools.scene, cell.subdivision, *tools.points, cell.samples,
                                             tools.method->allocation, cell.key, stream_trial),
-                           trial, record);
+                           tools.with_itself, trial, record);
                 break;
             case Estimator::ray_shooting:
+                if (!tools.counts_hits) {
+                    PatchSums of_trial;
+                    ray_shooting(*tools.scene, cell.subdivision, *tools.tracer, *tools.points, cell.samples,
+                                 tools.method->allocation, cell.key, stream_trial, tally, of_trial);
+                    add_rays(tally, trial, record);
+                    add_matrix(face_averages(*tools.scene, cell.subdivision, of_trial.hits, cell.samples),
+                               tools.with_itself, trial, record);
+                    add(of_trial, sums);
+                    break;
+                }
                 ray_shooting(*tools.scene, cell.subdivision, *tools.tracer, *tools.points, cell.samples,
                              tools.method->allocation, cell.key, stream_trial, tally, sums);
-                add_tally(tally, trial, record);
+                add_tally(tally, tools.with_itself, trial, record);
                 break;
         }
     }

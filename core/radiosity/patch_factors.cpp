@@ -74,6 +74,7 @@ Eigen::MatrixXd kernel_patch_factors(const Scene& scene, Subdivision subdivision
     Scene divided;
     divided.surfaces = patches_of(scene, subdivision);
     divided.faces.resize(divided.surfaces.size());
+    divided.empty_box = scene.empty_box;
     for (std::size_t i = 0; i < divided.surfaces.size(); ++i) divided.surfaces[i].face = static_cast<int>(i);
     return area_kernel(divided, Subdivision{1}, points, map, key, trial);
 }

@@ -1,0 +1,96 @@
+#include "core/occlusion.hpp"
+
+#include "core/facing.hpp"
+#include "core/line_meets.hpp"
+#include "core/surface_map.hpp"
+
+#include <algorithm>
+
+namespace ff {
+namespace {
+
+using Eigen::Vector3d;
+
+/// Room for rounding, relative to the surfaces.
+constexpr double tolerance = 1e-12;
+
+constexpr std::size_t most_surfaces = 512;
+
+struct Pair {
+    const Surface& from;
+    const Surface& to;
+
+    [[nodiscard]] Extent along(const Vector3d& direction) const {
+        const Extent a = extent(from, direction);
+        const Extent b = extent(to, direction);
+        return {std::min(a.low, b.low), std::max(a.high, b.high)};
+    }
+};
+
+double room(const Extent& a, const Extent& b) {
+    return tolerance * (a.high - a.low + b.high - b.low);
+}
+
+/// Whether a plane across `direction` parts a surface from both of a pair.
+bool is_parted(const Surface& surface, const Pair& pair, const Vector3d& direction) {
+    const Extent own = extent(surface, direction);
+    const Extent others = pair.along(direction);
+    return own.high <= others.low + room(own, others) || own.low >= others.high - room(own, others);
+}
+
+/// Whether a surface lies behind a flat one, where no line from its radiating side leads.
+bool is_behind(const Surface& surface, const Surface& flat) {
+    if (!is_flat(flat.shape)) return false;
+    const Extent own = extent(surface, flat.normal);
+    const Extent plane = extent(flat, flat.normal);
+    return own.high <= plane.high + tolerance * (own.high - own.low) + room(plane, plane);
+}
+
+bool keeps_clear(const Surface& surface, const Pair& pair) {
+    if (is_behind(surface, pair.from) || is_behind(surface, pair.to)) return true;
+    for (Eigen::Index axis = 0; axis < 3; ++axis) {
+        if (is_parted(surface, pair, Vector3d::Unit(axis))) return true;
+    }
+    for (const Surface* flat : {&surface, &pair.from, &pair.to}) {
+        if (is_flat(flat->shape) && is_parted(surface, pair, flat->normal)) return true;
+    }
+    return false;
+}
+
+}  // namespace
+
+std::vector<const Surface*> possible_blockers(const Scene& scene, const Surface& from, const Surface& to) {
+    std::vector<const Surface*> blockers;
+    const Pair pair{from, to};
+    for (const Surface& surface : scene.surfaces) {
+        const bool is_end = &surface == &from || &surface == &to;
+        const bool in_the_way =
+            is_end ? &from != &to && face_each_other(surface, surface) : !keeps_clear(surface, pair);
+        if (in_the_way) blockers.push_back(&surface);
+    }
+    return blockers;
+}
+
+bool may_be_occluded(const Scene& scene) {
+    if (scene.empty_box) return false;
+    if (scene.surfaces.size() > most_surfaces) return true;
+    for (const Surface& from : scene.surfaces) {
+        if (from.face == no_face) continue;
+        for (const Surface& to : scene.surfaces) {
+            if (to.face == no_face || &to > &from || !face_each_other(from, to)) continue;
+            if (!possible_blockers(scene, from, to).empty()) return true;
+        }
+    }
+    return false;
+}
+
+bool sees(const Vector3d& place, const Surface& from, const Vector3d& other, const Surface& to,
+          const std::vector<const Surface*>& blockers) {
+    const Line line{place, other - place};
+    return std::none_of(blockers.begin(), blockers.end(), [&](const Surface* blocker) {
+        const auto meeting = line_meets(line, *blocker, {.begins = blocker == &from, .ends = blocker == &to});
+        return meeting && meeting->time < 1;
+    });
+}
+
+}  // namespace ff

@@ -1,0 +1,184 @@
+#include "studies/scene_files/builder.hpp"
+
+#include "core/error.hpp"
+#include "core/surface_map.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <limits>
+
+namespace ff::studies {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double least_share_of_area = 1e-12;  // of the square of the extent
+constexpr double most_bend = 1e-6;             // of a polygon out of its plane, relative to its size
+constexpr double parallelogram_gap = 1e-12;
+constexpr double largest_length = 1e30;  // squares of areas are numbers, in single precision lengths too
+
+/// The numbers that a surface is made of; of a polygon whatever corner it begins with.
+using Numbers = std::array<double, 13>;
+
+Numbers numbers_of(const Surface& surface) {
+    std::vector<double> list{static_cast<double>(surface.shape.index())};
+    const auto put = [&](const Vector3d& v) { list.insert(list.end(), {v.x(), v.y(), v.z()}); };
+    std::vector<Vector3d> polygon = corners(surface.shape);
+    std::sort(polygon.begin(), polygon.end(), [](const Vector3d& a, const Vector3d& b) {
+        return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end());
+    });
+    for (const Vector3d& corner : polygon) put(corner);
+    if (const auto* disc = std::get_if<Disc>(&surface.shape)) {
+        put(disc->centre);
+        put(surface.normal);
+        list.insert(list.end(), {disc->inner_radius, disc->outer_radius});
+    } else if (const auto* wall = std::get_if<Frustum>(&surface.shape)) {
+        put(wall->base);
+        put(wall->axis);
+        list.insert(list.end(), {wall->base_radius, wall->top_radius, static_cast<double>(wall->facing)});
+    } else if (const auto* zone = std::get_if<SphereZone>(&surface.shape)) {
+        put(zone->centre);
+        put(zone->axis);
+        list.insert(list.end(), {zone->radius, zone->low, zone->high, static_cast<double>(zone->facing)});
+    }
+    Numbers numbers{};
+    std::copy(list.begin(), list.end(), numbers.begin());
+    for (double& number : numbers) number += 0.0;  // -0 is 0
+    return numbers;
+}
+
+/// FNV-1a over 64-bit words.
+class Fingerprint {
+  public:
+    void add(std::uint64_t word) {
+        for (int byte = 0; byte < 8; ++byte) {
+            hash_ ^= word >> (8 * byte) & 0xff;
+            hash_ *= 0x100000001b3ULL;
+        }
+    }
+    [[nodiscard]] std::uint64_t value() const { return hash_; }
+
+  private:
+    std::uint64_t hash_ = 0xcbf29ce484222325ULL;
+};
+
+std::uint64_t fingerprint(const Numbers& numbers) {
+    Fingerprint print;
+    for (const double number : numbers) print.add(std::bit_cast<std::uint64_t>(number));
+    return print.value();
+}
+
+}  // namespace
+
+int SceneBuilder::face(const std::string& label) {
+    const auto [entry, is_new] = faces_.try_emplace(label, static_cast<int>(scene_.faces.size()));
+    if (is_new) scene_.faces.push_back(label);
+    return entry->second;
+}
+
+std::string SceneBuilder::owner(int face) const {
+    return face == no_face ? std::string("an occluder")
+                           : fmt::format("a surface of face '{}'", scene_.faces[static_cast<std::size_t>(face)]);
+}
+
+void SceneBuilder::fail(std::uint64_t line, std::string_view problem) const {
+    throw UserError(fmt::format("{}:{}: {}", name_, line, problem));
+}
+
+void SceneBuilder::add(Surface surface, std::uint64_t line) {
+    double size = 0;
+    for (Eigen::Index axis = 0; axis < 3; ++axis) {
+        const Extent along = extent(surface, Vector3d::Unit(axis));
+        // Written so that what is no number fails as well.
+        if (!(std::max(std::abs(along.low), std::abs(along.high)) <= largest_length)) {
+            fail(line, fmt::format("{} reaches beyond {:g}. Use another unit of length.", owner(surface.face),
+                                   largest_length));
+        }
+        size = std::max(size, along.high - along.low);
+    }
+    if (!(area(surface.shape) > least_share_of_area * size * size)) {
+        fail(line, fmt::format("{} has no area (nothing leaves it or arrives). Remove it.", owner(surface.face)));
+    }
+    scene_.surfaces.push_back(std::move(surface));
+    lines_.push_back(line);
+}
+
+void SceneBuilder::add_polygon(const std::vector<Vector3d>& corners, int face, std::uint64_t line) {
+    const std::size_t n = corners.size();
+    Vector3d sum = Vector3d::Zero();  // twice the vector area
+    double size = 0;
+    for (std::size_t i = 1; i + 1 < n; ++i) sum += (corners[i] - corners[0]).cross(corners[i + 1] - corners[0]);
+    for (const Vector3d& corner : corners) size = std::max(size, (corner - corners[0]).norm());
+    if (size > largest_length) {
+        fail(line, fmt::format("{} reaches beyond {:g}. Use another unit of length.", owner(face), largest_length));
+    }
+    if (!(sum.norm() > least_share_of_area * size * size)) {
+        fail(line, fmt::format("{} has no area (nothing leaves it or arrives). Remove it.", owner(face)));
+    }
+    const Vector3d normal = sum.normalized();
+    for (std::size_t i = 0; i < n; ++i) {
+        const Vector3d& corner = corners[i];
+        const Vector3d& next = corners[(i + 1) % n];
+        const double height = normal.dot(corner - corners[0]);
+        if (!(std::abs(height) <= most_bend * size)) {
+            fail(line, fmt::format("{} is not plane (corner {} is {:.2g} of its size out of the plane). Divide it into "
+                                   "triangles.",
+                                   owner(face), i + 1, std::abs(height) / size));
+        }
+        if ((next - corner).cross(corners[(i + 2) % n] - next).dot(normal) < -most_bend * size * size) {
+            fail(line,
+                 fmt::format("{} is not convex at corner {}. Divide it into triangles.", owner(face), (i + 1) % n + 1));
+        }
+    }
+    if (n == 4 && (corners[0] + corners[2] - corners[1] - corners[3]).norm() <= parallelogram_gap * size) {
+        add({Parallelogram{corners[0], corners[1] - corners[0], corners[3] - corners[0]}, normal, face}, line);
+        return;
+    }
+    for (std::size_t i = 1; i + 1 < n; ++i) {
+        const Vector3d own = (corners[i] - corners[0]).cross(corners[i + 1] - corners[0]);
+        if (!(own.norm() > least_share_of_area * size * size)) continue;  // three corners in a line
+        add({Triangle{corners[0], corners[i], corners[i + 1]}, own.normalized(), face}, line);
+    }
+}
+
+Scene SceneBuilder::finish(bool closed) {
+    if (scene_.faces.empty()) throw UserError(fmt::format("{}: no face (nothing would be computed). Add one.", name_));
+    std::vector<std::size_t> surfaces_of(scene_.faces.size());
+    Fingerprint content;
+    content.add(closed ? 1 : 0);
+    std::vector<std::pair<std::uint64_t, std::size_t>> prints;
+    for (std::size_t i = 0; i < scene_.surfaces.size(); ++i) {
+        const Surface& surface = scene_.surfaces[i];
+        if (surface.face != no_face) ++surfaces_of[static_cast<std::size_t>(surface.face)];
+        prints.emplace_back(fingerprint(numbers_of(surface)), i);
+        content.add(prints.back().first);
+        content.add(static_cast<std::uint64_t>(surface.face));
+        for (const double component : surface.normal) content.add(std::bit_cast<std::uint64_t>(component + 0.0));
+    }
+    for (std::size_t face = 0; face < surfaces_of.size(); ++face) {
+        if (surfaces_of[face] == 0) {
+            throw UserError(
+                fmt::format("{}: face '{}' has no surface. Remove it, or give it one.", name_, scene_.faces[face]));
+        }
+    }
+    std::sort(prints.begin(), prints.end());
+    for (std::size_t i = 0; i + 1 < prints.size(); ++i) {
+        const auto [print, first] = prints[i];
+        const auto [next_print, second] = prints[i + 1];
+        if (print != next_print || numbers_of(scene_.surfaces[first]) != numbers_of(scene_.surfaces[second])) continue;
+        fail(lines_[second], fmt::format("{} is the same as that of line {} (rays could end on either). Keep one.",
+                                         owner(scene_.surfaces[second].face), lines_[first]));
+    }
+    scene_.name = name_;
+    scene_.canonical = fmt::format("scene {:016x}", content.value());
+    scene_.closed = closed;
+    return std::move(scene_);
+}
+
+}  // namespace ff::studies

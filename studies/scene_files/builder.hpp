@@ -1,0 +1,44 @@
+#pragma once
+
+#include "core/scene.hpp"
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+namespace ff::studies {
+
+/// Collects the surfaces of a scene file, and refuses those that cannot be computed with, by file and line.
+class SceneBuilder {
+  public:
+    /// @param name  of the file, for messages and as the scene's
+    explicit SceneBuilder(std::string_view name) : name_(name) {}
+
+    /// The face of that name, a new one where there is none.
+    int face(const std::string& label);
+
+    /// @throws UserError where the surface has no area, a number is not finite or too large
+    void add(Surface surface, std::uint64_t line);
+
+    /// A polygon of three or more corners, counter-clockwise from its radiating side: a parallelogram where it is one,
+    /// else triangles from the first corner.
+    /// @throws UserError also where it is not convex, or not plane to 1e-6 of its size
+    void add_polygon(const std::vector<Eigen::Vector3d>& corners, int face, std::uint64_t line);
+
+    [[noreturn]] void fail(std::uint64_t line, std::string_view problem) const;
+
+    /// @throws UserError where there is no surface, no face, a face without surfaces, or a surface twice
+    Scene finish(bool closed);
+
+  private:
+    [[nodiscard]] std::string owner(int face) const;
+
+    std::string name_;
+    Scene scene_;
+    std::unordered_map<std::string, int> faces_;
+    std::vector<std::uint64_t> lines_;  ///< of each surface
+};
+
+}  // namespace ff::studies

@@ -1,0 +1,112 @@
+#include "studies/scene_files/builder.hpp"
+#include "studies/scene_files/formats.hpp"
+#include "studies/scene_files/words.hpp"
+
+#include "core/error.hpp"
+
+#include <fmt/format.h>
+
+// The header alone, so that coordinates are read as doubles: the packaged library was built for single precision.
+#define TINYOBJLOADER_USE_DOUBLE
+#define TINYOBJLOADER_IMPLEMENTATION
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wconversion"
+#pragma GCC diagnostic ignored "-Wsign-conversion"
+#pragma GCC diagnostic ignored "-Wold-style-cast"
+#pragma GCC diagnostic ignored "-Wshadow"
+#include <tiny_obj_loader.h>
+#pragma GCC diagnostic pop
+
+#include <string>
+#include <vector>
+
+namespace ff::studies {
+namespace {
+
+/// Groups of this name are in the way, and are no faces.
+constexpr std::string_view occluder_group = "occluder";
+
+/// The loader counts the corners of a polygon in a byte.
+constexpr std::size_t most_corners = 255;
+
+/// A comment that says that every ray hits something.
+constexpr std::string_view closed_comment = "closed";
+
+/// What the loader does not tell: lines of polygons, and what it would take for 0.
+struct Lines {
+    std::vector<std::uint64_t> of_polygon;
+    bool closed = false;
+};
+
+/// @throws UserError at a coordinate that is no number, and at a group without polygons
+Lines read_lines(const SceneBuilder& builder, std::string_view text) {
+    Lines lines;
+    std::string group;
+    std::uint64_t group_line = 0;  // of a group that has no polygon yet
+    const auto expect_polygons = [&] {
+        if (group_line != 0) builder.fail(group_line, fmt::format("group '{}' is empty. Remove it.", group));
+    };
+    for_each_line(text, [&](std::uint64_t number, const std::vector<std::string_view>& words) {
+        if (words.empty()) return;
+        if (words[0] == "v") {
+            for (std::size_t i = 1; i <= 3; ++i) {
+                if (i >= words.size() || !finite_number(words[i]))
+                    builder.fail(number, "a vertex needs three finite coordinates. Write v 0 1 0.5.");
+            }
+        } else if (words[0] == "f") {
+            if (words.size() < 4) builder.fail(number, "a polygon needs three corners or more. Remove it.");
+            if (words.size() > 1 + most_corners)
+                builder.fail(number, fmt::format("more than {} corners. Divide the polygon.", most_corners));
+            lines.of_polygon.push_back(number);
+            group_line = 0;
+        } else if (words[0] == "g" && words.size() > 1) {
+            expect_polygons();
+            group = words[1];
+            group_line = number;
+        } else if (words.size() == 2 && words[0] == "#" && words[1] == closed_comment) {
+            lines.closed = true;
+        }
+    });
+    expect_polygons();
+    return lines;
+}
+
+}  // namespace
+
+Scene read_obj_scene(std::string_view name, std::string_view text) {
+    SceneBuilder builder(name);
+    const Lines lines = read_lines(builder, text);
+    tinyobj::ObjReaderConfig config;
+    config.triangulate = false;
+    config.vertex_color = false;
+    tinyobj::ObjReader reader;
+    if (!reader.ParseFromString(std::string(text), "", config)) {
+        throw UserError(fmt::format("{}: {}", name, reader.Error()));
+    }
+    const auto& vertices = reader.GetAttrib().vertices;
+    std::size_t polygon = 0;
+    for (const tinyobj::shape_t& shape : reader.GetShapes()) {
+        const std::string label = shape.name.empty() ? "1" : shape.name;
+        const int face = label == occluder_group ? no_face : builder.face(label);
+        std::size_t first = 0;
+        for (const auto corners_of_polygon : shape.mesh.num_face_vertices) {
+            if (polygon >= lines.of_polygon.size()) break;
+            const std::uint64_t line = lines.of_polygon[polygon++];
+            std::vector<Eigen::Vector3d> corners;
+            for (std::size_t i = 0; i < corners_of_polygon; ++i) {
+                const int index = shape.mesh.indices[first + i].vertex_index;
+                if (index < 0 || static_cast<std::size_t>(index) >= vertices.size() / 3) {
+                    builder.fail(line, fmt::format("corner {} of face '{}' is vertex {}, of {}. Mend the index.", i + 1,
+                                                   label, index + 1, vertices.size() / 3));
+                }
+                const double* place = &vertices[3 * static_cast<std::size_t>(index)];
+                corners.emplace_back(place[0], place[1], place[2]);
+            }
+            first += corners_of_polygon;
+            builder.add_polygon(corners, face, line);
+        }
+    }
+    return builder.finish(lines.closed);
+}
+
+}  // namespace ff::studies

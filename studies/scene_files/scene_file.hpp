@@ -1,0 +1,33 @@
+#pragma once
+
+#include "core/scene.hpp"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace ff::studies {
+
+/// Scenes that users write: TOML (surfaces of every shape), Wavefront OBJ and View3D's .vs3 (polygons); docs/scenes.md.
+///
+/// A study names a scene file beside it. What it reads there becomes part of the study: in a spec, such a scene is the
+/// name, a line break and the text of the file, so that stores need no other file and changed text is another study.
+
+/// Whether a scene is a file: the name ends with .toml, .obj or .vs3, or the text is there.
+bool names_scene_file(std::string_view scene);
+
+/// Whether the text is there.
+bool has_scene_text(std::string_view scene);
+
+/// Name and text as one. @pre the name has no line break
+std::string with_scene_text(std::string_view name, std::string_view text);
+
+/// A built-in scene, or that of a file whose text is there.
+/// @throws UserError "name:line: face: problem (why). Suggestion."
+Scene make_scene(std::string_view scene);
+
+/// What speaks against the scene as it is: rays that leave it though it is said to be closed, rays that end on the
+/// backs of faces. A few rays of each face are shot, at most of a thousand surfaces; of more than 65536 surfaces none.
+std::vector<std::string> doubts_about(const Scene& scene);
+
+}  // namespace ff::studies
