@@ -57,8 +57,8 @@ void rays_among(benchmark::State& state) {
         benchmark::DoNotOptimize(hits.data());
     }
     state.counters["surfaces"] = static_cast<double>(scene.surfaces.size());
-    state.counters["rays/s"] =
-        benchmark::Counter(static_cast<double>(state.iterations() * ff::block_capacity), benchmark::Counter::kIsRate);
+    state.counters["rays/s"] = benchmark::Counter(
+        static_cast<double>(state.iterations()) * static_cast<double>(ff::block_capacity), benchmark::Counter::kIsRate);
 }
 BENCHMARK(rays_among)->RangeMultiplier(10)->Range(10, 1'000'000);
 

@@ -7,7 +7,7 @@ blocks obj "$page" >furnace.obj
 blocks "toml study" "$page" >furnace.toml
 ffstudy run furnace.toml
 expect_status 0
-blocks "" "$page" | sed '1,/^\$ ffstudy run furnace.toml$/d; /^\$ /,$d' >"$folder/promised"
+blocks "" "$page" | sed '0,/^\$ ffstudy run furnace.toml$/d; /^\$ /,$d' >"$folder/promised"
 expect_equal_files "$folder/promised" "$folder/stdout"
 
 # What leaves a face of the closed furnace arrives, and every pair keeps reciprocity within its errors: with 21 pairs,

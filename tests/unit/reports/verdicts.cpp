@@ -38,6 +38,8 @@ TEST(BiasInWords, StatesScoreAndProbabilityOfABias) {
 
 TEST(BiasInWords, SaysWhyThereIsNoTest) {
     auto found = sampled(BiasFinding::untestable, 30);
+    EXPECT_EQ(bias_in_words(found), "no test: no exact value");
+    found.summaries.emplace_back().reference = 0.2;
     EXPECT_EQ(bias_in_words(found), "no test: no spread");
     found.bias->sparse = 30;
     EXPECT_EQ(bias_in_words(found), "no test: too few hits");

@@ -66,20 +66,20 @@ TEST(CatalogueStudy, TellsAForgottenBlockerFromOneThatIsThere) {
 
 TEST(Inapplicable, MethodsAreLeftOutOrRefused) {
     const std::string scenes = "\"cube\", \"squares_blocked\"";
-    const std::string kernel =
-        "[[method]]\nname = \"K\"\nsampler = \"random\"\nestimator = \"area_kernel\"\nsamples_per_patch = 4\n";
-    EXPECT_THROW(test::plan_of(study_of(scenes) + kernel), UserError);
-    const StudyPlan plan = test::plan_of(study_of(scenes, "inapplicable = \"skip\"") + kernel);
+    const std::string polygon =
+        "[[method]]\nname = \"P\"\nsampler = \"random\"\nestimator = \"point_to_polygon\"\nsamples_per_patch = 4\n";
+    EXPECT_THROW(test::plan_of(study_of(scenes) + polygon), UserError);
+    const StudyPlan plan = test::plan_of(study_of(scenes, "inapplicable = \"skip\"") + polygon);
     EXPECT_EQ(plan.cells.size(), 3u);
     EXPECT_THAT(plan.warnings, testing::Contains(testing::HasSubstr(
-                                   "'K' cannot be used in 1 of 2 scenes, and is left out there: squares_blocked")));
+                                   "'P' cannot be used in 1 of 2 scenes, and is left out there: squares_blocked")));
     EXPECT_EQ(plan_study(parse_study(to_toml(plan.spec), "again")).spec, plan.spec);
     // A method's random numbers do not depend on which scenes are beside it.
     EXPECT_EQ(plan.cells[0].canonical, test::plan_of(study_of("\"cube\"")).cells[0].canonical);
 
     const std::string nothing =
         "[study]\nname = \"a\"\nscene = \"squares_blocked\"\ntrials = 2\nseed = 1\ninapplicable = \"skip\"\n";
-    EXPECT_THAT(test::message_of<UserError>([&] { test::plan_of(nothing + kernel); }),
+    EXPECT_THAT(test::message_of<UserError>([&] { test::plan_of(nothing + polygon); }),
                 testing::HasSubstr("no method of the study can be used"));
 }
 
