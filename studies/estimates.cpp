@@ -112,10 +112,10 @@ CellEstimates complete(const StudyPlan& plan, std::size_t cell_index, Completion
     estimates.factors = std::move(direct.values);
     estimates.evaluations_per_face = cell.subdivision.per_surface() * cell.samples;
     if (method.estimator == Estimator::area_kernel) estimates.evaluations_per_face *= cell.subdivision.per_surface();
-    const bool counted = method.estimator == Estimator::ray_shooting;
-    if (counted && scene.closed) estimates.lost_rays = direct.lost_rays;  // out of an open scene rays may go
-    if (counted && has_one_surface_a_face(scene))
-        estimates.lattice = 1.0 / static_cast<double>(estimates.evaluations_per_face);
+    const bool shoots = method.estimator == Estimator::ray_shooting;
+    const bool counted = shoots && has_one_surface_a_face(scene);
+    if (shoots && scene.closed) estimates.lost_rays = direct.lost_rays;  // out of an open scene rays may go
+    if (counted) estimates.lattice = 1.0 / static_cast<double>(estimates.evaluations_per_face);
     const int faces = static_cast<int>(estimates.faces);
     for (int i = 1; completion == Completion::reciprocal && i <= faces; ++i) {
         for (int j = 1; j < i; ++j) {

@@ -63,6 +63,6 @@ g a
 f 1 2 9'
 refuse a.vs3 "a.vs3:2: 'Q' begins no line of a View3D file." <<<'F 3
 Q'
-refuse a.toml "a.toml:1:1: shape: missing" <<<'surface = [{ face = "a" }]'
+refuse a.toml "a.toml:1:12: shape: missing" <<<'surface = [{ face = "a" }]'
 refuse b.toml "point_to_polygon cannot be used in scene 'b.toml' (not all of its surfaces are parallelograms)" point_to_polygon <<<'
 surface = [{ face = "a", shape = "disc", centre = [0, 0, 0], normal = [0, 0, 1], radius = 1 }]'

@@ -50,7 +50,7 @@ TEST(CatalogueStudy, FindsNoBiasAndLosesNoRay) {
 
 TEST(CatalogueStudy, TellsAWrongValueFromARightOne) {
     // The exact value stays that of radii 1 and 1; the scene gets a second disc of 1.05: F12 grows by 7 %, some 0.027.
-    StudyPlan plan = test::plan_of(study_of("\"coaxial_discs_equal\", \"hemisphere\""));
+    StudyPlan plan = test::plan_of(study_of(R"("coaxial_discs_equal", "hemisphere")"));
     std::get<Disc>(plan.scenes[0].surfaces[1].shape).outer_radius = 1.05;
     const Findings findings = analyse(test::run(plan));
     EXPECT_EQ(findings.cells[0].bias_finding, BiasFinding::biased);
@@ -65,7 +65,7 @@ TEST(CatalogueStudy, TellsAForgottenBlockerFromOneThatIsThere) {
 }
 
 TEST(Inapplicable, MethodsAreLeftOutOrRefused) {
-    const std::string scenes = "\"cube\", \"squares_blocked\"";
+    const std::string scenes = R"("cube", "squares_blocked")";
     const std::string polygon =
         "[[method]]\nname = \"P\"\nsampler = \"random\"\nestimator = \"point_to_polygon\"\nsamples_per_patch = 4\n";
     EXPECT_THROW(test::plan_of(study_of(scenes) + polygon), UserError);
