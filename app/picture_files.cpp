@@ -8,9 +8,9 @@
 #include "reports/output_file.hpp"
 
 #include <fmt/format.h>
-#include <stdlib.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <fstream>
 #include <string_view>
 #include <vector>
@@ -106,7 +106,8 @@ void write_pdf(const std::filesystem::path& folder, const ResultSources& sources
     const Workshop workshop;
     const auto pictures = pictures_folder(folder);
     const auto convert = expect_program("rsvg-convert", "librsvg2-bin", "pdf");
-    ::setenv("SOURCE_DATE_EPOCH", "0", 1);  // the date that stands in the file
+    // The date that stands in the file. NOLINTNEXTLINE(concurrency-mt-unsafe): there is one thread
+    ::setenv("SOURCE_DATE_EPOCH", "0", 1);
     for (auto file : draw(sources, workshop)) {
         const std::string drawing = file.string();
         file.replace_extension(".pdf");

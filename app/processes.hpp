@@ -12,7 +12,7 @@ namespace ff::app {
 class Processes {
   public:
     Processes();
-    ~Processes();
+    ~Processes();  // NOLINT(performance-trivially-destructible): with MPI it has work to do
     Processes(const Processes&) = delete;
     Processes& operator=(const Processes&) = delete;
 

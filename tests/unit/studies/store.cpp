@@ -6,8 +6,10 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
 #include <cmath>
+#include <csignal>
 #include <fstream>
 #include <limits>
 
@@ -191,6 +193,35 @@ TEST_F(StoreFile, ThatIsEmptyBecomesAStore) {
 
 UnitRecord record_with(std::int64_t hits) {
     return {0, {{observable::hits, 1, 2, 0, hits}, {observable::hits, 1, 2, 1, hits + 1}}, {1, 2}, {3, 1ULL << 63}};
+}
+
+/// While it lives, no file of this process can grow: its disk is full.
+class FullDisk {
+  public:
+    FullDisk() {
+        getrlimit(RLIMIT_FSIZE, &before_);
+        const rlimit nothing{0, before_.rlim_max};
+        setrlimit(RLIMIT_FSIZE, &nothing);
+    }
+    ~FullDisk() {
+        setrlimit(RLIMIT_FSIZE, &before_);
+        std::signal(SIGXFSZ, handler_);
+    }
+    FullDisk(const FullDisk&) = delete;
+    FullDisk& operator=(const FullDisk&) = delete;
+
+  private:
+    rlimit before_{};
+    void (*handler_)(int) = std::signal(SIGXFSZ, SIG_IGN);  // NOLINT(performance-no-int-to-ptr): a macro of the system
+};
+
+TEST_F(StoreFile, ThatCannotGrowSaysSo) {
+    Store store = Store::create_or_resume(file(), plan());
+    {
+        const FullDisk full;
+        EXPECT_THAT(message_of<IoError>([&] { store.commit(record_with(10)); }), HasSubstr("results.sqlite"));
+    }
+    EXPECT_EQ(Store::open(file()).saved_trials(0), 0u);
 }
 
 TEST(Store, CommittingAUnitAgainChangesNothing) {

@@ -1,0 +1,31 @@
+# One-line changes to a copy of the source, to see what notices them. Sourced by tests/gates/mutations and
+# tests/cli/mutations.
+# shellcheck shell=bash
+
+set -euo pipefail
+source_tree=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
+copy=$(mktemp -d)
+trap 'rm -rf "$copy"' EXIT
+
+# build TARGET...: in the copy, as scripts/test does.
+build() {
+    cmake --build "$copy/build/dev" --parallel "$(nproc)" --target "$@" >"$copy/build.log" 2>&1 ||
+        { cat "$copy/build.log" >&2 && exit 2; }
+}
+
+# with_each_change FUNCTION: on standard input one change a line: file, what is replaced (on one line), by what, what
+# that does, and what the function is called with while it is so.
+with_each_change() {
+    local file old new meaning argument original
+    while IFS='|' read -r file old new meaning argument; do
+        original=$(<"$copy/$file")
+        [ "$(grep -cF -- "$old" "$copy/$file")" = 1 ] || { echo "$file: not one line with: $old" && exit 2; }
+        printf '%s\n' "${original/"$old"/"$new"}" >"$copy/$file"
+        printf '\n%s: %s\n%s\n%s\n' "$file" "$meaning" "- $old" "+ $new"
+        "$1" "$argument"
+        printf '%s\n' "$original" >"$copy/$file"
+    done
+}
+
+git -C "$source_tree" ls-files -z | tar -C "$source_tree" --null -T - -cf - | tar -C "$copy" -xf -
+(cd "$copy" && cmake --preset dev >/dev/null)
