@@ -9,7 +9,7 @@ namespace ff::app {
 namespace {
 
 std::string_view variable(const char* name) {
-    const char* const value = std::getenv(name);
+    const char* const value = std::getenv(name);  // NOLINT(concurrency-mt-unsafe): nobody sets it
     return value == nullptr ? std::string_view() : value;
 }
 

@@ -9,6 +9,7 @@
 #include <embree3/rtcore.h>
 
 #include <algorithm>
+#include <array>
 #include <ctime>
 #include <limits>
 #include <vector>
@@ -91,7 +92,8 @@ void embree_beside_bare_loop(benchmark::State& state) {
     const auto tracer = make_embree_tracer(scene);
     const auto points = samplers::find("random").make({.points = samples});
     std::vector<RTCRayHit8> packets(samples / 8);
-    alignas(32) const int valid[8] = {-1, -1, -1, -1, -1, -1, -1, -1};
+    alignas(32) std::array<int, 8> valid{};
+    valid.fill(-1);
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);
     PointBlock block;
@@ -109,7 +111,7 @@ void embree_beside_bare_loop(benchmark::State& state) {
             generate_rays(scene.surfaces[source], source, subdivision, within, block, rays);
             pack(rays, packets);
             const auto start = seconds();
-            for (RTCRayHit8& packet : packets) rtcIntersect8(valid, bare_scene.get(), &context, &packet);
+            for (RTCRayHit8& packet : packets) rtcIntersect8(valid.data(), bare_scene.get(), &context, &packet);
             const auto middle = seconds();
             tracer->shoot(source, subdivision, within, block, hits);
             const auto end = seconds();

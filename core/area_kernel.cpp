@@ -29,8 +29,9 @@ struct PatchedSurface {
     /// The point at (s, t) on a patch.
     [[nodiscard]] SurfacePoint at(std::size_t patch, double s, double t) const {
         const double m = subdivision.m;
-        return map.at((static_cast<double>(patch % subdivision.m) + s) / m,
-                      (static_cast<double>(patch / subdivision.m) + t) / m);
+        const std::size_t column = patch % subdivision.m;
+        const std::size_t row = patch / subdivision.m;
+        return map.at((static_cast<double>(column) + s) / m, (static_cast<double>(row) + t) / m);
     }
 };
 

@@ -15,9 +15,9 @@ constexpr double tolerance = 1e-12;
 constexpr std::size_t most_surfaces = 4096;
 
 /// The least and the greatest height of a surface above the plane of a flat one.
-Extent heights(const Surface& above, const Surface& surface) {
-    const Extent own = extent(above, above.normal);
-    const Extent other = extent(surface, above.normal);
+Extent heights(const Surface& flat, const Surface& body) {
+    const Extent own = extent(flat, flat.normal);
+    const Extent other = extent(body, flat.normal);
     return {other.low - own.low, other.high - own.low};
 }
 

@@ -72,7 +72,8 @@ bool spans(const Vector3d& offset, const Vector3d& u, const Vector3d& v, double 
 }  // namespace
 
 std::optional<Meeting> line_meets(const Line& line, const Surface& surface, Ends ends, double rim) {
-    const auto& [origin, direction] = line;
+    const Vector3d& origin = line.origin;
+    const Vector3d& direction = line.direction;
     if (is_flat(surface.shape) && (ends.begins || ends.ends)) return std::nullopt;
     return std::visit(
         Overloaded{
