@@ -13,6 +13,9 @@ ExitCode run(const RunCommand& command);
 /// Light in an enclosure that sees itself, by exact factors and by rays drawn from them.
 ExitCode enclosure(const EnclosureCommand& command);
 
+/// All form factors between the faces of a scene, each with an interval; inconclusive where one misses the tolerance.
+ExitCode form_factors(const FormFactorsCommand& command);
+
 /// Writes reports from a store.
 ExitCode report(const ReportCommand& command);
 
@@ -30,6 +33,9 @@ ExitCode check(const CheckCommand& command);
 
 /// Measures what gates and intervals promise; failed where a claim does not hold.
 ExitCode gates_selftest(const SelftestCommand& command);
+
+/// Measures how often the intervals of form_factors hold exact values; failed where too seldom.
+ExitCode form_factors_selftest(const SelftestCommand& command);
 
 /// Lists samplers, estimators, scenes, studies or formats.
 ExitCode list(const std::string& kind);

@@ -112,6 +112,24 @@ void add_enclosure(CLI::App& app, EnclosureCommand& command, Action& action) {
     sub->callback([&] { action = [&] { return enclosure(command); }; });
 }
 
+void add_form_factors(CLI::App& app, FormFactorsCommand& command, Action& action) {
+    CLI::App* sub = app.add_subcommand("form_factors", "All form factors of a scene, each with an interval");
+    auto& request = command.request;
+    sub->add_option("SCENE", command.scene, "cube, box:AxBxC, another built-in scene, or a file (.obj, .toml, .vs3)")
+        ->required();
+    sub->add_option("--tolerance", request.tolerance, "Largest half width of an interval")->capture_default_str();
+    sub->add_option("--level", request.level, "Level of the intervals")->capture_default_str();
+    sub->add_flag("--simultaneous", command.whole_matrix, "The level is that of all entries and row sums at once");
+    sub->add_option("--seed", command.seed, "Seed of all random numbers")->capture_default_str();
+    sub->add_option("--threads", command.threads, "Threads; results do not depend on them (default: all cores)");
+    sub->add_option("--max-time", command.max_time, "Stop in order after 90 (seconds), 15m, 2.5h, 1d");
+    sub->add_option("--max-samples", request.max_samples, "Rays and points in all")->capture_default_str();
+    sub->add_flag("--repair", request.repair, "Also the nearest matrix that is closed and reciprocal");
+    sub->add_option("--out", command.out, "Folder for the matrices (default: none is written)");
+    sub->add_flag("--quiet", command.quiet, "Print errors and warnings only");
+    sub->callback([&] { action = [&] { return form_factors(command); }; });
+}
+
 void add_report(CLI::App& app, ReportCommand& command, Action& action) {
     CLI::App* sub = app.add_subcommand("report", "Write the reports of a finished study again");
     sub->add_option("RESULTS", command.results, "Folder of a study, or its results.sqlite")->required();
@@ -182,6 +200,21 @@ void add_selftest(CLI::App& app, SelftestCommand& command, Action& action) {
     sub->callback([&] { action = [&] { return gates_selftest(command); }; });
 }
 
+void add_form_factors_selftest(CLI::App& app, SelftestCommand& command, Action& action) {
+    CLI::App* sub = app.add_subcommand("form_factors_selftest",
+                                       "How often the intervals of 'form_factors' hold the values of the catalogue");
+    sub->add_option("--seeds", command.seeds, "Seeds that every scene is computed with (default: 200)")
+        ->check(CLI::PositiveNumber);
+    sub->add_option("--tolerance", command.tolerance, "Of the form factors (default: 0.004)")
+        ->check(CLI::PositiveNumber);
+    sub->add_option("--scene", command.scenes, "Scenes, separated by commas (default: the catalogue)")->delimiter(',');
+    sub->add_option("--seed", command.seed, "The first seed (default: 1)")->check(CLI::NonNegativeNumber);
+    sub->add_option("--threads", command.threads, "Threads; results do not depend on them (default: all cores)");
+    sub->add_option("--out", command.out, "Folder for selftest.md (default: none is written)");
+    sub->add_flag("--quiet", command.quiet, "Print errors only");
+    sub->callback([&] { action = [&] { return form_factors_selftest(command); }; });
+}
+
 void add_catalogue(CLI::App& app, std::string& name, Action& action) {
     CLI::App* listing = app.add_subcommand("list", "List samplers, estimators, scenes, studies and so on");
     listing->add_option("KIND", name, "samplers, estimators, scenes, studies, formats or controls")->required();
@@ -209,16 +242,19 @@ ExitCode parse_and_act(int argc, char** argv) {
     ff::studies::ConvergenceRequest convergence_request;
     RadiosityOptions radiosity_options;
     EnclosureCommand enclosure_command;
+    FormFactorsCommand form_factors_command;
     std::string name;
     add_run(app, run_command, action);
     add_convergence(app, convergence_request, run_command, action);
     add_radiosity(app, radiosity_options, run_command, action);
     add_enclosure(app, enclosure_command, action);
+    add_form_factors(app, form_factors_command, action);
     add_report(app, report_command, action);
     add_merge(app, merge_command, action);
     add_compare(app, compare_command, action);
     add_check(app, check_command, action);
     add_selftest(app, selftest_command, action);
+    add_form_factors_selftest(app, selftest_command, action);
     add_audit(app, audit_command, action);
     add_catalogue(app, name, action);
     try {

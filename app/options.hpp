@@ -1,6 +1,7 @@
 #pragma once
 
 #include "studies/convergence_study.hpp"
+#include "studies/form_factors/form_factors.hpp"
 
 #include <cstdint>
 #include <filesystem>
@@ -46,6 +47,18 @@ struct EnclosureCommand {
     std::uint64_t trials = 0;
     std::uint64_t seed = 1;
     std::filesystem::path out;
+    bool quiet = false;
+};
+
+/// Of `ffstudy form_factors`.
+struct FormFactorsCommand {
+    std::string scene;                   ///< built-in name, or a file
+    studies::FormFactorRequest request;  ///< but for seed, threads and what level means
+    std::uint64_t seed = 1;
+    std::optional<unsigned> threads;
+    std::optional<std::string> max_time;
+    bool whole_matrix = false;
+    std::filesystem::path out;  ///< empty: nothing is written
     bool quiet = false;
 };
 
@@ -95,6 +108,8 @@ struct SelftestCommand {
     std::optional<std::uint64_t> seed;
     std::optional<std::uint64_t> repetitions;
     std::optional<std::uint64_t> seeds;
+    std::optional<double> tolerance;  ///< of form factors
+    std::vector<std::string> scenes;  ///< of form factors; empty: all
     std::optional<unsigned> threads;
     std::filesystem::path out;  ///< empty: nothing is written
     bool quiet = false;

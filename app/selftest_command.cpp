@@ -6,6 +6,7 @@
 
 #include "reports/output_file.hpp"
 #include "reports/selftest_markdown.hpp"
+#include "studies/form_factors/coverage.hpp"
 #include "studies/gates/bands_file.hpp"
 #include "studies/selftest/selftest.hpp"
 
@@ -27,6 +28,23 @@ ExitCode gates_selftest(const SelftestCommand& command) {
     }
     if (!command.quiet) fmt::print("{}", text);
     return selftest.contradictions() > 0 ? ExitCode::failed : ExitCode::passed;
+}
+
+ExitCode form_factors_selftest(const SelftestCommand& command) {
+    studies::FormFactorCoverageOptions options;
+    options.threads = thread_count(command.threads);
+    if (command.seed) options.seed = checked_seed(*command.seed);
+    if (command.seeds) options.seeds = *command.seeds;
+    if (command.tolerance) options.tolerance = *command.tolerance;
+    options.scenes = command.scenes;
+    const auto coverage = studies::measure_form_factor_coverage(options);
+    const std::string text = reports::form_factor_coverage_markdown(coverage);
+    if (!command.out.empty()) {
+        make_folder(command.out);
+        reports::write_file(command.out / "selftest.md", text);
+    }
+    if (!command.quiet) fmt::print("{}", text);
+    return coverage.contradictions() > 0 ? ExitCode::failed : ExitCode::passed;
 }
 
 }  // namespace ff::app

@@ -1,0 +1,169 @@
+#include "reports/form_factors.hpp"
+
+#include "reports/form_factor_words.hpp"
+#include "reports/numbers.hpp"
+#include "reports/text_table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+namespace ff::reports {
+namespace {
+
+using studies::FaceExchange;
+using studies::FacePair;
+
+/// Of more faces the matrix is left to the files.
+constexpr std::size_t most_shown = 8;
+constexpr std::size_t most_listed = 10;
+
+TableCell cell(std::string text) {
+    return {std::move(text), Mark::none};
+}
+
+/// Thousands apart, so that counts of samples can be read.
+std::string count(std::uint64_t number) {
+    std::string digits = std::to_string(number);
+    for (auto at = static_cast<std::ptrdiff_t>(digits.size()) - 3; at > 0; at -= 3)
+        digits.insert(static_cast<std::size_t>(at), " ");
+    return digits;
+}
+
+struct MethodRow {
+    std::size_t pairs = 0;
+    double worst = 0;
+    std::uint64_t samples = 0;
+};
+
+std::string methods(const FormFactorReport& report) {
+    std::map<std::pair<std::string_view, std::string_view>, MethodRow> rows;
+    for (std::size_t p = 0; p < report.matrix.exchanges.size(); ++p) {
+        const FacePair& pair = report.matrix.geometry.pairs[p];
+        const FaceExchange& exchange = report.matrix.exchanges[p];
+        MethodRow& row = rows[{method_of(pair, exchange), reason_of(pair, exchange)}];
+        ++row.pairs;
+        row.worst = std::max(row.worst, worst_half_width(report.matrix, p));
+    }
+    Table table{"methods", "",
+                "",        {{"method", false, {}}, {"pairs", true, {}}, {"worst ±", true, {}}, {"why", false, {}}},
+                {},        {}};
+    for (const auto& [key, row] : rows) {
+        table.rows.push_back({cell(std::string(key.first)), cell(std::to_string(row.pairs)),
+                              cell(key.first == "none" ? "" : brief(row.worst, 2)), cell(std::string(key.second))});
+    }
+    return text_table(table, Colour::none);
+}
+
+std::string factors(const FormFactorReport& report) {
+    const Eigen::MatrixXd values = report.matrix.factors();
+    const Eigen::MatrixXd widths = report.matrix.half_widths();
+    const auto n = static_cast<Eigen::Index>(report.scene.faces.size());
+    Table table{"factors", "", "", {{"F from", false, {}}}, {}, {}};
+    for (const std::string& face : report.scene.faces) table.columns.push_back({"to " + face, true, {}});
+    table.columns.push_back({"sum", true, {}});
+    table.columns.push_back({"interval of the sum", false, {}});
+    for (Eigen::Index i = 0; i < n; ++i) {
+        const studies::RowSum& sum = report.matrix.rows[static_cast<std::size_t>(i)];
+        std::vector<TableCell> row{cell(report.scene.faces[static_cast<std::size_t>(i)])};
+        for (Eigen::Index j = 0; j < n; ++j) {
+            row.push_back(cell(values(i, j) == 0 && widths(i, j) == 0 ? "0" : to_error(values(i, j), widths(i, j))));
+        }
+        const double width = std::max(sum.high - sum.value, sum.value - sum.low);
+        row.push_back(cell(to_error(sum.value, width)));
+        row.push_back(cell(fmt::format("[{}, {}]", to_error(sum.low, width), to_error(sum.high, width))));
+        table.rows.push_back(std::move(row));
+    }
+    return text_table(table, Colour::none);
+}
+
+std::string many_row_sums(const FormFactorReport& report) {
+    const auto& rows = report.matrix.rows;
+    const auto [least, most] =
+        std::minmax_element(rows.begin(), rows.end(), [](const auto& a, const auto& b) { return a.value < b.value; });
+    const auto words = [&](auto row) {
+        const double width = std::max(row->high - row->value, row->value - row->low);
+        return fmt::format("{} [{}, {}] (face {})", to_error(row->value, width), to_error(row->low, width),
+                           to_error(row->high, width),
+                           report.scene.faces[static_cast<std::size_t>(row - rows.begin())]);
+    };
+    return fmt::format("Row sums from {} to {}\n", words(least), words(most));
+}
+
+std::string verdict(const FormFactorReport& report) {
+    const studies::FormFactorMatrix& matrix = report.matrix;
+    const std::size_t missed = matrix.missed();
+    const std::size_t all = matrix.exchanges.size();
+    const std::string tolerance = brief(report.request.tolerance);
+    std::string text = missed == 0 ? fmt::format("All {} pairs of faces are within {}.", all, tolerance)
+                                   : fmt::format("{} of {} pairs of faces are NOT within {}:", missed, all, tolerance);
+    if (missed > 0) {
+        std::size_t listed = 0;
+        for (std::size_t p = 0; p < all && listed < most_listed; ++p) {
+            if (matrix.exchanges[p].within) continue;
+            const FacePair& pair = matrix.geometry.pairs[p];
+            text += fmt::format("{} {}-{} (±{})", listed++ == 0 ? "" : ",", report.scene.faces[pair.from],
+                                report.scene.faces[pair.to], brief(worst_half_width(matrix, p), 2));
+        }
+        text += missed > most_listed ? " and others." : ".";
+    }
+    if (matrix.samples > 0) text += fmt::format(" {} samples.", count(matrix.samples));
+    return text + "\n";
+}
+
+std::string repair_text(const FormFactorReport& report) {
+    const auto& repaired = report.matrix.repaired;
+    if (!repaired) return "";
+    if (!repaired->possible) return "\nNo closed reciprocal matrix is near: nothing is repaired.\n";
+    return fmt::format(
+        "\nRepaired: row sums off 1 by up to {} before, {} after; largest change {} (F {}-{}); {} entries leave their "
+        "intervals.\n",
+        brief(repaired->closure_before, 2), brief(repaired->closure_after, 2), brief(repaired->largest_change, 2),
+        report.scene.faces[repaired->from], report.scene.faces[repaired->to], repaired->outside);
+}
+
+}  // namespace
+
+std::vector<std::string> form_factor_warnings(const FormFactorReport& report) {
+    std::vector<std::string> warnings;
+    const studies::FormFactorMatrix& matrix = report.matrix;
+    const bool closed = report.scene.closed || report.scene.empty_box;
+    for (std::size_t i = 0; closed && i < matrix.rows.size(); ++i) {
+        const studies::RowSum& row = matrix.rows[i];
+        if (row.low - 1e-9 <= 1 && row.high + 1e-9 >= 1) continue;
+        warnings.push_back(fmt::format(
+            "scene '{}' is said to be closed, but the row of face '{}' adds up to [{}, {}] (a hole, surfaces that "
+            "overlap, or normals that face the wrong way)",
+            report.scene.name, report.scene.faces[i], brief(row.low, 8), brief(row.high, 8)));
+    }
+    if (closed && matrix.lost_rays > 0) {
+        warnings.push_back(fmt::format("scene '{}' is said to be closed, but {} of {} rays met nothing",
+                                       report.scene.name, matrix.lost_rays, matrix.rays));
+    }
+    for (std::size_t p = 0; p < matrix.exchanges.size(); ++p) {
+        if (!matrix.exchanges[p].contradicted) continue;
+        const FacePair& pair = matrix.geometry.pairs[p];
+        warnings.push_back(
+            fmt::format("F {}-{}: an independent randomisation contradicts the estimate; the interval "
+                        "holds both",
+                        report.scene.faces[pair.from], report.scene.faces[pair.to]));
+    }
+    return warnings;
+}
+
+std::string form_factors_text(const FormFactorReport& report) {
+    const auto& [scene, request, matrix] = report;
+    std::string text = fmt::format(
+        "{}: {} faces of {} surfaces\ntolerance {}, level {} {}, seed {}\n\n", scene.name, scene.faces.size(),
+        scene.surfaces.size(), brief(request.tolerance), brief(request.level, 10),
+        request.level_of == studies::LevelOf::entry ? "of each entry" : "of the whole matrix", request.seed.value);
+    text += methods(report) + "\n";
+    text += scene.faces.size() <= most_shown ? factors(report) : many_row_sums(report);
+    text += "\n" + verdict(report);
+    if (matrix.interrupted) text += "Stopped before the sampling was done; pairs by `bounds` have none.\n";
+    return text + repair_text(report);
+}
+
+}  // namespace ff::reports

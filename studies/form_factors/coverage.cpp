@@ -1,0 +1,133 @@
+#include "studies/form_factors/coverage.hpp"
+
+#include "core/box.hpp"
+#include "core/configurations/catalogue.hpp"
+#include "stats/multiplicity.hpp"
+#include "studies/form_factors/form_factors.hpp"
+#include "studies/selftest/repetitions.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace ff::studies {
+namespace {
+
+constexpr double family_level = 0.95;
+
+/// A pair of faces whose exchange area is known.
+struct KnownPair {
+    std::size_t index = 0;
+    double area = 0;
+};
+
+std::vector<KnownPair> known_pairs(const Scene& scene, const FacePairs& geometry) {
+    std::vector<KnownPair> known;
+    for (std::size_t p = 0; p < geometry.pairs.size(); ++p) {
+        const FacePair& pair = geometry.pairs[p];
+        const auto factor = known_form_factor(scene, static_cast<int>(pair.from), static_cast<int>(pair.to));
+        if (factor) known.push_back({p, *factor * geometry.areas[pair.from]});
+    }
+    return known;
+}
+
+/// Whether the interval, shrunk towards the value, holds the exact one.
+bool holds(const FaceExchange& exchange, double exact, double shrink) {
+    const double room = 1e-15 * std::abs(exact);  // the last digits of a double are no matter of coverage
+    return exchange.value - shrink * (exchange.value - exchange.low) - room <= exact &&
+           exact <= exchange.value + shrink * (exchange.high - exchange.value) + room;
+}
+
+/// What one seed showed, of each known pair.
+struct Outcome {
+    std::vector<bool> held;
+    bool matrix_held = true;
+    bool within = true;
+};
+
+Outcome run_seed(const Scene& scene, const std::vector<KnownPair>& known, const FormFactorCoverageOptions& options,
+                 std::uint64_t seed) {
+    FormFactorRequest request;
+    request.tolerance = options.tolerance;
+    request.level = options.level;
+    request.seed = Seed{options.seed.value + seed};
+    const FormFactorMatrix by_entry = find_form_factors(scene, request);
+    request.level_of = LevelOf::matrix;
+    const FormFactorMatrix at_once = find_form_factors(scene, request);
+    Outcome outcome;
+    outcome.within = by_entry.missed() == 0 && at_once.missed() == 0;
+    for (const KnownPair& pair : known) {
+        const double shrink = by_entry.geometry.pairs[pair.index].is_sampled() ? options.shrink : 1;
+        outcome.held.push_back(holds(by_entry.exchanges[pair.index], pair.area, shrink));
+        outcome.matrix_held = outcome.matrix_held && holds(at_once.exchanges[pair.index], pair.area, shrink);
+    }
+    return outcome;
+}
+
+void add_scene(const std::string& name, FormFactorCoverage& coverage) {
+    const FormFactorCoverageOptions& options = coverage.options;
+    const Scene scene = built_in_scene(name);
+    const FacePairs geometry = examine_pairs(scene, options.tolerance, options.threads);
+    const std::vector<KnownPair> known = known_pairs(scene, geometry);
+    const bool sampled = std::any_of(known.begin(), known.end(),
+                                     [&](const KnownPair& pair) { return geometry.pairs[pair.index].is_sampled(); });
+    std::vector<Outcome> outcomes(sampled ? options.seeds : 1);  // without samples all seeds are one
+    for_each_index(outcomes.size(), options.threads,
+                   [&](std::uint64_t i) { outcomes[i] = run_seed(scene, known, options, i); });
+    const auto count = [&](const auto& condition) {
+        return static_cast<std::uint64_t>(std::count_if(outcomes.begin(), outcomes.end(), condition));
+    };
+    for (std::size_t k = 0; k < known.size(); ++k) {
+        const std::uint64_t held = count([&](const Outcome& outcome) { return outcome.held[k]; });
+        const FacePair& pair = geometry.pairs[known[k].index];
+        if (!pair.is_sampled()) {
+            coverage.exact_pairs += outcomes.size();
+            coverage.exact_missed += outcomes.size() - held;
+            continue;
+        }
+        coverage.entries.rates.push_back({fmt::format("{}: {}-{}", name, scene.faces[pair.from], scene.faces[pair.to]),
+                                          {.hits = held, .trials = outcomes.size()},
+                                          RateClaim::at_least,
+                                          options.level});
+    }
+    if (!sampled) return;
+    coverage.out_of_tolerance += count([](const Outcome& outcome) { return !outcome.within; });
+    coverage.matrices.rates.push_back(
+        {name,
+         {.hits = count([](const Outcome& outcome) { return outcome.matrix_held; }), .trials = outcomes.size()},
+         RateClaim::at_least,
+         options.level});
+}
+
+}  // namespace
+
+std::size_t FormFactorCoverage::contradictions() const {
+    std::size_t count = exact_missed;
+    for (const RateTable* table : {&entries, &matrices}) {
+        count += static_cast<std::size_t>(std::count_if(
+            table->rates.begin(), table->rates.end(), [&](const auto& rate) { return !studies::holds(rate, level); }));
+    }
+    return count;
+}
+
+FormFactorCoverage measure_form_factor_coverage(const FormFactorCoverageOptions& options) {
+    FormFactorCoverage coverage;
+    coverage.options = options;
+    coverage.entries.title = "Intervals of entries";
+    coverage.entries.text = "How often the interval of a sampled entry holds the exact value: each entry by itself.";
+    coverage.matrices.title = "Intervals of whole matrices";
+    coverage.matrices.text =
+        "How often all known entries of a scene are held at once, with intervals for the whole matrix "
+        "(`--simultaneous`). Rows need not be sampled pairs alone.";
+    std::vector<std::string> names = options.scenes;
+    if (names.empty()) {
+        for (const std::string_view scene : configuration_scene_names()) names.emplace_back(scene);
+    }
+    for (const std::string& name : names) add_scene(name, coverage);
+    const std::size_t rates = coverage.entries.rates.size() + coverage.matrices.rates.size();
+    coverage.level = 1 - stats::sidak_level(1 - family_level, std::max<std::size_t>(1, rates));
+    return coverage;
+}
+
+}  // namespace ff::studies

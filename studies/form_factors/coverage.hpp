@@ -1,0 +1,38 @@
+#pragma once
+
+#include "core/stream.hpp"
+#include "studies/selftest/measured_rate.hpp"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace ff::studies {
+
+struct FormFactorCoverageOptions {
+    Seed seed{1};  ///< the first of them
+    std::uint64_t seeds = 200;
+    double tolerance = 0.004;
+    double level = 0.95;  ///< of the intervals
+    double shrink = 1;    ///< factor of the width of every sampled interval: below 1, a control that has to be caught
+    unsigned threads = 1;
+    std::vector<std::string> scenes;  ///< empty: the whole catalogue
+};
+
+/// How often the intervals of `find_form_factors` hold values that are known.
+struct FormFactorCoverage {
+    FormFactorCoverageOptions options;
+    RateTable entries;                 ///< of each sampled pair of faces of the catalogue
+    RateTable matrices;                ///< of all known pairs of a scene at once, at LevelOf::matrix
+    double level = 0;                  ///< of the interval of one rate, such that all hold together with 0.95 (Sidak)
+    std::size_t exact_pairs = 0;       ///< known pairs whose error has a bound, in all runs
+    std::size_t exact_missed = 0;      ///< those whose bound did not hold
+    std::size_t out_of_tolerance = 0;  ///< runs that missed the tolerance
+
+    [[nodiscard]] std::size_t contradictions() const;  ///< rates below the level, and bounds that did not hold
+};
+
+/// Computes the matrix of each scene of the catalogue with many seeds, for each entry and for the whole matrix.
+FormFactorCoverage measure_form_factor_coverage(const FormFactorCoverageOptions& options);
+
+}  // namespace ff::studies

@@ -1,0 +1,126 @@
+#include "studies/form_factors/face_pairs.hpp"
+
+#include "core/error.hpp"
+#include "core/facing.hpp"
+#include "studies/selftest/repetitions.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace ff::studies {
+namespace {
+
+/// A matrix of more takes gigabytes.
+constexpr std::size_t most_faces = 4096;
+
+/// Of more surfaces not every pair is looked at.
+constexpr std::size_t most_surfaces = 4096;
+
+/// Points are sampled for each pair of surfaces; of more pairs, rays serve all at once.
+constexpr std::size_t most_pairs_by_points = 256;
+
+/// A surface pair adds to the pair of its faces.
+void add(FacePair& pair, std::uint32_t from, std::uint32_t to, double times, PairExchange exchange, double largest) {
+    ++pair.methods[static_cast<std::size_t>(exchange.method)];
+    pair.reason = std::max(pair.reason, exchange.reason);
+    const auto& area = exchange.area;
+    const bool sampled = exchange.method >= ExchangeMethod::points;
+    if (area) pair.most += times * (area->value + area->error);
+    if (sampled && !area) pair.all_unblocked_known = false;
+    if (area) pair.bound += times * area->error;  // of sampled pairs it may be what the hidden part is taken off
+    if (!sampled) {
+        pair.known += times * area->value;
+        return;
+    }
+    if (!area) pair.most += times * largest;
+    pair.sampled.push_back({from, to, times, std::move(exchange)});
+}
+
+/// Pairs of one surface with those after it.
+std::vector<PairExchange> exchanges_of(const Scene& scene, SceneSight sight, std::size_t first, double wanted) {
+    std::vector<PairExchange> result;
+    const Surface& from = scene.surfaces[first];
+    for (std::size_t j = first; j < scene.surfaces.size(); ++j) {
+        const Surface& to = scene.surfaces[j];
+        const bool counts = from.face != no_face && to.face != no_face;
+        result.push_back(counts ? pair_exchange(scene, sight, from, to, wanted) : PairExchange{});
+    }
+    return result;
+}
+
+void expect_few_faces(const Scene& scene) {
+    if (scene.faces.size() <= most_faces) return;
+    throw UserError(fmt::format("scene '{}': {} faces (a matrix of at most {} is made). Put surfaces into groups.",
+                                scene.name, scene.faces.size(), most_faces));
+}
+
+}  // namespace
+
+std::size_t FacePairs::index(std::size_t a, std::size_t b) const {
+    const auto [from, to] = std::minmax(a, b);
+    return from * faces() - from * (from + 1) / 2 + to;
+}
+
+FacePairs examine_pairs(const Scene& scene, double tolerance, unsigned threads) {
+    expect_few_faces(scene);
+    FacePairs result;
+    result.areas.assign(scene.faces.size(), 0);
+    for (const Surface& surface : scene.surfaces) {
+        if (surface.face != no_face) result.areas[static_cast<std::size_t>(surface.face)] += area(surface.shape);
+    }
+    for (std::size_t from = 0; from < result.faces(); ++from) {
+        for (std::size_t to = from; to < result.faces(); ++to) {
+            FacePair pair;
+            pair.from = from;
+            pair.to = to;
+            result.pairs.push_back(std::move(pair));
+        }
+    }
+    const auto at_most_all = [&](FacePair& pair) {
+        pair.most = std::min(pair.most, std::min(result.areas[pair.from], result.areas[pair.to]));
+    };
+    const std::size_t n = scene.surfaces.size();
+    if (n > most_surfaces) {
+        for (FacePair& pair : result.pairs) {
+            pair.everything = true;
+            pair.all_unblocked_known = false;
+            pair.reason = ExchangeReason::many_surfaces;
+            pair.most = std::min(result.areas[pair.from], result.areas[pair.to]);
+            pair.methods[static_cast<std::size_t>(ExchangeMethod::rays)] = 1;
+        }
+        return result;
+    }
+    const SceneSight sight = sight_of(scene);
+    const double smallest = *std::min_element(result.areas.begin(), result.areas.end());
+    std::vector<std::vector<PairExchange>> rows(n);
+    // Errors of all pairs of surfaces add up.
+    const double wanted = tolerance * smallest / 8 / static_cast<double>(n);
+    for_each_index(n, threads, [&](std::uint64_t i) { rows[i] = exchanges_of(scene, sight, i, wanted); });
+
+    result.shot.assign(n * n, 0);
+    for (std::size_t i = 0; i < n; ++i) {
+        const int from = scene.surfaces[i].face;
+        for (std::size_t j = i; j < n; ++j) {
+            const int to = scene.surfaces[j].face;
+            if (from == no_face || to == no_face) continue;
+            FacePair& pair = result.pairs[result.index(static_cast<std::size_t>(from), static_cast<std::size_t>(to))];
+            PairExchange& exchange = rows[i][j - i];
+            if (exchange.method >= ExchangeMethod::points) result.shot[i * n + j] = result.shot[j * n + i] = 1;
+            const double largest = std::min(area(scene.surfaces[i].shape), area(scene.surfaces[j].shape));
+            add(pair, static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(j), from == to && i != j ? 2 : 1,
+                std::move(exchange), largest);
+        }
+        rows[i].clear();
+    }
+    for (FacePair& pair : result.pairs) {
+        at_most_all(pair);
+        pair.by_points = !pair.sampled.empty() && pair.sampled.size() <= most_pairs_by_points &&
+                         std::all_of(pair.sampled.begin(), pair.sampled.end(), [](const SampledPair& sampled) {
+                             return sampled.exchange.method == ExchangeMethod::points;
+                         });
+    }
+    return result;
+}
+
+}  // namespace ff::studies

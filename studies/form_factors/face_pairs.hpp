@@ -1,0 +1,54 @@
+#pragma once
+
+#include "core/pair_exchange.hpp"
+#include "core/scene.hpp"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace ff::studies {
+
+inline constexpr std::size_t exchange_methods = 5;
+
+/// Two surfaces whose exchange has to be sampled, and how often it counts.
+struct SampledPair {
+    std::uint32_t from = 0;  ///< index of the surface
+    std::uint32_t to = 0;
+    double times = 1;  ///< 2 within a face, where both orders count
+    PairExchange exchange;
+};
+
+/// Two faces (or one and itself): what is known of their exchange area, and what is left to be sampled.
+struct FacePair {
+    std::size_t from = 0;  ///< at most `to`
+    std::size_t to = 0;
+    double known = 0;                  ///< sum of what is known, in squared units of length
+    double bound = 0;                  ///< that it is off by at most
+    double most = 0;                   ///< the exchange area is not larger: as if nothing stood in between
+    bool all_unblocked_known = true;   ///< `most` is the unblocked exchange area, not just what a surface can send
+    std::vector<SampledPair> sampled;  ///< empty where `everything` is sampled
+    bool everything = false;           ///< all pairs of surfaces, too many to list
+    bool by_points = false;            ///< every sampled pair can be done by points
+    std::array<std::size_t, exchange_methods> methods{};  ///< pairs of surfaces by method
+    ExchangeReason reason = ExchangeReason::turned_away;  ///< of the dearest of them
+
+    [[nodiscard]] bool is_sampled() const { return everything || !sampled.empty(); }
+};
+
+struct FacePairs {
+    std::vector<FacePair> pairs;  ///< (0,0), (0,1), .., (1,1), ..
+    std::vector<double> areas;    ///< of the faces
+    /// Whether rays between two surfaces count, [from * surfaces + to]; empty where all do.
+    std::vector<std::uint8_t> shot;
+
+    [[nodiscard]] std::size_t faces() const { return areas.size(); }
+    /// Where a pair of faces is in `pairs`.
+    [[nodiscard]] std::size_t index(std::size_t a, std::size_t b) const;
+};
+
+/// @param tolerance  of a form factor: sharper methods are taken where their error would show
+/// @throws UserError for more faces than a matrix is made of
+FacePairs examine_pairs(const Scene& scene, double tolerance, unsigned threads);
+
+}  // namespace ff::studies

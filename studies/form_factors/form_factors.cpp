@@ -1,0 +1,191 @@
+#include "studies/form_factors/form_factors.hpp"
+
+#include "core/error.hpp"
+#include "stats/multiplicity.hpp"
+#include "studies/form_factors/repair.hpp"
+#include "studies/form_factors/rounds.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace ff::studies {
+namespace {
+
+/// Rays are traced in single precision, and meet surfaces a little beside where they are.
+constexpr double least_tolerance_of_rays = 1e-6;
+/// Of computing in double precision.
+constexpr double least_tolerance = 1e-13;
+
+void expect_sense(const FormFactorRequest& request) {
+    if (!(request.tolerance >= least_tolerance && request.tolerance < 0.5)) {
+        throw UserError(fmt::format("--tolerance {:g} (from {:g}, the rounding of double precision, to 0.5). Try 1e-5.",
+                                    request.tolerance, least_tolerance));
+    }
+    if (!(request.level > 0.5 && request.level <= 1 - 1e-9)) {
+        throw UserError(fmt::format("--level {:g} (above 0.5, at most 1 - 1e-9). Try 0.95.", request.level));
+    }
+}
+
+void expect_possible(const Scene& scene, const FacePairs& geometry, const FormFactorRequest& request) {
+    if (request.repair && !scene.closed && !scene.empty_box) {
+        throw UserError(
+            fmt::format("--repair: scene '{}' is not said to be closed (its rows need not add up to 1). "
+                        "Say so in the scene file ('# closed', 'closed = true' or 'encl=1'), or leave "
+                        "--repair out.",
+                        scene.name));
+    }
+    const bool needs_rays = std::any_of(geometry.pairs.begin(), geometry.pairs.end(),
+                                        [](const FacePair& pair) { return pair.is_sampled() && !pair.by_points; });
+    if (needs_rays && request.tolerance < least_tolerance_of_rays) {
+        throw UserError(
+            fmt::format("--tolerance {:g}: some pairs of scene '{}' have to be sampled by rays (which are "
+                        "traced in single precision: {:g} is the least). Take a larger one.",
+                        request.tolerance, scene.name, least_tolerance_of_rays));
+    }
+}
+
+/// Clips an interval to what geometry allows, and the value to the interval.
+void clip(FaceExchange& exchange, const FacePair& pair) {
+    const double least = std::max(0.0, pair.known - pair.bound);
+    const double most = std::max(least, pair.most);
+    exchange.clipped = exchange.value < least || exchange.value > most;
+    exchange.low = std::clamp(exchange.low, least, most);
+    exchange.high = std::clamp(exchange.high, least, most);
+    exchange.value = std::clamp(exchange.value, exchange.low, exchange.high);
+}
+
+double half_width(double value, double low, double high) {
+    return std::max(high - value, value - low);
+}
+
+FaceExchange exchange_of(const FacePair& pair, const PairEstimate& estimate) {
+    FaceExchange result;
+    result.value = pair.known;
+    result.low = pair.known - pair.bound;
+    result.high = pair.known + pair.bound;
+    if (pair.is_sampled() && !estimate.sum) {
+        // Nothing but geometry: it was stopped before the first round was over.
+        result.low = std::max(0.0, result.low);
+        result.high = pair.most;
+        result.value = (result.low + result.high) / 2;
+    } else if (pair.is_sampled()) {
+        const Estimate found = estimate_of(*estimate.sum, estimate.level);
+        result.value = found.value;
+        result.low = found.value - found.down - pair.bound;
+        result.high = found.value + found.up + pair.bound;
+        result.sampled_by = estimate.by_points ? ExchangeMethod::points : ExchangeMethod::rays;
+        result.samples = estimate.samples;
+        result.contradicted = estimate.contradicted;
+        if (estimate.contradicted) {
+            result.low = std::min(result.low, estimate.other.value - estimate.other.down);
+            result.high = std::max(result.high, estimate.other.value + estimate.other.up);
+        }
+    }
+    clip(result, pair);
+    return result;
+}
+
+/// A row's sum: independent randomisations add up, bounds do.
+RowSum row_sum(const FormFactorMatrix& matrix, const std::vector<PairEstimate>& estimates, std::size_t row,
+               double level) {
+    // At the least error rate of its entries.
+    SampledSum sum;
+    double low = 0;
+    double high = 0;
+    double clipped = 0;
+    for (std::size_t other = 0; other < matrix.geometry.faces(); ++other) {
+        const std::size_t index = matrix.geometry.index(row, other);
+        const FacePair& pair = matrix.geometry.pairs[index];
+        const PairEstimate& estimate = estimates[index];
+        const FaceExchange& exchange = matrix.exchanges[index];
+        clipped += exchange.value;
+        if (pair.is_sampled() && estimate.sum && !estimate.contradicted) {
+            level = std::max(level, estimate.level);
+            sum.offset += estimate.sum->offset;
+            sum.terms.insert(sum.terms.end(), estimate.sum->terms.begin(), estimate.sum->terms.end());
+            low -= pair.bound;
+            high += pair.bound;
+        } else {
+            sum.offset += exchange.value;
+            low += exchange.low - exchange.value;
+            high += exchange.high - exchange.value;
+        }
+    }
+    const Estimate found = estimate_of(sum, level);
+    const double area = matrix.geometry.areas[row];
+    const double least = std::max(0.0, (found.value - found.down + low) / area);
+    return {clipped / area, std::min(1.0, least), std::min(1.0, (found.value + found.up + high) / area)};
+}
+
+}  // namespace
+
+Eigen::MatrixXd FormFactorMatrix::factors() const {
+    const auto n = static_cast<Eigen::Index>(geometry.faces());
+    Eigen::MatrixXd result(n, n);
+    for (std::size_t i = 0; i < geometry.faces(); ++i) {
+        for (std::size_t j = 0; j < geometry.faces(); ++j) {
+            result(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) =
+                exchanges[geometry.index(i, j)].value / geometry.areas[i];
+        }
+    }
+    return result;
+}
+
+Eigen::MatrixXd FormFactorMatrix::half_widths() const {
+    const auto n = static_cast<Eigen::Index>(geometry.faces());
+    Eigen::MatrixXd result(n, n);
+    for (std::size_t i = 0; i < geometry.faces(); ++i) {
+        for (std::size_t j = 0; j < geometry.faces(); ++j) {
+            const FaceExchange& exchange = exchanges[geometry.index(i, j)];
+            result(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) =
+                half_width(exchange.value, exchange.low, exchange.high) / geometry.areas[i];
+        }
+    }
+    return result;
+}
+
+std::size_t FormFactorMatrix::missed() const {
+    return static_cast<std::size_t>(std::count_if(exchanges.begin(), exchanges.end(),
+                                                  [](const FaceExchange& exchange) { return !exchange.within; }));
+}
+
+FormFactorMatrix find_form_factors(const Scene& scene, const FormFactorRequest& request) {
+    expect_sense(request);
+    FormFactorMatrix matrix;
+    matrix.geometry = examine_pairs(scene, request.tolerance, request.threads);
+    expect_possible(scene, matrix.geometry, request);
+    const auto sampled = static_cast<std::size_t>(std::count_if(
+        matrix.geometry.pairs.begin(), matrix.geometry.pairs.end(), [](const FacePair& p) { return p.is_sampled(); }));
+    const double alpha = request.level_of == LevelOf::entry || sampled == 0
+                             ? 1 - request.level
+                             : stats::bonferroni_level(1 - request.level, sampled + matrix.geometry.faces());
+    matrix.entry_level = 1 - alpha;
+
+    std::vector<PairEstimate> estimates(matrix.geometry.pairs.size());
+    if (sampled > 0) {
+        const SamplingOutcome outcome =
+            sample_pairs(scene, matrix.geometry, request, alpha, request.tolerance >= least_tolerance_of_rays);
+        estimates = outcome.estimates;
+        matrix.samples = outcome.samples;
+        matrix.rays = outcome.rays;
+        matrix.lost_rays = outcome.lost;
+        matrix.interrupted = outcome.interrupted;
+    }
+    for (std::size_t p = 0; p < matrix.geometry.pairs.size(); ++p) {
+        const FacePair& pair = matrix.geometry.pairs[p];
+        FaceExchange exchange = exchange_of(pair, estimates[p]);
+        const double smaller = std::min(matrix.geometry.areas[pair.from], matrix.geometry.areas[pair.to]);
+        exchange.within = !exchange.contradicted &&
+                          half_width(exchange.value, exchange.low, exchange.high) <= request.tolerance * smaller;
+        matrix.exchanges.push_back(exchange);
+    }
+    for (std::size_t row = 0; row < matrix.geometry.faces(); ++row) {
+        matrix.rows.push_back(row_sum(matrix, estimates, row, round_level(alpha, 0)));
+    }
+    if (request.repair) matrix.repaired = repair(matrix);
+    return matrix;
+}
+
+}  // namespace ff::studies

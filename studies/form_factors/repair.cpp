@@ -1,0 +1,52 @@
+#include "studies/form_factors/repair.hpp"
+
+#include "core/radiosity/repair.hpp"
+
+#include <algorithm>
+
+namespace ff::studies {
+namespace {
+
+/// A width of 0 would be an infinite weight; what is known better than this moves no less than it.
+constexpr double least_relative_width = 1e-8;
+
+double closure_defect(const Eigen::MatrixXd& factors) {
+    return (factors.rowwise().sum().array() - 1).abs().maxCoeff();
+}
+
+}  // namespace
+
+RepairedFactors repair(const FormFactorMatrix& matrix) {
+    const Eigen::MatrixXd factors = matrix.factors();
+    const Eigen::MatrixXd widths = matrix.half_widths();
+    const double floor = std::max(least_relative_width * widths.maxCoeff(), 1e-16);
+    Eigen::MatrixXd weights(factors.rows(), factors.cols());
+    for (Eigen::Index i = 0; i < weights.rows(); ++i) {
+        for (Eigen::Index j = 0; j < weights.cols(); ++j) {
+            const bool zero = factors(i, j) == 0 && widths(i, j) == 0;
+            // Both directions are one estimate, and count once.
+            const double width = std::max(floor, widths(i, j));
+            weights(i, j) = zero ? 0 : floor * floor / (width * width);
+        }
+    }
+    const Eigen::VectorXd areas = Eigen::Map<const Eigen::VectorXd>(matrix.geometry.areas.data(), factors.rows());
+    const Balanced balanced = balance(factors, weights, areas);
+    RepairedFactors result;
+    result.factors = balanced.factors;
+    result.possible = balanced.balanced;
+    result.closure_before = closure_defect(factors);
+    result.closure_after = closure_defect(balanced.factors);
+    for (Eigen::Index i = 0; i < factors.rows(); ++i) {
+        for (Eigen::Index j = 0; j < factors.cols(); ++j) {
+            const double change = std::abs(balanced.factors(i, j) - factors(i, j));
+            result.outside += change > std::max(widths(i, j), 1e-15);
+            if (change <= result.largest_change) continue;
+            result.largest_change = change;
+            result.from = static_cast<std::size_t>(i);
+            result.to = static_cast<std::size_t>(j);
+        }
+    }
+    return result;
+}
+
+}  // namespace ff::studies

@@ -1,0 +1,67 @@
+#!/usr/bin/env bash
+# All form factors of a scene, each with an interval: what is printed and written, and what is refused.
+root=$(cd "$(dirname "$0")/../../.." && pwd)
+source "$(dirname "$0")/../harness.sh"
+
+# The furnace of the documents gives what they show.
+blocks obj "$root/docs/scenes.md" >furnace.obj
+blocks "" "$root/docs/form-factors.md" | sed '1d' >"$folder/promised"
+[ "$(wc -l <"$folder/promised")" -gt 15 ] || fail "docs/form-factors.md does not show the furnace"
+ffstudy form_factors furnace.obj --repair --out results/furnace
+expect_status 0
+expect_no_stderr
+expect_equal_files "$folder/promised" "$folder/stdout"
+
+# The files can be loaded as the document says, and hold the same.
+blocks python "$root/docs/form-factors.md" >load.py
+cat >>load.py <<'END'
+import csv, json
+rows = list(csv.DictReader(open("results/furnace/matrix.csv")))
+widths = numpy.load("results/furnace/half_widths.npy")
+repaired = numpy.load("results/furnace/repaired.npy")
+about = json.load(open("results/furnace/form_factors.json"))
+names = [face["face"] for face in about["faces"]]
+assert len(rows) == 42 and about["missed"] == 0 and about["warnings"] == []
+for row in rows:
+    i, j = names.index(row["from"]), names.index(row["to"])
+    value = float(row["factor"])
+    assert value == factors[i, j] and float(row["half_width"]) == widths[i, j]
+    assert float(row["low"]) <= value <= float(row["high"]) and widths[i, j] <= 1e-5
+assert numpy.abs(repaired.sum(axis=1) - 1).max() < 1e-12
+END
+/usr/bin/python3 load.py || fail "the files are not as documented"
+
+# Every column and key that is written is explained.
+for word in $(head -n 1 results/furnace/matrix.csv | tr , ' ') \
+    $(grep -oE '"[a-z_]+":' results/furnace/form_factors.json | cut -d'"' -f2 | sort -u); do
+    grep -Fq "\`$word\`" "$root/docs/form-factors.md" || fail "docs/form-factors.md does not explain $word"
+done
+
+# A budget that is too small: the pairs are named, the intervals are wide, and the exit code says so.
+ffstudy form_factors coaxial_discs_equal --max-samples 1000000
+expect_status 4
+expect_stdout "1 of 3 pairs of faces are NOT within 1e-05: 1-2 (±"
+ffstudy form_factors discs_blocked --tolerance 2e-6 --max-time 0.5
+expect_status 4
+expect_stdout "1 of 3 pairs of faces are NOT within 2e-06"
+
+# A closed scene with a hole, and without one where closure is asked for.
+sed '/^g roof/,/^g south/{/^f/d;/^g roof/d}' furnace.obj >open.obj
+ffstudy form_factors open.obj --tolerance 1e-3
+expect_stderr "is said to be closed, but the row of face 'floor' adds up to"
+
+rm -r results ./*.obj load.py
+ffstudy form_factors cube --tolerance 1e-15
+expect_refused 2 "--tolerance 1e-15"
+ffstudy form_factors cube --level 1
+expect_refused 2 "--level 1"
+ffstudy form_factors coaxial_discs_equal --tolerance 1e-8 --out out
+expect_refused 2 "have to be sampled by rays"
+ffstudy form_factors squares_blocked --repair --out out
+expect_refused 2 "is not said to be closed"
+ffstudy form_factors coaxial_discs_equal --max-samples 1000
+expect_refused 2 "--max-samples 1000 (the smallest rounds of this scene take"
+ffstudy form_factors kube
+expect_refused 2 "kube"
+ffstudy form_factors missing.obj
+expect_refused 3 "missing.obj"
