@@ -7,6 +7,8 @@
 #include "app/run_context.hpp"
 #include "app/signals.hpp"
 
+#include "core/error.hpp"
+#include "core/mirrors.hpp"
 #include "reports/form_factors.hpp"
 #include "reports/json.hpp"
 #include "reports/matrix_files.hpp"
@@ -23,9 +25,15 @@
 namespace ff::app {
 namespace {
 
-Scene read_scene(const std::string& scene) {
-    if (!studies::names_scene_file(scene)) return studies::make_scene(scene);
-    return studies::make_scene(studies::with_scene_text(scene, studies::read_text_file(scene)));
+Scene read_scene(const std::string& name) {
+    const bool is_file = studies::names_scene_file(name);
+    const Scene scene = studies::make_scene(
+        is_file ? studies::with_scene_text(name, studies::read_text_file(studies::scene_file(name))) : name);
+    if (mirrors(scene).empty()) return scene;
+    throw UserError(fmt::format(
+        "scene '{}': mirrors (pairs are computed one by one, which does not follow reflected light). Make it a study "
+        "with estimator = \"ray_shooting\", or leave them out.",
+        name));
 }
 
 void write_matrix(const std::filesystem::path& folder, const std::string& file, const Eigen::MatrixXd& matrix,

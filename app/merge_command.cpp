@@ -53,13 +53,13 @@ ExitCode merge(const MergeCommand& command) {
         say("note: {}; their content is the same.\n",
             units_in_words(outcome.doubled, plan.units.size(), "are in more than one store"));
     }
-    const auto results = studies::evaluate(store);
+    const auto [results, to_the_end] = evaluate_until_stopped(store);
     write_results(command.out, {store, results, templates}, usual_formats());
     if (!command.quiet) {
         fmt::print("{}\nResults: {}\n", reports::terminal_summary(results, colour_of_stdout()),
                    (command.out / "report.html").string());
     }
-    if (outcome.missing.empty()) return ExitCode::passed;
+    if (outcome.missing.empty()) return to_the_end ? ExitCode::passed : ExitCode::interrupted;
     say("{}. Merge again with the shards that hold them, or run the study with --out {}.\n",
         units_in_words(outcome.missing, plan.units.size(), "are missing"), command.out.string());
     return ExitCode::inconclusive;

@@ -21,12 +21,12 @@ ExitCode report(const ReportCommand& command) {
     const auto formats = named.empty() ? usual_formats() : std::span<const std::string_view>(named);
     expect_formats(formats);
     const auto store = studies::Store::open(file);
-    const auto results = studies::evaluate(store);
+    const auto [results, to_the_end] = evaluate_until_stopped(store);
     if (!command.out.empty()) make_folder(command.out);
     write_results(out, {store, results, templates}, formats);
     if (!command.quiet)
         fmt::print("{}\nResults: {}\n", reports::terminal_summary(results, colour_of_stdout()), out.string());
-    return ExitCode::passed;
+    return to_the_end ? ExitCode::passed : ExitCode::interrupted;
 }
 
 }  // namespace ff::app

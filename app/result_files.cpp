@@ -1,6 +1,8 @@
 #include "app/result_files.hpp"
 
+#include "app/messages.hpp"
 #include "app/picture_files.hpp"
+#include "app/signals.hpp"
 
 #include "core/error.hpp"
 #include "core/nearest_name.hpp"
@@ -13,6 +15,7 @@
 #include "reports/markdown.hpp"
 #include "reports/matrix_files.hpp"
 #include "reports/output_file.hpp"
+#include "studies/interruptible_evaluation.hpp"
 
 #include <fmt/format.h>
 
@@ -80,6 +83,17 @@ void write_matrices(const std::filesystem::path& folder, const ResultSources& so
     }
 }
 
+void write_patch_systems(const std::filesystem::path& folder, const ResultSources& sources) {
+    reports::patch_systems(
+        sources.store, [&](const std::string& path, const Eigen::MatrixXd& matrix, const std::string& comment) {
+            const auto file = folder / "matrices" / path;
+            make_folder(file.parent_path());
+            reports::write_file(file.string() + ".mtx",
+                                [&](std::ostream& out) { reports::write_matrix_market(out, matrix, comment); });
+            reports::write_file(file.string() + ".npy", [&](std::ostream& out) { reports::write_npy(out, matrix); });
+        });
+}
+
 void needs_nothing() {}
 
 struct KnownFormat {
@@ -94,6 +108,7 @@ constexpr std::array known{
     KnownFormat{{"csv", "summary.csv, slopes.csv, coverage.csv, trials.csv"}, needs_nothing, write_csv},
     KnownFormat{{"json", "results.json, context.json"}, needs_nothing, write_json},
     KnownFormat{{"matrices", "matrices/*/*.mtx, matrices/*/*.npy"}, needs_nothing, write_matrices},
+    KnownFormat{{"patch_systems", "matrices/*/patch_*"}, needs_nothing, write_patch_systems},
     KnownFormat{{"latex", "tables.tex, tables/*.tex"}, needs_nothing, write_latex},
     KnownFormat{{"svg", "pictures/*.svg"}, expect_svg_programs, write_svg},
     KnownFormat{{"pdf", "pictures/*.pdf"}, expect_pdf_programs, write_pdf},
@@ -146,6 +161,25 @@ void make_folder(const std::filesystem::path& folder) {
     std::filesystem::create_directories(folder, error);
     if (error)
         throw IoError(fmt::format("{}: cannot be made ({}). Choose another --out.", folder.string(), error.message()));
+}
+
+Evaluated evaluate_until_stopped(const studies::Store& store) {
+    const studies::StudyPlan& plan = store.plan();
+    if (!plan.spec.radiosity || plan.spec.radiosity->patch_trials == 0) {
+        end_on_signals();
+        return {studies::evaluate(store)};
+    }
+    Evaluated evaluated{studies::evaluate(store, stop_on_signals())};
+    end_on_signals();
+    if (!evaluated.results.radiosity) return evaluated;
+    const auto trials = studies::patch_trials(plan, *evaluated.results.radiosity);
+    evaluated.to_the_end = trials.complete();
+    if (!evaluated.to_the_end) {
+        say("stopped with {} of {} trials put into systems between patches. All trials are saved: 'ffstudy report' on "
+            "the folder does the rest.\n",
+            trials.done, trials.wanted);
+    }
+    return evaluated;
 }
 
 void write_results(const std::filesystem::path& folder, const ResultSources& sources,

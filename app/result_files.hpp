@@ -43,6 +43,14 @@ void expect_room_for_results(const std::filesystem::path& folder);
 /// Makes a folder for results, with those above it. @throws IoError
 void make_folder(const std::filesystem::path& folder);
 
+/// Results of a store. A signal ends the evaluation of systems between patches in order, and at once anything else.
+/// @return whether it went to the end: where not, that is said on stderr
+struct Evaluated {
+    studies::StudyResults results;
+    bool to_the_end = true;
+};
+Evaluated evaluate_until_stopped(const studies::Store& store);
+
 /// Writes the files of these formats into a folder, each whole or not at all.
 /// @throws IoError; UserError for an unknown format
 void write_results(const std::filesystem::path& folder, const ResultSources& sources,

@@ -133,7 +133,6 @@ ExitCode run(const RunCommand& command) {
     const auto outcome = studies::run_study(store, options);
     limit.reset();
     progress.finish();
-    end_on_signals();
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     if (outcome == studies::RunOutcome::complete && store.context().empty()) {
         store.set_context(describe_run(reproduce(command, plan.spec), request.threads, seconds));
@@ -142,10 +141,11 @@ ExitCode run(const RunCommand& command) {
     store.seal();
     if (!request.shard.is_whole() && outcome == studies::RunOutcome::complete && !store.is_complete())
         return finish_shard(request.shard, out, command.quiet);
-    const auto results = studies::evaluate(store);
+    const auto [results, to_the_end] = evaluate_until_stopped(store);
     write_results(out, {store, results, templates}, usual_formats());
     if (!command.quiet) fmt::print("{}", reports::terminal_summary(results, colour_of_stdout()));
     if (!command.quiet) fmt::print("\nResults: {}\n", (out / "report.html").string());
+    if (outcome == studies::RunOutcome::complete && !to_the_end) return ExitCode::interrupted;
     if (outcome == studies::RunOutcome::complete)
         return studies::all_reached(results.until) ? ExitCode::passed : ExitCode::inconclusive;
     say("stopped early; what was done is saved. Run the same command again to go on.\n");

@@ -2,6 +2,7 @@
 
 #include "core/contract.hpp"
 #include "core/line_meets.hpp"
+#include "core/mirrors.hpp"
 #include "core/rays.hpp"
 #include "core/surface_map.hpp"
 #include "core/tracer.hpp"
@@ -300,7 +301,7 @@ Found EmbreeTracer::intersect_again(const Line& line, std::uint32_t source) cons
 
 bool EmbreeTracer::is_received(const Found& found, const RayPointers& rays, std::size_t i) const {
     const Surface& surface = surfaces_[found.surface];
-    if (surface.face == no_face) return false;
+    if (!is_of_face(surface)) return false;
     if (is_flat(surface.shape)) return surface.normal.dot(line_of(rays, i).direction) < 0;
     return (facing(surface.shape) == Facing::inward) == (found.u == meets_outward);
 }

@@ -2,6 +2,7 @@
 
 #include "core/aligned_rectangle.hpp"
 #include "core/contract.hpp"
+#include "core/mirrors.hpp"
 #include "core/occlusion.hpp"
 #include "core/rectangle_formulas.hpp"
 
@@ -44,15 +45,27 @@ Real exchange_area(const AlignedRectangle& from, const AlignedRectangle& to) {
     return from.axis == to.axis ? parallel_pair<Real>(from, to) : perpendicular_pair<Real>(from, to);
 }
 
-/// The surfaces of a scene as rectangles, in the same order; empty if one of them is none.
-std::optional<std::vector<AlignedRectangle>> aligned_rectangles(const Scene& scene) {
-    std::vector<AlignedRectangle> rectangles;
+/// A place that receives for a face.
+struct Target {
+    AlignedRectangle rectangle;
+    int face = 0;
+};
+
+/// The surfaces of faces and their images in mirrors; empty if one is no rectangle along the axes, or if images are
+/// not known.
+std::optional<std::vector<Target>> targets(const Scene& scene) {
+    std::vector<Target> all;
     for (const Surface& surface : scene.surfaces) {
-        const auto rectangle = aligned_rectangle(surface);
-        if (!rectangle) return std::nullopt;
-        rectangles.push_back(*rectangle);
+        if (!is_of_face(surface)) continue;
+        const auto places = images(scene, surface);
+        if (!places) return std::nullopt;
+        for (const Surface& place : *places) {
+            const auto rectangle = aligned_rectangle(place);
+            if (!rectangle) return std::nullopt;
+            all.push_back({*rectangle, surface.face});
+        }
     }
-    return rectangles;
+    return all;
 }
 
 }  // namespace
@@ -72,29 +85,36 @@ std::optional<double> exact_form_factor(const Scene& scene, int from_face, int t
         if (from.face != from_face) continue;
         for (const Surface& to : scene.surfaces) {
             if (to.face != to_face) continue;
+            const auto places = images(scene, to);
             const auto from_rectangle = aligned_rectangle(from);
-            const auto to_rectangle = aligned_rectangle(to);
-            if (!from_rectangle || !to_rectangle) return std::nullopt;
-            sum += exchange_area<long double>(*from_rectangle, *to_rectangle);
+            if (!places || !from_rectangle) return std::nullopt;
+            for (const Surface& place : *places) {
+                const auto to_rectangle = aligned_rectangle(place);
+                if (!to_rectangle) return std::nullopt;
+                sum += exchange_area<long double>(*from_rectangle, *to_rectangle);
+            }
         }
     }
     return static_cast<double>(sum / face_area(scene, from_face));
 }
 
 std::optional<Eigen::MatrixXd> exact_patch_to_face(const Scene& scene, Subdivision subdivision) {
-    const auto surfaces = aligned_rectangles(scene);
-    if (!surfaces || may_be_occluded(scene)) return std::nullopt;
+    if (may_be_occluded(scene)) return std::nullopt;
+    const auto all = targets(scene);
+    if (!all) return std::nullopt;
     Eigen::MatrixXd factors = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(subdivision.patches(scene)),
                                                     static_cast<Eigen::Index>(scene.faces.size()));
-    Eigen::Index row = 0;
+    Eigen::Index row = -1;
     for (const Surface& source : scene.surfaces) {
-        for (std::uint32_t p = 0; p < subdivision.per_surface(); ++p, ++row) {
+        for (std::uint32_t p = 0; p < subdivision.per_surface(); ++p) {
+            ++row;
+            if (!is_of_face(source)) continue;
             const Surface piece{patch(parallelogram(source), subdivision, p), source.normal, source.face};
             const auto from = aligned_rectangle(piece);
             FF_ENSURE(from.has_value());
-            for (std::size_t s = 0; s < surfaces->size(); ++s) {
-                factors(row, scene.surfaces[s].face) +=
-                    static_cast<double>(exchange_area<long double>(*from, (*surfaces)[s]) / area(piece.shape));
+            for (const Target& target : *all) {
+                factors(row, target.face) +=
+                    static_cast<double>(exchange_area<long double>(*from, target.rectangle) / area(piece.shape));
             }
         }
     }

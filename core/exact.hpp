@@ -11,7 +11,8 @@ namespace ff {
 /// Exact form factors by elementary formulas: axis-aligned rectangles in parallel or perpendicular planes, anywhere to
 /// each other, overlapping, offset, with or without a common edge or corner. Only the parts in front of each other's
 /// `normal` side count; whether something stands in between is the caller's to know, but for whole matrices, which are
-/// empty where it may.
+/// empty where it may. In a box with mirrors (core/mirrors.hpp) factors between faces are extended ones: straight or by
+/// way of mirrors, by images.
 
 /// Exchange area A_1 F_12, in squared units of length, within 1e-15 of the squared extent: the squared diagonal of the
 /// box around both surfaces (measured: at most 1.3e-16 over 18 000 random pairs). The error is not relative to the
@@ -27,8 +28,8 @@ std::optional<double> exact_exchange_area(const Surface& from, const Surface& to
 /// @pre both are indices into scene.faces
 std::optional<double> exact_form_factor(const Scene& scene, int from_face, int to_face);
 
-/// Factors from every patch (rows, in the order of Subdivision) to every face (columns). Empty as above, and where
-/// something may stand between two surfaces (core/facing.hpp, is_convex).
+/// Factors from every patch (rows, in the order of Subdivision; 0 of surfaces without a face) to every face (columns).
+/// Empty as above, and where something may stand between two surfaces (core/occlusion.hpp).
 std::optional<Eigen::MatrixXd> exact_patch_to_face(const Scene& scene, Subdivision subdivision);
 
 /// Factors from every face (rows) to every face (columns). Empty as above, and where something may stand in between.

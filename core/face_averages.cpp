@@ -1,6 +1,7 @@
 #include "core/face_averages.hpp"
 
 #include "core/contract.hpp"
+#include "core/mirrors.hpp"
 
 #include <algorithm>
 #include <vector>
@@ -10,7 +11,7 @@ namespace ff {
 bool has_one_surface_a_face(const Scene& scene) {
     std::vector<std::size_t> surfaces(scene.faces.size());
     for (const Surface& surface : scene.surfaces) {
-        if (surface.face != no_face) ++surfaces[static_cast<std::size_t>(surface.face)];
+        if (is_of_face(surface)) ++surfaces[static_cast<std::size_t>(surface.face)];
     }
     return std::all_of(surfaces.begin(), surfaces.end(), [](std::size_t count) { return count == 1; });
 }
@@ -23,8 +24,8 @@ Eigen::MatrixXd face_averages(const Scene& scene, Subdivision subdivision, std::
     Eigen::MatrixXd sums = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(faces), static_cast<Eigen::Index>(faces));
     Eigen::VectorXd areas = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(faces));
     for (std::size_t s = 0; s < scene.surfaces.size(); ++s) {
+        if (!is_of_face(scene.surfaces[s])) continue;
         const int from = scene.surfaces[s].face;
-        if (from == no_face) continue;
         const double own = area(scene.surfaces[s].shape);
         areas[from] += own;
         for (std::size_t to = 0; to < faces; ++to) {

@@ -1,5 +1,6 @@
 #include "core/facing.hpp"
 
+#include "core/mirrors.hpp"
 #include "core/surface_map.hpp"
 
 #include <Eigen/Geometry>
@@ -38,6 +39,21 @@ double size(const Surface& surface) {
     return sum;
 }
 
+/// Where images are not known, every face is taken to see itself.
+bool sees_itself_in_mirrors(const Scene& scene, int face) {
+    if (mirrors(scene).empty()) return false;
+    for (const Surface& from : scene.surfaces) {
+        for (const Surface& to : scene.surfaces) {
+            if (from.face != face || to.face != face) continue;
+            const auto places = images(scene, to);
+            if (!places || std::any_of(places->begin() + 1, places->end(),
+                                       [&](const Surface& place) { return ff::face_each_other(from, place); }))
+                return true;
+        }
+    }
+    return false;
+}
+
 }  // namespace
 
 bool face_each_other(const Surface& a, const Surface& b) {
@@ -46,6 +62,7 @@ bool face_each_other(const Surface& a, const Surface& b) {
 }
 
 bool sees_itself(const Scene& scene, int face) {
+    if (sees_itself_in_mirrors(scene, face)) return true;
     std::vector<const Surface*> own;
     for (const Surface& surface : scene.surfaces) {
         if (surface.face != face) continue;

@@ -8,7 +8,7 @@ namespace ff {
 /// it is only known that a hollow one sees itself and one that bulges does not.
 bool face_each_other(const Surface& a, const Surface& b);
 
-/// Whether a straight line may lead from the radiating side of a face to that side again.
+/// Whether a ray may lead from the radiating side of a face to that side again, straight or by way of mirrors.
 bool sees_itself(const Scene& scene, int face);
 
 /// Whether no surface has a part behind the plane of another (by more than 1e-12 of the two surfaces' size): then

@@ -2,6 +2,7 @@
 
 #include "core/facing.hpp"
 #include "core/line_meets.hpp"
+#include "core/mirrors.hpp"
 #include "core/surface_map.hpp"
 
 #include <algorithm>
@@ -75,9 +76,9 @@ bool may_be_occluded(const Scene& scene) {
     if (scene.empty_box) return false;
     if (scene.surfaces.size() > most_surfaces) return true;
     for (const Surface& from : scene.surfaces) {
-        if (from.face == no_face) continue;
+        if (!is_of_face(from)) continue;
         for (const Surface& to : scene.surfaces) {
-            if (to.face == no_face || &to > &from || !face_each_other(from, to)) continue;
+            if (!is_of_face(to) || &to > &from || !face_each_other(from, to)) continue;
             if (!possible_blockers(scene, from, to).empty()) return true;
         }
     }

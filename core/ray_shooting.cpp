@@ -1,6 +1,7 @@
 #include "core/ray_shooting.hpp"
 
 #include "core/contract.hpp"
+#include "core/mirrors.hpp"
 
 #include <algorithm>
 
@@ -40,7 +41,7 @@ void ray_shooting(const Scene& scene, Subdivision subdivision, const Tracer& tra
     PointBlock block;
     FaceHits patch_hits(faces + 1);
     for (std::uint32_t surface = 0; surface < scene.surfaces.size(); ++surface) {
-        if (scene.surfaces[surface].face == no_face) continue;
+        if (!is_of_face(scene.surfaces[surface])) continue;
         const auto from_face = static_cast<std::size_t>(scene.surfaces[surface].face);
         for (std::uint32_t p = 0; p < per_surface; ++p) {
             const std::uint32_t patch = surface * per_surface + p;

@@ -19,7 +19,7 @@ inline constexpr int no_face = -1;
 struct Surface {
     Shape shape;
     Eigen::Vector3d normal;
-    int face = 0;  ///< index into Scene::faces, or no_face
+    int face = 0;  ///< index into Scene::faces, no_face or mirror_face (core/mirrors.hpp)
 };
 
 /// Surfaces, and the faces (groups of surfaces) that results are reported for.

@@ -1,5 +1,7 @@
 #include "core/unfold.hpp"
 
+#include "core/mirrors.hpp"
+
 #include <algorithm>
 #include <limits>
 
@@ -60,7 +62,7 @@ FlatRectangle flatten(const Plane& plane, Side side, double depth, const Paralle
 }  // namespace
 
 std::optional<UnfoldedBox> unfold_box(const Scene& scene, Subdivision subdivision) {
-    if (!scene.empty_box || scene.surfaces.size() != 6) return std::nullopt;
+    if (!scene.empty_box || !mirrors(scene).empty() || scene.surfaces.size() != 6) return std::nullopt;
     const auto& [corner, edge_u, edge_v] = parallelogram(scene.surfaces.front());
     const Plane plane{corner,        edge_u.normalized(), edge_v.normalized(), scene.surfaces.front().normal,
                       edge_u.norm(), edge_v.norm()};

@@ -23,7 +23,7 @@ struct UnfoldedBox {
     FlatRectangle extent;
 };
 
-/// Empty unless the scene is the inside of an empty box.
+/// Empty unless the scene is the inside of an empty box without mirrors.
 std::optional<UnfoldedBox> unfold_box(const Scene& scene, Subdivision subdivision);
 
 }  // namespace ff

@@ -172,7 +172,7 @@ std::vector<Picture> patch_pictures(const studies::StudyResults& results, std::s
         for (std::size_t i = 1; i < at.exitance.size(); ++i) {
             const studies::ExitanceFindings& patch = at.exitance[i];
             means.values.push_back(*patch.mean * unit);
-            misses.values.push_back(*patch.rmse / patch.exact);
+            misses.values.push_back(relative_error(patch));
         }
         light.add(means);
         errors.add(misses);

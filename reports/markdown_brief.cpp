@@ -3,6 +3,7 @@
 #include "reports/markdown_sections.hpp"
 #include "reports/numbers.hpp"
 #include "reports/published_summary.hpp"
+#include "reports/radiosity_words.hpp"
 
 #include <fmt/format.h>
 
@@ -104,6 +105,11 @@ std::string brief_section(const studies::StudyResults& results) {
         }
     }
     out += bias_line(results.findings);
+    if (const auto light = light_in_brief(results)) {
+        std::string clause = light->clause;
+        clause.front() = 'A';
+        out += fmt::format("- {}; see [what the errors do to the light](#what-the-errors-do-to-the-light).\n", clause);
+    }
     for (const std::string& line : results_in_brief(results)) out += fmt::format("- {}\n", line);
     if (results.published) {
         for (const std::string& line : published_in_brief(*results.published, 1 - results.findings.plan.spec.level))

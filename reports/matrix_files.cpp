@@ -1,6 +1,7 @@
 #include "reports/matrix_files.hpp"
 
-#include "core/exact.hpp"
+#include "core/error.hpp"
+#include "core/exact_rooms.hpp"
 #include "core/radiosity/patch_factors.hpp"
 #include "core/radiosity/system.hpp"
 #include "reports/labels.hpp"
@@ -12,6 +13,7 @@
 
 #include <array>
 #include <bit>
+#include <sstream>
 
 namespace ff::reports {
 namespace {
@@ -60,15 +62,20 @@ void add_patches(Files& files, const std::string& folder, const std::string& lab
 
 }  // namespace
 
-std::string matrix_market(const Eigen::MatrixXd& matrix, const std::string& comment) {
-    std::string out = "%%MatrixMarket matrix array real general\n";
-    if (!comment.empty()) out += fmt::format("% {}\n", comment);
-    out += fmt::format("{} {}\n", matrix.rows(), matrix.cols());
-    for (const double value : matrix.reshaped()) out += fmt::format("{}\n", value);
-    return out;
+void write_matrix_market(std::ostream& out, const Eigen::MatrixXd& matrix, const std::string& comment) {
+    out << "%%MatrixMarket matrix array real general\n";
+    if (!comment.empty()) out << fmt::format("% {}\n", comment);
+    out << fmt::format("{} {}\n", matrix.rows(), matrix.cols());
+    for (const double value : matrix.reshaped()) out << fmt::format("{}\n", value);
 }
 
-std::string npy(const Eigen::MatrixXd& matrix) {
+std::string matrix_market(const Eigen::MatrixXd& matrix, const std::string& comment) {
+    std::ostringstream out;
+    write_matrix_market(out, matrix, comment);
+    return out.str();
+}
+
+void write_npy(std::ostream& out, const Eigen::MatrixXd& matrix) {
     static_assert(std::endian::native == std::endian::little);
     constexpr std::size_t before = 10;  // magic, version, length of the header
     constexpr std::size_t alignment = 64;
@@ -77,22 +84,58 @@ std::string npy(const Eigen::MatrixXd& matrix) {
     std::string header = fmt::format("{{'descr': '<f8', 'fortran_order': True, 'shape': {}, }}", shape);
     header.append((alignment - (before + header.size() + 1) % alignment) % alignment, ' ');
     header += '\n';
-    std::string out("\x93NUMPY\x01\x00", 8);
-    out += static_cast<char>(header.size() % 256);
-    out += static_cast<char>(header.size() / 256);
-    out += header;
+    out << std::string("\x93NUMPY\x01\x00", 8);
+    out.put(static_cast<char>(header.size() % 256));
+    out.put(static_cast<char>(header.size() / 256));
+    out << header;
     for (const double value : matrix.reshaped()) {
         const auto bytes = std::bit_cast<std::array<char, sizeof(double)>>(value);
-        out.append(bytes.data(), bytes.size());
+        out.write(bytes.data(), bytes.size());
     }
-    return out;
+}
+
+std::string npy(const Eigen::MatrixXd& matrix) {
+    std::ostringstream out;
+    write_npy(out, matrix);
+    return out.str();
+}
+
+void patch_systems(const studies::Store& store, const TakeMatrix& take) {
+    const studies::StudyPlan& plan = store.plan();
+    bool found = false;
+    for (std::size_t index = 0; plan.spec.radiosity && index < plan.cells.size(); ++index) {
+        if (!studies::tells_patches_apart(plan, index)) continue;
+        const auto trials = store.saved_trial_numbers(index);
+        if (trials.empty()) continue;
+        studies::expect_few_patches(plan, index);
+        found = true;
+        const studies::Cell& cell = plan.cells[index];
+        const std::string folder = fmt::format("cell_{}/", index);
+        const std::string label =
+            fmt::format("{}: {}, trial {}", plan.scenes[cell.scene].name, cell_label(plan, cell), trials.front());
+        const Eigen::MatrixXd matrix = studies::trace_patch_factors(plan, index, trials.front());
+        take(folder + "patch_form_factors", matrix, fmt::format("between patches, direct, {}", label));
+        const studies::PatchLight light = studies::patch_light(plan, cell.scene, cell.subdivision);
+        for (std::size_t setting = 0; setting < light.reflectance.size(); ++setting) {
+            const Eigen::MatrixXd system = Eigen::MatrixXd::Identity(matrix.rows(), matrix.cols()) -
+                                           light.reflectance[setting].asDiagonal() * matrix;
+            take(fmt::format("{}patch_system_{}", folder, setting), system,
+                 fmt::format("I - P F between patches at reflectance {}, {}",
+                             studies::in_words(plan.spec.radiosity->reflectance[setting]), label));
+        }
+    }
+    if (!found) {
+        throw UserError(
+            "--format patch_systems: no system between patches (it takes [radiosity], and ray_shooting or area_kernel "
+            "with several patches a face). Take --format matrices for those between faces.");
+    }
 }
 
 std::map<std::string, std::string> matrix_files(const studies::Store& store) {
     const studies::StudyPlan& plan = store.plan();
     Files files;
     for (std::size_t scene = 0; scene < plan.scenes.size(); ++scene) {
-        const auto exact = exact_form_factors(plan.scenes[scene]);
+        const auto exact = exact_room_factors(plan.scenes[scene]);
         if (exact) add_system(files, fmt::format("exact_{}/", scene), plan.scenes[scene].name, plan, scene, *exact);
     }
     for (std::size_t index = 0; index < plan.cells.size(); ++index) {
@@ -105,11 +148,11 @@ std::map<std::string, std::string> matrix_files(const studies::Store& store) {
                                               trials.numbers.front());
         studies::Elements faces;
         faces.areas = studies::face_areas(plan.scenes[cell.scene]);
-        faces.sight = all_but_itself(faces.areas.size());
+        faces.sight = studies::face_sight(plan.scenes[cell.scene]);
         add(files, folder + "areas", faces.areas, fmt::format("areas of the faces, {}", label));
         add_system(files, folder, label, plan, cell.scene,
                    studies::treat(faces, trials.errors, trials.direct.front(), treatment));
-        if (cell.subdivision.patches(plan.scenes[cell.scene]) <= most_patches &&
+        if (radiating_patches(plan.scenes[cell.scene], cell.subdivision) <= most_patches &&
             studies::tells_patches_apart(plan, index))
             add_patches(files, folder, label, plan, index, trials.numbers.front());
     }

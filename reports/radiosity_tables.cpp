@@ -132,9 +132,9 @@ Table exitance_table(const studies::StudyResults& results, Between between) {
             row.push_back({at.light_error ? percent(*at.light_error) : "–", mark});
             if (at.light_error) {
                 const auto& worst = *worst_element(at);
-                row.push_back({fmt::format("{} ({})", percent(*worst.rmse / worst.exact),
-                                           element_text(plan, found, worst.element)),
-                               mark});
+                row.push_back(
+                    {fmt::format("{} ({})", percent(relative_error(worst)), element_text(plan, found, worst.element)),
+                     mark});
             } else {
                 row.push_back({"–", mark});
             }

@@ -1,7 +1,10 @@
 #include "reports/radiosity_words.hpp"
 
+#include "core/mirrors.hpp"
+#include "core/radiosity/patch_factors.hpp"
 #include "reports/labels.hpp"
 #include "reports/numbers.hpp"
+#include "studies/interruptible_evaluation.hpp"
 
 #include <fmt/format.h>
 
@@ -110,12 +113,12 @@ std::vector<std::string> patch_lines(const studies::StudyResults& results) {
                 const auto& worst = *worst_element(found->settings[told]);
                 errors.push_back(fmt::format("{} {}, on the worst patch {} ({})", studies::name(treatment),
                                              percent(*found->settings[told].light_error),
-                                             percent(*worst.rmse / worst.exact),
+                                             percent(relative_error(worst)),
                                              element_text(plan, *found, worst.element)));
             }
             if (errors.empty()) continue;
             lines.push_back(fmt::format("Between the {} patches of {}, error of the light at reflectance {}: {}.",
-                                        plan.cells[cell].subdivision.patches(plan.scenes[scene]),
+                                        radiating_patches(plan.scenes[scene], plan.cells[cell].subdivision),
                                         cell_label(plan, plan.cells[cell]), setting_text(plan, told),
                                         fmt::join(errors, "; ")));
         }
@@ -171,16 +174,23 @@ std::string over_trials_text(const studies::OverTrials& range, std::size_t trial
                        brief(range.largest, digits));
 }
 
+double relative_error(const studies::ExitanceFindings& found) {
+    return found.exact > 0 ? *found.rmse / found.exact : 0;
+}
+
 const studies::ExitanceFindings* worst_element(const studies::SettingFindings& at) {
     if (!at.light_error) return nullptr;
     return &*std::max_element(at.exitance.begin() + 1, at.exitance.end(),
-                              [](const auto& a, const auto& b) { return *a.rmse / a.exact < *b.rmse / b.exact; });
+                              [](const auto& a, const auto& b) { return relative_error(a) < relative_error(b); });
 }
 
 Place place_of(const Scene& scene, Subdivision subdivision, studies::Between between, std::size_t element) {
     if (between == studies::Between::faces) return {scene.faces[element - 1]};
     const std::size_t on_surface = (element - 1) % subdivision.per_surface();
-    const int face = scene.surfaces[(element - 1) / subdivision.per_surface()].face;
+    std::size_t before = (element - 1) / subdivision.per_surface();
+    const int face = std::find_if(scene.surfaces.begin(), scene.surfaces.end(), [&](const Surface& surface) {
+                         return is_of_face(surface) && before-- == 0;
+                     })->face;
     return {scene.faces[static_cast<std::size_t>(face)], on_surface / subdivision.m + 1,
             on_surface % subdivision.m + 1};
 }
@@ -230,6 +240,11 @@ std::vector<std::string> radiosity_in_brief(const studies::StudyResults& results
         for (std::string& line : lines_of_scene(results, scene)) lines.push_back(std::move(line));
     }
     if (std::string line = repair_line(results); !line.empty()) lines.push_back(std::move(line));
+    const auto trials = studies::patch_trials(results.findings.plan, *results.radiosity);
+    if (!trials.complete()) {
+        lines.push_back(fmt::format("Stopped early: systems between patches are evaluated for {} of {} trials.",
+                                    trials.done, trials.wanted));
+    }
     for (std::string& line : patch_lines(results)) lines.push_back(std::move(line));
     if (std::string line = bias_order_line(results); !line.empty()) lines.push_back(std::move(line));
     return lines;

@@ -29,6 +29,9 @@ std::string over_trials_text(const studies::OverTrials& range, std::size_t trial
 /// Errors relative to the exact value: "1.2 %"; rounding shows as "0 %".
 std::string percent(double share, int digits = 2);
 
+/// RMSE of an exitance that has a mean, relative to the exact one; 0 of what is black and dark.
+double relative_error(const studies::ExitanceFindings& found);
+
 /// The face or patch whose exitance errs most, relatively; null where the exitance has no mean.
 const studies::ExitanceFindings* worst_element(const studies::SettingFindings& at);
 

@@ -1,7 +1,7 @@
 #include "studies/analysis.hpp"
 
 #include "core/configurations/catalogue.hpp"
-#include "core/exact.hpp"
+#include "core/exact_rooms.hpp"
 #include "core/pair_class.hpp"
 #include "stats/bias_test.hpp"
 #include "stats/moments.hpp"
@@ -175,7 +175,7 @@ CellFindings analyse_cell(const Store& store, std::size_t cell_index) {
     const Method& method = plan.spec.methods[cell.method];
     const Scene& scene = plan.scenes[cell.scene];
     const CellEstimates estimates = load_estimates(store, cell_index);
-    const auto exact = exact_form_factors(scene);
+    const auto exact = exact_room_factors(scene);
     const auto pairs = distinct_pairs(estimates.faces, method.completion);
 
     CellFindings findings;

@@ -2,6 +2,7 @@
 
 #include "core/error.hpp"
 #include "core/exact.hpp"
+#include "core/mirrors.hpp"
 #include "core/occlusion.hpp"
 #include "core/surface_map.hpp"
 
@@ -84,15 +85,25 @@ void expect_parallelograms(const Method& method, const Scene& scene) {
 
 void expect_formula(const Method& method, const Scene& scene) {
     if (exact_form_factors(scene)) return;
+    throw UserError(fmt::format(
+        "method '{}': scene '{}' has no closed form (there is one for rectangles along the axes{}). "
+        "Use another estimator.",
+        method.name, scene.name, mirrors(scene).empty() ? "" : ", and in mirrors of boxes that are not opposite"));
+}
+
+/// Only rays go on from a mirror; closed forms know its images.
+void expect_reflections(const Method& method, const Scene& scene) {
+    if (method.estimator == Estimator::ray_shooting || method.estimator == Estimator::closed_form) return;
     throw UserError(
-        fmt::format("method '{}': scene '{}' has no closed form (there is one for rectangles along the axes). "
-                    "Use another estimator.",
-                    method.name, scene.name));
+        fmt::format("method '{}': {} cannot be used in scene '{}' with mirrors (it sees nothing by way of them). Use "
+                    "estimator = \"ray_shooting\", or leave 'mirrors' out.",
+                    method.name, name(method.estimator), scene.name));
 }
 
 }  // namespace
 
 void expect_applicable(const Method& method, const Scene& scene) {
+    if (!mirrors(scene).empty()) expect_reflections(method, scene);
     switch (method.estimator) {
         case Estimator::ray_shooting:
             if (method.tracer == TracerChoice::box) expect_box(method, scene);

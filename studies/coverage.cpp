@@ -1,6 +1,6 @@
 #include "studies/coverage.hpp"
 
-#include "core/exact.hpp"
+#include "core/exact_rooms.hpp"
 #include "stats/binomial.hpp"
 #include "stats/distributions.hpp"
 #include "stats/mean_interval.hpp"
@@ -180,7 +180,7 @@ std::vector<Coverage> measure_coverage(const Store& store) {
     std::vector<Coverage> rows;
     if (plan.spec.coverage.empty()) return rows;
     for (std::size_t cell = 0; cell < plan.cells.size(); ++cell) {
-        const auto exact = exact_form_factors(plan.scenes[plan.cells[cell].scene]);
+        const auto exact = exact_room_factors(plan.scenes[plan.cells[cell].scene]);
         if (!plan.cells[cell].deterministic && exact) add_rows(CellTrials(store, cell, *exact), rows);
     }
     if (rows.empty()) return rows;

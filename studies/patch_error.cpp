@@ -1,6 +1,7 @@
 #include "studies/patch_error.hpp"
 
 #include "core/exact.hpp"
+#include "core/mirrors.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -69,8 +70,14 @@ std::optional<PatchErrors> patch_errors(const Store& store, std::size_t cell_ind
     double edge_squares = 0;
     double inner_squares = 0;
     std::size_t edge_patches = 0;
+    std::size_t inner_patches = 0;
     for (std::size_t patch = 0; patch < patches; ++patch) {
-        const auto own = static_cast<std::size_t>(scene.surfaces[patch / cell.subdivision.per_surface()].face);
+        const Surface& surface = scene.surfaces[patch / cell.subdivision.per_surface()];
+        if (!is_of_face(surface)) {
+            errors.rmse.push_back(0);
+            continue;
+        }
+        const auto own = static_cast<std::size_t>(surface.face);
         double squares = 0;
         for (std::size_t face = 0; face < faces; ++face) {
             if (face == own) continue;
@@ -84,10 +91,10 @@ std::optional<PatchErrors> patch_errors(const Store& store, std::size_t cell_ind
         errors.rmse.push_back(std::sqrt(squares));
         const bool edge = at_edge(cell.subdivision, static_cast<std::uint32_t>(patch));
         (edge ? edge_squares : inner_squares) += squares;
-        if (edge) ++edge_patches;
+        ++(edge ? edge_patches : inner_patches);
     }
     errors.at_edges = root_of_mean(edge_squares, edge_patches);
-    errors.inside = root_of_mean(inner_squares, patches - edge_patches);
+    errors.inside = root_of_mean(inner_squares, inner_patches);
     errors.worst =
         static_cast<std::size_t>(std::max_element(errors.rmse.begin(), errors.rmse.end()) - errors.rmse.begin());
     return errors;

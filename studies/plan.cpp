@@ -1,6 +1,7 @@
 #include "studies/plan.hpp"
 
 #include "core/error.hpp"
+#include "core/mirrors.hpp"
 #include "core/tracer.hpp"
 #include "samplers/sampler.hpp"
 #include "studies/applicability.hpp"
@@ -176,8 +177,10 @@ double expected_seconds_per_trial(const StudyPlan& plan, const Cell& cell) {
         case Estimator::point_to_polygon:
             return 1e-9 * evaluations * (polygons_nanoseconds + sampling_nanoseconds(method.sampler));
         case Estimator::ray_shooting: {
-            const bool one_by_one = method.tracer == TracerChoice::embree || method.tracer == TracerChoice::leaky;
-            const bool analytic = plan.scenes[cell.scene].empty_box && !one_by_one;
+            const Scene& scene = plan.scenes[cell.scene];
+            const bool one_by_one = method.tracer == TracerChoice::embree || method.tracer == TracerChoice::leaky ||
+                                    !mirrors(scene).empty();
+            const bool analytic = scene.empty_box && !one_by_one;
             const double tracing = analytic ? tracing_nanoseconds : embree_nanoseconds;
             return 1e-9 * evaluations * (tracing + sampling_nanoseconds(method.sampler));
         }
@@ -215,7 +218,7 @@ StudyPlan plan_study(StudySpec spec) {
                 warn_about_control(plan, method);
                 warn_about_size(plan, method, cell);
                 plan.cells.push_back(std::move(cell));
-                expect_few_patches(plan, plan.cells.size() - 1);
+                if (has_patch_systems(plan, plan.cells.size() - 1)) expect_few_patches(plan, plan.cells.size() - 1);
                 add_units(plan, plan.cells.size() - 1, 0, plan.cells.back().trials, plan.units);
             }
         }

@@ -1,4 +1,4 @@
-#include "studies/results.hpp"
+#include "studies/interruptible_evaluation.hpp"
 
 #include <algorithm>
 
@@ -12,9 +12,7 @@ bool all_finite(const Findings& findings) {
     });
 }
 
-}  // namespace
-
-StudyResults evaluate(const Store& store) {
+StudyResults evaluate(const Store& store, const std::atomic<bool>* stop) {
     StudyResults results;
     results.findings = analyse(store);
     results.context = store.context();
@@ -25,7 +23,7 @@ StudyResults evaluate(const Store& store) {
         results.coverage = measure_coverage(store);
         results.until = until_outcomes(store);
         if (results.findings.plan.spec.radiosity) {
-            results.radiosity = evaluate_radiosity(store);
+            results.radiosity = evaluate_radiosity(store, stop);
             results.bias_orders = bias_orders(results.findings.plan, *results.radiosity);
         }
     }
@@ -42,6 +40,16 @@ StudyResults evaluate(const Store& store) {
     results.rivals = find_rivals(results.findings,
                                  results.published ? results.published->comparisons : std::vector<TableComparison>{});
     return results;
+}
+
+}  // namespace
+
+StudyResults evaluate(const Store& store) {
+    return evaluate(store, nullptr);
+}
+
+StudyResults evaluate(const Store& store, const std::atomic<bool>& stop) {
+    return evaluate(store, &stop);
 }
 
 }  // namespace ff::studies

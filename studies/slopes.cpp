@@ -1,6 +1,6 @@
 #include "studies/slopes.hpp"
 
-#include "core/exact.hpp"
+#include "core/exact_rooms.hpp"
 #include "stats/convergence.hpp"
 #include "stats/distributions.hpp"
 #include "stats/multiplicity.hpp"
@@ -89,7 +89,7 @@ class LadderFit {
           findings_(findings),
           ladder_(ladder),
           estimates_(load(store, ladder)),
-          exact_(exact_form_factors(plan_.scenes[ladder.scene])),
+          exact_(exact_room_factors(plan_.scenes[ladder.scene])),
           draws_(draw_trials(estimates_, key())) {}
 
     [[nodiscard]] LadderSlopes slopes() const {

@@ -236,6 +236,9 @@ Method read_method(const TomlReader& reader, std::span<const std::string_view> o
 
 std::vector<std::string> read_scenes(const TomlReader& reader) {
     std::vector<std::string> names = reader.texts("scene");
+    for (std::string& scene : names) {
+        if (reader.has("mirrors")) scene = with_mirrors_named(scene, reader.texts("mirrors"));
+    }
     std::set<std::string> scenes;
     for (const std::string& scene : names) {
         std::string canonical = scene;
@@ -257,8 +260,8 @@ StudySpec parse_study(std::string_view text, std::string_view origin) {
     file.expect_only(sections);
     const auto study = file.optional_table("study");
     if (!study) file.fail("study", "missing. Begin the file with [study].");
-    static constexpr std::array<std::string_view, 9> known{
-        "name", "title", "scene", "trials", "seed", "level", "power", "equivalence_margin", "inapplicable"};
+    static constexpr std::array<std::string_view, 10> known{
+        "name", "title", "scene", "mirrors", "trials", "seed", "level", "power", "equivalence_margin", "inapplicable"};
     study->expect_only(known);
 
     StudySpec spec;
@@ -310,7 +313,7 @@ StudySpec load_study(const std::filesystem::path& file) {
     StudySpec spec = parse_study(read_text_file(file), file.string());
     for (std::string& scene : spec.scenes) {
         if (!names_scene_file(scene) || has_scene_text(scene)) continue;
-        scene = with_scene_text(scene, read_text_file(file.parent_path() / scene));
+        scene = with_scene_text(scene, read_text_file(file.parent_path() / scene_file(scene)));
         static_cast<void>(make_scene(scene));  // refused before it is run
     }
     if (spec.published) {

@@ -1,6 +1,6 @@
 #include "studies/until.hpp"
 
-#include "core/exact.hpp"
+#include "core/exact_rooms.hpp"
 #include "studies/known_variance.hpp"
 
 #include <algorithm>
@@ -20,7 +20,7 @@ std::vector<PairPilot> pilots(const Store& store, std::size_t cell_index) {
     const Scene& scene = plan.scenes[cell.scene];
     const Method& method = plan.spec.methods[cell.method];
     const CellEstimates estimates = load_estimates(store, cell_index);
-    const auto exact = exact_form_factors(scene);
+    const auto exact = exact_room_factors(scene);
     const auto size = static_cast<std::size_t>(plan.spec.until->pilot);
     std::vector<PairPilot> found;
     for (const Quantity pair : distinct_pairs(estimates.faces, method.completion)) {

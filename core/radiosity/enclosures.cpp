@@ -2,28 +2,13 @@
 
 #include "core/contract.hpp"
 #include "core/exact.hpp"
+#include "core/mirrors.hpp"
 
 #include <cmath>
 #include <numbers>
-#include <vector>
+#include <utility>
 
 namespace ff {
-namespace {
-
-/// What a surface looks like in a mirror.
-Surface reflected(const Surface& surface, const Surface& mirror) {
-    const Eigen::Vector3d& n = mirror.normal;
-    const auto turned = [&](const Eigen::Vector3d& v) { return Eigen::Vector3d(v - 2 * n.dot(v) * n); };
-    Surface image = surface;
-    parallelogram(image).corner =
-        parallelogram(mirror).corner + turned(parallelogram(surface).corner - parallelogram(mirror).corner);
-    parallelogram(image).edge_u = turned(parallelogram(surface).edge_u);
-    parallelogram(image).edge_v = turned(parallelogram(surface).edge_v);
-    image.normal = turned(surface.normal);
-    return image;
-}
-
-}  // namespace
 
 Enclosure cavity(double area, double opening) {
     FF_EXPECT(opening > 0 && opening <= area);
@@ -49,24 +34,11 @@ Enclosure closed_cylinder(double radius, double height) {
 }
 
 std::optional<Enclosure> box_with_mirror(const Scene& box, int mirror) {
-    if (!box.empty_box) return std::nullopt;
-    std::vector<Surface> faces = box.surfaces;
-    const Surface glass = faces.at(static_cast<std::size_t>(mirror));
-    faces.erase(faces.begin() + mirror);
-    const auto n = static_cast<Eigen::Index>(faces.size());
-    Enclosure enclosure{Eigen::MatrixXd(n, n), Eigen::VectorXd(n)};
-    for (Eigen::Index i = 0; i < n; ++i) {
-        const Surface& from = faces[static_cast<std::size_t>(i)];
-        enclosure.areas[i] = area(from.shape);
-        for (Eigen::Index j = 0; j < n; ++j) {
-            const Surface& to = faces[static_cast<std::size_t>(j)];
-            // A line to an image goes through the mirror: box and image together are convex.
-            const auto by_mirror = exact_exchange_area(from, reflected(to, glass));
-            const auto straight = i == j ? std::optional(0.0) : exact_exchange_area(from, to);
-            if (!by_mirror || !straight) return std::nullopt;
-            enclosure.factors(i, j) = (*straight + *by_mirror) / enclosure.areas[i];
-        }
-    }
+    const Scene room = with_mirrors(box, {&box.faces.at(static_cast<std::size_t>(mirror)), 1});
+    auto factors = exact_form_factors(room);
+    if (!room.empty_box || !factors) return std::nullopt;
+    Enclosure enclosure{std::move(*factors), Eigen::VectorXd(static_cast<Eigen::Index>(room.faces.size()))};
+    for (Eigen::Index i = 0; i < enclosure.areas.size(); ++i) enclosure.areas[i] = face_area(room, static_cast<int>(i));
     return enclosure;
 }
 

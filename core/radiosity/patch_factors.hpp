@@ -14,7 +14,11 @@
 
 namespace ff {
 
-/// Form factors from every patch (rows, in the order of Subdivision) to every patch, as one trial of ray shooting gives
+/// Patches of surfaces that belong to a face. In matrices between patches they are the rows and columns, in the order
+/// of Subdivision.
+std::uint32_t radiating_patches(const Scene& scene, Subdivision subdivision);
+
+/// Form factors from every patch to every patch, as one trial of ray shooting gives
 /// them: the same rays as `ray_shooting` with these arguments, told apart by the patches that they hit. Rows sum to 1
 /// but for lost rays. 8 bytes for each pair of patches.
 Eigen::MatrixXd shoot_patch_factors(const Scene& scene, Subdivision subdivision, const Tracer& tracer,
@@ -26,13 +30,16 @@ Eigen::MatrixXd shoot_patch_factors(const Scene& scene, Subdivision subdivision,
 Eigen::MatrixXd kernel_patch_factors(const Scene& scene, Subdivision subdivision, const PointSource& points,
                                      PointMap map, StreamKey key, std::uint32_t trial);
 
-/// The exact ones. Empty where some pair of surfaces has no elementary formula.
+/// The exact ones: closed forms of rectangles along the axes, contour integrals of other parallelograms; in a box with
+/// mirrors by images. Empty of scenes with other shapes, where something may stand in between, and where images are not
+/// known.
 std::optional<Eigen::MatrixXd> exact_patch_factors(const Scene& scene, Subdivision subdivision);
+bool has_exact_patch_factors(const Scene& scene);
 
-/// Area of every patch, in the order of Subdivision.
+/// Area of every patch.
 Eigen::VectorXd patch_areas(const Scene& scene, Subdivision subdivision);
 
-/// Which patches lie in front of each other, whatever stands between them.
+/// Which patches lie in front of each other, or of an image of each other, whatever stands between them.
 Sight patch_sight(const Scene& scene, Subdivision subdivision);
 
 }  // namespace ff

@@ -31,9 +31,10 @@ void add_moments(ExitanceFindings& findings, const std::vector<double>& values, 
     findings.rmse = moments.root_mean_squared_error();
 }
 
-/// Root mean square over the off-diagonal pairs.
-double error_of(const Eigen::MatrixXd& factors, const Eigen::MatrixXd& exact) {
-    return (factors - exact).norm() / std::sqrt(static_cast<double>(exact.size() - exact.rows()));
+/// Root mean square over pairs: of an element with itself where it sees itself.
+double error_of(const Eigen::MatrixXd& factors, const Eigen::MatrixXd& exact, const Sight& sight) {
+    const auto pairs = exact.size() - exact.rows() + sight.matrix().diagonal().count();
+    return (factors - exact).norm() / std::sqrt(static_cast<double>(pairs));
 }
 
 }  // namespace
@@ -80,9 +81,9 @@ SettingFindings SettingCollector::finish(const Eigen::VectorXd& exact, const Eig
 }
 
 ConsequencesCollector::ConsequencesCollector(const Lighting& lighting, std::span<const Eigen::VectorXd> exitance,
-                                             Between between, Treatment treatment, std::uint64_t solver_trials,
-                                             const SolverOptions& options)
-    : lighting_(&lighting), exitance_(exitance), solver_trials_(solver_trials), options_(options) {
+                                             Between between, Treatment treatment,
+                                             std::vector<std::uint64_t> solver_trials, const SolverOptions& options)
+    : lighting_(&lighting), exitance_(exitance), solver_trials_(std::move(solver_trials)), options_(options) {
     found_.between = between;
     found_.treatment = treatment;
     for (std::size_t setting = 0; setting < exitance.size(); ++setting) settings_.emplace_back(setting);
@@ -98,14 +99,14 @@ void ConsequencesCollector::add(const Eigen::MatrixXd& direct, const Uncertainty
     closure_.push_back(properties.closure_defect);
     reciprocity_.push_back(properties.reciprocity_defect);
     correction_.push_back((matrix - direct).cwiseAbs().maxCoeff());
-    error_.push_back(error_of(matrix, lighting_->exact));
+    error_.push_back(error_of(matrix, lighting_->exact, lighting_->elements.sight));
     dominant_.push_back(properties.dominant_below());
     convergent_.push_back(1 / properties.spectral_radius.middle());
     RadiositySystem system = lighting_->system(0, std::move(matrix));
     for (std::size_t setting = 0; setting < settings_.size(); ++setting) {
         system.reflectance = lighting_->reflectance[setting];
         settings_[setting].add(system);
-        if (found_.trials < solver_trials_) settings_[setting].run_solvers(system, options_);
+        if (found_.trials < solver_trials_[setting]) settings_[setting].run_solvers(system, options_);
     }
     ++found_.trials;
 }

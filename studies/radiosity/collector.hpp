@@ -28,9 +28,9 @@ class SettingCollector {
 /// What the trials of a cell say together under one treatment. Matrices come one by one and are not kept.
 class ConsequencesCollector {
   public:
-    /// @param exitance exact solutions, by setting @param solver_trials how many trials solvers are run on
+    /// @param exitance exact solutions, by setting @param solver_trials how many trials solvers are run on, by setting
     ConsequencesCollector(const Lighting& lighting, std::span<const Eigen::VectorXd> exitance, Between between,
-                          Treatment treatment, std::uint64_t solver_trials, const SolverOptions& options);
+                          Treatment treatment, std::vector<std::uint64_t> solver_trials, const SolverOptions& options);
 
     void add(const Eigen::MatrixXd& direct, const Uncertainty& errors);
     Consequences finish(std::size_t cell, double level);
@@ -38,7 +38,7 @@ class ConsequencesCollector {
   private:
     const Lighting* lighting_;
     std::span<const Eigen::VectorXd> exitance_;
-    std::uint64_t solver_trials_;
+    std::vector<std::uint64_t> solver_trials_;
     SolverOptions options_;
     Consequences found_;
     std::vector<double> closure_, reciprocity_, correction_, error_, dominant_, convergent_;

@@ -1,6 +1,9 @@
 #include "studies/radiosity/consequences.hpp"
 
+#include "studies/interruptible_evaluation.hpp"
+#include "studies/interruptible_points.hpp"
 #include "studies/radiosity/collector.hpp"
+#include "studies/radiosity/cost.hpp"
 #include "studies/radiosity/lighting.hpp"
 #include "studies/radiosity/patch_matrix.hpp"
 #include "studies/radiosity/solver_runs.hpp"
@@ -20,7 +23,8 @@ std::vector<Eigen::VectorXd> solve_with_exact_factors(const StudyPlan& plan, std
     for (std::size_t setting = 0; setting < lighting.reflectance.size(); ++setting) {
         system.reflectance = lighting.reflectance[setting];
         SolverRuns runs;
-        if (m == 0 || runs_solvers(plan, lighting.elements.areas.size())) runs.add(system, solver_options(plan));
+        if (m == 0 || runs_solvers(plan, static_cast<double>(lighting.elements.areas.size()), setting))
+            runs.add(system, solver_options(plan));
         auto [properties, solution] = solve_with_properties(system);
         exitance.push_back(*solution);
         systems.push_back({scene, m, setting, std::move(*solution), properties, runs.finish()});
@@ -32,13 +36,15 @@ std::vector<Eigen::VectorXd> solve_with_exact_factors(const StudyPlan& plan, std
 std::vector<ConsequencesCollector> make_collectors(const StudyPlan& plan, std::size_t cell, const Lighting& lighting,
                                                    const std::vector<Eigen::VectorXd>& exitance, Between between,
                                                    const Uncertainty& errors) {
-    std::uint64_t solver_trials = plan.spec.radiosity->solver_trials;
-    if (between == Between::patches) solver_trials = runs_solvers(plan, lighting.elements.areas.size()) ? 1 : 0;
+    std::vector<std::uint64_t> solver_trials(exitance.size(), plan.spec.radiosity->solver_trials);
+    for (std::size_t setting = 0; between == Between::patches && setting < solver_trials.size(); ++setting)
+        solver_trials[setting] = runs_solvers(plan, static_cast<double>(lighting.elements.areas.size()), setting);
+    const std::vector<std::uint64_t> none(exitance.size(), 0);
     const Treatment own = treatment_of(plan.spec.methods[plan.cells[cell].method].completion);
     std::vector<ConsequencesCollector> collectors;
     for (const Treatment treatment : all_treatments) {
         if (treatment == Treatment::weighted && errors.covariances.empty()) continue;
-        collectors.emplace_back(lighting, exitance, between, treatment, treatment == own ? solver_trials : 0,
+        collectors.emplace_back(lighting, exitance, between, treatment, treatment == own ? solver_trials : none,
                                 solver_options(plan));
     }
     return collectors;
@@ -62,28 +68,42 @@ void evaluate_between_faces(const Store& store, RadiosityResults& results) {
     }
 }
 
-void evaluate_between_patches(const Store& store, RadiosityResults& results) {
+/// Trials of one cell, until `stop`: a trial is whole or left out.
+void add_trials_between_patches(const StudyPlan& plan, std::size_t cell, std::uint64_t trials,
+                                const Uncertainty& errors, std::vector<ConsequencesCollector>& collectors,
+                                const std::atomic<bool>* stop) {
+    try {
+        for (std::uint64_t trial = 0; trial < trials; ++trial) {
+            const Eigen::MatrixXd direct = trace_patch_factors(plan, cell, trial, stop);
+            for (ConsequencesCollector& collector : collectors) collector.add(direct, errors);
+        }
+    } catch (const Interrupted&) {
+    }
+}
+
+void evaluate_between_patches(const Store& store, RadiosityResults& results, const std::atomic<bool>* stop) {
     const StudyPlan& plan = store.plan();
+    const auto stopped = [stop] { return stop != nullptr && stop->load(); };
     std::map<std::pair<std::size_t, std::uint32_t>, std::vector<std::size_t>> by_patches;
     for (std::size_t cell = 0; cell < plan.cells.size(); ++cell) {
         if (has_patch_systems(plan, cell))
             by_patches[{plan.cells[cell].scene, plan.cells[cell].subdivision.m}].push_back(cell);
     }
     for (const auto& [key, cells] : by_patches) {
+        if (stopped()) return;
         const auto [scene, m] = key;
         const Lighting lighting = light_patches(plan, scene, Subdivision{m});
         const auto exitance = solve_with_exact_factors(plan, scene, m, lighting, results.exact);
         for (const std::size_t cell : cells) {
-            const std::uint64_t trials = std::min(plan.cells[cell].trials, plan.spec.radiosity->patch_trials);
+            if (stopped()) return;
             const bool counted = plan.spec.methods[plan.cells[cell].method].estimator == Estimator::ray_shooting;
             const Uncertainty errors{counted ? plan.cells[cell].samples : 0, {}};
             auto collectors = make_collectors(plan, cell, lighting, exitance, Between::patches, errors);
-            for (std::uint64_t trial = 0; trial < trials; ++trial) {
-                const Eigen::MatrixXd direct = trace_patch_factors(plan, cell, trial);
-                for (ConsequencesCollector& collector : collectors) collector.add(direct, errors);
+            add_trials_between_patches(plan, cell, patch_trials(plan, cell), errors, collectors, stop);
+            for (ConsequencesCollector& collector : collectors) {
+                Consequences found = collector.finish(cell, plan.spec.level);
+                if (found.trials + found.not_balanced > 0) results.consequences.push_back(std::move(found));
             }
-            for (ConsequencesCollector& collector : collectors)
-                results.consequences.push_back(collector.finish(cell, plan.spec.level));
         }
     }
 }
@@ -107,10 +127,25 @@ const Consequences* RadiosityResults::find(std::size_t cell, Treatment treatment
     return found == consequences.end() ? nullptr : &*found;
 }
 
+PatchTrials patch_trials(const StudyPlan& plan, const RadiosityResults& results) {
+    PatchTrials trials;
+    for (std::size_t cell = 0; cell < plan.cells.size(); ++cell) {
+        if (!has_patch_systems(plan, cell)) continue;
+        trials.wanted += patch_trials(plan, cell);
+        const Consequences* found = results.find(cell, Treatment::direct, Between::patches);
+        if (found != nullptr) trials.done += found->trials;
+    }
+    return trials;
+}
+
 RadiosityResults evaluate_radiosity(const Store& store) {
+    return evaluate_radiosity(store, nullptr);
+}
+
+RadiosityResults evaluate_radiosity(const Store& store, const std::atomic<bool>* stop) {
     RadiosityResults results;
     evaluate_between_faces(store, results);
-    evaluate_between_patches(store, results);
+    evaluate_between_patches(store, results, stop);
     // By cell, whichever subdivision was lit first.
     std::stable_sort(results.consequences.begin(), results.consequences.end(),
                      [](const Consequences& a, const Consequences& b) {

@@ -1,5 +1,6 @@
 #include "studies/radiosity/cost.hpp"
 
+#include "core/radiosity/patch_factors.hpp"
 #include "studies/radiosity/patch_matrix.hpp"
 #include "studies/radiosity/treatment.hpp"
 
@@ -30,20 +31,31 @@ double iterations(const RadiosityRequest& request, const std::vector<double>& re
     return largest > 0 ? std::log(request.tolerance) / std::log(largest) : 1;
 }
 
+/// All solvers on one system.
+double seconds_of_solvers(const RadiosityRequest& request, double n, const std::vector<double>& reflectance) {
+    return 2.0 / 3 * n * n * n * seconds_of_elimination +
+           passes_of_solvers * iterations(request, reflectance) * n * n * seconds_of_an_entry;
+}
+
 /// Of one matrix at all settings. @param n patches
-double seconds_of_systems(const RadiosityRequest& request, double n, bool with_solvers) {
+double seconds_of_systems(const StudyPlan& plan, double n, bool with_solvers) {
+    const RadiosityRequest& request = *plan.spec.radiosity;
     double seconds = passes_over_a_matrix * n * n * seconds_of_an_entry;
-    for (const auto& reflectance : request.reflectance) {
+    for (std::size_t setting = 0; setting < request.reflectance.size(); ++setting) {
         seconds += 2.0 / 3 * n * n * n * seconds_of_elimination;
-        if (with_solvers) {
-            seconds += 2.0 / 3 * n * n * n * seconds_of_elimination;
-            seconds += passes_of_solvers * iterations(request, reflectance) * n * n * seconds_of_an_entry;
-        }
+        if (with_solvers && runs_solvers(plan, n, setting))
+            seconds += seconds_of_solvers(request, n, request.reflectance[setting]);
     }
     return seconds;
 }
 
 }  // namespace
+
+bool runs_solvers(const StudyPlan& plan, double patches, std::size_t setting) {
+    const RadiosityRequest& request = *plan.spec.radiosity;
+    return request.solver_trials > 0 &&
+           seconds_of_solvers(request, patches, request.reflectance[setting]) <= most_seconds_of_solvers;
+}
 
 std::uint64_t memory_of_radiosity(const StudyPlan& plan) {
     if (!plan.spec.radiosity) return 0;
@@ -55,11 +67,11 @@ std::uint64_t memory_of_radiosity(const StudyPlan& plan) {
         const std::uint64_t exitances = all_treatments.size() * settings * (faces + 4) * sizeof(double);
         std::uint64_t bytes = cell.trials * (2 * faces * faces * sizeof(double) + bytes_of_a_small_matrix + exitances);
         if (has_patch_systems(plan, index)) {
-            const std::uint64_t n = cell.subdivision.patches(plan.scenes[cell.scene]);
+            const std::uint64_t n = radiating_patches(plan.scenes[cell.scene], cell.subdivision);
             const bool kernels = plan.spec.methods[cell.method].estimator == Estimator::area_kernel;
             const std::uint64_t bytes_of_a_pair =
                 std::max(matrices * sizeof(double), kernels ? bytes_of_a_kernel_pair : 0);
-            const std::uint64_t trials = std::min(cell.trials, plan.spec.radiosity->patch_trials);
+            const std::uint64_t trials = patch_trials(plan, index);
             bytes = std::max(bytes,
                              n * n * bytes_of_a_pair + trials * all_treatments.size() * settings * n * sizeof(double));
         }
@@ -78,15 +90,14 @@ double seconds_of_radiosity(const StudyPlan& plan) {
         const auto treatments = static_cast<double>(all_treatments.size());
         seconds += static_cast<double>(cell.trials) * treatments * settings * seconds_between_faces;
         if (!has_patch_systems(plan, index)) continue;
-        const double n = cell.subdivision.patches(plan.scenes[cell.scene]);
-        const bool solvers = runs_solvers(plan, cell.subdivision.patches(plan.scenes[cell.scene]));
-        const auto trials = static_cast<double>(std::min(cell.trials, request.patch_trials));
+        const double n = radiating_patches(plan.scenes[cell.scene], cell.subdivision);
+        const auto trials = static_cast<double>(patch_trials(plan, index));
         double trial = expected_seconds_per_trial(plan, cell);
         if (plan.spec.methods[cell.method].estimator == Estimator::ray_shooting)
             trial += seconds_of_a_traced_ray * static_cast<double>(evaluations_per_trial(plan, cell));
-        seconds += n * n / 2 * seconds_of_an_exact_factor + seconds_of_systems(request, n, solvers);
-        seconds += trials * (trial + treatments_between_patches * seconds_of_systems(request, n, false));
-        if (solvers) seconds += seconds_of_systems(request, n, true) - seconds_of_systems(request, n, false);
+        seconds += n * n / 2 * seconds_of_an_exact_factor + seconds_of_systems(plan, n, true);
+        seconds += trials * (trial + treatments_between_patches * seconds_of_systems(plan, n, false));
+        seconds += seconds_of_systems(plan, n, true) - seconds_of_systems(plan, n, false);
     }
     return seconds;
 }

@@ -143,7 +143,8 @@ EnclosureResults study_enclosure(const EnclosureRequest& request) {
     std::vector<ConsequencesCollector> collectors;
     for (const Treatment treatment : all_treatments) {
         if (treatment == Treatment::weighted) continue;  // the law of the hits is known: `balanced` has it
-        collectors.emplace_back(lighting, exitance, Between::faces, treatment, request.light.solver_trials, options);
+        collectors.emplace_back(lighting, exitance, Between::faces, treatment,
+                                std::vector(exitance.size(), request.light.solver_trials), options);
     }
     const StreamKey key = derive_key(
         request.seed, fmt::format("enclosure {}|{}|n={}", request.name, request.mirror.value_or(""), request.rays));

@@ -1,7 +1,9 @@
 #include "studies/radiosity/lighting.hpp"
 
 #include "core/contract.hpp"
-#include "core/exact.hpp"
+#include "core/exact_rooms.hpp"
+#include "core/facing.hpp"
+#include "core/mirrors.hpp"
 #include "core/radiosity/patch_factors.hpp"
 
 #include <utility>
@@ -29,6 +31,13 @@ Eigen::VectorXd face_areas(const Scene& scene) {
     return areas;
 }
 
+Sight face_sight(const Scene& scene) {
+    Sight sight = all_but_itself(static_cast<Eigen::Index>(scene.faces.size()));
+    for (Eigen::Index face = 0; face < sight.rows(); ++face)
+        sight(face, face) = sees_itself(scene, static_cast<int>(face));
+    return sight;
+}
+
 RadiositySystem Lighting::system(std::size_t setting, Eigen::MatrixXd factors) const {
     return {std::move(factors), elements.areas, reflectance[setting], emission};
 }
@@ -38,8 +47,8 @@ Lighting light_faces(const StudyPlan& plan, std::size_t scene) {
     Lighting lighting;
     lighting.elements.areas = face_areas(plan.scenes[scene]);
     const Eigen::Index faces = lighting.elements.areas.size();
-    lighting.elements.sight = all_but_itself(faces);
-    lighting.exact = exact_form_factors(plan.scenes[scene]).value();
+    lighting.elements.sight = face_sight(plan.scenes[scene]);
+    lighting.exact = exact_room_factors(plan.scenes[scene]).value();
     for (const auto& setting : request.reflectance) lighting.reflectance.push_back(for_faces(setting, faces));
     lighting.emission = for_faces(request.emission, faces);
     return lighting;
@@ -50,10 +59,12 @@ PatchLight patch_light(const StudyPlan& plan, std::size_t scene_index, Subdivisi
     const Scene& scene = plan.scenes[scene_index];
     const auto spread = [&](const std::vector<double>& numbers) {
         const Eigen::VectorXd faces = for_faces(numbers, static_cast<Eigen::Index>(scene.faces.size()));
-        Eigen::VectorXd result(static_cast<Eigen::Index>(subdivision.patches(scene)));
-        for (std::size_t surface = 0; surface < scene.surfaces.size(); ++surface) {
-            result.segment(static_cast<Eigen::Index>(surface) * subdivision.per_surface(), subdivision.per_surface())
-                .setConstant(faces[scene.surfaces[surface].face]);
+        Eigen::VectorXd result(static_cast<Eigen::Index>(radiating_patches(scene, subdivision)));
+        Eigen::Index next = 0;
+        for (const Surface& surface : scene.surfaces) {
+            if (!is_of_face(surface)) continue;
+            result.segment(next, subdivision.per_surface()).setConstant(faces[surface.face]);
+            next += subdivision.per_surface();
         }
         return result;
     };

@@ -28,6 +28,8 @@ struct PatchLight {
 };
 
 Eigen::VectorXd face_areas(const Scene& scene);
+/// All pairs of faces; of a face with itself where it sees itself.
+Sight face_sight(const Scene& scene);
 
 /// @pre the plan has a request
 PatchLight patch_light(const StudyPlan& plan, std::size_t scene, Subdivision subdivision);

@@ -3,9 +3,13 @@
 #include "core/contract.hpp"
 #include "core/error.hpp"
 #include "core/radiosity/patch_factors.hpp"
+#include "studies/interruptible_points.hpp"
 #include "studies/work.hpp"
 
 #include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
 
 namespace ff::studies {
 
@@ -19,17 +23,22 @@ bool has_patch_systems(const StudyPlan& plan, std::size_t index) {
     return plan.spec.radiosity && plan.spec.radiosity->patch_trials > 0 && tells_patches_apart(plan, index);
 }
 
-bool runs_solvers(const StudyPlan& plan, std::int64_t patches) {
-    constexpr std::int64_t most = 256;
-    return plan.spec.radiosity->solver_trials > 0 && patches <= most;
+std::uint64_t patch_trials(const StudyPlan& plan, std::size_t index) {
+    return std::min(plan.cells[index].trials, plan.spec.radiosity->patch_trials);
 }
 
 void expect_few_patches(const StudyPlan& plan, std::size_t index) {
-    if (!has_patch_systems(plan, index)) return;
     const Cell& cell = plan.cells[index];
     const Method& method = plan.spec.methods[cell.method];
-    const std::uint32_t patches = cell.subdivision.patches(plan.scenes[cell.scene]);
+    const Scene& scene = plan.scenes[cell.scene];
+    const std::uint32_t patches = radiating_patches(scene, cell.subdivision);
     const std::uint32_t most = method.estimator == Estimator::ray_shooting ? most_traced_patches : most_kernel_patches;
+    if (!has_exact_patch_factors(scene)) {
+        throw UserError(fmt::format(
+            "[radiosity]: patch_trials in scene '{}' (patches have exact factors where all surfaces are parallelograms "
+            "that nothing can stand between). Leave patch_trials out.",
+            scene.name));
+    }
     if (patches <= most) return;
     throw UserError(fmt::format(
         "[radiosity]: patch_trials with method '{}' and {} patches in all (every pair has a factor: at most {} patches "
@@ -37,13 +46,15 @@ void expect_few_patches(const StudyPlan& plan, std::size_t index) {
         method.name, patches, most, name(method.estimator)));
 }
 
-Eigen::MatrixXd trace_patch_factors(const StudyPlan& plan, std::size_t index, std::uint64_t trial) {
+Eigen::MatrixXd trace_patch_factors(const StudyPlan& plan, std::size_t index, std::uint64_t trial,
+                                    const std::atomic<bool>* stop) {
     FF_EXPECT(tells_patches_apart(plan, index));
     const Cell& cell = plan.cells[index];
     const Scene& scene = plan.scenes[cell.scene];
     const Method& method = plan.spec.methods[cell.method];
     const auto number = static_cast<std::uint32_t>(trial);
-    const auto points = make_points(method, cell);
+    auto points = make_points(method, cell);
+    if (stop != nullptr) points = interruptible(std::move(points), *stop);
     if (method.estimator == Estimator::area_kernel)
         return kernel_patch_factors(scene, cell.subdivision, *points, method.map, cell.key, number);
     return shoot_patch_factors(scene, cell.subdivision, *make_tracer(scene, method.tracer), *points, cell.samples,

@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 
@@ -20,14 +21,16 @@ bool tells_patches_apart(const StudyPlan& plan, std::size_t cell);
 /// Whether the study asks for systems between the patches of this cell.
 bool has_patch_systems(const StudyPlan& plan, std::size_t cell);
 
-/// Whether solvers are run between so many patches: up to 256. Near reflectance 1 they take thousands of iterations.
-bool runs_solvers(const StudyPlan& plan, std::int64_t patches);
+/// How many of its trials are put into them.
+std::uint64_t patch_trials(const StudyPlan& plan, std::size_t cell);
 
-/// @throws UserError where that asks for more patches than stated above
+/// @throws UserError where a cell has more patches than stated above, or none with exact factors
+/// @pre tells_patches_apart
 void expect_few_patches(const StudyPlan& plan, std::size_t cell);
 
 /// Direct factors between the patches of a trial. No store holds them; the trial is done again: it is the same, since
-/// points are addressed. @pre tells_patches_apart
-Eigen::MatrixXd trace_patch_factors(const StudyPlan& plan, std::size_t cell, std::uint64_t trial);
+/// points are addressed. @pre tells_patches_apart @throws Interrupted once `stop` is true
+Eigen::MatrixXd trace_patch_factors(const StudyPlan& plan, std::size_t cell, std::uint64_t trial,
+                                    const std::atomic<bool>* stop = nullptr);
 
 }  // namespace ff::studies

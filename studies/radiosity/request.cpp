@@ -1,7 +1,7 @@
 #include "studies/radiosity/request.hpp"
 
 #include "core/error.hpp"
-#include "core/exact.hpp"
+#include "core/exact_rooms.hpp"
 #include "studies/toml_reader.hpp"
 
 #include <fmt/format.h>
@@ -16,10 +16,14 @@
 namespace ff::studies {
 namespace {
 
+constexpr double most_reflectance = 1 - 1e-9;
+
 /// What is wrong with a list of numbers; empty where nothing is.
 std::string problem_with_reflectance(const std::vector<double>& reflectance) {
     for (const double value : reflectance) {
         if (value >= 1) return fmt::format("({} is 1 or more: light that nothing absorbs piles up). Try 0.99.", value);
+        if (value > most_reflectance)
+            return fmt::format("({} is so near to 1 that rounding decides the light). Take at most 1 - 1e-9.", value);
         if (!(value >= 0)) return fmt::format("({} is below 0). Give 0 or more.", value);
     }
     return {};
@@ -127,11 +131,10 @@ void expect_fitting(const RadiosityRequest& request, const Scene& scene) {
                         "what is lost by errors cannot be told). Close it, or leave the section out.",
                         scene.name));
     }
-    if (!exact_form_factors(scene)) {
-        throw UserError(
-            fmt::format("[radiosity]: scene '{}' has no exact form factors (nothing to compare with). Leave "
-                        "the section out.",
-                        scene.name));
+    if (!exact_room_factors(scene)) {
+        throw UserError(fmt::format(
+            "[radiosity]: scene '{}' has no exact form factors to compare with ({}). Leave the section out.",
+            scene.name, why_no_exact_factors(scene)));
     }
     for (const auto& setting : request.reflectance) expect_numbers_for(setting, "reflectance", scene);
     expect_numbers_for(request.emission, "emission", scene);

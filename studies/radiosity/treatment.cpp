@@ -1,6 +1,7 @@
 #include "studies/radiosity/treatment.hpp"
 
 #include "core/radiosity/correlated_repair.hpp"
+#include "studies/radiosity/lighting.hpp"
 
 namespace ff::studies {
 namespace {
@@ -34,10 +35,9 @@ bool has_covariances(const Method& method, const Cell& cell, const TrialMatrices
     return trials.direct.front().rows() <= most_correlated_patches;
 }
 
-std::vector<Eigen::MatrixXd> measure_covariances(const TrialMatrices& trials) {
+std::vector<Eigen::MatrixXd> measure_covariances(const TrialMatrices& trials, const Sight& sight) {
     const Eigen::Index n = trials.direct.front().rows();
     const auto count = static_cast<Eigen::Index>(trials.direct.size());
-    const Sight sight = all_but_itself(n);
     const double rays = static_cast<double>(trials.errors.rays) * static_cast<double>(count);
     std::vector<Eigen::MatrixXd> covariances;
     for (Eigen::Index i = 0; i < n; ++i) {
@@ -77,7 +77,7 @@ TrialMatrices load_matrices(const Store& store, std::size_t cell_index) {
         }
     }
     if (has_covariances(plan.spec.methods[cell.method], cell, trials))
-        trials.errors.covariances = measure_covariances(trials);
+        trials.errors.covariances = measure_covariances(trials, face_sight(plan.scenes[cell.scene]));
     return trials;
 }
 

@@ -1,3 +1,4 @@
+#include "core/mirrors.hpp"
 #include "core/stream.hpp"
 #include "core/tracer.hpp"
 #include "studies/scene_files/scene_file.hpp"
@@ -45,7 +46,7 @@ std::vector<std::string> doubts_about(const Scene& scene) {
     const std::size_t step = scene.surfaces.size() / most_probed + 1;
     for (std::size_t s = 0; s < scene.surfaces.size(); s += step) {
         const Surface& surface = scene.surfaces[s];
-        if (surface.face == no_face) continue;
+        if (!is_of_face(surface)) continue;
         Probe& probe = probes[static_cast<std::size_t>(surface.face)];
         generate_rays(surface, static_cast<std::uint32_t>(s), {1}, 0, *block, rays);
         tracer->trace(rays, hits);
@@ -53,7 +54,7 @@ std::vector<std::string> doubts_about(const Scene& scene) {
         for (const Hit& hit : hits) {
             if (hit.surface == no_surface) {
                 ++probe.lost;
-            } else if (!hit.received && scene.surfaces[hit.surface].face != no_face) {
+            } else if (!hit.received && is_of_face(scene.surfaces[hit.surface])) {
                 ++probe.on_backs;
                 probe.back = hit.surface;
             }

@@ -3,6 +3,7 @@
 #include "core/box.hpp"
 #include "core/contract.hpp"
 #include "core/error.hpp"
+#include "core/mirrors.hpp"
 #include "studies/scene_files/formats.hpp"
 
 #include <fmt/format.h>
@@ -10,8 +11,47 @@
 namespace ff::studies {
 namespace {
 
-std::string_view name_of(std::string_view scene) {
+/// A scene's name takes this, and the faces that are mirrors, behind it.
+constexpr std::string_view before_mirrors = " mirrors:";
+constexpr char between_mirrors = '+';
+
+/// The first line: the name, with mirrors.
+std::string_view title_of(std::string_view scene) {
     return scene.substr(0, scene.find('\n'));
+}
+
+std::string_view name_of(std::string_view scene) {
+    const std::string_view title = title_of(scene);
+    return title.substr(0, title.rfind(before_mirrors));
+}
+
+std::vector<std::string> mirrors_of(std::string_view scene) {
+    const std::string_view title = title_of(scene);
+    const std::size_t at = title.rfind(before_mirrors);
+    std::vector<std::string> faces;
+    if (at == std::string_view::npos) return faces;
+    std::string_view left = title.substr(at + before_mirrors.size());
+    while (true) {
+        const std::size_t end = left.find(between_mirrors);
+        faces.emplace_back(left.substr(0, end));
+        if (end == std::string_view::npos) return faces;
+        left.remove_prefix(end + 1);
+    }
+}
+
+Scene scene_without_mirrors(std::string_view scene) {
+    const std::string_view name = name_of(scene);
+    if (!names_scene_file(scene)) return built_in_scene(name);
+    if (!has_scene_text(scene)) {
+        throw UserError(
+            fmt::format("scene '{}' (a scene file is read with the study file that names it; here only cube and "
+                        "box:AxBxC will do).",
+                        name));
+    }
+    const std::string_view text = scene.substr(title_of(scene).size() + 1);
+    if (name.ends_with(".obj")) return read_obj_scene(name, text);
+    if (name.ends_with(".vs3")) return read_vs3_scene(name, text);
+    return read_toml_scene(name, text);
 }
 
 }  // namespace
@@ -30,19 +70,19 @@ std::string with_scene_text(std::string_view name, std::string_view text) {
     return fmt::format("{}\n{}", name, text);
 }
 
+std::string scene_file(std::string_view scene) {
+    return std::string(name_of(scene));
+}
+
+std::string with_mirrors_named(std::string_view scene, const std::vector<std::string>& faces) {
+    FF_EXPECT(!has_scene_text(scene));
+    return fmt::format("{}{}{}", scene, before_mirrors, fmt::join(faces, std::string_view(&between_mirrors, 1)));
+}
+
 Scene make_scene(std::string_view scene) {
-    if (!names_scene_file(scene)) return built_in_scene(scene);
-    const std::string_view name = name_of(scene);
-    if (!has_scene_text(scene)) {
-        throw UserError(
-            fmt::format("scene '{}' (a scene file is read with the study file that names it; here only cube and "
-                        "box:AxBxC will do).",
-                        name));
-    }
-    const std::string_view text = scene.substr(name.size() + 1);
-    if (name.ends_with(".obj")) return read_obj_scene(name, text);
-    if (name.ends_with(".vs3")) return read_vs3_scene(name, text);
-    return read_toml_scene(name, text);
+    Scene made = with_mirrors(scene_without_mirrors(scene), mirrors_of(scene));
+    made.name = title_of(scene);
+    return made;
 }
 
 }  // namespace ff::studies

@@ -22,6 +22,12 @@ bool has_scene_text(std::string_view scene);
 /// Name and text as one. @pre the name has no line break
 std::string with_scene_text(std::string_view name, std::string_view text);
 
+/// The file of a scene that is one, without the mirrors behind it.
+std::string scene_file(std::string_view scene);
+
+/// Names a scene with some of its faces as mirrors: "cube mirrors:6", with '+' between faces. @pre no text
+std::string with_mirrors_named(std::string_view scene, const std::vector<std::string>& faces);
+
 /// A built-in scene, or that of a file whose text is there.
 /// @throws UserError "name:line: face: problem (why). Suggestion."
 Scene make_scene(std::string_view scene);

@@ -322,6 +322,7 @@ TEST(RadiosityRequest, RefusesWhatNoRoomHas) {
     };
     using testing::HasSubstr;
     EXPECT_THAT(message("reflectance = [0.5, 1]"), HasSubstr("1 is 1 or more: light that nothing absorbs piles up"));
+    EXPECT_THAT(message("reflectance = 0.9999999999999999"), HasSubstr("rounding decides"));
     EXPECT_THAT(message("reflectance = -0.5"), HasSubstr("below 0"));
     EXPECT_THAT(message("reflectance = [[0.5, 0.5]]"), HasSubstr("has 2 numbers (scene 'cube' has 6 faces)"));
     EXPECT_THAT(message("reflectance = []"), HasSubstr("leaves nothing to do"));
@@ -339,11 +340,6 @@ TEST(RadiosityRequest, WantsAClosedScene) {
     EXPECT_NO_THROW(expect_fitting(RadiosityRequest(), scene));
     scene.closed = false;
     EXPECT_THROW(expect_fitting(RadiosityRequest(), scene), UserError);
-}
-
-TEST(StudyResults, HaveRadiosityOnlyWhereItIsAskedFor) {
-    EXPECT_FALSE(evaluate(test::run(test::plan_of(test::study_text("trials = 4", rays)))).radiosity);
-    EXPECT_TRUE(evaluate(test::run(lit_plan("trials = 4", rays))).radiosity);
 }
 
 }  // namespace
