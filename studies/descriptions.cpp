@@ -60,7 +60,9 @@ constexpr std::array scenes{
                 "howell"},
     Description{"FILE", "a scene file beside the study file: .obj, .vs3 or .toml",
                 "Wavefront OBJ (groups are faces), View3D, or TOML with every shape; what is in each: docs/scenes.md.\n"
-                "There are no exact values but for rectangles along the axes that nothing can stand between.",
+                "Exact values are known of rectangles along the axes that nothing can stand between, and of closed "
+                "convex rooms with\n"
+                "flat walls or of revolution.",
                 ""},
 };
 
