@@ -38,8 +38,9 @@ Scene read_scene(const std::string& name) {
 
 void write_matrix(const std::filesystem::path& folder, const std::string& file, const Eigen::MatrixXd& matrix,
                   const std::string& comment) {
-    reports::write_file(folder / (file + ".mtx"), reports::matrix_market(matrix, comment));
-    reports::write_file(folder / (file + ".npy"), reports::npy(matrix));
+    reports::write_file(folder / (file + ".mtx"),
+                        [&](std::ostream& out) { reports::write_sparse_matrix_market(out, matrix, comment); });
+    reports::write_file(folder / (file + ".npy"), [&](std::ostream& out) { reports::write_npy(out, matrix); });
 }
 
 void write_files(const std::filesystem::path& folder, const reports::FormFactorReport& report,
@@ -85,6 +86,8 @@ ExitCode form_factors(const FormFactorsCommand& command) {
     const bool out_of_time = max_time && seconds() >= max_time->count();
     const reports::FormFactorReport report{scene, request, matrix};
     for (const std::string& warning : reports::form_factor_warnings(report)) say("warning: {}\n", warning);
+    // Before anything can fail that would lose it.
+    if (!command.quiet) fmt::print("{}", reports::form_factors_text(report));
     if (!command.out.empty()) {
         const std::string words =
             fmt::format("ffstudy form_factors {} --tolerance {} --level {}{} --seed {}{}", command.scene,
@@ -92,7 +95,6 @@ ExitCode form_factors(const FormFactorsCommand& command) {
                         request.repair ? " --repair" : "");
         write_files(command.out, report, describe_run(words, request.threads, seconds()));
     }
-    if (!command.quiet) fmt::print("{}", reports::form_factors_text(report));
     if (matrix.interrupted && !out_of_time) return ExitCode::interrupted;
     return matrix.missed() == 0 ? ExitCode::passed : ExitCode::inconclusive;
 }

@@ -132,11 +132,11 @@ std::vector<std::string> form_factor_warnings(const FormFactorReport& report) {
     const bool closed = report.scene.closed || report.scene.empty_box;
     for (std::size_t i = 0; closed && i < matrix.rows.size(); ++i) {
         const studies::RowSum& row = matrix.rows[i];
-        if (row.low - 1e-9 <= 1 && row.high + 1e-9 >= 1) continue;
+        if (!row.excludes_one) continue;
         warnings.push_back(fmt::format(
-            "scene '{}' is said to be closed, but the row of face '{}' adds up to [{}, {}] (a hole, surfaces that "
+            "scene '{}' is said to be closed, but the row of face '{}' adds up to {} (a hole, surfaces that "
             "overlap, or normals that face the wrong way)",
-            report.scene.name, report.scene.faces[i], brief(row.low, 8), brief(row.high, 8)));
+            report.scene.name, report.scene.faces[i], brief(row.value, 8)));
     }
     if (closed && matrix.lost_rays > 0) {
         warnings.push_back(fmt::format("scene '{}' is said to be closed, but {} of {} rays met nothing",

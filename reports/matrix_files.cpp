@@ -75,6 +75,22 @@ std::string matrix_market(const Eigen::MatrixXd& matrix, const std::string& comm
     return out.str();
 }
 
+void write_sparse_matrix_market(std::ostream& out, const Eigen::MatrixXd& matrix, const std::string& comment) {
+    const auto entries = (matrix.array() != 0).count();
+    if (4 * entries > matrix.size()) {
+        write_matrix_market(out, matrix, comment);
+        return;
+    }
+    out << "%%MatrixMarket matrix coordinate real general\n";
+    if (!comment.empty()) out << fmt::format("% {}\n", comment);
+    out << fmt::format("{} {} {}\n", matrix.rows(), matrix.cols(), entries);
+    for (Eigen::Index j = 0; j < matrix.cols(); ++j) {
+        for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
+            if (matrix(i, j) != 0) out << fmt::format("{} {} {}\n", i + 1, j + 1, matrix(i, j));
+        }
+    }
+}
+
 void write_npy(std::ostream& out, const Eigen::MatrixXd& matrix) {
     static_assert(std::endian::native == std::endian::little);
     constexpr std::size_t before = 10;  // magic, version, length of the header

@@ -16,7 +16,10 @@ namespace ff::reports {
 void write_matrix_market(std::ostream& out, const Eigen::MatrixXd& matrix, const std::string& comment);
 std::string matrix_market(const Eigen::MatrixXd& matrix, const std::string& comment);
 
-/// The same as a NumPy .npy file, version 1.0; a single column is one-dimensional. @see docs/results.md
+/// The same as "coordinate real general" where at most a quarter of the entries are not 0.
+void write_sparse_matrix_market(std::ostream& out, const Eigen::MatrixXd& matrix, const std::string& comment);
+
+/// A matrix as a NumPy .npy file, version 1.0; a single column is one-dimensional. @see docs/results.md
 void write_npy(std::ostream& out, const Eigen::MatrixXd& matrix);
 std::string npy(const Eigen::MatrixXd& matrix);
 

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace ff::studies {
 namespace {
@@ -87,36 +88,55 @@ FaceExchange exchange_of(const FacePair& pair, const PairEstimate& estimate) {
     return result;
 }
 
-/// A row's sum: independent randomisations add up, bounds do.
-RowSum row_sum(const FormFactorMatrix& matrix, const std::vector<PairEstimate>& estimates, std::size_t row,
-               double level) {
-    // At the least error rate of its entries.
+/// Rate at which some row of a closed scene is said not to add up to 1, though it does.
+constexpr double false_alarm_of_rows = 1e-3;
+
+/// What is summed in a row: what samples add to it, and what the rest is off by at most.
+struct RowTerms {
     SampledSum sum;
-    double low = 0;
-    double high = 0;
-    double clipped = 0;
+    double value = 0;  ///< clipped estimates
+    double down = 0;
+    double up = 0;
+    double level = 0;  ///< the highest of its entries
+};
+
+RowTerms row_terms(const FormFactorMatrix& matrix, const std::vector<PairEstimate>& estimates, std::size_t row) {
+    RowTerms terms;
     for (std::size_t other = 0; other < matrix.geometry.faces(); ++other) {
         const std::size_t index = matrix.geometry.index(row, other);
         const FacePair& pair = matrix.geometry.pairs[index];
         const PairEstimate& estimate = estimates[index];
         const FaceExchange& exchange = matrix.exchanges[index];
-        clipped += exchange.value;
+        terms.value += exchange.value;
         if (pair.is_sampled() && estimate.sum && !estimate.contradicted) {
-            level = std::max(level, estimate.level);
-            sum.offset += estimate.sum->offset;
-            sum.terms.insert(sum.terms.end(), estimate.sum->terms.begin(), estimate.sum->terms.end());
-            low -= pair.bound;
-            high += pair.bound;
+            terms.level = std::max(terms.level, estimate.level);
+            terms.sum.offset += estimate.sum->offset;
+            terms.sum.terms.insert(terms.sum.terms.end(), estimate.sum->terms.begin(), estimate.sum->terms.end());
+            terms.down += pair.bound;
+            terms.up += pair.bound;
         } else {
-            sum.offset += exchange.value;
-            low += exchange.low - exchange.value;
-            high += exchange.high - exchange.value;
+            terms.sum.offset += exchange.value;
+            terms.down += exchange.value - exchange.low;
+            terms.up += exchange.high - exchange.value;
         }
     }
-    const Estimate found = estimate_of(sum, level);
+    return terms;
+}
+
+/// A row's sum: independent randomisations add up, bounds do.
+RowSum row_sum(const FormFactorMatrix& matrix, const std::vector<PairEstimate>& estimates, std::size_t row,
+               double level) {
+    const RowTerms terms = row_terms(matrix, estimates, row);
     const double area = matrix.geometry.areas[row];
-    const double least = std::max(0.0, (found.value - found.down + low) / area);
-    return {clipped / area, std::min(1.0, least), std::min(1.0, (found.value + found.up + high) / area)};
+    const auto ends = [&](double at) {
+        const Estimate found = estimate_of(terms.sum, at);
+        return std::pair((found.value - found.down - terms.down) / area, (found.value + found.up + terms.up) / area);
+    };
+    const auto [low, high] = ends(std::max(level, terms.level));
+    const auto [least, most] = ends(1 - false_alarm_of_rows / static_cast<double>(matrix.geometry.faces()));
+    constexpr double rounding = 1e-12;
+    return {terms.value / area, std::clamp(low, 0.0, 1.0), std::min(1.0, high),
+            least > 1 + rounding || most < 1 - rounding};
 }
 
 }  // namespace

@@ -48,6 +48,7 @@ struct RowSum {
     double value = 0;
     double low = 0;
     double high = 0;
+    bool excludes_one = false;  ///< at a level at which some row of a closed scene does so by chance in 0.001 of runs
 };
 
 struct RepairedFactors {

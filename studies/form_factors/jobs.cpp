@@ -64,8 +64,8 @@ double Job::cost(const std::vector<std::uint64_t>& sizes) const {
     double sum = 0;
     const auto& sampled = geometry_->pairs[pairs_.front()].sampled;
     for (std::size_t k = 0; k < sizes.size(); ++k) {
-        // Measured: docs/form-factors.md.
-        const double of_point = 4.0 * (1.0 + static_cast<double>(sampled[k].exchange.blockers.size()));
+        // Measured: benchmarks/README.md.
+        const double of_point = 10 + 3 * static_cast<double>(sampled[k].exchange.blockers.size());
         sum += of_point * static_cast<double>(randomisations * sizes[k]);
     }
     return sum;
