@@ -25,7 +25,7 @@ void run_trials(benchmark::State& state, const char* sampler, TracerChoice choic
     PatchSums sums;
     std::uint32_t trial = 0;
     for (auto _ : state) {
-        ray_shooting(scene, subdivision, *tracer, *points, samples, Allocation::patch, {1, 2}, trial++, tally, sums);
+        ray_shooting(scene, subdivision, *tracer, *points, samples, Allocation::patch, {1, 2}, trial++, tally, &sums);
         benchmark::DoNotOptimize(tally.hits.data());
     }
     state.counters["per_ray"] =

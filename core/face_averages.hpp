@@ -13,10 +13,9 @@ namespace ff {
 /// over rays.
 bool has_one_surface_a_face(const Scene& scene);
 
-/// Form factors between faces from the hits of patches: the average over the patches of a face, weighted by their
+/// Form factors between faces from rays of every surface: the average over the surfaces of a face, weighted by their
 /// areas.
-/// @param patch_hits  [patch * faces + face], of `rays` rays from every patch
-Eigen::MatrixXd face_averages(const Scene& scene, Subdivision subdivision, std::span<const std::uint64_t> patch_hits,
-                              std::uint64_t rays);
+/// @param weighted  RayTally::weighted, of `rays` rays from every surface
+Eigen::MatrixXd face_averages(const Scene& scene, std::span<const double> weighted, std::uint64_t rays);
 
 }  // namespace ff

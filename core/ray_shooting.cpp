@@ -4,28 +4,38 @@
 #include "core/mirrors.hpp"
 
 #include <algorithm>
+#include <functional>
 
 namespace ff {
 namespace {
 
-/// Adds the hits of one patch to the sums over trials and to the hits of its face.
-void collect(const std::vector<std::uint64_t>& patch_hits, std::size_t patch, std::size_t from_face, RayTally& tally,
-             PatchSums& sums) {
+/// Adds the hits of one patch to the sums over trials.
+void collect(const FaceHits& patch_hits, std::size_t patch, PatchSums& sums) {
     const std::size_t faces = patch_hits.size() - 1;
     for (std::size_t to = 0; to < faces; ++to) {
         const std::uint64_t hits = patch_hits[to];
-        tally.hits[from_face * faces + to] += hits;
         sums.hits[patch * faces + to] += hits;
         sums.hits_squared[patch * faces + to] += hits * hits;
     }
-    tally.lost[from_face] += patch_hits[faces];
+}
+
+/// Adds the hits of one surface to those of its face.
+void collect(const FaceHits& surface_hits, const Surface& surface, RayTally& tally) {
+    const std::size_t faces = surface_hits.size() - 1;
+    const auto from = static_cast<std::size_t>(surface.face);
+    const double own = area(surface.shape);
+    for (std::size_t to = 0; to < faces; ++to) {
+        tally.hits[from * faces + to] += surface_hits[to];
+        tally.weighted[from * faces + to] += own * static_cast<double>(surface_hits[to]);
+    }
+    tally.lost[from] += surface_hits[faces];
 }
 
 }  // namespace
 
 void ray_shooting(const Scene& scene, Subdivision subdivision, const Tracer& tracer, const PointSource& points,
                   std::uint64_t samples_per_patch, Allocation allocation, StreamKey key, std::uint32_t trial,
-                  RayTally& tally, PatchSums& sums) {
+                  RayTally& tally, PatchSums* sums) {
     FF_EXPECT(points.equal_weights());
     const std::size_t faces = scene.faces.size();
     const std::uint32_t per_surface = subdivision.per_surface();
@@ -33,16 +43,21 @@ void ray_shooting(const Scene& scene, Subdivision subdivision, const Tracer& tra
     tally.hits.assign(faces * faces, 0);
     tally.rays.assign(faces, 0);
     tally.lost.assign(faces, 0);
-    FF_EXPECT(sums.hits.size() == sums.hits_squared.size());
-    FF_EXPECT(sums.hits.empty() || sums.hits.size() == patches * faces);
-    sums.hits.resize(patches * faces);
-    sums.hits_squared.resize(patches * faces);
+    tally.weighted.assign(faces * faces, 0);
+    if (sums != nullptr) {
+        FF_EXPECT(sums->hits.size() == sums->hits_squared.size());
+        FF_EXPECT(sums->hits.empty() || sums->hits.size() == patches * faces);
+        sums->hits.resize(patches * faces);
+        sums->hits_squared.resize(patches * faces);
+    }
 
     PointBlock block;
     FaceHits patch_hits(faces + 1);
+    FaceHits surface_hits(faces + 1);
     for (std::uint32_t surface = 0; surface < scene.surfaces.size(); ++surface) {
         if (!is_of_face(scene.surfaces[surface])) continue;
         const auto from_face = static_cast<std::size_t>(scene.surfaces[surface].face);
+        std::fill(surface_hits.begin(), surface_hits.end(), 0);
         for (std::uint32_t p = 0; p < per_surface; ++p) {
             const std::uint32_t patch = surface * per_surface + p;
             const bool own_stream = allocation == Allocation::patch;
@@ -55,8 +70,11 @@ void ray_shooting(const Scene& scene, Subdivision subdivision, const Tracer& tra
                 points.fill(stream, first + done, block);
                 tracer.shoot(surface, subdivision, p, block, patch_hits);
             }
-            collect(patch_hits, patch, from_face, tally, sums);
+            std::transform(patch_hits.begin(), patch_hits.end(), surface_hits.begin(), surface_hits.begin(),
+                           std::plus<>());
+            if (sums != nullptr) collect(patch_hits, patch, *sums);
         }
+        collect(surface_hits, scene.surfaces[surface], tally);
         tally.rays[from_face] += per_surface * samples_per_patch;
     }
 }

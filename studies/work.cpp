@@ -43,13 +43,10 @@ void add_rays(const RayTally& tally, std::uint64_t trial, UnitRecord& record) {
     }
 }
 
-void add(const PatchSums& trial, PatchSums& sums) {
-    sums.hits.resize(trial.hits.size());
-    sums.hits_squared.resize(trial.hits.size());
-    for (std::size_t i = 0; i < trial.hits.size(); ++i) {
-        sums.hits[i] += trial.hits[i];
-        sums.hits_squared[i] += trial.hits_squared[i];
-    }
+/// Whether sums of every patch are kept: of more numbers than this a unit of work would be too large to save.
+bool keeps_patches(const Scene& scene, Subdivision subdivision) {
+    constexpr std::uint64_t most = 1u << 22;
+    return std::uint64_t{subdivision.patches(scene)} * scene.faces.size() <= most;
 }
 
 void add_tally(const RayTally& tally, const Observed& with_itself, std::uint64_t trial, UnitRecord& record) {
@@ -139,19 +136,17 @@ UnitRecord Worker::carry_out(const WorkUnit& unit) const {
                            tools.with_itself, trial, record);
                 break;
             case Estimator::ray_shooting:
-                if (!tools.counts_hits) {
-                    PatchSums of_trial;
-                    ray_shooting(*tools.scene, cell.subdivision, *tools.tracer, *tools.points, cell.samples,
-                                 tools.method->allocation, cell.key, stream_trial, tally, of_trial);
-                    add_rays(tally, trial, record);
-                    add_matrix(face_averages(*tools.scene, cell.subdivision, of_trial.hits, cell.samples),
-                               tools.with_itself, trial, record);
-                    add(of_trial, sums);
-                    break;
-                }
                 ray_shooting(*tools.scene, cell.subdivision, *tools.tracer, *tools.points, cell.samples,
-                             tools.method->allocation, cell.key, stream_trial, tally, sums);
-                add_tally(tally, tools.with_itself, trial, record);
+                             tools.method->allocation, cell.key, stream_trial, tally,
+                             keeps_patches(*tools.scene, cell.subdivision) ? &sums : nullptr);
+                if (tools.counts_hits) {
+                    add_tally(tally, tools.with_itself, trial, record);
+                } else {
+                    add_rays(tally, trial, record);
+                    add_matrix(
+                        face_averages(*tools.scene, tally.weighted, cell.subdivision.per_surface() * cell.samples),
+                        tools.with_itself, trial, record);
+                }
                 break;
         }
     }

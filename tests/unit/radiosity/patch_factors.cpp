@@ -45,7 +45,7 @@ TEST(ShotPatchFactors, AreTheRaysOfTheTrial) {
         RayTally tally;
         PatchSums sums;
         ray_shooting(scene, divided, *make_tracer(scene, TracerChoice::automatic), test::PhiloxPoints(rays), rays,
-                     allocation, key, 5, tally, sums);
+                     allocation, key, 5, tally, &sums);
         const Eigen::MatrixXd factors = shot(scene, rays, allocation);
         for (int patch = 0; patch < 54; ++patch) {
             EXPECT_NEAR(factors.row(patch).sum(), 1, 1e-14);

@@ -151,7 +151,7 @@ RayTally traced(const Scene& scene, TracerChoice choice, std::uint64_t rays) {
     PatchSums sums;
     const Subdivision divided{2};
     ray_shooting(scene, divided, *make_tracer(scene, choice), test::PhiloxPoints(rays), rays, Allocation::patch, {3, 4},
-                 1, tally, sums);
+                 1, tally, &sums);
     return tally;
 }
 

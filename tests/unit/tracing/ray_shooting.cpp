@@ -22,7 +22,7 @@ RayTally one_trial(const Scene& scene, std::uint32_t m, std::uint64_t samples, A
                    const PointSource& points, PatchSums& sums, std::uint32_t trial = 0) {
     RayTally tally;
     ray_shooting(scene, {m}, *make_tracer(scene, TracerChoice::automatic), points, samples, allocation, key, trial,
-                 tally, sums);
+                 tally, &sums);
     return tally;
 }
 
@@ -120,7 +120,7 @@ Comparison compare_with_exact(const Scene& scene, std::uint32_t m, std::uint64_t
     RayTally tally;
     PatchSums sums;
     for (std::uint32_t trial = 0; trial < trials; ++trial) {
-        ray_shooting(scene, {m}, *tracer, points, samples, Allocation::patch, key, trial, tally, sums);
+        ray_shooting(scene, {m}, *tracer, points, samples, Allocation::patch, key, trial, tally, &sums);
         for (int i = 0; i < 6; ++i) {
             for (int j = 0; j < 6; ++j) {
                 const auto at = static_cast<std::size_t>(6 * i + j);
