@@ -1,7 +1,7 @@
 #include "studies/gates/gate_effects.hpp"
 
 #include "core/error.hpp"
-#include "core/exact.hpp"
+#include "core/known_factors.hpp"
 #include "core/nearest_name.hpp"
 #include "core/pair_class.hpp"
 #include "samplers/sampler.hpp"
@@ -131,6 +131,10 @@ void expect_references(const Gate& gate, const Effect& effect) {
     const bool truth = (gate.kind == GateKind::bias && gate.against == Against::exact) ||
                        gate.kind == GateKind::closure || gate.kind == GateKind::rmse ||
                        gate.kind == GateKind::coverage || gate.kind == GateKind::slope;
+    if (gate.kind == GateKind::closure && !effect.truth)
+        refuse(gate.place,
+               "closure (the scene is open: rows need not sum to 1, and what they sum to is not known). Take a closed "
+               "scene.");
     if (truth && !effect.truth)
         refuse(gate.place, "no exact value is known for this scene. Add reference = a number, or \"baseline\".");
 }
@@ -145,7 +149,7 @@ std::vector<Effect> effects_of(const Gate& gate, const StudyPlan& plan) {
         const Scene& scene = plan.scenes[cell.scene];
         const bool first_of_ladder = index == 0 || plan.cells[index - 1].scene != cell.scene;
         if (gate.kind == GateKind::slope && !first_of_ladder) continue;
-        const auto exact = exact_form_factors(scene);
+        const KnownFactors known = known_factors(scene);
         const auto distribution = known_distribution(gate, scene, cell);
         for (const Quantity quantity : quantities_of(gate, scene)) {
             Effect effect;
@@ -157,7 +161,7 @@ std::vector<Effect> effects_of(const Gate& gate, const StudyPlan& plan) {
             const bool pair = gate.kind != GateKind::lost_rays && quantity.kind == QuantityKind::form_factor;
             expect_finite(gate, scene, quantity);
             const bool none = gate.kind == GateKind::reciprocity || gate.kind == GateKind::lost_rays;
-            effect.truth = none ? 0 : reference_of(scene, exact, quantity);
+            effect.truth = none ? 0 : reference_of(scene, known, quantity);
             if (distribution && pair && gate.kind != GateKind::reciprocity)
                 effect.sigma = distribution->pair_sigma(quantity.from - 1, quantity.to - 1);
             if (distribution && quantity.kind == QuantityKind::row_sum)
