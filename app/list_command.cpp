@@ -4,15 +4,24 @@
 #include "app/study_files.hpp"
 
 #include "core/configurations/catalogue.hpp"
+#include "core/configurations/families.hpp"
 #include "core/error.hpp"
 #include "core/nearest_name.hpp"
+#include "reports/scene_text.hpp"
 #include "samplers/sampler.hpp"
 #include "studies/controls.hpp"
 #include "studies/descriptions.hpp"
+#include "studies/scene_explanation.hpp"
+#include "studies/scene_files/scene_file.hpp"
 #include "studies/selftest/selftest.hpp"
+#include "studies/text_file.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -98,16 +107,69 @@ std::string_view pattern_of(std::string_view name) {
     return name.starts_with("box:") ? "box:AxBxC" : name;
 }
 
+struct Listed {
+    std::string name;
+    std::string summary;
+};
+
+/// Scenes that study files can name: those described, families, then those of the catalogue.
+std::vector<Listed> listed_scenes() {
+    std::vector<Listed> scenes;
+    for (const auto& choices : studies::all_choices()) {
+        if (choices.plural != "scenes") continue;
+        for (const auto& description : choices.descriptions)
+            scenes.push_back({std::string(description.name), std::string(description.summary)});
+    }
+    for (const SceneFamily& family : scene_families())
+        scenes.push_back({fmt::format("{}:{}", family.name, family.of_catalogue),
+                          fmt::format("and others: {}, {} to {}", family.measure, family.least, family.most)});
+    for (const std::string_view name : configuration_scene_names()) {
+        const auto all = configurations();
+        const auto first =
+            std::find_if(all.begin(), all.end(), [&](const Configuration& c) { return c.scene_name == name; });
+        scenes.push_back({std::string(name), std::string(first->summary)});
+    }
+    return scenes;
+}
+
+void list_scenes() {
+    const auto scenes = listed_scenes();
+    std::size_t width = 0;
+    for (const Listed& scene : scenes) width = std::max(width, scene.name.size());
+    for (const Listed& scene : scenes) fmt::print("{:<{}}  {}\n", scene.name, width, scene.summary);
+}
+
+/// The scene of that name, built in or in a file; empty where it is neither.
+/// @throws UserError where a file, or the measures of a scene, are wrong
+std::optional<Scene> find_scene(const std::string& name) {
+    if (studies::names_scene_file(name)) {
+        const std::filesystem::path file(name);
+        return studies::make_scene(studies::with_scene_text(name, studies::read_text_file(file)));
+    }
+    const std::string_view family = std::string_view(name).substr(0, name.find(':'));
+    const auto scenes = configuration_scene_names();
+    const bool known = std::find(scenes.begin(), scenes.end(), family) != scenes.end();
+    return known || family == "cube" || (name.starts_with("box:") && name != "box:AxBxC")
+               ? std::optional(studies::make_scene(name))
+               : std::nullopt;
+}
+
+void print_scene(const Scene& scene) {
+    fmt::print("{}", reports::scene_text(scene, studies::explain_scene(scene)));
+    for (const std::string& doubt : scene.empty_box ? std::vector<std::string>() : studies::doubts_about(scene))
+        fmt::print(stderr, "warning: {}\n", doubt);
+}
+
 }  // namespace
 
 ExitCode list(const std::string& kind) {
     for (const auto& choices : studies::all_choices()) {
         if (kind != choices.plural) continue;
-        for (const auto& description : choices.descriptions) print_row(description.name, description.summary);
         if (kind == "scenes") {
-            for (const std::string_view name : configuration_scene_names())
-                fmt::print("{:<24} {}\n", name, "of the catalogue (ffstudy list configurations)");
+            list_scenes();
+            return ExitCode::passed;
         }
+        for (const auto& description : choices.descriptions) print_row(description.name, description.summary);
         return ExitCode::passed;
     }
     if (kind == "samplers") {
@@ -138,17 +200,28 @@ ExitCode explain(const std::string& name) {
         print_sampler(entry.info);
         return ExitCode::passed;
     }
+    const auto scene = find_scene(name);
     for (const auto& [kind, description] : entries()) {
         names.emplace_back(description.name);
         if (description.name != pattern_of(name)) continue;
         print_description(kind, description.name, description.summary, description.details, description.reference);
+        if (scene) {
+            fmt::print("\n");
+            print_scene(*scene);
+        }
         return ExitCode::passed;
     }
     bool explained = false;
     for (const Configuration& configuration : configurations()) {
         names.emplace_back(configuration.name);
         if (configuration.name != name && configuration.id != name && configuration.scene_name != name) continue;
+        if (explained) fmt::print("\n");
         print_configuration(configuration);
+        explained = true;
+    }
+    if (scene) {
+        if (explained) fmt::print("\n");
+        print_scene(*scene);
         explained = true;
     }
     if (explained) return ExitCode::passed;

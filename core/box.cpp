@@ -1,6 +1,7 @@
 #include "core/box.hpp"
 
 #include "core/configurations/catalogue.hpp"
+#include "core/configurations/families.hpp"
 #include "core/error.hpp"
 #include "core/nearest_name.hpp"
 
@@ -112,7 +113,8 @@ Scene built_in_scene(std::string_view name) {
         }
         scene = make_box((*edges)[0], (*edges)[1], (*edges)[2]);
     } else {
-        auto configuration = configuration_scene(name);
+        auto configuration = family_scene(name);
+        if (!configuration) configuration = configuration_scene(name);
         if (!configuration) {
             throw UserError(
                 fmt::format("scene {} (unknown; built in are cube, box:AxBxC and those that 'ffstudy list "

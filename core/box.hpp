@@ -14,7 +14,8 @@ namespace ff {
 /// @throws UserError unless all edges are finite, positive and within 1e-70 to 1e70 (areas squared must be numbers too)
 Scene make_box(double a, double b, double c);
 
-/// A built-in scene by name: "cube" (the paper's, a = b = c = 6) or "box:AxBxC", e.g. "box:2x1x0.5".
+/// A built-in scene by name: "cube" (the paper's, a = b = c = 6), "box:AxBxC", e.g. "box:2x1x0.5", a scene of the
+/// catalogue, or one of its families, e.g. "squares_blocked:0.25".
 /// @throws UserError with the known names otherwise
 Scene built_in_scene(std::string_view name);
 

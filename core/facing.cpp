@@ -15,6 +15,17 @@ constexpr double tolerance = 1e-12;
 
 constexpr std::size_t most_surfaces = 4096;
 
+/// Beyond so many pairs of surfaces a relation is not looked for.
+constexpr std::size_t most_pairs = 1u << 22;
+
+std::vector<const Surface*> surfaces_of(const Scene& scene, int face) {
+    std::vector<const Surface*> own;
+    for (const Surface& surface : scene.surfaces) {
+        if (surface.face == face) own.push_back(&surface);
+    }
+    return own;
+}
+
 /// The least and the greatest height of a surface above the plane of a flat one.
 Extent heights(const Surface& flat, const Surface& body) {
     const Extent own = extent(flat, flat.normal);
@@ -61,14 +72,19 @@ bool face_each_other(const Surface& a, const Surface& b) {
     return has_some_in_front(a, b) && has_some_in_front(b, a);
 }
 
+bool face_each_other(const Scene& scene, int from_face, int to_face) {
+    const auto from = surfaces_of(scene, from_face);
+    const auto to = surfaces_of(scene, to_face);
+    if (from.size() * to.size() > most_pairs || !mirrors(scene).empty()) return true;
+    return std::any_of(from.begin(), from.end(), [&](const Surface* a) {
+        return std::any_of(to.begin(), to.end(), [&](const Surface* b) { return face_each_other(*a, *b); });
+    });
+}
+
 bool sees_itself(const Scene& scene, int face) {
     if (sees_itself_in_mirrors(scene, face)) return true;
-    std::vector<const Surface*> own;
-    for (const Surface& surface : scene.surfaces) {
-        if (surface.face != face) continue;
-        if (is_hollow(surface)) return true;
-        own.push_back(&surface);
-    }
+    const auto own = surfaces_of(scene, face);
+    if (std::any_of(own.begin(), own.end(), [](const Surface* surface) { return is_hollow(*surface); })) return true;
     if (own.size() > most_surfaces) return true;
     for (const Surface* a : own) {
         for (const Surface* b : own) {

@@ -8,6 +8,10 @@ namespace ff {
 /// it is only known that a hollow one sees itself and one that bulges does not.
 bool face_each_other(const Surface& a, const Surface& b);
 
+/// Whether some surface of one face and one of the other do; true without looking where there are mirrors, or more than
+/// 4 million pairs of them. Faces from 0.
+bool face_each_other(const Scene& scene, int from_face, int to_face);
+
 /// Whether a ray may lead from the radiating side of a face to that side again, straight or by way of mirrors.
 bool sees_itself(const Scene& scene, int face);
 

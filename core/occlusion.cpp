@@ -85,6 +85,22 @@ bool may_be_occluded(const Scene& scene) {
     return false;
 }
 
+bool may_be_occluded(const Scene& scene, int from_face, int to_face) {
+    if (scene.empty_box) return false;
+    if (scene.surfaces.size() > most_surfaces) return true;
+    std::vector<const Surface*> from;
+    std::vector<const Surface*> to;
+    for (const Surface& surface : scene.surfaces) {
+        if (surface.face == from_face) from.push_back(&surface);
+        if (surface.face == to_face) to.push_back(&surface);
+    }
+    return std::any_of(from.begin(), from.end(), [&](const Surface* a) {
+        return std::any_of(to.begin(), to.end(), [&](const Surface* b) {
+            return face_each_other(*a, *b) && !possible_blockers(scene, *a, *b).empty();
+        });
+    });
+}
+
 bool sees(const Vector3d& place, const Surface& from, const Vector3d& other, const Surface& to,
           const std::vector<const Surface*>& blockers) {
     const Line line{place, other - place};

@@ -18,6 +18,10 @@ std::vector<const Surface*> possible_blockers(const Scene& scene, const Surface&
 /// without looking where there are more than 512.
 bool may_be_occluded(const Scene& scene);
 
+/// Whether something may stand between a surface of one face and one of the other that face each other; true without
+/// looking in a scene of more than 512 surfaces. Faces from 0.
+bool may_be_occluded(const Scene& scene, int from_face, int to_face);
+
 /// Whether nothing of `blockers` lies between a place on `from` and one on `to` that each lie in front of the other. In
 /// double precision, and the same on every CPU.
 bool sees(const Eigen::Vector3d& place, const Surface& from, const Eigen::Vector3d& other, const Surface& to,

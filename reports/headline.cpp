@@ -2,6 +2,7 @@
 
 #include "reports/labels.hpp"
 #include "reports/numbers.hpp"
+#include "reports/occlusion_words.hpp"
 #include "reports/published_summary.hpp"
 #include "reports/radiosity_words.hpp"
 
@@ -144,7 +145,9 @@ Headline headline(const studies::StudyResults& results) {
                                "Root mean square over runs and faces, of the mean exitance: with each method as it is "
                                "completed, before repairs."});
     }
+    if (const std::string clause = occlusion_clause(results); !clause.empty()) clauses.push_back(clause);
     for (const Rivalry& rivalry : results.rivals) {
+        if (!results.occlusion.empty()) break;  // that clause compares them, over all scenes
         const Contest contest = describe(results.findings, rivalry);
         clauses.push_back(clause(rivalry, contest));
         if (out.numbers.size() < 4) out.numbers.push_back(contest_number(rivalry, contest));

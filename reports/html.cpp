@@ -8,11 +8,13 @@
 #include "reports/pictures.hpp"
 #include "reports/radiosity_tables.hpp"
 #include "reports/radiosity_words.hpp"
+#include "reports/scene_drawing.hpp"
 #include "reports/security_policy.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <set>
 #include <vector>
 
@@ -36,11 +38,20 @@ Json published_view(const studies::PublishedResults& published, double alpha, co
 /// The tables of what is asked beyond bias and spread, as far as the study has it.
 Json findings_view(const studies::StudyResults& results) {
     Json tables = Json::array();
-    for (auto* make :
-         {configurations_table, convergence_table, reductions_table, coverage_table, error_law_table, spreads_table}) {
+    for (auto* make : {occlusion_table, configurations_table, convergence_table, reductions_table, coverage_table,
+                       error_law_table, spreads_table}) {
         if (const Table table = make(results); !table.rows.empty()) tables.push_back(table_view(table));
     }
     return tables;
+}
+
+/// Line drawings of the scenes; of many the first.
+Json scenes_view(const studies::StudyPlan& plan) {
+    constexpr std::size_t most_drawings = 30;
+    Json scenes = Json::array();
+    for (std::size_t i = 0; i < std::min(most_drawings, plan.scenes.size()); ++i)
+        scenes.push_back({{"name", plan.scenes[i].name}, {"drawing", scene_drawing(plan.scenes[i])}});
+    return scenes;
 }
 
 Json pairs_view(const studies::StudyResults& results) {
@@ -117,6 +128,7 @@ std::string html_report(const studies::StudyResults& results, const Templates& t
     view["brief"] = texts_view(results_in_brief(results));
     view["has_brief"] = !view["brief"].empty();
     view["radiosity"] = results.radiosity ? radiosity_view(results) : Json();
+    view["scenes"] = scenes_view(results.findings.plan);
     view["methods"] = table_view(methods_table(results));
     view["findings"] = findings_view(results);
     view["has_findings"] = !view["findings"].empty();

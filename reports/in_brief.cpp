@@ -1,6 +1,7 @@
 #include "reports/in_brief.hpp"
 
 #include "reports/coverage_words.hpp"
+#include "reports/occlusion_words.hpp"
 #include "reports/reduction_words.hpp"
 #include "reports/slope_words.hpp"
 #include "reports/tail_words.hpp"
@@ -14,6 +15,7 @@ namespace {
 /// The constants of c/m in one sentence; empty without laws.
 std::vector<std::string> error_laws_in_brief(const studies::StudyResults& results) {
     std::vector<std::string> laws;
+    if (!results.occlusion.empty()) return laws;  // row sums are not what its scenes are about
     for (const studies::ErrorLaw& law : results.error_laws) {
         laws.push_back(fmt::format("{:+.4f} for {}{} (within {:.2g} %)", law.first_order.coefficient, law.method,
                                    law.published ? " as printed" : "", 100 * law.first_order.largest_residual));
@@ -27,8 +29,9 @@ std::vector<std::string> error_laws_in_brief(const studies::StudyResults& result
 
 std::vector<std::string> results_in_brief(const studies::StudyResults& results) {
     std::vector<std::string> all;
-    for (const auto& lines : {heavy_tails_in_brief(results), slopes_in_brief(results), reductions_in_brief(results),
-                              coverage_in_brief(results), until_in_brief(results), error_laws_in_brief(results)})
+    for (const auto& lines : {occlusion_in_brief(results), heavy_tails_in_brief(results), slopes_in_brief(results),
+                              reductions_in_brief(results), coverage_in_brief(results), until_in_brief(results),
+                              error_laws_in_brief(results)})
         all.insert(all.end(), lines.begin(), lines.end());
     return all;
 }

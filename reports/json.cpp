@@ -94,6 +94,7 @@ Json bias_json(const studies::StudyPlan& plan, const studies::CellFindings& foun
             {"pairs", family.pairs},
             {"untestable", family.untestable},
             {"infinite_variance", family.infinite},
+            {"no_exact_value", family.unknown},
             {"too_few_hits", family.sparse},
             {"not_finite", family.undefined},
             {"constant_and_wrong", family.constant_and_wrong},

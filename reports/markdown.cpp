@@ -13,6 +13,7 @@ std::string markdown_report(const studies::StudyResults& results) {
         out += "> **Partial result:** the study was stopped early; run it again to go on.\n\n";
     out += brief_section(results);
     out += markdown_section(methods_table(results));
+    out += markdown_section(occlusion_table(results));
     out += markdown_section(configurations_table(results));
     out += slopes_section(results);
     out += markdown_section(reductions_table(results));

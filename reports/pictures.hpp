@@ -28,10 +28,16 @@ struct PictureGroup {
 };
 
 /// Error and efficiency against evaluations, over all methods, for each class of pairs.
+std::vector<Picture> pictures_of_scene(const studies::StudyResults& results, std::size_t scene);
+
+/// Those of all scenes; in a study of occlusion error against the occluded share instead.
 std::vector<Picture> pictures_by_size(const studies::StudyResults& results);
 
 /// Of one cell: the unfolded faces, estimates, bias, and the distribution of errors, as far as it has them.
 std::vector<Picture> pictures_of_cell(const studies::StudyResults& results, std::size_t cell);
+
+/// Error against the occluded share at the common number of evaluations, for each family of scenes.
+std::vector<Picture> occlusion_pictures(const studies::StudyResults& results);
 
 /// All groups of a report; that of the methods which the verdict compares are open.
 std::vector<PictureGroup> picture_groups(const studies::StudyResults& results);

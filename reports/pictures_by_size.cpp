@@ -183,17 +183,24 @@ std::optional<Picture> efficiency_picture(const studies::Findings& findings, std
 
 }  // namespace
 
-std::vector<Picture> pictures_by_size(const studies::StudyResults& results) {
+std::vector<Picture> pictures_of_scene(const studies::StudyResults& results, std::size_t scene) {
     const studies::Findings& findings = results.findings;
     std::vector<Picture> pictures;
-    for (std::size_t scene = 0; scene < findings.plan.scenes.size(); ++scene) {
-        for (const PairClass pair_class : {PairClass::parallel, PairClass::adjacent, PairClass::other}) {
-            const auto all = size_series(results, scene, pair_class);
-            if (all.empty()) continue;
-            pictures.push_back(convergence_picture(findings, scene, pair_class, all));
-            if (auto efficiency = efficiency_picture(findings, scene, pair_class, all))
-                pictures.push_back(std::move(*efficiency));
-        }
+    for (const PairClass pair_class : {PairClass::parallel, PairClass::adjacent, PairClass::other}) {
+        const auto all = size_series(results, scene, pair_class);
+        if (all.empty()) continue;
+        pictures.push_back(convergence_picture(findings, scene, pair_class, all));
+        if (auto efficiency = efficiency_picture(findings, scene, pair_class, all))
+            pictures.push_back(std::move(*efficiency));
+    }
+    return pictures;
+}
+
+std::vector<Picture> pictures_by_size(const studies::StudyResults& results) {
+    if (!results.occlusion.empty()) return occlusion_pictures(results);
+    std::vector<Picture> pictures;
+    for (std::size_t scene = 0; scene < results.findings.plan.scenes.size(); ++scene) {
+        for (Picture& picture : pictures_of_scene(results, scene)) pictures.push_back(std::move(picture));
     }
     return pictures;
 }

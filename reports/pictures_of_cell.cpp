@@ -164,6 +164,11 @@ std::vector<PictureGroup> picture_groups(const studies::StudyResults& results) {
         PictureGroup group{view(results, cell).label, rivals.contains(cell), pictures_of_cell(results, cell)};
         if (!group.pictures.empty()) groups.push_back(std::move(group));
     }
+    for (std::size_t scene = 0; !results.occlusion.empty() && scene < results.findings.plan.scenes.size(); ++scene) {
+        PictureGroup group{fmt::format("Error against evaluations: {}", results.findings.plan.scenes[scene].name),
+                           false, pictures_of_scene(results, scene)};
+        if (!group.pictures.empty()) groups.push_back(std::move(group));
+    }
     std::stable_partition(groups.begin(), groups.end(), [](const PictureGroup& group) { return group.open; });
     if (auto light = radiosity_pictures(results)) groups.insert(groups.begin(), std::move(*light));
     return groups;

@@ -53,6 +53,7 @@ std::string factor_text(const VarianceReduction& reduction) {
 std::vector<std::string> reductions_in_brief(const studies::StudyResults& results) {
     const studies::StudyPlan& plan = results.findings.plan;
     std::vector<std::string> lines;
+    if (!results.occlusion.empty()) return lines;  // its scenes differ in what hides, and are told together
     std::set<std::pair<std::size_t, PairClass>> seen;
     for (const VarianceReduction& first : results.reductions) {
         if (!seen.emplace(first.random_cell, first.pair_class).second) continue;

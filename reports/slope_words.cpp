@@ -102,7 +102,8 @@ std::string verdicts_in_words(const std::vector<studies::LadderSlopes>& ladders)
 std::vector<std::string> slopes_in_brief(const studies::StudyResults& results) {
     std::vector<std::string> lines;
     const auto& scenes = results.findings.plan.scenes;
-    for (std::size_t scene = 0; scene < scenes.size(); ++scene) {
+    // Of a study of occlusion its own words say so.
+    for (std::size_t scene = 0; results.occlusion.empty() && scene < scenes.size(); ++scene) {
         for (const PairClass pair_class : {PairClass::parallel, PairClass::adjacent, PairClass::other}) {
             const std::string fastest = extreme(results, scene, pair_class, 1);
             const std::string slowest = extreme(results, scene, pair_class, -1);

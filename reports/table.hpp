@@ -51,6 +51,9 @@ Table convergence_table(const studies::StudyResults& results);
 /// Pairs of faces of the catalogue: estimate, interval, exact value, deviation.
 Table configurations_table(const studies::StudyResults& results);
 
+/// Scenes of families by the share that is hidden: exact value, and every method's error and slope on the pair.
+Table occlusion_table(const studies::StudyResults& results);
+
 /// How the closure error of deterministic methods falls with subdivision, ours and as printed.
 Table error_law_table(const studies::StudyResults& results);
 

@@ -5,6 +5,7 @@
 #include "reports/coverage_words.hpp"
 #include "reports/labels.hpp"
 #include "reports/numbers.hpp"
+#include "reports/occlusion_words.hpp"
 #include "reports/published_summary.hpp"
 #include "reports/radiosity_words.hpp"
 #include "reports/reduction_words.hpp"
@@ -78,12 +79,17 @@ std::string terminal_summary(const studies::StudyResults& results, Colour colour
             out += fmt::format("{:<{}} {}\n", "", names,
                                painted(fmt::format("{} rays LOST", found->lost_rays), Mark::bad, colour));
     }
-    if (!hidden.empty()) out += fmt::format("({} sizes in between: summary.csv)\n", hidden.size());
-    out += terminal_configurations(results, colour);
-    out += terminal_slopes(results, colour);
-    out += terminal_plots(results);
-    for (const auto& lines : {heavy_tails_in_brief(results), reductions_in_brief(results), coverage_in_brief(results),
-                              radiosity_in_brief(results), until_in_brief(results)}) {
+    if (!hidden.empty())
+        out += fmt::format("({} sizes{}: summary.csv)\n", hidden.size(),
+                           results.occlusion.empty() ? " in between" : " of scenes below");
+    out += terminal_occlusion(results, colour);
+    if (results.occlusion.empty()) {
+        out += terminal_configurations(results, colour);
+        out += terminal_slopes(results, colour);
+        out += terminal_plots(results);
+    }
+    for (const auto& lines : {occlusion_in_brief(results), heavy_tails_in_brief(results), reductions_in_brief(results),
+                              coverage_in_brief(results), radiosity_in_brief(results), until_in_brief(results)}) {
         if (!lines.empty()) out += fmt::format("\n{}\n", fmt::join(lines, "\n"));
     }
     if (results.published) {

@@ -5,6 +5,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <string_view>
+#include <vector>
 
 namespace ff::reports {
 namespace {
@@ -12,8 +14,11 @@ namespace {
 /// Why some pairs, or all, are not tested.
 std::string why_untested(const studies::BiasFamily& family) {
     if (family.undefined > 0) return "infinity or no number in some trials";
-    if (family.infinite > 0) return "infinite variance";
-    return family.sparse > 0 ? "too few hits" : "no spread";
+    std::vector<std::string_view> reasons;
+    if (family.unknown > 0) reasons.emplace_back("no exact value");
+    if (family.infinite > 0) reasons.emplace_back("infinite variance");
+    if (reasons.empty() && family.sparse > 0) reasons.emplace_back("too few hits");
+    return reasons.empty() ? "no spread" : fmt::format("{}", fmt::join(reasons, " or "));
 }
 
 bool has_exact_value(const studies::CellFindings& found) {

@@ -1,7 +1,6 @@
 #include "studies/analysis.hpp"
 
-#include "core/configurations/catalogue.hpp"
-#include "core/exact_rooms.hpp"
+#include "core/known_factors.hpp"
 #include "core/pair_class.hpp"
 #include "stats/bias_test.hpp"
 #include "stats/moments.hpp"
@@ -42,7 +41,8 @@ double detectable_in_sigmas(const StudyPlan& plan, std::size_t pairs, std::size_
     return gain * stats::minimum_detectable_bias(1.0, behind_spread, {level_of_pair(plan, pairs), plan.spec.power});
 }
 
-BiasFamily judge_family(const CellEstimates& estimates, const std::vector<Quantity>& pairs,
+/// @param tested  how many of the pairs have an exact value; at least 1
+BiasFamily judge_family(const CellEstimates& estimates, const std::vector<Quantity>& pairs, std::size_t tested,
                         const CellFindings& findings, const StudyPlan& plan, bool& refuted) {
     const StudySpec& spec = plan.spec;
     BiasFamily family;
@@ -50,7 +50,7 @@ BiasFamily judge_family(const CellEstimates& estimates, const std::vector<Quanti
     family.margin = spec.equivalence_margin;
     const double alpha = 1.0 - spec.level;
     const std::size_t cells = sampled_cells(plan);
-    const double pair_alpha = level_of_pair(plan, pairs.size());
+    const double pair_alpha = level_of_pair(plan, tested);
     std::vector<double> p_values;
     double largest_std = 0;
     for (const Quantity pair : pairs) {
@@ -65,6 +65,10 @@ BiasFamily judge_family(const CellEstimates& estimates, const std::vector<Quanti
         const auto test = testable ? stats::test_bias(moments, pilot) : std::nullopt;
         if (!test) {
             ++family.untestable;
+            if (!summary.reference) {
+                ++family.unknown;
+                continue;
+            }
             if (summary.variance == VarianceStatus::infinite) ++family.infinite;
             if (summary.variance == VarianceStatus::sparse) ++family.sparse;
             if (summary.variance == VarianceStatus::undefined) ++family.undefined;
@@ -96,19 +100,19 @@ BiasFamily judge_family(const CellEstimates& estimates, const std::vector<Quanti
     const double of_cell = *std::min_element(adjusted.begin(), adjusted.end());
     family.adjusted_p = -std::expm1(static_cast<double>(cells) * std::log1p(-of_cell));
     if (largest_std > 0 && estimates.trials() >= 2) {
-        family.planned_margin =
-            stats::equivalence_margin(largest_std, estimates.trials(), {alpha, spec.power}, pairs.size());
+        family.planned_margin = stats::equivalence_margin(largest_std, estimates.trials(), {alpha, spec.power}, tested);
     }
     return family;
 }
 
-/// Finite where it is so for every pair of the class.
-VarianceStatus class_variance(const std::vector<Summary>& summaries, PairClass pair_class) {
+/// Finite where it is so for every one of these pairs.
+VarianceStatus class_variance(const CellFindings& findings, const std::vector<Quantity>& pairs) {
     VarianceStatus worst = VarianceStatus::finite;
-    for (const Summary& summary : summaries) {
-        if (summary.pair_class != pair_class || summary.variance == VarianceStatus::finite) continue;
-        if (summary.variance == VarianceStatus::undefined) return VarianceStatus::undefined;
-        if (worst != VarianceStatus::infinite) worst = summary.variance;
+    for (const Quantity pair : pairs) {
+        const VarianceStatus status = findings.summary(pair).variance;
+        if (status == VarianceStatus::finite) continue;
+        if (status == VarianceStatus::undefined) return VarianceStatus::undefined;
+        if (worst != VarianceStatus::infinite) worst = status;
     }
     return worst;
 }
@@ -119,16 +123,12 @@ bool has_no_rmse(const Summary& summary) {
 
 }  // namespace
 
-std::optional<double> reference_of(const Scene& scene, const std::optional<Eigen::MatrixXd>& exact, Quantity quantity) {
+std::optional<double> reference_of(const Scene& scene, const KnownFactors& known, Quantity quantity) {
     switch (quantity.kind) {
         case QuantityKind::form_factor:
-            if (const auto known = known_form_factor(scene, quantity.from - 1, quantity.to - 1)) return known;
-            if (exact) return (*exact)(quantity.from - 1, quantity.to - 1);
-            return std::nullopt;
+            return known.at(quantity.from - 1, quantity.to - 1);
         case QuantityKind::row_sum:
-            if (scene.closed) return 1.0;
-            if (exact) return exact->row(quantity.from - 1).sum();
-            return std::nullopt;
+            return scene.closed ? 1.0 : known.row_sum(quantity.from - 1);
         case QuantityKind::sum_relative_error:
             break;  // its expectation is no property of the scene
     }
@@ -175,8 +175,9 @@ CellFindings analyse_cell(const Store& store, std::size_t cell_index) {
     const Method& method = plan.spec.methods[cell.method];
     const Scene& scene = plan.scenes[cell.scene];
     const CellEstimates estimates = load_estimates(store, cell_index);
-    const auto exact = exact_room_factors(scene);
+    const KnownFactors known = known_factors(scene);
     const auto pairs = distinct_pairs(estimates.faces, method.completion);
+    const std::size_t tested = std::max<std::size_t>(1, known_pairs(pairs, known).size());
 
     CellFindings findings;
     findings.cell = cell_index;
@@ -192,14 +193,14 @@ CellFindings analyse_cell(const Store& store, std::size_t cell_index) {
         return true;
     }();
     const std::optional<std::size_t> pilot = plan.spec.until ? std::optional(plan.spec.until->pilot) : std::nullopt;
-    const double detectable = detectable_in_sigmas(plan, pairs.size(), estimates.trials(), pilot);
+    const double detectable = detectable_in_sigmas(plan, tested, estimates.trials(), pilot);
     for (const Quantity quantity : all_quantities(estimates)) {
         SummaryRequest request;
         request.quantity = quantity;
         if (quantity.kind == QuantityKind::form_factor)
             request.pair_class = pair_class(scene, quantity.from - 1, quantity.to - 1);
         request.variance = known_variance(method, scene, quantity);
-        request.reference = reference_of(scene, exact, quantity);
+        request.reference = reference_of(scene, known, quantity);
         if (request.variance == VarianceStatus::finite &&
             too_few_hits(estimates.lattice, request.reference, estimates.trials())) {
             request.variance = VarianceStatus::sparse;
@@ -216,13 +217,12 @@ CellFindings analyse_cell(const Store& store, std::size_t cell_index) {
                                                              name(method.completion), quantity.from, quantity.to));
         findings.summaries.push_back(summarise(estimates.values(quantity), request));
     }
-    if (exact) {
-        for (const PairClass each : {PairClass::parallel, PairClass::adjacent, PairClass::other}) {
-            const VarianceStatus variance = class_variance(findings.summaries, each);
-            if (variance == VarianceStatus::undefined) continue;
-            if (const auto error = class_error(estimates, scene, *exact, pairs, each, variance, plan.spec.level))
-                findings.class_errors.push_back(*error);
-        }
+    for (const PairClass each : {PairClass::parallel, PairClass::adjacent, PairClass::other}) {
+        const VarianceStatus variance =
+            class_variance(findings, pairs_of_class(scene, known_pairs(pairs, known), each));
+        if (variance == VarianceStatus::undefined) continue;
+        if (const auto error = class_error(estimates, scene, known, pairs, each, variance, plan.spec.level))
+            findings.class_errors.push_back(*error);
     }
     for (const Quantity pair : pairs) {
         const Summary& summary = findings.summary(pair);
@@ -237,7 +237,7 @@ CellFindings analyse_cell(const Store& store, std::size_t cell_index) {
         findings.patch_errors = patch_errors(store, cell_index);
     if (!cell.deterministic) {
         bool refuted = false;
-        findings.bias = judge_family(estimates, pairs, findings, plan, refuted);
+        findings.bias = judge_family(estimates, pairs, tested, findings, plan, refuted);
         findings.bias_finding = bias_finding(*findings.bias, plan.spec.level);
         findings.equivalence = equivalence_finding(*findings.bias, refuted);
     }

@@ -1,12 +1,11 @@
 #pragma once
 
+#include "core/known_factors.hpp"
 #include "studies/class_error.hpp"
 #include "studies/error_shape.hpp"
 #include "studies/patch_error.hpp"
 #include "studies/store.hpp"
 #include "studies/summary.hpp"
-
-#include <Eigen/Core>
 
 #include <cstdint>
 #include <optional>
@@ -19,7 +18,8 @@ namespace ff::studies {
 /// whole study: each of its sampled cells gets an equal (Sidak) share of it.
 struct BiasFamily {
     std::size_t pairs = 0;            ///< 30 in a box, or 15 under reciprocal completion
-    std::size_t untestable = 0;       ///< of them, pairs without a variance
+    std::size_t untestable = 0;       ///< of them, pairs without a variance or an exact value
+    std::size_t unknown = 0;          ///< of these, because there is no exact value
     std::size_t infinite = 0;         ///< of these, because the variance is infinite
     std::size_t sparse = 0;           ///< of these, because there are too few hits
     std::size_t undefined = 0;        ///< of these, because some trial gave no number
@@ -37,8 +37,8 @@ enum class BiasFinding { no_bias_found, biased, untestable };
 enum class EquivalenceFinding { shown, refuted, inconclusive, not_asked };
 
 /// The exact value of a quantity; empty where there is none.
-/// @param exact  exact_form_factors(scene)
-std::optional<double> reference_of(const Scene& scene, const std::optional<Eigen::MatrixXd>& exact, Quantity quantity);
+/// @param known  known_factors(scene)
+std::optional<double> reference_of(const Scene& scene, const KnownFactors& known, Quantity quantity);
 
 BiasFinding bias_finding(const BiasFamily& family, double level);
 /// Shown: every pair's interval lies inside the margin. Refuted: some pair's adjusted interval lies outside.

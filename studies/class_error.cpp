@@ -1,5 +1,6 @@
 #include "studies/class_error.hpp"
 
+#include "core/facing.hpp"
 #include "stats/distributions.hpp"
 #include "stats/mean_interval.hpp"
 #include "stats/moments.hpp"
@@ -83,11 +84,11 @@ void add_efficiency(const stats::Moments& squares, double level, ClassError& fou
 
 }  // namespace
 
-std::optional<ClassError> class_error(const CellEstimates& estimates, const Scene& scene, const Eigen::MatrixXd& exact,
+std::optional<ClassError> class_error(const CellEstimates& estimates, const Scene& scene, const KnownFactors& known,
                                       std::span<const Quantity> pairs, PairClass pair_class, VarianceStatus status,
                                       double level) {
-    const auto members = pairs_of_class(scene, pairs, pair_class);
-    const auto errors = errors_of(estimates, members, exact);
+    const auto members = pairs_of_class(scene, known_pairs(pairs, known), pair_class);
+    const auto errors = errors_of(estimates, members, known);
     if (errors.empty()) return std::nullopt;
     ClassError found = class_error_of(errors, members.size(), estimates.evaluations_per_face, status, level);
     found.pair_class = pair_class;
@@ -116,20 +117,29 @@ ClassError class_error_of(std::span<const double> errors, std::size_t pairs, std
 }
 
 std::vector<double> errors_of(const CellEstimates& estimates, std::span<const Quantity> pairs,
-                              const Eigen::MatrixXd& exact) {
+                              const KnownFactors& known) {
     std::vector<double> errors;
     errors.reserve(estimates.trials() * pairs.size());
     for (std::size_t trial = 0; trial < estimates.trials(); ++trial) {
         for (const Quantity pair : pairs)
-            errors.push_back(estimates.values(pair)[trial] - exact(pair.from - 1, pair.to - 1));
+            errors.push_back(estimates.values(pair)[trial] - known.at(pair.from - 1, pair.to - 1).value());
     }
     return errors;
 }
 
-std::vector<Quantity> pairs_of_class(const Scene& scene, std::span<const Quantity> pairs, PairClass wanted) {
+std::vector<Quantity> known_pairs(std::span<const Quantity> pairs, const KnownFactors& known) {
     std::vector<Quantity> members;
     std::copy_if(pairs.begin(), pairs.end(), std::back_inserter(members),
-                 [&](const Quantity pair) { return pair_class(scene, pair.from - 1, pair.to - 1) == wanted; });
+                 [&](const Quantity pair) { return known.at(pair.from - 1, pair.to - 1).has_value(); });
+    return members;
+}
+
+std::vector<Quantity> pairs_of_class(const Scene& scene, std::span<const Quantity> pairs, PairClass wanted) {
+    std::vector<Quantity> members;
+    std::copy_if(pairs.begin(), pairs.end(), std::back_inserter(members), [&](const Quantity pair) {
+        return face_each_other(scene, pair.from - 1, pair.to - 1) &&
+               pair_class(scene, pair.from - 1, pair.to - 1) == wanted;
+    });
     return members;
 }
 

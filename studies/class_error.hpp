@@ -1,12 +1,11 @@
 #pragma once
 
+#include "core/known_factors.hpp"
 #include "core/pair_class.hpp"
 #include "core/scene.hpp"
 #include "stats/interval.hpp"
 #include "studies/estimates.hpp"
 #include "studies/summary.hpp"
-
-#include <Eigen/Core>
 
 #include <cstddef>
 #include <cstdint>
@@ -36,11 +35,11 @@ struct ClassError {
     std::optional<stats::Interval> efficiency_interval;
 };
 
-/// Empty where none of the pairs belongs to the class, or there is no trial.
-/// @param pairs  distinct ones  @param exact  form factors, faces from 0
+/// Empty where none of the pairs with an exact value belongs to the class, or there is no trial.
+/// @param pairs  distinct ones
 /// @param status  of the estimates of this class: intervals and efficiency need a finite variance
 /// @param level  of the intervals, in (0, 1)
-std::optional<ClassError> class_error(const CellEstimates& estimates, const Scene& scene, const Eigen::MatrixXd& exact,
+std::optional<ClassError> class_error(const CellEstimates& estimates, const Scene& scene, const KnownFactors& known,
                                       std::span<const Quantity> pairs, PairClass pair_class, VarianceStatus status,
                                       double level);
 
@@ -48,11 +47,14 @@ std::optional<ClassError> class_error(const CellEstimates& estimates, const Scen
 ClassError class_error_of(std::span<const double> errors, std::size_t pairs, std::uint64_t evaluations,
                           VarianceStatus status, double level);
 
-/// Estimate - exact value, [trial * pairs + pair]. @param exact  form factors, faces from 0
+/// Estimate - exact value, [trial * pairs + pair]. @pre all pairs have one
 std::vector<double> errors_of(const CellEstimates& estimates, std::span<const Quantity> pairs,
-                              const Eigen::MatrixXd& exact);
+                              const KnownFactors& known);
 
-/// Those of the pairs that belong to the class.
+/// Those of the pairs that have an exact value.
+std::vector<Quantity> known_pairs(std::span<const Quantity> pairs, const KnownFactors& known);
+
+/// Those of the pairs that belong to the class and face each other: where nothing can pass there is nothing to err.
 std::vector<Quantity> pairs_of_class(const Scene& scene, std::span<const Quantity> pairs, PairClass wanted);
 
 /// ln(second.rmse / first.rmse) of independent trials.

@@ -1,6 +1,6 @@
 #include "studies/coverage.hpp"
 
-#include "core/exact_rooms.hpp"
+#include "core/known_factors.hpp"
 #include "stats/binomial.hpp"
 #include "stats/distributions.hpp"
 #include "stats/mean_interval.hpp"
@@ -94,8 +94,8 @@ std::optional<Taken> take(IntervalRule rule, std::span<const double> left, const
 /// The trials of a cell, and what is known about them.
 class CellTrials {
   public:
-    CellTrials(const Store& store, std::size_t cell, const Eigen::MatrixXd& exact)
-        : plan_(store.plan()), cell_(cell), exact_(exact), estimates_(load_estimates(store, cell)) {}
+    CellTrials(const Store& store, std::size_t cell, const KnownFactors& known)
+        : plan_(store.plan()), cell_(cell), known_(known), estimates_(load_estimates(store, cell)) {}
 
     [[nodiscard]] const StudySpec& spec() const { return plan_.spec; }
 
@@ -104,7 +104,8 @@ class CellTrials {
         const Completion completion = plan_.spec.methods[plan_.cells[cell_].method].completion;
         const Scene& scene = plan_.scenes[plan_.cells[cell_].scene];
         std::vector<Quantity> found;
-        for (const Quantity pair : pairs_of_class(scene, distinct_pairs(estimates_.faces, completion), wanted)) {
+        const auto pairs = known_pairs(distinct_pairs(estimates_.faces, completion), known_);
+        for (const Quantity pair : pairs_of_class(scene, pairs, wanted)) {
             if (found.empty() || found.back().from != pair.from) found.push_back(pair);
         }
         return found;
@@ -125,7 +126,8 @@ class CellTrials {
 
   private:
     [[nodiscard]] Task task_of(Quantity pair, std::uint64_t replicates) const {
-        Task task{plan_.spec.level, exact_(pair.from - 1, pair.to - 1), static_cast<std::size_t>(replicates), 0};
+        Task task{plan_.spec.level, known_.at(pair.from - 1, pair.to - 1).value(), static_cast<std::size_t>(replicates),
+                  0};
         const double r = static_cast<double>(replicates);
         const double deviation = moments_of(estimates_.values(pair), task).standard_deviation().value_or(0.0);
         task.half_width = stats::student_critical(r - 1, (1 - task.level) / 2) * deviation / std::sqrt(stages * r);
@@ -152,7 +154,7 @@ class CellTrials {
 
     const StudyPlan& plan_;
     std::size_t cell_;
-    const Eigen::MatrixXd& exact_;
+    const KnownFactors& known_;
     CellEstimates estimates_;
 };
 
@@ -180,8 +182,9 @@ std::vector<Coverage> measure_coverage(const Store& store) {
     std::vector<Coverage> rows;
     if (plan.spec.coverage.empty()) return rows;
     for (std::size_t cell = 0; cell < plan.cells.size(); ++cell) {
-        const auto exact = exact_room_factors(plan.scenes[plan.cells[cell].scene]);
-        if (!plan.cells[cell].deterministic && exact) add_rows(CellTrials(store, cell, *exact), rows);
+        if (plan.cells[cell].deterministic) continue;
+        const KnownFactors known = known_factors(plan.scenes[plan.cells[cell].scene]);
+        add_rows(CellTrials(store, cell, known), rows);
     }
     if (rows.empty()) return rows;
     const double alpha = stats::sidak_level(1 - plan.spec.level, rows.size());

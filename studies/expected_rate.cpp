@@ -11,7 +11,8 @@ namespace {
 
 /// What a sampler integrates, as theories tell integrands apart.
 enum class Integrand {
-    indicator,  ///< of the rays that hit: jumps at curved boundaries that are parallel to no axis
+    jumping,  ///< smooth but for jumps at curved boundaries that are parallel to no axis: the rays that hit, the kernel
+              ///< of points that see each other
     smooth,
     rough,      ///< of finite variance, but no theory of smooth or of jumping functions holds
     unbounded,  ///< with tail index 3/2
@@ -46,15 +47,17 @@ Spread spread_of(std::string_view sampler) {
     return known == spreads.end() ? Spread::other : known->spread;
 }
 
-std::optional<Integrand> integrand_of(const Method& method, PairClass pair_class) {
+std::optional<Integrand> integrand_of(const Method& method, PairClass pair_class, Hiding hiding) {
     if (pair_class == PairClass::other) return std::nullopt;
     const bool adjacent = pair_class == PairClass::adjacent;
     switch (method.estimator) {
         case Estimator::ray_shooting:
-            return Integrand::indicator;
+            return Integrand::jumping;
         case Estimator::area_kernel:
-            if (adjacent) return method.map == PointMap::graded ? Integrand::rough : Integrand::unbounded;
-            return Integrand::smooth;
+            if (adjacent)
+                return method.map == PointMap::graded && hiding == Hiding::none ? Integrand::rough
+                                                                                : Integrand::unbounded;
+            return hiding == Hiding::possible ? Integrand::jumping : Integrand::smooth;
         case Estimator::point_to_polygon:
             return adjacent ? Integrand::rough : Integrand::smooth;
         case Estimator::closed_form:
@@ -65,7 +68,7 @@ std::optional<Integrand> integrand_of(const Method& method, PairClass pair_class
 
 std::optional<ExpectedRate> rate_of_grid(Integrand integrand, double dimension) {
     switch (integrand) {
-        case Integrand::indicator:
+        case Integrand::jumping:
             return ExpectedRate{
                 .rate = -0.5 - 0.5 / dimension, .source = "heowen2016", .because = "jittered points, jumps"};
         case Integrand::smooth:
@@ -80,7 +83,7 @@ std::optional<ExpectedRate> rate_of_grid(Integrand integrand, double dimension) 
 
 std::optional<ExpectedRate> rate_of_net(Integrand integrand, double dimension) {
     switch (integrand) {
-        case Integrand::indicator:
+        case Integrand::jumping:
             return ExpectedRate{.rate = -0.5 - 1 / (4 * dimension - 2),
                                 .at_least = true,
                                 .source = "hewang2015",
@@ -108,9 +111,9 @@ double ExpectedRate::slowest(double size) const {
     return rate + log_power / std::log(size);
 }
 
-std::optional<ExpectedRate> expected_rate(const Method& method, PairClass pair_class) {
+std::optional<ExpectedRate> expected_rate(const Method& method, PairClass pair_class, Hiding hiding) {
     const double d = static_cast<double>(dimension(method.estimator));
-    const auto integrand = integrand_of(method, pair_class);
+    const auto integrand = integrand_of(method, pair_class, hiding);
     if (!integrand) return std::nullopt;
     const Spread spread = spread_of(method.sampler);
     if (*integrand == Integrand::unbounded) {

@@ -22,8 +22,11 @@ struct ExpectedRate {
     [[nodiscard]] double slowest(double size) const;
 };
 
-/// The rate for one patch, or a fixed number of them, on each face of a convex scene. Empty where no theory is known.
+/// Whether something may stand between the faces of a pair.
+enum class Hiding { none, possible };
+
+/// The rate for one patch, or a fixed number of them, on each face. Empty where no theory is known.
 /// @see docs/convergence.md for the table
-std::optional<ExpectedRate> expected_rate(const Method& method, PairClass pair_class);
+std::optional<ExpectedRate> expected_rate(const Method& method, PairClass pair_class, Hiding hiding = Hiding::none);
 
 }  // namespace ff::studies

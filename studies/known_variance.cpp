@@ -1,5 +1,7 @@
 #include "studies/known_variance.hpp"
 
+#include "core/contact.hpp"
+#include "core/occlusion.hpp"
 #include "samplers/sampler.hpp"
 
 #include <algorithm>
@@ -9,7 +11,11 @@ namespace ff::studies {
 namespace {
 
 bool is_infinite(const Method& method, const Scene& scene, int from, int to) {
-    const auto index = kernel_tail_index(closest_contact(scene, from - 1, to - 1), method.map);
+    const Contact contact = closest_contact(scene, from - 1, to - 1);
+    if (contact == Contact::none) return false;
+    // Where points are looked at one by one they are not graded.
+    const PointMap map = may_be_occluded(scene, from - 1, to - 1) ? PointMap::uniform : method.map;
+    const auto index = kernel_tail_index(contact, map);
     return index && *index <= 2;
 }
 

@@ -7,6 +7,7 @@
 #include "studies/coverage.hpp"
 #include "studies/error_law.hpp"
 #include "studies/heavy_tails.hpp"
+#include "studies/occlusion_series.hpp"
 #include "studies/published.hpp"
 #include "studies/radiosity/bias_order.hpp"
 #include "studies/radiosity/consequences.hpp"
@@ -33,6 +34,7 @@ struct PublishedResults {
 struct StudyResults {
     Findings findings;
     std::vector<LadderSlopes> slopes;
+    std::vector<OcclusionSeries> occlusion;
     std::vector<VarianceReduction> reductions;
     std::vector<HeavyTail> heavy_tails;
     std::vector<Coverage> coverage;

@@ -1,6 +1,7 @@
 #include "studies/slopes.hpp"
 
-#include "core/exact_rooms.hpp"
+#include "core/known_factors.hpp"
+#include "core/occlusion.hpp"
 #include "stats/convergence.hpp"
 #include "stats/distributions.hpp"
 #include "stats/multiplicity.hpp"
@@ -89,15 +90,14 @@ class LadderFit {
           findings_(findings),
           ladder_(ladder),
           estimates_(load(store, ladder)),
-          exact_(exact_room_factors(plan_.scenes[ladder.scene])),
+          known_(known_factors(plan_.scenes[ladder.scene])),
           draws_(draw_trials(estimates_, key())) {}
 
     [[nodiscard]] LadderSlopes slopes() const {
         LadderSlopes found;
         found.ladder = ladder_;
-        if (!exact_) return found;
         const Method& method = plan_.spec.methods[ladder_.method];
-        const auto pairs = distinct_pairs(estimates_.front().faces, method.completion);
+        const auto pairs = known_pairs(distinct_pairs(estimates_.front().faces, method.completion), known_);
         for (const PairClass pair_class : {PairClass::parallel, PairClass::adjacent, PairClass::other}) {
             const auto members = pairs_of_class(plan_.scenes[ladder_.scene], pairs, pair_class);
             if (!members.empty()) found.classes.push_back(class_slopes(pair_class, members));
@@ -127,13 +127,21 @@ class LadderFit {
         return pair_class(plan_.scenes[ladder_.scene], pair.from - 1, pair.to - 1);
     }
 
+    [[nodiscard]] Hiding hiding(std::span<const Quantity> pairs) const {
+        const Scene& scene = plan_.scenes[ladder_.scene];
+        return std::any_of(pairs.begin(), pairs.end(),
+                           [&](Quantity pair) { return may_be_occluded(scene, pair.from - 1, pair.to - 1); })
+                   ? Hiding::possible
+                   : Hiding::none;
+    }
+
     [[nodiscard]] std::vector<stats::Rung> rungs(std::span<const Quantity> pairs) const {
         std::vector<stats::Rung> rungs;
         for (const CellEstimates& estimates : estimates_) {
             stats::Rung& rung = rungs.emplace_back();
             rung.size = static_cast<double>(estimates.evaluations_per_face);
             rung.width = pairs.size();
-            rung.errors = errors_of(estimates, pairs, *exact_);
+            rung.errors = errors_of(estimates, pairs, known_);
         }
         return rungs;
     }
@@ -145,7 +153,7 @@ class LadderFit {
         slope.pair_class = class_of(pairs.front());
         slope.error = error;
         slope.variance = variance_of(pairs.front());
-        if (ladder_.growth == Growth::samples) slope.expected = expected_rate(method, slope.pair_class);
+        if (ladder_.growth == Growth::samples) slope.expected = expected_rate(method, slope.pair_class, hiding(pairs));
         fit(rungs(pairs), plan_.spec.level, draws_, slope);
         return slope;
     }
@@ -172,7 +180,7 @@ class LadderFit {
     const Findings& findings_;
     const Ladder& ladder_;
     std::vector<CellEstimates> estimates_;
-    std::optional<Eigen::MatrixXd> exact_;
+    KnownFactors known_;
     stats::LadderDraws draws_;
 };
 

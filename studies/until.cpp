@@ -1,6 +1,6 @@
 #include "studies/until.hpp"
 
-#include "core/exact_rooms.hpp"
+#include "core/known_factors.hpp"
 #include "studies/known_variance.hpp"
 
 #include <algorithm>
@@ -20,13 +20,13 @@ std::vector<PairPilot> pilots(const Store& store, std::size_t cell_index) {
     const Scene& scene = plan.scenes[cell.scene];
     const Method& method = plan.spec.methods[cell.method];
     const CellEstimates estimates = load_estimates(store, cell_index);
-    const auto exact = exact_room_factors(scene);
+    const KnownFactors known = known_factors(scene);
     const auto size = static_cast<std::size_t>(plan.spec.until->pilot);
     std::vector<PairPilot> found;
     for (const Quantity pair : distinct_pairs(estimates.faces, method.completion)) {
         PairPilot& one = found.emplace_back();
         one.variance = known_variance(method, scene, pair);
-        const auto reference = exact ? std::optional((*exact)(pair.from - 1, pair.to - 1)) : std::nullopt;
+        const auto reference = known.at(pair.from - 1, pair.to - 1);
         if (one.variance == VarianceStatus::finite && too_few_hits(estimates.lattice, reference, size))
             one.variance = VarianceStatus::sparse;
         if (one.variance == VarianceStatus::finite) one.pilot = stats::pilot_of(estimates.values(pair), size);

@@ -4,6 +4,7 @@
 #include "core/configurations/cylinder_and_cone.hpp"
 #include "core/configurations/discs.hpp"
 #include "core/configurations/endless.hpp"
+#include "core/configurations/families.hpp"
 #include "core/configurations/nested_cubes.hpp"
 #include "core/configurations/polygons.hpp"
 #include "core/configurations/rectangle_element.hpp"
@@ -110,19 +111,19 @@ constexpr std::array catalogue{
                   "opposite unit squares 1 apart, with a square of side 0.5 in the middle between them",
                   "C-11 less what an aperture lets through", "ehlert1993", surfaces, true,
                   [] { return opposite_rectangles(1, 1, 1) - squares_through_aperture(); },
-                  [] { return scenes::squares_blocked(); }},
+                  [] { return scenes::squares_blocked(0.5); }},
     Configuration{"O01c", "squares_through_aperture",
                   "opposite unit squares 1 apart, through a square hole of side 0.5 in a plate between them",
                   "piecewise linear cross-sections, integrated against the corner function of C-13", "ehlert1993",
                   surfaces, true, [] { return squares_through_aperture(); },
-                  [] { return scenes::squares_through_aperture(); }},
+                  [] { return scenes::squares_through_aperture(0.5); }},
     Configuration{"O03", "l_shaped_room",
                   "long wall of 3 x 3 to the far short wall of 1 x 3 of an L-shaped room, past the corner",
-                  "as through an aperture, a third of the way", "ehlert1993", surfaces, true,
+                  "as through an aperture, the mouth of the leg", "ehlert1993", surfaces, true,
                   [] {
                       return exchange_area_through_aperture(three, three, unit, three, 3, {unit, three, 1.0L / 3}) / 9;
                   },
-                  [] { return scenes::l_shaped_room(); }},
+                  [] { return scenes::l_shaped_room(2); }},
     Configuration{"O05", "concentric_spheres", "sphere of radius 2, inside, to itself past one of radius 1",
                   "1 - (r1 / r2)^2, by reciprocity and closure", "howell", surfaces, true,
                   [] { return outer_sphere_to_itself_factor(1, 2); }, [] { return scenes::concentric_spheres(); }, 0,
@@ -137,11 +138,11 @@ constexpr std::array catalogue{
                   [] { return scenes::discs_blocked(); }},
     Configuration{"O11a", "nested_cubes_opposite", "opposite faces of a cube of 6, past a cube of 2 in its middle",
                   "closed form, and Gauss's rule for the corners of the shadow", "ehlert1993", surfaces, true,
-                  [] { return nested_cubes_opposite_factor(2, 6); }, [] { return scenes::nested_cubes(); }, 0, 2,
+                  [] { return nested_cubes_opposite_factor(2, 6); }, [] { return scenes::nested_cubes(2); }, 0, 2,
                   "nested_cubes"},
     Configuration{"O11b", "nested_cubes_adjacent", "adjacent faces of a cube of 6, past a cube of 2 in its middle",
                   "closure: a face sends 1/9 to the inner cube", "ehlert1993", surfaces, true,
-                  [] { return nested_cubes_adjacent_factor(2, 6); }, [] { return scenes::nested_cubes(); }, 0, 1,
+                  [] { return nested_cubes_adjacent_factor(2, 6); }, [] { return scenes::nested_cubes(2); }, 0, 1,
                   "nested_cubes"},
 };
 
@@ -185,6 +186,10 @@ std::vector<std::string_view> configuration_scene_names() {
 }
 
 std::optional<double> known_form_factor(const Scene& scene, int from_face, int to_face) {
+    if (const auto member = family_member(scene)) {
+        const auto factor = member->family->exact(member->measure, from_face, to_face);
+        return factor ? std::optional(static_cast<double>(*factor)) : std::nullopt;
+    }
     for (const Configuration& configuration : catalogue) {
         if (!is_configuration(scene, configuration)) continue;
         const auto [from, to] = std::array{configuration.from, configuration.to};

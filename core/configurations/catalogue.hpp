@@ -49,8 +49,9 @@ int other_faces(const Scene& scene, const Configuration& configuration);
 /// Names of all scenes of the catalogue, in its order.
 std::vector<std::string_view> configuration_scene_names();
 
-/// The form factor between two faces of a scene of the catalogue, where it has an exact value or one follows: by
-/// reciprocity, and by closure where what a face does not send to itself is shared by others that are alike.
+/// The form factor between two faces of a scene of the catalogue or of its families (core/configurations/families.hpp),
+/// where it has an exact value or one follows: by reciprocity, and by closure where what a face does not send to itself
+/// is shared by others that are alike.
 /// @pre both are indices into scene.faces
 std::optional<double> known_form_factor(const Scene& scene, int from_face, int to_face);
 

@@ -125,32 +125,38 @@ Scene cone_wall() {
     return scene_of({wall(0, 1, 1, 0), disc(1, 0, 1, z_axis)}, 2, true);
 }
 
-Scene squares_blocked() {
+Scene squares_blocked(double edge) {
     Scene scene = parallel_rectangles(1, 1, 1);
-    scene.surfaces.push_back(rectangle(no_face, {0.25, 0.25, 0.5}, 0.5 * x_axis, 0.5 * y_axis));
+    const double low = (1 - edge) / 2;
+    if (edge > 0) scene.surfaces.push_back(rectangle(no_face, {low, low, 0.5}, edge * x_axis, edge * y_axis));
     return scene;
 }
 
-Scene squares_through_aperture() {
+Scene squares_through_aperture(double edge) {
     Scene scene = parallel_rectangles(1, 1, 1);
-    for (const double x : {0.0, 0.75}) scene.surfaces.push_back(rectangle(no_face, {x, 0, 0.5}, 0.25 * x_axis, y_axis));
-    for (const double y : {0.0, 0.75})
-        scene.surfaces.push_back(rectangle(no_face, {0.25, y, 0.5}, 0.5 * x_axis, 0.25 * y_axis));
+    const double rim = (1 - edge) / 2;
+    const auto add = [&](double x, double y, double width, double height) {
+        if (width > 0 && height > 0)
+            scene.surfaces.push_back(rectangle(no_face, {x, y, 0.5}, width * x_axis, height * y_axis));
+    };
+    for (const double x : {0.0, 1 - rim}) add(x, 0, rim, 1);
+    for (const double y : {0.0, 1 - rim}) add(rim, y, edge, rim);
     return scene;
 }
 
-Scene l_shaped_room() {
+Scene l_shaped_room(double depth) {
     const Vector3d height = 3 * z_axis;
-    return scene_of({rectangle(0, Vector3d::Zero(), height, 3 * x_axis),  // y = 0
-                     rectangle(1, {0, 3, 0}, x_axis, height),             // y = 3, the far short wall
-                     rectangle(2, Vector3d::Zero(), 3 * y_axis, height),  // x = 0
-                     rectangle(3, {1, 1, 0}, height, 2 * y_axis),         // x = 1, behind the corner
-                     rectangle(4, {1, 1, 0}, 2 * x_axis, height),         // y = 1, behind the corner
-                     rectangle(5, {3, 0, 0}, height, y_axis),             // x = 3
-                     rectangle(6, Vector3d::Zero(), 3 * x_axis, y_axis),  // floor
-                     rectangle(7, {0, 1, 0}, x_axis, 2 * y_axis),         //
-                     rectangle(8, {0, 0, 3}, y_axis, 3 * x_axis),         // ceiling
-                     rectangle(9, {0, 1, 3}, 2 * y_axis, x_axis)},
+    const double end = 1 + depth;
+    return scene_of({rectangle(0, Vector3d::Zero(), height, 3 * x_axis),    // y = 0
+                     rectangle(1, {0, end, 0}, x_axis, height),             // the end of the other leg
+                     rectangle(2, Vector3d::Zero(), end * y_axis, height),  // x = 0
+                     rectangle(3, {1, 1, 0}, height, depth * y_axis),       // x = 1, behind the corner
+                     rectangle(4, {1, 1, 0}, 2 * x_axis, height),           // y = 1, behind the corner
+                     rectangle(5, {3, 0, 0}, height, y_axis),               // x = 3
+                     rectangle(6, Vector3d::Zero(), 3 * x_axis, y_axis),    // floor
+                     rectangle(7, {0, 1, 0}, x_axis, depth * y_axis),       //
+                     rectangle(8, {0, 0, 3}, y_axis, 3 * x_axis),           // ceiling
+                     rectangle(9, {0, 1, 3}, depth * y_axis, x_axis)},
                     10, true);
 }
 
@@ -164,9 +170,10 @@ Scene discs_blocked() {
     return scene;
 }
 
-Scene nested_cubes() {
+Scene nested_cubes(double inner) {
     std::vector<Surface> surfaces = cube(0, 6, 1, {0, 1, 2, 3, 4, 5});
-    for (Surface& surface : cube(2, 4, -1, {6, 7, 8, 9, 10, 11})) surfaces.push_back(std::move(surface));
+    for (Surface& surface : cube(3 - inner / 2, 3 + inner / 2, -1, {6, 7, 8, 9, 10, 11}))
+        surfaces.push_back(std::move(surface));
     return scene_of(std::move(surfaces), 12, true);
 }
 

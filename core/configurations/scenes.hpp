@@ -27,15 +27,19 @@ Scene sphere_caps();
 Scene hemisphere();
 /// Face 1: the wall; face 2: the base.
 Scene cone_wall();
-Scene squares_blocked();
-Scene squares_through_aperture();
+/// Opposite unit squares 1 apart, halfway between them a square with this edge, 0 (none) to 1.
+Scene squares_blocked(double edge);
+/// The same with a unit square there that has a square hole with this edge, 0 (no hole) to 1 (no plate).
+Scene squares_through_aperture(double edge);
+/// Legs 1 wide, 3 high; face 1: the wall of length 3; face 2: the end of the other leg, `depth` behind the corner.
 /// Faces 3 to 10: the other walls, floor and ceiling, each in rectangles.
-Scene l_shaped_room();
+Scene l_shaped_room(double depth);
 /// Face 1: the outer sphere; face 2: the inner one.
 Scene concentric_spheres();
 Scene discs_blocked();
-/// Faces 1 and 2 are adjacent, 3 is opposite 1, 4 to 6 the other faces of the outer cube, 7 to 12 the inner cube.
-Scene nested_cubes();
+/// A cube of 6 and one with this edge, above 0 and below 6, in its middle. Faces 1 and 2 are adjacent, 3 is opposite 1,
+/// 4 to 6 the other faces of the outer cube, 7 to 12 the inner cube.
+Scene nested_cubes(double inner);
 
 }  // namespace configuration_scenes
 

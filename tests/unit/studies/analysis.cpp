@@ -253,6 +253,26 @@ TEST(Analysis, MeasuresFromTheExactFactorsOfTheScene) {
     EXPECT_EQ(found.summary({QuantityKind::sum_relative_error, 0, 0}).reference, std::nullopt);
 }
 
+TEST(Analysis, MeasuresFromTheExactFactorsThatThereAre) {
+    const Store store = test::run(
+        plan_of("[study]\nname = \"t\"\nscene = \"l_shaped_room\"\ntrials = 40\nseed = 2\n" + std::string(few_rays)));
+    const CellFindings found = analyse_cell(store, 0);
+    // By the formula of the catalogue, by closed form, and past the corner by none.
+    EXPECT_NEAR(found.summary({pair, 1, 2}).reference.value(), 0.032890247563088, 1e-14);
+    EXPECT_NEAR(found.summary({pair, 1, 4}).reference.value(), 0.027473405707512, 1e-14);  // ffstudy explain
+    EXPECT_FALSE(found.summary({pair, 2, 6}).reference);
+    EXPECT_EQ(found.summary({QuantityKind::row_sum, 2, 0}).reference, 1.0);
+    ASSERT_TRUE(found.bias);
+    EXPECT_EQ(found.bias->pairs, 90u);
+    EXPECT_GT(found.bias->unknown, 0u);
+    EXPECT_LT(found.bias->unknown, found.bias->untestable);  // faces that cannot see each other have no spread
+    EXPECT_EQ(found.bias_finding, BiasFinding::no_bias_found);
+    const ClassError* parallel = found.class_error(PairClass::parallel);
+    ASSERT_NE(parallel, nullptr);
+    EXPECT_GT(parallel->rmse, 0);
+    EXPECT_TRUE(parallel->interval);
+}
+
 TEST(Analysis, OfTheSameStoreIsTheSameToTheBit) {
     const Store store = test::run(plan_of(study_text("trials = 30", few_rays)));
     const CellFindings a = analyse_cell(store, 0);

@@ -31,8 +31,8 @@ class ClassErrors : public testing::Test {
     [[nodiscard]] std::optional<ClassError> of(const std::vector<double>& errors, PairClass pair_class,
                                                VarianceStatus status = VarianceStatus::finite,
                                                double level = 0.95) const {
-        return class_error(shifted(exact, errors), cube, exact, distinct_pairs(6, Completion::direct), pair_class,
-                           status, level);
+        return class_error(shifted(exact, errors), cube, KnownFactors(exact), distinct_pairs(6, Completion::direct),
+                           pair_class, status, level);
     }
 
     Scene cube = make_box(1, 1, 1);

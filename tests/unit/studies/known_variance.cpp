@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace ff::studies {
 namespace {
 
@@ -40,6 +42,14 @@ TEST(KnownVariance, IsFiniteWithTheGradedMap) {
     const Method method = kernel(PointMap::graded);
     EXPECT_EQ(of_pair(method, two_squares(0), 1, 2), VarianceStatus::finite);
     EXPECT_EQ(of_pair(method, two_squares(1), 1, 2), VarianceStatus::finite);
+}
+
+TEST(KnownVariance, IsNoBetterWithTheGradedMapWhereSomethingMayStandInBetween) {
+    // The corner square lies in the way of some rays, not of those near the common edge.
+    Scene scene = two_squares(0);
+    scene.surfaces.push_back({Parallelogram{{0.4, 0.4, 0.4}, {0.2, 0, 0}, {0, 0.1, -0.1}},
+                              Eigen::Vector3d(0, 1, 1) / std::sqrt(2.0), no_face});
+    EXPECT_EQ(of_pair(kernel(PointMap::graded), scene, 1, 2), VarianceStatus::infinite);
 }
 
 TEST(KnownVariance, OfASumIsInfiniteWithOneOfItsTerms) {

@@ -150,5 +150,22 @@ TEST(ExpectedRate, SlowsDownByItsLogarithms) {
     EXPECT_FALSE(expected_rate(method, PairClass::adjacent));
 }
 
+TEST(ExpectedRate, OfTheKernelIsThatOfJumpsWhereSomethingMayStandInBetween) {
+    Method method;
+    method.sampler = "sobol";
+    method.estimator = Estimator::area_kernel;
+    const auto net = expected_rate(method, PairClass::parallel, Hiding::possible);
+    EXPECT_DOUBLE_EQ(net->rate, -0.5 - 1.0 / 14);
+    EXPECT_TRUE(net->at_least);
+    method.sampler = "stratified";
+    EXPECT_DOUBLE_EQ(expected_rate(method, PairClass::parallel, Hiding::possible)->rate, -0.625);
+    EXPECT_DOUBLE_EQ(expected_rate(method, PairClass::parallel, Hiding::none)->rate, -0.75);
+    // Where points are looked at one by one they are not graded: no variance, and the rate of the median.
+    method.sampler = "random";
+    method.map = PointMap::graded;
+    EXPECT_TRUE(expected_rate(method, PairClass::adjacent, Hiding::possible)->of_median);
+    EXPECT_FALSE(expected_rate(method, PairClass::adjacent, Hiding::none)->of_median);
+}
+
 }  // namespace
 }  // namespace ff::studies

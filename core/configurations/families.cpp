@@ -1,0 +1,134 @@
+#include "core/configurations/families.hpp"
+
+#include "core/configurations/aperture.hpp"
+#include "core/configurations/nested_cubes.hpp"
+#include "core/configurations/scenes.hpp"
+#include "core/error.hpp"
+#include "core/rectangle_formulas.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <string>
+
+namespace ff {
+namespace {
+
+namespace scenes = configuration_scenes;
+
+using Factor = std::optional<long double>;
+
+constexpr Interval unit{0, 1};
+constexpr Interval three{0, 3};
+constexpr long double cube_edge = 6;
+/// Of a leg: shorter ones are wrinkles, of longer ones the factor is too small for the digits of its formula.
+constexpr double least_depth = 1e-3;
+constexpr double most_depth = 100;
+constexpr double least_inner_edge = 1e-3;
+constexpr double most_inner_edge = 5.99;
+
+long double opposite_squares() {
+    return parallel_exchange_area<long double>(unit, unit, unit, unit, 1);
+}
+
+/// Halfway between opposite unit squares 1 apart.
+long double through_hole(double edge) {
+    const auto half = static_cast<long double>(edge) / 2;
+    const Interval hole{0.5L - half, 0.5L + half};
+    return edge == 0 ? 0 : exchange_area_through_aperture(unit, unit, unit, unit, 1, {hole, hole, 0.5});
+}
+
+/// Of faces 0 and 1, alike.
+Factor of_pair(long double factor, int from, int to) {
+    return from == to ? std::nullopt : Factor(factor);
+}
+
+Factor squares_blocked(double edge, int from, int to) {
+    return of_pair(std::max(0.0L, opposite_squares() - through_hole(edge)), from, to);
+}
+
+Factor squares_through_aperture(double edge, int from, int to) {
+    return of_pair(through_hole(edge), from, to);
+}
+
+/// From the long wall of 3 x 3 to the end of 1 x 3 and back. The mouth of the leg is the aperture.
+Factor l_shaped_room(double depth, int from, int to) {
+    if (std::min(from, to) != 0 || std::max(from, to) != 1) return std::nullopt;
+    const long double gap = 1 + static_cast<long double>(depth);
+    const long double exchange = exchange_area_through_aperture(three, three, unit, three, gap, {unit, three, 1 / gap});
+    return exchange / (from == 0 ? 9 : 3);
+}
+
+/// Between faces of the outer cube.
+Factor nested_cubes(double inner, int from, int to) {
+    if (from == to || std::max(from, to) > 5) return std::nullopt;
+    constexpr std::array opposite{2, 3, 0, 1, 5, 4};
+    return opposite.at(static_cast<std::size_t>(from)) == to ? nested_cubes_opposite_factor(inner, cube_edge)
+                                                             : nested_cubes_adjacent_factor(inner, cube_edge);
+}
+
+constexpr std::array families{
+    SceneFamily{"squares_blocked", "edge of the square in the middle", 0, 1, 0.5, scenes::squares_blocked,
+                squares_blocked},
+    SceneFamily{"squares_through_aperture", "edge of the hole", 0, 1, 0.5, scenes::squares_through_aperture,
+                squares_through_aperture},
+    SceneFamily{"l_shaped_room", "depth of the second leg behind the corner", least_depth, most_depth, 2,
+                scenes::l_shaped_room, l_shaped_room},
+    SceneFamily{"nested_cubes", "edge of the inner cube", least_inner_edge, most_inner_edge, 2, scenes::nested_cubes,
+                nested_cubes},
+};
+
+constexpr std::string_view prefix = "configuration ";
+
+const SceneFamily* find_family(std::string_view name) {
+    const auto* const found =
+        std::find_if(families.begin(), families.end(), [&](const SceneFamily& f) { return f.name == name; });
+    return found == families.end() ? nullptr : found;
+}
+
+std::optional<double> number(std::string_view text) {
+    double value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
+    return value;
+}
+
+}  // namespace
+
+std::span<const SceneFamily> scene_families() {
+    return families;
+}
+
+std::optional<Scene> family_scene(std::string_view name) {
+    const std::size_t colon = name.find(':');
+    const SceneFamily* family = find_family(name.substr(0, colon));
+    if (family == nullptr || colon == std::string_view::npos) return std::nullopt;
+    const auto measure = number(name.substr(colon + 1));
+    const auto refuse = [&](std::string_view why) {
+        throw UserError(fmt::format("scene {} ({}). Try {}:{}.", name, why, family->name, family->of_catalogue));
+    };
+    if (!measure) refuse(fmt::format("behind the colon stands the {}, a number", family->measure));
+    // Written so that what is no number fails as well.
+    if (!(*measure >= family->least && *measure <= family->most))
+        refuse(fmt::format("the {} may be from {} to {}", family->measure, family->least, family->most));
+    Scene scene = family->scene(*measure);
+    scene.name = name;
+    scene.canonical = *measure == family->of_catalogue ? fmt::format("{}{}", prefix, family->name)
+                                                       : fmt::format("{}{} {}", prefix, family->name, *measure + 0.0);
+    return scene;
+}
+
+std::optional<FamilyMember> family_member(const Scene& scene) {
+    std::string_view text = scene.canonical;
+    if (!text.starts_with(prefix)) return std::nullopt;
+    text.remove_prefix(prefix.size());
+    const std::size_t space = text.find(' ');
+    const SceneFamily* family = find_family(text.substr(0, space));
+    if (family == nullptr) return std::nullopt;
+    if (space == std::string_view::npos) return FamilyMember{family, family->of_catalogue};
+    return FamilyMember{family, number(text.substr(space + 1)).value()};
+}
+
+}  // namespace ff
