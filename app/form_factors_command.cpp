@@ -27,7 +27,7 @@ namespace {
 
 Scene read_scene(const std::string& name) {
     const bool is_file = studies::names_scene_file(name);
-    const Scene scene = studies::make_scene(
+    Scene scene = studies::make_scene(
         is_file ? studies::with_scene_text(name, studies::read_text_file(studies::scene_file(name))) : name);
     if (mirrors(scene).empty()) return scene;
     throw UserError(fmt::format(
