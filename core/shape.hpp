@@ -6,8 +6,8 @@
 
 namespace ff {
 
-/// Shapes of surfaces. Each is the image of the unit square under a map that keeps shares of area (core/shape_map.hpp):
-/// what (s, t) means stands with each. Lengths in the scene's unit.
+/// Shapes of surfaces. Each is the image of the unit square under a map that keeps shares of area
+/// (core/surface_map.hpp): what (s, t) means stands with each. Lengths in the scene's unit.
 
 /// The points corner + s * edge_u + t * edge_v with 0 <= s, t <= 1.
 struct Parallelogram {

@@ -70,12 +70,12 @@ struct Problem {
     };
     [[nodiscard]] Point solve(const std::vector<bool>& held) const {
         const Eigen::Index size = hessian.rows();
-        const Eigen::Index rows = constraints.rows();
-        Eigen::MatrixXd system = Eigen::MatrixXd::Zero(size + rows, size + rows);
-        Eigen::VectorXd right(size + rows);
+        const Eigen::Index conditions = constraints.rows();
+        Eigen::MatrixXd system = Eigen::MatrixXd::Zero(size + conditions, size + conditions);
+        Eigen::VectorXd right(size + conditions);
         system.topLeftCorner(size, size) = hessian;
-        system.topRightCorner(size, rows) = constraints.transpose();
-        system.bottomLeftCorner(rows, size) = constraints;
+        system.topRightCorner(size, conditions) = constraints.transpose();
+        system.bottomLeftCorner(conditions, size) = constraints;
         right << gradient, sums;
         for (Eigen::Index k = 0; k < size; ++k) {
             if (!held[static_cast<std::size_t>(k)]) continue;
@@ -86,7 +86,7 @@ struct Problem {
         }
         const Eigen::VectorXd solution = system.completeOrthogonalDecomposition().solve(right);
         Point point{solution.head(size), {}};
-        point.force = hessian * point.x - gradient + constraints.transpose() * solution.tail(rows);
+        point.force = hessian * point.x - gradient + constraints.transpose() * solution.tail(conditions);
         return point;
     }
 };

@@ -59,7 +59,7 @@ SolvedSystem solve_with_properties(const RadiositySystem& system) {
     Eigen::MatrixXd coefficients = coefficient_matrix(system);
     const Eigen::VectorXd diagonal = coefficients.diagonal().cwiseAbs();
     solved.properties.dominance = (2 * diagonal - coefficients.cwiseAbs().rowwise().sum()).minCoeff();
-    const Eigen::PartialPivLU<Eigen::MatrixXd> factorised(std::move(coefficients));
+    const Eigen::PartialPivLU<Eigen::Ref<Eigen::MatrixXd>> factorised(coefficients);  // in its place
     const double reciprocal = factorised.rcond();
     solved.properties.condition = reciprocal > 0 ? 1 / reciprocal : std::numeric_limits<double>::infinity();
     if (reciprocal > std::numeric_limits<double>::epsilon())
