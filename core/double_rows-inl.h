@@ -47,7 +47,7 @@ class Columns {
     }
 
   private:
-    Doubles sums_[vectors];
+    Doubles sums_[vectors];  // NOLINT(modernize-avoid-c-arrays): as a template argument it loses its alignment
 };
 
 }  // namespace HWY_NAMESPACE

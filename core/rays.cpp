@@ -42,8 +42,8 @@ void generate(const SurfaceFrame& frame, const PatchMap& map, const PointBlock& 
         step_u[axis] = patch_step(frame.edge_u[axis], map.m);
         step_v[axis] = patch_step(frame.edge_v[axis], map.m);
     }
-    RayBlock::Component* const origin[] = {&rays.origin_x, &rays.origin_y, &rays.origin_z};
-    RayBlock::Component* const direction[] = {&rays.direction_x, &rays.direction_y, &rays.direction_z};
+    const std::array origin{&rays.origin_x, &rays.origin_y, &rays.origin_z};
+    const std::array direction{&rays.direction_x, &rays.direction_y, &rays.direction_z};
     for (std::size_t i = 0; i < points.size; i += hn::Lanes(df)) {
         const auto word = [&](std::size_t d) HWY_ATTR { return hn::Load(dw, &points.coordinate[d][i]); };
         const auto place_u = place(word(0), map.first_u);
@@ -119,8 +119,8 @@ void place_rays(const Surface& surface, Subdivision subdivision, std::uint32_t p
                 RayBlock& rays) {
     const SurfaceMap map(surface);
     const double m = subdivision.m;
-    const double column = patch % subdivision.m;
-    const double row = patch / subdivision.m;
+    const std::uint32_t column = patch % subdivision.m;
+    const std::uint32_t row = patch / subdivision.m;
     const auto coordinate = [&](std::size_t d, std::size_t i) { return (points.coordinate[d][i] + 0.5) * 0x1p-32; };
     for (std::size_t i = 0; i < points.size; ++i) {
         const SurfacePoint point = map.at((column + coordinate(0, i)) / m, (row + coordinate(1, i)) / m);

@@ -43,8 +43,9 @@ Parallelogram patch(const Parallelogram& shape, Subdivision subdivision, std::ui
     FF_EXPECT(subdivision.m >= 1);
     FF_EXPECT(index < subdivision.per_surface());
     const double m = subdivision.m;
+    const std::uint32_t whole_rows = index / subdivision.m;
     const double column = index % subdivision.m;
-    const double row = index / subdivision.m;
+    const double row = whole_rows;
     return {shape.corner + shape.edge_u * column / m + shape.edge_v * row / m, shape.edge_u / m, shape.edge_v / m};
 }
 
