@@ -79,8 +79,7 @@ Vector3d perpendicular(const Vector3d& axis) {
     return (Vector3d::Unit(least) - direction[least] * direction).normalized();
 }
 
-SurfaceMap::SurfaceMap(const Surface& surface) : shape_(surface.shape), normal_(surface.normal) {
-    z_ = normal_;
+SurfaceMap::SurfaceMap(const Surface& surface) : shape_(surface.shape), normal_(surface.normal), z_(surface.normal) {
     if (const auto* wall = std::get_if<Frustum>(&shape_)) z_ = wall->axis.normalized();
     if (const auto* zone = std::get_if<SphereZone>(&shape_)) z_ = zone->axis;
     if (const auto* p = std::get_if<Parallelogram>(&shape_)) {

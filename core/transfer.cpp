@@ -58,7 +58,7 @@ double sum(const Separations& pairs, std::span<const Eigen::Vector3d> offsets, c
 void separate_block(const Parallelogram& from, const Parallelogram& to, const WeightedBlock& points,
                     Separations& pairs) {
     const DoubleTag dd;
-    Separations::Component* const components[] = {&pairs.x, &pairs.y, &pairs.z};
+    const std::array components{&pairs.x, &pairs.y, &pairs.z};
     for (std::size_t i = 0; i < points.size; i += lanes) {
         const auto u = [&](std::size_t d) HWY_ATTR { return hn::Load(dd, &points.coordinate[d][i]); };
         for (Eigen::Index axis = 0; axis < 3; ++axis) {
@@ -66,7 +66,7 @@ void separate_block(const Parallelogram& from, const Parallelogram& to, const We
                 hn::Add(hn::Mul(u(0), constant(from.edge_u[axis])), hn::Mul(u(1), constant(from.edge_v[axis])));
             const auto end =
                 hn::Add(hn::Mul(u(2), constant(to.edge_u[axis])), hn::Mul(u(3), constant(to.edge_v[axis])));
-            hn::Store(hn::Sub(end, begin), dd, &(*components[axis])[i]);
+            hn::Store(hn::Sub(end, begin), dd, &(*components[static_cast<std::size_t>(axis)])[i]);
         }
         hn::Store(hn::Load(dd, &points.weight[i]), dd, &pairs.weight[i]);
     }

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -24,14 +25,14 @@ struct Known {
     double node;
     double weight;
 };
-constexpr Known known[] = {
+constexpr std::array<Known, 6> known{{
     {5, 1, 0.9530899229693319964, 0.11846344252809454376},
     {5, 2, 0.76923465505284154552, 0.23931433524968323402},
     {5, 3, 0.5, 0.28444444444444444444},
     {64, 1, 0.99965252086788606973, 0.00089164036084821647365},
     {64, 2, 0.99817005838597763967, 0.0020735166302812338176},
     {64, 32, 0.51217514633171221625, 0.024345478504569860192},
-};
+}};
 
 TEST(GaussRule, HasKnownNodesAndWeightsToDoublePrecision) {
     for (const Known& value : known) {

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -24,16 +25,18 @@ Eigen::MatrixXd gauss(const Scene& scene, std::uint32_t m, int source_nodes, int
 // Expected values: python3 tests/unit/tracing/pdm.py, an independent sum of the definition.
 TEST(AreaKernel, IsThePatchToPatchIntegralWithGaussLegendrePoints) {
     const Scene cube = make_box(6, 6, 6);
-    const struct {
+    struct Case {
         std::uint32_t m;
         int source_nodes, target_nodes;
         double parallel, row_sum;
-    } cases[] = {
-        {6, 5, 5, 0.199824896, 1.051365114},  {9, 5, 5, 0.199824896, 1.034243205},
+    };
+    constexpr std::array<Case, 5> cases{{
+        {6, 5, 5, 0.199824896, 1.051365114},
+        {9, 5, 5, 0.199824896, 1.034243205},
         {13, 5, 5, 0.199824896, 1.023706747},  // errors 0.308 / m of the row sum, all from pairs with a common edge
         {6, 5, 6, 0.199824896, 0.991536546},   // -0.0508 / m: nodes do not face each other across the edge
         {6, 5, 2, 0.199824065, 1.000481352},   // 0.0029 / m
-    };
+    }};
     for (const auto& c : cases) {
         const Eigen::MatrixXd factors = gauss(cube, c.m, c.source_nodes, c.target_nodes);
         for (int from = 0; from < 6; ++from) {

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 #include <Eigen/Geometry>
 
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -72,7 +73,8 @@ TEST(Rays, OriginsAreTheSurfacePointsOfThePatch) {
 
 TEST(Rays, AreWellDefinedAtTheExtremesOfEveryCoordinate) {
     auto block = std::make_unique<PointBlock>();
-    const std::uint32_t words[] = {0, 0xff, 0x3fffffff, 0x40000000, 0x7fffffff, 0x80000000, 0xffffff00, 0xffffffff};
+    const std::array<std::uint32_t, 8> words{0,          0xff,       0x3fffffff, 0x40000000,
+                                             0x7fffffff, 0x80000000, 0xffffff00, 0xffffffff};
     for (const std::uint32_t x : words) {
         for (const std::uint32_t y : words) {
             for (std::size_t d = 0; d < 4; ++d) block->coordinate[d][block->size] = d % 2 == 0 ? x : y;
