@@ -10,11 +10,21 @@
 namespace ff::studies {
 namespace {
 
+bool is_of_parallelograms(const Scene& scene, int face) {
+    return std::all_of(scene.surfaces.begin(), scene.surfaces.end(), [face](const Surface& surface) {
+        return surface.face != face || std::holds_alternative<Parallelogram>(surface.shape);
+    });
+}
+
+/// Points are graded between parallelograms, and not where they are looked at one by one.
+bool are_graded(const Scene& scene, int from, int to) {
+    return is_of_parallelograms(scene, from) && is_of_parallelograms(scene, to) && !may_be_occluded(scene, from, to);
+}
+
 bool is_infinite(const Method& method, const Scene& scene, int from, int to) {
     const Contact contact = closest_contact(scene, from - 1, to - 1);
     if (contact == Contact::none) return false;
-    // Where points are looked at one by one they are not graded.
-    const PointMap map = may_be_occluded(scene, from - 1, to - 1) ? PointMap::uniform : method.map;
+    const PointMap map = are_graded(scene, from - 1, to - 1) ? method.map : PointMap::uniform;
     const auto index = kernel_tail_index(contact, map);
     return index && *index <= 2;
 }

@@ -52,6 +52,12 @@ TEST(KnownVariance, IsNoBetterWithTheGradedMapWhereSomethingMayStandInBetween) {
     EXPECT_EQ(of_pair(kernel(PointMap::graded), scene, 1, 2), VarianceStatus::infinite);
 }
 
+TEST(KnownVariance, IsNoBetterWithTheGradedMapForTriangles) {
+    Scene scene = two_squares(0);
+    scene.surfaces[1].shape = Triangle{{0, 0, 0}, {1, 0, 0}, {0, 0, 1}};
+    EXPECT_EQ(of_pair(kernel(PointMap::graded), scene, 1, 2), VarianceStatus::infinite);
+}
+
 TEST(KnownVariance, OfASumIsInfiniteWithOneOfItsTerms) {
     const Scene box = make_box(3, 2, 1);
     const Quantity row{QuantityKind::row_sum, 1, 0};
