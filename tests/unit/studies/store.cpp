@@ -39,7 +39,7 @@ StudyPlan plan(std::string_view lines = "trials = 3") {
 
 class StoreFile : public testing::Test {
   protected:
-    std::filesystem::path file() const { return folder_.path() / "results.sqlite"; }
+    std::filesystem::path file() const { return folder.path() / "results.sqlite"; }
     std::string refusal_to_resume(const StudyPlan& other) const {
         return message_of<UserError>([&] { Store::create_or_resume(file(), other); });
     }
@@ -52,7 +52,7 @@ class StoreFile : public testing::Test {
         return mode.step() ? mode.text(0) : std::string();
     }
     void execute(const char* sql) const { Database(file(), Database::Mode::create_or_open).execute(sql); }
-    test::TemporaryFolder folder_;
+    test::TemporaryFolder folder;
 };
 
 TEST_F(StoreFile, OpensWithThePlanThatItWasMadeFor) {
@@ -104,7 +104,7 @@ TEST_F(StoreFile, ThatIsMissingCannotBeOpened) {
 }
 
 TEST_F(StoreFile, InAMissingFolderCannotBeMade) {
-    EXPECT_THAT(message_of<IoError>([&] { Store::create_or_resume(folder_.path() / "none" / "s", plan()); }),
+    EXPECT_THAT(message_of<IoError>([&] { Store::create_or_resume(folder.path() / "none" / "s", plan()); }),
                 HasSubstr("Check that the folder exists"));
 }
 
@@ -163,13 +163,13 @@ TEST_F(StoreFile, WithUnitsThatAreNotOfTheStudyIsRefused) {
 
 TEST_F(StoreFile, IsTheSameWithARollbackJournal) {
     for (const auto journal : {Journal::write_ahead, Journal::rollback}) {
-        const auto name = folder_.path() / (journal == Journal::rollback ? "rollback" : "log");
+        const auto name = folder.path() / (journal == Journal::rollback ? "rollback" : "log");
         Store store = Store::create_or_resume(name, plan(), journal);
         EXPECT_EQ(journal_mode(store), journal == Journal::rollback ? "delete" : "wal");
         run_study(store, {});
         EXPECT_EQ(store.saved_trials(0), 3u);
     }
-    EXPECT_EQ(test::rows_of(folder_.path() / "rollback"), test::rows_of(folder_.path() / "log"));
+    EXPECT_EQ(test::rows_of(folder.path() / "rollback"), test::rows_of(folder.path() / "log"));
 }
 
 TEST_F(StoreFile, GoesOnWithTheJournalOfItsNewPlace) {
@@ -181,9 +181,9 @@ TEST_F(StoreFile, GoesOnWithTheJournalOfItsNewPlace) {
 
 TEST_F(StoreFile, ThatIsMovedOrRemovedWhileItIsWrittenIsNoticed) {
     Store moved = Store::create_or_resume(file(), plan());
-    std::filesystem::rename(file(), folder_.path() / "elsewhere");
+    std::filesystem::rename(file(), folder.path() / "elsewhere");
     EXPECT_THAT(message_of<IoError>([&] { moved.commit({0, {}, {}, {}}); }), HasSubstr("moved or removed"));
-    EXPECT_EQ(Store::open(folder_.path() / "elsewhere").saved_trials(0), 0u);
+    EXPECT_EQ(Store::open(folder.path() / "elsewhere").saved_trials(0), 0u);
 }
 
 TEST_F(StoreFile, ThatIsEmptyBecomesAStore) {
