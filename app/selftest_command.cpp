@@ -13,6 +13,19 @@
 #include <fmt/format.h>
 
 namespace ff::app {
+namespace {
+
+/// Writes and prints the page; some contradictions make it a failure.
+ExitCode conclude(const SelftestCommand& command, const std::string& text, std::size_t contradictions) {
+    if (!command.out.empty()) {
+        make_folder(command.out);
+        reports::write_file(command.out / "selftest.md", text);
+    }
+    if (!command.quiet) fmt::print("{}", text);
+    return contradictions > 0 ? ExitCode::failed : ExitCode::passed;
+}
+
+}  // namespace
 
 ExitCode gates_selftest(const SelftestCommand& command) {
     studies::SelftestOptions options;
@@ -22,12 +35,7 @@ ExitCode gates_selftest(const SelftestCommand& command) {
     if (command.seeds) options.seeds = *command.seeds;
     const auto selftest = studies::run_selftest(studies::load_bands(studies_folder() / "gates/controls.toml"), options);
     const std::string text = reports::selftest_markdown(selftest);
-    if (!command.out.empty()) {
-        make_folder(command.out);
-        reports::write_file(command.out / "selftest.md", text);
-    }
-    if (!command.quiet) fmt::print("{}", text);
-    return selftest.contradictions() > 0 ? ExitCode::failed : ExitCode::passed;
+    return conclude(command, text, selftest.contradictions());
 }
 
 ExitCode form_factors_selftest(const SelftestCommand& command) {
@@ -39,12 +47,7 @@ ExitCode form_factors_selftest(const SelftestCommand& command) {
     options.scenes = command.scenes;
     const auto coverage = studies::measure_form_factor_coverage(options);
     const std::string text = reports::form_factor_coverage_markdown(coverage);
-    if (!command.out.empty()) {
-        make_folder(command.out);
-        reports::write_file(command.out / "selftest.md", text);
-    }
-    if (!command.quiet) fmt::print("{}", text);
-    return coverage.contradictions() > 0 ? ExitCode::failed : ExitCode::passed;
+    return conclude(command, text, coverage.contradictions());
 }
 
 }  // namespace ff::app

@@ -1,7 +1,7 @@
 #include "core/mirror_tracer.hpp"
 
-#include "core/contract.hpp"
 #include "core/mirrors.hpp"
+#include "core/shoot_by_tracing.hpp"
 #include "core/surface_map.hpp"
 
 #include <numeric>
@@ -50,18 +50,7 @@ class MirrorTracer final : public Tracer {
 
     void shoot(std::uint32_t source, Subdivision subdivision, std::uint32_t patch, const PointBlock& block,
                std::span<std::uint64_t> hits) const override {
-        FF_EXPECT(hits.size() == scene_.faces.size() + 1);
-        RayBatch rays;
-        generate_rays(scene_.surfaces[source], source, subdivision, patch, block, rays);
-        std::vector<Hit> found(rays.size());
-        trace(rays, found);
-        for (const Hit& hit : found) {
-            if (hit.surface == no_surface) {
-                ++hits[scene_.faces.size()];
-            } else if (hit.received) {
-                ++hits[static_cast<std::size_t>(scene_.surfaces[hit.surface].face)];
-            }
-        }
+        shoot_by_tracing(*this, scene_, source, subdivision, patch, block, hits);
     }
 
     void trace(const RayBatch& rays, std::span<Hit> hits) const override {
