@@ -27,16 +27,15 @@ constexpr std::size_t packet = 8;
 /// geometry, and a filter excludes the source.
 constexpr std::size_t mask_bits = 32;
 
-/// Of a second attempt: how much nearer to the middle of its surface a ray starts, and how much larger round shapes
-/// are.
+/// How much nearer to the middle of its surface a ray's second attempt starts, and how much larger rims are then.
 constexpr double second_attempt = 0x1p-20;
+
+/// By this share of a scene's largest coordinate, origins, corners and meetings may be off for rounding alone.
+constexpr double rounding = 0x1p-21;
 
 template <auto release>
 struct Releaser {
-    template <class Handle>
-    void operator()(Handle* handle) const {
-        release(handle);
-    }
+    void operator()(auto* handle) const { release(handle); }
 };
 using Device = std::unique_ptr<std::remove_pointer_t<RTCDevice>, Releaser<rtcReleaseDevice>>;
 using SceneHandle = std::unique_ptr<std::remove_pointer_t<RTCScene>, Releaser<rtcReleaseScene>>;
@@ -63,7 +62,7 @@ struct Group {
     [[nodiscard]] const Surface& surface(unsigned primitive) const { return (*scene)[surfaces[primitive]]; }
 };
 
-/// Embree's context, and behind it what the callbacks need of a ray.
+/// Embree's context and what the callbacks need of a ray.
 struct Context {
     RTCIntersectContext embree;
     std::uint32_t source;
@@ -124,25 +123,13 @@ void intersect_round(const RTCIntersectFunctionNArguments* arguments) {
     }
 }
 
-/// Components of consecutive rays, wherever they are stored: of origins, then of directions.
-using RayPointers = std::array<const float*, 6>;
-
-template <class Rays>
-RayPointers pointers_to(const Rays& rays) {
-    return {rays.origin_x.data(),    rays.origin_y.data(),    rays.origin_z.data(),
-            rays.direction_x.data(), rays.direction_y.data(), rays.direction_z.data()};
-}
-
-Line line_of(const RayPointers& rays, std::size_t i) {
-    return {{rays[0][i], rays[1][i], rays[2][i]}, {rays[3][i], rays[4][i], rays[5][i]}};
-}
-
 /// What Embree found.
 struct Found {
     std::uint32_t surface = no_surface;
     float time = 0;
     float u = 0;
     float v = 0;
+    bool from_behind = false;
 };
 
 class EmbreeTracer final : public Tracer {
@@ -161,10 +148,18 @@ class EmbreeTracer final : public Tracer {
     /// Calls visit(ray, found) for every ray in order.
     template <class Visit>
     void intersect(const RayPointers& rays, std::size_t count, std::uint32_t source, Visit visit) const;
-    [[nodiscard]] Found intersect_again(const Line& line, std::uint32_t source) const;
+    /// @param shift  by which share the ray starts nearer to the middle of its source, among rims larger by as much
+    [[nodiscard]] Found intersect_one(const Line& line, std::uint32_t source, double shift) const;
+    [[nodiscard]] Found unless_beneath_source(const Found& found, const Line& line, std::uint32_t source) const;
 
-    [[nodiscard]] bool is_received(const Found& found, const RayPointers& rays, std::size_t i) const;
-    [[nodiscard]] std::uint32_t mask_of(std::uint32_t source) const;
+    [[nodiscard]] bool is_from_behind(std::uint32_t surface, float u, const Line& line) const;
+    [[nodiscard]] bool is_received(const Found& found) const {
+        return is_of_face(surfaces_[found.surface]) && !found.from_behind;
+    }
+    /// A round source is told by core/line_meets where it is not met again.
+    [[nodiscard]] std::uint32_t mask_of(std::uint32_t source) const {
+        return by_mask_ && is_flat(surfaces_[source].shape) ? ~(1u << source) : ~0u;
+    }
 
     Device device_;
     std::vector<Surface> surfaces_;
@@ -173,6 +168,7 @@ class EmbreeTracer final : public Tracer {
     bool by_mask_ = false;
     bool closed_ = false;
     std::size_t faces_ = 0;
+    double gap_ = 0;  ///< what may be rounding
 };
 
 EmbreeTracer::EmbreeTracer(const Scene& scene)
@@ -186,7 +182,7 @@ EmbreeTracer::EmbreeTracer(const Scene& scene)
     scene_.reset(rtcNewScene(device_.get()));
     rtcSetSceneFlags(scene_.get(), RTC_SCENE_FLAG_ROBUST);
     rtcSetSceneBuildQuality(scene_.get(), RTC_BUILD_QUALITY_HIGH);
-    for (const Surface& surface : surfaces_) expect_single_precision(surface);
+    for (const Surface& surface : surfaces_) gap_ = std::max(gap_, rounding * largest_coordinate(surface));
     group_surfaces();
     for (unsigned i = 0; i < groups_.size(); ++i) attach(groups_[i], i);
     rtcCommitScene(scene_.get());
@@ -244,11 +240,6 @@ void EmbreeTracer::attach_polygons(const Group& group, RTCGeometry geometry) con
     }
 }
 
-/// A round source is told by core/line_meets where it is not met again.
-std::uint32_t EmbreeTracer::mask_of(std::uint32_t source) const {
-    return by_mask_ && is_flat(surfaces_[source].shape) ? ~(1u << source) : ~0u;
-}
-
 template <class Visit>
 void EmbreeTracer::intersect(const RayPointers& rays, std::size_t count, std::uint32_t source, Visit visit) const {
     Context context{};
@@ -271,39 +262,49 @@ void EmbreeTracer::intersect(const RayPointers& rays, std::size_t count, std::ui
         if (n < packet) std::fill(valid.begin() + n, valid.end(), 0);
         rtcIntersect8(valid.data(), scene_.get(), &context.embree, &p);
         for (std::size_t i = 0; i < n; ++i) {
+            const Line line = line_of(rays, first + i);
             if (p.hit.geomID[i] != RTC_INVALID_GEOMETRY_ID) {
                 const std::uint32_t surface = groups_[p.hit.geomID[i]].surfaces[p.hit.primID[i]];
-                visit(first + i, Found{surface, p.ray.tfar[i], p.hit.u[i], p.hit.v[i]});
+                const bool from_behind = is_from_behind(surface, p.hit.u[i], line);
+                const Found found{surface, p.ray.tfar[i], p.hit.u[i], p.hit.v[i], from_behind};
+                visit(first + i, from_behind ? unless_beneath_source(found, line, source) : found);
             } else {
-                visit(first + i, closed_ ? intersect_again(line_of(rays, first + i), source) : Found{});
+                visit(first + i, closed_ ? intersect_one(line, source, second_attempt) : Found{});
             }
         }
     }
 }
 
-Found EmbreeTracer::intersect_again(const Line& line, std::uint32_t source) const {
+Found EmbreeTracer::intersect_one(const Line& line, std::uint32_t source, double shift) const {
     Context context{};
     rtcInitIntersectContext(&context.embree);
     context.source = source;
-    context.rim = second_attempt;
-    const Eigen::Vector3f from =
-        (line.origin + second_attempt * (middle(surfaces_[source]) - line.origin)).cast<float>();
-    const Eigen::Vector3f to = line.direction.cast<float>();
+    context.rim = shift;
+    const Eigen::Vector3f o = (line.origin + shift * (middle(surfaces_[source]) - line.origin)).cast<float>();
+    const Eigen::Vector3f d = line.direction.cast<float>();
+    constexpr float infinity = std::numeric_limits<float>::infinity();
     RTCRayHit ray{};
-    ray.ray = {
-        from.x(),        from.y(), from.z(), 0, to.x(), to.y(), to.z(), 0, std::numeric_limits<float>::infinity(),
-        mask_of(source), 0,        0};
+    ray.ray = {o.x(), o.y(), o.z(), 0, d.x(), d.y(), d.z(), 0, infinity, mask_of(source), 0, 0};
     ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
     rtcIntersect1(scene_.get(), &context.embree, &ray);
     if (ray.hit.geomID == RTC_INVALID_GEOMETRY_ID) return {};
-    return {groups_[ray.hit.geomID].surfaces[ray.hit.primID], ray.ray.tfar, ray.hit.u, ray.hit.v};
+    const std::uint32_t surface = groups_[ray.hit.geomID].surfaces[ray.hit.primID];
+    return {surface, ray.ray.tfar, ray.hit.u, ray.hit.v, is_from_behind(surface, ray.hit.u, line)};
 }
 
-bool EmbreeTracer::is_received(const Found& found, const RayPointers& rays, std::size_t i) const {
-    const Surface& surface = surfaces_[found.surface];
-    if (!is_of_face(surface)) return false;
-    if (is_flat(surface.shape)) return surface.normal.dot(line_of(rays, i).direction) < 0;
-    return (facing(surface.shape) == Facing::inward) == (found.u == meets_outward);
+/// A rounded origin may lie on the edge of a neighbour that is level with the source or turned away from it, or a
+/// little beneath both: then the ray meets the neighbour's back before it has risen above the source. It starts once
+/// more, from as far above.
+Found EmbreeTracer::unless_beneath_source(const Found& found, const Line& line, std::uint32_t source) const {
+    const Eigen::Vector3d up = normal_at(surfaces_[source], line.origin);
+    const double risen = static_cast<double>(found.time) * up.dot(line.direction);
+    return risen <= gap_ ? intersect_one({line.origin + 2 * gap_ * up, line.direction}, source, 0) : found;
+}
+
+bool EmbreeTracer::is_from_behind(std::uint32_t surface, float u, const Line& line) const {
+    const auto& [shape, normal, face] = surfaces_[surface];
+    if (is_flat(shape)) return normal.dot(line.direction) >= 0;
+    return (facing(shape) == Facing::inward) != (u == meets_outward);
 }
 
 void EmbreeTracer::shoot(std::uint32_t source, Subdivision subdivision, std::uint32_t patch, const PointBlock& block,
@@ -312,10 +313,10 @@ void EmbreeTracer::shoot(std::uint32_t source, Subdivision subdivision, std::uin
     RayBlock rays;
     generate_ray_block(surfaces_.at(source), subdivision, patch, block, rays);
     const RayPointers pointers = pointers_to(rays);
-    intersect(pointers, block.size, source, [&](std::size_t i, const Found& found) {
+    intersect(pointers, block.size, source, [&](std::size_t /*i*/, const Found& found) {
         if (found.surface == no_surface) {
             ++hits[faces_];
-        } else if (is_received(found, pointers, i)) {
+        } else if (is_received(found)) {
             ++hits[static_cast<std::size_t>(surfaces_[found.surface].face)];
         }
     });
@@ -327,7 +328,7 @@ void EmbreeTracer::trace(const RayBatch& rays, std::span<Hit> hits) const {
     intersect(pointers, rays.size(), rays.source, [&](std::size_t i, const Found& found) {
         Hit& hit = hits[i] = {.surface = found.surface};
         if (found.surface == no_surface) return;
-        hit.received = is_received(found, pointers, i);
+        hit.received = is_received(found);
         if (std::holds_alternative<Parallelogram>(surfaces_[found.surface].shape)) {
             hit.s = std::clamp(found.u, 0.0f, 1.0f);
             hit.t = std::clamp(found.v, 0.0f, 1.0f);

@@ -7,6 +7,7 @@
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 
@@ -141,11 +142,14 @@ void place_rays(const Surface& surface, Subdivision subdivision, std::uint32_t p
 
 }  // namespace
 
-void expect_single_precision(const Surface& surface) {
+double largest_coordinate(const Surface& surface) {
+    double largest = 0;
     for (Eigen::Index axis = 0; axis < 3; ++axis) {
         const Extent along = extent(surface, Eigen::Vector3d::Unit(axis));
         static_cast<void>(to_single({along.low, along.high, along.high - along.low}));
+        largest = std::max({largest, std::abs(along.low), std::abs(along.high)});
     }
+    return largest;
 }
 
 void generate_ray_block(const Surface& surface, Subdivision subdivision, std::uint32_t patch, const PointBlock& points,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/line_meets.hpp"
 #include "core/points.hpp"
 #include "core/scene.hpp"
 
@@ -48,7 +49,21 @@ struct RayBlock {
 void generate_ray_block(const Surface& surface, Subdivision subdivision, std::uint32_t patch, const PointBlock& points,
                         RayBlock& rays);
 
-/// @throws UserError where a coordinate is not finite in single precision
-void expect_single_precision(const Surface& surface);
+/// Components of consecutive rays, wherever they are stored: of origins, then of directions.
+using RayPointers = std::array<const float*, 6>;
+
+template <class Rays>
+RayPointers pointers_to(const Rays& rays) {
+    return {rays.origin_x.data(),    rays.origin_y.data(),    rays.origin_z.data(),
+            rays.direction_x.data(), rays.direction_y.data(), rays.direction_z.data()};
+}
+
+inline Line line_of(const RayPointers& rays, std::size_t i) {
+    return {{rays[0][i], rays[1][i], rays[2][i]}, {rays[3][i], rays[4][i], rays[5][i]}};
+}
+
+/// The largest coordinate of a surface, in the units of the scene.
+/// @throws UserError where one is not finite in single precision
+double largest_coordinate(const Surface& surface);
 
 }  // namespace ff

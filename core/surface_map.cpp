@@ -154,6 +154,13 @@ SurfaceCoordinates SurfaceMap::coordinates(const Vector3d& place) const {
         shape_);
 }
 
+Vector3d normal_at(const Surface& surface, const Vector3d& place) {
+    if (is_flat(surface.shape)) return surface.normal;
+    const SurfaceMap map(surface);
+    const auto [s, t] = map.coordinates(place);
+    return map.at(s, t).normal;
+}
+
 Extent extent(const Surface& surface, const Vector3d& direction) {
     return std::visit(Overloaded{
                           [&](const Parallelogram& p) {

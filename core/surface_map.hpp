@@ -41,6 +41,9 @@ class SurfaceMap {
     Eigen::Vector3d z_;  ///< along the axis
 };
 
+/// The normal of a surface's radiating side at a place on it, but for rounding.
+Eigen::Vector3d normal_at(const Surface& surface, const Eigen::Vector3d& place);
+
 /// A unit vector perpendicular to `axis`: the coordinate axis farthest from it, projected.
 Eigen::Vector3d perpendicular(const Eigen::Vector3d& axis);
 

@@ -78,7 +78,9 @@ std::unique_ptr<Tracer> make_box_tracer(const Scene& scene);
 /// precision. Rays that pass within rounding of an edge may be seen differently by its code for different CPUs; in a
 /// closed box none is lost. Round shapes and flat ones meet in edges that have no corners in common, and a ray's origin
 /// is rounded: in a closed scene, a ray that meets nothing is traced once more from 2^-20 nearer to the middle of its
-/// surface, among round shapes larger by 2^-20. What is lost then is a hole. @see [wald2014]
+/// surface, among round shapes larger by 2^-20. What is lost then is a hole. A ray that ends on a back before it has
+/// risen above its source by more than rounding is traced once more from a little above: surfaces that are level with
+/// the source, or turned away from it, do not catch what starts on their edge. @see [wald2014]
 std::unique_ptr<Tracer> make_embree_tracer(const Scene& scene);
 
 enum class TracerChoice {

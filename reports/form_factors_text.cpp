@@ -155,9 +155,11 @@ std::vector<std::string> form_factor_warnings(const FormFactorReport& report) {
 
 std::string form_factors_text(const FormFactorReport& report) {
     const auto& [scene, request, matrix] = report;
+    const std::string joined =
+        matrix.surfaces < scene.surfaces.size() ? fmt::format(", joined to {}", matrix.surfaces) : "";
     std::string text = fmt::format(
-        "{}: {} faces of {} surfaces\ntolerance {}, level {} {}, seed {}\n\n", scene.name, scene.faces.size(),
-        scene.surfaces.size(), brief(request.tolerance), brief(request.level, 10),
+        "{}: {} faces of {} surfaces{}\ntolerance {}, level {} {}, seed {}\n\n", scene.name, scene.faces.size(),
+        scene.surfaces.size(), joined, brief(request.tolerance), brief(request.level, 10),
         request.level_of == studies::LevelOf::entry ? "of each entry" : "of the whole matrix", request.seed.value);
     text += methods(report) + "\n";
     text += scene.faces.size() <= most_shown ? factors(report) : many_row_sums(report);

@@ -1,6 +1,7 @@
 #include "studies/form_factors/form_factors.hpp"
 
 #include "core/error.hpp"
+#include "core/joined_surfaces.hpp"
 #include "stats/multiplicity.hpp"
 #include "studies/form_factors/repair.hpp"
 #include "studies/form_factors/rounds.hpp"
@@ -171,9 +172,11 @@ std::size_t FormFactorMatrix::missed() const {
                                                   [](const FaceExchange& exchange) { return !exchange.within; }));
 }
 
-FormFactorMatrix find_form_factors(const Scene& scene, const FormFactorRequest& request) {
+FormFactorMatrix find_form_factors(const Scene& whole_scene, const FormFactorRequest& request) {
     expect_sense(request);
+    const Scene scene = with_joined_surfaces(whole_scene);
     FormFactorMatrix matrix;
+    matrix.surfaces = scene.surfaces.size();
     matrix.geometry = examine_pairs(scene, request.tolerance, request.threads);
     expect_possible(scene, matrix.geometry, request);
     const auto sampled = static_cast<std::size_t>(std::count_if(

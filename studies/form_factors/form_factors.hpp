@@ -63,6 +63,7 @@ struct RepairedFactors {
 /// Form factors between the faces of a scene. Reciprocal by construction: both directions share one exchange area.
 struct FormFactorMatrix {
     FacePairs geometry;
+    std::size_t surfaces = 0;             ///< that were left when level ones had been joined
     std::vector<FaceExchange> exchanges;  ///< as geometry.pairs
     std::vector<RowSum> rows;
     double entry_level = 0;       ///< of each interval by itself
@@ -78,7 +79,8 @@ struct FormFactorMatrix {
     [[nodiscard]] std::size_t missed() const;  ///< pairs of faces that are not within the tolerance
 };
 
-/// Computes the matrix: exactly where geometry allows it, by sampling elsewhere (docs/form-factors.md).
+/// Computes the matrix: exactly where geometry allows it, by sampling elsewhere (docs/form-factors.md). Surfaces of a
+/// face are joined first where they can be (core/joined_surfaces.hpp).
 /// @throws UserError
 FormFactorMatrix find_form_factors(const Scene& scene, const FormFactorRequest& request);
 
