@@ -115,15 +115,20 @@ void add_enclosure(CLI::App& app, EnclosureCommand& command, Action& action) {
 void add_form_factors(CLI::App& app, FormFactorsCommand& command, Action& action) {
     CLI::App* sub = app.add_subcommand("form_factors", "All form factors of a scene, each with an interval");
     auto& request = command.request;
-    sub->add_option("SCENE", command.scene, "cube, box:AxBxC, another built-in scene, or a file (.obj, .toml, .vs3)")
-        ->required();
-    sub->add_option("--tolerance", request.tolerance, "Largest half width of an interval")->capture_default_str();
-    sub->add_option("--level", request.level, "Level of the intervals")->capture_default_str();
-    sub->add_flag("--simultaneous", command.whole_matrix, "The level is that of all entries and row sums at once");
-    sub->add_option("--seed", command.seed, "Seed of all random numbers")->capture_default_str();
-    sub->add_option("--threads", command.threads, "Threads; results do not depend on them (default: all cores)");
-    sub->add_option("--max-time", command.max_time, "Stop in order after 90 (seconds), 15m, 2.5h, 1d");
-    sub->add_option("--max-samples", request.max_samples, "Rays and points in all")->capture_default_str();
+    CLI::Option* load = sub->add_option("--load", command.load, "Instead of SCENE: a folder that --out has written");
+    const auto of_a_run = [load](CLI::Option* option) { return option->excludes(load); };
+    of_a_run(sub->add_option("SCENE", command.scene,
+                             "cube, box:AxBxC, another built-in scene, or a file (.obj, .toml, .vs3)"));
+    of_a_run(sub->add_option("--tolerance", request.tolerance, "Largest half width of an interval"))
+        ->capture_default_str();
+    of_a_run(sub->add_option("--level", request.level, "Level of the intervals"))->capture_default_str();
+    of_a_run(
+        sub->add_flag("--simultaneous", command.whole_matrix, "The level is that of all entries and row sums at once"));
+    of_a_run(sub->add_option("--seed", command.seed, "Seed of all random numbers"))->capture_default_str();
+    of_a_run(
+        sub->add_option("--threads", command.threads, "Threads; results do not depend on them (default: all cores)"));
+    of_a_run(sub->add_option("--max-time", command.max_time, "Stop in order after 90 (seconds), 15m, 2.5h, 1d"));
+    of_a_run(sub->add_option("--max-samples", request.max_samples, "Rays and points in all"))->capture_default_str();
     sub->add_flag("--repair", request.repair, "Also the nearest matrix that is closed and reciprocal");
     sub->add_option("--out", command.out, "Folder for the matrices (default: none is written)");
     sub->add_flag("--quiet", command.quiet, "Print errors and warnings only");

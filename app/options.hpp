@@ -52,7 +52,8 @@ struct EnclosureCommand {
 
 /// Of `ffstudy form_factors`.
 struct FormFactorsCommand {
-    std::string scene;                   ///< built-in name, or a file
+    std::string scene;                   ///< built-in name, or a file; empty: a matrix is loaded
+    std::filesystem::path load;          ///< folder or store of an earlier run; empty: none
     studies::FormFactorRequest request;  ///< but for seed, threads and what level means
     std::uint64_t seed = 1;
     std::optional<unsigned> threads;

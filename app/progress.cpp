@@ -13,6 +13,8 @@
 namespace ff::app {
 namespace {
 
+constexpr std::chrono::milliseconds pause_on_terminal{100};
+
 std::string duration(double seconds) {
     const auto whole = std::lround(seconds);
     return whole < 100 ? fmt::format("{} s", whole) : fmt::format("{}:{:02} min", whole / 60, whole % 60);
@@ -37,7 +39,7 @@ void ProgressDisplay::show(const studies::Progress& progress) {
     if (style_ == Style::silent) return;
     const auto now = Clock::now();
     const bool last = progress.units_done == progress.units;
-    const auto pause = style_ == Style::bar ? std::chrono::milliseconds(100) : std::chrono::milliseconds(10'000);
+    const auto pause = style_ == Style::bar ? pause_on_terminal : std::chrono::milliseconds(10'000);
     if (already_done_ < 0) already_done_ = progress.expected_seconds_done;
     if (!last && now - last_ < pause) return;
     last_ = now;
@@ -57,6 +59,29 @@ void ProgressDisplay::show(const studies::Progress& progress) {
         say("{}\n", text);
     }
     std::fflush(stderr);
+}
+
+bool FormFactorDisplay::is_seen() {
+    return ::isatty(STDERR_FILENO) == 1;
+}
+
+void FormFactorDisplay::show(const studies::FormFactorProgress& progress) {
+    const auto now = Clock::now();
+    if (now - last_ < pause_on_terminal) return;
+    last_ = now;
+    shown_ = true;
+    using Stage = studies::FormFactorProgress::Stage;
+    const std::string stage = progress.stage == Stage::looking  ? "looking at pairs"
+                              : progress.stage == Stage::pilots ? "pilot samples"
+                                                                : fmt::format("round {}", progress.round);
+    say("\r{} {:5.1f} % of {}  {:.1f} M samples  {} of {} pairs within {:g}   ", bar(progress.share),
+        100 * progress.share, stage, static_cast<double>(progress.samples) / 1e6, progress.within, progress.pairs,
+        tolerance_);
+    std::fflush(stderr);
+}
+
+void FormFactorDisplay::finish() {
+    if (shown_) say("\n");
 }
 
 void ProgressDisplay::finish() {

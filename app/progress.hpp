@@ -1,5 +1,6 @@
 #pragma once
 
+#include "studies/form_factors/request.hpp"
 #include "studies/run.hpp"
 
 #include <chrono>
@@ -26,6 +27,23 @@ class ProgressDisplay {
     Clock::time_point start_ = Clock::now();
     Clock::time_point last_ = start_;
     double already_done_ = -1;  // expected seconds that an earlier run did
+    bool shown_ = false;
+};
+
+/// The same for a matrix of form factors, on a terminal only.
+class FormFactorDisplay {
+  public:
+    explicit FormFactorDisplay(double tolerance) : tolerance_(tolerance) {}
+
+    /// Whether stderr is a terminal.
+    [[nodiscard]] static bool is_seen();
+    void show(const studies::FormFactorProgress& progress);
+    void finish();
+
+  private:
+    using Clock = std::chrono::steady_clock;
+    double tolerance_;
+    Clock::time_point last_{};
     bool shown_ = false;
 };
 

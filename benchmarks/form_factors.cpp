@@ -35,7 +35,7 @@ BENCHMARK_CAPTURE(form_factors, coaxial_discs, "coaxial_discs_equal", 1e-4)->Uni
 
 void a_point(benchmark::State& state, const char* name) {
     const Scene scene = built_in_scene(name);
-    const studies::FacePairs geometry = studies::examine_pairs(scene, 1e-5, 1);
+    const studies::FacePairs geometry = studies::examine_pairs(scene, {});
     const auto pair =
         std::find_if(geometry.pairs.begin(), geometry.pairs.end(), [](const auto& p) { return p.by_points; });
     const studies::PointSampling sampling(scene, pair->sampled.front());
@@ -53,7 +53,7 @@ BENCHMARK_CAPTURE(a_point, nested_cubes, "nested_cubes");
 
 void a_ray(benchmark::State& state, const char* name) {
     const Scene scene = built_in_scene(name);
-    const studies::FacePairs geometry = studies::examine_pairs(scene, 1e-5, 1);
+    const studies::FacePairs geometry = studies::examine_pairs(scene, {});
     const auto pair =
         std::find_if(geometry.pairs.begin(), geometry.pairs.end(), [](const auto& p) { return p.is_sampled(); });
     const studies::RaySampling sampling(scene, geometry, pair->from, {pair->to});

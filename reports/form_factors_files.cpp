@@ -1,9 +1,9 @@
 #include "reports/form_factors.hpp"
 
 #include "reports/csv_field.hpp"
-#include "reports/form_factor_words.hpp"
 #include "reports/json_values.hpp"
 #include "reports/numbers.hpp"
+#include "studies/form_factors/words.hpp"
 
 #include <fmt/format.h>
 
@@ -11,20 +11,16 @@ namespace ff::reports {
 namespace {
 
 using studies::FaceExchange;
-using studies::FacePair;
 
 void write_row(std::ostream& out, const FormFactorReport& report, std::size_t from, std::size_t to) {
     const studies::FormFactorMatrix& matrix = report.matrix;
-    const std::size_t index = matrix.geometry.index(from, to);
-    const FacePair& pair = matrix.geometry.pairs[index];
-    const FaceExchange& exchange = matrix.exchanges[index];
-    const double area = matrix.geometry.areas[from];
-    out << fmt::format("{},{},{},{},{},{},{},{},{},{},{}\n", csv_field(report.scene.faces[from]),
-                       csv_field(report.scene.faces[to]), exact(exchange.value / area), exact(exchange.low / area),
-                       exact(exchange.high / area),
-                       exact(std::max(exchange.high - exchange.value, exchange.value - exchange.low) / area),
-                       method_of(pair, exchange), csv_field(reason_of(pair, exchange)), exchange.samples,
-                       exchange.clipped ? 1 : 0, exchange.within ? 1 : 0);
+    const FaceExchange& exchange = matrix.exchange(from, to);
+    const double area = matrix.areas[from];
+    out << fmt::format(
+        "{},{},{},{},{},{},{},{},{},{},{}\n", csv_field(report.scene.faces[from]), csv_field(report.scene.faces[to]),
+        exact(exchange.value / area), exact(exchange.low / area), exact(exchange.high / area),
+        exact(std::max(exchange.high - exchange.value, exchange.value - exchange.low) / area), method_of(exchange),
+        csv_field(reason_of(exchange)), exchange.samples, exchange.clipped ? 1 : 0, exchange.within ? 1 : 0);
 }
 
 Json faces_json(const FormFactorReport& report) {
@@ -32,7 +28,7 @@ Json faces_json(const FormFactorReport& report) {
     for (std::size_t i = 0; i < report.scene.faces.size(); ++i) {
         const studies::RowSum& sum = report.matrix.rows[i];
         faces.push_back({{"face", report.scene.faces[i]},
-                         {"area", report.matrix.geometry.areas[i]},
+                         {"area", report.matrix.areas[i]},
                          {"row_sum", sum.value},
                          {"row_sum_low", sum.low},
                          {"row_sum_high", sum.high}});
@@ -59,7 +55,7 @@ void write_form_factors_csv(std::ostream& out, const FormFactorReport& report) {
     const std::size_t n = report.scene.faces.size();
     for (std::size_t from = 0; from < n; ++from) {
         for (std::size_t to = 0; to < n; ++to) {
-            const FaceExchange& exchange = report.matrix.exchanges[report.matrix.geometry.index(from, to)];
+            const FaceExchange& exchange = report.matrix.exchange(from, to);
             if (exchange.high > 0) write_row(out, report, from, to);
         }
     }
@@ -68,7 +64,7 @@ void write_form_factors_csv(std::ostream& out, const FormFactorReport& report) {
 std::string form_factors_json(const FormFactorReport& report) {
     const studies::FormFactorMatrix& matrix = report.matrix;
     double worst = 0;
-    for (std::size_t p = 0; p < matrix.exchanges.size(); ++p) worst = std::max(worst, worst_half_width(matrix, p));
+    for (const FaceExchange& exchange : matrix.exchanges) worst = std::max(worst, worst_half_width(matrix, exchange));
     const Json json = {{"scene", report.scene.name},
                        {"tolerance", report.request.tolerance},
                        {"level", report.request.level},

@@ -1,8 +1,8 @@
 #include "reports/form_factors.hpp"
 
-#include "reports/form_factor_words.hpp"
 #include "reports/numbers.hpp"
 #include "reports/text_table.hpp"
+#include "studies/form_factors/words.hpp"
 
 #include <fmt/format.h>
 
@@ -14,7 +14,6 @@ namespace ff::reports {
 namespace {
 
 using studies::FaceExchange;
-using studies::FacePair;
 
 /// Of more faces the matrix is left to the files.
 constexpr std::size_t most_shown = 8;
@@ -40,12 +39,10 @@ struct MethodRow {
 
 std::string methods(const FormFactorReport& report) {
     std::map<std::pair<std::string_view, std::string_view>, MethodRow> rows;
-    for (std::size_t p = 0; p < report.matrix.exchanges.size(); ++p) {
-        const FacePair& pair = report.matrix.geometry.pairs[p];
-        const FaceExchange& exchange = report.matrix.exchanges[p];
-        MethodRow& row = rows[{method_of(pair, exchange), reason_of(pair, exchange)}];
+    for (const FaceExchange& exchange : report.matrix.exchanges) {
+        MethodRow& row = rows[{method_of(exchange), reason_of(exchange)}];
         ++row.pairs;
-        row.worst = std::max(row.worst, worst_half_width(report.matrix, p));
+        row.worst = std::max(row.worst, worst_half_width(report.matrix, exchange));
     }
     Table table{"methods", "",
                 "",        {{"method", false, {}}, {"pairs", true, {}}, {"worst ±", true, {}}, {"why", false, {}}},
@@ -101,11 +98,10 @@ std::string verdict(const FormFactorReport& report) {
                                    : fmt::format("{} of {} pairs of faces are NOT within {}:", missed, all, tolerance);
     if (missed > 0) {
         std::size_t listed = 0;
-        for (std::size_t p = 0; p < all && listed < most_listed; ++p) {
-            if (matrix.exchanges[p].within) continue;
-            const FacePair& pair = matrix.geometry.pairs[p];
+        for (const FaceExchange& pair : matrix.exchanges) {
+            if (pair.within || listed == most_listed) continue;
             text += fmt::format("{} {}-{} (±{})", listed++ == 0 ? "" : ",", report.scene.faces[pair.from],
-                                report.scene.faces[pair.to], brief(worst_half_width(matrix, p), 2));
+                                report.scene.faces[pair.to], brief(worst_half_width(matrix, pair), 2));
         }
         text += missed > most_listed ? " and others." : ".";
     }
@@ -142,9 +138,8 @@ std::vector<std::string> form_factor_warnings(const FormFactorReport& report) {
         warnings.push_back(fmt::format("scene '{}' is said to be closed, but {} of {} rays met nothing",
                                        report.scene.name, matrix.lost_rays, matrix.rays));
     }
-    for (std::size_t p = 0; p < matrix.exchanges.size(); ++p) {
-        if (!matrix.exchanges[p].contradicted) continue;
-        const FacePair& pair = matrix.geometry.pairs[p];
+    for (const FaceExchange& pair : matrix.exchanges) {
+        if (!pair.contradicted) continue;
         warnings.push_back(
             fmt::format("F {}-{}: an independent randomisation contradicts the estimate; the interval "
                         "holds both",

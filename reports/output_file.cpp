@@ -35,17 +35,24 @@ void synchronise(const std::filesystem::path& place, const std::filesystem::path
 }  // namespace
 
 void write_file(const std::filesystem::path& file, const std::function<void(std::ostream&)>& write) {
-    std::filesystem::path temporary = file;
-    temporary += ".part";
-    try {
+    replace_file(file, [&](const std::filesystem::path& temporary) {
         errno = 0;
         std::ofstream out(temporary, std::ios::binary | std::ios::trunc);
         if (!out) fail(file, errno);
         write(out);
         out.close();
         if (!out) fail(file, errno);
-        synchronise(temporary, temporary);
+    });
+}
+
+void replace_file(const std::filesystem::path& file, const std::function<void(const std::filesystem::path&)>& write) {
+    std::filesystem::path temporary = file;
+    temporary += ".part";
+    try {
         std::error_code error;
+        std::filesystem::remove(temporary, error);  // of a run that was killed
+        write(temporary);
+        synchronise(temporary, temporary);
         std::filesystem::rename(temporary, file, error);
         if (error) fail(file, error.value());
         synchronise(file.has_parent_path() ? file.parent_path() : ".", file);

@@ -1,6 +1,7 @@
 #include "studies/store.hpp"
 
 #include "core/error.hpp"
+#include "studies/store_format.hpp"
 
 #include <fmt/format.h>
 
@@ -25,19 +26,14 @@ CREATE TABLE observations(cell INTEGER NOT NULL, observable TEXT NOT NULL, from_
   PRIMARY KEY(cell, observable, from_face, to_face, trial)) WITHOUT ROWID;
 )";
 
+constexpr StoreFormat format{"result store", "meta", store_schema_version};
+
 std::optional<std::string> read_meta(const Database& database, std::string_view key) {
-    Statement query(database.handle(), "SELECT value FROM meta WHERE key = ?");
-    query.bind(0, key);
-    return query.step() ? std::optional(query.text(0)) : std::nullopt;
+    return stored_value(database, format, key);
 }
 
 void write_meta(const Database& database, std::string_view key, std::string_view value) {
     Statement(database.handle(), "INSERT INTO meta VALUES(?, ?)").bind(0, key).bind(1, value).run();
-}
-
-bool has_table(const Database& database, std::string_view table) {
-    Statement query(database.handle(), "SELECT 1 FROM sqlite_master WHERE type = 'table' AND name = ?");
-    return query.bind(0, table).step();
 }
 
 bool is_empty(const Database& database) {
@@ -101,20 +97,6 @@ void expect_same_study(const Database& database, const std::filesystem::path& fi
                                 file.string(), difference));
 }
 
-/// @throws UserError unless the file is a store of a version that this program reads
-void expect_readable(const Database& database, const std::filesystem::path& file) {
-    if (!has_table(database, "meta")) {
-        throw UserError(
-            fmt::format("{}: not a result store (no table 'meta'). Give a file written by ffstudy.", file.string()));
-    }
-    const std::string version = read_meta(database, "schema_version").value_or("none");
-    if (version != std::to_string(store_schema_version)) {
-        throw UserError(
-            fmt::format("{}: schema version {} (this program reads {}). Use the version of ffstudy that wrote it.",
-                        file.string(), version, store_schema_version));
-    }
-}
-
 void bind_value(Statement& insert, std::int64_t value) {
     insert.bind(5, value);
 }
@@ -125,18 +107,6 @@ void bind_value(Statement& insert, double value) {
         insert.bind(5, std::string_view("nan"));
     else
         insert.bind(5, value);
-}
-
-[[noreturn]] void report_damage(const std::filesystem::path& file, const std::string& what) {
-    throw IoError(
-        fmt::format("{}: damaged ({}). Take a copy, or remove it and run the study again.", file.string(), what));
-}
-
-/// @throws IoError unless SQLite finds every page and row in order
-void expect_intact(const Database& database, const std::filesystem::path& file) {
-    Statement check(database.handle(), "PRAGMA quick_check(1)");
-    const std::string found = check.step() ? check.text(0) : "no answer";
-    if (found != "ok") report_damage(file, found);
 }
 
 /// @throws IoError unless every saved unit is one of the plan
@@ -178,7 +148,7 @@ Store Store::create_or_resume(const std::filesystem::path& file, const StudyPlan
     if (is_empty(*database)) {
         create(*database, plan);
     } else {
-        expect_readable(*database, file);
+        expect_readable(*database, file, format);
         expect_same_study(*database, file, plan.spec);
         expect_intact(*database, file);
         expect_planned_units(*database, file, plan);
@@ -195,12 +165,7 @@ Store Store::create_or_resume(const std::filesystem::path& file, const StudyPlan
 }
 
 Store Store::open(const std::filesystem::path& file) {
-    if (!std::filesystem::exists(file)) {
-        throw IoError(fmt::format("{}: no such file. Give a folder or file written by ffstudy.", file.string()));
-    }
-    auto database = std::make_unique<Database>(file, Database::Mode::read_only);
-    expect_readable(*database, file);
-    expect_intact(*database, file);
+    auto database = open_store(file, format);
     StudySpec spec = parse_study(read_meta(*database, "study").value_or(""), file.string() + " (stored study)");
     if (spec.published) spec.published->text = read_meta(*database, "published").value_or("");
     StudyPlan plan = plan_study(std::move(spec));

@@ -58,7 +58,7 @@ Outcome run_seed(const Scene& scene, const std::vector<KnownPair>& known, const 
     Outcome outcome;
     outcome.within = by_entry.missed() == 0 && at_once.missed() == 0;
     for (const KnownPair& pair : known) {
-        const double shrink = by_entry.geometry.pairs[pair.index].is_sampled() ? options.shrink : 1;
+        const double shrink = by_entry.exchanges[pair.index].is_sampled() ? options.shrink : 1;
         outcome.held.push_back(holds(by_entry.exchanges[pair.index], pair.area, shrink));
         outcome.matrix_held = outcome.matrix_held && holds(at_once.exchanges[pair.index], pair.area, shrink);
     }
@@ -68,7 +68,10 @@ Outcome run_seed(const Scene& scene, const std::vector<KnownPair>& known, const 
 void add_scene(const std::string& name, FormFactorCoverage& coverage) {
     const FormFactorCoverageOptions& options = coverage.options;
     const Scene scene = built_in_scene(name);
-    const FacePairs geometry = examine_pairs(scene, options.tolerance, options.threads);
+    FormFactorRequest request;
+    request.tolerance = options.tolerance;
+    request.threads = options.threads;
+    const FacePairs geometry = examine_pairs(scene, request);
     const std::vector<KnownPair> known = known_pairs(scene, geometry);
     const bool sampled = std::any_of(known.begin(), known.end(),
                                      [&](const KnownPair& pair) { return geometry.pairs[pair.index].is_sampled(); });

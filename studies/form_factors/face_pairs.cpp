@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <mutex>
 
 namespace ff::studies {
 namespace {
@@ -38,13 +39,18 @@ void add(FacePair& pair, std::uint32_t from, std::uint32_t to, double times, Pai
 }
 
 /// Pairs of one surface with those after it.
-std::vector<PairExchange> exchanges_of(const Scene& scene, SceneSight sight, std::size_t first, double wanted) {
+std::vector<PairExchange> exchanges_of(const Scene& scene, SceneSight sight, std::size_t first, double wanted,
+                                       const std::atomic<bool>* stop) {
+    const PairExchange unknown{ExchangeMethod::rays, ExchangeReason::many_surfaces, std::nullopt, {}};
     std::vector<PairExchange> result;
     const Surface& from = scene.surfaces[first];
     for (std::size_t j = first; j < scene.surfaces.size(); ++j) {
         const Surface& to = scene.surfaces[j];
         const bool counts = from.face != no_face && to.face != no_face;
-        result.push_back(counts ? pair_exchange(scene, sight, from, to, wanted) : PairExchange{});
+        if (!counts)
+            result.emplace_back();
+        else
+            result.push_back(stop != nullptr && *stop ? unknown : pair_exchange(scene, sight, from, to, wanted));
     }
     return result;
 }
@@ -57,12 +63,12 @@ void expect_few_faces(const Scene& scene) {
 
 }  // namespace
 
-std::size_t FacePairs::index(std::size_t a, std::size_t b) const {
+std::size_t pair_index(std::size_t a, std::size_t b, std::size_t faces) {
     const auto [from, to] = std::minmax(a, b);
-    return from * faces() - from * (from + 1) / 2 + to;
+    return from * faces - from * (from + 1) / 2 + to;
 }
 
-FacePairs examine_pairs(const Scene& scene, double tolerance, unsigned threads) {
+FacePairs examine_pairs(const Scene& scene, const FormFactorRequest& request) {
     expect_few_faces(scene);
     FacePairs result;
     result.areas.assign(scene.faces.size(), 0);
@@ -95,8 +101,17 @@ FacePairs examine_pairs(const Scene& scene, double tolerance, unsigned threads) 
     const double smallest = *std::min_element(result.areas.begin(), result.areas.end());
     std::vector<std::vector<PairExchange>> rows(n);
     // Errors of all pairs of surfaces add up.
-    const double wanted = tolerance * smallest / 8 / static_cast<double>(n);
-    for_each_index(n, threads, [&](std::uint64_t i) { rows[i] = exchanges_of(scene, sight, i, wanted); });
+    const double wanted = request.tolerance * smallest / 8 / static_cast<double>(n);
+    std::mutex reporting;
+    std::size_t looked_at = 0;
+    for_each_index(n, request.threads, [&](std::uint64_t i) {
+        rows[i] = exchanges_of(scene, sight, i, wanted, request.stop);
+        if (!request.report) return;
+        const std::lock_guard lock(reporting);
+        looked_at += n - i;
+        const double share = static_cast<double>(looked_at) / (0.5 * static_cast<double>(n * (n + 1)));
+        request.report({FormFactorProgress::Stage::looking, 0, share, 0, 0, result.pairs.size()});
+    });
 
     result.shot.assign(n * n, 0);
     for (std::size_t i = 0; i < n; ++i) {

@@ -2,6 +2,7 @@
 
 #include "core/pair_exchange.hpp"
 #include "core/scene.hpp"
+#include "studies/form_factors/request.hpp"
 
 #include <array>
 #include <cstdint>
@@ -18,6 +19,9 @@ struct SampledPair {
     double times = 1;  ///< 2 within a face, where both orders count
     PairExchange exchange;
 };
+
+/// Where a pair of faces, in either order, is among (0,0), (0,1), .., (1,1), ..
+std::size_t pair_index(std::size_t a, std::size_t b, std::size_t faces);
 
 /// Two faces (or one and itself): what is known of their exchange area, and what is left to be sampled.
 struct FacePair {
@@ -44,11 +48,12 @@ struct FacePairs {
 
     [[nodiscard]] std::size_t faces() const { return areas.size(); }
     /// Where a pair of faces is in `pairs`.
-    [[nodiscard]] std::size_t index(std::size_t a, std::size_t b) const;
+    [[nodiscard]] std::size_t index(std::size_t a, std::size_t b) const { return pair_index(a, b, faces()); }
 };
 
-/// @param tolerance  of a form factor: sharper methods are taken where their error would show
+/// Sharper methods are taken where their error would show beside the request's tolerance. What has not been looked at
+/// when the request is stopped, is left to be sampled.
 /// @throws UserError for more faces than a matrix is made of
-FacePairs examine_pairs(const Scene& scene, double tolerance, unsigned threads);
+FacePairs examine_pairs(const Scene& scene, const FormFactorRequest& request);
 
 }  // namespace ff::studies

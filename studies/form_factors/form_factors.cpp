@@ -31,13 +31,6 @@ void expect_sense(const FormFactorRequest& request) {
 }
 
 void expect_possible(const Scene& scene, const FacePairs& geometry, const FormFactorRequest& request) {
-    if (request.repair && !scene.closed && !scene.empty_box) {
-        throw UserError(
-            fmt::format("--repair: scene '{}' is not said to be closed (its rows need not add up to 1). "
-                        "Say so in the scene file ('# closed', 'closed = true' or 'encl=1'), or leave "
-                        "--repair out.",
-                        scene.name));
-    }
     const bool needs_rays = std::any_of(geometry.pairs.begin(), geometry.pairs.end(),
                                         [](const FacePair& pair) { return pair.is_sampled() && !pair.by_points; });
     if (needs_rays && request.tolerance < least_tolerance_of_rays) {
@@ -62,8 +55,19 @@ double half_width(double value, double low, double high) {
     return std::max(high - value, value - low);
 }
 
+ExchangeMethod dearest_method(const FacePair& pair) {
+    ExchangeMethod dearest = ExchangeMethod::none;
+    for (std::size_t m = 0; m < pair.methods.size(); ++m) {
+        if (pair.methods[m] > 0) dearest = static_cast<ExchangeMethod>(m);
+    }
+    return dearest;
+}
+
 FaceExchange exchange_of(const FacePair& pair, const PairEstimate& estimate) {
     FaceExchange result;
+    result.from = pair.from;
+    result.to = pair.to;
+    result.reason = pair.reason;
     result.value = pair.known;
     result.low = pair.known - pair.bound;
     result.high = pair.known + pair.bound;
@@ -77,13 +81,16 @@ FaceExchange exchange_of(const FacePair& pair, const PairEstimate& estimate) {
         result.value = found.value;
         result.low = found.value - found.down - pair.bound;
         result.high = found.value + found.up + pair.bound;
-        result.sampled_by = estimate.by_points ? ExchangeMethod::points : ExchangeMethod::rays;
+        result.method = estimate.by_points ? ExchangeMethod::points : ExchangeMethod::rays;
+        result.by_rays_of_row = pair.by_points && !estimate.by_points;
         result.samples = estimate.samples;
         result.contradicted = estimate.contradicted;
         if (estimate.contradicted) {
             result.low = std::min(result.low, estimate.other.value - estimate.other.down);
             result.high = std::max(result.high, estimate.other.value + estimate.other.up);
         }
+    } else {
+        result.method = dearest_method(pair);
     }
     clip(result, pair);
     return result;
@@ -101,11 +108,12 @@ struct RowTerms {
     double level = 0;  ///< the highest of its entries
 };
 
-RowTerms row_terms(const FormFactorMatrix& matrix, const std::vector<PairEstimate>& estimates, std::size_t row) {
+RowTerms row_terms(const FormFactorMatrix& matrix, const FacePairs& geometry,
+                   const std::vector<PairEstimate>& estimates, std::size_t row) {
     RowTerms terms;
-    for (std::size_t other = 0; other < matrix.geometry.faces(); ++other) {
-        const std::size_t index = matrix.geometry.index(row, other);
-        const FacePair& pair = matrix.geometry.pairs[index];
+    for (std::size_t other = 0; other < matrix.faces(); ++other) {
+        const std::size_t index = geometry.index(row, other);
+        const FacePair& pair = geometry.pairs[index];
         const PairEstimate& estimate = estimates[index];
         const FaceExchange& exchange = matrix.exchanges[index];
         terms.value += exchange.value;
@@ -125,16 +133,16 @@ RowTerms row_terms(const FormFactorMatrix& matrix, const std::vector<PairEstimat
 }
 
 /// A row's sum: independent randomisations add up, bounds do.
-RowSum row_sum(const FormFactorMatrix& matrix, const std::vector<PairEstimate>& estimates, std::size_t row,
-               double level) {
-    const RowTerms terms = row_terms(matrix, estimates, row);
-    const double area = matrix.geometry.areas[row];
+RowSum row_sum(const FormFactorMatrix& matrix, const FacePairs& geometry, const std::vector<PairEstimate>& estimates,
+               std::size_t row, double level) {
+    const RowTerms terms = row_terms(matrix, geometry, estimates, row);
+    const double area = matrix.areas[row];
     const auto ends = [&](double at) {
         const Estimate found = estimate_of(terms.sum, at);
         return std::pair((found.value - found.down - terms.down) / area, (found.value + found.up + terms.up) / area);
     };
     const auto [low, high] = ends(std::max(level, terms.level));
-    const auto [least, most] = ends(1 - false_alarm_of_rows / static_cast<double>(matrix.geometry.faces()));
+    const auto [least, most] = ends(1 - false_alarm_of_rows / static_cast<double>(matrix.faces()));
     constexpr double rounding = 1e-12;
     return {terms.value / area, std::clamp(low, 0.0, 1.0), std::min(1.0, high),
             least > 1 + rounding || most < 1 - rounding};
@@ -143,25 +151,24 @@ RowSum row_sum(const FormFactorMatrix& matrix, const std::vector<PairEstimate>& 
 }  // namespace
 
 Eigen::MatrixXd FormFactorMatrix::factors() const {
-    const auto n = static_cast<Eigen::Index>(geometry.faces());
+    const auto n = static_cast<Eigen::Index>(faces());
     Eigen::MatrixXd result(n, n);
-    for (std::size_t i = 0; i < geometry.faces(); ++i) {
-        for (std::size_t j = 0; j < geometry.faces(); ++j) {
-            result(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) =
-                exchanges[geometry.index(i, j)].value / geometry.areas[i];
+    for (std::size_t i = 0; i < faces(); ++i) {
+        for (std::size_t j = 0; j < faces(); ++j) {
+            result(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) = exchange(i, j).value / areas[i];
         }
     }
     return result;
 }
 
 Eigen::MatrixXd FormFactorMatrix::half_widths() const {
-    const auto n = static_cast<Eigen::Index>(geometry.faces());
+    const auto n = static_cast<Eigen::Index>(faces());
     Eigen::MatrixXd result(n, n);
-    for (std::size_t i = 0; i < geometry.faces(); ++i) {
-        for (std::size_t j = 0; j < geometry.faces(); ++j) {
-            const FaceExchange& exchange = exchanges[geometry.index(i, j)];
+    for (std::size_t i = 0; i < faces(); ++i) {
+        for (std::size_t j = 0; j < faces(); ++j) {
+            const FaceExchange& pair = exchange(i, j);
             result(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) =
-                half_width(exchange.value, exchange.low, exchange.high) / geometry.areas[i];
+                half_width(pair.value, pair.low, pair.high) / areas[i];
         }
     }
     return result;
@@ -172,40 +179,46 @@ std::size_t FormFactorMatrix::missed() const {
                                                   [](const FaceExchange& exchange) { return !exchange.within; }));
 }
 
+double worst_half_width(const FormFactorMatrix& matrix, const FaceExchange& exchange) {
+    return half_width(exchange.value, exchange.low, exchange.high) /
+           std::min(matrix.areas[exchange.from], matrix.areas[exchange.to]);
+}
+
 FormFactorMatrix find_form_factors(const Scene& whole_scene, const FormFactorRequest& request) {
     expect_sense(request);
+    if (request.repair) expect_repairable(whole_scene);
     const Scene scene = with_joined_surfaces(whole_scene);
     FormFactorMatrix matrix;
     matrix.surfaces = scene.surfaces.size();
-    matrix.geometry = examine_pairs(scene, request.tolerance, request.threads);
-    expect_possible(scene, matrix.geometry, request);
-    const auto sampled = static_cast<std::size_t>(std::count_if(
-        matrix.geometry.pairs.begin(), matrix.geometry.pairs.end(), [](const FacePair& p) { return p.is_sampled(); }));
+    const FacePairs geometry = examine_pairs(scene, request);
+    matrix.areas = geometry.areas;
+    matrix.interrupted = request.stop != nullptr && *request.stop;
+    if (!matrix.interrupted) expect_possible(scene, geometry, request);
+    const auto sampled = static_cast<std::size_t>(
+        std::count_if(geometry.pairs.begin(), geometry.pairs.end(), [](const FacePair& p) { return p.is_sampled(); }));
     const double alpha = request.level_of == LevelOf::entry || sampled == 0
                              ? 1 - request.level
-                             : stats::bonferroni_level(1 - request.level, sampled + matrix.geometry.faces());
+                             : stats::bonferroni_level(1 - request.level, sampled + matrix.faces());
     matrix.entry_level = 1 - alpha;
 
-    std::vector<PairEstimate> estimates(matrix.geometry.pairs.size());
-    if (sampled > 0) {
+    std::vector<PairEstimate> estimates(geometry.pairs.size());
+    if (sampled > 0 && !matrix.interrupted) {
         const SamplingOutcome outcome =
-            sample_pairs(scene, matrix.geometry, request, alpha, request.tolerance >= least_tolerance_of_rays);
+            sample_pairs(scene, geometry, request, alpha, request.tolerance >= least_tolerance_of_rays);
         estimates = outcome.estimates;
         matrix.samples = outcome.samples;
         matrix.rays = outcome.rays;
         matrix.lost_rays = outcome.lost;
         matrix.interrupted = outcome.interrupted;
     }
-    for (std::size_t p = 0; p < matrix.geometry.pairs.size(); ++p) {
-        const FacePair& pair = matrix.geometry.pairs[p];
+    for (std::size_t p = 0; p < geometry.pairs.size(); ++p) {
+        const FacePair& pair = geometry.pairs[p];
         FaceExchange exchange = exchange_of(pair, estimates[p]);
-        const double smaller = std::min(matrix.geometry.areas[pair.from], matrix.geometry.areas[pair.to]);
-        exchange.within = !exchange.contradicted &&
-                          half_width(exchange.value, exchange.low, exchange.high) <= request.tolerance * smaller;
+        exchange.within = !exchange.contradicted && worst_half_width(matrix, exchange) <= request.tolerance;
         matrix.exchanges.push_back(exchange);
     }
-    for (std::size_t row = 0; row < matrix.geometry.faces(); ++row) {
-        matrix.rows.push_back(row_sum(matrix, estimates, row, round_level(alpha, 0)));
+    for (std::size_t row = 0; row < matrix.faces(); ++row) {
+        matrix.rows.push_back(row_sum(matrix, geometry, estimates, row, round_level(alpha, 0)));
     }
     if (request.repair) matrix.repaired = repair(matrix);
     return matrix;

@@ -1,12 +1,11 @@
 #pragma once
 
 #include "core/scene.hpp"
-#include "core/stream.hpp"
 #include "studies/form_factors/face_pairs.hpp"
+#include "studies/form_factors/request.hpp"
 
 #include <Eigen/Core>
 
-#include <atomic>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -14,34 +13,24 @@
 
 namespace ff::studies {
 
-/// What the level of intervals is said of.
-enum class LevelOf {
-    entry,   ///< each entry's by itself
-    matrix,  ///< all entries and row sums at once
-};
-
-/// What `ffstudy form_factors` is asked for.
-struct FormFactorRequest {
-    double tolerance = 1e-5;  ///< of every entry: the larger half of its interval
-    double level = 0.95;
-    LevelOf level_of = LevelOf::entry;
-    Seed seed;
-    std::uint64_t max_samples = 1'000'000'000;  ///< rays and points together
-    bool repair = false;
-    unsigned threads = 1;
-    const std::atomic<bool>* stop = nullptr;  ///< set by another thread: what is known then is the result
-};
-
-/// The exchange area of two faces (from <= to), with an interval.
+/// The exchange area of two faces, with an interval.
 struct FaceExchange {
+    std::size_t from = 0;  ///< at most `to`
+    std::size_t to = 0;
     double value = 0;
     double low = 0;
     double high = 0;
-    std::optional<ExchangeMethod> sampled_by;  ///< points or rays
-    std::uint64_t samples = 0;                 ///< of the round that the interval is from
-    bool clipped = false;                      ///< geometry allows less than the samples do
-    bool within = false;                       ///< the tolerance, in both directions
-    bool contradicted = false;                 ///< an independent randomisation says otherwise; the interval holds both
+    /// The dearest of its surfaces; empty where there was no time to sample it, and the interval is what geometry
+    /// bounds.
+    std::optional<ExchangeMethod> method;
+    ExchangeReason reason = ExchangeReason::turned_away;  ///< of that
+    bool by_rays_of_row = false;                          ///< points would do; the rays of its row serve it as well
+    std::uint64_t samples = 0;                            ///< of the round that the interval is from
+    bool clipped = false;                                 ///< geometry allows less than the samples do
+    bool within = false;                                  ///< the tolerance, in both directions
+    bool contradicted = false;  ///< an independent randomisation says otherwise; the interval holds both
+
+    [[nodiscard]] bool is_sampled() const { return !method || *method >= ExchangeMethod::points; }
 };
 
 struct RowSum {
@@ -62,9 +51,9 @@ struct RepairedFactors {
 
 /// Form factors between the faces of a scene. Reciprocal by construction: both directions share one exchange area.
 struct FormFactorMatrix {
-    FacePairs geometry;
+    std::vector<double> areas;            ///< of the faces
     std::size_t surfaces = 0;             ///< that were left when level ones had been joined
-    std::vector<FaceExchange> exchanges;  ///< as geometry.pairs
+    std::vector<FaceExchange> exchanges;  ///< (0,0), (0,1), .., (1,1), ..
     std::vector<RowSum> rows;
     double entry_level = 0;       ///< of each interval by itself
     std::uint64_t samples = 0;    ///< in all rounds
@@ -73,11 +62,18 @@ struct FormFactorMatrix {
     bool interrupted = false;
     std::optional<RepairedFactors> repaired;
 
+    [[nodiscard]] std::size_t faces() const { return areas.size(); }
+    [[nodiscard]] const FaceExchange& exchange(std::size_t a, std::size_t b) const {
+        return exchanges[pair_index(a, b, faces())];
+    }
     [[nodiscard]] Eigen::MatrixXd factors() const;
     /// Larger halves of the intervals.
     [[nodiscard]] Eigen::MatrixXd half_widths() const;
     [[nodiscard]] std::size_t missed() const;  ///< pairs of faces that are not within the tolerance
 };
+
+/// The larger half of a pair's interval, as a form factor of its smaller face.
+double worst_half_width(const FormFactorMatrix& matrix, const FaceExchange& exchange);
 
 /// Computes the matrix: exactly where geometry allows it, by sampling elsewhere (docs/form-factors.md). Surfaces of a
 /// face are joined first where they can be (core/joined_surfaces.hpp).

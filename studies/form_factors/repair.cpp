@@ -1,8 +1,12 @@
 #include "studies/form_factors/repair.hpp"
 
+#include "core/error.hpp"
 #include "core/radiosity/repair.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <utility>
 
 namespace ff::studies {
 namespace {
@@ -29,16 +33,22 @@ RepairedFactors repair(const FormFactorMatrix& matrix) {
             weights(i, j) = zero ? 0 : floor * floor / (width * width);
         }
     }
-    const Eigen::VectorXd areas = Eigen::Map<const Eigen::VectorXd>(matrix.geometry.areas.data(), factors.rows());
-    const Balanced balanced = balance(factors, weights, areas);
+    const Eigen::VectorXd areas = Eigen::Map<const Eigen::VectorXd>(matrix.areas.data(), factors.rows());
+    Balanced balanced = balance(factors, weights, areas);
+    return compare_repaired(matrix, std::move(balanced.factors), balanced.balanced);
+}
+
+RepairedFactors compare_repaired(const FormFactorMatrix& matrix, Eigen::MatrixXd repaired, bool possible) {
+    const Eigen::MatrixXd factors = matrix.factors();
+    const Eigen::MatrixXd widths = matrix.half_widths();
     RepairedFactors result;
-    result.factors = balanced.factors;
-    result.possible = balanced.balanced;
+    result.factors = std::move(repaired);
+    result.possible = possible;
     result.closure_before = closure_defect(factors);
-    result.closure_after = closure_defect(balanced.factors);
+    result.closure_after = closure_defect(result.factors);
     for (Eigen::Index i = 0; i < factors.rows(); ++i) {
         for (Eigen::Index j = 0; j < factors.cols(); ++j) {
-            const double change = std::abs(balanced.factors(i, j) - factors(i, j));
+            const double change = std::abs(result.factors(i, j) - factors(i, j));
             result.outside += change > std::max(widths(i, j), 1e-15);
             if (change <= result.largest_change) continue;
             result.largest_change = change;
@@ -47,6 +57,14 @@ RepairedFactors repair(const FormFactorMatrix& matrix) {
         }
     }
     return result;
+}
+
+void expect_repairable(const Scene& scene) {
+    if (scene.closed || scene.empty_box) return;
+    throw UserError(
+        fmt::format("--repair: scene '{}' is not said to be closed (its rows need not add up to 1). Say so in the "
+                    "scene file ('# closed', 'closed = true' or 'encl=1'), or leave --repair out.",
+                    scene.name));
 }
 
 }  // namespace ff::studies

@@ -8,4 +8,10 @@ namespace ff::studies {
 /// and are nowhere negative (core/radiosity/repair.hpp).
 RepairedFactors repair(const FormFactorMatrix& matrix);
 
+/// What repaired factors are beside those of the matrix.
+RepairedFactors compare_repaired(const FormFactorMatrix& matrix, Eigen::MatrixXd repaired, bool possible);
+
+/// @throws UserError for a scene that is not closed: nothing says what its rows add up to
+void expect_repairable(const Scene& scene);
+
 }  // namespace ff::studies

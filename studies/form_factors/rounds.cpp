@@ -12,6 +12,7 @@
 #include <limits>
 #include <map>
 #include <memory>
+#include <mutex>
 #include <numeric>
 
 namespace ff::studies {
@@ -35,6 +36,9 @@ class Rounds {
           alpha_(alpha),
           aim_{geometry, request.tolerance, round_level(alpha, 0)} {
         outcome_.estimates.resize(geometry.pairs.size());
+        progress_.pairs = geometry.pairs.size();
+        progress_.within = static_cast<std::size_t>(std::count_if(
+            geometry.pairs.begin(), geometry.pairs.end(), [](const FacePair& pair) { return !pair.is_sampled(); }));
     }
 
     SamplingOutcome find(bool rays_are_exact_enough) {
@@ -69,10 +73,13 @@ class Rounds {
     bool choosing_ = true;  ///< the first round is that of all candidates
     bool last_ = false;     ///< the budget ends with this round
     SamplingOutcome outcome_;
+    FormFactorProgress progress_;
+    std::mutex reporting_;
 
     void add_rays(const std::map<std::size_t, std::vector<std::size_t>>& rows) {
         if (rows.empty()) return;
-        if (!tracer_) tracer_ = make_tracer(scene_, TracerChoice::automatic);
+        if (!tracer_)
+            tracer_ = request_.tracer ? request_.tracer(scene_) : make_tracer(scene_, TracerChoice::automatic);
         for (const auto& [from, pairs] : rows) work_.push_back({Job(scene_, geometry_, from, pairs)});
     }
 
@@ -99,14 +106,34 @@ class Rounds {
                                     request_.max_samples, 2 * planned()));
     }
 
+    void begin_reporting() {
+        const bool counts = std::any_of(work_.begin(), work_.end(), [](const Work& work) { return !work.pilot; });
+        progress_.stage = counts ? FormFactorProgress::Stage::rounds : FormFactorProgress::Stage::pilots;
+        if (counts) ++progress_.round;
+    }
+
+    /// @param done  samples of this round; of a round of `all`
+    void report(std::uint64_t done, std::uint64_t all) {
+        if (!request_.report) return;
+        progress_.share = static_cast<double>(done) / static_cast<double>(all);
+        progress_.samples = outcome_.samples + done;
+        request_.report(progress_);
+    }
+
     void run_round() {
+        begin_reporting();
+        const std::uint64_t all = planned();
+        std::uint64_t done = 0;
         const std::string round = fmt::format("round {}", round_++);
         const std::size_t jobs = work_.size();
         for_each_index(jobs * randomisations, request_.threads, [&](std::uint64_t i) {
-            work_[i % jobs].job.run(tracer_.get(), request_.seed, round, static_cast<std::uint32_t>(i / jobs),
-                                    request_.stop);
+            Job& job = work_[i % jobs].job;
+            job.run(tracer_.get(), request_.seed, round, static_cast<std::uint32_t>(i / jobs), request_.stop);
+            const std::lock_guard lock(reporting_);
+            done += job.samples() / randomisations;
+            report(done, all);
         });
-        outcome_.samples += planned();
+        outcome_.samples += all;
         for (Work& work : work_) {
             work.has_run = true;
             if (work.job.by_points()) continue;
@@ -182,7 +209,9 @@ class Rounds {
                 record(work.job, pair, work.rounds);
                 const PairEstimate& estimate = outcome_.estimates[pair];
                 const double half_width = estimate_of(*estimate.sum, estimate.level).half_width();
-                done_[pair] = half_width <= aim_.wanted(pair) || work.rounds + 1 == most_rounds || last_;
+                const bool within = half_width <= aim_.wanted(pair);
+                if (within && !done_[pair]) ++progress_.within;
+                done_[pair] = within || work.rounds + 1 == most_rounds || last_;
                 if (!done_[pair]) open.push_back(pair);
             }
             if (open.empty()) continue;

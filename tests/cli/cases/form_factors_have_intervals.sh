@@ -12,8 +12,8 @@ expect_status 0
 expect_no_stderr
 expect_equal_files "$folder/promised" "$folder/stdout"
 
-# The files can be loaded as the document says, and hold the same.
-blocks python "$root/docs/form-factors.md" >load.py
+# The files can be loaded as the document says, and hold the same. (What needs pandas: tests/cli/examples_for_pandas_and_r.)
+blocks python "$root/docs/form-factors.md" 1 >load.py
 cat >>load.py <<'END'
 import csv, json
 rows = list(csv.DictReader(open("results/furnace/matrix.csv")))

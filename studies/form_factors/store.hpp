@@ -1,0 +1,33 @@
+#pragma once
+
+#include "studies/form_factors/form_factors.hpp"
+#include "studies/store.hpp"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace ff::studies {
+
+/// Version of the tables; docs/form-factors.md describes them.
+inline constexpr int form_factor_schema_version = 1;
+
+/// A matrix with all that it is of.
+struct KeptFormFactors {
+    std::string
+        source;   ///< of the scene: a built-in name, or name and text of a file (studies/scene_files/scene_file.hpp)
+    Scene scene;  ///< made of it
+    FormFactorRequest request;  ///< of which is kept what the result depends on
+    FormFactorMatrix matrix;
+    std::vector<std::string> warnings;
+    Context context;
+};
+
+/// Writes an SQLite file. @pre there is none of that name @throws IoError
+void save_form_factors(const std::filesystem::path& file, const KeptFormFactors& kept);
+
+/// Reads it. @throws UserError for a file that is something else or of another version; IoError where it is damaged or
+/// cannot be read
+KeptFormFactors load_form_factors(const std::filesystem::path& file);
+
+}  // namespace ff::studies

@@ -1,0 +1,45 @@
+#include "studies/form_factors/words.hpp"
+
+#include <array>
+
+namespace ff::studies {
+namespace {
+
+constexpr std::string_view bounds = "bounds";
+constexpr std::string_view no_time = "no time to sample it";
+constexpr std::string_view rays_of_row = "the rays of its row do as well";
+
+constexpr std::array every_method{ExchangeMethod::none, ExchangeMethod::closed_form, ExchangeMethod::contour,
+                                  ExchangeMethod::points, ExchangeMethod::rays};
+constexpr std::array every_reason{ExchangeReason::turned_away,  ExchangeReason::aligned, ExchangeReason::polygons,
+                                  ExchangeReason::blocked,      ExchangeReason::curved,  ExchangeReason::many_blockers,
+                                  ExchangeReason::many_surfaces};
+static_assert(every_method.size() == exchange_methods);
+
+}  // namespace
+
+std::string_view method_of(const FaceExchange& exchange) {
+    return exchange.method ? name(*exchange.method) : bounds;
+}
+
+std::string_view reason_of(const FaceExchange& exchange) {
+    if (!exchange.method) return no_time;
+    return exchange.by_rays_of_row ? rays_of_row : in_words(exchange.reason);
+}
+
+bool set_method(FaceExchange& exchange, std::string_view method, std::string_view reason) {
+    exchange.method.reset();
+    for (const ExchangeMethod known : every_method) {
+        if (method == name(known)) exchange.method = known;
+    }
+    exchange.by_rays_of_row = reason == rays_of_row;
+    if (!exchange.method) return method == bounds && reason == no_time;
+    if (exchange.by_rays_of_row) return exchange.method == ExchangeMethod::rays;
+    for (const ExchangeReason known : every_reason) {
+        exchange.reason = known;
+        if (reason == in_words(known)) return true;
+    }
+    return false;
+}
+
+}  // namespace ff::studies
