@@ -1,6 +1,7 @@
 #include "reports/html_view.hpp"
 
 #include "reports/labels.hpp"
+#include "reports/study_text.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -96,10 +97,10 @@ Json table_view(const Table& table) {
 
 Json reproduction_view(const studies::StudyResults& results) {
     const studies::StudySpec& spec = results.findings.plan.spec;
-    return {{"file", spec.name + ".toml"},
-            {"tables_file", spec.published ? spec.published->file : std::string()},
-            {"study_file", studies::to_toml(spec)},
-            {"program", program_label(results.context)}};
+    const StudyText study = study_text(spec);
+    return {{"file", spec.name + ".toml"}, {"tables_file", spec.published ? spec.published->file : std::string()},
+            {"study_file", study.text},    {"whole", study.whole},
+            {"kept", whole_study_is_kept}, {"program", program_label(results.context)}};
 }
 
 }  // namespace ff::reports

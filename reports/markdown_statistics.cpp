@@ -1,6 +1,7 @@
 #include "reports/labels.hpp"
 #include "reports/markdown_sections.hpp"
 #include "reports/numbers.hpp"
+#include "reports/study_text.hpp"
 #include "reports/verdicts.hpp"
 
 #include <fmt/format.h>
@@ -136,8 +137,9 @@ std::string bias_section(const studies::StudyResults& results) {
 
 std::string reproduction_section(const studies::StudyResults& results) {
     const studies::StudyPlan& plan = results.findings.plan;
-    std::string out = fmt::format("## To do it again\n\nSeed {}. The study, in full:\n\n```toml\n{}```\n\n",
-                                  plan.spec.seed.value, studies::to_toml(plan.spec));
+    const StudyText study = study_text(plan.spec);
+    std::string out = fmt::format("## To do it again\n\nSeed {}. {}\n\n```toml\n{}```\n\n", plan.spec.seed.value,
+                                  study.whole ? "The study, in full:" : whole_study_is_kept, study.text);
     out += "Everything above depends on these lines alone: not on threads, machine or interruptions.";
     if (const std::string program = program_label(results.context); !program.empty())
         out += fmt::format(" Made by {}.", program);
