@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <optional>
+#include <string_view>
 #include <vector>
 
 namespace ff::studies {
@@ -48,30 +50,105 @@ Judgement judge_class(const ClaimEvidence& evidence, const PublishedClaim& claim
                           class_errors(evidence, b.front(), pairs), evidence.findings().plan.spec.level);
 }
 
-/// The method of the study with the smallest mean error on a class, among those at the claim's size; all of them where
-/// nothing is left but rounding, which makes no winner.
-std::string best_of_study(const ClaimEvidence& evidence, const PublishedClaim& claim, const std::string& pair_class) {
+/// A method of the study, and its mean error on a class of pairs.
+struct Contender {
+    std::string name;
+    MeanWithError error;
+    bool deterministic = false;
+
+    [[nodiscard]] bool is_exact() const { return error.mean < rounding_percent; }
+};
+
+/// Sampled and quadrature methods at the claim's size, by mean error on a class of pairs.
+std::vector<Contender> contenders(const ClaimEvidence& evidence, const PublishedClaim& claim,
+                                  const std::string& pair_class) {
     const auto pairs = evidence.pairs(pair_class);
-    std::vector<std::string> exact;
-    std::string best;
-    double smallest = INFINITY;
-    for (std::size_t i = 0; i < evidence.findings().plan.cells.size(); ++i) {
-        const Cell& cell = evidence.findings().plan.cells[i];
-        const Method& method = evidence.findings().plan.spec.methods[cell.method];
+    const Findings& findings = evidence.findings();
+    std::vector<Contender> result;
+    for (std::size_t i = 0; i < findings.plan.cells.size(); ++i) {
+        const Cell& cell = findings.plan.cells[i];
+        const Method& method = findings.plan.spec.methods[cell.method];
         if (cell.scene != evidence.scene()) continue;
         const bool same_size = names(claim.patches_per_face, cell.subdivision.per_surface()) &&
                                (cell.deterministic || names(claim.samples_per_patch, cell.samples));
-        if (!same_size || method.estimator == Estimator::closed_form || evidence.findings().cells[i].trials == 0)
-            continue;
-        const double error =
-            mean_with_error(class_errors(evidence, i, pairs), evidence.findings().plan.spec.level).mean;
-        if (error < rounding_percent && std::find(exact.begin(), exact.end(), method.name) == exact.end())
-            exact.push_back(method.name);
-        if (error >= smallest) continue;
-        smallest = error;
-        best = fmt::format("{} ({:.2g} %)", method.name, error);
+        if (!same_size || method.estimator == Estimator::closed_form || findings.cells[i].trials == 0) continue;
+        result.push_back({method.name, mean_with_error(class_errors(evidence, i, pairs), findings.plan.spec.level),
+                          cell.deterministic});
     }
-    return exact.empty() ? best : fmt::format("{} (exact to rounding)", fmt::join(exact, ", "));
+    std::stable_sort(result.begin(), result.end(),
+                     [](const Contender& a, const Contender& b) { return a.error.mean < b.error.mean; });
+    return result;
+}
+
+/// The best; all of them where nothing is left but rounding, which makes no winner.
+std::string best_in_words(const std::vector<Contender>& sorted) {
+    if (sorted.empty()) return "none";
+    if (!sorted.front().is_exact()) return fmt::format("{} ({:.2g} %)", sorted.front().name, sorted.front().error.mean);
+    std::vector<std::string> exact;
+    for (const Contender& contender : sorted) {
+        if (contender.is_exact() && std::find(exact.begin(), exact.end(), contender.name) == exact.end())
+            exact.push_back(contender.name);
+    }
+    return fmt::format("{} (exact to rounding)", fmt::join(exact, ", "));
+}
+
+std::string named(const Contender& contender) {
+    return fmt::format("{} ({})", contender.name, percent(contender.error));
+}
+
+/// Whether, on a class of pairs, the best method of the kind that is advised errs less than the best of the other.
+struct RuleOnClass {
+    ClaimVerdict verdict = ClaimVerdict::inconclusive;
+    std::string evidence;
+};
+
+std::optional<RuleOnClass> judge_rule(const std::vector<Contender>& sorted, bool deterministic_advised) {
+    const auto best = [&](bool deterministic) {
+        return std::find_if(sorted.begin(), sorted.end(),
+                            [&](const Contender& contender) { return contender.deterministic == deterministic; });
+    };
+    const auto advised = best(deterministic_advised);
+    const auto other = best(!deterministic_advised);
+    if (advised == sorted.end() || other == sorted.end()) return std::nullopt;
+    RuleOnClass rule;
+    rule.evidence = fmt::format("{} against {}", named(*advised), named(*other));
+    if (advised->error.high() < other->error.low()) rule.verdict = ClaimVerdict::supported;
+    if (advised->error.low() > other->error.high()) rule.verdict = ClaimVerdict::refuted;
+    return rule;
+}
+
+ClaimVerdict both(ClaimVerdict a, ClaimVerdict b) {
+    if (a == ClaimVerdict::refuted || b == ClaimVerdict::refuted) return ClaimVerdict::refuted;
+    return a == b ? a : ClaimVerdict::inconclusive;
+}
+
+std::string_view right_or_wrong(ClaimVerdict verdict) {
+    switch (verdict) {
+        case ClaimVerdict::supported:
+            return "right";
+        case ClaimVerdict::refuted:
+            return "wrong";
+        case ClaimVerdict::inconclusive:
+            break;
+    }
+    return "neither shown to be right nor to be wrong";
+}
+
+/// The advice itself: as between the two methods, and as a rule about their kinds where others of the study are better.
+std::string advice_in_words(const PublishedClaim& claim, ClaimVerdict verdict, const std::vector<Contender>& parallel,
+                            const std::vector<Contender>& adjacent, double level) {
+    std::string words = fmt::format(
+        "Between these two methods the advice ({} for parallel faces, {} for perpendicular ones) was {}, with {:g} % "
+        "confidence.",
+        claim.methods[0], claim.methods[1], right_or_wrong(verdict), 100 * level);
+    const auto on_parallel = judge_rule(parallel, true);
+    const auto on_adjacent = judge_rule(adjacent, false);
+    if (!on_parallel || !on_adjacent) return words + " ";
+    return words + fmt::format(
+                       " As a rule (deterministic for parallel faces, Monte Carlo for perpendicular ones) it was {} "
+                       "among the methods of this study at this size: on parallel pairs {}, on perpendicular ones {}. ",
+                       right_or_wrong(both(on_parallel->verdict, on_adjacent->verdict)), on_parallel->evidence,
+                       on_adjacent->evidence);
 }
 
 }  // namespace
@@ -91,15 +168,19 @@ Judgement judge_smaller_error(const ClaimEvidence& evidence, const PublishedClai
 Judgement judge_division(const ClaimEvidence& evidence, const PublishedClaim& claim) {
     const Judgement parallel = judge_class(evidence, claim, 0, 1, "parallel");
     const Judgement adjacent = judge_class(evidence, claim, 1, 0, "adjacent");
-    Judgement judgement{ClaimVerdict::inconclusive, parallel.evidence + " " + adjacent.evidence};
-    if (parallel.verdict == ClaimVerdict::supported && adjacent.verdict == ClaimVerdict::supported)
-        judgement.verdict = ClaimVerdict::supported;
-    if (parallel.verdict == ClaimVerdict::refuted || adjacent.verdict == ClaimVerdict::refuted)
-        judgement.verdict = ClaimVerdict::refuted;
-    judgement.evidence += fmt::format(
-        " Of all sampled and quadrature methods of this study at this size, best on parallel pairs: {}; on "
-        "adjacent ones: {}.",
-        best_of_study(evidence, claim, "parallel"), best_of_study(evidence, claim, "adjacent"));
+    return {both(parallel.verdict, adjacent.verdict),
+            fmt::format("{} {} Of all sampled and quadrature methods of this study at this size, best on parallel "
+                        "pairs: {}; on adjacent ones: {}.",
+                        parallel.evidence, adjacent.evidence, best_in_words(contenders(evidence, claim, "parallel")),
+                        best_in_words(contenders(evidence, claim, "adjacent")))};
+}
+
+Judgement judge_advice(const ClaimEvidence& evidence, const PublishedClaim& claim) {
+    Judgement judgement = judge_division(evidence, claim);
+    if (evidence.cells(claim, 0).empty() || evidence.cells(claim, 1).empty()) return judgement;
+    judgement.evidence = advice_in_words(claim, judgement.verdict, contenders(evidence, claim, "parallel"),
+                                         contenders(evidence, claim, "adjacent"), evidence.findings().plan.spec.level) +
+                         judgement.evidence;
     return judgement;
 }
 

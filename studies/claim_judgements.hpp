@@ -35,6 +35,9 @@ Judgement judge_smaller_sum_error(const ClaimEvidence& evidence, const Published
 Judgement judge_smaller_error(const ClaimEvidence& evidence, const PublishedClaim& claim);
 /// First method better on parallel pairs and second on adjacent ones.
 Judgement judge_division(const ClaimEvidence& evidence, const PublishedClaim& claim);
+/// The same, as advice: the evidence begins with whether it was right between the two methods, and as a rule for
+/// deterministic and sampled ones.
+Judgement judge_advice(const ClaimEvidence& evidence, const PublishedClaim& claim);
 
 // Errors pair by pair within a run (studies/claim_pairs.cpp).
 Judgement judge_count(const ClaimEvidence& evidence, const PublishedClaim& claim);

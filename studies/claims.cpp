@@ -49,7 +49,7 @@ constexpr std::array kinds{
     Kind{"uniform_error", Basis::runs, judge_uniform},
     Kind{"nonuniform_error", Basis::runs, judge_nonuniform},
     Kind{"no_single_best", Basis::means, judge_division},
-    Kind{"best_per_class", Basis::means, judge_division},
+    Kind{"best_per_class", Basis::means, judge_advice},
 };
 
 }  // namespace

@@ -211,6 +211,30 @@ TEST(Division, MakesNoWinnerOfRounding) {
     EXPECT_THAT(found.evidence, testing::HasSubstr("best on parallel pairs: D (exact to rounding)"));
 }
 
+TEST(Advice, IsJudgedBetweenTwoMethodsAndAsARule) {
+    const auto advice = claim("best_per_class", {"D", "A"});
+    const auto evidence = [&](const Errors& a, const Errors& b, const Errors& d) {
+        return judged(trials({a, a, b, d}), advice).evidence;
+    };
+    const auto says = [](const char* between, const char* rule) {
+        return testing::AllOf(
+            testing::StartsWith(fmt::format("Between these two methods the advice (D for parallel faces, A for "
+                                            "perpendicular ones) was {}, with 95 % confidence. As a rule",
+                                            between)),
+            testing::HasSubstr(fmt::format("it was {} among the methods of this study", rule)));
+    };
+    const Errors exact_on_parallel{1e-15, 1e-3};
+    EXPECT_THAT(evidence({1e-4, 1e-4}, {1e-2, 1e-2}, exact_on_parallel), says("right", "right"));
+    EXPECT_THAT(evidence({1e-4, 1e-2}, {1e-2, 1e-4}, exact_on_parallel), says("wrong", "right"));
+    EXPECT_THAT(evidence({1e-2, 1e-4}, {1e-4, 1e-2}, {1e-3, 1e-3}), says("right", "wrong"));
+    EXPECT_THAT(evidence({1e-2, 1.25e-3}, {1e-2, 1e-2}, {1e-3, 1e-3}),
+                says("neither shown to be right nor to be wrong", "neither shown to be right nor to be wrong"));
+    EXPECT_THAT(evidence({1e-4, 1e-4}, {1e-2, 1e-2}, exact_on_parallel),
+                testing::AllOf(testing::HasSubstr("on parallel pairs D (exact to rounding) against A (0.00"),
+                               testing::HasSubstr("%), on perpendicular ones A (0.00"), testing::HasSubstr(" ± 0.00"),
+                               testing::HasSubstr(" %) against D (0.1 %). ")));
+}
+
 TEST(Claims, AboutWhatTheStudyDoesNotHaveAreInconclusive) {
     PublishedTables tables = about_the_cube();
     for (const char* kind :
