@@ -9,17 +9,34 @@
 
 #include <fmt/format.h>
 
+#include <string_view>
+
 namespace ff::reports {
 namespace {
 
-Mark mark_of(const studies::CellFindings& found) {
-    if (!found.bias || found.bias_finding == studies::BiasFinding::untestable) return Mark::open;
-    return found.bias_finding == studies::BiasFinding::biased ? Mark::bad : Mark::good;
+std::string_view why_no_interval(studies::VarianceStatus variance) {
+    switch (variance) {
+        case studies::VarianceStatus::infinite:
+            return "infinite variance";
+        case studies::VarianceStatus::sparse:
+            return "too few hits";
+        case studies::VarianceStatus::undefined:
+            return "infinity or no number in some trials";
+        case studies::VarianceStatus::finite:
+        case studies::VarianceStatus::none:
+            break;
+    }
+    return "no spread";
 }
 
-std::string verdict(const studies::CellFindings& found) {
-    if (!found.bias) return "deterministic";
-    return found.bias_finding == studies::BiasFinding::no_bias_found ? "agrees" : bias_in_words(found);
+/// The bias test is of all pairs of a scene: a pair that could not be tested does not agree because others do.
+TableCell verdict(const studies::ConfigurationEstimate& row) {
+    const studies::CellFindings& found = *row.found;
+    if (!found.bias) return {"deterministic", Mark::open};
+    if (found.bias_finding == studies::BiasFinding::biased) return {bias_in_words(found), Mark::bad};
+    if (found.bias_finding == studies::BiasFinding::untestable) return {bias_in_words(found), Mark::open};
+    if (!row.interval) return {fmt::format("no interval: {}", why_no_interval(row.variance)), Mark::open};
+    return {"agrees", Mark::good};
 }
 
 std::string interval_of(const studies::ConfigurationEstimate& estimate) {
@@ -58,7 +75,7 @@ Table configurations_table(const studies::StudyResults& results) {
              {interval_of(row)},
              {fmt::format("{:.12f}", row.exact)},
              {row.standard_errors ? fmt::format("{:+.2f} SE", *row.standard_errors) : fmt::format("{:+.1e}", row.bias)},
-             {verdict(*row.found), mark_of(*row.found)}});
+             verdict(row)});
     }
     return table;
 }

@@ -27,6 +27,7 @@ std::optional<ConfigurationEstimate> estimate_of(const Scene& scene, const CellF
     estimate.exact = offset + factor * *summary.reference;
     estimate.bias = factor * summary.bias.value_or(0);
     estimate.error = std::abs(factor) * summary.bias_se.value_or(std::abs(summary.bias.value_or(0)));
+    estimate.variance = summary.variance;
     if (summary.bias_interval) {
         stats::Interval interval = *summary.bias_interval;
         interval.low = estimate.exact + factor * summary.bias_interval->low;

@@ -18,8 +18,9 @@ struct ConfigurationEstimate {
     double exact = 0;
     double error = 0;                         ///< standard error; of a deterministic method |mean - exact|
     std::optional<stats::Interval> interval;  ///< of the mean, at the study's level; empty without trials that vary
-    double bias = 0;                          ///< mean - exact
-    std::optional<double> standard_errors;    ///< bias in standard errors
+    VarianceStatus variance = VarianceStatus::finite;  ///< why there may be none
+    double bias = 0;                                   ///< mean - exact
+    std::optional<double> standard_errors;             ///< bias in standard errors
 };
 
 /// In the order of the catalogue, then of the cells. Empty where no scene is one of the catalogue. Points into

@@ -47,6 +47,10 @@ rows() { sed -nE 's/^([a-z_0-9]+) +(.*, (1 × [0-9]+ [a-z]+|exact)) .* (0\.[0-9]
 ffstudy run catalogue --trials 8 --out catalogue
 expect_status 0
 ! grep -q BIASED "$folder/stdout" || fail "the study of the catalogue finds a bias"
+for text in "$folder/stdout" "$root/docs/catalogue.md"; do
+    ! grep -E '  –  .*agrees' "$text" >&2 || fail "an estimate without an interval agrees with anything"
+    [ "$(grep -cE '  –  .*no interval: infinite variance' "$text")" -eq 3 ] || fail "expected 3 pairs without an interval"
+done
 rows <"$folder/stdout" >"$folder/shown"
 rows <"$root/docs/catalogue.md" >"$folder/promised"
 [ "$(wc -l <"$folder/promised")" -eq 85 ] || fail "docs/catalogue.md does not show the study"
