@@ -78,6 +78,15 @@ for table in $(grep -oE 'CREATE (TABLE|VIEW) [a-z_]+' "$root/studies/form_factor
     grep -Fq "\`$table\`" "$root/docs/form-factors.md" || fail "docs/form-factors.md does not explain $table"
 done
 
+# Where the disk is full nothing is left that looks like a file.
+(
+    ulimit -f 12  # KiB
+    ffstudy form_factors cube --out full
+    expect_status 3
+    expect_stderr "form_factors.sqlite"
+    [ -z "$(ls full)" ] || fail "expected no files, found: $(ls full)"
+)
+
 # What is something else.
 cd "$folder" && mkdir refused && cd refused
 cp ../work/results/furnace/form_factors.sqlite "$folder/store.sqlite"
