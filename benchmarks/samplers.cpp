@@ -31,7 +31,7 @@ void fill_sets(benchmark::State& state, const PointSource& source) {
 }
 
 void register_sampler(const samplers::CatalogueEntry& sampler, std::uint64_t points) {
-    const samplers::PointSetSpec spec{.points = points, .source_nodes = 5, .target_nodes = 5};
+    [[maybe_unused]] const samplers::PointSetSpec spec{.points = points, .source_nodes = 5, .target_nodes = 5};
     const std::string name = "samplers/" + std::string(sampler.info.name) + "/" + std::to_string(points);
 #ifndef __clang_analyzer__  // which does not see that the library keeps what is registered
     benchmark::RegisterBenchmark(name.c_str(), [&sampler, spec](benchmark::State& state) {

@@ -20,7 +20,7 @@ constexpr std::size_t most_rows_of_a_page = 40;
 constexpr std::size_t longest_line = 26;  // a longer text is broken
 
 std::string set_cell(const TableCell& cell) {
-    const std::string text = latex_with_numbers(cell.text);
+    std::string text = latex_with_numbers(cell.text);
     switch (cell.mark) {
         case Mark::misprint:
             return text + "\\ensuremath{^\\dagger}";
@@ -157,7 +157,7 @@ std::string latex_table(const Table& table, const Templates& templates) {
     for (const auto& row : shown.rows) {
         const bool heading = row.size() == 1 && shown.columns.size() > 1;
         if (heading && !rows.empty()) rows.emplace_back("\\addlinespace");
-        rows.push_back(heading ? fmt::format("\\multicolumn{{{}}}{{l}}{{\\textit{{{}}}}} \\\\", shown.columns.size(),
+        rows.push_back(heading ? fmt::format(R"(\multicolumn{{{}}}{{l}}{{\textit{{{}}}}} \\)", shown.columns.size(),
                                              escape_latex(row.front().text))
                                : set_row(row));
     }

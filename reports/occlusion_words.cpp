@@ -13,7 +13,6 @@ namespace {
 
 using studies::HiddenPair;
 using studies::OcclusionSeries;
-using studies::PairError;
 using studies::StudyResults;
 
 /// The slope of random points, which no other set of points should fall short of.

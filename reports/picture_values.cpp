@@ -7,8 +7,8 @@
 
 namespace ff::reports {
 
-PictureValues::PictureValues(std::vector<std::string> columns) {
-    json_["columns"] = std::move(columns);
+PictureValues::PictureValues(const std::vector<std::string>& columns) {
+    json_["columns"] = columns;
     json_["rows"] = nlohmann::ordered_json::array();
 }
 

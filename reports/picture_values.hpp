@@ -11,7 +11,7 @@ namespace ff::reports {
 /// The numbers of a picture, column by column named, as Picture::values wants them.
 class PictureValues {
   public:
-    explicit PictureValues(std::vector<std::string> columns);
+    explicit PictureValues(const std::vector<std::string>& columns);
 
     void add(nlohmann::ordered_json row) { json_["rows"].push_back(std::move(row)); }
     void set(const std::string& key, nlohmann::ordered_json value) { json_[key] = std::move(value); }

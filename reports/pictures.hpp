@@ -48,7 +48,7 @@ std::optional<PictureGroup> radiosity_pictures(const studies::StudyResults& resu
 /// The unfolded box in radiant exitance, with exact factors and as methods give it, and where that errs.
 std::vector<Picture> exitance_pictures(const studies::StudyResults& results, std::size_t scene);
 
-std::optional<Picture> unfolded_picture(const studies::StudyResults& results, std::size_t cell);
+std::optional<Picture> unfolded_picture(const studies::StudyResults& results, std::size_t index);
 std::optional<Picture> estimates_picture(const studies::StudyResults& results, std::size_t cell);
 std::optional<Picture> bias_picture(const studies::StudyResults& results, std::size_t cell);
 /// Box plots, histogram, quantiles.

@@ -154,12 +154,12 @@ std::vector<std::size_t> lit_cells(const studies::StudyPlan& plan, std::size_t s
         by_cost[studies::evaluations_per_trial(plan, cell)].push_back(i);
         all.push_back(i);
     }
-    for (auto group = by_cost.rbegin(); group != by_cost.rend(); ++group) {
+    const auto dearest = std::find_if(by_cost.rbegin(), by_cost.rend(), [&](const auto& group) {
         std::set<std::size_t> methods;
-        for (const std::size_t cell : group->second) methods.insert(plan.cells[cell].method);
-        if (methods.size() > 1) return group->second;
-    }
-    return all;
+        for (const std::size_t cell : group.second) methods.insert(plan.cells[cell].method);
+        return methods.size() > 1;
+    });
+    return dearest == by_cost.rend() ? all : dearest->second;
 }
 
 std::string percent(double share, int digits) {

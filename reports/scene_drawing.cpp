@@ -138,7 +138,8 @@ std::string scene_drawing(const Scene& scene) {
         escape_html(scene.name), size.x(), size.y(), size.x(), size.y());
     for (const Drawn& each : drawn) {
         for (const Line& line : each.lines) {
-            out += !is_of_face(*each.surface) ? "<polyline stroke-dasharray=\"3 2\" points=\"" : "<polyline points=\"";
+            out +=
+                !is_of_face(*each.surface) ? R"(<polyline stroke-dasharray="3 2" points=")" : R"(<polyline points=")";
             for (std::size_t i = 0; i < line.size(); ++i) {
                 const Vector2d at = frame.at(line[i]);
                 out += fmt::format("{}{:.1f},{:.1f}", i == 0 ? "" : " ", at.x(), at.y());

@@ -33,7 +33,9 @@ struct Axis {
 std::vector<std::string> row_labels(const Axis& y) {
     std::vector<std::string> labels(y.cells);
     const auto row = [&](double value) { return y.cells - 1 - y.cell(value); };
-    for (double power = std::ceil(std::log10(y.low)); power <= std::log10(y.high); ++power)
+    const auto first = static_cast<int>(std::ceil(std::log10(y.low)));
+    const auto last = static_cast<int>(std::floor(std::log10(y.high)));
+    for (int power = first; power <= last; ++power)
         labels[row(std::pow(10.0, power))] = brief(std::pow(10.0, power), 2);
     const auto label_end = [&](std::size_t end, std::size_t neighbour, double value) {
         if (labels[end].empty() && labels[neighbour].empty()) labels[end] = brief(value, 2);

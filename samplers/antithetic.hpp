@@ -20,16 +20,16 @@ class Antithetic {
     static_assert(Sampler::info.randomised && Sampler::info.equal_weights);
     static_assert(Sampler::info.sizes == Sizes::any || Sampler::info.sizes == Sizes::powers);
 
-    static constexpr auto name_ = [] {
+    static constexpr auto text_of_name = [] {
         if constexpr (std::is_same_v<Sampler, Random>) {
             return fixed("antithetic");
         } else {
             return join(fixed("antithetic_"), fixed_name<Sampler>());
         }
     }();
-    static constexpr auto summary_ =
+    static constexpr auto text_of_summary =
         join(fixed("points of `"), fixed_name<Sampler>(), fixed("`, each followed by its mirror image"));
-    static constexpr auto details_ =
+    static constexpr auto text_of_details =
         join(fixed("Antithetic variates: points 2k and 2k + 1 are point k of `"), fixed_name<Sampler>(),
              fixed("` and its reflection in the centre of the cube, u and 1 - u. An integrand that is odd about the "
                    "centre is integrated exactly by every pair; one that is even costs twice as much as without. The "
@@ -41,9 +41,9 @@ class Antithetic {
 
   public:
     static constexpr SamplerInfo info{
-        .name = name_.view(),
-        .summary = summary_.view(),
-        .details = details_.view(),
+        .name = text_of_name.view(),
+        .summary = text_of_summary.view(),
+        .details = text_of_details.view(),
         .reference = "hammersley1956",
         .sizes = Sampler::info.sizes,
         .base = Sampler::info.base,

@@ -15,6 +15,7 @@ struct FixedText {
 };
 
 template <std::size_t size>
+// NOLINTNEXTLINE(modernize-avoid-c-arrays): the type of a literal
 constexpr FixedText<size - 1> fixed(const char (&literal)[size]) {
     FixedText<size - 1> text;
     std::copy_n(literal, size - 1, text.characters.begin());

@@ -35,9 +35,9 @@ std::vector<double> squared_deviations(std::span<const double> errors, const std
 
 /// Mean over trials of each pair.
 std::vector<double> pair_means(std::span<const double> errors, std::size_t pairs) {
-    const auto trials = static_cast<double>(errors.size() / pairs);
+    const std::size_t trials = errors.size() / pairs;
     std::vector<double> means(pairs, 0.0);
-    for (std::size_t i = 0; i < errors.size(); ++i) means[i % pairs] += errors[i] / trials;
+    for (std::size_t i = 0; i < errors.size(); ++i) means[i % pairs] += errors[i] / static_cast<double>(trials);
     return means;
 }
 

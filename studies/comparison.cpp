@@ -208,7 +208,7 @@ std::vector<TableComparison> compare_with_published(const Store& store, const Fi
                 compare(loaded.first->second, findings.cells[*comparison.cell], figure, findings.plan.spec.level,
                         comparison);
             }
-            table.figures.push_back(std::move(comparison));
+            table.figures.push_back(comparison);
         }
         adjust_for_multiplicity(tables, table);
         add_chi_squared(tables, findings, estimates, table);

@@ -12,7 +12,7 @@ namespace ff::studies {
 std::vector<std::uint64_t> read_coverage(const TomlReader& reader, std::uint64_t trials) {
     static constexpr std::array<std::string_view, 1> known{"replicates"};
     reader.expect_only(known);
-    const auto replicates = reader.counts("replicates");
+    auto replicates = reader.counts("replicates");
     for (const std::uint64_t r : replicates) {
         if (r >= 3 && r <= trials / 2) continue;
         reader.fail("replicates", fmt::format("(3 to {} of the study's {} trials make a group). Try [5, 10, 20, 30] "

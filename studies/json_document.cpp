@@ -28,11 +28,13 @@ TextPosition position_of(std::string_view text, std::size_t byte) {
 /// Reads the text and lets the builder see how far the parser has come: nlohmann's events carry no positions.
 class CountingIterator {
   public:
+    // NOLINTBEGIN(readability-identifier-naming): names that the standard asks for
     using iterator_category = std::input_iterator_tag;
     using value_type = char;
     using difference_type = std::ptrdiff_t;
     using pointer = const char*;
     using reference = const char&;
+    // NOLINTEND(readability-identifier-naming)
 
     CountingIterator(const char* at, const char** reached) : at_(at), reached_(reached) {}
     reference operator*() const { return *at_; }

@@ -74,8 +74,8 @@ void copy_rows(const Store& store, const std::filesystem::path& file) {
     sqlite3* database = store.database().handle();
     Statement(database, "ATTACH ? AS source").bind(0, std::string_view(file.native())).run();
     for (const char* sql : {"BEGIN IMMEDIATE",
-                            "INSERT INTO main.observations SELECT * FROM source.observations WHERE true "
-                            "ORDER BY cell, observable, from_face, to_face, trial ON CONFLICT DO NOTHING",
+                            R"(INSERT INTO main.observations SELECT * FROM source.observations WHERE true
+                               ORDER BY cell, observable, from_face, to_face, trial ON CONFLICT DO NOTHING)",
                             "INSERT INTO main.units SELECT * FROM source.units WHERE true ON CONFLICT DO NOTHING",
                             "COMMIT", "DETACH source"}) {
         Statement(database, sql).run();

@@ -51,7 +51,7 @@ Quantity parse_quantity(const JsonReader& reader, const JsonValue& value) {
 }
 
 Quantity read_quantity(const JsonReader& reader, const JsonValue& value, const Scene& scene) {
-    const Quantity quantity = parse_quantity(reader, value);
+    Quantity quantity = parse_quantity(reader, value);
     if (!quantity.to.empty() && quantity.from == quantity.to) {
         reader.fail(value, fmt::format("a form factor of face \"{}\" to itself (faces are flat and do not see "
                                        "themselves). Correct the row's quantity.",
@@ -75,7 +75,7 @@ Column read_column(const JsonReader& reader, const JsonValue& value, const Publi
     if (std::find(methods.begin(), methods.end(), column.method) == methods.end()) {
         const std::string nearest = nearest_name(column.method, methods);
         reader.fail(method,
-                    fmt::format("\"{}\" is not among the file's \"methods\".{}", column.method,
+                    fmt::format(R"("{}" is not among the file's "methods".{})", column.method,
                                 nearest.empty() ? std::string{} : fmt::format(" Did you mean \"{}\"?", nearest)));
     }
     column.patches_per_face = read_patches(reader, reader.member(value, "patches_per_face", "the column"));
@@ -111,7 +111,7 @@ void read_row(const JsonReader& reader, const JsonValue& value, const Scene& sce
     table.row_titles.push_back(title.empty() ? quantity_value.text : title);
     for (std::size_t c = 0; c < cells.size(); ++c) {
         if (cells[c].kind == Kind::null) {
-            table.figures.push_back(std::nullopt);
+            table.figures.emplace_back(std::nullopt);
             continue;
         }
         Figure figure;
@@ -135,7 +135,7 @@ void read_row(const JsonReader& reader, const JsonValue& value, const Scene& sce
         figure.printed = reader.number_as_printed(cells[c], "printed");
         figure.line = cells[c].position.line;
         figure.character = cells[c].position.column;
-        table.figures.push_back(tables.figures.size());
+        table.figures.emplace_back(tables.figures.size());
         tables.figures.push_back(std::move(figure));
     }
 }
@@ -181,7 +181,7 @@ void read_reading(const JsonReader& reader, const JsonValue& value, PublishedTab
         reading.rays_per_face.push_back(reader.count(count, "rays_per_face", 1e15));
     }
     if (reading.rays_per_face.size() != table->column_titles.size()) {
-        reader.fail(rays, fmt::format("\"rays_per_face\" has {} entries but table \"{}\" {} columns.",
+        reader.fail(rays, fmt::format(R"("rays_per_face" has {} entries but table "{}" {} columns.)",
                                       reading.rays_per_face.size(), table->id, table->column_titles.size()));
     }
     tables.readings.push_back(std::move(reading));

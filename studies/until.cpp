@@ -95,12 +95,13 @@ std::uint64_t needed_trials(const Store& store, std::size_t cell) {
 
 std::vector<bool> needed_units(const Store& store) {
     const StudyPlan& plan = store.plan();
-    if (!plan.spec.until) return std::vector<bool>(plan.units.size(), true);
+    std::vector<bool> needed(plan.units.size(), true);
+    if (!plan.spec.until) return needed;
     const auto finished = store.finished_units();
     std::vector<std::uint64_t> trials;
     for (std::size_t cell = 0; cell < plan.cells.size(); ++cell) trials.push_back(needed_trials(store, cell, finished));
-    std::vector<bool> needed;
-    for (const WorkUnit& unit : plan.units) needed.push_back(unit.first_trial < trials[unit.cell]);
+    std::transform(plan.units.begin(), plan.units.end(), needed.begin(),
+                   [&](const WorkUnit& unit) { return unit.first_trial < trials[unit.cell]; });
     return needed;
 }
 

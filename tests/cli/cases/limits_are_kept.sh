@@ -14,7 +14,23 @@ expect_in_file long/report.md "Partial result"
 ffstudy run "$folder/study.toml" --max-time 1d --out enough
 expect_status 0
 expect_same_results whole enough
-rm -r whole enough long
+rm -r enough long
+
+# A run that grows beyond what was expected ends in order: here with 600 MiB that no plan knows of.
+cat >"$folder/ballast.cpp" <<'END'
+#include <vector>
+static const std::vector<char> ballast(600 << 20, 1);
+END
+"${CXX:-c++}" -shared -fPIC -o "$folder/ballast.so" "$folder/ballast.cpp"
+sed 's/^trials = 20/trials = 400000/' "$folder/study.toml" >"$folder/longer.toml"
+LD_PRELOAD=$folder/ballast.so ffstudy run "$folder/longer.toml" --max-memory 500M --max-time 30 --threads 1 --out grown
+expect_status 130
+expect_stderr "of memory are in use, more than --max-memory."
+expect_in_file grown/report.md "Partial result"
+LD_PRELOAD=$folder/ballast.so ffstudy run "$folder/study.toml" --max-memory 1G --threads 1 --out within
+expect_status 0
+expect_same_results whole within
+rm -r whole grown within
 
 # A limit of memory costs threads, then it is refused.
 sed 's/^trials = 20/trials = 20000/' "$folder/study.toml" >"$folder/large.toml"

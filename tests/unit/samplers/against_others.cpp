@@ -31,9 +31,18 @@ TEST(AgainstScipy, SobolPointsAreTheSameInGrayCodeOrder) {
 // python3 -c "from scipy.stats import qmc
 // print((qmc.Halton(4, scramble=False).random(12) * [16, 27, 25, 49] + 1e-9).astype(int).tolist())"
 TEST(AgainstScipy, HaltonPointsAreTheSameButForTheDigitPermutations) {
-    constexpr std::uint32_t expected[12][4] = {{0, 0, 0, 0},    {8, 9, 5, 7},    {4, 18, 10, 14}, {12, 3, 15, 21},
-                                               {2, 12, 20, 28}, {10, 21, 1, 35}, {6, 6, 6, 42},   {14, 15, 11, 1},
-                                               {1, 24, 16, 8},  {9, 1, 21, 15},  {5, 10, 2, 22},  {13, 19, 7, 29}};
+    constexpr std::array<std::array<std::uint32_t, 4>, 12> expected{{{0, 0, 0, 0},
+                                                                     {8, 9, 5, 7},
+                                                                     {4, 18, 10, 14},
+                                                                     {12, 3, 15, 21},
+                                                                     {2, 12, 20, 28},
+                                                                     {10, 21, 1, 35},
+                                                                     {6, 6, 6, 42},
+                                                                     {14, 15, 11, 1},
+                                                                     {1, 24, 16, 8},
+                                                                     {9, 1, 21, 15},
+                                                                     {5, 10, 2, 22},
+                                                                     {13, 19, 7, 29}}};
     constexpr std::array<std::uint64_t, 4> cells{16, 27, 25, 49};
     for (std::uint32_t trial = 0; trial < 20; ++trial) {
         PointBlock block;

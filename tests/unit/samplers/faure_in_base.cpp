@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <vector>
 
 namespace ff::samplers {
@@ -26,7 +27,7 @@ template <std::uint32_t base>
 bool is_net(const PointBlock& block) {
     for (std::size_t a = 0; a < 4; ++a) {
         for (std::size_t b = a; b < 4; ++b) {
-            std::vector<bool> hit(base * base, false);
+            std::vector<bool> hit(integer_power(base, 2), false);
             for (std::size_t i = 0; i < block.size; ++i) {
                 const std::uint64_t x = block.coordinate[a][i];
                 const std::uint64_t y = block.coordinate[b][i];
@@ -40,7 +41,7 @@ bool is_net(const PointBlock& block) {
 
 template <std::uint32_t base>
 void expect_nets() {
-    for (const PointIndex first : {PointIndex{0}, PointIndex{base * base}, PointIndex{5 * base * base}}) {
+    for (const PointIndex first : {PointIndex{0}, PointIndex{base} * base, PointIndex{5} * base * base}) {
         EXPECT_TRUE(is_net<base>(points_of<base>(integer_power(base, 4), first, base * base))) << base << ' ' << first;
     }
     EXPECT_FALSE(is_net<base>(points_of<base>(integer_power(base, 4), 1, base * base))) << base;
@@ -71,7 +72,7 @@ TEST(FaureInBase, HasOnePointInEachBoxOfAFourFoldPartition) {
 // a = [i // b**k % b for k in range(3)]
 // for d in range(4): print([sum(comb(k, j) * d**(k - j) * a[k] for k in range(j, 3)) % b for j in range(3)])"
 TEST(FaureDigits, InBaseSevenAreThePascalMatrixTimesTheDigitsOfTheIndex) {
-    const std::uint32_t expected[4][3] = {{2, 0, 2}, {4, 4, 2}, {3, 1, 2}, {6, 5, 2}};
+    const std::array<std::array<std::uint32_t, 3>, 4> expected{{{2, 0, 2}, {4, 4, 2}, {3, 1, 2}, {6, 5, 2}}};
     for (std::size_t d = 0; d < 4; ++d) {
         for (std::size_t j = 0; j < 3; ++j) EXPECT_EQ(faure_digits<7>(100, d)[j], expected[d][j]) << d << j;
     }

@@ -24,6 +24,7 @@ struct Integral {
 };
 
 /// How gtest prints a parameter.
+// NOLINTNEXTLINE(readability-identifier-naming): gtest's name
 inline void PrintTo(const Integral& integral, std::ostream* out) {
     *out << integral.name;
 }

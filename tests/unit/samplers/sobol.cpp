@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 
 namespace ff::samplers {
 namespace {
@@ -41,7 +42,8 @@ test::Coordinates mapped(unsigned m, PointIndex first, Map map) {
 
 TEST(SobolDirections, GiveTheFirstPointsOfJoeAndKuo) {
     // Points 1 to 4 in natural order, times 8, by hand from new-joe-kuo-6: m = (1), (1), (1, 3), (1, 3, 1).
-    const std::uint32_t expected[4][4] = {{4, 4, 4, 4}, {2, 6, 6, 6}, {6, 2, 2, 2}, {1, 5, 3, 1}};
+    const std::array<std::array<std::uint32_t, 4>, 4> expected{
+        {{4, 4, 4, 4}, {2, 6, 6, 6}, {6, 2, 2, 2}, {1, 5, 3, 1}}};
     for (std::uint32_t i = 0; i < 4; ++i) {
         for (std::size_t d = 0; d < 4; ++d) EXPECT_EQ(sobol_coordinate(i + 1, d), expected[i][d] << 29) << i << d;
     }

@@ -19,18 +19,18 @@ constexpr std::string_view rays = test::random_rays;
 class LoadStudy : public testing::Test {
   protected:
     std::filesystem::path write(std::string_view name, std::string_view text) const {
-        std::ofstream(folder_.path() / name) << text;
-        return folder_.path() / name;
+        std::ofstream(folder.path() / name) << text;
+        return folder.path() / name;
     }
     std::filesystem::path study_with_tables() const {
         return write("study.toml", study_text("trials = 9", std::string(rays) + "[published]\ntables = \"t.json\""));
     }
-    test::TemporaryFolder folder_;
+    test::TemporaryFolder folder;
 };
 
 TEST_F(LoadStudy, CannotReadAMissingFileOrAFolder) {
-    EXPECT_THROW(static_cast<void>(load_study(folder_.path() / "none.toml")), IoError);
-    EXPECT_THROW(static_cast<void>(load_study(folder_.path())), IoError);
+    EXPECT_THROW(static_cast<void>(load_study(folder.path() / "none.toml")), IoError);
+    EXPECT_THROW(static_cast<void>(load_study(folder.path())), IoError);
 }
 
 TEST_F(LoadStudy, SaysWhatIsMissingInAnEmptyFile) {

@@ -28,7 +28,7 @@ StudyPlan five_units(std::string_view lines = "trials = 3") {
 
 class Merge : public testing::Test {
   protected:
-    std::filesystem::path file(std::string_view name) const { return folder_.path() / name; }
+    std::filesystem::path file(std::string_view name) const { return folder.path() / name; }
 
     /// Runs a share of the study into a file of this name.
     std::filesystem::path shard(std::string_view name, Shard share, const StudyPlan& plan = five_units()) const {
@@ -53,7 +53,7 @@ class Merge : public testing::Test {
         }
         return "nothing thrown";
     }
-    test::TemporaryFolder folder_;
+    test::TemporaryFolder folder;
 };
 
 TEST_F(Merge, GivesTheRowsOfOneRunForAnySplit) {

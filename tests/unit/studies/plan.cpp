@@ -144,7 +144,7 @@ TEST(Plan, RunsADeterministicMethodOnce) {
 }
 
 TEST(Plan, RunsEveryMethodOnEveryScene) {
-    const StudyPlan plan = plan_of(replaced(study_text("trials = 9", ladder), "\"cube\"", "[\"cube\", \"box:1x2x3\"]"));
+    const StudyPlan plan = plan_of(replaced(study_text("trials = 9", ladder), "\"cube\"", R"(["cube", "box:1x2x3"])"));
     ASSERT_EQ(plan.scenes.size(), 2u);
     EXPECT_EQ(plan.cells.size(), 8u);
 }

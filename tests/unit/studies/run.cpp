@@ -35,8 +35,8 @@ StudyPlan mixed_plan() {
 
 class Run : public testing::Test {
   protected:
-    std::filesystem::path file(std::string_view name) const { return folder_.path() / name; }
-    test::TemporaryFolder folder_;
+    std::filesystem::path file(std::string_view name) const { return folder.path() / name; }
+    test::TemporaryFolder folder;
 };
 
 TEST_F(Run, GivesTheSameRowsForAnyNumberOfThreads) {

@@ -8,7 +8,7 @@
 namespace ff::studies {
 namespace {
 
-SampledShare hits(std::vector<std::uint64_t> counts, std::uint64_t rays) {
+SampledShare hits(const std::vector<std::uint64_t>& counts, std::uint64_t rays) {
     SampledShare share{{}, rays * counts.size(), 0, true};
     for (const std::uint64_t count : counts) {
         share.means.push_back(static_cast<double>(count) / static_cast<double>(rays));
