@@ -147,10 +147,10 @@ void Joiner::join_triangles() {
 
 /// A direction as all see it who walk it either way: the first component that is not 0 is positive.
 Vector3d unsigned_direction(const Vector3d& v) {
-    const Vector3d unit = v.normalized();
-    for (Eigen::Index axis = 0; axis < 3; ++axis) {
-        if (std::abs(unit[axis]) > straight) return unit[axis] > 0 ? unit : Vector3d(-unit);
-    }
+    Vector3d unit = v.normalized();
+    Eigen::Index axis = 0;
+    while (axis < 2 && std::abs(unit[axis]) <= straight) ++axis;
+    if (unit[axis] < 0) unit = -unit;
     return unit;
 }
 
