@@ -35,7 +35,7 @@ std::uint32_t node_word(std::uint32_t node, const NodeKey& key) {
 /// their number, to 2^-32.
 template <std::uint32_t base>
 std::uint32_t permute(std::uint32_t digit, std::uint32_t word) {
-    const auto choice = static_cast<std::uint32_t>(std::uint64_t{word} * (base * (base - 1)) >> 32);
+    const auto choice = static_cast<std::uint32_t>(std::uint64_t{word} * base * (base - 1) >> 32);
     return ((1 + choice / base) * digit + choice % base) % base;
 }
 

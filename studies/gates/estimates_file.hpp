@@ -34,6 +34,6 @@ EstimatesFile parse_estimates(std::string_view text, std::string_view origin);
 EstimatesFile load_estimates_file(const std::filesystem::path& file);
 
 /// @throws UserError at `place` where the file has no such quantity, with the nearest one
-const EstimateSeries& find_series(const EstimatesFile& file, std::string_view quantity, std::string_view place);
+const EstimateSeries& find_series(const EstimatesFile& file, std::string_view wanted, std::string_view place);
 
 }  // namespace ff::studies

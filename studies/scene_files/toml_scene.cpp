@@ -22,7 +22,7 @@ Vector3d vector(const TomlReader& reader, std::string_view key) {
 }
 
 Vector3d direction(const TomlReader& reader, std::string_view key) {
-    const Vector3d v = vector(reader, key);
+    Vector3d v = vector(reader, key);
     if (!(v.norm() > 0)) reader.fail(key, "(a direction has a length). Write [0, 0, 1].");
     return v;
 }
@@ -45,7 +45,7 @@ bool flag(const TomlReader& reader, std::string_view key) {
 Facing read_facing(const TomlReader& reader) {
     static constexpr std::array<std::string_view, 2> names{"outward", "inward"};
     const auto found = reader.optional_choice("facing", names, 2);
-    if (!found) reader.fail("facing", "missing (a round surface radiates on one side). Say \"inward\" or \"outward\".");
+    if (!found) reader.fail("facing", R"(missing (a round surface radiates on one side). Say "inward" or "outward".)");
     return static_cast<Facing>(*found);
 }
 

@@ -41,19 +41,19 @@ Levels levels_at(double fail_alpha) {
     return {.fail_alpha = fail_alpha, .pass_alpha = 0.05, .power = 0.9};
 }
 
-class Bench {
-  public:
-    Bench(const Repetitions& repetitions, std::uint64_t times) : repetitions_(repetitions), times_(times) {}
+struct Bench {
+    const Repetitions& repetitions;
+    std::uint64_t times;
 
     [[nodiscard]] MeasuredRate rate(const std::string& what, const Experiment& experiment, Verdict verdict,
                                     double claimed) const {
-        const auto counts = repetitions_.count(
-            times_, what, [&](stats::Draws& draws) { return run_gate(experiment, draws) == verdict; });
+        const auto counts =
+            repetitions.count(times, what, [&](stats::Draws& draws) { return run_gate(experiment, draws) == verdict; });
         return {.what = what, .counts = counts, .claim = RateClaim::equal, .claimed = claimed};
     }
 
     [[nodiscard]] PValues p_values(const std::string& what, const Experiment& experiment) const {
-        const auto p = repetitions_.collect(times_, what, [&](stats::Draws& draws) {
+        const auto p = repetitions.collect(times, what, [&](stats::Draws& draws) {
             const stats::Moments moments = draw_trials(experiment, draws);
             return stats::student_tail((*moments.bias() - experiment.half_width) / *moments.standard_error(),
                                        static_cast<double>(experiment.trials - 1));
@@ -61,9 +61,6 @@ class Bench {
         const auto test = stats::test_uniformity(p);
         return {.what = what, .n = p.size(), .distance = test->distance, .p = test->p};
     }
-
-    const Repetitions& repetitions_;
-    std::uint64_t times_;
 };
 
 void measure_false_alarms(const Bench& bench, Calibration& calibration) {
@@ -150,7 +147,7 @@ void measure_correlated(const Bench& bench, Calibration& calibration) {
     spec.gates = {gate};
     for (const double correlation : {0.0, 0.1, 0.3, 0.6, 0.9}) {
         const auto fails = [&](const std::string& what, bool widened) {
-            return bench.repetitions_.count(bench.times_ / 10, what, [&](stats::Draws& draws) {
+            return bench.repetitions.count(bench.times / 10, what, [&](stats::Draws& draws) {
                 const EstimateSeries series = draw_series(correlation, 400, wide, draws);
                 if (widened) return judge_estimates(spec, gate, {"x.csv", {series}}).verdict == Verdict::fail;
                 const auto moments = stats::moments_of(series.values);
@@ -186,7 +183,7 @@ void measure_heavy(const Bench& bench, Calibration& calibration) {
     gate.band = {-1e9, 1e9};
     spec.gates = {gate};
     const auto passes = [&](const std::string& what, std::size_t n, auto draw) {
-        return bench.repetitions_.count(std::max<std::uint64_t>(20, bench.times_ / 40), what, [&](stats::Draws& draws) {
+        return bench.repetitions.count(std::max<std::uint64_t>(20, bench.times / 40), what, [&](stats::Draws& draws) {
             EstimateSeries series{.quantity = "x", .values = {}, .lines = std::vector<std::size_t>(n, 1)};
             for (std::size_t i = 0; i < n; ++i) series.values.push_back(draw(draws));
             return judge_estimates(spec, gate, {"x.csv", {series}}).verdict == Verdict::pass;
@@ -204,7 +201,7 @@ void measure_heavy(const Bench& bench, Calibration& calibration) {
 }  // namespace
 
 Calibration measure_calibration(const Repetitions& repetitions, std::uint64_t times) {
-    const Bench bench(repetitions, times);
+    const Bench bench{repetitions, times};
     Calibration calibration;
     measure_false_alarms(bench, calibration);
     measure_power(bench, calibration);

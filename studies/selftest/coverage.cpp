@@ -66,9 +66,10 @@ class CoverageTable {
         table_.rates.push_back({.what = what, .counts = counts, .claim = claim, .claimed = level});
     }
 
-    RateTable table_;
+    [[nodiscard]] RateTable take() { return std::move(table_); }
 
   private:
+    RateTable table_;
     const Repetitions& repetitions_;
     std::uint64_t times_;
 };
@@ -191,7 +192,7 @@ void add_ratios(CoverageTable& table) {
 /// Errors whose root mean square falls exactly as size^-0.5.
 std::vector<stats::Rung> draw_ladder(stats::Draws& draws) {
     std::vector<stats::Rung> ladder;
-    for (double size = 64; size <= 4096; size *= 4) {
+    for (const double size : {64, 256, 1024, 4096}) {
         stats::Rung rung{.size = size, .errors = draw_sample(normal, 64, draws)};
         for (double& error : rung.errors) error /= std::sqrt(size);
         ladder.push_back(std::move(rung));
@@ -239,7 +240,7 @@ RateTable measure_coverage(const Repetitions& repetitions, std::uint64_t times) 
     add_proportions(table);
     add_slopes(table);
     add_distributions(table);
-    return std::move(table.table_);
+    return table.take();
 }
 
 }  // namespace ff::studies

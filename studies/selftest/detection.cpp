@@ -23,25 +23,22 @@ Verdict verdict_with_seed(GatesSpec spec, std::size_t gate, std::uint64_t seed) 
     return run_gate(spec, plan, {})->verdict;
 }
 
-class Laboratory {
-  public:
-    Laboratory(const Repetitions& repetitions, std::uint64_t seeds) : repetitions_(repetitions), seeds_(seeds) {}
+struct Laboratory {
+    const Repetitions& repetitions;
+    std::uint64_t seeds;
 
     /// Verdicts of one gate, by seed.
     [[nodiscard]] std::vector<Verdict> verdicts(const GatesSpec& spec, std::size_t gate) const {
-        std::vector<Verdict> found(seeds_);
-        for_each_index(seeds_, repetitions_.threads,
-                       [&](std::uint64_t i) { found[i] = verdict_with_seed(spec, gate, repetitions_.seed.value + i); });
+        std::vector<Verdict> found(seeds);
+        for_each_index(seeds, repetitions.threads,
+                       [&](std::uint64_t i) { found[i] = verdict_with_seed(spec, gate, repetitions.seed.value + i); });
         return found;
     }
 
     [[nodiscard]] stats::Proportion count(const std::vector<Verdict>& verdicts, Verdict wanted) const {
         return {.hits = static_cast<std::uint64_t>(std::count(verdicts.begin(), verdicts.end(), wanted)),
-                .trials = seeds_};
+                .trials = seeds};
     }
-
-    const Repetitions& repetitions_;
-    std::uint64_t seeds_;
 };
 
 /// What the control would be if it were not broken.
@@ -61,7 +58,7 @@ void measure_controls(const Laboratory& laboratory, const GatesSpec& controls, D
     detection.caught.text = fmt::format(
         "Every gate of studies/gates/controls.toml with {} seeds in a row: how often the control fails. The trials of "
         "each are such that the planned power against this control is at least {:g}.",
-        laboratory.seeds_, controls.power);
+        laboratory.seeds, controls.power);
     detection.sound.title = "Their sound counterparts";
     detection.sound.text = "The same gates on what the control would be if it were not broken.";
     for (std::size_t i = 0; i < controls.gates.size(); ++i) {
@@ -109,7 +106,7 @@ void measure_edges(const Repetitions& repetitions, std::uint64_t seeds, Detectio
         "The whole way from bands file to verdict: 50 trials of 1000 random rays, a new seed each time, the reference "
         "moved so that the bias is exactly what the row says. α/2 at an end of the band, α for a point null, as above. "
         "The last rows have all three looks: a point null on all 30 pairs together, which share α, and wrong passes.";
-    const Laboratory laboratory(repetitions, 10 * seeds);
+    const Laboratory laboratory{repetitions, 10 * seeds};
     for (const double alpha : {0.05, 0.01}) {
         for (const auto& [text, bias, band, rate] :
              {std::tuple("bias = +band", wide, wide, alpha / 2), std::tuple("bias = -band", -wide, wide, alpha / 2),
@@ -151,7 +148,7 @@ void measure_refusals(Detection& detection) {
 
 Detection measure_detection(const GatesSpec& controls, const Repetitions& repetitions, std::uint64_t seeds) {
     Detection detection;
-    measure_controls(Laboratory(repetitions, seeds), controls, detection);
+    measure_controls(Laboratory{repetitions, seeds}, controls, detection);
     measure_edges(repetitions, seeds, detection);
     measure_refusals(detection);
     return detection;

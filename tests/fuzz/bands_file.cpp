@@ -3,12 +3,11 @@
 #include "studies/gates/bands_file.hpp"
 #include "core/error.hpp"
 #include "studies/gates/gate_plan.hpp"
+#include "tests/fuzz/one_input.hpp"
 
 #include <cstdint>
 #include <cstdlib>
 #include <string_view>
-
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     using namespace ff::studies;

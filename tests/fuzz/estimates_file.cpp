@@ -6,14 +6,13 @@
 #include "reports/gates_json.hpp"
 #include "studies/gates/estimate_gates.hpp"
 #include "tests/fuzz/no_number.hpp"
+#include "tests/fuzz/one_input.hpp"
 
 #include <cstdint>
 #include <cstdlib>
 #include <sstream>
 #include <string>
 #include <string_view>
-
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
 
 namespace {
 

@@ -1,6 +1,8 @@
 // Runs a fuzz target without libFuzzer: on every seed, and on copies of seeds that are changed in a few places by a
 // generator with a fixed seed. Usage: fuzz_NAME CHANGED_COPIES FILE_OR_FOLDER...
 
+#include "tests/fuzz/one_input.hpp"
+
 #include <algorithm>
 #include <cstdint>
 #include <cstdio>
@@ -11,8 +13,6 @@
 #include <random>
 #include <string>
 #include <vector>
-
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
 
 namespace {
 

@@ -3,14 +3,13 @@
 
 #include "studies/scene_files/scene_file.hpp"
 #include "core/error.hpp"
+#include "tests/fuzz/one_input.hpp"
 
 #include <array>
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
 #include <string_view>
-
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     if (size == 0) return 0;

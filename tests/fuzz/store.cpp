@@ -11,6 +11,7 @@
 #include "studies/results.hpp"
 #include "studies/run.hpp"
 #include "tests/fuzz/no_number.hpp"
+#include "tests/fuzz/one_input.hpp"
 
 #include <bit>
 #include <cstdint>
@@ -22,8 +23,6 @@
 #include <sstream>
 #include <stdexcept>
 #include <string>
-
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
 
 namespace {
 

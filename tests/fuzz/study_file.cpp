@@ -3,12 +3,11 @@
 #include "core/error.hpp"
 #include "studies/plan.hpp"
 #include "studies/spec.hpp"
+#include "tests/fuzz/one_input.hpp"
 
 #include <cstdint>
 #include <cstdlib>
 #include <string_view>
-
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     using namespace ff::studies;

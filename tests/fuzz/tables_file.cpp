@@ -3,11 +3,10 @@
 #include "core/error.hpp"
 #include "studies/audit.hpp"
 #include "studies/published.hpp"
+#include "tests/fuzz/one_input.hpp"
 
 #include <cstdint>
 #include <string_view>
-
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     try {

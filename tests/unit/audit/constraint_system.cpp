@@ -5,7 +5,7 @@
 namespace ff::studies {
 namespace {
 
-Constraint sum_is(std::vector<std::size_t> variables, Range values) {
+Constraint sum_is(const std::vector<std::size_t>& variables, Range values) {
     Constraint constraint{.values = values};
     for (const std::size_t v : variables) constraint.terms.push_back({v, 1});
     return constraint;

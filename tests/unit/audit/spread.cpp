@@ -20,7 +20,7 @@ std::optional<Spread> spread_of_sums(std::uint64_t seed, double factor) {
         if (figure.method != "MC" || figure.kind != FigureKind::row_sum) continue;
         values.push_back({f, 1 + factor * (parse_printed(figure.printed)->value() - 1)});
     }
-    const auto& distribution = cache.at(facts, 36, 36 * 700, Completion::reciprocal);
+    const auto& distribution = cache.at(facts, 36, std::uint64_t{36} * 700, Completion::reciprocal);
     return weigh_spread(tables, facts, distribution.value(), values);
 }
 

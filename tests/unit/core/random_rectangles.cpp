@@ -10,6 +10,7 @@ namespace {
 using Eigen::Vector3d;
 
 /// Every run checks the same cases. RC_PARAMS of the caller, e.g. to try other seeds, goes before.
+// NOLINTNEXTLINE(concurrency-mt-unsafe): before there are threads
 const int fixed_seed = setenv("RC_PARAMS", "seed=20261120 max_success=300", 0);
 
 /// Multiples of 1/16 from low/16 to high/16, whatever size rapidcheck asks for.

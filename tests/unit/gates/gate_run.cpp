@@ -249,8 +249,8 @@ TEST(BaselineRun, RefusesAChangedStudy) {
 
 TEST(BaselineRun, RefusesFilesThatAreNone) {
     for (const char* text :
-         {"", "{}", "[]", "{\"schema\": \"ffstudy.baseline/1\"}", "{\"schema\": \"other\", \"gates\": []}",
-          "{\"schema\": \"ffstudy.baseline/1\", \"gates\": [{\"gate\": 1}]}"}) {
+         {"", "{}", "[]", R"({"schema": "ffstudy.baseline/1"})", R"({"schema": "other", "gates": []})",
+          R"({"schema": "ffstudy.baseline/1", "gates": [{"gate": 1}]})"}) {
         EXPECT_THROW(static_cast<void>(parse_baseline(text, "base.json")), UserError) << text;
     }
 }

@@ -30,7 +30,8 @@ studies::Store store_with(double value) {
                                        "samples_per_patch = 5\n")),
         [value](std::size_t, std::uint64_t trial, int from, int to) {
             const bool broken = trial == 5 && from == 2 && to == 3;
-            return broken ? value : 0.2 + 1e-3 * static_cast<double>((7 * trial + 3u * static_cast<unsigned>(to)) % 5);
+            return broken ? value
+                          : 0.2 + 1e-3 * static_cast<double>((7 * trial + 3 * static_cast<std::uint64_t>(to)) % 5);
         });
 }
 

@@ -16,28 +16,28 @@ namespace {
 class WriteFile : public testing::Test {
   protected:
     std::string content() const {
-        std::ifstream in(file_);
+        std::ifstream in(file);
         std::ostringstream text;
         text << in.rdbuf();
         return text.str();
     }
     std::size_t files() const {
-        return static_cast<std::size_t>(std::distance(std::filesystem::directory_iterator(folder_.path()), {}));
+        return static_cast<std::size_t>(std::distance(std::filesystem::directory_iterator(folder.path()), {}));
     }
-    test::TemporaryFolder folder_;
-    std::filesystem::path file_ = folder_.path() / "report.md";
+    test::TemporaryFolder folder;
+    std::filesystem::path file = folder.path() / "report.md";
 };
 
 TEST_F(WriteFile, ReplacesTheWholeFile) {
-    write_file(file_, "a longer text");
-    write_file(file_, "short");
+    write_file(file, "a longer text");
+    write_file(file, "short");
     EXPECT_EQ(content(), "short");
     EXPECT_EQ(files(), 1u);
 }
 
 TEST_F(WriteFile, LeavesTheOldFileWhereTheWriterFails) {
-    write_file(file_, "old");
-    EXPECT_THROW(write_file(file_,
+    write_file(file, "old");
+    EXPECT_THROW(write_file(file,
                             [](std::ostream& out) {
                                 out << "half";
                                 throw std::runtime_error("disk on fire");
@@ -49,7 +49,7 @@ TEST_F(WriteFile, LeavesTheOldFileWhereTheWriterFails) {
 
 TEST_F(WriteFile, FailsWithTheNameAndTheReason) {
     try {
-        write_file(folder_.path() / "none" / "report.md", "text");
+        write_file(folder.path() / "none" / "report.md", "text");
         FAIL() << "written";
     } catch (const IoError& error) {
         EXPECT_THAT(error.what(), testing::HasSubstr("none/report.md"));
@@ -58,13 +58,13 @@ TEST_F(WriteFile, FailsWithTheNameAndTheReason) {
 }
 
 TEST_F(WriteFile, FailsWhereTheStreamDoes) {
-    EXPECT_THROW(write_file(file_, [](std::ostream& out) { out.setstate(std::ios::badbit); }), IoError);
+    EXPECT_THROW(write_file(file, [](std::ostream& out) { out.setstate(std::ios::badbit); }), IoError);
     EXPECT_EQ(files(), 0u);
 }
 
 TEST_F(WriteFile, FailsWhereAFolderIsInTheWay) {
-    std::filesystem::create_directory(file_);
-    EXPECT_ANY_THROW(write_file(file_, "text"));
+    std::filesystem::create_directory(file);
+    EXPECT_ANY_THROW(write_file(file, "text"));
     EXPECT_EQ(files(), 1u);
 }
 
