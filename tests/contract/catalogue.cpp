@@ -11,6 +11,7 @@
 namespace ff::samplers {
 
 /// How gtest prints a parameter.
+// NOLINTNEXTLINE(readability-identifier-naming): gtest's name
 void PrintTo(const CatalogueEntry& sampler, std::ostream* out) {
     *out << sampler.info.name;
 }
