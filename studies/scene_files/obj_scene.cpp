@@ -17,7 +17,10 @@
 #include <tiny_obj_loader.h>
 #pragma GCC diagnostic pop
 
+#include <algorithm>
+#include <array>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace ff::studies {
@@ -32,8 +35,12 @@ constexpr std::size_t most_corners = 255;
 /// A comment that says that every ray hits something.
 constexpr std::string_view closed_comment = "closed";
 
-/// What the loader does not tell: lines of polygons, and what it would take for 0.
+/// Lines that the loader gets. It computes with what stands in others, and not always with care.
+constexpr std::array<std::string_view, 6> shape_keywords{"v", "vt", "vn", "f", "g", "o"};
+
+/// What the loader is given, and what it does not tell: lines of polygons, and what it would take for 0.
 struct Lines {
+    std::string of_shapes;
     std::vector<std::uint64_t> of_polygon;
     bool closed = false;
 };
@@ -47,6 +54,10 @@ Lines read_lines(const SceneBuilder& builder, std::string_view text) {
         if (group_line != 0) builder.fail(group_line, fmt::format("group '{}' is empty. Remove it.", group));
     };
     for_each_line(text, [&](std::uint64_t number, const std::vector<std::string_view>& words) {
+        const bool wanted =
+            !words.empty() && std::find(shape_keywords.begin(), shape_keywords.end(), words[0]) != shape_keywords.end();
+        if (wanted) lines.of_shapes += fmt::format("{}", fmt::join(words, " "));
+        lines.of_shapes += '\n';  // so that the loader counts lines as we do
         if (words.empty()) return;
         if (words[0] == "v") {
             for (std::size_t i = 1; i <= 3; ++i) {
@@ -80,7 +91,7 @@ Scene read_obj_scene(std::string_view name, std::string_view text) {
     config.triangulate = false;
     config.vertex_color = false;
     tinyobj::ObjReader reader;
-    if (!reader.ParseFromString(std::string(text), "", config)) {
+    if (!reader.ParseFromString(lines.of_shapes, "", config)) {
         throw UserError(fmt::format("{}: {}", name, reader.Error()));
     }
     const auto& vertices = reader.GetAttrib().vertices;
