@@ -26,6 +26,7 @@ double seconds() {
 }
 
 constexpr Subdivision subdivision{13};
+constexpr Grid grid{13, 13};
 constexpr std::size_t samples = 624;  // whole packets
 
 /// The cube as six quads, one bit of the ray mask each.
@@ -105,15 +106,15 @@ void embree_beside_bare_loop(benchmark::State& state) {
     double bare = 0;
     for (auto _ : state) {
         for (std::uint32_t patch = 0; patch < subdivision.patches(scene); ++patch) {
-            const std::uint32_t source = patch / subdivision.per_surface();
-            const std::uint32_t within = patch % subdivision.per_surface();
+            const std::uint32_t source = patch / subdivision.per_part();
+            const std::uint32_t within = patch % subdivision.per_part();
             points->fill({.key = {1, 2}, .source = patch}, 0, block);
-            generate_rays(scene.surfaces[source], source, subdivision, within, block, rays);
+            generate_rays(scene.surfaces[source], source, grid, within, block, rays);
             pack(rays, packets);
             const auto start = seconds();
             for (RTCRayHit8& packet : packets) rtcIntersect8(valid.data(), bare_scene.get(), &context, &packet);
             const auto middle = seconds();
-            tracer->shoot(source, subdivision, within, block, hits);
+            tracer->shoot(source, grid, within, block, hits);
             const auto end = seconds();
             bare += middle - start;
             ours += end - middle;
@@ -123,7 +124,8 @@ void embree_beside_bare_loop(benchmark::State& state) {
         }
     }
     if (hits != bare_hits) state.SkipWithError("the bare loop hits something else");
-    const double rays_shot = static_cast<double>(state.iterations()) * subdivision.patches(scene) * samples;
+    const double rays_shot =
+        static_cast<double>(state.iterations()) * static_cast<double>(subdivision.patches(scene) * samples);
     state.counters["bare_rays_per_s"] = rays_shot / bare;
     state.counters["our_rays_per_s"] = rays_shot / ours;
     state.counters["ours_to_bare"] = bare / ours;

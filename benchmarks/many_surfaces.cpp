@@ -52,7 +52,7 @@ void rays_among(benchmark::State& state) {
     std::vector<std::uint64_t> hits(2);
     std::uint32_t source = 0;
     for (auto _ : state) {
-        tracer->shoot(source, {1}, 0, *block, hits);
+        tracer->shoot(source, ff::undivided, 0, *block, hits);
         source = static_cast<std::uint32_t>((source + 7919) % scene.surfaces.size());
         benchmark::DoNotOptimize(hits.data());
     }

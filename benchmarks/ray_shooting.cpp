@@ -15,6 +15,7 @@ namespace {
 using namespace ff;
 
 constexpr Subdivision subdivision{13};
+constexpr Grid grid{13, 13};
 constexpr std::uint64_t samples = 625;
 
 void run_trials(benchmark::State& state, const char* sampler, TracerChoice choice) {
@@ -58,8 +59,7 @@ void trace_only(benchmark::State& state) {
     FaceHits hits(7);
     for (auto _ : state) {
         for (std::uint32_t patch = 0; patch < subdivision.patches(scene); ++patch) {
-            tracer->shoot(patch / subdivision.per_surface(), subdivision, patch % subdivision.per_surface(), block,
-                          hits);
+            tracer->shoot(patch / grid.parts(), grid, patch % grid.parts(), block, hits);
         }
         benchmark::DoNotOptimize(hits.data());
     }

@@ -3,6 +3,7 @@
 #include "core/contract.hpp"
 #include "core/facing.hpp"
 #include "core/occlusion.hpp"
+#include "core/patch_order.hpp"
 #include "core/surface_map.hpp"
 #include "core/transfer.hpp"
 
@@ -18,39 +19,34 @@ namespace {
 struct PatchedSurface {
     const Surface* surface = nullptr;
     std::uint32_t first_patch = 0;  ///< of the scene
-    Subdivision subdivision;
+    Grid grid = undivided;
     SurfaceMap map;
     double patch_area = 0;
     Parallelogram shape;                   ///< of one patch
     std::vector<Eigen::Vector3d> corners;  ///< of all patches
 
-    [[nodiscard]] std::size_t patches() const { return subdivision.per_surface(); }
+    [[nodiscard]] std::size_t patches() const { return grid.parts(); }
 
     /// The point at (s, t) on a patch.
     [[nodiscard]] SurfacePoint at(std::size_t patch, double s, double t) const {
-        const double m = subdivision.m;
-        const std::size_t column = patch % subdivision.m;
-        const std::size_t row = patch / subdivision.m;
-        return map.at((static_cast<double>(column) + s) / m, (static_cast<double>(row) + t) / m);
+        const std::size_t column = patch % grid.columns;
+        const std::size_t row = patch / grid.columns;
+        return map.at((static_cast<double>(column) + s) / grid.columns, (static_cast<double>(row) + t) / grid.rows);
     }
 };
 
 std::vector<PatchedSurface> divide(const Scene& scene, Subdivision subdivision) {
+    const PatchOrder order(scene, subdivision);
     std::vector<PatchedSurface> result;
     for (const Surface& surface : scene.surfaces) {
-        PatchedSurface divided{&surface,
-                               static_cast<std::uint32_t>(result.size()) * subdivision.per_surface(),
-                               subdivision,
-                               SurfaceMap(surface),
-                               area(surface.shape) / subdivision.per_surface(),
-                               {},
-                               {}};
+        const Grid grid = subdivision.of(surface);
+        PatchedSurface divided{
+            &surface, order.first(result.size()), grid, SurfaceMap(surface), area(surface.shape) / grid.parts(), {},
+            {}};
         if (const auto* shape = std::get_if<Parallelogram>(&surface.shape)) {
-            divided.shape = patch(*shape, subdivision, 0);
+            divided.shape = patch(*shape, grid, 0);
             divided.patch_area = area(divided.shape);
-            for (std::uint32_t p = 0; p < subdivision.per_surface(); ++p) {
-                divided.corners.push_back(patch(*shape, subdivision, p).corner);
-            }
+            for (std::uint32_t p = 0; p < grid.parts(); ++p) divided.corners.push_back(patch(*shape, grid, p).corner);
         }
         result.push_back(std::move(divided));
     }

@@ -72,8 +72,8 @@ HWY_INLINE Floats gap(Floats position, float extent, FloatMask negative) {
 void shoot_block(const LocalBox& box, const PatchMap& map, const PointBlock& points, WallHits& hits) {
     const FloatTag df;
     const WordTag dw;
-    const auto step_u = hn::Set(df, patch_step(box.extent_u, map.m));
-    const auto step_v = hn::Set(df, patch_step(box.extent_v, map.m));
+    const auto step_u = hn::Set(df, patch_step(box.extent_u, map.grid.columns));
+    const auto step_v = hn::Set(df, patch_step(box.extent_v, map.grid.rows));
     std::size_t across_u = 0, across_v = 0, at_low_u = 0, at_low_v = 0;
     const auto add = [&](std::size_t i, const auto... wanted) HWY_ATTR {
         const auto word = [&](std::size_t d) HWY_ATTR { return hn::Load(dw, &points.coordinate[d][i]); };
@@ -156,7 +156,7 @@ class BoxTracer final : public Tracer {
     explicit BoxTracer(const Scene& scene);
 
     [[nodiscard]] std::string_view name() const override { return "box"; }
-    void shoot(std::uint32_t source, Subdivision subdivision, std::uint32_t patch, const PointBlock& block,
+    void shoot(std::uint32_t source, Grid grid, std::uint32_t patch, const PointBlock& block,
                std::span<std::uint64_t> hits) const override;
     void trace(const RayBatch& rays, std::span<Hit> hits) const override;
 
@@ -198,13 +198,13 @@ BoxTracer::BoxTracer(const Scene& scene) {
     }
 }
 
-void BoxTracer::shoot(std::uint32_t source, Subdivision subdivision, std::uint32_t patch, const PointBlock& block,
+void BoxTracer::shoot(std::uint32_t source, Grid grid, std::uint32_t patch, const PointBlock& block,
                       std::span<std::uint64_t> hits) const {
     FF_EXPECT(block.dimension == 4);
     FF_EXPECT(block.size <= block_capacity);
     const BoxSurface& from = surfaces_.at(source);
     WallHits at_wall{};
-    HWY_DYNAMIC_DISPATCH(shoot_block)(from.box, patch_map(subdivision, patch), block, at_wall);
+    HWY_DYNAMIC_DISPATCH(shoot_block)(from.box, patch_map(grid, patch), block, at_wall);
     for (std::size_t wall = 0; wall < walls; ++wall) hits[face_of_[from.surface_at[wall]]] += at_wall[wall];
 }
 

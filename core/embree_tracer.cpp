@@ -136,7 +136,7 @@ class EmbreeTracer final : public Tracer {
   public:
     explicit EmbreeTracer(const Scene& scene);
     [[nodiscard]] std::string_view name() const override { return "embree"; }
-    void shoot(std::uint32_t source, Subdivision subdivision, std::uint32_t patch, const PointBlock& block,
+    void shoot(std::uint32_t source, Grid grid, std::uint32_t patch, const PointBlock& block,
                std::span<std::uint64_t> hits) const override;
     void trace(const RayBatch& rays, std::span<Hit> hits) const override;
 
@@ -302,16 +302,16 @@ Found EmbreeTracer::unless_beneath_source(const Found& found, const Line& line, 
 }
 
 bool EmbreeTracer::is_from_behind(std::uint32_t surface, float u, const Line& line) const {
-    const auto& [shape, normal, face] = surfaces_[surface];
-    if (is_flat(shape)) return normal.dot(line.direction) >= 0;
-    return (facing(shape) == Facing::inward) != (u == meets_outward);
+    const Surface& met = surfaces_[surface];
+    if (is_flat(met.shape)) return met.normal.dot(line.direction) >= 0;
+    return (facing(met.shape) == Facing::inward) != (u == meets_outward);
 }
 
-void EmbreeTracer::shoot(std::uint32_t source, Subdivision subdivision, std::uint32_t patch, const PointBlock& block,
+void EmbreeTracer::shoot(std::uint32_t source, Grid grid, std::uint32_t patch, const PointBlock& block,
                          std::span<std::uint64_t> hits) const {
     FF_EXPECT(hits.size() == faces_ + 1);
     RayBlock rays;
-    generate_ray_block(surfaces_.at(source), subdivision, patch, block, rays);
+    generate_ray_block(surfaces_.at(source), grid, patch, block, rays);
     const RayPointers pointers = pointers_to(rays);
     intersect(pointers, block.size, source, [&](std::size_t /*i*/, const Found& found) {
         if (found.surface == no_surface) {

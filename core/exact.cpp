@@ -106,10 +106,11 @@ std::optional<Eigen::MatrixXd> exact_patch_to_face(const Scene& scene, Subdivisi
                                                     static_cast<Eigen::Index>(scene.faces.size()));
     Eigen::Index row = -1;
     for (const Surface& source : scene.surfaces) {
-        for (std::uint32_t p = 0; p < subdivision.per_surface(); ++p) {
+        const Grid grid = subdivision.of(source);
+        for (std::uint32_t p = 0; p < grid.parts(); ++p) {
             ++row;
             if (!is_of_face(source)) continue;
-            const Surface piece{patch(parallelogram(source), subdivision, p), source.normal, source.face};
+            const Surface piece = patch(source, grid, p);
             const auto from = aligned_rectangle(piece);
             FF_ENSURE(from.has_value());
             for (const Target& target : *all) {

@@ -28,7 +28,7 @@ std::optional<double> exact_exchange_area(const Surface& from, const Surface& to
 /// @pre both are indices into scene.faces
 std::optional<double> exact_form_factor(const Scene& scene, int from_face, int to_face);
 
-/// Factors from every patch (rows, in the order of Subdivision; 0 of surfaces without a face) to every face (columns).
+/// Factors from every patch (rows, in the order of PatchOrder; 0 of surfaces without a face) to every face (columns).
 /// Empty as above, and where something may stand between two surfaces (core/occlusion.hpp).
 std::optional<Eigen::MatrixXd> exact_patch_to_face(const Scene& scene, Subdivision subdivision);
 

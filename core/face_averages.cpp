@@ -16,6 +16,18 @@ bool has_one_surface_a_face(const Scene& scene) {
     return std::all_of(surfaces.begin(), surfaces.end(), [](std::size_t count) { return count == 1; });
 }
 
+Eigen::VectorXd parts_a_surface(const Scene& scene) {
+    const auto faces = static_cast<Eigen::Index>(scene.faces.size());
+    Eigen::VectorXd surfaces = Eigen::VectorXd::Zero(faces);
+    Eigen::VectorXd parts = Eigen::VectorXd::Zero(faces);
+    for (const Surface& surface : scene.surfaces) {
+        if (!is_of_face(surface)) continue;
+        surfaces[surface.face] += 1;
+        parts[surface.face] += surface.grid.parts();
+    }
+    return parts.cwiseQuotient(surfaces);
+}
+
 Eigen::MatrixXd face_averages(const Scene& scene, std::span<const double> weighted, std::uint64_t rays) {
     const auto faces = static_cast<Eigen::Index>(scene.faces.size());
     FF_EXPECT(weighted.size() == scene.faces.size() * scene.faces.size());

@@ -48,9 +48,9 @@ class MirrorTracer final : public Tracer {
 
     [[nodiscard]] std::string_view name() const override { return tracer_->name(); }
 
-    void shoot(std::uint32_t source, Subdivision subdivision, std::uint32_t patch, const PointBlock& block,
+    void shoot(std::uint32_t source, Grid grid, std::uint32_t patch, const PointBlock& block,
                std::span<std::uint64_t> hits) const override {
-        shoot_by_tracing(*this, scene_, source, subdivision, patch, block, hits);
+        shoot_by_tracing(*this, scene_, source, grid, patch, block, hits);
     }
 
     void trace(const RayBatch& rays, std::span<Hit> hits) const override {

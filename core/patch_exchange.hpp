@@ -17,9 +17,9 @@ struct PatchExchange {
 
 /// Exchange areas of all pairs of patches of two parallelograms, nothing between them: by closed form for rectangles
 /// along the axes, by contour integrals (core/polygon_exchange.hpp) for others. Pairs that lie to each other as another
-/// pair does are computed once: (2m-1)^2 of m^4 between parallel surfaces with equal edges, (2m-1) m^2 between surfaces
-/// that share one. Patches that reach behind the other surface count with the part in front.
-/// The error is a bound, but for the rounding of contour integrals, which is an estimate.
+/// pair does are computed once: (2m-1)^2 of m^4 between parallel surfaces with equal patches, (2m-1) m^2 between
+/// surfaces that share an edge, where both have m x m patches. Patches that reach behind the other surface count with
+/// the part in front. The error is a bound, but for the rounding of contour integrals, which is an estimate.
 PatchExchange patch_exchange(const Surface& from, const Surface& to, Subdivision subdivision);
 
 }  // namespace ff

@@ -77,8 +77,7 @@ Eigen::MatrixXd point_to_polygon(const Scene& scene, Subdivision subdivision, co
                                  std::uint32_t trial) {
     FF_EXPECT(allocation == Allocation::patch || points.equal_weights());
     const auto faces = static_cast<Eigen::Index>(scene.faces.size());
-    const std::uint32_t per_surface = subdivision.per_surface();
-    const bool own_stream = allocation == Allocation::patch;
+    const PatchSequences sequences(scene, subdivision, allocation, samples_per_patch);
     const auto block = std::make_unique_for_overwrite<WeightedBlock>();
     const auto placed = std::make_unique_for_overwrite<PlanePoints>();
     block->dimension = 2;
@@ -89,10 +88,11 @@ Eigen::MatrixXd point_to_polygon(const Scene& scene, Subdivision subdivision, co
         if (source.face == no_face) continue;
         const SourceFrame frame(source);
         std::vector<Target> targets = visible_targets(scene, source, frame);
-        for (std::uint32_t p = 0; p < per_surface; ++p) {
-            const Parallelogram shape = patch(parallelogram(source), subdivision, p);
-            const Stream stream{.key = key, .trial = trial, .source = own_stream ? s * per_surface + p : s};
-            const PointIndex first = own_stream ? 0 : p * samples_per_patch;
+        const Grid grid = subdivision.of(source);
+        for (std::uint32_t p = 0; p < grid.parts(); ++p) {
+            const Parallelogram shape = patch(parallelogram(source), grid, p);
+            const auto [of_stream, first] = sequences.of(s, p);
+            const Stream stream{.key = key, .trial = trial, .source = of_stream};
             for (std::uint64_t done = 0; done < samples_per_patch; done += block->size) {
                 block->size =
                     static_cast<std::size_t>(std::min<std::uint64_t>(block_capacity, samples_per_patch - done));
@@ -101,9 +101,8 @@ Eigen::MatrixXd point_to_polygon(const Scene& scene, Subdivision subdivision, co
                 for (Target& target : targets) target.sum += sum_polygon_factors(*placed, target.polygon);
             }
         }
-        // The weights of a sequence add up to 1, whether it serves a patch or the whole surface.
-        const double sequences = own_stream ? per_surface : 1.0;
-        const double share = area(source.shape) / face_area(scene, source.face) / sequences;
+        // The weights of a sequence add up to 1, whether it serves a patch or several.
+        const double share = area(source.shape) / face_area(scene, source.face) / sequences.count(s);
         for (const Target& target : targets) result(source.face, target.face) += share * target.sum;
     }
     return result;

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "core/allocation.hpp"
 #include "core/points.hpp"
-#include "core/ray_shooting.hpp"
 #include "core/scene.hpp"
 
 #include <Eigen/Core>
@@ -16,7 +16,7 @@ namespace ff {
 /// but that of the two integrals over the source.
 ///
 /// Unbiased with random points; the integrand lies in [0, 1] and is smooth, but for corners that two faces share.
-/// Streams are keyed as in `ray_shooting`: by source patch, or by surface with Allocation::face.
+/// Streams are keyed as in `ray_shooting`: by source patch, or by part of a grid with Allocation::face.
 /// Weights of `points` count with Allocation::patch; with Allocation::face all must be equal. The same bits on every
 /// CPU.
 /// @param samples_per_patch  points.points() with Allocation::patch, and so many a patch with Allocation::face

@@ -23,7 +23,7 @@ void collect(const FaceHits& patch_hits, std::size_t patch, PatchSums& sums) {
 void collect(const FaceHits& surface_hits, const Surface& surface, RayTally& tally) {
     const std::size_t faces = surface_hits.size() - 1;
     const auto from = static_cast<std::size_t>(surface.face);
-    const double own = area(surface.shape);
+    const double own = area(surface.shape) / surface.grid.parts();
     for (std::size_t to = 0; to < faces; ++to) {
         tally.hits[from * faces + to] += surface_hits[to];
         tally.weighted[from * faces + to] += own * static_cast<double>(surface_hits[to]);
@@ -38,8 +38,9 @@ void ray_shooting(const Scene& scene, Subdivision subdivision, const Tracer& tra
                   RayTally& tally, PatchSums* sums) {
     FF_EXPECT(points.equal_weights());
     const std::size_t faces = scene.faces.size();
-    const std::uint32_t per_surface = subdivision.per_surface();
-    const std::size_t patches = subdivision.patches(scene);
+    const PatchOrder order(scene, subdivision);
+    const PatchSequences sequences(scene, subdivision, allocation, samples_per_patch);
+    const std::size_t patches = order.size();
     tally.hits.assign(faces * faces, 0);
     tally.rays.assign(faces, 0);
     tally.lost.assign(faces, 0);
@@ -57,25 +58,24 @@ void ray_shooting(const Scene& scene, Subdivision subdivision, const Tracer& tra
     for (std::uint32_t surface = 0; surface < scene.surfaces.size(); ++surface) {
         if (!is_of_face(scene.surfaces[surface])) continue;
         const auto from_face = static_cast<std::size_t>(scene.surfaces[surface].face);
+        const Grid grid = subdivision.of(scene.surfaces[surface]);
         std::fill(surface_hits.begin(), surface_hits.end(), 0);
-        for (std::uint32_t p = 0; p < per_surface; ++p) {
-            const std::uint32_t patch = surface * per_surface + p;
-            const bool own_stream = allocation == Allocation::patch;
-            const Stream stream{.key = key, .trial = trial, .source = own_stream ? patch : surface};
-            const PointIndex first = own_stream ? 0 : p * samples_per_patch;
+        for (std::uint32_t p = 0; p < grid.parts(); ++p) {
+            const auto [source, first] = sequences.of(surface, p);
+            const Stream stream{.key = key, .trial = trial, .source = source};
             std::fill(patch_hits.begin(), patch_hits.end(), 0);
             for (std::uint64_t done = 0; done < samples_per_patch; done += block.size) {
                 block.size =
                     static_cast<std::size_t>(std::min<std::uint64_t>(block_capacity, samples_per_patch - done));
                 points.fill(stream, first + done, block);
-                tracer.shoot(surface, subdivision, p, block, patch_hits);
+                tracer.shoot(surface, grid, p, block, patch_hits);
             }
             std::transform(patch_hits.begin(), patch_hits.end(), surface_hits.begin(), surface_hits.begin(),
                            std::plus<>());
-            if (sums != nullptr) collect(patch_hits, patch, *sums);
+            if (sums != nullptr) collect(patch_hits, order.first(surface) + p, *sums);
         }
         collect(surface_hits, scene.surfaces[surface], tally);
-        tally.rays[from_face] += per_surface * samples_per_patch;
+        tally.rays[from_face] += grid.parts() * samples_per_patch;
     }
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/allocation.hpp"
 #include "core/points.hpp"
 #include "core/scene.hpp"
 #include "core/tracer.hpp"
@@ -9,19 +10,13 @@
 
 namespace ff {
 
-/// Who owns a sequence of points.
-enum class Allocation {
-    patch,  ///< every patch has its own stream
-    face,   ///< one stream for all patches of a surface: patch p takes points p*n .. (p+1)*n - 1
-};
-
 /// Integer outcome of one trial of ray shooting.
 struct RayTally {
     std::vector<std::uint64_t> hits;  ///< [from_face * faces + to_face]
     std::vector<std::uint64_t> rays;  ///< [from_face]
     std::vector<std::uint64_t> lost;  ///< [from_face]
-    /// [from_face * faces + to_face], the hits of each surface times its area, summed in the order of surfaces: faces
-    /// of several surfaces are averages by area.
+    /// [from_face * faces + to_face], the hits of each surface times the area of a part of its grid, summed in the
+    /// order of surfaces: faces of several surfaces are averages by area.
     std::vector<double> weighted;
 };
 

@@ -40,8 +40,8 @@ void generate(const SurfaceFrame& frame, const PatchMap& map, const PointBlock& 
     const WordTag dw;
     SurfaceFrame::Vector step_u, step_v;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        step_u[axis] = patch_step(frame.edge_u[axis], map.m);
-        step_v[axis] = patch_step(frame.edge_v[axis], map.m);
+        step_u[axis] = patch_step(frame.edge_u[axis], map.grid.columns);
+        step_v[axis] = patch_step(frame.edge_v[axis], map.grid.rows);
     }
     const std::array origin{&rays.origin_x, &rays.origin_y, &rays.origin_z};
     const std::array direction{&rays.direction_x, &rays.direction_y, &rays.direction_z};
@@ -91,16 +91,16 @@ SurfaceFrame surface_frame(const Surface& surface) {
             .normal = to_single(surface.normal)};
 }
 
-PatchMap patch_map(Subdivision subdivision, std::uint32_t patch) {
-    FF_EXPECT(patch < subdivision.per_surface());
+PatchMap patch_map(Grid grid, std::uint32_t patch) {
+    FF_EXPECT(patch < grid.parts());
     const auto first = [](std::uint32_t place) { return static_cast<float>(place) - (1 - 0x1p-24f); };
-    return {.first_u = first(patch % subdivision.m), .first_v = first(patch / subdivision.m), .m = subdivision.m};
+    return {.first_u = first(patch % grid.columns), .first_v = first(patch / grid.columns), .grid = grid};
 }
 
-float patch_step(float edge, std::uint32_t m) {
-    const float parts = static_cast<float>(m);
-    const float step = edge / parts;
-    return std::abs(step * parts) > std::abs(edge) ? std::nextafter(step, 0.0f) : step;
+float patch_step(float edge, std::uint32_t parts) {
+    const auto count = static_cast<float>(parts);
+    const float step = edge / count;
+    return std::abs(step * count) > std::abs(edge) ? std::nextafter(step, 0.0f) : step;
 }
 
 HWY_EXPORT(generate);
@@ -116,15 +116,14 @@ constexpr SurfaceFrame upright{.corner = {0, 0, 0},
                                .normal = {0, 0, 1}};
 
 /// Moves upright rays to the places of a surface that their points stand for, and turns them to the normals there.
-void place_rays(const Surface& surface, Subdivision subdivision, std::uint32_t patch, const PointBlock& points,
-                RayBlock& rays) {
+void place_rays(const Surface& surface, Grid grid, std::uint32_t patch, const PointBlock& points, RayBlock& rays) {
     const SurfaceMap map(surface);
-    const double m = subdivision.m;
-    const std::uint32_t column = patch % subdivision.m;
-    const std::uint32_t row = patch / subdivision.m;
+    const std::uint32_t column = patch % grid.columns;
+    const std::uint32_t row = patch / grid.columns;
     const auto coordinate = [&](std::size_t d, std::size_t i) { return (points.coordinate[d][i] + 0.5) * 0x1p-32; };
     for (std::size_t i = 0; i < points.size; ++i) {
-        const SurfacePoint point = map.at((column + coordinate(0, i)) / m, (row + coordinate(1, i)) / m);
+        const SurfacePoint point =
+            map.at((column + coordinate(0, i)) / grid.columns, (row + coordinate(1, i)) / grid.rows);
         const Eigen::Vector3d bitangent = point.normal.cross(point.tangent);
         const Eigen::Vector3f direction = (static_cast<double>(rays.direction_x[i]) * point.tangent +
                                            static_cast<double>(rays.direction_y[i]) * bitangent +
@@ -152,20 +151,20 @@ double largest_coordinate(const Surface& surface) {
     return largest;
 }
 
-void generate_ray_block(const Surface& surface, Subdivision subdivision, std::uint32_t patch, const PointBlock& points,
+void generate_ray_block(const Surface& surface, Grid grid, std::uint32_t patch, const PointBlock& points,
                         RayBlock& rays) {
     FF_EXPECT(points.dimension == 4);
     FF_EXPECT(points.size <= block_capacity);
     const bool vectorised = std::holds_alternative<Parallelogram>(surface.shape);
     const SurfaceFrame frame = vectorised ? surface_frame(surface) : upright;
-    HWY_DYNAMIC_DISPATCH(generate)(frame, patch_map(subdivision, patch), points, rays);
-    if (!vectorised) place_rays(surface, subdivision, patch, points, rays);
+    HWY_DYNAMIC_DISPATCH(generate)(frame, patch_map(grid, patch), points, rays);
+    if (!vectorised) place_rays(surface, grid, patch, points, rays);
 }
 
-void generate_rays(const Surface& surface, std::uint32_t source, Subdivision subdivision, std::uint32_t patch,
+void generate_rays(const Surface& surface, std::uint32_t source, Grid grid, std::uint32_t patch,
                    const PointBlock& block, RayBatch& rays) {
     const auto generated = std::make_unique<RayBlock>();
-    generate_ray_block(surface, subdivision, patch, block, *generated);
+    generate_ray_block(surface, grid, patch, block, *generated);
     const auto take = [&block](const RayBlock::Component& from, std::vector<float>& to) {
         to.assign(from.begin(), from.begin() + static_cast<std::ptrdiff_t>(block.size));
     };

@@ -21,19 +21,19 @@ struct SurfaceFrame {
 /// @pre a parallelogram
 SurfaceFrame surface_frame(const Surface& surface);
 
-/// Where a patch lies in the m x m grid of its surface. A coordinate of a point is put in the fraction of a float,
+/// Where a patch lies in the grid of its surface. A coordinate of a point is put in the fraction of a float,
 /// which makes it 1 + x; `first_u` takes the one away, adds the column and goes to the middle of the last bit.
 struct PatchMap {
     float first_u = 0;  ///< column - 1 + 2^-24
     float first_v = 0;  ///< row - 1 + 2^-24
-    std::uint32_t m = 1;
+    Grid grid = undivided;
 };
 
-PatchMap patch_map(Subdivision subdivision, std::uint32_t patch);
+PatchMap patch_map(Grid grid, std::uint32_t patch);
 
-/// Length of one of m equal parts of an edge, rounded such that m of them are not longer than the edge: no ray starts
+/// Length of one of equal parts of an edge, rounded such that all of them are not longer than the edge: no ray starts
 /// outside its surface.
-float patch_step(float edge, std::uint32_t m);
+float patch_step(float edge, std::uint32_t parts);
 
 /// Rays of one block, one array a component, in the first-level cache.
 struct RayBlock {
@@ -46,7 +46,7 @@ struct RayBlock {
 /// past the size of the block may be written. Rays of parallelograms are computed in single precision and vectorised;
 /// those of other shapes in double precision, one by one, with origins at all 32 bits of a coordinate.
 /// @throws UserError where the surface does not fit single precision
-void generate_ray_block(const Surface& surface, Subdivision subdivision, std::uint32_t patch, const PointBlock& points,
+void generate_ray_block(const Surface& surface, Grid grid, std::uint32_t patch, const PointBlock& points,
                         RayBlock& rays);
 
 /// Components of consecutive rays, wherever they are stored: of origins, then of directions.

@@ -39,14 +39,26 @@ std::vector<Eigen::Vector3d> corners(const Shape& shape) {
     return {};
 }
 
-Parallelogram patch(const Parallelogram& shape, Subdivision subdivision, std::uint32_t index) {
-    FF_EXPECT(subdivision.m >= 1);
-    FF_EXPECT(index < subdivision.per_surface());
-    const double m = subdivision.m;
-    const std::uint32_t whole_rows = index / subdivision.m;
-    const double column = index % subdivision.m;
+std::uint64_t Subdivision::patches(const Scene& scene) const {
+    std::uint64_t parts = 0;
+    for (const Surface& surface : scene.surfaces) parts += surface.grid.parts();
+    return parts * per_part();
+}
+
+Parallelogram patch(const Parallelogram& shape, Grid grid, std::uint32_t index) {
+    FF_EXPECT(grid.columns >= 1 && grid.rows >= 1);
+    FF_EXPECT(index < grid.parts());
+    const double columns = grid.columns;
+    const double rows = grid.rows;
+    const std::uint32_t whole_rows = index / grid.columns;
+    const double column = index % grid.columns;
     const double row = whole_rows;
-    return {shape.corner + shape.edge_u * column / m + shape.edge_v * row / m, shape.edge_u / m, shape.edge_v / m};
+    return {shape.corner + shape.edge_u * column / columns + shape.edge_v * row / rows, shape.edge_u / columns,
+            shape.edge_v / rows};
+}
+
+Surface patch(const Surface& surface, Grid grid, std::uint32_t index) {
+    return {patch(parallelogram(surface), grid, index), surface.normal, surface.face};
 }
 
 const Parallelogram& parallelogram(const Surface& surface) {
@@ -64,6 +76,11 @@ Parallelogram& parallelogram(Surface& surface) {
 bool has_only_parallelograms(const Scene& scene) {
     return std::all_of(scene.surfaces.begin(), scene.surfaces.end(),
                        [](const Surface& surface) { return std::holds_alternative<Parallelogram>(surface.shape); });
+}
+
+bool has_grids(const Scene& scene) {
+    return std::any_of(scene.surfaces.begin(), scene.surfaces.end(),
+                       [](const Surface& surface) { return surface.grid != undivided; });
 }
 
 double face_area(const Scene& scene, int face) {

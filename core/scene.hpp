@@ -14,12 +14,27 @@ namespace ff {
 /// No face: a surface that only stands in the way. Rays end there and are counted nowhere.
 inline constexpr int no_face = -1;
 
+/// Parts of equal area that a surface is divided into. Part row*columns + column lies at s in [column/columns,
+/// (column+1)/columns] and t in [row/rows, (row+1)/rows]: on a parallelogram, along edge_u and edge_v. Both are 1 or
+/// more.
+struct Grid {
+    std::uint32_t columns;
+    std::uint32_t rows;
+
+    [[nodiscard]] std::uint32_t parts() const { return columns * rows; }
+    bool operator==(const Grid&) const = default;
+};
+
+/// A surface that is not divided.
+inline constexpr Grid undivided{1, 1};
+
 /// One piece of a scene's boundary. It radiates and receives on one side only: that of `normal` (unit length) where it
 /// is flat, that of its `facing` where it is curved (`normal` is then 0).
 struct Surface {
     Shape shape;
     Eigen::Vector3d normal;
     int face = 0;  ///< index into Scene::faces, no_face or mirror_face (core/mirrors.hpp)
+    Grid grid = undivided;
 };
 
 /// Surfaces, and the faces (groups of surfaces) that results are reported for.
@@ -33,15 +48,16 @@ struct Scene {
         empty_box;  ///< edge lengths a, b, c where the scene is the inside of [0,a]x[0,b]x[0,c]
 };
 
-/// m x m patches of equal area on every surface. Patch k*m*m + row*m + column lies on surface k, at s in
-/// [column/m, (column+1)/m] and t in [row/m, (row+1)/m]: on a parallelogram, along edge_u and edge_v.
+/// m x m patches in every part of a surface's grid. The patches of a scene are numbered surface by surface, on each as
+/// the parts of their grid are: core/patch_order.hpp.
 struct Subdivision {
     std::uint32_t m = 1;
 
-    [[nodiscard]] std::uint32_t per_surface() const { return m * m; }
-    [[nodiscard]] std::uint32_t patches(const Scene& scene) const {
-        return per_surface() * static_cast<std::uint32_t>(scene.surfaces.size());
-    }
+    [[nodiscard]] std::uint32_t per_part() const { return m * m; }
+    /// The patches of a surface.
+    [[nodiscard]] Grid of(const Surface& surface) const { return {surface.grid.columns * m, surface.grid.rows * m}; }
+    /// How many a scene has.
+    [[nodiscard]] std::uint64_t patches(const Scene& scene) const;
 };
 
 /// Area of a shape, in squared units of length.
@@ -51,8 +67,11 @@ double area(const Shape& shape);
 /// The corners of a parallelogram or a triangle in order around it; none of a round shape.
 std::vector<Eigen::Vector3d> corners(const Shape& shape);
 
-/// Patch `index` (0 .. m*m-1) of a surface.
-Parallelogram patch(const Parallelogram& shape, Subdivision subdivision, std::uint32_t index);
+/// Part `index` of a parallelogram.
+Parallelogram patch(const Parallelogram& shape, Grid grid, std::uint32_t index);
+
+/// The same of a surface that is known to be a parallelogram, as a surface of its own.
+Surface patch(const Surface& surface, Grid grid, std::uint32_t index);
 
 /// The shape of a surface that is known to be a parallelogram.
 const Parallelogram& parallelogram(const Surface& surface);
@@ -60,6 +79,9 @@ Parallelogram& parallelogram(Surface& surface);
 
 /// Whether every surface is a parallelogram.
 bool has_only_parallelograms(const Scene& scene);
+
+/// Whether some surface is divided.
+bool has_grids(const Scene& scene);
 
 /// Total area of a face.
 double face_area(const Scene& scene, int face);

@@ -6,11 +6,11 @@
 
 namespace ff {
 
-void shoot_by_tracing(const Tracer& tracer, const Scene& scene, std::uint32_t source, Subdivision subdivision,
-                      std::uint32_t patch, const PointBlock& block, std::span<std::uint64_t> hits) {
+void shoot_by_tracing(const Tracer& tracer, const Scene& scene, std::uint32_t source, Grid grid, std::uint32_t patch,
+                      const PointBlock& block, std::span<std::uint64_t> hits) {
     FF_EXPECT(hits.size() == scene.faces.size() + 1);
     RayBatch rays;
-    generate_rays(scene.surfaces[source], source, subdivision, patch, block, rays);
+    generate_rays(scene.surfaces[source], source, grid, patch, block, rays);
     std::vector<Hit> found(rays.size());
     tracer.trace(rays, found);
     for (const Hit& hit : found) {

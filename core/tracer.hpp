@@ -46,9 +46,9 @@ class Tracer {
     [[nodiscard]] virtual std::string_view name() const = 0;
 
     /// Shoots one cosine-distributed ray for each 4-D point (s, t on the patch; direction) of `block` from patch
-    /// `patch` of surface `source` and adds the hits by face to `hits` (faces + 1 entries, the last for lost rays).
-    /// Rays that end where nothing receives are counted nowhere.
-    virtual void shoot(std::uint32_t source, Subdivision subdivision, std::uint32_t patch, const PointBlock& block,
+    /// `patch` of the `grid` of patches of surface `source` and adds the hits by face to `hits` (faces + 1 entries, the
+    /// last for lost rays). Rays that end where nothing receives are counted nowhere.
+    virtual void shoot(std::uint32_t source, Grid grid, std::uint32_t patch, const PointBlock& block,
                        std::span<std::uint64_t> hits) const = 0;
 
     /// Traces rays one by one; `hits` has room for rays.size().
@@ -67,7 +67,7 @@ class Tracer {
 /// middle of one of 2^23 cells. Coordinate 2 is the squared sine of the angle to the normal, coordinate 3 the azimuth
 /// in turns: on a parallelogram from edge_u towards edge_v, elsewhere from the tangent of SurfacePoint. @throws
 /// UserError where the surface does not fit single precision
-void generate_rays(const Surface& surface, std::uint32_t source, Subdivision subdivision, std::uint32_t patch,
+void generate_rays(const Surface& surface, std::uint32_t source, Grid grid, std::uint32_t patch,
                    const PointBlock& block, RayBatch& rays);
 
 /// Analytic vectorised tracer for the inside of an empty box; equal hits on every CPU. A ray that meets an edge hits

@@ -63,6 +63,7 @@ FlatRectangle flatten(const Plane& plane, Side side, double depth, const Paralle
 
 std::optional<UnfoldedBox> unfold_box(const Scene& scene, Subdivision subdivision) {
     if (!scene.empty_box || !mirrors(scene).empty() || scene.surfaces.size() != 6) return std::nullopt;
+    if (has_grids(scene)) return std::nullopt;
     const auto& [corner, edge_u, edge_v] = parallelogram(scene.surfaces.front());
     const Plane plane{corner,        edge_u.normalized(), edge_v.normalized(), scene.surfaces.front().normal,
                       edge_u.norm(), edge_v.norm()};
@@ -79,8 +80,9 @@ std::optional<UnfoldedBox> unfold_box(const Scene& scene, Subdivision subdivisio
         box.surfaces.push_back(whole);
         box.extent = {std::min(box.extent.left, whole.left), std::min(box.extent.bottom, whole.bottom),
                       std::max(box.extent.right, whole.right), std::max(box.extent.top, whole.top)};
-        for (std::uint32_t p = 0; p < subdivision.per_surface(); ++p)
-            box.patches.push_back(flatten(plane, side, depth, patch(parallelogram(surface), subdivision, p)));
+        for (std::uint32_t p = 0; p < subdivision.per_part(); ++p)
+            box.patches.push_back(
+                flatten(plane, side, depth, patch(parallelogram(surface), subdivision.of(surface), p)));
     }
     return box;
 }

@@ -37,7 +37,7 @@ std::string cell_fields(const studies::StudyPlan& plan, const studies::CellFindi
                        csv_field(plan.scenes[cell.scene].name), csv_field(method.name), method.sampler,
                        name(method.estimator), name(method.completion), nodes_field(method),
                        has_allocation(method.estimator) ? studies::name(method.allocation) : "",
-                       cell.subdivision.per_surface(), samples, found.trials);
+                       cell.subdivision.per_part(), samples, found.trials);
 }
 
 std::string low(const std::optional<stats::Interval>& interval) {
@@ -106,7 +106,7 @@ void write_trials_csv(std::ostream& out, const studies::Store& store) {
         const std::string samples = cell.samples == 0 ? std::string() : std::to_string(cell.samples);
         const std::string prefix =
             fmt::format("{},{},{},{},{}", csv_field(plan.spec.name), csv_field(scene.name),
-                        csv_field(plan.spec.methods[cell.method].name), cell.subdivision.per_surface(), samples);
+                        csv_field(plan.spec.methods[cell.method].name), cell.subdivision.per_part(), samples);
         for (const studies::Quantity pair : studies::distinct_pairs(estimates.faces, studies::Completion::direct)) {
             const std::string faces =
                 fmt::format("{},{}", csv_field(from_label(scene, pair)), csv_field(to_label(scene, pair)));

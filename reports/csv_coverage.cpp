@@ -14,7 +14,7 @@ void write_coverage_csv(std::ostream& out, const studies::StudyResults& results)
         const studies::Cell& cell = plan.cells[row.cell];
         out << fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", csv_field(plan.spec.name),
                            csv_field(plan.scenes[cell.scene].name), csv_field(plan.spec.methods[cell.method].name),
-                           cell.subdivision.per_surface(), cell.samples, name(row.pair_class), studies::name(row.rule),
+                           cell.subdivision.per_part(), cell.samples, name(row.pair_class), studies::name(row.rule),
                            row.replicates, exact(row.mean_trials), row.intervals, row.covered, exact(row.share()),
                            exact(row.actual.low), exact(row.actual.high), exact(plan.spec.level),
                            row.short_of_nominal ? "true" : "false");

@@ -19,7 +19,7 @@ using studies::StudyPlan;
 std::string cell_fields(const StudyPlan& plan, const studies::Consequences& found) {
     const studies::Cell& cell = plan.cells[found.cell];
     return fmt::format("{},{},{},{},{},{}", csv_field(plan.spec.name), csv_field(plan.scenes[cell.scene].name),
-                       csv_field(plan.spec.methods[cell.method].name), cell.subdivision.per_surface(),
+                       csv_field(plan.spec.methods[cell.method].name), cell.subdivision.per_part(),
                        cell.samples == 0 ? std::string() : std::to_string(cell.samples), studies::name(found.between));
 }
 

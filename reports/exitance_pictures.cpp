@@ -39,7 +39,7 @@ class FlatPicture {
         shown_.push_back(choice.label);
         for (std::size_t patch = 0; patch < choice.values.size(); ++patch) {
             const FlatRectangle& at = box_.patches[patch];
-            const int face = scene_->surfaces[patch / subdivision_.per_surface()].face;
+            const int face = scene_->surfaces[patch / subdivision_.per_part()].face;
             values_.add({scene_->faces[static_cast<std::size_t>(face)], choice.label, drawn(at.left, 4),
                          drawn(at.bottom, 4), drawn(choice.values[patch], 4)});
         }
@@ -78,7 +78,7 @@ std::vector<double> gather(const studies::Lighting& lighting, const studies::Exa
     const Eigen::VectorXd irradiance = to_faces * solved.exitance;
     std::vector<double> exitance;
     for (Eigen::Index patch = 0; patch < irradiance.size(); ++patch) {
-        const int face = scene.surfaces[static_cast<std::size_t>(patch) / subdivision.per_surface()].face;
+        const int face = scene.surfaces[static_cast<std::size_t>(patch) / subdivision.per_part()].face;
         exitance.push_back(lighting.emission[face] + lighting.reflectance[solved.setting][face] * irradiance[patch]);
     }
     return exitance;
@@ -100,8 +100,9 @@ std::optional<Picture> gathered_picture(const studies::StudyResults& results, st
     const StudyPlan& plan = results.findings.plan;
     const Scene& scene = plan.scenes[scene_index];
     auto box = unfold_box(scene, subdivision);
+    if (!box) return std::nullopt;
     const auto to_faces = exact_patch_to_face(scene, subdivision);
-    if (!box || !to_faces) return std::nullopt;
+    if (!to_faces) return std::nullopt;
     FlatPicture flat(scene, subdivision, std::move(*box));
     const studies::Lighting lighting = studies::light_faces(plan, scene_index);
     std::string finding;

@@ -132,7 +132,7 @@ Json cell_json(const studies::StudyPlan& plan, const studies::CellFindings& foun
               {"tracer", shoots ? Json(studies::name(method.tracer)) : Json(nullptr)},
               {"map", kernel ? Json(studies::name(method.map)) : Json(nullptr)},
               {"nodes", nodes_json(method)},
-              {"patches_per_face", cell.subdivision.per_surface()},
+              {"patches_per_face", cell.subdivision.per_part()},
               {"samples_per_patch", cell.samples == 0 ? Json(nullptr) : Json(cell.samples)},
               {"deterministic", cell.deterministic},
               {"trials", found.trials},

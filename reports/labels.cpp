@@ -36,7 +36,7 @@ std::string quantity_label(const Scene& scene, const studies::Quantity& quantity
 
 std::string size_label(const studies::StudyPlan& plan, const studies::Cell& cell) {
     const studies::Method& method = plan.spec.methods[cell.method];
-    const auto patches = cell.subdivision.per_surface();
+    const auto patches = cell.subdivision.per_part();
     if (method.nodes) {
         const auto [source, target] = *method.nodes;
         if (target == 0) return fmt::format("{} × {}² nodes", patches, source);

@@ -1,6 +1,6 @@
 #include "reports/radiosity_words.hpp"
 
-#include "core/mirrors.hpp"
+#include "core/patch_order.hpp"
 #include "core/radiosity/patch_factors.hpp"
 #include "reports/labels.hpp"
 #include "reports/numbers.hpp"
@@ -186,13 +186,10 @@ const studies::ExitanceFindings* worst_element(const studies::SettingFindings& a
 
 Place place_of(const Scene& scene, Subdivision subdivision, studies::Between between, std::size_t element) {
     if (between == studies::Between::faces) return {scene.faces[element - 1]};
-    const std::size_t on_surface = (element - 1) % subdivision.per_surface();
-    std::size_t before = (element - 1) / subdivision.per_surface();
-    const int face = std::find_if(scene.surfaces.begin(), scene.surfaces.end(), [&](const Surface& surface) {
-                         return is_of_face(surface) && before-- == 0;
-                     })->face;
-    return {scene.faces[static_cast<std::size_t>(face)], on_surface / subdivision.m + 1,
-            on_surface % subdivision.m + 1};
+    const PatchOrder order(scene, subdivision, Numbered::of_faces);
+    const PatchPlace place = order.place(static_cast<std::uint32_t>(element - 1));
+    const int face = scene.surfaces[place.surface].face;
+    return {scene.faces[static_cast<std::size_t>(face)], place.row + std::size_t{1}, place.column + std::size_t{1}};
 }
 
 std::string element_text(const studies::StudyPlan& plan, const studies::Consequences& found, std::size_t element) {

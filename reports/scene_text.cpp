@@ -21,6 +21,14 @@ std::string listed(std::string_view heading, const std::vector<std::string>& lin
     return out;
 }
 
+/// ", grid 4 × 1"; nothing in a scene without grids.
+std::string grids_text(const std::vector<Grid>& grids) {
+    if (grids.empty()) return {};
+    std::vector<std::string> texts;
+    for (const Grid& grid : grids) texts.push_back(fmt::format("{} × {}", grid.columns, grid.rows));
+    return fmt::format(", grid{} {}", grids.size() == 1 ? "" : "s", fmt::join(texts, ", "));
+}
+
 }  // namespace
 
 std::string scene_text(const Scene& scene, const studies::SceneExplanation& explanation) {
@@ -32,8 +40,9 @@ std::string scene_text(const Scene& scene, const studies::SceneExplanation& expl
     std::vector<std::string> faces;
     for (std::size_t face = 0; face < scene.faces.size(); ++face) {
         const std::size_t surfaces = explanation.surfaces[face];
-        faces.push_back(fmt::format("{}: area {:.6g}{}", scene.faces[face], explanation.areas[face],
-                                    surfaces == 1 ? "" : fmt::format(", {} surfaces", surfaces)));
+        faces.push_back(fmt::format("{}: area {:.6g}{}{}", scene.faces[face], explanation.areas[face],
+                                    surfaces == 1 ? "" : fmt::format(", {} surfaces", surfaces),
+                                    grids_text(explanation.grids[face])));
     }
     out += "\n\n" + listed("Faces", faces);
     std::vector<std::string> pairs;

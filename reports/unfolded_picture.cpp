@@ -21,7 +21,7 @@ std::optional<Picture> unfolded_picture(const studies::StudyResults& results, st
     // A patch has its corner only; its size is that of all patches of its face, in the row that labels it.
     PictureValues values({"face", "left", "bottom", "rmse", "label", "width", "height"});
     const auto face_of = [&](std::size_t patch) {
-        return scene.faces[static_cast<std::size_t>(scene.surfaces[patch / cell.subdivision.per_surface()].face)];
+        return scene.faces[static_cast<std::size_t>(scene.surfaces[patch / cell.subdivision.per_part()].face)];
     };
     for (std::size_t patch = 0; patch < box->patches.size(); ++patch) {
         const FlatRectangle& at = box->patches[patch];

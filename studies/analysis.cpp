@@ -76,7 +76,8 @@ BiasFamily judge_family(const CellEstimates& estimates, const std::vector<Quanti
             if (summary.variance != VarianceStatus::finite || varies || !summary.bias || estimates.trials() < 2)
                 continue;
             // Trials that all give one wrong value: their random numbers are no replicates, or the method is wrong.
-            if (std::abs(*summary.bias) > estimates.lattice.value_or(0.0) + 1e-12) family.constant_and_wrong = true;
+            if (std::abs(*summary.bias) > estimates.lattice(pair).value_or(0.0) + 1e-12)
+                family.constant_and_wrong = true;
             continue;
         }
         p_values.push_back(test->p);
@@ -202,12 +203,12 @@ CellFindings analyse_cell(const Store& store, std::size_t cell_index) {
         request.variance = known_variance(method, scene, quantity);
         request.reference = reference_of(scene, known, quantity);
         if (request.variance == VarianceStatus::finite &&
-            too_few_hits(estimates.lattice, request.reference, estimates.trials())) {
+            too_few_hits(estimates.lattice(quantity), request.reference, estimates.trials())) {
             request.variance = VarianceStatus::sparse;
         }
         const bool counts = quantity.kind != QuantityKind::sum_relative_error &&
                             (equal_areas || method.completion == Completion::direct);
-        if (counts) request.lattice = estimates.lattice;
+        if (counts) request.lattice = estimates.lattice(quantity);
         request.evaluations_per_face =
             quantity.kind == QuantityKind::sum_relative_error ? 0 : estimates.evaluations_per_face;
         request.level = plan.spec.level;
@@ -226,7 +227,7 @@ CellFindings analyse_cell(const Store& store, std::size_t cell_index) {
     }
     for (const Quantity pair : pairs) {
         const Summary& summary = findings.summary(pair);
-        const auto lattice = equal_areas ? estimates.lattice : std::nullopt;
+        const auto lattice = equal_areas ? estimates.lattice(pair) : std::nullopt;
         if (!summary.reference || summary.variance == VarianceStatus::undefined) continue;
         if (auto shape = error_shape(estimates.values(pair), *summary.reference, lattice)) {
             shape->quantity = pair;

@@ -69,7 +69,7 @@ std::vector<Contender> contenders(const ClaimEvidence& evidence, const Published
         const Cell& cell = findings.plan.cells[i];
         const Method& method = findings.plan.spec.methods[cell.method];
         if (cell.scene != evidence.scene()) continue;
-        const bool same_size = names(claim.patches_per_face, cell.subdivision.per_surface()) &&
+        const bool same_size = names(claim.patches_per_face, cell.subdivision.per_part()) &&
                                (cell.deterministic || names(claim.samples_per_patch, cell.samples));
         if (!same_size || method.estimator == Estimator::closed_form || findings.cells[i].trials == 0) continue;
         result.push_back({method.name, mean_with_error(class_errors(evidence, i, pairs), findings.plan.spec.level),

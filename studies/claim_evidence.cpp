@@ -18,7 +18,7 @@ std::vector<std::size_t> ClaimEvidence::cells(const PublishedClaim& claim, std::
         if (cell.scene != scene_) continue;
         if (findings_.cells[i].trials == 0 || findings_.plan.spec.methods[cell.method].name != claim.methods[method])
             continue;
-        if (!names(claim.patches_per_face, cell.subdivision.per_surface())) continue;
+        if (!names(claim.patches_per_face, cell.subdivision.per_part())) continue;
         if (cell.deterministic || names(claim.samples_per_patch, cell.samples)) found.push_back(i);
     }
     std::sort(found.begin(), found.end(), [&](std::size_t a, std::size_t b) {

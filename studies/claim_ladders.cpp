@@ -32,7 +32,7 @@ std::string ladder(const ClaimEvidence& evidence, const std::vector<std::size_t>
         const Cell& cell = evidence.findings().plan.cells[cells[i]];
         const std::string samples = cell.deterministic ? "" : fmt::format(" × {} rays", cell.samples);
         rungs.push_back(
-            fmt::format("{} at {} patches a face{}", percent(errors[i]), cell.subdivision.per_surface(), samples));
+            fmt::format("{} at {} patches a face{}", percent(errors[i]), cell.subdivision.per_part(), samples));
     }
     return fmt::format("Mean Σ r.e.: {}.", fmt::join(rungs, ", "));
 }
@@ -64,8 +64,8 @@ Judgement judge_not_always_falling(const ClaimEvidence& evidence, const Publishe
         least = std::min(least, share.interval.low);
         most = std::max(most, share.interval.high);
         text += fmt::format("From {} to {} patches a face a single run gets worse in {}. ",
-                            evidence.findings().plan.cells[cells[i - 1]].subdivision.per_surface(),
-                            evidence.findings().plan.cells[cells[i]].subdivision.per_surface(), percent(share));
+                            evidence.findings().plan.cells[cells[i - 1]].subdivision.per_part(),
+                            evidence.findings().plan.cells[cells[i]].subdivision.per_part(), percent(share));
     }
     const auto errors = mean_sum_errors(evidence, cells);
     text += ladder(evidence, cells, errors);

@@ -175,8 +175,7 @@ std::optional<std::size_t> find_cell(const StudyPlan& plan, std::size_t scene, s
     for (std::size_t i = 0; i < plan.cells.size(); ++i) {
         const Cell& cell = plan.cells[i];
         if (cell.scene != scene) continue;
-        if (plan.spec.methods[cell.method].name != method || cell.subdivision.per_surface() != patches_per_face)
-            continue;
+        if (plan.spec.methods[cell.method].name != method || cell.subdivision.per_part() != patches_per_face) continue;
         if (!samples_per_patch || cell.samples == *samples_per_patch) return i;
     }
     return std::nullopt;

@@ -26,12 +26,25 @@ std::vector<double> direct_values(const Store& store, std::size_t cell, const Di
     return std::move(series.value);
 }
 
+/// Rays of each face, for each pair of faces those of the one that was shot from.
+std::vector<double> rays_of_pairs(const CellEstimates& estimates, const Scene& scene, Completion completion) {
+    const Eigen::VectorXd of_face = static_cast<double>(estimates.evaluations_per_face) * parts_a_surface(scene);
+    std::vector<double> rays;
+    for (Eigen::Index i = 0; i < of_face.size(); ++i) {
+        for (Eigen::Index j = 0; j < of_face.size(); ++j)
+            rays.push_back(completion == Completion::reciprocal ? of_face[std::min(i, j)] : of_face[i]);
+    }
+    return rays;
+}
+
 /// Hits add up exactly and are divided once, so that a row that closure fixes sums to 1 to the bit.
 void divide_by_rays(CellEstimates& estimates) {
-    const auto rays = static_cast<double>(estimates.evaluations_per_face);
-    for (auto* list : {&estimates.factors, &estimates.row_sums}) {
-        for (auto& values : *list) {
-            for (double& value : values) value /= rays;
+    const std::size_t faces = estimates.faces;
+    for (std::size_t i = 0; i < faces; ++i) {
+        const double rays = estimates.rays[i * faces + i];
+        for (double& sum : estimates.row_sums[i]) sum /= rays;
+        for (std::size_t j = 0; j < faces; ++j) {
+            for (double& value : estimates.factors[i * faces + j]) value /= rays;
         }
     }
 }
@@ -76,6 +89,16 @@ const std::vector<double>& CellEstimates::values(Quantity quantity) const {
     return sum_relative_error;
 }
 
+std::optional<double> CellEstimates::lattice(Quantity quantity) const {
+    if (rays.empty() || quantity.kind == QuantityKind::sum_relative_error) return std::nullopt;
+    const std::size_t row = static_cast<std::size_t>(quantity.from - 1) * faces;
+    if (quantity.kind == QuantityKind::form_factor) return 1 / rays[row + static_cast<std::size_t>(quantity.to - 1)];
+    for (std::size_t to = 0; to < faces; ++to) {
+        if (rays[row + to] != rays[row]) return std::nullopt;
+    }
+    return 1 / rays[row];
+}
+
 CellEstimates load_estimates(const Store& store, std::size_t cell) {
     return load_estimates(store, cell, store.plan().spec.methods[store.plan().cells[cell].method].completion);
 }
@@ -110,18 +133,23 @@ CellEstimates complete(const StudyPlan& plan, std::size_t cell_index, Completion
     estimates.faces = scene.faces.size();
     estimates.trial_numbers = std::move(direct.trial_numbers);
     estimates.factors = std::move(direct.values);
-    estimates.evaluations_per_face = cell.subdivision.per_surface() * cell.samples;
-    if (method.estimator == Estimator::area_kernel) estimates.evaluations_per_face *= cell.subdivision.per_surface();
+    estimates.evaluations_per_face = cell.subdivision.per_part() * cell.samples;
+    if (method.estimator == Estimator::area_kernel) estimates.evaluations_per_face *= cell.subdivision.per_part();
     const bool shoots = method.estimator == Estimator::ray_shooting;
     const bool counted = shoots && has_one_surface_a_face(scene);
     if (shoots && scene.closed) estimates.lost_rays = direct.lost_rays;  // out of an open scene rays may go
-    if (counted) estimates.lattice = 1.0 / static_cast<double>(estimates.evaluations_per_face);
+    if (counted) estimates.rays = rays_of_pairs(estimates, scene, completion);
     const int faces = static_cast<int>(estimates.faces);
     for (int i = 1; completion == Completion::reciprocal && i <= faces; ++i) {
         for (int j = 1; j < i; ++j) {
-            auto& target = estimates.factors[static_cast<std::size_t>((i - 1) * faces + j - 1)];
+            const auto row = static_cast<std::size_t>((i - 1) * faces);
+            auto& target = estimates.factors[row + static_cast<std::size_t>(j - 1)];
             target = estimates.factors[static_cast<std::size_t>((j - 1) * faces + i - 1)];
-            const double ratio = face_area(scene, j - 1) / face_area(scene, i - 1);
+            double ratio = face_area(scene, j - 1) / face_area(scene, i - 1);
+            // Hits of j, as if they were of the rays of i.
+            if (counted)
+                ratio *= estimates.rays[row + static_cast<std::size_t>(i - 1)] /
+                         estimates.rays[row + static_cast<std::size_t>(j - 1)];
             for (double& value : target) value *= ratio;
         }
     }

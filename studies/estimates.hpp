@@ -27,12 +27,16 @@ struct CellEstimates {
     std::vector<std::vector<double>> factors;   ///< [(from - 1) * faces + to - 1], by trial; diagonal empty
     std::vector<std::vector<double>> row_sums;  ///< [from - 1]
     std::vector<double> sum_relative_error;     ///< percent, over all faces; empty in an open scene
-    std::optional<double> lattice;              ///< hits / rays: values are multiples of this, for equal face areas
+    std::vector<double>
+        rays;  ///< [(from - 1) * faces + to - 1], that a trial's hits are of; empty where none are counted
     std::uint64_t lost_rays = 0;
-    std::uint64_t evaluations_per_face =
-        0;  ///< N: rays from or points on a face, or kernel values of a face pair, in a trial
+    /// N: rays from or points on a face, or kernel values of a face pair, in a trial; where surfaces have grids, of
+    /// each part or pair of parts.
+    std::uint64_t evaluations_per_face = 0;
 
     [[nodiscard]] const std::vector<double>& values(Quantity quantity) const;
+    /// What the values of a pair or a row are multiples of, for equal face areas; empty where hits are not counted.
+    [[nodiscard]] std::optional<double> lattice(Quantity quantity) const;
     [[nodiscard]] std::size_t trials() const { return row_sums.empty() ? 0 : row_sums.front().size(); }
 };
 

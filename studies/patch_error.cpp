@@ -2,6 +2,7 @@
 
 #include "core/exact.hpp"
 #include "core/mirrors.hpp"
+#include "core/patch_order.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -42,11 +43,8 @@ PatchTotals patch_totals(const Store& store, std::size_t cell) {
     return totals;
 }
 
-bool at_edge(Subdivision subdivision, std::uint32_t patch) {
-    const std::uint32_t m = subdivision.m;
-    const std::uint32_t row = patch % subdivision.per_surface() / m;
-    const std::uint32_t column = patch % m;
-    return std::min(row, column) == 0 || std::max(row, column) == m - 1;
+bool at_edge(const PatchPlace& place, Grid grid) {
+    return std::min(place.row, place.column) == 0 || place.row == grid.rows - 1 || place.column == grid.columns - 1;
 }
 
 double root_of_mean(double sum, std::size_t count) {
@@ -59,9 +57,10 @@ std::optional<PatchErrors> patch_errors(const Store& store, std::size_t cell_ind
     const Cell& cell = store.plan().cells[cell_index];
     const Scene& scene = store.plan().scenes[cell.scene];
     const std::size_t faces = scene.faces.size();
-    const std::size_t patches = cell.subdivision.patches(scene);
+    const PatchOrder order(scene, cell.subdivision);
+    const std::size_t patches = order.size();
     const PatchTotals sums = patch_totals(store, cell_index);
-    if (cell.subdivision.m < 2 || sums.trials == 0 || sums.sum.size() != patches * faces) return std::nullopt;
+    if (patches == scene.surfaces.size() || sums.trials == 0 || sums.sum.size() != patches * faces) return std::nullopt;
     const auto exact = exact_patch_to_face(scene, cell.subdivision);
     if (!exact) return std::nullopt;
 
@@ -71,8 +70,9 @@ std::optional<PatchErrors> patch_errors(const Store& store, std::size_t cell_ind
     double inner_squares = 0;
     std::size_t edge_patches = 0;
     std::size_t inner_patches = 0;
-    for (std::size_t patch = 0; patch < patches; ++patch) {
-        const Surface& surface = scene.surfaces[patch / cell.subdivision.per_surface()];
+    for (std::uint32_t patch = 0; patch < patches; ++patch) {
+        const PatchPlace place = order.place(patch);
+        const Surface& surface = scene.surfaces[place.surface];
         if (!is_of_face(surface)) {
             errors.rmse.push_back(0);
             continue;
@@ -81,7 +81,7 @@ std::optional<PatchErrors> patch_errors(const Store& store, std::size_t cell_ind
         double squares = 0;
         for (std::size_t face = 0; face < faces; ++face) {
             if (face == own) continue;
-            const double truth = (*exact)(static_cast<Eigen::Index>(patch), static_cast<Eigen::Index>(face));
+            const double truth = (*exact)(patch, static_cast<Eigen::Index>(face));
             const double mean = sums.sum[patch * faces + face] / trials;
             const double mean_square = sums.sum_of_squares[patch * faces + face] / trials;
             const double variance = sums.trials == 1 ? 0 : std::max(0.0, mean_square - mean * mean);
@@ -89,7 +89,7 @@ std::optional<PatchErrors> patch_errors(const Store& store, std::size_t cell_ind
         }
         squares /= static_cast<double>(faces - 1);
         errors.rmse.push_back(std::sqrt(squares));
-        const bool edge = at_edge(cell.subdivision, static_cast<std::uint32_t>(patch));
+        const bool edge = at_edge(place, cell.subdivision.of(surface));
         (edge ? edge_squares : inner_squares) += squares;
         ++(edge ? edge_patches : inner_patches);
     }

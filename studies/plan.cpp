@@ -27,6 +27,7 @@ constexpr std::uint64_t most_units = 10'000'000;
 
 /// About a month on one core.
 constexpr double most_evaluations = 1e15;
+constexpr std::uint64_t most_patches = 1u << 31;  // of a scene
 
 /// Nanoseconds on one core of a current server; only their ratios matter, for units of about equal length.
 constexpr double tracing_nanoseconds = 1.0;
@@ -85,11 +86,28 @@ void warn_about_size(StudyPlan& plan, const Method& method, const Cell& cell) {
     if (!problem.message.empty()) add_warning(plan, fmt::format("method '{}': {}", method.name, problem.message));
 }
 
+/// Patches, or ordered pairs of patches of different surfaces with kernels.
+double evaluated_patches(const Method& method, const Scene& scene, Subdivision subdivision) {
+    const auto all = static_cast<double>(subdivision.patches(scene));
+    if (method.estimator != Estimator::area_kernel) return all;
+    double pairs = all * all;
+    for (const Surface& surface : scene.surfaces) {
+        const double own = subdivision.of(surface).parts();
+        pairs -= own * own;
+    }
+    return pairs;
+}
+
 /// @throws UserError where one trial alone would take for ever
 void expect_feasible(const Method& method, const Scene& scene, const Cell& cell) {
-    const double patches = cell.subdivision.patches(scene);
-    double evaluations = patches * static_cast<double>(cell.samples);
-    if (method.estimator == Estimator::area_kernel) evaluations *= patches - cell.subdivision.per_surface();
+    const std::uint64_t patches = cell.subdivision.patches(scene);
+    if (patches > most_patches) {
+        throw UserError(fmt::format(
+            "method '{}': {} patches in scene '{}' (at most {} can be told apart). Take fewer patches a face, or "
+            "coarser grids.",
+            method.name, patches, scene.name, most_patches));
+    }
+    const double evaluations = evaluated_patches(method, scene, cell.subdivision) * static_cast<double>(cell.samples);
     if (evaluations <= most_evaluations) return;
     throw UserError(fmt::format(
         "method '{}': one trial takes {:.1g} evaluations (more than {:g}). Take fewer patches, samples or nodes.",
@@ -154,14 +172,13 @@ void add_units(const StudyPlan& plan, std::size_t cell_index, std::uint64_t firs
 }
 
 std::uint64_t points_per_sequence(const Method& method, Subdivision subdivision, std::uint64_t samples) {
-    return method.allocation == Allocation::face ? samples * subdivision.per_surface() : samples;
+    return method.allocation == Allocation::face ? samples * subdivision.per_part() : samples;
 }
 
 std::uint64_t evaluations_per_trial(const StudyPlan& plan, const Cell& cell) {
-    const std::uint64_t patches = cell.subdivision.patches(plan.scenes[cell.scene]);
-    if (plan.spec.methods[cell.method].estimator != Estimator::area_kernel) return patches * cell.samples;
-    const std::uint64_t other_faces = patches - cell.subdivision.per_surface();
-    return patches * other_faces * cell.samples;
+    const Method& method = plan.spec.methods[cell.method];
+    const double patches = evaluated_patches(method, plan.scenes[cell.scene], cell.subdivision);
+    return static_cast<std::uint64_t>(patches) * cell.samples;
 }
 
 double expected_seconds_per_trial(const StudyPlan& plan, const Cell& cell) {

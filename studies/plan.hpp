@@ -47,7 +47,8 @@ StudyPlan plan_study(StudySpec spec);
 void add_units(const StudyPlan& plan, std::size_t cell, std::uint64_t first_trial, std::uint64_t end_trial,
                std::vector<WorkUnit>& units);
 
-/// Points of one sequence of a cell: those of a patch, or of a whole face where one sequence serves it.
+/// Points of one sequence of a cell: those of a patch, or of all patches of a part of a surface's grid where one serves
+/// them.
 std::uint64_t points_per_sequence(const Method& method, Subdivision subdivision, std::uint64_t samples);
 
 /// Evaluations (rays, kernel values, or points that see all faces) of one trial of a cell.

@@ -9,6 +9,7 @@
 #include "studies/applicability.hpp"
 #include "studies/spec_names.hpp"
 
+#include <algorithm>
 #include <string_view>
 
 namespace ff::studies {
@@ -59,6 +60,8 @@ SceneExplanation explain_scene(const Scene& scene) {
     const std::size_t faces = scene.faces.size();
     explanation.areas.resize(faces);
     explanation.surfaces.resize(faces);
+    explanation.grids.resize(faces);
+    const bool with_grids = has_grids(scene);
     for (const Surface& surface : scene.surfaces) {
         if (!is_of_face(surface)) {
             ++explanation.occluders;
@@ -66,6 +69,9 @@ SceneExplanation explain_scene(const Scene& scene) {
         }
         explanation.areas[static_cast<std::size_t>(surface.face)] += area(surface.shape);
         ++explanation.surfaces[static_cast<std::size_t>(surface.face)];
+        auto& grids = explanation.grids[static_cast<std::size_t>(surface.face)];
+        const bool is_new = std::find(grids.begin(), grids.end(), surface.grid) == grids.end();
+        if (with_grids && is_new) grids.push_back(surface.grid);
     }
     if (faces <= most_faces) {
         const KnownFactors known = known_factors(scene);

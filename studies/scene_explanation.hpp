@@ -27,9 +27,11 @@ struct ExplainedEstimator {
 struct SceneExplanation {
     std::vector<double> areas;          ///< of faces
     std::vector<std::size_t> surfaces;  ///< of faces, how many
-    std::size_t occluders = 0;          ///< surfaces of no face
-    std::vector<ExplainedPair> pairs;   ///< of different faces that face each other, row by row
-    std::size_t unknown_pairs = 0;      ///< that face each other, and have no exact value
+    std::vector<std::vector<Grid>>
+        grids;                         ///< of the surfaces of faces, each that occurs once; empty where none is divided
+    std::size_t occluders = 0;         ///< surfaces of no face
+    std::vector<ExplainedPair> pairs;  ///< of different faces that face each other, row by row
+    std::size_t unknown_pairs = 0;     ///< that face each other, and have no exact value
     std::vector<ExplainedEstimator> estimators;
 };
 

@@ -2,6 +2,7 @@
 
 #include "core/contract.hpp"
 #include "core/exact.hpp"
+#include "core/patch_order.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -38,27 +39,27 @@ double SrDistribution::sum_sigma(int face) const {
     return std::sqrt(std::max(0.0, sum_covariance(face, face)));
 }
 
-SrDistribution sr_distribution(const Scene& scene, const Eigen::MatrixXd& patch_to_face, double rays_per_patch,
-                               Completion completion) {
+SrDistribution sr_distribution(const Scene& scene, Subdivision subdivision, const Eigen::MatrixXd& patch_to_face,
+                               double rays_per_patch, Completion completion) {
     const Index faces = static_cast<Index>(scene.faces.size());
     FF_EXPECT(rays_per_patch > 0);
     FF_EXPECT(patch_to_face.cols() == faces);
-    const Index per_surface = patch_to_face.rows() / static_cast<Index>(scene.surfaces.size());
+    const PatchOrder order(scene, subdivision);
+    FF_EXPECT(patch_to_face.rows() == order.size());
 
     Eigen::MatrixXd direct = Eigen::MatrixXd::Zero(faces * faces, faces * faces);
     Eigen::MatrixXd mean = Eigen::MatrixXd::Zero(faces, faces);
     for (Index face = 0; face < faces; ++face) {
-        Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(faces, faces);
-        double patches = 0;
+        const double whole = face_area(scene, static_cast<int>(face));
         for (std::size_t s = 0; s < scene.surfaces.size(); ++s) {
             if (scene.surfaces[s].face != face) continue;
-            const Eigen::MatrixXd factors = patch_to_face.middleRows(static_cast<Index>(s) * per_surface, per_surface);
-            sum += ray_covariance(factors);
-            mean.row(face) += factors.colwise().sum();
-            patches += static_cast<double>(per_surface);
+            const Eigen::MatrixXd factors = patch_to_face.middleRows(order.first(s), order.count(s));
+            const double patches = order.count(s);
+            const double share = area(scene.surfaces[s].shape) / whole;
+            mean.row(face) += share * (factors.colwise().sum() / patches);
+            direct.block(face * faces, face * faces, faces, faces) +=
+                share * share * (ray_covariance(factors) / (rays_per_patch * patches * patches));
         }
-        mean.row(face) /= patches;
-        direct.block(face * faces, face * faces, faces, faces) = sum / (rays_per_patch * patches * patches);
     }
 
     Eigen::MatrixXd completed = Eigen::MatrixXd::Zero(faces * faces, faces * faces);
@@ -87,7 +88,7 @@ std::optional<SrDistribution> sr_distribution(const Scene& scene, Subdivision su
                                               Completion completion) {
     const auto factors = exact_patch_to_face(scene, subdivision);
     if (!factors) return std::nullopt;
-    return sr_distribution(scene, *factors, rays_per_patch, completion);
+    return sr_distribution(scene, subdivision, *factors, rays_per_patch, completion);
 }
 
 }  // namespace ff::studies

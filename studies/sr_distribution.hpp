@@ -23,13 +23,13 @@ struct SrDistribution {
     [[nodiscard]] double sum_sigma(int face) const;
 };
 
-/// Direct estimates from P patches with n rays each have Cov(F_ij, F_ik) = sum over patches p of
-/// (delta_jk F_pj - F_pj F_pk) / (n P^2), and rows are independent. With `Completion::reciprocal` row entries below the
-/// diagonal follow from those above it.
-/// @param patch_to_face  exact factors from every patch (rows, grouped by face as in Subdivision) to every face
+/// Direct estimates with n rays from each patch have Cov(F_ij, F_ik) = sum over the patches p of face i of
+/// a_p^2 (delta_jk F_pj - F_pj F_pk) / n, a_p the patch's share of the area of its face, and rows are independent. With
+/// `Completion::reciprocal` row entries below the diagonal follow from those above it.
+/// @param patch_to_face  exact factors from every patch (rows, in the order of PatchOrder) to every face
 /// @param rays_per_patch  may be fractional where only the total is known
-SrDistribution sr_distribution(const Scene& scene, const Eigen::MatrixXd& patch_to_face, double rays_per_patch,
-                               Completion completion);
+SrDistribution sr_distribution(const Scene& scene, Subdivision subdivision, const Eigen::MatrixXd& patch_to_face,
+                               double rays_per_patch, Completion completion);
 
 /// The same from the scene's exact factors; empty where these have no elementary formula (core/exact.hpp).
 /// @pre nothing stands between the faces

@@ -27,7 +27,7 @@ std::vector<PairPilot> pilots(const Store& store, std::size_t cell_index) {
         PairPilot& one = found.emplace_back();
         one.variance = known_variance(method, scene, pair);
         const auto reference = known.at(pair.from - 1, pair.to - 1);
-        if (one.variance == VarianceStatus::finite && too_few_hits(estimates.lattice, reference, size))
+        if (one.variance == VarianceStatus::finite && too_few_hits(estimates.lattice(pair), reference, size))
             one.variance = VarianceStatus::sparse;
         if (one.variance == VarianceStatus::finite) one.pilot = stats::pilot_of(estimates.values(pair), size);
     }

@@ -46,7 +46,7 @@ void add_rays(const RayTally& tally, std::uint64_t trial, UnitRecord& record) {
 /// Whether sums of every patch are kept: of more numbers than this a unit of work would be too large to save.
 bool keeps_patches(const Scene& scene, Subdivision subdivision) {
     constexpr std::uint64_t most = 1u << 22;
-    return std::uint64_t{subdivision.patches(scene)} * scene.faces.size() <= most;
+    return subdivision.patches(scene) * scene.faces.size() <= most;
 }
 
 void add_tally(const RayTally& tally, const Observed& with_itself, std::uint64_t trial, UnitRecord& record) {
@@ -143,9 +143,8 @@ UnitRecord Worker::carry_out(const WorkUnit& unit) const {
                     add_tally(tally, tools.with_itself, trial, record);
                 } else {
                     add_rays(tally, trial, record);
-                    add_matrix(
-                        face_averages(*tools.scene, tally.weighted, cell.subdivision.per_surface() * cell.samples),
-                        tools.with_itself, trial, record);
+                    add_matrix(face_averages(*tools.scene, tally.weighted, cell.subdivision.per_part() * cell.samples),
+                               tools.with_itself, trial, record);
                 }
                 break;
         }

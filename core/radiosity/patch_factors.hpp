@@ -14,8 +14,8 @@
 
 namespace ff {
 
-/// Patches of surfaces that belong to a face. In matrices between patches they are the rows and columns, in the order
-/// of Subdivision.
+/// How many patches surfaces that belong to a face have. In matrices between patches these are the rows and columns,
+/// in the order of PatchOrder.
 std::uint32_t radiating_patches(const Scene& scene, Subdivision subdivision);
 
 /// Form factors from every patch to every patch, as one trial of ray shooting gives

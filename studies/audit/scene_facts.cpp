@@ -82,7 +82,8 @@ const std::optional<SrDistribution>& DistributionCache::at(const SceneFacts& fac
     std::optional<SrDistribution> distribution;
     if (factors->second) {
         const double rays_per_patch = static_cast<double>(rays_per_face) / patches_per_face;
-        distribution = sr_distribution(facts.scene, *factors->second, rays_per_patch, completion);
+        const auto m = static_cast<std::uint32_t>(std::lround(std::sqrt(patches_per_face)));
+        distribution = sr_distribution(facts.scene, Subdivision{m}, *factors->second, rays_per_patch, completion);
     }
     return distributions_.emplace(key, std::move(distribution)).first->second;
 }

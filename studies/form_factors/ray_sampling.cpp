@@ -54,7 +54,7 @@ RaySampling::Hits RaySampling::run(const Tracer& tracer, StreamKey key, std::uin
     Hits result{std::vector<std::uint64_t>(targets_.size()), 0};
 
     const auto shoot = [&](std::uint32_t surface, const PointBlock& points) {
-        generate_rays(scene_->surfaces[surface], surface, {1}, 0, points, batch);
+        generate_rays(scene_->surfaces[surface], surface, undivided, 0, points, batch);
         const std::span<Hit> hits(found.data(), points.size);
         tracer.trace(batch, hits);
         for (const Hit& hit : hits) {

@@ -52,8 +52,9 @@ void compare_means(const Gate& gate, const GatePlan& plan, const Effect& effect,
     row.measurement = measure_mean(moments, reference, row.band, plan.levels);
     judge_into(row);
     if (!row.measurement) row.note = "every trial gave the same value";
-    if (gate.kind != GateKind::bias || !estimates.lattice) return;
-    const double rays = static_cast<double>(values.size()) / *estimates.lattice;
+    const auto lattice = gate.kind == GateKind::bias ? estimates.lattice(effect.quantity) : std::nullopt;
+    if (!lattice) return;
+    const double rays = static_cast<double>(values.size()) / *lattice;
     if (rays * std::min(reference.value, 1 - reference.value) >= least_hits) return;
     row.verdict = Verdict::inconclusive;
     row.note = fmt::format("fewer than {:g} hits or misses in all trials together", least_hits);

@@ -194,7 +194,7 @@ Comparison labelled(const Gate& gate, const Effect& effect, const StudyPlan& pla
         return std::all_of(effect.cells.begin(), effect.cells.end(),
                            [&](std::size_t other) { return value_of(plan.cells[other]) == value_of(cell); });
     };
-    if (same([](const Cell& c) { return c.subdivision.m; })) row.patches_per_face = cell.subdivision.per_surface();
+    if (same([](const Cell& c) { return c.subdivision.m; })) row.patches_per_face = cell.subdivision.per_part();
     if (same([](const Cell& c) { return c.samples; }) && cell.samples > 0) row.samples_per_patch = cell.samples;
     const auto label = [&](int face) {
         return face == 0 ? std::string() : scene.faces[static_cast<std::size_t>(face - 1)];

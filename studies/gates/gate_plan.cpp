@@ -84,7 +84,7 @@ Noise noise_of(std::span<const double> values) {
 
 /// Of counted hits: those of a binomial distribution, nearly.
 Noise noise_of_hits(const Effect& effect, const Cell& cell) {
-    const double rays = static_cast<double>(cell.samples) * cell.subdivision.per_surface();
+    const double rays = static_cast<double>(cell.samples) * cell.subdivision.per_part();
     const double p = effect.truth.value_or(0.5);
     const double variance = rays * p * (1 - p);
     if (!(variance > 0)) return {*effect.sigma, 0, 0};
@@ -170,7 +170,7 @@ std::optional<std::uint64_t> needed(const Gate& gate, const GatePlan& plan, std:
     std::vector<double> sizes;
     for (const std::size_t cell : effect.cells)
         sizes.push_back(static_cast<double>(plan.study.cells[cell].samples) *
-                        plan.study.cells[cell].subdivision.per_surface());
+                        plan.study.cells[cell].subdivision.per_part());
     return trials_for_slope(gate.band, sizes, 1 + std::max(0.0, noise.excess_kurtosis) / 2, plan.levels, comparisons);
 }
 

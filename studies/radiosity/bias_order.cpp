@@ -43,9 +43,9 @@ std::vector<BiasOrder> bias_orders(const StudyPlan& plan, const RadiosityResults
                         continue;
                     const ExitanceFindings& all = exitance.front();
                     const Cell& planned = plan.cells[cell];
-                    order.points.push_back(
-                        {cell, static_cast<double>(planned.samples * planned.subdivision.per_surface()),
-                         *all.bias / all.exact, *all.std / std::sqrt(static_cast<double>(found->trials)) / all.exact});
+                    order.points.push_back({cell, static_cast<double>(planned.samples * planned.subdivision.per_part()),
+                                            *all.bias / all.exact,
+                                            *all.std / std::sqrt(static_cast<double>(found->trials)) / all.exact});
                 }
                 if (order.points.size() != ladder.cells.size()) continue;
                 fit(order, plan.spec.level);

@@ -97,7 +97,11 @@ void evaluate_between_patches(const Store& store, RadiosityResults& results, con
         for (const std::size_t cell : cells) {
             if (stopped()) return;
             const bool counted = plan.spec.methods[plan.cells[cell].method].estimator == Estimator::ray_shooting;
-            const Uncertainty errors{counted ? plan.cells[cell].samples : 0, {}};
+            Uncertainty errors;
+            if (counted) {
+                errors.rays = Eigen::VectorXd::Constant(lighting.elements.areas.size(),
+                                                        static_cast<double>(plan.cells[cell].samples));
+            }
             auto collectors = make_collectors(plan, cell, lighting, exitance, Between::patches, errors);
             add_trials_between_patches(plan, cell, patch_trials(plan, cell), errors, collectors, stop);
             for (ConsequencesCollector& collector : collectors) {

@@ -29,7 +29,7 @@ struct OverTrials {
 /// factors. Mean, bias and spread are those of single values too, but empty where a trial of several is not convergent:
 /// as the spectral radius passes 1 the exitance passes a pole, and has no mean.
 struct ExitanceFindings {
-    std::size_t element = 0;  ///< face, or patch in the order of Subdivision, from 1; 0 for all
+    std::size_t element = 0;  ///< face, or patch in the order of PatchOrder, from 1; 0 for all
     double exact = 0;
     std::optional<double> mean;
     std::optional<double> bias;

@@ -148,9 +148,10 @@ EnclosureResults study_enclosure(const EnclosureRequest& request) {
     }
     const StreamKey key = derive_key(
         request.seed, fmt::format("enclosure {}|{}|n={}", request.name, request.mirror.value_or(""), request.rays));
+    const Uncertainty errors{Eigen::VectorXd::Constant(lighting.exact.rows(), static_cast<double>(request.rays)), {}};
     for (std::uint64_t trial = 0; trial < request.trials; ++trial) {
         const Eigen::MatrixXd direct = draw(lighting.exact, key, static_cast<std::uint32_t>(trial), request.rays);
-        for (ConsequencesCollector& collector : collectors) collector.add(direct, Uncertainty{request.rays, {}});
+        for (ConsequencesCollector& collector : collectors) collector.add(direct, errors);
     }
     for (ConsequencesCollector& collector : collectors) results.consequences.push_back(collector.finish(0, level));
     return results;

@@ -3,7 +3,7 @@
 #include "core/contract.hpp"
 #include "core/exact_rooms.hpp"
 #include "core/facing.hpp"
-#include "core/mirrors.hpp"
+#include "core/patch_order.hpp"
 #include "core/radiosity/patch_factors.hpp"
 
 #include <utility>
@@ -59,13 +59,10 @@ PatchLight patch_light(const StudyPlan& plan, std::size_t scene_index, Subdivisi
     const Scene& scene = plan.scenes[scene_index];
     const auto spread = [&](const std::vector<double>& numbers) {
         const Eigen::VectorXd faces = for_faces(numbers, static_cast<Eigen::Index>(scene.faces.size()));
-        Eigen::VectorXd result(static_cast<Eigen::Index>(radiating_patches(scene, subdivision)));
-        Eigen::Index next = 0;
-        for (const Surface& surface : scene.surfaces) {
-            if (!is_of_face(surface)) continue;
-            result.segment(next, subdivision.per_surface()).setConstant(faces[surface.face]);
-            next += subdivision.per_surface();
-        }
+        const PatchOrder order(scene, subdivision, Numbered::of_faces);
+        Eigen::VectorXd result(order.size());
+        for (std::uint32_t patch = 0; patch < order.size(); ++patch)
+            result[patch] = faces[scene.surfaces[order.place(patch).surface].face];
         return result;
     };
     PatchLight light{{}, spread(request.emission)};

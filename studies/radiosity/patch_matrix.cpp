@@ -15,7 +15,8 @@ namespace ff::studies {
 
 bool tells_patches_apart(const StudyPlan& plan, std::size_t index) {
     const Estimator estimator = plan.spec.methods[plan.cells[index].method].estimator;
-    return plan.cells[index].subdivision.m > 1 &&
+    const Scene& scene = plan.scenes[plan.cells[index].scene];
+    return plan.cells[index].subdivision.patches(scene) > scene.surfaces.size() &&
            (estimator == Estimator::ray_shooting || estimator == Estimator::area_kernel);
 }
 

@@ -1,5 +1,6 @@
 #include "studies/radiosity/treatment.hpp"
 
+#include "core/face_averages.hpp"
 #include "core/radiosity/correlated_repair.hpp"
 #include "studies/radiosity/lighting.hpp"
 
@@ -15,11 +16,11 @@ Eigen::MatrixXd by_reciprocity(const Eigen::MatrixXd& direct, const Eigen::Vecto
 }
 
 Eigen::MatrixXd balanced(const Elements& elements, const Uncertainty& errors, const Eigen::MatrixXd& direct) {
-    const auto rays = Eigen::VectorXd::Constant(direct.rows(), static_cast<double>(errors.rays));
-    const Balanced result = balance(
-        direct,
-        errors.rays > 0 ? weights_of_hits(direct, rays, elements.areas, elements.sight) : weights_of_values(direct),
-        elements.areas);
+    const Balanced result =
+        balance(direct,
+                errors.rays.size() > 0 ? weights_of_hits(direct, errors.rays, elements.areas, elements.sight)
+                                       : weights_of_values(direct),
+                elements.areas);
     return result.balanced ? result.factors : Eigen::MatrixXd();
 }
 
@@ -38,12 +39,12 @@ bool has_covariances(const Method& method, const Cell& cell, const TrialMatrices
 std::vector<Eigen::MatrixXd> measure_covariances(const TrialMatrices& trials, const Sight& sight) {
     const Eigen::Index n = trials.direct.front().rows();
     const auto count = static_cast<Eigen::Index>(trials.direct.size());
-    const double rays = static_cast<double>(trials.errors.rays) * static_cast<double>(count);
+    const Eigen::VectorXd rays = static_cast<double>(count) * trials.errors.rays;
     std::vector<Eigen::MatrixXd> covariances;
     for (Eigen::Index i = 0; i < n; ++i) {
         Eigen::MatrixXd rows(count, n);
         for (Eigen::Index t = 0; t < count; ++t) rows.row(t) = trials.direct[static_cast<std::size_t>(t)].row(i);
-        covariances.push_back(covariance_of_row(rows, sight.row(i).transpose(), rays > 0 ? 0.5 / rays : 0));
+        covariances.push_back(covariance_of_row(rows, sight.row(i).transpose(), rays.size() > 0 ? 0.5 / rays[i] : 0));
     }
     return covariances;
 }
@@ -68,7 +69,8 @@ TrialMatrices load_matrices(const Store& store, std::size_t cell_index) {
     TrialMatrices trials;
     trials.numbers = estimates.trial_numbers;
     if (plan.spec.methods[cell.method].estimator == Estimator::ray_shooting)
-        trials.errors.rays = estimates.evaluations_per_face;
+        trials.errors.rays =
+            static_cast<double>(estimates.evaluations_per_face) * parts_a_surface(plan.scenes[cell.scene]);
     trials.direct.assign(estimates.trials(), Eigen::MatrixXd::Zero(faces, faces));
     for (Eigen::Index i = 0; i < faces; ++i) {
         for (Eigen::Index j = 0; j < faces; ++j) {

@@ -37,7 +37,7 @@ struct Elements {
 
 /// What is known of the errors of direct estimates.
 struct Uncertainty {
-    std::uint64_t rays = 0;                    ///< of each element, where factors are shares of counted hits; else 0
+    Eigen::VectorXd rays;  ///< of each element, where factors are shares of counted hits; else empty
     std::vector<Eigen::MatrixXd> covariances;  ///< of each row over trials; empty where they are not known
 };
 

@@ -160,6 +160,10 @@ Scene SceneBuilder::finish(bool closed) {
         content.add(prints.back().first);
         content.add(static_cast<std::uint64_t>(surface.face));
         for (const double component : surface.normal) content.add(std::bit_cast<std::uint64_t>(component + 0.0));
+        // Scenes without grids are what they were before there were any.
+        if (surface.grid == undivided) continue;
+        content.add(surface.grid.columns);
+        content.add(surface.grid.rows);
     }
     for (std::size_t face = 0; face < surfaces_of.size(); ++face) {
         if (surfaces_of[face] == 0) {

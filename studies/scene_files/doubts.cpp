@@ -48,7 +48,7 @@ std::vector<std::string> doubts_about(const Scene& scene) {
         const Surface& surface = scene.surfaces[s];
         if (!is_of_face(surface)) continue;
         Probe& probe = probes[static_cast<std::size_t>(surface.face)];
-        generate_rays(surface, static_cast<std::uint32_t>(s), {1}, 0, *block, rays);
+        generate_rays(surface, static_cast<std::uint32_t>(s), undivided, 0, *block, rays);
         tracer->trace(rays, hits);
         probe.rays += hits.size();
         for (const Hit& hit : hits) {

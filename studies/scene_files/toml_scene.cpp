@@ -15,6 +15,8 @@ namespace {
 using Eigen::Vector3d;
 using Names = std::vector<std::string_view>;
 
+constexpr std::uint64_t most_parts = 1024;
+
 Vector3d vector(const TomlReader& reader, std::string_view key) {
     const std::vector<double> numbers = reader.numbers(key);
     if (numbers.size() != 3) reader.fail(key, "(three coordinates are wanted). Write [1, 0, 0.5].");
@@ -51,8 +53,20 @@ Facing read_facing(const TomlReader& reader) {
 
 /// Refuses other keys than those of every surface and `own`.
 void expect_only(const TomlReader& reader, Names own) {
-    own.insert(own.end(), {"shape", "face"});
+    own.insert(own.end(), {"shape", "face", "grid"});
     reader.expect_only(own);
+}
+
+/// Parts along s, and along t.
+Grid read_grid(const TomlReader& reader) {
+    if (!reader.has("grid")) return undivided;
+    const std::vector<std::uint64_t> parts = reader.counts("grid");
+    if (parts.size() != 2) reader.fail("grid", "(parts along s and along t are wanted). Write [4, 1].");
+    for (const std::uint64_t count : parts) {
+        if (count < 1 || count > most_parts)
+            reader.fail("grid", fmt::format("(a surface has 1 to {} parts each way). Write [4, 1].", most_parts));
+    }
+    return {static_cast<std::uint32_t>(parts[0]), static_cast<std::uint32_t>(parts[1])};
 }
 
 Surface flat(const TomlReader& reader, Shape shape, const Vector3d& upwards) {
@@ -138,6 +152,7 @@ Scene read_toml_scene(std::string_view name, std::string_view text) {
         Surface surface = read_surface(reader);
         const auto face = reader.optional_text("face");
         surface.face = face ? builder.face(*face) : no_face;
+        surface.grid = read_grid(reader);
         builder.add(std::move(surface), reader.line());
     }
     return builder.finish(flag(file, "closed"));

@@ -1,6 +1,7 @@
 #include "tests/support/studies.hpp"
 
 #include "studies/run.hpp"
+#include "studies/scene_files/scene_file.hpp"
 
 #include <fmt/format.h>
 
@@ -20,7 +21,7 @@ void add_estimate(const StudyPlan& plan, const Cell& cell, int from, int to, std
         record.observations.push_back({observable::estimate, from, to, trial, value});
         return;
     }
-    const auto rays = static_cast<double>(cell.samples * cell.subdivision.per_surface());
+    const auto rays = static_cast<double>(cell.samples * cell.subdivision.per_part());
     record.observations.push_back(
         {observable::hits, from, to, trial, static_cast<std::int64_t>(std::llround(value * rays))});
 }
@@ -44,6 +45,12 @@ std::string study_text(std::string_view lines, std::string_view methods) {
 
 StudyPlan plan_of(std::string_view text) {
     return plan_study(parse_study(text, "study.toml"));
+}
+
+StudyPlan plan_in(std::string_view scene, std::string_view text) {
+    StudySpec spec = parse_study(text, "study.toml");
+    spec.scenes = {with_scene_text("scene.toml", scene)};
+    return plan_study(std::move(spec));
 }
 
 Store run(const StudyPlan& plan, const std::filesystem::path& file, unsigned threads) {

@@ -54,6 +54,9 @@ std::string message_of(Action action) {
 /// The plan of a study file.
 studies::StudyPlan plan_of(std::string_view text);
 
+/// The plan of a study file, in a scene of this text (TOML).
+studies::StudyPlan plan_in(std::string_view scene, std::string_view text);
+
 /// Runs a plan from its beginning, or on from where the file stopped.
 studies::Store run(const studies::StudyPlan& plan, const std::filesystem::path& file = in_memory, unsigned threads = 1);
 

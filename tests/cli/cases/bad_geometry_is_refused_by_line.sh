@@ -66,6 +66,15 @@ shape = "triangle"
 a = [0, 0, 0]
 b = [1, 0, 0]
 c = [2, 0, 0]'
+for grid in "[0, 1]" "[-1, 1]" "[1.5, 1]" "[1, 2, 3]" "[2000000, 1]" 3 '"2"'; do
+    refuse a.toml "a.toml:6:8: grid = " <<<"[[surface]]
+face = \"a\"
+shape = \"disc\"
+centre = [0, 0, 0]
+normal = [0, 0, 1]
+grid = $grid
+radius = 1"
+done
 refuse a.vs3 "a.vs3:5: vertex 9 is not there" <<<'F 3
 V 1 0 0 0
 V 2 1 0 0

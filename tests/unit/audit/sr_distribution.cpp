@@ -1,6 +1,8 @@
 #include "studies/sr_distribution.hpp"
 
 #include "core/box.hpp"
+#include "core/exact.hpp"
+#include "tests/support/gridded_rooms.hpp"
 
 #include <gtest/gtest.h>
 
@@ -72,6 +74,21 @@ TEST(SrDistribution, AgreesWithTheFormulaForReciprocalRowSums) {
 TEST(SrDistribution, IsLessThanBinomial) {
     const double f = 0.199824896;
     EXPECT_LT(table4(Completion::direct).pair_sigma(0, 5), std::sqrt(f * (1 - f) / 105625));
+}
+
+TEST(SrDistribution, WeighsSurfacesOfAFaceByArea) {
+    const Scene room = test::room_with_divided_floor();
+    const SrDistribution d = sr_distribution(room, Subdivision{2}, 100, Completion::direct).value();
+    const Eigen::MatrixXd exact = exact_form_factors(room).value();
+    EXPECT_LT((d.mean - exact).cwiseAbs().maxCoeff(), 1e-14);
+    for (int i = 0; i < 6; ++i) EXPECT_EQ(d.sum_sigma(i), 0);
+    // From the patches: Var F_1j = sum over them of a_p^2 F_pj (1 - F_pj) / n, those of the smaller surface first.
+    const Eigen::MatrixXd patches = exact_patch_to_face(room, {2}).value();
+    double variance = 0;
+    for (int p = 0; p < 8; ++p) variance += std::pow(0.25 / 8, 2) * patches(p, 3) * (1 - patches(p, 3)) / 100;
+    for (Eigen::Index p = patches.rows() - 12; p < patches.rows(); ++p)
+        variance += std::pow(0.75 / 12, 2) * patches(p, 3) * (1 - patches(p, 3)) / 100;
+    EXPECT_NEAR(d.pair_sigma(0, 3), std::sqrt(variance), 1e-15);
 }
 
 TEST(SrDistribution, ScalesReciprocalEntriesByAreas) {

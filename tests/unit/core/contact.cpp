@@ -55,8 +55,8 @@ TEST(Contact, SurvivesRounding) {
     std::size_t edges = 0, vertices = 0;
     for (std::uint32_t i = 0; i < 49; ++i) {
         for (std::uint32_t j = 0; j < 49; ++j) {
-            const Touch touch = find_touch(patch(parallelogram(box.surfaces[0]), {7}, i),
-                                           patch(parallelogram(box.surfaces[1]), {7}, j));
+            const Touch touch = find_touch(patch(parallelogram(box.surfaces[0]), {7, 7}, i),
+                                           patch(parallelogram(box.surfaces[1]), {7, 7}, j));
             edges += touch.contact == Contact::edge;
             vertices += touch.contact == Contact::vertex;
             EXPECT_NE(touch.contact, Contact::point);

@@ -30,16 +30,12 @@ double exchange(const Surface& from, const Surface& to) {
     return exact_exchange_area(from, to).value();
 }
 
-Surface piece(const Surface& surface, Subdivision subdivision, std::uint32_t index) {
-    return {patch(parallelogram(surface), subdivision, index), surface.normal, surface.face};
-}
-
 /// Sum over all pairs of patches.
-double exchange_of_patches(const Surface& from, Subdivision from_m, const Surface& to, Subdivision to_m) {
+double exchange_of_patches(const Surface& from, Grid of_from, const Surface& to, Grid of_to) {
     double sum = 0;
-    for (std::uint32_t i = 0; i < from_m.per_surface(); ++i) {
-        for (std::uint32_t j = 0; j < to_m.per_surface(); ++j) {
-            sum += exchange(piece(from, from_m, i), piece(to, to_m, j));
+    for (std::uint32_t i = 0; i < of_from.parts(); ++i) {
+        for (std::uint32_t j = 0; j < of_to.parts(); ++j) {
+            sum += exchange(patch(from, of_from, i), patch(to, of_to, j));
         }
     }
     return sum;
@@ -71,7 +67,7 @@ RC_GTEST_PROP(ExactPatchToFace, ClosesAndAveragesToTheFacesInEveryBox, ()) {
     const Subdivision subdivision{*rc::gen::inRange<std::uint32_t>(1, 6)};
     const auto patches = exact_patch_to_face(box, subdivision).value();
     const auto faces = exact_form_factors(box).value();
-    const auto per_face = static_cast<Eigen::Index>(subdivision.per_surface());
+    const auto per_face = static_cast<Eigen::Index>(subdivision.per_part());
     for (int from = 0; from < 6; ++from) {
         const Eigen::MatrixXd rows = patches.middleRows(from * per_face, per_face);
         const double tolerance = factor_tolerance(box, face_area(box, from) / static_cast<double>(per_face));
@@ -92,10 +88,11 @@ RC_GTEST_PROP(ExactExchangeArea, IsReciprocalAndNeverNegative, ()) {
 RC_GTEST_PROP(ExactExchangeArea, IsAdditiveUnderSubdivision, ()) {
     const Surface from = *any_rectangle();
     const Surface to = *any_rectangle();
-    const Subdivision from_m{*rc::gen::inRange<std::uint32_t>(1, 4)};
-    const Subdivision to_m{*rc::gen::inRange<std::uint32_t>(1, 4)};
-    const int parts = static_cast<int>(from_m.per_surface() * to_m.per_surface());
-    RC_ASSERT(same_exchange_area(exchange(from, to), exchange_of_patches(from, from_m, to, to_m),
+    const auto any_number = rc::gen::inRange<std::uint32_t>(1, 4);
+    const Grid of_from{*any_number, *any_number};
+    const Grid of_to{*any_number, *any_number};
+    const int parts = static_cast<int>(of_from.parts() * of_to.parts());
+    RC_ASSERT(same_exchange_area(exchange(from, to), exchange_of_patches(from, of_from, to, of_to),
                                  squared_extent(from, to), parts));
 }
 
@@ -138,8 +135,8 @@ TEST(SameExchangeArea, NoticesADifferenceOfTwoParts) {
 TEST(ExchangeOfPatches, NoticesAMissingPatch) {
     const Surface floor = test::rectangle("0:1 0:1 0:0 +z");
     const Surface wall = test::rectangle("0:1 0:0 0:1 +y");
-    const double patches = exchange_of_patches(floor, {2}, wall, {2});
-    const double farthest = exchange(piece(floor, {2}, 3), piece(wall, {2}, 3));
+    const double patches = exchange_of_patches(floor, {2, 2}, wall, {2, 2});
+    const double farthest = exchange(patch(floor, {2, 2}, 3), patch(wall, {2, 2}, 3));
     EXPECT_TRUE(same_exchange_area(exchange(floor, wall), patches, 3, 16));
     EXPECT_FALSE(same_exchange_area(exchange(floor, wall), patches - farthest, 3, 16));
 }

@@ -41,7 +41,7 @@ Scene tiled(const Scene& box, std::uint32_t m) {
     scene.surfaces.clear();
     for (const Surface& wall : box.surfaces) {
         for (std::uint32_t i = 0; i < m * m; ++i) {
-            auto [corner, u, v] = patch(parallelogram(wall), {m}, i);
+            auto [corner, u, v] = patch(parallelogram(wall), {m, m}, i);
             scene.surfaces.push_back(
                 {wound({turn * corner, turn * u, turn * v}, random() % 8), turn * wall.normal, wall.face});
         }

@@ -34,10 +34,11 @@ Surface turned_edges(Surface surface) {
 
 /// Every entry against the pair that it stands for, computed by itself.
 void expect_every_pair(const Surface& from, const Surface& to, const PatchExchange& exchange, Subdivision m) {
-    for (std::uint32_t i = 0; i < m.per_surface(); ++i) {
-        for (std::uint32_t j = 0; j < m.per_surface(); ++j) {
-            const auto expected = exact_exchange_area({patch(parallelogram(from), m, i), from.normal, 0},
-                                                      {patch(parallelogram(to), m, j), to.normal, 1});
+    ASSERT_EQ(exchange.areas.rows(), m.of(from).parts());
+    ASSERT_EQ(exchange.areas.cols(), m.of(to).parts());
+    for (std::uint32_t i = 0; i < m.of(from).parts(); ++i) {
+        for (std::uint32_t j = 0; j < m.of(to).parts(); ++j) {
+            const auto expected = exact_exchange_area(patch(from, m.of(from), i), patch(to, m.of(to), j));
             ASSERT_NEAR(exchange.areas(i, j), expected.value(), exchange.error) << i << " " << j;
         }
     }
@@ -67,6 +68,26 @@ TEST(PatchExchange, ComputesEveryPairWhereNoneLieAlike) {
     const auto exchange = patch_exchange(floor, smaller, {3});
     EXPECT_EQ(exchange.computed, 81u);
     expect_every_pair(floor, smaller, exchange, {3});
+}
+
+// A floor of 3 x 1 squares and walls and a roof of other grids, so that columns and rows, and those of the two
+// surfaces, cannot be confused; where patches have an edge in common, pairs that lie alike are computed once.
+TEST(PatchExchange, KnowsTheGridOfEachSurface) {
+    Surface floor = test::rectangle("0:3 0:1 0:0 +z");
+    Surface roof = test::rectangle("0:3 0:1 1:1 -z");
+    Surface wall = test::rectangle("0:3 0:0 0:1 +y");
+    floor.grid = {3, 1};
+    roof.grid = {6, 2};
+    wall.grid = {3, 2};
+    for (const Subdivision m : {Subdivision{1}, Subdivision{2}}) {
+        for (const Surface& to : {floor, roof, wall}) {
+            for (const Surface& from : {floor, roof, wall}) expect_every_pair(from, to, patch_exchange(from, to, m), m);
+        }
+    }
+    roof.grid = {3, 2};
+    const auto exchange = patch_exchange(floor, roof, {1});
+    expect_every_pair(floor, roof, exchange, {1});
+    EXPECT_EQ(exchange.computed, 5u * 2);  // offsets of -2 to 2 columns; rows have no edge in common
 }
 
 TEST(PatchExchange, OfATurnedBoxIsThatOfTheBox) {

@@ -14,25 +14,25 @@ TEST(Area, IsThatOfTheParallelogram) {
 }
 
 TEST(Patch, LiesAtItsRowAlongVAndColumnAlongU) {
-    const Parallelogram found = patch(sheared, {4}, 6);  // row 1, column 2 of 4 x 4
+    const Parallelogram found = patch(sheared, {4, 4}, 6);  // row 1, column 2 of 4 x 4
     EXPECT_EQ(found.corner, Eigen::Vector3d(1 + 2 + 0.75, 2 + 0.5, 3));
     EXPECT_EQ(found.edge_u, Eigen::Vector3d(1, 0, 0));
     EXPECT_EQ(found.edge_v, Eigen::Vector3d(0.75, 0.5, 0));
 }
 
 TEST(Patch, IsTheWholeSurfaceWhereThereIsOnlyOne) {
-    const Parallelogram found = patch(sheared, {1}, 0);
+    const Parallelogram found = patch(sheared, undivided, 0);
     EXPECT_EQ(found.corner, sheared.corner);
     EXPECT_EQ(found.edge_u, sheared.edge_u);
     EXPECT_EQ(found.edge_v, sheared.edge_v);
 }
 
 TEST(Patches, CoverTheSurfaceOnce) {
-    const Subdivision subdivision{7};
+    constexpr Grid grid{7, 7};
     double sum = 0;
     Eigen::Vector3d centroid = Eigen::Vector3d::Zero();
-    for (std::uint32_t index = 0; index < subdivision.per_surface(); ++index) {
-        const Parallelogram piece = patch(sheared, subdivision, index);
+    for (std::uint32_t index = 0; index < grid.parts(); ++index) {
+        const Parallelogram piece = patch(sheared, grid, index);
         sum += area(piece);
         centroid += (piece.corner + (piece.edge_u + piece.edge_v) / 2) / 49;
     }
@@ -41,7 +41,7 @@ TEST(Patches, CoverTheSurfaceOnce) {
 }
 
 TEST(Subdivision, CountsPatchesOfASceneSurfaceBySurface) {
-    EXPECT_EQ(Subdivision{13}.per_surface(), 169u);
+    EXPECT_EQ(Subdivision{13}.per_part(), 169u);
     EXPECT_EQ(Subdivision{13}.patches(built_in_scene("cube")), 1014u);
 }
 

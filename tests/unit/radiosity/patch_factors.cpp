@@ -3,12 +3,17 @@
 #include "core/area_kernel.hpp"
 #include "core/box.hpp"
 #include "core/exact.hpp"
+#include "core/patch_order.hpp"
 #include "core/radiosity/properties.hpp"
+#include "core/radiosity/solver.hpp"
+#include "core/radiosity/system.hpp"
+#include "tests/support/gridded_rooms.hpp"
 #include "tests/support/philox_points.hpp"
 #include "tests/support/statistical_assertions.hpp"
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 
 namespace ff {
@@ -106,6 +111,83 @@ TEST(PatchAreas, AddUpToTheScene) {
     EXPECT_NEAR(areas[0], 2.0 / 9, 1e-15);
     EXPECT_NEAR(areas[53], 2.0 / 9, 1e-15);
     EXPECT_NEAR(areas[9], 1.0 / 9, 1e-15);
+}
+
+/// Rooms whose surfaces have grids, one with two surfaces in a face.
+const std::array<Scene, 2>& gridded() {
+    static const std::array<Scene, 2> rooms{test::gridded_room(), test::room_with_divided_floor()};
+    return rooms;
+}
+
+/// Factors from patches to patches, added up to faces.
+Eigen::MatrixXd to_faces(const Eigen::MatrixXd& factors, const Scene& scene, Subdivision subdivision) {
+    const PatchOrder order(scene, subdivision, Numbered::of_faces);
+    Eigen::MatrixXd sums = Eigen::MatrixXd::Zero(factors.rows(), static_cast<Eigen::Index>(scene.faces.size()));
+    for (std::size_t i = 0; i < scene.surfaces.size(); ++i)
+        sums.col(scene.surfaces[i].face) += factors.middleCols(order.first(i), order.count(i)).rowwise().sum();
+    return sums;
+}
+
+TEST(PatchFactorsOfGrids, AddUpToThoseOfFaces) {
+    for (const Scene& room : gridded()) {
+        const Eigen::MatrixXd factors = exact_patch_factors(room, {2}).value();
+        EXPECT_LT((to_faces(factors, room, {2}) - exact_patch_to_face(room, {2}).value()).cwiseAbs().maxCoeff(), 1e-12);
+        const Eigen::VectorXd areas = patch_areas(room, {2});
+        EXPECT_NEAR(areas.sum(), 2 * (4 * 1 + 4 * 2 + 1 * 2), 1e-13);
+        const FactorProperties properties = factor_properties(factors, areas);
+        EXPECT_LT(properties.closure_defect, 1e-11);
+        EXPECT_LT(properties.reciprocity_defect, 1e-15);
+        EXPECT_TRUE((patch_sight(room, {2}) == (factors.array() > 0)).all());
+    }
+}
+
+// Every patch emits what it absorbs: all of them are as bright as one that absorbs all.
+TEST(PatchFactorsOfGrids, GiveAFurnaceTheSameLightEverywhere) {
+    for (const Scene& room : gridded()) {
+        const Eigen::MatrixXd factors = exact_patch_factors(room, {2}).value();
+        const Eigen::VectorXd half = Eigen::VectorXd::Constant(factors.rows(), 0.5);
+        const auto exitance = solve_exactly({factors, patch_areas(room, {2}), half, half});
+        ASSERT_TRUE(exitance);
+        EXPECT_LT((exitance->array() - 1).abs().maxCoeff(), 1e-11);
+    }
+}
+
+// As above, of each of 80 patches and the patch that it hits most. Rows and columns confused, or the grid of another
+// surface, would change these factors by a quarter and more.
+TEST(PatchFactorsOfGrids, AreShotWithoutBias) {
+    const Scene& room = gridded()[0];
+    const Eigen::MatrixXd exact = exact_patch_factors(room, {2}).value();
+    const std::uint64_t rays = 20000;
+    const Eigen::MatrixXd factors = shoot_patch_factors(room, {2}, *make_tracer(room, TracerChoice::automatic),
+                                                        test::PhiloxPoints(rays), rays, Allocation::patch, key, 5);
+    for (Eigen::Index patch = 0; patch < exact.rows(); ++patch) {
+        Eigen::Index to = 0;
+        exact.row(patch).maxCoeff(&to);
+        const auto hits = static_cast<std::uint64_t>(std::llround(factors(patch, to) * static_cast<double>(rays)));
+        EXPECT_TRUE(test::has_probability(hits, rays, exact(patch, to), {.alpha = 1e-7, .detects = 0.04})) << patch;
+    }
+}
+
+TEST(PatchFactorsOfGrids, AreTheSumsOfTheTrial) {
+    for (const Scene& room : gridded()) {
+        RayTally tally;
+        PatchSums hits;
+        const auto tracer = make_tracer(room, TracerChoice::automatic);
+        ray_shooting(room, {2}, *tracer, test::PhiloxPoints(400), 100, Allocation::face, key, 5, tally, &hits);
+        const Eigen::MatrixXd shot = to_faces(
+            shoot_patch_factors(room, {2}, *tracer, test::PhiloxPoints(400), 100, Allocation::face, key, 5), room, {2});
+        PatchFactorSums sums;
+        area_kernel(room, {2}, test::PhiloxPoints(20), PointMap::graded, key, 5, &sums);
+        const Eigen::MatrixXd kernels =
+            to_faces(kernel_patch_factors(room, {2}, test::PhiloxPoints(20), PointMap::graded, key, 5), room, {2});
+        for (Eigen::Index patch = 0; patch < shot.rows(); ++patch) {
+            for (Eigen::Index face = 0; face < 6; ++face) {
+                const std::size_t at = static_cast<std::size_t>(patch * 6 + face);
+                EXPECT_EQ(std::llround(shot(patch, face) * 100), static_cast<long long>(hits.hits[at]));
+                EXPECT_NEAR(kernels(patch, face), sums.factors[at], 1e-13);
+            }
+        }
+    }
 }
 
 }  // namespace

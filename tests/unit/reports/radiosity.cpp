@@ -133,7 +133,7 @@ TEST(RadiosityCsv, HasAsManyFieldsAsColumnsInEveryRow) {
     }
 }
 
-// Every patch once for each treatment and setting, with the place that Subdivision gives it.
+// Every patch once for each treatment and setting, with the place that PatchOrder gives it.
 TEST(RadiosityCsv, NamesEveryPatch) {
     const auto rows = rows_of(write_exitance_csv);
     std::map<std::string, int> seen;

@@ -28,7 +28,7 @@ TEST(DirectEstimates, AreHitsDividedByRaysAndCloseExactly) {
     const CellEstimates estimates = load_estimates(store, 0);
     ASSERT_EQ(estimates.trials(), 20u);
     EXPECT_EQ(estimates.evaluations_per_face, 500u);
-    EXPECT_EQ(estimates.lattice, 1.0 / 500);
+    EXPECT_EQ(estimates.lattice({pair, 3, 2}), 1.0 / 500);
     const auto hits = store.series(0, observable::hits, 3, 2).value;
     for (std::size_t t = 0; t < 20; ++t) {
         EXPECT_EQ(estimates.values({pair, 3, 2})[t], hits[t] / 500);
@@ -82,7 +82,7 @@ TEST(Estimates, SumRowsAndTheirRelativeErrors) {
     }
     EXPECT_NEAR(estimates.values({QuantityKind::sum_relative_error, 0, 0})[0], 2.1, 1e-12);
     EXPECT_NEAR(estimates.values({QuantityKind::sum_relative_error, 0, 0})[1], 0, 1e-12);
-    EXPECT_EQ(estimates.lattice, std::nullopt);
+    EXPECT_EQ(estimates.lattice({pair, 3, 2}), std::nullopt);
 }
 
 TEST(Estimates, CountKernelValuesOfAFacePair) {

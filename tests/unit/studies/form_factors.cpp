@@ -57,9 +57,9 @@ TEST(FormFactors, AddUpSurfacesOfAFace) {
     Scene pieces = whole;
     pieces.empty_box.reset();
     const Parallelogram floor = parallelogram(whole.surfaces[0]);
-    pieces.surfaces[0].shape = patch(floor, {2}, 0);
+    pieces.surfaces[0].shape = patch(floor, {2, 2}, 0);
     for (std::uint32_t p = 1; p < 4; ++p) {
-        pieces.surfaces.push_back({patch(floor, {2}, p), whole.surfaces[0].normal, 0});
+        pieces.surfaces.push_back({patch(floor, {2, 2}, p), whole.surfaces[0].normal, 0});
     }
     const FormFactorMatrix matrix = find_form_factors(pieces, request_of(1e-12));
     EXPECT_LT((matrix.factors() - *exact_form_factors(whole)).cwiseAbs().maxCoeff(), 1e-13);

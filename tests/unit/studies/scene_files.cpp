@@ -100,6 +100,48 @@ TEST(SceneFiles, KeyStreamsByTheirContentNotByTheirName) {
     EXPECT_NE(read("a.obj", "# closed\n" + std::string(plates_obj)).canonical, canonical);
 }
 
+/// The plates, the first with this line.
+std::string plates_with(std::string_view line) {
+    std::string text(plates_toml);
+    return text.insert(text.find("shape"), std::string(line) + "\n");
+}
+
+TEST(SceneFiles, DivideSurfacesByGrids) {
+    const Scene plain = read("a.toml", plates_toml);
+    EXPECT_FALSE(has_grids(plain));
+    const Scene divided = read("a.toml", plates_with("grid = [3, 2]"));
+    EXPECT_EQ(divided.surfaces[0].grid, (Grid{3, 2}));
+    EXPECT_EQ(divided.surfaces[1].grid, undivided);
+    EXPECT_TRUE(has_grids(divided));
+    EXPECT_EQ(read("a.toml", plates_with("grid = [1024, 1]")).surfaces[0].grid, (Grid{1024, 1}));
+}
+
+// FNV-1a over 64-bit words, in Python: of the scene [0, of the surface, face, 0, 0, +-1, ...]; of a surface [its
+// shape's index, its corners in order], as doubles. Stored studies rest on it.
+TEST(SceneFiles, KeyStreamsByGridsAndWithoutThemAsBefore) {
+    const std::string plain = read("a.toml", plates_toml).canonical;
+    EXPECT_EQ(plain, "scene e4194e8c8b83a782");
+    EXPECT_EQ(read("a.toml", plates_with("grid = [1, 1]")).canonical, plain);
+    const std::string divided = read("a.toml", plates_with("grid = [3, 2]")).canonical;
+    EXPECT_NE(divided, plain);
+    EXPECT_NE(read("a.toml", plates_with("grid = [2, 3]")).canonical, divided);
+}
+
+TEST(SceneFiles, RefuseWhatIsNoGrid) {
+    const auto message = [](std::string_view line) { return refusal("a.toml", plates_with(line)); };
+    EXPECT_EQ(message("grid = [0, 1]"),
+              "a.toml:4:8: grid = [ 0, 1 ] (a surface has 1 to 1024 parts each way). Write [4, 1].");
+    for (const char* line : {"grid = [1, 0]", "grid = [1025, 1]", "grid = [1, 9223372036854775807]"})
+        EXPECT_THAT(message(line), HasSubstr("(a surface has 1 to 1024 parts each way)")) << line;
+    for (const char* line : {"grid = 3", "grid = [1, 2, 3]", "grid = [1]"})
+        EXPECT_THAT(message(line), HasSubstr("(parts along s and along t are wanted)")) << line;
+    for (const char* line :
+         {"grid = [-1, 1]", "grid = [1.5, 1]", "grid = [1, \"2\"]", "grid = true", "grid = [nan, 1]"})
+        EXPECT_THAT(message(line), HasSubstr("a.toml:4:8: grid = ")) << line;
+    EXPECT_THAT(message("grid = []"), HasSubstr("a.toml:4:8: "));
+    EXPECT_THAT(message("grid = [1, 2"), HasSubstr("a.toml:"));
+}
+
 TEST(SceneFiles, HaveEveryShapeInToml) {
     const Scene scene = read("round.toml", R"(
 closed = false

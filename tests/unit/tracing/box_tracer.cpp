@@ -17,7 +17,7 @@ const Scene& long_box() {
 
 FaceHits shoot(const Tracer& tracer, std::uint32_t source, std::uint32_t number, std::size_t size) {
     FaceHits hits(7);
-    tracer.shoot(source, {13}, number % 169, *test::random_block(number, size), hits);
+    tracer.shoot(source, {13, 13}, number % 169, *test::random_block(number, size), hits);
     return hits;
 }
 
@@ -46,7 +46,7 @@ TEST(BoxTracer, CountsEveryPointOnceWhateverTheBlockSize) {
 TEST(BoxTracer, AddsToTheHitsItIsGiven) {
     const auto tracer = make_box_tracer(long_box());
     FaceHits hits(7, 1000);
-    tracer->shoot(0, {1}, 0, *test::random_block(3), hits);
+    tracer->shoot(0, undivided, 0, *test::random_block(3), hits);
     EXPECT_EQ(std::accumulate(hits.begin(), hits.end(), std::uint64_t{0}), 7000 + block_capacity);
 }
 

@@ -31,7 +31,7 @@ TEST(LeakyTracer, LosesWhatFallsIntoTheCracks) {
     constexpr std::uint32_t blocks = 1000;
     FaceHits hits(7);
     for (std::uint32_t i = 0; i < blocks; ++i)
-        tracer->shoot(0, {.m = 3}, i % 9, *test::random_block(i, block_capacity), hits);
+        tracer->shoot(0, {3, 3}, i % 9, *test::random_block(i, block_capacity), hits);
     const double rays = blocks * double{block_capacity};
     EXPECT_EQ(std::accumulate(hits.begin(), hits.end(), 0.0), rays);
     // Alpha 2e-9; a leak that is wrong by 8 standard deviations, about a third, is noticed with probability 0.98.
@@ -43,7 +43,7 @@ TEST(LeakyTracer, LosesWhatFallsIntoTheCracks) {
 TEST(LeakyTracer, FindsWhatTheSoundOneFindsAwayFromEdges) {
     const Scene scene = built_in_scene("cube");
     RayBatch rays;
-    generate_rays(scene.surfaces[0], 0, {.m = 1}, 0, *test::random_block(1, block_capacity), rays);
+    generate_rays(scene.surfaces[0], 0, undivided, 0, *test::random_block(1, block_capacity), rays);
     std::vector<Hit> leaky(rays.size());
     std::vector<Hit> sound(rays.size());
     make_leaky_tracer(scene)->trace(rays, leaky);

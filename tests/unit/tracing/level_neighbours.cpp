@@ -21,7 +21,7 @@ Scene turned_mosaic(const Scene& box, std::uint32_t m) {
     scene.surfaces.clear();
     for (const Surface& wall : box.surfaces) {
         for (std::uint32_t i = 0; i < m * m; ++i) {
-            const Parallelogram tile = patch(parallelogram(wall), {m}, i);
+            const Parallelogram tile = patch(parallelogram(wall), {m, m}, i);
             scene.surfaces.push_back({Parallelogram{turn * tile.corner, turn * tile.edge_u, turn * tile.edge_v},
                                       turn * wall.normal, wall.face});
         }
@@ -50,7 +50,7 @@ Ends shoot_from_every_surface(const Scene& scene) {
     std::vector<Hit> hits(block_capacity);
     Ends ends;
     for (std::uint32_t source = 0; source < scene.surfaces.size(); ++source) {
-        generate_rays(scene.surfaces[source], source, {1}, 0, *test::random_block(source, block_capacity), rays);
+        generate_rays(scene.surfaces[source], source, undivided, 0, *test::random_block(source, block_capacity), rays);
         tracer->trace(rays, hits);
         for (const Hit& hit : hits)
             ++(hit.surface == no_surface ? ends.nowhere : hit.received ? ends.received : ends.from_behind);

@@ -133,7 +133,7 @@ TEST(AreaKernel, SeesWhatABlockerHides) {
     for (std::uint32_t n = 0; n < blocks; ++n) {
         block->size = block_capacity;
         test::PhiloxPoints(block_capacity).fill({.key = {7, 11}, .trial = n}, 0, *block);
-        tracer->shoot(0, {1}, 0, *block, hits);
+        tracer->shoot(0, undivided, 0, *block, hits);
     }
     const double by_rays = static_cast<double>(hits[1]) / (blocks * block_capacity);
     EXPECT_NEAR(estimate, by_rays,

@@ -41,7 +41,7 @@ TEST(Rays, DirectionsAreMalleysToSinglePrecision) {
     const Surface surface = tilted_surface();
     const auto block = test::random_block(1);
     RayBatch rays;
-    generate_rays(surface, 0, {1}, 0, *block, rays);
+    generate_rays(surface, 0, undivided, 0, *block, rays);
     const Eigen::Vector3d tangent = parallelogram(surface).edge_u.normalized();
     const Eigen::Vector3d bitangent = surface.normal.cross(tangent);
     ASSERT_EQ(rays.size(), block->size);
@@ -58,12 +58,12 @@ TEST(Rays, DirectionsAreMalleysToSinglePrecision) {
 TEST(Rays, OriginsAreTheSurfacePointsOfThePatch) {
     const Surface surface = tilted_surface();
     const auto block = test::random_block(2);
-    const Subdivision subdivision{13};
+    constexpr Grid grid{13, 13};
     const std::uint32_t index = 4 * 13 + 9;  // row 4, column 9
     RayBatch rays;
-    generate_rays(surface, 3, subdivision, index, *block, rays);
+    generate_rays(surface, 3, grid, index, *block, rays);
     EXPECT_EQ(rays.source, 3u);
-    const Parallelogram shape = patch(parallelogram(surface), subdivision, index);
+    const Parallelogram shape = patch(parallelogram(surface), grid, index);
     for (std::size_t i = 0; i < rays.size(); ++i) {
         const Eigen::Vector3d expected = shape.corner + value(block->coordinate[0][i]) * shape.edge_u +
                                          value(block->coordinate[1][i]) * shape.edge_v;
@@ -84,7 +84,7 @@ TEST(Rays, AreWellDefinedAtTheExtremesOfEveryCoordinate) {
     const Scene box = make_box(6, 6, 6);
     RayBatch rays;
     for (std::uint32_t s = 0; s < 6; ++s) {
-        generate_rays(box.surfaces[s], s, {13}, 168, *block, rays);
+        generate_rays(box.surfaces[s], s, {13, 13}, 168, *block, rays);
         for (std::size_t i = 0; i < rays.size(); ++i) {
             EXPECT_TRUE(direction(rays, i).allFinite());
             EXPECT_GT(direction(rays, i).dot(box.surfaces[s].normal), 0);
@@ -103,10 +103,12 @@ TEST(Rays, NeverStartOutsideTheSurfaceWhateverTheSubdivision) {
     for (auto& row : block.coordinate) row[0] = 0xffffffff;
     RayBatch rays;
     for (std::uint32_t m = 1; m <= 3000; ++m) {
-        generate_rays(unit, 0, {m}, m * m - 1, block, rays);
+        const std::uint32_t n = 3001 - m;
+        generate_rays(unit, 0, {m, n}, m * n - 1, block, rays);
         ASSERT_LE(rays.origin_x[0], 1) << m;
         ASSERT_LE(rays.origin_y[0], 1) << m;
         ASSERT_GT(rays.origin_x[0], 1 - 1.0f / static_cast<float>(m)) << m;
+        ASSERT_GT(rays.origin_y[0], 1 - 1.0f / static_cast<float>(n)) << m;
     }
 }
 
@@ -116,7 +118,7 @@ TEST(Rays, HaveTheSameBitsWithEveryInstructionSet) {
         std::vector<float> all;
         RayBatch rays;
         for (std::uint32_t number = 0; number < 100; ++number) {
-            generate_rays(surface, 0, {13}, number, *test::random_block(number, 1000), rays);
+            generate_rays(surface, 0, {13, 13}, number, *test::random_block(number, 1000), rays);
             for (const auto* component : {&rays.origin_x, &rays.origin_y, &rays.origin_z, &rays.direction_x,
                                           &rays.direction_y, &rays.direction_z}) {
                 all.insert(all.end(), component->begin(), component->end());

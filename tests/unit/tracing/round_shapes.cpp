@@ -28,7 +28,7 @@ std::vector<FaceHits> shoot(const Scene& scene, std::uint32_t blocks) {
     std::vector<FaceHits> hits(scene.surfaces.size(), FaceHits(scene.faces.size() + 1));
     for (std::uint32_t source = 0; source < scene.surfaces.size(); ++source) {
         for (std::uint32_t n = 0; n < blocks; ++n) {
-            tracer->shoot(source, {1}, 0, *test::random_block(source * blocks + n), hits[source]);
+            tracer->shoot(source, undivided, 0, *test::random_block(source * blocks + n), hits[source]);
         }
     }
     return hits;
@@ -146,7 +146,7 @@ TEST_P(ClosedScene, IsSeenAsInDoublePrecision) {
     std::vector<Hit> hits(block_capacity);
     for (std::uint32_t source = 0; source < scene.surfaces.size(); ++source) {
         for (std::uint32_t patch = 0; patch < 100; ++patch) {
-            generate_rays(scene.surfaces[source], source, {10}, patch, *test::random_block(1000 + patch), rays);
+            generate_rays(scene.surfaces[source], source, {10, 10}, patch, *test::random_block(1000 + patch), rays);
             tracer->trace(rays, hits);
             for (std::size_t i = 0; i < rays.size(); ++i) {
                 const Hit expected = brute_force(scene, rays, i);

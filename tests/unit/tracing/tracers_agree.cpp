@@ -42,7 +42,7 @@ Agreement compare(const Scene& scene, std::uint32_t blocks) {
     std::array<Hit, block_capacity> second;
     for (std::uint32_t number = 0; number < blocks; ++number) {
         const std::uint32_t source = number % 6;
-        generate_rays(scene.surfaces[source], source, {13}, number / 6 % 169, *test::random_block(number), rays);
+        generate_rays(scene.surfaces[source], source, {13, 13}, number / 6 % 169, *test::random_block(number), rays);
         box->trace(rays, first);
         embree->trace(rays, second);
         result.rays += rays.size();
@@ -91,7 +91,7 @@ TEST(Tracers, AgreeRayByRayInALongBox) {
 FaceHits traced(const Tracer& tracer, const Scene& scene, std::uint32_t source, std::uint32_t patch,
                 const PointBlock& block) {
     RayBatch rays;
-    generate_rays(scene.surfaces[source], source, {13}, patch, block, rays);
+    generate_rays(scene.surfaces[source], source, {13, 13}, patch, block, rays);
     std::vector<Hit> hits(rays.size());
     tracer.trace(rays, hits);
     FaceHits result(scene.faces.size() + 1);
@@ -109,7 +109,7 @@ TEST(Tracers, ShootTheRaysThatGenerateRaysStores) {
         for (std::uint32_t number = 0; number < 600; ++number) {
             const auto block = test::random_block(number, 1 + number * 31 % block_capacity);
             FaceHits shot(7);
-            tracer->shoot(number % 6, {13}, number % 169, *block, shot);
+            tracer->shoot(number % 6, {13, 13}, number % 169, *block, shot);
             ASSERT_EQ(shot, traced(*tracer, scene, number % 6, number % 169, *block))
                 << tracer->name() << ", block " << number;
         }
@@ -123,7 +123,7 @@ Scene cut(const Scene& scene, std::uint32_t k) {
     result.surfaces.clear();
     for (const Surface& surface : scene.surfaces) {
         for (std::uint32_t p = 0; p < k * k; ++p) {
-            result.surfaces.push_back({patch(parallelogram(surface), {k}, p), surface.normal, surface.face});
+            result.surfaces.push_back({patch(parallelogram(surface), {k, k}, p), surface.normal, surface.face});
         }
     }
     return result;
@@ -139,8 +139,8 @@ TEST(EmbreeTracer, ExcludesTheSourceByFilterAsByMask) {
         const auto block = test::random_block(patch);
         FaceHits one(7);
         FaceHits two(7);
-        by_mask->shoot(patch / 64, {8}, patch % 64, *block, one);
-        by_filter->shoot(patch, {1}, 0, *block, two);
+        by_mask->shoot(patch / 64, {8, 8}, patch % 64, *block, one);
+        by_filter->shoot(patch, undivided, 0, *block, two);
         EXPECT_EQ(one, two) << "patch " << patch;
     }
 }
@@ -151,7 +151,7 @@ TEST(EmbreeTracer, CountsRaysThatEndOnABackNowhere) {
     scene.empty_box.reset();
     scene.surfaces[5].normal *= -1;
     FaceHits hits(7);
-    make_embree_tracer(scene)->shoot(0, {1}, 0, *test::random_block(1), hits);
+    make_embree_tracer(scene)->shoot(0, undivided, 0, *test::random_block(1), hits);
     EXPECT_EQ(hits[5], 0u);
     EXPECT_EQ(hits[6], 0u);
     EXPECT_LT(std::accumulate(hits.begin(), hits.end(), std::uint64_t{0}), block_capacity - 100);
@@ -162,7 +162,7 @@ TEST(EmbreeTracer, CountsRaysThatLeaveAnOpenSceneAsLost) {
     scene.empty_box.reset();
     scene.surfaces.pop_back();  // no lid
     FaceHits hits(7);
-    make_embree_tracer(scene)->shoot(0, {1}, 0, *test::random_block(1), hits);
+    make_embree_tracer(scene)->shoot(0, undivided, 0, *test::random_block(1), hits);
     EXPECT_EQ(hits[5], 0u);
     EXPECT_GT(hits[6], 100u);
 }
