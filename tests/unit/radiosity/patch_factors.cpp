@@ -33,7 +33,7 @@ TEST(ExactPatchFactors, AddUpToThoseOfFaces) {
         const Eigen::MatrixXd factors = exact_patch_factors(scene, divided).value();
         const Eigen::MatrixXd to_faces = exact_patch_to_face(scene, divided).value();
         for (int face = 0; face < 6; ++face) {
-            const Eigen::VectorXd sums = factors.middleCols(face * 9, 9).rowwise().sum();
+            const Eigen::VectorXd sums = factors.middleCols(Eigen::Index{9} * face, 9).rowwise().sum();
             // 1e-15 of the squared extent, over the area of a patch, nine times.
             EXPECT_LT((sums - to_faces.col(face)).cwiseAbs().maxCoeff(), 1e-12);
         }
@@ -55,7 +55,8 @@ TEST(ShotPatchFactors, AreTheRaysOfTheTrial) {
         for (int patch = 0; patch < 54; ++patch) {
             EXPECT_NEAR(factors.row(patch).sum(), 1, 1e-14);
             for (int face = 0; face < 6; ++face) {
-                const double hits = factors.row(patch).segment(face * 9, 9).sum() * static_cast<double>(rays);
+                const double hits =
+                    factors.row(patch).segment(Eigen::Index{9} * face, 9).sum() * static_cast<double>(rays);
                 EXPECT_EQ(std::llround(hits),
                           static_cast<long long>(sums.hits[static_cast<std::size_t>(patch * 6 + face)]));
             }
@@ -89,7 +90,7 @@ TEST(KernelPatchFactors, AddUpToTheTrial) {
         EXPECT_EQ(factors.diagonal(), Eigen::VectorXd::Zero(54));
         for (int patch = 0; patch < 54; ++patch) {
             for (int face = 0; face < 6; ++face) {
-                EXPECT_NEAR(factors.row(patch).segment(face * 9, 9).sum(),
+                EXPECT_NEAR(factors.row(patch).segment(Eigen::Index{9} * face, 9).sum(),
                             sums.factors[static_cast<std::size_t>(patch * 6 + face)], 1e-13);
             }
         }

@@ -19,9 +19,9 @@ class HoleyTracer final : public Tracer {
 
     [[nodiscard]] std::string_view name() const override { return "holey"; }
 
-    void shoot(std::uint32_t source, Subdivision subdivision, std::uint32_t patch, const PointBlock& block,
+    void shoot(std::uint32_t source, Grid grid, std::uint32_t patch, const PointBlock& block,
                std::span<std::uint64_t> hits) const override {
-        sound_->shoot(source, subdivision, patch, block, hits);
+        sound_->shoot(source, grid, patch, block, hits);
     }
 
     void trace(const RayBatch& rays, std::span<Hit> hits) const override {

@@ -68,7 +68,7 @@ void expect_means_of_patch_factors(const Scene& box, const PointSource& points, 
     for (int from = 0; from < 6; ++from) {
         for (int to = 0; to < 6; ++to) {
             double sum = 0;
-            for (std::size_t p = 0; p < m * m; ++p)
+            for (std::uint32_t p = 0; p < m * m; ++p)
                 sum += sums.factors[(static_cast<std::size_t>(from) * m * m + p) * 6 + static_cast<std::size_t>(to)];
             EXPECT_NEAR(sum / (m * m), twice(from, to), 1e-13) << from << ' ' << to;
         }

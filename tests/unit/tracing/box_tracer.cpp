@@ -26,7 +26,7 @@ TEST(BoxTracer, CountsTheSameHitsWithEveryInstructionSet) {
     const auto results = test::with_each_instruction_set([&tracer] {
         std::vector<FaceHits> all;
         for (std::uint32_t number = 0; number < 300; ++number) {
-            all.push_back(shoot(*tracer, number % 6, number, 1 + (number * 17) % block_capacity));
+            all.push_back(shoot(*tracer, number % 6, number, 1 + std::size_t{number} * 17 % block_capacity));
         }
         return all;
     });

@@ -75,11 +75,7 @@ TEST(GradedPair, HasTheContactAtZeroOfItsGradedCoordinates) {
 // .667, .5, .4, and 0 or less) are told apart: a map that did nothing would miss by 7 standard errors at an edge.
 TEST(GradedMap, MeasuredTailIndexIsThatOfTheory) {
     constexpr std::uint32_t trials = 200000;
-    const struct {
-        double shift;
-        Contact contact;
-    } cases[] = {{0, Contact::edge}, {1, Contact::vertex}};
-    for (const auto& [shift, contact] : cases) {
+    for (const auto& [shift, contact] : {std::pair{0.0, Contact::edge}, std::pair{1.0, Contact::vertex}}) {
         const Scene scene = two_squares(shift);
         EXPECT_EQ(closest_contact(scene, 0, 1), contact);
         for (const PointMap map : {PointMap::uniform, PointMap::graded}) {

@@ -60,7 +60,7 @@ Ends shoot_from_every_surface(const Scene& scene) {
 
 TEST(LevelNeighbours, CatchNoRayInARoom) {
     const Ends ends = shoot_from_every_surface(turned_mosaic(make_box(1, 1, 1), 40));
-    EXPECT_EQ(ends.received, 6 * 40 * 40 * block_capacity);
+    EXPECT_EQ(ends.received, std::uint64_t{6} * 40 * 40 * block_capacity);
     EXPECT_EQ(ends.from_behind, 0u);
     EXPECT_EQ(ends.nowhere, 0u);
 }
@@ -70,7 +70,7 @@ TEST(LevelNeighbours, CatchNoRayOfABlock) {
     Scene block = inside_out(turned_mosaic(make_box(1, 1, 1), 40));
     block.closed = false;
     const Ends ends = shoot_from_every_surface(block);
-    EXPECT_EQ(ends.nowhere, 6 * 40 * 40 * block_capacity);
+    EXPECT_EQ(ends.nowhere, std::uint64_t{6} * 40 * 40 * block_capacity);
 }
 
 // The checker itself: a tile that hangs just in front of another, back to back, does catch rays.

@@ -123,7 +123,7 @@ Comparison compare_with_exact(const Scene& scene, std::uint32_t m, std::uint64_t
         ray_shooting(scene, {m}, *tracer, points, samples, Allocation::patch, key, trial, tally, &sums);
         for (int i = 0; i < 6; ++i) {
             for (int j = 0; j < 6; ++j) {
-                const auto at = static_cast<std::size_t>(6 * i + j);
+                const std::size_t at = std::size_t{6} * static_cast<std::size_t>(i) + static_cast<std::size_t>(j);
                 const double error =
                     static_cast<double>(tally.hits[at]) / static_cast<double>(tally.rays[static_cast<std::size_t>(i)]) -
                     exact(i, j);
@@ -136,7 +136,8 @@ Comparison compare_with_exact(const Scene& scene, std::uint32_t m, std::uint64_t
     for (int i = 0; i < 6; ++i) {
         for (int j = 0; j < 6; ++j) {
             if (i == j) continue;
-            const double variance = exact_variance(patch_factors, m * m, i, j, static_cast<double>(samples));
+            const double variance =
+                exact_variance(patch_factors, Eigen::Index{m} * m, i, j, static_cast<double>(samples));
             const double standard_error = std::sqrt(variance / trials);
             const double ratio = squares(i, j) / trials / variance;
             result.largest_z = std::max(result.largest_z, std::abs(sum(i, j) / trials) / standard_error);

@@ -107,7 +107,7 @@ TEST(Tracers, ShootTheRaysThatGenerateRaysStores) {
     for (const TracerChoice choice : {TracerChoice::box, TracerChoice::embree}) {
         const auto tracer = make_tracer(scene, choice);
         for (std::uint32_t number = 0; number < 600; ++number) {
-            const auto block = test::random_block(number, 1 + number * 31 % block_capacity);
+            const auto block = test::random_block(number, 1 + std::size_t{number} * 31 % block_capacity);
             FaceHits shot(7);
             tracer->shoot(number % 6, {13, 13}, number % 169, *block, shot);
             ASSERT_EQ(shot, traced(*tracer, scene, number % 6, number % 169, *block))
