@@ -12,7 +12,7 @@ std::string exact(std::optional<double> value) {
 }
 
 std::string to_error(double value, double error) {
-    if (!(error > 0)) return fmt::format("{:.8g}", value);
+    if (!(error > 0 && std::isfinite(error))) return fmt::format("{:.8g}", value);
     const auto magnitude = [](double x) { return static_cast<int>(std::floor(std::log10(x))); };
     const double size = std::abs(value);
     if (size < 1e-4 && size >= error) return fmt::format("{:.{}e}", value, magnitude(size) - magnitude(error) + 1);

@@ -8,8 +8,8 @@ namespace ff::reports {
 /// The shortest decimal that reads back as the same double; empty text for no value or one that is not finite.
 std::string exact(std::optional<double> value);
 
-/// As many decimals as the error warrants: its second significant digit is the last one shown. An error of 0 shows
-/// eight significant digits. With an exponent below 1e-4, unless the error is larger.
+/// As many decimals as the error warrants: its second significant digit is the last one shown. An error of 0,
+/// or one that is no number, shows eight significant digits. With an exponent below 1e-4, unless the error is larger.
 std::string to_error(double value, double error);
 
 /// A few significant digits, with an exponent below 1e-4: "0.0123", "7.7e-05".

@@ -26,6 +26,7 @@ TEST(ToError, ShowsTheSecondSignificantDigitOfTheError) {
     EXPECT_EQ(to_error(0.19982490, 9.9e-6), "0.1998249");
     EXPECT_EQ(to_error(12.3456, 0.5), "12.35");
     EXPECT_EQ(to_error(1234.5, 30), "1234");
+    EXPECT_EQ(to_error(1234.5, std::numeric_limits<double>::infinity()), "1234.5");
 }
 
 TEST(ToError, ShowsSmallValuesWithAnExponent) {
