@@ -6,13 +6,14 @@ source "$(dirname "$0")/../harness.sh"
 # interval misses it once in a million runs.
 exact=$("$program" list configurations | awk '$1 == "discs_blocked" {print; exit}' | grep -oE '0\.[0-9]{12,}')
 
-# start OUT: runs it in the background and returns when it catches SIGINT, the second lowest bit of the mask.
+# start OUT: runs it in the background and returns when it catches SIGINT, the second lowest bit of the mask. The shell
+# that becomes the program catches it too, and is not meant.
 start() {
     command_line="ffstudy form_factors (to be stopped)" status=0
     "$program" form_factors discs_blocked --tolerance 1e-6 --level 0.999999 --max-samples 1000000000000 --threads 2 \
         --out "$1" >"$folder/stdout" 2>"$folder/stderr" </dev/null &
     process=$!
-    until grep -q '^SigCgt:.*[2367abef]$' /proc/$process/status; do
+    until [ /proc/$process/exe -ef "$program" ] && grep -q '^SigCgt:.*[2367abef]$' /proc/$process/status; do
         kill -0 $process || fail "it was over before it could be stopped"
         sleep 0.01
     done
