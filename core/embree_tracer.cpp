@@ -152,7 +152,7 @@ class EmbreeTracer final : public Tracer {
     [[nodiscard]] Found intersect_one(const Line& line, std::uint32_t source, double shift) const;
     [[nodiscard]] Found unless_beneath_source(const Found& found, const Line& line, std::uint32_t source) const;
 
-    [[nodiscard]] bool is_from_behind(std::uint32_t surface, float u, const Line& line) const;
+    [[nodiscard]] bool is_from_behind(std::uint32_t surface, float u, const Eigen::Vector3d& direction) const;
     [[nodiscard]] bool is_received(const Found& found) const {
         return is_of_face(surfaces_[found.surface]) && !found.from_behind;
     }
@@ -262,14 +262,13 @@ void EmbreeTracer::intersect(const RayPointers& rays, std::size_t count, std::ui
         if (n < packet) std::fill(valid.begin() + n, valid.end(), 0);
         rtcIntersect8(valid.data(), scene_.get(), &context.embree, &p);
         for (std::size_t i = 0; i < n; ++i) {
-            const Line line = line_of(rays, first + i);
             if (p.hit.geomID[i] != RTC_INVALID_GEOMETRY_ID) {
                 const std::uint32_t surface = groups_[p.hit.geomID[i]].surfaces[p.hit.primID[i]];
-                const bool from_behind = is_from_behind(surface, p.hit.u[i], line);
+                const bool from_behind = is_from_behind(surface, p.hit.u[i], direction_of(rays, first + i));
                 const Found found{surface, p.ray.tfar[i], p.hit.u[i], p.hit.v[i], from_behind};
-                visit(first + i, from_behind ? unless_beneath_source(found, line, source) : found);
+                visit(first + i, from_behind ? unless_beneath_source(found, line_of(rays, first + i), source) : found);
             } else {
-                visit(first + i, closed_ ? intersect_one(line, source, second_attempt) : Found{});
+                visit(first + i, closed_ ? intersect_one(line_of(rays, first + i), source, second_attempt) : Found{});
             }
         }
     }
@@ -289,7 +288,7 @@ Found EmbreeTracer::intersect_one(const Line& line, std::uint32_t source, double
     rtcIntersect1(scene_.get(), &context.embree, &ray);
     if (ray.hit.geomID == RTC_INVALID_GEOMETRY_ID) return {};
     const std::uint32_t surface = groups_[ray.hit.geomID].surfaces[ray.hit.primID];
-    return {surface, ray.ray.tfar, ray.hit.u, ray.hit.v, is_from_behind(surface, ray.hit.u, line)};
+    return {surface, ray.ray.tfar, ray.hit.u, ray.hit.v, is_from_behind(surface, ray.hit.u, line.direction)};
 }
 
 /// A rounded origin may lie on the edge of a neighbour that is level with the source or turned away from it, or a
@@ -301,9 +300,9 @@ Found EmbreeTracer::unless_beneath_source(const Found& found, const Line& line, 
     return risen <= gap_ ? intersect_one({line.origin + 2 * gap_ * up, line.direction}, source, 0) : found;
 }
 
-bool EmbreeTracer::is_from_behind(std::uint32_t surface, float u, const Line& line) const {
+bool EmbreeTracer::is_from_behind(std::uint32_t surface, float u, const Eigen::Vector3d& direction) const {
     const Surface& met = surfaces_[surface];
-    if (is_flat(met.shape)) return met.normal.dot(line.direction) >= 0;
+    if (is_flat(met.shape)) return met.normal.dot(direction) >= 0;
     return (facing(met.shape) == Facing::inward) != (u == meets_outward);
 }
 

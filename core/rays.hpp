@@ -58,8 +58,12 @@ RayPointers pointers_to(const Rays& rays) {
             rays.direction_x.data(), rays.direction_y.data(), rays.direction_z.data()};
 }
 
+inline Eigen::Vector3d direction_of(const RayPointers& rays, std::size_t i) {
+    return {rays[3][i], rays[4][i], rays[5][i]};
+}
+
 inline Line line_of(const RayPointers& rays, std::size_t i) {
-    return {{rays[0][i], rays[1][i], rays[2][i]}, {rays[3][i], rays[4][i], rays[5][i]}};
+    return {{rays[0][i], rays[1][i], rays[2][i]}, direction_of(rays, i)};
 }
 
 /// The largest coordinate of a surface, in the units of the scene.
