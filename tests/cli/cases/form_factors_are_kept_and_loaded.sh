@@ -88,8 +88,9 @@ done
 )
 
 # What is something else.
-cd "$folder" && mkdir refused && cd refused
-cp ../work/results/furnace/form_factors.sqlite "$folder/store.sqlite"
+cp results/furnace/form_factors.sqlite "$folder/store.sqlite"
+head -c 9000 missed/form_factors.sqlite >"$folder/half"
+mkdir "$folder/refused" && cd "$folder/refused"
 ffstudy form_factors --load missing
 expect_refused 3 "missing: no such file"
 echo "neither SQLite nor anything else" >"$folder/text"
@@ -100,7 +101,6 @@ import sqlite3, sys
 sqlite3.connect('$folder/store.sqlite').executescript('UPDATE about SET value = 99 WHERE key = \'schema_version\'')"
 ffstudy form_factors --load "$folder/store.sqlite" --out out
 expect_refused 2 "schema version 99 (this program reads 1)"
-head -c 9000 ../work/missed/form_factors.sqlite >"$folder/half"
 ffstudy form_factors --load "$folder/half" --out out
 expect_refused 3 "half"
 ffstudy form_factors --load "$folder/store.sqlite" cube
