@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace ff::reports {
 namespace {
 
@@ -13,28 +15,49 @@ std::string seconds_in_words(double seconds) {
     return seconds < 100 ? fmt::format("{:.1f} s", seconds) : fmt::format("{:.1f} min", seconds / 60);
 }
 
+/// What the cells of a method and a size ask for in all scenes.
+struct PlanRow {
+    std::string method;
+    std::string size;
+    std::uint64_t trials = 0;  ///< in each scene
+    std::size_t scenes = 0;
+    std::uint64_t samples = 0;  ///< of a trial in every scene
+    double seconds = 0;
+};
+
+std::vector<PlanRow> plan_rows(const studies::StudyPlan& plan) {
+    std::vector<PlanRow> rows;
+    for (const studies::Cell& cell : plan.cells) {
+        const std::string& method = plan.spec.methods[cell.method].name;
+        const std::string size = size_label(plan, cell);
+        auto row = std::ranges::find_if(rows, [&](const PlanRow& known) {
+            return known.method == method && known.size == size && known.trials == cell.trials;
+        });
+        if (row == rows.end()) row = rows.insert(row, {method, size, cell.trials});
+        ++row->scenes;
+        row->samples += studies::evaluations_per_trial(plan, cell);
+        row->seconds += static_cast<double>(cell.trials) * studies::expected_seconds_per_trial(plan, cell);
+    }
+    return rows;
+}
+
 }  // namespace
 
 std::string terminal_plan(const studies::StudyPlan& plan, unsigned threads) {
-    Table table{"plan",
-                "",
-                "",
-                {{"method", false, ""},
-                 {"size", false, ""},
-                 {"trials", true, ""},
-                 {"samples/trial", true, ""},
-                 {"core time", true, ""}},
-                {},
-                {}};
+    const bool several_scenes = plan.scenes.size() > 1;
+    Table table{"plan", "", "", {{"method", false, ""}, {"size", false, ""}}, {}, {}};
+    if (several_scenes) table.columns.push_back({"scenes", true, ""});
+    for (const char* name : {"trials", "samples/trial", "core time"}) table.columns.push_back({name, true, ""});
     double total = 0;
-    for (const studies::Cell& cell : plan.cells) {
-        const double seconds = static_cast<double>(cell.trials) * studies::expected_seconds_per_trial(plan, cell);
-        total += seconds;
-        table.rows.push_back({{plan.spec.methods[cell.method].name, Mark::none},
-                              {size_label(plan, cell), Mark::none},
-                              {std::to_string(cell.trials), Mark::none},
-                              {std::to_string(studies::evaluations_per_trial(plan, cell)), Mark::none},
-                              {seconds_in_words(seconds), Mark::none}});
+    for (const PlanRow& row : plan_rows(plan)) {
+        total += row.seconds;
+        std::vector<TableCell> cells = {{row.method, Mark::none}, {row.size, Mark::none}};
+        if (several_scenes) cells.push_back({std::to_string(row.scenes), Mark::none});
+        for (const std::string& text :
+             {std::to_string(row.trials), std::to_string(row.samples), seconds_in_words(row.seconds)}) {
+            cells.push_back({text, Mark::none});
+        }
+        table.rows.push_back(std::move(cells));
     }
     const double expected = total / threads + studies::expected_seconds_of_results(plan);
     return fmt::format("{}: {} work units\n\n{}\nabout {} on {} thread{}\n", plan.spec.name, plan.units.size(),
