@@ -29,10 +29,6 @@
 namespace ff::app {
 namespace {
 
-void print_row(std::string_view name, std::string_view summary) {
-    fmt::print("{:<16} {}\n", name, summary);
-}
-
 void print_description(std::string_view kind, std::string_view name, std::string_view summary, std::string_view details,
                        std::string_view reference) {
     fmt::print("{} ({})\n{}\n\n{}\n", name, kind, summary, details);
@@ -112,14 +108,8 @@ struct Listed {
     std::string summary;
 };
 
-/// Scenes that study files can name: those described, families, then those of the catalogue.
-std::vector<Listed> listed_scenes() {
-    std::vector<Listed> scenes;
-    for (const auto& choices : studies::all_choices()) {
-        if (choices.plural != "scenes") continue;
-        for (const auto& description : choices.descriptions)
-            scenes.push_back({std::string(description.name), std::string(description.summary)});
-    }
+/// Scenes that study files can name beside those described: families, then those of the catalogue.
+void add_scenes(std::vector<Listed>& scenes) {
     for (const SceneFamily& family : scene_families())
         scenes.push_back({fmt::format("{}:{}", family.name, family.of_catalogue),
                           fmt::format("and others: {}, {} to {}", family.measure, family.least, family.most)});
@@ -129,14 +119,38 @@ std::vector<Listed> listed_scenes() {
             std::find_if(all.begin(), all.end(), [&](const Configuration& c) { return c.scene_name == name; });
         scenes.push_back({std::string(name), std::string(first->summary)});
     }
-    return scenes;
 }
 
-void list_scenes() {
-    const auto scenes = listed_scenes();
-    std::size_t width = 0;
-    for (const Listed& scene : scenes) width = std::max(width, scene.name.size());
-    for (const Listed& scene : scenes) fmt::print("{:<{}}  {}\n", scene.name, width, scene.summary);
+/// @throws UserError where nothing of that kind can be listed
+std::vector<Listed> listed(const std::string& kind) {
+    std::vector<Listed> rows;
+    const auto add = [&rows](std::string_view name, std::string_view summary) {
+        rows.push_back({std::string(name), std::string(summary)});
+    };
+    for (const auto& choices : studies::all_choices()) {
+        if (kind != choices.plural) continue;
+        for (const auto& description : choices.descriptions) add(description.name, description.summary);
+        if (kind == "scenes") add_scenes(rows);
+        return rows;
+    }
+    if (kind == "samplers") {
+        for (const auto& entry : samplers::catalogue()) add(entry.info.name, entry.info.summary);
+    } else if (kind == "configurations") {
+        for (const Configuration& configuration : configurations())
+            add(configuration.name, fmt::format("{} {}", exact_value(configuration), configuration.summary));
+    } else if (kind == "studies") {
+        for (const auto& study : built_in_studies()) add(study.name, study.title);
+        add(studies::selftest_description.name, studies::selftest_description.summary);
+    } else if (kind == "formats") {
+        for (const Format& format : all_formats()) add(format.name, format.files);
+    } else if (kind == "controls") {
+        for (const auto& control : studies::controls())
+            add(control.description.name, fmt::format("{:<12} {}", control.kind, control.description.summary));
+    } else {
+        throw UserError(fmt::format("'{}' cannot be listed. {}Known: {}.", kind, did_you_mean(kind, kinds()),
+                                    fmt::join(kinds(), ", ")));
+    }
+    return rows;
 }
 
 /// The scene of that name, built in or in a file; empty where it is neither.
@@ -163,32 +177,10 @@ void print_scene(const Scene& scene) {
 }  // namespace
 
 ExitCode list(const std::string& kind) {
-    for (const auto& choices : studies::all_choices()) {
-        if (kind != choices.plural) continue;
-        if (kind == "scenes") {
-            list_scenes();
-            return ExitCode::passed;
-        }
-        for (const auto& description : choices.descriptions) print_row(description.name, description.summary);
-        return ExitCode::passed;
-    }
-    if (kind == "samplers") {
-        for (const auto& entry : samplers::catalogue()) print_row(entry.info.name, entry.info.summary);
-    } else if (kind == "configurations") {
-        for (const Configuration& configuration : configurations())
-            fmt::print("{:<25} {} {}\n", configuration.name, exact_value(configuration), configuration.summary);
-    } else if (kind == "studies") {
-        for (const auto& study : built_in_studies()) print_row(study.name, study.title);
-        print_row(studies::selftest_description.name, studies::selftest_description.summary);
-    } else if (kind == "formats") {
-        for (const Format& format : all_formats()) print_row(format.name, format.files);
-    } else if (kind == "controls") {
-        for (const auto& control : studies::controls())
-            fmt::print("{:<22} {:<12} {}\n", control.description.name, control.kind, control.description.summary);
-    } else {
-        throw UserError(fmt::format("'{}' cannot be listed. {}Known: {}.", kind, did_you_mean(kind, kinds()),
-                                    fmt::join(kinds(), ", ")));
-    }
+    const auto rows = listed(kind);
+    std::size_t width = 0;
+    for (const Listed& row : rows) width = std::max(width, row.name.size());
+    for (const Listed& row : rows) fmt::print("{:<{}}  {}\n", row.name, width, row.summary);
     return ExitCode::passed;
 }
 
