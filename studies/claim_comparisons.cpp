@@ -53,18 +53,22 @@ Judgement judge_class(const ClaimEvidence& evidence, const PublishedClaim& claim
 /// A method of the study, and its mean error on a class of pairs.
 struct Contender {
     std::string name;
-    MeanWithError error;
+    MeanWithError error;  ///< the intervals of all contenders of a claim hold at once: the best of many is picked
     bool deterministic = false;
 
     [[nodiscard]] bool is_exact() const { return error.mean < rounding_percent; }
 };
 
-/// Sampled and quadrature methods at the claim's size, by mean error on a class of pairs.
-std::vector<Contender> contenders(const ClaimEvidence& evidence, const PublishedClaim& claim,
-                                  const std::string& pair_class) {
-    const auto pairs = evidence.pairs(pair_class);
+/// Sampled and quadrature methods at the claim's size, by mean error on each class of pairs.
+struct Contenders {
+    std::vector<Contender> parallel;
+    std::vector<Contender> adjacent;
+};
+
+/// The cells of these methods.
+std::vector<std::size_t> contending_cells(const ClaimEvidence& evidence, const PublishedClaim& claim) {
     const Findings& findings = evidence.findings();
-    std::vector<Contender> result;
+    std::vector<std::size_t> result;
     for (std::size_t i = 0; i < findings.plan.cells.size(); ++i) {
         const Cell& cell = findings.plan.cells[i];
         const Method& method = findings.plan.spec.methods[cell.method];
@@ -72,12 +76,28 @@ std::vector<Contender> contenders(const ClaimEvidence& evidence, const Published
         const bool same_size = names(claim.patches_per_face, cell.subdivision.per_part()) &&
                                (cell.deterministic || names(claim.samples_per_patch, cell.samples));
         if (!same_size || method.estimator == Estimator::closed_form || findings.cells[i].trials == 0) continue;
-        result.push_back({method.name, mean_with_error(class_errors(evidence, i, pairs), findings.plan.spec.level),
-                          cell.deterministic});
+        result.push_back(i);
     }
-    std::stable_sort(result.begin(), result.end(),
-                     [](const Contender& a, const Contender& b) { return a.error.mean < b.error.mean; });
     return result;
+}
+
+Contenders contenders(const ClaimEvidence& evidence, const PublishedClaim& claim) {
+    const StudyPlan& plan = evidence.findings().plan;
+    const auto cells = contending_cells(evidence, claim);
+    const double level = 1 - (1 - plan.spec.level) / (2 * static_cast<double>(std::max<std::size_t>(cells.size(), 1)));
+    const auto sorted = [&](const std::string& pair_class) {
+        const auto pairs = evidence.pairs(pair_class);
+        std::vector<Contender> result;
+        for (const std::size_t cell : cells) {
+            result.push_back({plan.spec.methods[plan.cells[cell].method].name,
+                              mean_with_error(class_errors(evidence, cell, pairs), level),
+                              plan.cells[cell].deterministic});
+        }
+        std::stable_sort(result.begin(), result.end(),
+                         [](const Contender& a, const Contender& b) { return a.error.mean < b.error.mean; });
+        return result;
+    };
+    return {sorted("parallel"), sorted("adjacent")};
 }
 
 /// The best; all of them where nothing is left but rounding, which makes no winner.
@@ -92,8 +112,25 @@ std::string best_in_words(const std::vector<Contender>& sorted) {
     return fmt::format("{} (exact to rounding)", fmt::join(exact, ", "));
 }
 
-std::string named(const Contender& contender) {
-    return fmt::format("{} ({})", contender.name, percent(contender.error));
+/// The best method of a kind, and between what its error lies, whichever of them is the best.
+struct BestOfKind {
+    std::string words;
+    double low = 0;
+    double high = 0;
+};
+
+std::optional<BestOfKind> best_of_kind(const std::vector<Contender>& sorted, bool deterministic) {
+    std::optional<BestOfKind> best;
+    for (const Contender& contender : sorted) {
+        if (contender.deterministic != deterministic) continue;
+        if (!best) {
+            best = {fmt::format("{} ({})", contender.name, percent(contender.error)), contender.error.low(),
+                    contender.error.high()};
+        }
+        best->low = std::min(best->low, contender.error.low());
+        best->high = std::min(best->high, contender.error.high());
+    }
+    return best;
 }
 
 /// Whether, on a class of pairs, the best method of the kind that is advised errs less than the best of the other.
@@ -103,17 +140,13 @@ struct RuleOnClass {
 };
 
 std::optional<RuleOnClass> judge_rule(const std::vector<Contender>& sorted, bool deterministic_advised) {
-    const auto best = [&](bool deterministic) {
-        return std::find_if(sorted.begin(), sorted.end(),
-                            [&](const Contender& contender) { return contender.deterministic == deterministic; });
-    };
-    const auto advised = best(deterministic_advised);
-    const auto other = best(!deterministic_advised);
-    if (advised == sorted.end() || other == sorted.end()) return std::nullopt;
+    const auto advised = best_of_kind(sorted, deterministic_advised);
+    const auto other = best_of_kind(sorted, !deterministic_advised);
+    if (!advised || !other) return std::nullopt;
     RuleOnClass rule;
-    rule.evidence = fmt::format("{} against {}", named(*advised), named(*other));
-    if (advised->error.high() < other->error.low()) rule.verdict = ClaimVerdict::supported;
-    if (advised->error.low() > other->error.high()) rule.verdict = ClaimVerdict::refuted;
+    rule.evidence = fmt::format("{} against {}", advised->words, other->words);
+    if (advised->high < other->low) rule.verdict = ClaimVerdict::supported;
+    if (advised->low > other->high) rule.verdict = ClaimVerdict::refuted;
     return rule;
 }
 
@@ -135,20 +168,32 @@ std::string_view right_or_wrong(ClaimVerdict verdict) {
 }
 
 /// The advice itself: as between the two methods, and as a rule about their kinds where others of the study are better.
-std::string advice_in_words(const PublishedClaim& claim, ClaimVerdict verdict, const std::vector<Contender>& parallel,
-                            const std::vector<Contender>& adjacent, double level) {
+std::string advice_in_words(const PublishedClaim& claim, ClaimVerdict verdict, const Contenders& all, double level) {
     std::string words = fmt::format(
         "Between these two methods the advice ({} for parallel faces, {} for perpendicular ones) was {}, with {:g} % "
         "confidence.",
         claim.methods[0], claim.methods[1], right_or_wrong(verdict), 100 * level);
-    const auto on_parallel = judge_rule(parallel, true);
-    const auto on_adjacent = judge_rule(adjacent, false);
+    const auto on_parallel = judge_rule(all.parallel, true);
+    const auto on_adjacent = judge_rule(all.adjacent, false);
     if (!on_parallel || !on_adjacent) return words + " ";
-    return words + fmt::format(
-                       " As a rule (deterministic for parallel faces, Monte Carlo for perpendicular ones) it was {} "
-                       "among the methods of this study at this size: on parallel pairs {}, on perpendicular ones {}. ",
-                       right_or_wrong(both(on_parallel->verdict, on_adjacent->verdict)), on_parallel->evidence,
-                       on_adjacent->evidence);
+    return words +
+           fmt::format(
+               " As a rule (deterministic for parallel faces, Monte Carlo for perpendicular ones) it was {} among the "
+               "methods of this study at this size. The best of each kind, with intervals that hold for all methods at "
+               "once: on parallel pairs {}; on perpendicular ones {}. ",
+               right_or_wrong(both(on_parallel->verdict, on_adjacent->verdict)), on_parallel->evidence,
+               on_adjacent->evidence);
+}
+
+/// The comparison of the two methods, and who is best of all.
+Judgement judge_division_among(const ClaimEvidence& evidence, const PublishedClaim& claim, const Contenders& all) {
+    const Judgement parallel = judge_class(evidence, claim, 0, 1, "parallel");
+    const Judgement adjacent = judge_class(evidence, claim, 1, 0, "adjacent");
+    return {
+        both(parallel.verdict, adjacent.verdict),
+        fmt::format("{} {} Of all sampled and quadrature methods of this study at this size, best on parallel "
+                    "pairs: {}; on adjacent ones: {}.",
+                    parallel.evidence, adjacent.evidence, best_in_words(all.parallel), best_in_words(all.adjacent))};
 }
 
 }  // namespace
@@ -166,21 +211,15 @@ Judgement judge_smaller_error(const ClaimEvidence& evidence, const PublishedClai
 }
 
 Judgement judge_division(const ClaimEvidence& evidence, const PublishedClaim& claim) {
-    const Judgement parallel = judge_class(evidence, claim, 0, 1, "parallel");
-    const Judgement adjacent = judge_class(evidence, claim, 1, 0, "adjacent");
-    return {both(parallel.verdict, adjacent.verdict),
-            fmt::format("{} {} Of all sampled and quadrature methods of this study at this size, best on parallel "
-                        "pairs: {}; on adjacent ones: {}.",
-                        parallel.evidence, adjacent.evidence, best_in_words(contenders(evidence, claim, "parallel")),
-                        best_in_words(contenders(evidence, claim, "adjacent")))};
+    return judge_division_among(evidence, claim, contenders(evidence, claim));
 }
 
 Judgement judge_advice(const ClaimEvidence& evidence, const PublishedClaim& claim) {
-    Judgement judgement = judge_division(evidence, claim);
+    const Contenders all = contenders(evidence, claim);
+    Judgement judgement = judge_division_among(evidence, claim, all);
     if (evidence.cells(claim, 0).empty() || evidence.cells(claim, 1).empty()) return judgement;
-    judgement.evidence = advice_in_words(claim, judgement.verdict, contenders(evidence, claim, "parallel"),
-                                         contenders(evidence, claim, "adjacent"), evidence.findings().plan.spec.level) +
-                         judgement.evidence;
+    judgement.evidence =
+        advice_in_words(claim, judgement.verdict, all, evidence.findings().plan.spec.level) + judgement.evidence;
     return judgement;
 }
 
