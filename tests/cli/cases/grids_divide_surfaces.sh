@@ -65,6 +65,16 @@ ffstudy merge part2 part1 --out merged
 expect_status 0
 expect_same_results whole merged
 
+# Stopped, it is gone on with until it is done.
+limit=10 stops=0
+while ffstudy run study.toml --out stopped --threads 1 --max-time "$((limit / 1000)).$(printf %03d $((limit % 1000)))" &&
+    [ "$status" -eq 130 ]; do
+    stops=$((stops + 1)) limit=$((2 * limit))
+done
+expect_status 0
+[ $stops -gt 0 ] || fail "expected the study to be stopped"
+expect_same_results whole stopped
+
 # A grid of one part is none.
 sed -i 's/^grid = .*/grid = [1, 1]/' room.toml
 ffstudy run study.toml --out ones
