@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <condition_variable>
 #include <deque>
 #include <exception>
@@ -22,9 +23,10 @@ namespace {
 /// Hands out units to threads and their records back to the thread that saves them.
 class Workshop {
   public:
-    /// No more threads than units.
-    Workshop(const Worker& worker, std::vector<const WorkUnit*> units, const RunOptions& options)
-        : worker_(worker), units_(std::move(units)), options_(options) {
+    /// No more threads than units. @param drop  what makes `worker` drop the units in hand
+    Workshop(const Worker& worker, std::atomic<bool>& drop, std::vector<const WorkUnit*> units,
+             const RunOptions& options)
+        : worker_(worker), drop_(drop), units_(std::move(units)), options_(options) {
         const std::size_t wanted =
             std::min<std::size_t>(options.threads, units_.size()) + (options.others ? std::size_t{1} : 0);
         active_ = wanted;
@@ -49,7 +51,8 @@ class Workshop {
     /// The next finished record; empty when all threads are done. @throws what a unit threw
     std::optional<UnitRecord> take() {
         std::unique_lock lock(mutex_);
-        changed_.wait(lock, [this] { return !records_.empty() || active_ == 0 || failure_; });
+        const auto ready = [this] { return !records_.empty() || active_ == 0 || failure_; };
+        while (!changed_.wait_for(lock, std::chrono::milliseconds(20), ready)) drop_where_patience_ends();
         if (failure_) std::rethrow_exception(failure_);
         if (records_.empty()) return std::nullopt;
         UnitRecord record = std::move(records_.front());
@@ -59,11 +62,21 @@ class Workshop {
     }
 
   private:
+    [[nodiscard]] bool is_to_stop() const { return options_.stop != nullptr && options_.stop->load(); }
+
+    void drop_where_patience_ends() {
+        if (!is_to_stop()) return;
+        const auto now = std::chrono::steady_clock::now();
+        if (!told_) told_ = now;
+        if (now - *told_ >= options_.patience) drop_ = true;
+    }
+
     void end() {
         {
             const std::lock_guard lock(mutex_);
             cancelled_ = true;
         }
+        drop_ = true;
         changed_.notify_all();
         for (std::thread& thread : threads_) thread.join();
     }
@@ -102,8 +115,7 @@ class Workshop {
     const WorkUnit* next() {
         std::unique_lock lock(mutex_);
         wait_for_room(lock);
-        const bool stop = options_.stop != nullptr && options_.stop->load();
-        return cancelled_ || stop || failure_ || next_ == units_.size() ? nullptr : units_[next_++];
+        return cancelled_ || is_to_stop() || failure_ || next_ == units_.size() ? nullptr : units_[next_++];
     }
 
     void work() {
@@ -115,11 +127,13 @@ class Workshop {
                 changed_.notify_all();
             }
         } catch (const Interrupted&) {
-            // The unit in hand is dropped; run again, the study begins it anew.
+            // Run again, the study begins the unit in hand anew.
         }
     }
 
     const Worker& worker_;
+    std::atomic<bool>& drop_;
+    std::optional<std::chrono::steady_clock::time_point> told_;  ///< to stop
     std::vector<const WorkUnit*> units_;
     const RunOptions& options_;
     std::mutex mutex_;
@@ -171,10 +185,10 @@ void count_units(const StudyPlan& plan, const std::vector<bool>& finished, const
     }
 }
 
-void run_round(Store& store, const Worker& worker, const std::vector<const WorkUnit*>& missing,
+void run_round(Store& store, const Worker& worker, std::atomic<bool>& drop, const std::vector<const WorkUnit*>& missing,
                const RunOptions& options, Progress& progress) {
     const StudyPlan& plan = store.plan();
-    Workshop workshop(worker, own_units(missing, options), options);
+    Workshop workshop(worker, drop, own_units(missing, options), options);
     while (const auto record = workshop.take()) {
         store.commit(*record);
         const WorkUnit& unit = plan.units[record->unit];
@@ -191,7 +205,8 @@ void run_round(Store& store, const Worker& worker, const std::vector<const WorkU
 RunOutcome run_study(Store& store, const RunOptions& options) {
     FF_EXPECT(options.threads >= 1);
     const StudyPlan& plan = store.plan();
-    const Worker worker(plan, options.stop);
+    std::atomic<bool> drop{false};
+    const Worker worker(plan, &drop);
     Progress progress;
     // An adaptive study has two rounds: what the second needs is known when the first is saved. Others have one, in
     // which other processes are waited for even where nothing is missing.
@@ -201,7 +216,7 @@ RunOutcome run_study(Store& store, const RunOptions& options) {
         const auto missing = missing_units(plan, finished, wanted, options);
         if (missing.empty() && !first) return RunOutcome::complete;
         count_units(plan, finished, wanted, options, progress);
-        run_round(store, worker, missing, options, progress);
+        run_round(store, worker, drop, missing, options, progress);
         if (progress.units_done < progress.units) return RunOutcome::stopped;
         if (!plan.spec.until) return RunOutcome::complete;
     }
@@ -210,9 +225,10 @@ RunOutcome run_study(Store& store, const RunOptions& options) {
 void carry_out_units(const StudyPlan& plan, const std::vector<bool>& finished, const RunOptions& options,
                      const std::function<void(const UnitRecord&)>& hand_over) {
     FF_EXPECT(!plan.spec.until);
-    const Worker worker(plan, options.stop);
+    std::atomic<bool> drop{false};
+    const Worker worker(plan, &drop);
     const std::vector<bool> all(plan.units.size(), true);
-    Workshop workshop(worker, own_units(missing_units(plan, finished, all, options), options), options);
+    Workshop workshop(worker, drop, own_units(missing_units(plan, finished, all, options), options), options);
     while (const auto record = workshop.take()) hand_over(*record);
 }
 

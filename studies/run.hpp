@@ -5,6 +5,7 @@
 #include "studies/store.hpp"
 
 #include <atomic>
+#include <chrono>
 #include <cstdint>
 #include <functional>
 
@@ -25,10 +26,11 @@ using Deliver = std::function<bool(UnitRecord)>;
 
 struct RunOptions {
     unsigned threads = 1;
-    Shard shard;                                 ///< only the units of this share are carried out and counted
-    Shard process;                               ///< of them, what this process does of what is missing
-    std::function<void(const Deliver&)> others;  ///< delivers what other processes do; called on a thread of its own
-    const std::atomic<bool>* stop = nullptr;     ///< once true, drop the units in hand and return; what was saved stays
+    Shard shard;                                  ///< only the units of this share are carried out and counted
+    Shard process;                                ///< of them, what this process does of what is missing
+    std::function<void(const Deliver&)> others;   ///< delivers what other processes do; called on a thread of its own
+    const std::atomic<bool>* stop = nullptr;      ///< once true, begin no unit and return when those in hand are saved
+    std::chrono::duration<double> patience{2};    ///< with units in hand; then they are dropped: a trial can take hours
     std::function<void(const Progress&)> report;  ///< called on the calling thread after each saved unit
 };
 

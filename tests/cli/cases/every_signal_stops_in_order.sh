@@ -28,8 +28,15 @@ for signal in INT TERM USR1; do
     expect_same_results whole $signal
 done
 
-# A second signal does not wait for the units in hand nor for reports.
+# Units that would take minutes are not waited for.
 sed 's/^samples_per_patch = 64/samples_per_patch = 64000000/' "$folder/study.toml" >"$folder/slow.toml"
+start "$folder/slow.toml" hours
+kill -INT $process
+wait $process || status=$?
+expect_status 130
+expect_in_file hours/report.md "Partial result"
+
+# A second signal does not wait for the units in hand nor for reports.
 start "$folder/slow.toml" slow
 kill -STOP $process  # so that it meets both signals at once
 kill -INT $process
