@@ -30,6 +30,7 @@ class Workshop {
         const std::size_t wanted =
             std::min<std::size_t>(options.threads, units_.size()) + (options.others ? std::size_t{1} : 0);
         active_ = wanted;
+        drop_ = false;
         try {
             if (options.others) {
                 start([this] { options_.others([this](UnitRecord record) { return put(std::move(record)); }); });
