@@ -303,6 +303,6 @@ ExitCode guarded(int argc, char** argv) {
 // An exception that nobody expects is a bug and ends the program, as a broken contract does.
 // NOLINTNEXTLINE(bugprone-exception-escape)
 int main(int argc, char** argv) {
-    turn_file_size_signal_into_errors();
+    turn_output_signals_into_errors();
     return static_cast<int>(guarded(argc, argv));
 }

@@ -2,6 +2,7 @@
 
 #include "app/messages.hpp"
 #include "app/result_files.hpp"
+#include "app/signals.hpp"
 #include "app/template_files.hpp"
 #include "app/terminal_colour.hpp"
 
@@ -41,6 +42,7 @@ std::string units_in_words(const std::vector<std::size_t>& units, std::size_t al
 }  // namespace
 
 ExitCode merge(const MergeCommand& command) {
+    end_on_signals();
     const auto templates = find_templates({});
     const auto target = command.out / "results.sqlite";
     const auto sources = stores_of(command, target);
@@ -48,7 +50,7 @@ ExitCode merge(const MergeCommand& command) {
     make_folder(command.out);
     auto store = studies::Store::create_or_resume(target, plan);
     const studies::MergeOutcome outcome = studies::merge_stores(sources, store);
-    store.seal();
+    seal(store, command.quiet);
     if (!outcome.doubled.empty() && !command.quiet) {
         say("note: {}; their content is the same.\n",
             units_in_words(outcome.doubled, plan.units.size(), "are in more than one store"));

@@ -114,8 +114,16 @@ constexpr std::array known{
     KnownFormat{{"pdf", "pictures/*.pdf"}, expect_pdf_programs, write_pdf},
 };
 constexpr std::array<std::string_view, 4> of_a_run{"html", "markdown", "csv", "json"};
-constexpr std::array<std::string_view, 8> files{"report.html", "report.md",  "audit.md",     "summary.csv",
-                                                "slopes.csv",  "trials.csv", "results.json", "context.json"};
+
+/// Every file that the usual formats may write, in this folder.
+std::vector<std::filesystem::path> files_in(const std::filesystem::path& folder) {
+    std::vector<std::filesystem::path> files;
+    for (const char* name : {"report.html", "report.md", "audit.md", "summary.csv", "slopes.csv", "coverage.csv",
+                             "trials.csv", "results.json", "context.json"})
+        files.push_back(folder / name);
+    for (const RadiosityTable& table : tables_of_radiosity) files.push_back(folder / table.file);
+    return files;
+}
 
 const KnownFormat& find_format(std::string_view name) {
     const auto found = std::find_if(known.begin(), known.end(), [&](const auto& k) { return k.format.name == name; });
@@ -147,13 +155,26 @@ std::filesystem::path store_of(const std::filesystem::path& results) {
 }
 
 void expect_room_for_results(const std::filesystem::path& folder) {
-    for (const std::string_view file : files) {
-        if (std::filesystem::is_directory(folder / file)) {
-            throw IoError(
-                fmt::format("{}: cannot be written (a folder is in the way). Remove it, or choose another --out.",
-                            (folder / file).string()));
+    for (const auto& file : files_in(folder)) {
+        if (std::filesystem::is_directory(file)) {
+            throw IoError(fmt::format(
+                "{}: cannot be written (a folder is in the way). Remove it, or choose another --out.", file.string()));
         }
     }
+}
+
+void remove_results(const std::filesystem::path& folder) {
+    for (const auto& file : files_in(folder)) {
+        std::error_code error;
+        std::filesystem::remove(file, error);
+        if (error) throw IoError(fmt::format("{}: cannot be removed ({}).", file.string(), error.message()));
+    }
+}
+
+void seal(studies::Store& store, bool quiet) {
+    if (store.seal() || quiet) return;
+    say("note: another program has results.sqlite open, so results.sqlite-wal is a part of it until ffstudy is run on "
+        "the folder again.\n");
 }
 
 void make_folder(const std::filesystem::path& folder) {

@@ -40,6 +40,12 @@ std::filesystem::path store_of(const std::filesystem::path& results);
 /// @throws IoError that names what is in the way
 void expect_room_for_results(const std::filesystem::path& folder);
 
+/// Removes every file that `write_results` writes in the usual formats. @throws IoError
+void remove_results(const std::filesystem::path& folder);
+
+/// Makes the store of a run one file, or says on stderr why it is not.
+void seal(studies::Store& store, bool quiet);
+
 /// Makes a folder for results, with those above it. @throws IoError
 void make_folder(const std::filesystem::path& folder);
 

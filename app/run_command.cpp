@@ -11,6 +11,7 @@
 #include "app/template_files.hpp"
 #include "app/terminal_colour.hpp"
 
+#include "core/error.hpp"
 #include "reports/output_file.hpp"
 #include "reports/terminal.hpp"
 #include "studies/resources.hpp"
@@ -44,8 +45,9 @@ std::string reproduce(const RunCommand& command, const studies::StudySpec& spec)
     return text + fmt::format(" --seed {}", spec.seed.value);
 }
 
-/// A finished shard leaves its store. Reports come from all shards together.
+/// A finished shard leaves its store, without what an interruption reported. Reports come from all shards together.
 ExitCode finish_shard(const studies::Shard& shard, const std::filesystem::path& out, bool quiet) {
+    remove_results(out);
     if (!quiet) {
         fmt::print("shard {}/{} is complete: {}\nWhen all {} are: ffstudy merge FOLDER... --out FOLDER\n", shard.index,
                    shard.count, (out / "results.sqlite").string(), shard.count);
@@ -71,12 +73,20 @@ ExitCode assist(const Processes& processes, const RunCommand& command) {
     options.shard = request->shard;
     options.process = processes.part();
     options.stop = &stop_on_signals();
+    options.drop = &drop_on_signals();
     const TimeLimit limit(request->max_time);
     studies::carry_out_units(request->plan, finished, options,
                              [&](const studies::UnitRecord& record) { processes.send(record); });
     processes.send_end();
     end_on_signals();
     return ExitCode::passed;
+}
+
+void save_study(const std::filesystem::path& file, const studies::StudySpec& spec) {
+    if (file.extension() != ".toml") {
+        throw UserError(fmt::format("--save-study {}: study files end in .toml. Choose such a name.", file.string()));
+    }
+    reports::write_file(file, studies::to_toml(spec));
 }
 
 ExitCode describe_plan(const RunRequest& request) {
@@ -100,9 +110,10 @@ void watch_memory(const RunRequest& request) {
 ExitCode run(const RunCommand& command) {
     const Processes processes;
     if (!processes.leads()) return assist(processes, command);
+    const std::atomic<bool>& stop = stop_on_signals();
     const RunRequest request = check(command, processes);
     const studies::StudyPlan& plan = request.plan;
-    if (!command.study_file.empty()) reports::write_file(command.study_file, studies::to_toml(plan.spec));
+    if (!command.study_file.empty()) save_study(command.study_file, plan.spec);
     if (command.dry_run) return describe_plan(request);
     if (!command.quiet) {
         for (const std::string& warning : plan.warnings) say("note: {}\n", warning);
@@ -124,8 +135,11 @@ ExitCode run(const RunCommand& command) {
         processes.share_finished_units(store.finished_units());
         options.others = [&](const studies::Deliver& deliver) { processes.receive(deliver); };
     }
-    options.stop = &stop_on_signals();
+    options.stop = &stop;
+    options.drop = &drop_on_signals();
+    bool worked = false;
     options.report = [&](const studies::Progress& state) {
+        worked = true;
         progress.show(state);
         watch_memory(request);
     };
@@ -134,11 +148,13 @@ ExitCode run(const RunCommand& command) {
     limit.reset();
     progress.finish();
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    if (outcome == studies::RunOutcome::complete && store.context().empty()) {
-        store.set_context(describe_run(reproduce(command, plan.spec), request.threads, seconds));
+    if (outcome == studies::RunOutcome::complete && (worked || store.context().empty())) {
+        studies::Context context = store.context();
+        studies::add_context(context, describe_run(reproduce(command, plan.spec), request.threads, seconds));
+        store.set_context(context);
     }
 
-    store.seal();
+    seal(store, command.quiet);
     if (!request.shard.is_whole() && outcome == studies::RunOutcome::complete && !store.is_complete())
         return finish_shard(request.shard, out, command.quiet);
     const auto [results, to_the_end] = evaluate_until_stopped(store);

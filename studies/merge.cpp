@@ -1,6 +1,7 @@
 #include "studies/merge.hpp"
 
 #include "core/error.hpp"
+#include "studies/until.hpp"
 
 #include <fmt/format.h>
 
@@ -72,7 +73,7 @@ void expect_equal(const Store& a, const Store& b, const Units& units, const std:
 /// Adds every row of `file` that the store does not hold.
 void copy_rows(const Store& store, const std::filesystem::path& file) {
     sqlite3* database = store.database().handle();
-    Statement(database, "ATTACH ? AS source").bind(0, std::string_view(file.native())).run();
+    Statement(database, "ATTACH ? AS source").bind(0, std::string_view(sqlite_name(file))).run();
     for (const char* sql : {"BEGIN IMMEDIATE",
                             R"(INSERT INTO main.observations SELECT * FROM source.observations WHERE true
                                ORDER BY cell, observable, from_face, to_face, trial ON CONFLICT DO NOTHING)",
@@ -82,20 +83,10 @@ void copy_rows(const Store& store, const std::filesystem::path& file) {
     }
 }
 
-/// Circumstances of all sources: each different value once, in the order of the sources.
-void add_context(Context& all, const Context& more) {
-    for (const auto& [key, value] : more) {
-        std::string& known = all[key];
-        const std::string wrapped = "; " + known + "; ";
-        if (wrapped.find("; " + value + "; ") != std::string::npos) continue;
-        known += known.empty() ? value : "; " + value;
-    }
-}
-
-std::vector<std::size_t> indices_where(const Units& units, bool value) {
+std::vector<std::size_t> indices_where(const Units& units) {
     std::vector<std::size_t> indices;
     for (std::size_t unit = 0; unit < units.size(); ++unit) {
-        if (units[unit] == value) indices.push_back(unit);
+        if (units[unit]) indices.push_back(unit);
     }
     return indices;
 }
@@ -106,7 +97,7 @@ MergeOutcome merge_stores(const std::vector<std::filesystem::path>& sources, Sto
     const std::size_t count = target.plan().units.size();
     Units seen(count, false);
     Units doubled(count, false);
-    Context context;
+    Context context = target.context();
     for (const auto& file : sources) {
         const Store source = Store::open(file);
         expect_same_study(source, file, target.plan().spec);
@@ -123,7 +114,10 @@ MergeOutcome merge_stores(const std::vector<std::filesystem::path>& sources, Sto
         add_context(context, source.context());
     }
     target.set_context(context);
-    return {indices_where(target.finished_units(), false), indices_where(doubled, true)};
+    const Units finished = target.finished_units();
+    Units missing = needed_units(target);
+    for (std::size_t unit = 0; unit < count; ++unit) missing[unit] = missing[unit] && !finished[unit];
+    return {indices_where(missing), indices_where(doubled)};
 }
 
 }  // namespace ff::studies

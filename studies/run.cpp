@@ -8,7 +8,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <condition_variable>
 #include <deque>
 #include <exception>
@@ -23,14 +22,12 @@ namespace {
 /// Hands out units to threads and their records back to the thread that saves them.
 class Workshop {
   public:
-    /// No more threads than units. @param drop  what makes `worker` drop the units in hand
-    Workshop(const Worker& worker, std::atomic<bool>& drop, std::vector<const WorkUnit*> units,
-             const RunOptions& options)
-        : worker_(worker), drop_(drop), units_(std::move(units)), options_(options) {
+    /// No more threads than units.
+    Workshop(const Worker& worker, std::vector<const WorkUnit*> units, const RunOptions& options)
+        : worker_(worker), units_(std::move(units)), options_(options) {
         const std::size_t wanted =
             std::min<std::size_t>(options.threads, units_.size()) + (options.others ? std::size_t{1} : 0);
         active_ = wanted;
-        drop_ = false;
         try {
             if (options.others) {
                 start([this] { options_.others([this](UnitRecord record) { return put(std::move(record)); }); });
@@ -52,8 +49,7 @@ class Workshop {
     /// The next finished record; empty when all threads are done. @throws what a unit threw
     std::optional<UnitRecord> take() {
         std::unique_lock lock(mutex_);
-        const auto ready = [this] { return !records_.empty() || active_ == 0 || failure_; };
-        while (!changed_.wait_for(lock, std::chrono::milliseconds(20), ready)) drop_where_patience_ends();
+        changed_.wait(lock, [this] { return !records_.empty() || active_ == 0 || failure_; });
         if (failure_) std::rethrow_exception(failure_);
         if (records_.empty()) return std::nullopt;
         UnitRecord record = std::move(records_.front());
@@ -65,19 +61,11 @@ class Workshop {
   private:
     [[nodiscard]] bool is_to_stop() const { return options_.stop != nullptr && options_.stop->load(); }
 
-    void drop_where_patience_ends() {
-        if (!is_to_stop()) return;
-        const auto now = std::chrono::steady_clock::now();
-        if (!told_) told_ = now;
-        if (now - *told_ >= options_.patience) drop_ = true;
-    }
-
     void end() {
         {
             const std::lock_guard lock(mutex_);
             cancelled_ = true;
         }
-        drop_ = true;
         changed_.notify_all();
         for (std::thread& thread : threads_) thread.join();
     }
@@ -133,8 +121,6 @@ class Workshop {
     }
 
     const Worker& worker_;
-    std::atomic<bool>& drop_;
-    std::optional<std::chrono::steady_clock::time_point> told_;  ///< to stop
     std::vector<const WorkUnit*> units_;
     const RunOptions& options_;
     std::mutex mutex_;
@@ -186,10 +172,10 @@ void count_units(const StudyPlan& plan, const std::vector<bool>& finished, const
     }
 }
 
-void run_round(Store& store, const Worker& worker, std::atomic<bool>& drop, const std::vector<const WorkUnit*>& missing,
+void run_round(Store& store, const Worker& worker, const std::vector<const WorkUnit*>& missing,
                const RunOptions& options, Progress& progress) {
     const StudyPlan& plan = store.plan();
-    Workshop workshop(worker, drop, own_units(missing, options), options);
+    Workshop workshop(worker, own_units(missing, options), options);
     while (const auto record = workshop.take()) {
         store.commit(*record);
         const WorkUnit& unit = plan.units[record->unit];
@@ -206,8 +192,7 @@ void run_round(Store& store, const Worker& worker, std::atomic<bool>& drop, cons
 RunOutcome run_study(Store& store, const RunOptions& options) {
     FF_EXPECT(options.threads >= 1);
     const StudyPlan& plan = store.plan();
-    std::atomic<bool> drop{false};
-    const Worker worker(plan, &drop);
+    const Worker worker(plan, options.drop);
     Progress progress;
     // An adaptive study has two rounds: what the second needs is known when the first is saved. Others have one, in
     // which other processes are waited for even where nothing is missing.
@@ -217,7 +202,7 @@ RunOutcome run_study(Store& store, const RunOptions& options) {
         const auto missing = missing_units(plan, finished, wanted, options);
         if (missing.empty() && !first) return RunOutcome::complete;
         count_units(plan, finished, wanted, options, progress);
-        run_round(store, worker, drop, missing, options, progress);
+        run_round(store, worker, missing, options, progress);
         if (progress.units_done < progress.units) return RunOutcome::stopped;
         if (!plan.spec.until) return RunOutcome::complete;
     }
@@ -226,10 +211,9 @@ RunOutcome run_study(Store& store, const RunOptions& options) {
 void carry_out_units(const StudyPlan& plan, const std::vector<bool>& finished, const RunOptions& options,
                      const std::function<void(const UnitRecord&)>& hand_over) {
     FF_EXPECT(!plan.spec.until);
-    std::atomic<bool> drop{false};
-    const Worker worker(plan, &drop);
+    const Worker worker(plan, options.drop);
     const std::vector<bool> all(plan.units.size(), true);
-    Workshop workshop(worker, drop, own_units(missing_units(plan, finished, all, options), options), options);
+    Workshop workshop(worker, own_units(missing_units(plan, finished, all, options), options), options);
     while (const auto record = workshop.take()) hand_over(*record);
 }
 

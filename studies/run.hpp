@@ -5,7 +5,6 @@
 #include "studies/store.hpp"
 
 #include <atomic>
-#include <chrono>
 #include <cstdint>
 #include <functional>
 
@@ -30,7 +29,7 @@ struct RunOptions {
     Shard process;                                ///< of them, what this process does of what is missing
     std::function<void(const Deliver&)> others;   ///< delivers what other processes do; called on a thread of its own
     const std::atomic<bool>* stop = nullptr;      ///< once true, begin no unit and return when those in hand are saved
-    std::chrono::duration<double> patience{2};    ///< with units in hand; then they are dropped: a trial can take hours
+    const std::atomic<bool>* drop = nullptr;      ///< once true, those in hand are dropped: a trial can take hours
     std::function<void(const Progress&)> report;  ///< called on the calling thread after each saved unit
 };
 

@@ -11,6 +11,9 @@
 namespace ff::studies {
 namespace {
 
+/// Bytes of an absolute path that leave room for the log's name beside it.
+constexpr std::size_t longest_name = 500;
+
 static_assert(std::endian::native == std::endian::little, "blobs are little-endian");
 
 [[noreturn]] void fail(sqlite3* database) {
@@ -19,8 +22,12 @@ static_assert(std::endian::native == std::endian::little, "blobs are little-endi
     if (sqlite3_errcode(database) == SQLITE_NOTADB) {
         throw UserError(fmt::format("{}: not a result store (no SQLite file). Give one written by ffstudy.", file));
     }
-    throw IoError(fmt::format("{}: {} (SQLite error {}). Check the disk, the permissions and the file.", file,
-                              sqlite3_errmsg(database), sqlite3_extended_errcode(database)));
+    const int error = sqlite3_errcode(database);
+    throw IoError(fmt::format("{}: {} (SQLite error {}). {}", file, sqlite3_errmsg(database),
+                              sqlite3_extended_errcode(database),
+                              error == SQLITE_BUSY || error == SQLITE_LOCKED
+                                  ? "Close the other program that has it open, and run the same command again."
+                                  : "Check the disk, the permissions and the file."));
 }
 
 }  // namespace
@@ -97,9 +104,20 @@ std::vector<std::uint64_t> Statement::integers(int column) const {
     return values;
 }
 
+std::string sqlite_name(const std::filesystem::path& file) {
+    if (file == ":memory:") return file.string();
+    std::string name = std::filesystem::absolute(file).string();
+    if (name.size() > longest_name) {
+        throw IoError(
+            fmt::format("{}: a path of {} bytes is too long for SQLite, which takes {}. Choose a shorter one.",
+                        file.string(), name.size(), longest_name));
+    }
+    return name;
+}
+
 Database::Database(const std::filesystem::path& file, Mode mode) {
     const int flags = mode == Mode::read_only ? SQLITE_OPEN_READONLY : SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE;
-    if (sqlite3_open_v2(file.c_str(), &handle_, flags | SQLITE_OPEN_FULLMUTEX, nullptr) != SQLITE_OK) {
+    if (sqlite3_open_v2(sqlite_name(file).c_str(), &handle_, flags | SQLITE_OPEN_FULLMUTEX, nullptr) != SQLITE_OK) {
         const std::string reason = handle_ == nullptr ? "out of memory" : sqlite3_errmsg(handle_);
         sqlite3_close_v2(handle_);
         throw IoError(fmt::format("{}: {}. Check that the folder exists and can be written.", file.string(), reason));
@@ -123,6 +141,21 @@ bool Database::has_moved() const {
 
 void Database::execute(const char* sql) {
     if (sqlite3_exec(handle_, sql, nullptr, nullptr, nullptr) != SQLITE_OK) fail(handle_);
+}
+
+bool Database::execute_unless_busy(const char* sql) {
+    const int status = sqlite3_exec(handle_, sql, nullptr, nullptr, nullptr);
+    if (status == SQLITE_BUSY || status == SQLITE_LOCKED) return false;
+    if (status != SQLITE_OK) fail(handle_);
+    return true;
+}
+
+std::int64_t Database::changes() const {
+    return sqlite3_changes(handle_);
+}
+
+void Database::keep_log_on_close(bool keep) {
+    if (sqlite3_db_config(handle_, SQLITE_DBCONFIG_NO_CKPT_ON_CLOSE, keep ? 1 : 0, nullptr) != SQLITE_OK) fail(handle_);
 }
 
 }  // namespace ff::studies

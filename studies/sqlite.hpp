@@ -43,6 +43,10 @@ class Statement {
     sqlite3_stmt* statement_ = nullptr;
 };
 
+/// The name by which SQLite finds a file: absolute, since it takes "file:x" for a URI. @throws IoError where it is too
+/// long
+std::string sqlite_name(const std::filesystem::path& file);
+
 /// One SQLite file. Every failure is an IoError that names it; a UserError where it is no SQLite file at all.
 class Database {
   public:
@@ -53,6 +57,12 @@ class Database {
     Database& operator=(const Database&) = delete;
 
     void execute(const char* sql);
+    /// The same; false where another program that has the file open is in the way.
+    [[nodiscard]] bool execute_unless_busy(const char* sql);
+    /// Rows that the last statement inserted.
+    [[nodiscard]] std::int64_t changes() const;
+    /// Whether what a write-ahead log holds stays there when the file is closed.
+    void keep_log_on_close(bool keep);
     /// Whether the file lies no longer where it was opened. SQLite would go on writing to it unseen.
     [[nodiscard]] bool has_moved() const;
     /// As it was opened, made absolute; empty for one in memory.

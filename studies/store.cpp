@@ -1,6 +1,7 @@
 #include "studies/store.hpp"
 
 #include "core/error.hpp"
+#include "studies/store_checks.hpp"
 #include "studies/store_format.hpp"
 
 #include <fmt/format.h>
@@ -68,6 +69,15 @@ void bind_pair(Statement& query, std::size_t cell, std::string_view observable, 
         .bind(3, std::int64_t{to_face});
 }
 
+/// What there is of a line around a place, short enough for a message.
+std::string around(const std::string& line, std::size_t place) {
+    constexpr std::size_t before = 40;
+    constexpr std::size_t shown = 100;
+    const std::size_t begin = line.size() <= shown || place <= before ? 0 : place - before;
+    return fmt::format("'{}{}{}'", begin > 0 ? "..." : "", line.substr(begin, shown),
+                       begin + shown < line.size() ? "..." : "");
+}
+
 /// The first line in which two texts differ, for a message.
 std::string first_difference(const std::string& stored, const std::string& wanted) {
     std::istringstream a(stored);
@@ -79,7 +89,10 @@ std::string first_difference(const std::string& stored, const std::string& wante
         const bool more_b = static_cast<bool>(std::getline(b, line_b));
         if (!more_a) line_a = "(nothing)";
         if (!more_b) line_b = "(nothing)";
-        if ((!more_a && !more_b) || line_a != line_b) return fmt::format("'{}' there, '{}' here", line_a, line_b);
+        if ((more_a || more_b) && line_a == line_b) continue;
+        const auto [place, other] = std::mismatch(line_a.begin(), line_a.end(), line_b.begin(), line_b.end());
+        const auto at = static_cast<std::size_t>(place - line_a.begin());
+        return fmt::format("{} there, {} here", around(line_a, at), around(line_b, at));
     }
 }
 
@@ -109,18 +122,17 @@ void bind_value(Statement& insert, double value) {
         insert.bind(5, value);
 }
 
-/// @throws IoError unless every saved unit is one of the plan
-void expect_planned_units(const Database& database, const std::filesystem::path& file, const StudyPlan& plan) {
-    Statement units(database.handle(), "SELECT unit, cell, first_trial, trials FROM units ORDER BY unit");
-    while (units.step()) {
-        const auto index = static_cast<std::size_t>(units.integer(0));
-        const WorkUnit* unit = index < plan.units.size() ? &plan.units[index] : nullptr;
-        if (unit == nullptr || static_cast<std::size_t>(units.integer(1)) != unit->cell ||
-            static_cast<std::uint64_t>(units.integer(2)) != unit->first_trial ||
-            static_cast<std::uint64_t>(units.integer(3)) != unit->trials) {
-            report_damage(file,
-                          fmt::format("unit {} is none of this study, or another version cut it otherwise", index));
-        }
+/// No row of a unit that was not saved is in the way.
+void insert_observations(const Database& database, std::int64_t cell, const std::vector<Observation>& observations) {
+    Statement insert(database.handle(), "INSERT OR REPLACE INTO observations VALUES(?, ?, ?, ?, ?, ?)");
+    for (const Observation& observation : observations) {
+        insert.bind(0, cell)
+            .bind(1, observation.observable)
+            .bind(2, std::int64_t{observation.from_face})
+            .bind(3, std::int64_t{observation.to_face})
+            .bind(4, static_cast<std::int64_t>(observation.trial));
+        std::visit([&](const auto value) { bind_value(insert, value); }, observation.value);
+        insert.run();
     }
 }
 
@@ -148,10 +160,13 @@ Store Store::create_or_resume(const std::filesystem::path& file, const StudyPlan
     if (is_empty(*database)) {
         create(*database, plan);
     } else {
+        // A log that is not of this file would be written into it on closing.
+        database->keep_log_on_close(true);
         expect_readable(*database, file, format);
         expect_same_study(*database, file, plan.spec);
         expect_intact(*database, file);
-        expect_planned_units(*database, file, plan);
+        expect_rows_of_plan(*database, file, plan);
+        database->keep_log_on_close(false);
     }
     Store store(std::move(database), plan);
     if (!store.is_complete()) {
@@ -169,7 +184,7 @@ Store Store::open(const std::filesystem::path& file) {
     StudySpec spec = parse_study(read_meta(*database, "study").value_or(""), file.string() + " (stored study)");
     if (spec.published) spec.published->text = read_meta(*database, "published").value_or("");
     StudyPlan plan = plan_study(std::move(spec));
-    expect_planned_units(*database, file, plan);
+    expect_rows_of_plan(*database, file, plan);
     return {std::move(database), std::move(plan)};
 }
 
@@ -181,16 +196,6 @@ void Store::commit(const UnitRecord& record) {
             fmt::format("{}: moved or removed while the study ran. What was saved is in it.", database_->file()));
     }
     database_->execute("BEGIN IMMEDIATE");
-    Statement insert(database_->handle(), "INSERT INTO observations VALUES(?, ?, ?, ?, ?, ?) ON CONFLICT DO NOTHING");
-    for (const Observation& observation : record.observations) {
-        insert.bind(0, cell)
-            .bind(1, observation.observable)
-            .bind(2, std::int64_t{observation.from_face})
-            .bind(3, std::int64_t{observation.to_face})
-            .bind(4, static_cast<std::int64_t>(observation.trial));
-        std::visit([&](const auto value) { bind_value(insert, value); }, observation.value);
-        insert.run();
-    }
     Statement(database_->handle(), "INSERT INTO units VALUES(?, ?, ?, ?, ?, ?) ON CONFLICT DO NOTHING")
         .bind(0, static_cast<std::int64_t>(unit.index))
         .bind(1, cell)
@@ -199,6 +204,7 @@ void Store::commit(const UnitRecord& record) {
         .bind(4, std::span<const std::uint64_t>(record.patch_hits))
         .bind(5, std::span<const std::uint64_t>(record.patch_hits_squared))
         .run();
+    if (database_->changes() > 0) insert_observations(*database_, cell, record.observations);
     database_->execute("COMMIT");
 }
 
@@ -210,8 +216,17 @@ void Store::set_context(const Context& context) {
     database_->execute("COMMIT");
 }
 
-void Store::seal() {
-    database_->execute("PRAGMA journal_mode = DELETE");
+bool Store::seal() {
+    return database_->execute_unless_busy("PRAGMA journal_mode = DELETE");
+}
+
+void add_context(Context& all, const Context& more) {
+    for (const auto& [key, value] : more) {
+        std::string& known = all[key];
+        const std::string wrapped = "; " + known + "; ";
+        if (wrapped.find("; " + value + "; ") != std::string::npos) continue;
+        known += known.empty() ? value : "; " + value;
+    }
 }
 
 Context Store::context() const {

@@ -20,6 +20,9 @@ inline constexpr int store_schema_version = 1;
 /// What is known about the circumstances of a run: host, compiler, dates. Outside the promise of repeatability.
 using Context = std::map<std::string, std::string>;
 
+/// Adds what differs: each different value of a key once, in order, separated by "; ".
+void add_context(Context& all, const Context& more);
+
 /// The saved result of a study: its spec, and the trial records. One SQLite file; one transaction a work unit.
 class Store {
   public:
@@ -38,8 +41,9 @@ class Store {
     /// Saves a unit in one transaction; saving it again changes nothing. @throws IoError; then nothing of it is saved
     void commit(const UnitRecord& record);
     void set_context(const Context& context);
-    /// Leaves one self-contained file, which can be read from a folder that cannot be written.
-    void seal();
+    /// Leaves one self-contained file, which can be read from a folder that cannot be written. @return false where
+    /// another program has the file open: then its log stays beside it
+    bool seal();
 
     [[nodiscard]] const StudyPlan& plan() const { return plan_; }
     [[nodiscard]] const Database& database() const { return *database_; }

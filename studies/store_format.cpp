@@ -40,7 +40,7 @@ void expect_intact(const Database& database, const std::filesystem::path& file) 
 }
 
 std::unique_ptr<Database> open_store(const std::filesystem::path& file, const StoreFormat& format) {
-    if (!std::filesystem::exists(file)) {
+    if (!std::filesystem::is_regular_file(file)) {
         throw IoError(fmt::format("{}: no such file. Give a folder or file written by ffstudy.", file.string()));
     }
     auto database = std::make_unique<Database>(file, Database::Mode::read_only);

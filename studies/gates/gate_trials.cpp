@@ -30,7 +30,7 @@ bool GateTrials::extend(std::span<const std::uint64_t> trials, const GateRunOpti
     part.units = std::move(units);
     RunOptions run;
     run.threads = options.threads;
-    run.stop = options.stop;
+    run.stop = run.drop = options.stop;  // nothing is kept
     std::size_t done = 0;
     carry_out_units(part, std::vector<bool>(part.units.size(), false), run, [&](const UnitRecord& record) {
         keep(record, part.units[record.unit].cell);

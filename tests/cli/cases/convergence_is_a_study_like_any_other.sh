@@ -40,3 +40,10 @@ ffstudy convergence --sampler sobol --estimator shooting
 expect_refused 2 "estimator = 'shooting' is unknown"
 ffstudy convergence --sampler sobol --trials 1 --save-study mine.toml
 expect_refused 2 "trials"
+
+# A file that is no study file is not written over.
+echo precious >data.csv
+ffstudy convergence --sampler sobol --save-study data.csv --dry-run
+expect_status 2
+expect_stderr "--save-study data.csv: study files end in .toml."
+[ "$(cat data.csv)" = precious ] || fail "expected the file to be left alone"

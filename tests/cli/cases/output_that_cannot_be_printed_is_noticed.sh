@@ -11,8 +11,22 @@ for arguments in "list samplers" "--help" "run $folder/study.toml --out a"; do
     expect_stderr "Check the disk"
 done
 
+# So is a pipe that nobody reads.
+for arguments in "list samplers" "run $folder/study.toml --out a"; do
+    command_line="ffstudy $arguments | true" status=0
+    # shellcheck disable=SC2086
+    { sleep 0.2 && "$program" $arguments 2>"$folder/stderr" </dev/null; } | true || status=$?
+    expect_status 3
+    expect_stderr "Check the disk"
+done
+
 # Progress and notes are no results: a run does not end for them.
 command_line="ffstudy run 2>/dev/full" status=0
 "$program" run "$folder/study.toml" --out b >"$folder/stdout" 2>/dev/full </dev/null || status=$?
 expect_status 0
 expect_same_results a b
+
+command_line="ffstudy run 2>&1 >c.txt | true" status=0
+{ sleep 0.2 && "$program" run "$folder/study.toml" --out c 2>&1 >c.txt </dev/null; } | true || status=$?
+expect_status 0
+expect_same_results a c

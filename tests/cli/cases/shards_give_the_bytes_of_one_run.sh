@@ -39,3 +39,12 @@ ffstudy merge part1 part2 part1 part3 --out doubled
 expect_status 0
 expect_stderr "are in more than one store: 0, 3, 6, "
 expect_same_results whole doubled
+
+# What an interrupted shard reported is gone when it is complete.
+sed 's/^trials = 50/trials = 2000/' "$folder/study.toml" >"$folder/longer.toml"
+ffstudy run "$folder/longer.toml" --shard 1/2 --threads 1 --max-time 0.1 --out stopped
+expect_status 130
+expect_in_file stopped/report.md "Partial result"
+ffstudy run "$folder/longer.toml" --shard 1/2 --out stopped
+expect_status 0
+[ "$(ls stopped)" = results.sqlite ] || fail "expected no reports of a part"

@@ -92,6 +92,27 @@ TEST_F(Merge, AgainChangesNothing) {
     EXPECT_EQ(rows_of(file("target")), rows_of_one_run());
 }
 
+TEST_F(Merge, InSeveralStepsKeepsTheCircumstancesOfAll) {
+    Store target = Store::create_or_resume(file("target"), five_units());
+    for (const char* host : {"a", "b", "a"}) {
+        const auto source = shard(host, {*host == 'a' ? 1u : 2u, 2});
+        Store::create_or_resume(source, five_units()).set_context({{"host", host}});
+        merge_stores({source}, target);
+    }
+    EXPECT_EQ(target.context(), (Context{{"host", "a; b"}}));
+}
+
+TEST_F(Merge, MissesNothingOfAnAdaptiveStudyThatReachedItsGoal) {
+    const StudyPlan plan = test::plan_of(test::study_text("trials = 1000",
+                                                          "[[method]]\nname = \"a\"\nsampler = \"random\"\n"
+                                                          "estimator = \"ray_shooting\"\nsamples_per_patch = 10000\n"
+                                                          "[until]\nrmse = 0.01\npilot = 5\n"));
+    const auto whole = shard("whole", {1, 1}, plan);
+    Store target = Store::create_or_resume(file("target"), plan);
+    EXPECT_THAT(merge_stores({whole}, target).missing, IsEmpty());
+    EXPECT_FALSE(target.is_complete()) << "it should not have needed all trials";
+}
+
 TEST_F(Merge, RefusesADoubledUnitWithOtherContent) {
     const auto whole = shard("whole", {1, 1});
     for (const char* damage : {"UPDATE observations SET value = value + 1 WHERE cell = 1 AND trial = 2",

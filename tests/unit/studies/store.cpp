@@ -11,6 +11,7 @@
 #include <cmath>
 #include <csignal>
 #include <fstream>
+#include <iterator>
 #include <limits>
 
 namespace ff::studies {
@@ -151,14 +152,44 @@ TEST_F(StoreFile, ThatIsCutOffIsRefused) {
     EXPECT_NE(refusal_to_open<IoError>(), "nothing thrown");
 }
 
-TEST_F(StoreFile, WithUnitsThatAreNotOfTheStudyIsRefused) {
-    for (const char* change : {"UPDATE units SET unit = 1", "UPDATE units SET first_trial = 1",
-                               "UPDATE units SET trials = 2", "UPDATE units SET cell = -1"}) {
-        std::filesystem::remove(file());
-        test::run(plan(), file());
-        execute(change);
-        EXPECT_THAT(refusal_to_open<IoError>(), HasSubstr("is none of this study")) << change;
+TEST_F(StoreFile, IsNotChangedByTheLogOfAnother) {
+    const auto log = [](const std::filesystem::path& store) { return store.string() + "-wal"; };
+    const auto other = folder.path() / "other.sqlite";
+    const auto bytes = [&] {
+        std::ifstream in(file(), std::ios::binary);
+        return std::string(std::istreambuf_iterator<char>(in), {});
+    };
+    test::run(plan(), file()).seal();
+    const std::string before = bytes();
+    {
+        Store open = Store::create_or_resume(other, plan("trials = 4"), Journal::write_ahead);
+        open.commit({0, {}, {}, {}});
+        std::filesystem::copy_file(log(other), log(file()));
     }
+    EXPECT_ANY_THROW(Store::create_or_resume(file(), plan(), Journal::write_ahead));
+    EXPECT_EQ(bytes(), before);
+    std::filesystem::remove(log(file()));
+    EXPECT_TRUE(Store::create_or_resume(file(), plan()).is_complete());
+}
+
+TEST_F(StoreFile, ThatAnotherProgramReadsIsLeftWithItsLog) {
+    Store store = Store::create_or_resume(file(), plan(), Journal::write_ahead);
+    run_study(store, {});
+    {
+        const Database reader(file(), Database::Mode::read_only);
+        Statement units(reader.handle(), "SELECT unit FROM units");
+        ASSERT_TRUE(units.step());
+        EXPECT_FALSE(store.seal());
+        EXPECT_EQ(store.saved_trials(0), 3u);
+    }
+    EXPECT_TRUE(store.seal());
+    EXPECT_EQ(journal_mode(store), "delete");
+}
+
+TEST_F(StoreFile, IsFoundByAnyNameThatFilesMayHave) {
+    EXPECT_EQ(sqlite_name("file:x?mode=memory"), (std::filesystem::current_path() / "file:x?mode=memory").string());
+    EXPECT_THAT(message_of<IoError>([] { sqlite_name(std::filesystem::path("/") / std::string(600, 'a')); }),
+                HasSubstr("a path of 601 bytes is too long for SQLite"));
 }
 
 TEST_F(StoreFile, IsTheSameWithARollbackJournal) {

@@ -1,0 +1,72 @@
+#include "studies/store_checks.hpp"
+
+#include "core/error.hpp"
+#include "studies/store.hpp"
+#include "tests/support/studies.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace ff::studies {
+namespace {
+
+using testing::HasSubstr;
+
+/// A store of three trials of one cell, to be changed.
+class StoreRows : public testing::Test {
+  protected:
+    void write() const {
+        std::filesystem::remove(file());
+        test::run(test::plan_of(test::study_text("trials = 3", R"([[method]]
+name = "SR"
+sampler = "random"
+estimator = "ray_shooting"
+patches_per_face = 4
+samples_per_patch = 100
+)")),
+                  file());
+    }
+    void change(const char* sql) const { Database(file(), Database::Mode::create_or_open).execute(sql); }
+    std::string refusal() const {
+        return test::message_of<IoError>([&] { Store::open(file()); });
+    }
+    std::filesystem::path file() const { return folder.path() / "results.sqlite"; }
+    test::TemporaryFolder folder;
+};
+
+TEST_F(StoreRows, WithUnitsThatAreNotOfTheStudyIsRefused) {
+    for (const char* sql : {"UPDATE units SET unit = 1", "UPDATE units SET first_trial = 1",
+                            "UPDATE units SET trials = 2", "UPDATE units SET cell = -1"}) {
+        write();
+        change(sql);
+        EXPECT_THAT(refusal(), HasSubstr("is none of this study")) << sql;
+    }
+}
+
+TEST_F(StoreRows, WithValuesOfTrialsThatNoUnitHoldsIsRefused) {
+    for (const char* sql : {"DELETE FROM units", "INSERT INTO observations VALUES(0, 'hits', 1, 2, 3, 100)",
+                            "INSERT INTO observations VALUES(1, 'hits', 1, 2, 0, 100)"}) {
+        write();
+        change(sql);
+        EXPECT_THAT(refusal(), HasSubstr("values of trials that no unit holds")) << sql;
+    }
+}
+
+TEST_F(StoreRows, WithSumsOfOtherPatchesIsRefused) {
+    for (const char* sql :
+         {"UPDATE units SET patch_hits = zeroblob(100000)", "UPDATE units SET patch_hits_squared = zeroblob(0)",
+          "UPDATE units SET patch_hits = zeroblob(8), patch_hits_squared = zeroblob(8)"}) {
+        write();
+        change(sql);
+        EXPECT_THAT(refusal(), HasSubstr("unit 0 has sums of another number of patches")) << sql;
+    }
+}
+
+TEST_F(StoreRows, WithNegativeNumbersOfRaysIsRefused) {
+    write();
+    change("INSERT INTO observations VALUES(0, 'lost', 1, 0, 0, -5)");
+    EXPECT_THAT(refusal(), HasSubstr("'lost' of faces 1 and 0 in cell 0 has a negative number"));
+}
+
+}  // namespace
+}  // namespace ff::studies
