@@ -50,7 +50,7 @@ Table solutions_table(const EnclosureRequest& request, const EnclosureResults& r
         for (const double value : system.exitance) row.push_back(brief(value, 8));
         row.push_back(brief(system.properties.spectral_radius.middle(), 6));
         row.push_back(brief(system.properties.dominance, 6));
-        row.push_back(brief(system.solvers.front().iterations->median, 6));
+        row.push_back(iterations_text(system.solvers.front()));
         table.rows.push_back(cells(std::move(row)));
     }
     return table;
@@ -75,20 +75,15 @@ Table trials_table(const EnclosureRequest& request, const EnclosureResults& resu
             if (found.settings.empty()) continue;
             const studies::SettingFindings& at = found.settings[setting];
             const auto* worst = worst_element(at);
-            std::string bias = "no mean";
-            if (!at.exitance.empty() && at.exitance.front().bias) {
-                const studies::ExitanceFindings& all = at.exitance.front();
-                bias = fmt::format("{} ± {}", percent(*all.bias / all.exact),
-                                   percent(all.bias_interval->width() / 2 / all.exact, 1));
-            }
-            table.rows.push_back(cells({reflectance(request, setting), std::string(studies::name(found.treatment)),
-                                        fmt::format("{} of {}", at.dominant, at.trials),
-                                        over_trials_text(at.spectral_radius, at.trials, 5), bias,
-                                        at.light_error ? percent(*at.light_error) : "–",
-                                        worst == nullptr ? "–"
-                                                         : fmt::format("{} ({})", percent(*worst->rmse / worst->exact),
-                                                                       results.of.surfaces[worst->element - 1]),
-                                        brief(found.correction.largest, 2)}));
+            table.rows.push_back(cells(
+                {reflectance(request, setting), std::string(studies::name(found.treatment)),
+                 fmt::format("{} of {}", at.dominant, at.trials), over_trials_text(at.spectral_radius, at.trials, 5),
+                 at.exitance.empty() ? "no mean" : bias_text(at.exitance.front()),
+                 at.light_error ? percent(*at.light_error) : "–",
+                 worst == nullptr
+                     ? "–"
+                     : fmt::format("{} ({})", percent(relative_error(*worst)), results.of.surfaces[worst->element - 1]),
+                 brief(found.correction.largest, 2)}));
         }
     }
     for (const Consequences& found : results.consequences) {

@@ -74,13 +74,6 @@ Table matrices_table(const studies::StudyResults& results, Between between) {
     return table;
 }
 
-std::string bias_text(const studies::ExitanceFindings& found) {
-    if (!found.bias) return "no mean";
-    if (!found.bias_interval) return percent(*found.bias / found.exact);
-    return fmt::format("{} ± {}", percent(*found.bias / found.exact),
-                       percent(found.bias_interval->width() / 2 / found.exact, 1));
-}
-
 Table exitance_table(const studies::StudyResults& results, Between between) {
     const studies::StudyPlan& plan = results.findings.plan;
     Table table{
@@ -146,13 +139,7 @@ Table exitance_table(const studies::StudyResults& results, Between between) {
 }
 
 TableCell solver_cell(const studies::SolverFindings& found) {
-    if (found.converged == found.runs) return {over_trials_text(*found.iterations, found.runs, 6), Mark::none};
-    std::vector<std::string> parts;
-    for (const auto& [count, word] : {std::pair{found.converged, "converged"}, std::pair{found.diverged, "diverged"},
-                                      std::pair{found.stalled, "stalled"}, std::pair{found.exhausted, "too slow"}}) {
-        if (count > 0) parts.push_back(found.runs == 1 ? std::string(word) : fmt::format("{} {}", count, word));
-    }
-    return {fmt::format("{}", fmt::join(parts, ", ")), Mark::bad};
+    return {iterations_text(found), found.converged == found.runs ? Mark::none : Mark::bad};
 }
 
 Table solvers_table(const studies::StudyResults& results, Between between) {

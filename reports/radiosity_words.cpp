@@ -174,6 +174,23 @@ std::string over_trials_text(const studies::OverTrials& range, std::size_t trial
                        brief(range.largest, digits));
 }
 
+std::string bias_text(const studies::ExitanceFindings& found) {
+    if (!found.bias) return "no mean";
+    if (!found.bias_interval) return percent(*found.bias / found.exact);
+    return fmt::format("{} ± {}", percent(*found.bias / found.exact),
+                       percent(found.bias_interval->width() / 2 / found.exact, 1));
+}
+
+std::string iterations_text(const studies::SolverFindings& found) {
+    if (found.converged == found.runs) return over_trials_text(*found.iterations, found.runs, 6);
+    std::vector<std::string> parts;
+    for (const auto& [count, word] : {std::pair{found.converged, "converged"}, std::pair{found.diverged, "diverged"},
+                                      std::pair{found.stalled, "stalled"}, std::pair{found.exhausted, "too slow"}}) {
+        if (count > 0) parts.push_back(found.runs == 1 ? std::string(word) : fmt::format("{} {}", count, word));
+    }
+    return fmt::format("{}", fmt::join(parts, ", "));
+}
+
 double relative_error(const studies::ExitanceFindings& found) {
     return found.exact > 0 ? *found.rmse / found.exact : 0;
 }

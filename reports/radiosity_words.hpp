@@ -29,6 +29,12 @@ std::string over_trials_text(const studies::OverTrials& range, std::size_t trial
 /// Errors relative to the exact value: "1.2 %"; rounding shows as "0 %".
 std::string percent(double share, int digits = 2);
 
+/// Bias of an exitance relative to the exact one: "-0.3 % ± 0.02 %". Trials that are all equal show no ±.
+std::string bias_text(const studies::ExitanceFindings& found);
+
+/// Iterations of a solver, or how many of its runs ended how: "12 [11, 13]", "3 converged, 7 too slow".
+std::string iterations_text(const studies::SolverFindings& found);
+
 /// RMSE of an exitance that has a mean, relative to the exact one; 0 of what is black and dark.
 double relative_error(const studies::ExitanceFindings& found);
 

@@ -12,9 +12,11 @@ class TomlReader;
 
 /// [radiosity] of a study file: the systems that the form factors of every trial are put into.
 struct RadiosityRequest {
-    /// Settings, each solved for by itself: one number for all faces, or one for each face of the scene; in [0, 1).
+    /// Settings, each solved for by itself: one number for all faces, or one for each face of the scene; 0, or
+    /// from 1e-30 to 1 - 1e-9.
     std::vector<std::vector<double>> reflectance{{0.1}, {0.5}, {0.9}, {0.99}, {0.999}};
-    /// Emitted exitance: one number for all faces, or one for each; >= 0, not all 0. Empty: 1 on the last face.
+    /// Emitted exitance: one number for all faces, or one for each; 0, or from 1e-30 to 1e30; not all 0. Empty: 1 on
+    /// the last face.
     std::vector<double> emission;
     double tolerance = 1e-6;           ///< of the solvers' residual, relative to the largest emission; in (0, 1)
     std::uint64_t solver_trials = 10;  ///< how many trials of a cell the solvers are run on, at most

@@ -26,6 +26,21 @@ cp "$folder/stdout" first
 ffstudy enclosure cube --mirror 6 --trials 40 --rays 200 --reflectance 0.9 --seed 3
 cmp -s first "$folder/stdout" || fail "the same seed gives other trials"
 
+# Trials that are all equal show a bias and no interval, and a surface that is dark has no relative error.
+for of in "cylinder:1x2 --trials 2" "cap:1x1 --trials 5" "cube --mirror 1 --trials 5" "cap:1x1e-3 --trials 200" \
+    "cylinder:1x2 --reflectance 0 --trials 20"; do
+    # shellcheck disable=SC2086
+    ffstudy enclosure $of
+    expect_status 0
+    ! grep -Eqw 'nan|inf' "$folder/stdout" || fail "a number is none: $of"
+done
+expect_stdout "| 0 | direct | 20 of 20 | 0 [0, 0] | 0 % | 0 % | 0 % (base) | "
+
+# Light that is hardly absorbed takes more iterations than are made.
+ffstudy enclosure cylinder:1x2 --reflectance 0.99999
+expect_status 0
+expect_stdout "| too slow |"
+
 refused() {
     ffstudy enclosure "$@" --out refused
     expect_status 2
@@ -41,5 +56,9 @@ refused cylinder:1x2 --reflectance 1
 expect_stderr "light that nothing absorbs piles up"
 refused cylinder:1x2 --emission 1,2
 refused cylinder:1x2 --emission=-1
+for emission in 1e308 5e-324 0,1e-200,1; do
+    refused cylinder:1x2 --emission "$emission"
+    expect_stderr "Use another unit"
+done
 refused cylinder:1x2 --trials 1
 refused cylinder:1x2 --trials 10 --rays 0

@@ -101,6 +101,17 @@ ffstudy run larger.toml --out refused
 expect_status 2
 expect_stderr "at most 10000 patches with ray_shooting"
 
+# The light is proportional to the emission, as far as it is taken.
+for emission in 1e-30 1e30; do
+    ffstudy radiosity "$folder/study.toml" --reflectance 0.5,0.95 --emission "0,0,0,0,0,$emission" --out "lit_$emission"
+    expect_status 0
+    errors() { grep -F "errs by" "$1/report.md"; }
+    [ "$(errors "lit_$emission")" = "$(errors lit)" ] || fail "at emission $emission the light errs otherwise"
+    ffstudy radiosity "$folder/study.toml" --reflectance 1e-30,0.999999999 --emission "$emission" --out "far_$emission"
+    expect_status 0
+    ! grep -Eqw 'nan|inf' "far_$emission/report.md" || fail "a number is none at emission $emission"
+done
+
 # Without the section there are none.
 ffstudy run "$folder/study.toml" --out dark
 [ ! -e dark/exitance.csv ] || fail "a study without [radiosity] has exitances"
@@ -119,4 +130,6 @@ refused --emission=-1
 expect_stderr "no surface emits that"
 refused --emission 1,2
 expect_stderr "has 6 faces"
+refused --emission 1e200
+expect_stderr "Use another unit"
 refused --emission 0

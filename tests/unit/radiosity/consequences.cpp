@@ -328,6 +328,9 @@ TEST(RadiosityRequest, RefusesWhatNoRoomHas) {
     EXPECT_THAT(message("reflectance = []"), HasSubstr("leaves nothing to do"));
     EXPECT_THAT(message("reflectance = [\"bright\"]"), HasSubstr("Write it like"));
     EXPECT_THAT(message("emission = [0, 0, 0, 0, 0, -1]"), HasSubstr("no surface emits that"));
+    EXPECT_THAT(message("emission = 1e31"), HasSubstr("Use another unit"));
+    EXPECT_THAT(message("emission = [0, 0, 0, 0, 1, 5e-324]"), HasSubstr("Use another unit"));
+    EXPECT_THAT(message("reflectance = [1e-200]"), HasSubstr("Give 0, or 1e-30 at least"));
     EXPECT_THAT(message("emission = 0"), HasSubstr("all would be dark"));
     EXPECT_THAT(message("emission = [1, 0]"), HasSubstr("emission has 2 numbers"));
     EXPECT_THAT(message("tolerance = 1"), HasSubstr("Try 1e-6"));
