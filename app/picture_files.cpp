@@ -36,9 +36,13 @@ std::filesystem::path expect_program(std::string_view name, std::string_view pac
 class Workshop {
   public:
     Workshop() {
-        std::string name = (std::filesystem::temp_directory_path() / "ffstudy-XXXXXX").string();
-        if (::mkdtemp(name.data()) == nullptr)
-            throw IoError(fmt::format("{}: no temporary folder can be made. Set TMPDIR.", name));
+        std::error_code missing;  // then the path is empty
+        const auto folder = std::filesystem::temp_directory_path(missing);
+        std::string name = (folder / "ffstudy-XXXXXX").string();
+        if (missing || ::mkdtemp(name.data()) == nullptr)
+            throw IoError(
+                "no temporary folder can be made for pictures (TMPDIR names none that can be written to). "
+                "Set TMPDIR.");
         path_ = name;
     }
     ~Workshop() {

@@ -3,6 +3,7 @@
 #include "core/configurations/catalogue.hpp"
 #include "core/configurations/families.hpp"
 #include "core/error.hpp"
+#include "core/excerpt.hpp"
 #include "core/nearest_name.hpp"
 
 #include <fmt/format.h>
@@ -109,7 +110,8 @@ Scene built_in_scene(std::string_view name) {
     } else if (name.substr(0, box_prefix.size()) == box_prefix) {
         const auto edges = parse_edges(name.substr(box_prefix.size()));
         if (!edges) {
-            throw UserError(fmt::format("scene {} (a box needs three numbers, box:AxBxC). Try box:2x1x0.5.", name));
+            throw UserError(
+                fmt::format("scene {} (a box needs three numbers, box:AxBxC). Try box:2x1x0.5.", excerpt(name)));
         }
         scene = make_box((*edges)[0], (*edges)[1], (*edges)[2]);
     } else {
@@ -119,7 +121,7 @@ Scene built_in_scene(std::string_view name) {
             throw UserError(
                 fmt::format("scene {} (unknown; built in are cube, box:AxBxC and those that 'ffstudy list "
                             "scenes' shows). {}",
-                            name, suggestion(name)));
+                            excerpt(name), suggestion(name)));
         }
         scene = std::move(*configuration);
     }

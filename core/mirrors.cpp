@@ -1,6 +1,7 @@
 #include "core/mirrors.hpp"
 
 #include "core/error.hpp"
+#include "core/excerpt.hpp"
 #include "core/nearest_name.hpp"
 
 #include <fmt/format.h>
@@ -17,7 +18,7 @@ int face_to_mirror(const Scene& scene, const std::string& label) {
     const auto found = std::find(scene.faces.begin(), scene.faces.end(), label);
     if (found != scene.faces.end()) return static_cast<int>(found - scene.faces.begin());
     const std::vector<std::string_view> known(scene.faces.begin(), scene.faces.end());
-    throw UserError(fmt::format("mirrors: scene '{}' has no face '{}'. {}Its faces are {}.", scene.name, label,
+    throw UserError(fmt::format("mirrors: scene '{}' has no face '{}'. {}Its faces are {}.", scene.name, excerpt(label),
                                 did_you_mean(label, known), fmt::join(scene.faces, ", ")));
 }
 

@@ -44,6 +44,7 @@ std::string nearest_name(std::string_view wanted, std::span<const std::string_vi
     std::string_view nearest;
     std::size_t least = std::max<std::size_t>(1, wanted.size() / 3) + 1;
     for (const std::string_view name : known) {
+        if (wanted.size() >= name.size() + least) continue;  // letters would have to go
         const std::size_t distance = edit_distance(wanted, name);
         if (distance < least) {
             least = distance;

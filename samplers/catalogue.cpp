@@ -1,4 +1,5 @@
 #include "core/error.hpp"
+#include "core/excerpt.hpp"
 #include "core/nearest_name.hpp"
 #include "samplers/antithetic.hpp"
 #include "samplers/entry.hpp"
@@ -72,8 +73,8 @@ const CatalogueEntry& find(std::string_view name) {
     }
     const std::string near = nearest_name(name, all_names);
     const std::string suggestion = near.empty() ? "" : fmt::format("Did you mean \"{}\"? ", near);
-    throw UserError(fmt::format("sampler \"{}\" (there is none of this name). {}Known samplers: {}.", name, suggestion,
-                                fmt::join(all_names, ", ")));
+    throw UserError(fmt::format("sampler \"{}\" (there is none of this name). {}Known samplers: {}.", excerpt(name),
+                                suggestion, fmt::join(all_names, ", ")));
 }
 
 }  // namespace ff::samplers

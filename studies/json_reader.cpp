@@ -1,6 +1,7 @@
 #include "studies/json_reader.hpp"
 
 #include "core/error.hpp"
+#include "core/excerpt.hpp"
 #include "core/nearest_name.hpp"
 
 #include <fmt/format.h>
@@ -25,9 +26,10 @@ void JsonReader::expect_object(const JsonValue& value, std::string_view what,
         if (std::find(keys.begin(), keys.end(), key) != keys.end()) continue;
         const std::vector<std::string_view> known(keys);
         const std::string nearest = nearest_name(key, known);
-        fail(value.items[k], fmt::format("unknown key \"{}\" in {} (it would be ignored silently). {}", key, what,
-                                         nearest.empty() ? fmt::format("Known keys: {}.", fmt::join(known, ", "))
-                                                         : fmt::format("Did you mean \"{}\"?", nearest)));
+        fail(value.items[k],
+             fmt::format("unknown key \"{}\" in {} (it would be ignored silently). {}", excerpt(key), what,
+                         nearest.empty() ? fmt::format("Known keys: {}.", fmt::join(known, ", "))
+                                         : fmt::format("Did you mean \"{}\"?", nearest)));
     }
 }
 
@@ -72,7 +74,7 @@ std::size_t JsonReader::choice(const JsonValue& value, std::string_view key,
     if (found != words.end()) return static_cast<std::size_t>(found - words.begin());
     const std::vector<std::string_view> known(words);
     const std::string nearest = nearest_name(word, known);
-    fail(value, fmt::format("\"{}\" is no {} (known: {}).{}", word, key, fmt::join(known, ", "),
+    fail(value, fmt::format("\"{}\" is no {} (known: {}).{}", excerpt(word), key, fmt::join(known, ", "),
                             nearest.empty() ? std::string{} : fmt::format(" Did you mean \"{}\"?", nearest)));
 }
 

@@ -1,6 +1,7 @@
 #include "studies/sample_sizes.hpp"
 
 #include "core/error.hpp"
+#include "core/excerpt.hpp"
 #include "samplers/size_ladder.hpp"
 
 #include <fmt/format.h>
@@ -27,14 +28,16 @@ std::uint64_t read_count(std::string_view text) {
     const auto exponent =
         hat == std::string_view::npos ? std::optional<std::uint64_t>(1) : whole_number(text.substr(hat + 1));
     if (!base || !exponent) {
-        throw UserError(fmt::format("('{}' is no number of points). Write 1000, 5^4, or a range 2^6..2^16.", text));
+        throw UserError(
+            fmt::format("('{}' is no number of points). Write 1000, 5^4, or a range 2^6..2^16.", excerpt(text)));
     }
     std::uint64_t value = std::min<std::uint64_t>(*base, 1);
     if (*base > 1) {
         for (std::uint64_t i = 0; i < *exponent && value <= samplers::max_points; ++i) value *= *base;
     }
     if (value == 0 || value > samplers::max_points) {
-        throw UserError(fmt::format("('{}' is not between 1 and 2^32 points). Take more trials instead.", text));
+        throw UserError(
+            fmt::format("('{}' is not between 1 and 2^32 points). Take more trials instead.", excerpt(text)));
     }
     return value;
 }

@@ -4,6 +4,7 @@
 #include "core/nearest_name.hpp"
 #include "samplers/sampler.hpp"
 #include "studies/coverage_request.hpp"
+#include "studies/printable.hpp"
 #include "studies/published.hpp"
 #include "studies/sample_sizes.hpp"
 #include "studies/scene_files/scene_file.hpp"
@@ -154,12 +155,8 @@ const samplers::SamplerInfo* read_sampler(const TomlReader& reader, Estimator es
     return info;
 }
 
-/// Names stand in tables and file names.
-void expect_printable(const TomlReader& reader, std::string_view key, std::string_view name) {
-    const auto unprintable = [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f || c == '|'; };
-    if (std::any_of(name.begin(), name.end(), unprintable)) {
-        reader.fail(key, "(control characters and '|' would break tables). Leave them out.");
-    }
+void expect_none(std::string_view problem, const TomlReader& reader, std::string_view key) {
+    if (!problem.empty()) reader.fail(key, problem);
 }
 
 void expect_unique_sizes(const TomlReader& reader, const Method& method) {
@@ -182,7 +179,7 @@ Method read_method(const TomlReader& reader, std::span<const std::string_view> o
     reader.expect_only(known);
     Method method;
     method.name = reader.text("name");
-    expect_printable(reader, "name", method.name);
+    expect_none(problem_with_name(method.name), reader, "name");
     if (!reader.has("estimator"))
         reader.fail("estimator", fmt::format("missing. Choose one of {}.", fmt::join(estimator_names, ", ")));
     method.estimator = choice(reader, "estimator", estimator_names, Estimator::ray_shooting);
@@ -241,6 +238,7 @@ std::vector<std::string> read_scenes(const TomlReader& reader) {
     }
     std::set<std::string> scenes;
     for (const std::string& scene : names) {
+        expect_none(problem_with_name(scene.substr(0, scene.find('\n'))), reader, "scene");
         std::string canonical = scene;
         try {
             if (!names_scene_file(scene) || has_scene_text(scene)) canonical = make_scene(scene).canonical;
@@ -266,11 +264,12 @@ StudySpec parse_study(std::string_view text, std::string_view origin) {
 
     StudySpec spec;
     spec.name = study->text("name");
-    expect_printable(*study, "name", spec.name);
+    expect_none(problem_with_name(spec.name), *study, "name");
     if (spec.name.find('/') != std::string::npos || spec.name.front() == '.') {
         study->fail("name", "(it names the folder of the results). Leave out '/' and a leading '.'.");
     }
     spec.title = study->optional_text("title").value_or(spec.name);
+    expect_none(problem_with_title(spec.title), *study, "title");
     spec.scenes = read_scenes(*study);
     spec.trials = checked_trials(*study, study->count("trials"));
     spec.seed = Seed{study->count("seed")};

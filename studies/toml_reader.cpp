@@ -1,6 +1,7 @@
 #include "studies/toml_reader.hpp"
 
 #include "core/error.hpp"
+#include "core/excerpt.hpp"
 #include "core/nearest_name.hpp"
 
 #include <fmt/format.h>
@@ -20,12 +21,60 @@ std::string shown(const toml::node& node) {
     std::ostringstream out;
     if (node.is_table() || node.is_array_of_tables()) return {};
     node.visit([&](const auto& value) { out << value; });
-    return " = " + out.str();
+    return " = " + excerpt(out.str());
+}
+
+/// Where a string that begins at a quote is over: behind its last quote, or at the end of a line that does not end it.
+std::size_t end_of_string(std::string_view text, std::size_t begin) {
+    const char quote = text[begin];
+    const std::string of_lines(3, quote);
+    const bool has_lines = text.substr(begin).starts_with(of_lines);
+    const std::string_view last = has_lines ? std::string_view(of_lines) : text.substr(begin, 1);
+    for (std::size_t at = begin + last.size(); at < text.size(); ++at) {
+        if (quote == '"' && text[at] == '\\') {
+            ++at;
+        } else if (!has_lines && text[at] == '\n') {
+            return at;
+        } else if (text.substr(at).starts_with(last)) {
+            at += last.size();
+            // Quotes may stand before the last three.
+            while (has_lines && at < text.size() && text[at] == quote) ++at;
+            return at;
+        }
+    }
+    return text.size();
+}
+
+/// The parser makes a table of every part of a dotted key, and removes tables in tables by recursion; of values it
+/// counts the depth itself.
+/// @throws UserError at the first key that has too many parts
+void expect_short_keys(std::string_view text, std::string_view origin) {
+    constexpr std::size_t most_dots = 32;
+    constexpr std::string_view around_keys = "=,[]{}\n";
+    std::uint64_t line = 1;
+    std::size_t dots = 0;
+    for (std::size_t at = 0; at < text.size();) {
+        std::size_t end = at + 1;
+        if (text[at] == '#') end = std::min(text.find('\n', at), text.size());
+        if (text[at] == '"' || text[at] == '\'') end = end_of_string(text, at);
+        if (text[at] == '.') ++dots;
+        if (around_keys.find(text[at]) != std::string_view::npos) dots = 0;
+        if (dots > most_dots) {
+            throw UserError(
+                fmt::format("{}:{}: a key of more than {} parts (no table is so deep). See "
+                            "docs/study-files.md.",
+                            origin, line, most_dots + 1));
+        }
+        line += static_cast<std::uint64_t>(std::count(text.begin() + static_cast<std::ptrdiff_t>(at),
+                                                      text.begin() + static_cast<std::ptrdiff_t>(end), '\n'));
+        at = end;
+    }
 }
 
 }  // namespace
 
 toml::table parse_toml(std::string_view text, std::string_view origin) {
+    expect_short_keys(text, origin);
     try {
         return toml::parse(text);
     } catch (const toml::parse_error& error) {
@@ -38,7 +87,7 @@ void TomlReader::expect_only(std::span<const std::string_view> known) const {
     for (const auto& [key, node] : *table_) {
         if (std::find(known.begin(), known.end(), key.str()) != known.end()) continue;
         throw UserError(fmt::format("{}: unknown key '{}' (it would be ignored). {}Known: {}.",
-                                    place_in(origin_, key.source()), key.str(), did_you_mean(key.str(), known),
+                                    place_in(origin_, key.source()), excerpt(key.str()), did_you_mean(key.str(), known),
                                     fmt::join(known, ", ")));
     }
 }

@@ -4,6 +4,7 @@
 #include "core/configurations/nested_cubes.hpp"
 #include "core/configurations/scenes.hpp"
 #include "core/error.hpp"
+#include "core/excerpt.hpp"
 #include "core/rectangle_formulas.hpp"
 
 #include <fmt/format.h>
@@ -107,7 +108,8 @@ std::optional<Scene> family_scene(std::string_view name) {
     if (family == nullptr || colon == std::string_view::npos) return std::nullopt;
     const auto measure = number(name.substr(colon + 1));
     const auto refuse = [&](std::string_view why) {
-        throw UserError(fmt::format("scene {} ({}). Try {}:{}.", name, why, family->name, family->of_catalogue));
+        throw UserError(
+            fmt::format("scene {} ({}). Try {}:{}.", excerpt(name), why, family->name, family->of_catalogue));
     };
     if (!measure) refuse(fmt::format("behind the colon stands the {}, a number", family->measure));
     // Written so that what is no number fails as well.

@@ -1,6 +1,7 @@
 #include "studies/gates/estimates_file.hpp"
 
 #include "core/error.hpp"
+#include "core/excerpt.hpp"
 #include "core/nearest_name.hpp"
 #include "studies/csv_reader.hpp"
 #include "studies/text_file.hpp"
@@ -56,8 +57,9 @@ Header read_header(CsvReader& reader, std::string_view origin) {
         const std::string_view text = trimmed(record[i].text);
         const auto* const known = std::find(column_names.begin(), column_names.end(), text);
         if (known == column_names.end())
-            reader.fail(record[i], fmt::format("column '{}' is unknown. {}The columns are {}, between commas.", text,
-                                               did_you_mean(text, column_names), fmt::join(column_names, ", ")));
+            reader.fail(record[i],
+                        fmt::format("column '{}' is unknown. {}The columns are {}, between commas.", excerpt(text),
+                                    did_you_mean(text, column_names), fmt::join(column_names, ", ")));
         auto& place = found.at(static_cast<std::size_t>(known - column_names.begin()));
         if (place) reader.fail(record[i], fmt::format("column '{}' stands twice. Keep one.", text));
         place = i;
@@ -85,20 +87,20 @@ Row read_row(const CsvReader& reader, const std::vector<CsvField>& record, const
     const std::string_view trial_text = cell(reader, record, header, trial);
     const auto number = parse_number<std::uint64_t>(trial_text);
     if (!number)
-        reader.fail(
-            record[header[trial]],
-            fmt::format("trial = '{}' (not a whole number from 0 up). Number the trials 0, 1, 2, ...", trial_text));
+        reader.fail(record[header[trial]],
+                    fmt::format("trial = '{}' (not a whole number from 0 up). Number the trials 0, 1, 2, ...",
+                                excerpt(trial_text)));
     const std::string_view text = cell(reader, record, header, estimate);
     const auto value = parse_number<double>(text);
     if (!value)
         reader.fail(record[header[estimate]],
-                    fmt::format("estimate = '{}' (not a number). Write it like 0.19982 or 2.5e-3.", text));
+                    fmt::format("estimate = '{}' (not a number). Write it like 0.19982 or 2.5e-3.", excerpt(text)));
     if (!std::isfinite(*value))
         reader.fail(
             record[header[estimate]],
             fmt::format("estimate = '{}' (not a finite number; a mean of it would mean nothing). Find out why the "
                         "program gave it.",
-                        text));
+                        excerpt(text)));
     return {.trial = *number, .value = *value, .line = record.front().line};
 }
 

@@ -1,7 +1,9 @@
 #include "studies/scene_files/builder.hpp"
 
 #include "core/error.hpp"
+#include "core/excerpt.hpp"
 #include "core/surface_map.hpp"
+#include "studies/printable.hpp"
 
 #include <fmt/format.h>
 
@@ -21,6 +23,7 @@ using Eigen::Vector3d;
 constexpr double least_share_of_area = 1e-12;  // of the square of the extent
 constexpr double most_bend = 1e-6;             // of a polygon out of its plane, relative to its size
 constexpr double parallelogram_gap = 1e-12;
+constexpr std::array<std::string_view, 3> labels_of_sums{"all", "sum", "sum_re"};
 constexpr double largest_length = 1e30;  // squares of areas are numbers, in single precision lengths too
 
 /// The numbers that a surface is made of; of a polygon whatever corner it begins with.
@@ -76,15 +79,23 @@ std::uint64_t fingerprint(const Numbers& numbers) {
 
 }  // namespace
 
-int SceneBuilder::face(const std::string& label) {
+int SceneBuilder::face(const std::string& label, std::uint64_t line) {
     const auto [entry, is_new] = faces_.try_emplace(label, static_cast<int>(scene_.faces.size()));
-    if (is_new) scene_.faces.push_back(label);
+    if (is_new) {
+        if (const auto problem = problem_with_name(label); !problem.empty())
+            fail(line, fmt::format("face '{}' {}", excerpt(label), problem));
+        if (std::find(labels_of_sums.begin(), labels_of_sums.end(), label) != labels_of_sums.end()) {
+            fail(line, fmt::format("face '{}' (summary.csv has sums under that name). Give it another name.", label));
+        }
+        scene_.faces.push_back(label);
+    }
     return entry->second;
 }
 
 std::string SceneBuilder::owner(int face) const {
-    return face == no_face ? std::string("an occluder")
-                           : fmt::format("a surface of face '{}'", scene_.faces[static_cast<std::size_t>(face)]);
+    return face == no_face
+               ? std::string("an occluder")
+               : fmt::format("a surface of face '{}'", excerpt(scene_.faces[static_cast<std::size_t>(face)]));
 }
 
 void SceneBuilder::fail(std::uint64_t line, std::string_view problem) const {

@@ -17,7 +17,8 @@ class SceneBuilder {
     explicit SceneBuilder(std::string_view name) : name_(name) {}
 
     /// The face of that name, a new one where there is none.
-    int face(const std::string& label);
+    /// @throws UserError where tables and files cannot have the name
+    int face(const std::string& label, std::uint64_t line);
 
     /// @throws UserError where the surface has no area, a number is not finite or too large
     void add(Surface surface, std::uint64_t line);

@@ -3,6 +3,7 @@
 #include "studies/scene_files/words.hpp"
 
 #include "core/error.hpp"
+#include "core/excerpt.hpp"
 
 #include <fmt/format.h>
 
@@ -51,7 +52,7 @@ Lines read_lines(const SceneBuilder& builder, std::string_view text) {
     std::string group;
     std::uint64_t group_line = 0;  // of a group that has no polygon yet
     const auto expect_polygons = [&] {
-        if (group_line != 0) builder.fail(group_line, fmt::format("group '{}' is empty. Remove it.", group));
+        if (group_line != 0) builder.fail(group_line, fmt::format("group '{}' is empty. Remove it.", excerpt(group)));
     };
     for_each_line(text, [&](std::uint64_t number, const std::vector<std::string_view>& words) {
         const bool wanted =
@@ -98,7 +99,8 @@ Scene read_obj_scene(std::string_view name, std::string_view text) {
     std::size_t polygon = 0;
     for (const tinyobj::shape_t& shape : reader.GetShapes()) {
         const std::string label = shape.name.empty() ? "1" : shape.name;
-        const int face = label == occluder_group ? no_face : builder.face(label);
+        const std::uint64_t first_line = polygon < lines.of_polygon.size() ? lines.of_polygon[polygon] : 1;
+        const int face = label == occluder_group ? no_face : builder.face(label, first_line);
         std::size_t first = 0;
         for (const auto corners_of_polygon : shape.mesh.num_face_vertices) {
             if (polygon >= lines.of_polygon.size()) break;

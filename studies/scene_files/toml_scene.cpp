@@ -151,7 +151,7 @@ Scene read_toml_scene(std::string_view name, std::string_view text) {
     for (const TomlReader& reader : file.tables("surface")) {
         Surface surface = read_surface(reader);
         const auto face = reader.optional_text("face");
-        surface.face = face ? builder.face(*face) : no_face;
+        surface.face = face ? builder.face(*face, reader.line()) : no_face;
         surface.grid = read_grid(reader);
         builder.add(std::move(surface), reader.line());
     }

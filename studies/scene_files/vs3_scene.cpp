@@ -1,3 +1,4 @@
+#include "core/excerpt.hpp"
 #include "studies/scene_files/builder.hpp"
 #include "studies/scene_files/formats.hpp"
 #include "studies/scene_files/words.hpp"
@@ -47,8 +48,8 @@ class Vs3Reader {
             case 't':
                 return;
             default:
-                builder_.fail(line,
-                              fmt::format("'{}' begins no line of a View3D file. Known: T C F V S O E.", words[0]));
+                builder_.fail(line, fmt::format("'{}' begins no line of a View3D file. Known: T C F V S O E.",
+                                                excerpt(words[0])));
         }
     }
 
@@ -105,7 +106,7 @@ class Vs3Reader {
             }
             face = found->second;
         } else {
-            face = builder_.face(label);
+            face = builder_.face(label, line);
         }
         if (!faces_.emplace(index, face).second) builder_.fail(line, fmt::format("surface {} is there twice.", index));
         builder_.add_polygon(corners(line, words), face, line);

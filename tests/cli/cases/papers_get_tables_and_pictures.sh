@@ -68,6 +68,9 @@ done
 rm bin/node
 printf '#!/bin/sh\nexit 1\n' >bin/node
 chmod +x bin/node
+PATH=$PWD/bin:$PATH TMPDIR=/nonexistent ffstudy report out --format svg --out none
+expect_status 3
+expect_stderr "Set TMPDIR"
 PATH=$PWD/bin:$PATH ffstudy report out --format svg --out none
 expect_status 3
 expect_stderr "bin/node: failed"

@@ -207,6 +207,7 @@ TEST(SceneFiles, AreRefusedByFileAndLine) {
     const std::string obj = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 1 1\nv 0.2 0.3 0\n";
     const std::string vs3 = "F 3\nV 1 0 0 0\nV 2 1 0 0\nV 3 1 1 0\n";
     const std::string disc = "[[surface]]\nface = 'a'\nshape = 'disc'\ncentre = [0, 0, 0]\nnormal = [0, 0, 1]\n";
+    const std::string shape = "shape = 'disc'\nradius = 1\ncentre = [0, 0, 0]\nnormal = [0, 0, 1]\n";
     const std::vector<Broken> all{
         {"a.obj", obj + "g a\nf 1 2 2\n", "a.obj:8: ", "face 'a' has no area"},
         {"a.obj", obj + "g a\nf 1 2 3 5\n", "a.obj:8: ", "not plane"},
@@ -219,6 +220,12 @@ TEST(SceneFiles, AreRefusedByFileAndLine) {
         {"a.obj", obj + "f 1 2\n", "a.obj:7: ", "three corners"},
         {"a.obj", obj + "g a\nf 1 2 3\ng b\nf 3 1 2\n", "a.obj:10: ", "the same as that of line 8"},
         {"a.obj", obj, "a.obj: ", "no face"},
+        {"a.obj", obj + "g sum\nf 1 2 3\n", "a.obj:8: ", "has sums under that name"},
+        {"a.obj", obj + "g b\nf 1 2 4\ng a|b\nf 1 2 3\n", "a.obj:10: ", "would break tables"},
+        {"a.vs3", vs3 + "S 1 1 2 3 0 0 0 0.9 all\n", "a.vs3:5: ", "has sums under that name"},
+        {"a.vs3", vs3 + "S 1 1 2 3 0 0 0 0.9 a\x01\n", "a.vs3:5: ", "would break tables"},
+        {"a.toml", "\n[[surface]]\nface = 'sum_re'\n" + shape, "a.toml:2:", "has sums under that name"},
+        {"a.toml", "[[surface]]\nface = \"a\\nb\"\n" + shape, "a.toml:1:", "would break tables"},
         {"a.obj", obj + "v 1e200 0 0\ng a\nf 1 2 7\n", "a.obj:9: ", "reaches beyond"},
         {"a.vs3", vs3 + "S 1 1 2 7 0\n", "a.vs3:5: ", "vertex 7 is not there"},
         {"a.vs3", vs3 + "V 3 0 0 0\n", "a.vs3:5: ", "twice"},

@@ -270,14 +270,18 @@ TEST(Spec, RefusesNamesThatWouldBreakTablesOrFolders) {
     EXPECT_EQ(method("a/b, c"), "");
     EXPECT_THAT(method("a|b"), HasSubstr("would break tables"));
     EXPECT_THAT(method("a\\nb"), HasSubstr("would break tables"));
-    const auto study = [](std::string_view name) {
-        return refusal("[study]\nscene = \"cube\"\nseed = 1\ntrials = 9\nname = \"" + std::string(name) + "\"\n" +
+    const auto study = [](const std::string& name, const std::string& scene = "cube") {
+        return refusal("[study]\nscene = \"" + scene + "\"\nseed = 1\ntrials = 9\nname = \"" + name + "\"\n" +
                        std::string(rays));
     };
+    EXPECT_THAT(study("a", "a|b.obj"), HasSubstr("would break tables"));
     EXPECT_EQ(study("a b"), "");
     EXPECT_THAT(study("a|b"), HasSubstr("would break tables"));
     EXPECT_THAT(study("../x"), HasSubstr("names the folder"));
     EXPECT_THAT(study(".x"), HasSubstr("names the folder"));
+    EXPECT_THAT(study("x\"\ntitle = \"a\\n## b"), HasSubstr("would break reports"));
+    EXPECT_THAT(study("x\"\ntitle = \"a\\u0000b"), HasSubstr("would break reports"));
+    EXPECT_EQ(study("x\"\ntitle = \"|a| <b> [c]"), "");
 }
 
 TEST(Spec, RefusesANegativeSeed) {

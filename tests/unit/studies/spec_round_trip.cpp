@@ -25,7 +25,7 @@ rc::Gen<std::string> any_text() {
     return rc::gen::nonEmpty(rc::gen::map(rc::gen::container<std::vector<std::string>>(piece), join));
 }
 
-/// A text that may name a study or a method: printable, and no path.
+/// A text that may name or entitle a study or a method: printable, and no path.
 rc::Gen<std::string> any_name() {
     return rc::gen::map(any_text(), [](const std::string& text) {
         std::string name = "n";
@@ -91,7 +91,7 @@ Method any_method(std::string name) {
 StudySpec any_spec() {
     StudySpec spec;
     spec.name = *any_name();
-    spec.title = *any_text();
+    spec.title = *any_name();
     spec.scenes =
         *rc::gen::elementOf(std::vector<std::vector<std::string>>{{"cube"}, {"box:2x1x0.5"}, {"box:1e-3x7x2", "cube"}});
     spec.trials = *at_least_two(1ULL << 32);
