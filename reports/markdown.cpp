@@ -2,13 +2,14 @@
 
 #include "reports/markdown_sections.hpp"
 #include "reports/markdown_table.hpp"
+#include "reports/markdown_text.hpp"
 
 #include <fmt/format.h>
 
 namespace ff::reports {
 
 std::string markdown_report(const studies::StudyResults& results) {
-    std::string out = fmt::format("# {}\n\n", results.findings.plan.spec.title);
+    std::string out = fmt::format("# {}\n\n", markdown_text(results.findings.plan.spec.title));
     if (!results.findings.complete)
         out += "> **Partial result:** the study was stopped early; run it again to go on.\n\n";
     out += brief_section(results);

@@ -1,6 +1,7 @@
 #include "reports/in_brief.hpp"
 #include "reports/labels.hpp"
 #include "reports/markdown_sections.hpp"
+#include "reports/markdown_text.hpp"
 #include "reports/numbers.hpp"
 #include "reports/published_summary.hpp"
 #include "reports/radiosity_words.hpp"
@@ -58,10 +59,10 @@ std::string accuracy_line(const studies::Findings& findings, std::size_t scene, 
         const CellFindings* found = best(findings, scene, pair_class, deterministic);
         if (found == nullptr) continue;
         const double rmse = *found->class_rmse(pair_class);
-        const std::string label = cell_label(findings.plan, findings.plan.cells[found->cell]);
+        const std::string label = markdown_text(cell_label(findings.plan, findings.plan.cells[found->cell]));
         if (rmse < studies::rounding_error) {
             parts.push_back(fmt::format("deterministic methods are exact to rounding (**{}**)",
-                                        exact_methods(findings, scene, pair_class)));
+                                        markdown_text(exact_methods(findings, scene, pair_class))));
         } else {
             parts.push_back(fmt::format(
                 "{} **{}** (RMSE {})",
@@ -70,7 +71,8 @@ std::string accuracy_line(const studies::Findings& findings, std::size_t scene, 
         }
     }
     if (parts.empty()) return {};
-    const std::string where = findings.plan.scenes.size() == 1 ? "" : findings.plan.scenes[scene].name + ": ";
+    const std::string where =
+        findings.plan.scenes.size() == 1 ? "" : markdown_text(findings.plan.scenes[scene].name) + ": ";
     return fmt::format("- {}On {} pairs {}.\n", where, name(pair_class), fmt::join(parts, "; "));
 }
 
@@ -106,14 +108,14 @@ std::string brief_section(const studies::StudyResults& results) {
     }
     out += bias_line(results.findings);
     if (const auto light = light_in_brief(results)) {
-        std::string clause = light->clause;
+        std::string clause = markdown_text(light->clause);
         clause.front() = 'A';
         out += fmt::format("- {}; see [what the errors do to the light](#what-the-errors-do-to-the-light).\n", clause);
     }
-    for (const std::string& line : results_in_brief(results)) out += fmt::format("- {}\n", line);
+    for (const std::string& line : results_in_brief(results)) out += fmt::format("- {}\n", markdown_text(line));
     if (results.published) {
         for (const std::string& line : published_in_brief(*results.published, 1 - results.findings.plan.spec.level))
-            out += fmt::format("- {}\n", line);
+            out += fmt::format("- {}\n", markdown_text(line));
         out += fmt::format("- The {} printed figures contain {} contradictions; see [the audit](#the-audit).\n",
                            results.published->audit.figures, results.published->audit.contradictions());
     }

@@ -1,4 +1,5 @@
 #include "reports/markdown_sections.hpp"
+#include "reports/markdown_text.hpp"
 #include "reports/numbers.hpp"
 #include "reports/published_cells.hpp"
 
@@ -19,19 +20,19 @@ std::string table_text(const studies::PublishedResults& published, std::size_t i
                        const std::set<std::size_t>& blamed, double alpha) {
     const studies::PublishedTable& table = published.tables.tables[index];
     const studies::TableComparison& comparison = published.comparisons[index];
-    std::string out = fmt::format("### {}: {}\n\n", table.id, table.title);
-    if (!table.note.empty()) out += fmt::format("*{}*\n\n", table.note);
+    std::string out = fmt::format("### {}: {}\n\n", markdown_text(table.id), markdown_text(table.title));
+    if (!table.note.empty()) out += fmt::format("*{}*\n\n", markdown_text(table.note));
     out += "| |";
     std::string rule = "|---|";
     for (const std::string& column : table.column_titles) {
-        out += fmt::format(" {}: printed | ours | where it falls |", column);
+        out += fmt::format(" {}: printed | ours | where it falls |", markdown_cell(column));
         rule += "--:|--:|:--|";
     }
     out += "\n" + rule + "\n";
     const std::size_t columns = table.column_titles.size();
     std::vector<std::string> above(columns);
     for (std::size_t row = 0; row < table.row_titles.size(); ++row) {
-        out += fmt::format("| {} |", table.row_titles[row]);
+        out += fmt::format("| {} |", markdown_cell(table.row_titles[row]));
         for (std::size_t column = 0; column < columns; ++column) {
             const auto figure = table.figures[row * columns + column];
             if (!figure) {
@@ -88,7 +89,7 @@ std::string published_tables_section(const studies::StudyResults& results) {
         "where a "
         "run as described would give it, or something further out, less often than {:g} % allows over the whole table "
         "(Student t, Holm; χ² by Hotelling's T²).\n\n",
-        published.tables.source, 100 * (1 - alpha), 100 * alpha);
+        markdown_text(published.tables.source), 100 * (1 - alpha), 100 * alpha);
     for (std::size_t i = 0; i < published.tables.tables.size(); ++i) out += table_text(published, i, blamed, alpha);
     return out;
 }
@@ -97,8 +98,9 @@ std::string claims_section(const studies::StudyResults& results) {
     if (!results.published || results.published->claims.empty()) return {};
     std::string out = "## The paper's claims, judged\n\n| claim (section) | verdict | evidence |\n|---|---|---|\n";
     for (const studies::JudgedClaim& claim : results.published->claims) {
-        out += fmt::format("| {} ({}) | **{}** | {} |\n", claim.claim.statement, claim.claim.section,
-                           studies::name(claim.verdict), claim.evidence);
+        out += fmt::format("| {} ({}) | **{}** | {} |\n", markdown_cell(claim.claim.statement),
+                           markdown_cell(claim.claim.section), studies::name(claim.verdict),
+                           markdown_cell(claim.evidence));
     }
     return out + "\n";
 }
@@ -112,7 +114,7 @@ std::string audit_section(const studies::StudyResults& results) {
     std::size_t number = 0;
     for (const studies::Finding& finding : published.audit.findings) {
         const bool note = finding.severity == studies::Severity::note;
-        out += fmt::format("{}. {}{}\n", ++number, note ? "(note) " : "", finding.statement);
+        out += fmt::format("{}. {}{}\n", ++number, note ? "(note) " : "", markdown_text(finding.statement));
     }
     return out + "\n";
 }

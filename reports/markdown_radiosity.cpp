@@ -1,5 +1,6 @@
 #include "reports/markdown_sections.hpp"
 #include "reports/markdown_table.hpp"
+#include "reports/markdown_text.hpp"
 #include "reports/radiosity_tables.hpp"
 #include "reports/radiosity_words.hpp"
 
@@ -16,7 +17,7 @@ std::string radiosity_section(const studies::StudyResults& results) {
         "matrix, rows divided by their sums), *balanced* (weighted least squares with closure, reciprocity and no "
         "negative factor, errors those of counted hits), *weighted* (the same with the covariance that the method's "
         "own trials show).\n\n";
-    for (const std::string& line : radiosity_in_brief(results)) out += fmt::format("- {}\n", line);
+    for (const std::string& line : radiosity_in_brief(results)) out += fmt::format("- {}\n", markdown_text(line));
     for (const Table& table : radiosity_tables(results)) {
         out += fmt::format("\n### {}\n\n{}\n\n", table.title, table.note);
         const bool is_long = table.rows.size() > 40;

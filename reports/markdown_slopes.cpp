@@ -1,6 +1,8 @@
 #include "reports/labels.hpp"
 #include "reports/markdown_sections.hpp"
 #include "reports/markdown_table.hpp"
+#include "reports/markdown_text.hpp"
+#include "reports/mustache.hpp"
 #include "reports/numbers.hpp"
 #include "reports/slope_words.hpp"
 
@@ -35,7 +37,7 @@ std::string pair_rows(const Scene& scene, const studies::LadderSlopes& ladder) {
     for (std::size_t i = 0; i + 1 < ladder.pairs.size(); i += 2) {
         const studies::Slope& rmse = ladder.pairs[i];
         const studies::Slope& median = ladder.pairs[i + 1];
-        out += fmt::format("| {} | {} | {} | {} | {} | {} | {} |\n", quantity_label(scene, *rmse.pair),
+        out += fmt::format("| {} | {} | {} | {} | {} | {} | {} |\n", markdown_cell(quantity_label(scene, *rmse.pair)),
                            name(rmse.pair_class), rmse.slope ? fmt::format("{:.3f}", *rmse.slope) : "–",
                            interval_text(rmse.interval), rmse.lack_of_fit_p ? p_value(*rmse.lack_of_fit_p) : "–",
                            median.slope ? fmt::format("{:.3f}", *median.slope) : "–", interval_text(median.interval));
@@ -45,8 +47,8 @@ std::string pair_rows(const Scene& scene, const studies::LadderSlopes& ladder) {
 
 std::string ladder_details(const studies::StudyPlan& plan, const studies::LadderSlopes& ladder) {
     const std::string scene = plan.scenes.size() == 1 ? "" : plan.scenes[ladder.ladder.scene].name + ": ";
-    std::string out = fmt::format("<details><summary>{}{}: sizes {}, pair by pair</summary>\n\n", scene,
-                                  ladder.ladder.label, sizes_text(plan, ladder.ladder));
+    std::string out = fmt::format("<details><summary>{}{}: sizes {}, pair by pair</summary>\n\n", escape_html(scene),
+                                  escape_html(ladder.ladder.label), sizes_text(plan, ladder.ladder));
     out +=
         "| pairs | N | RMSE | median of the absolute error | mean bias | efficiency 1 / (RMSE² N) "
         "|\n|---|--:|--:|--:|--:|--:|\n";

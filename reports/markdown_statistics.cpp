@@ -1,5 +1,6 @@
 #include "reports/labels.hpp"
 #include "reports/markdown_sections.hpp"
+#include "reports/markdown_text.hpp"
 #include "reports/numbers.hpp"
 #include "reports/study_text.hpp"
 #include "reports/verdicts.hpp"
@@ -68,10 +69,11 @@ std::string worst_row(const StudyPlan& plan, const studies::Cell& cell, const Su
         const bool chi_squared = s.std_interval->method.starts_with("chi");
         std += fmt::format(" [{:.3e}, {:.3e}]{}", s.std_interval->low, s.std_interval->high, chi_squared ? "" : " b");
     }
-    return fmt::format("| {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} |\n", cell_label(plan, cell),
-                       quantity_label(plan.scenes[cell.scene], s.quantity), exact, mean, bias, t_text(s), interval,
-                       detectable, std, s.normality_p ? p_value(*s.normality_p) : "–", s.vov ? brief(*s.vov, 2) : "–",
-                       s.tail_index ? fmt::format("{:.1f}", *s.tail_index) : "–");
+    return fmt::format("| {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} |\n",
+                       markdown_cell(cell_label(plan, cell)),
+                       markdown_cell(quantity_label(plan.scenes[cell.scene], s.quantity)), exact, mean, bias, t_text(s),
+                       interval, detectable, std, s.normality_p ? p_value(*s.normality_p) : "–",
+                       s.vov ? brief(*s.vov, 2) : "–", s.tail_index ? fmt::format("{:.1f}", *s.tail_index) : "–");
 }
 
 std::string worst_table(const studies::Findings& findings) {
@@ -95,10 +97,10 @@ std::string t_table(const studies::Findings& findings, std::size_t scene, Comple
         const studies::Cell& cell = plan.cells[found.cell];
         if (cell.scene != scene || !found.bias || plan.spec.methods[cell.method].completion != completion) continue;
         const bool first = rows.empty();
-        rows += fmt::format("| {} |", cell_label(plan, cell));
+        rows += fmt::format("| {} |", markdown_cell(cell_label(plan, cell)));
         for (const Summary& s : found.summaries) {
             if (follows(s, completion)) continue;
-            if (first) header += fmt::format(" {} |", quantity_label(plan.scenes[scene], s.quantity));
+            if (first) header += fmt::format(" {} |", markdown_cell(quantity_label(plan.scenes[scene], s.quantity)));
             if (first) rule += "--:|";
             rows += fmt::format(" {} |", t_text(s));
         }
@@ -138,8 +140,9 @@ std::string bias_section(const studies::StudyResults& results) {
 std::string reproduction_section(const studies::StudyResults& results) {
     const studies::StudyPlan& plan = results.findings.plan;
     const StudyText study = study_text(plan.spec);
-    std::string out = fmt::format("## To do it again\n\nSeed {}. {}\n\n```toml\n{}```\n\n", plan.spec.seed.value,
-                                  study.whole ? "The study, in full:" : whole_study_is_kept, study.text);
+    std::string out =
+        fmt::format("## To do it again\n\nSeed {}. {}\n\n{}\n", plan.spec.seed.value,
+                    study.whole ? "The study, in full:" : whole_study_is_kept, markdown_code("toml", study.text));
     out += "Everything above depends on these lines alone: not on threads, machine or interruptions.";
     if (const std::string program = program_label(results.context); !program.empty())
         out += fmt::format(" Made by {}.", program);

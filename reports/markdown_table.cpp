@@ -1,14 +1,14 @@
 #include "reports/markdown_table.hpp"
 
+#include "reports/markdown_text.hpp"
+
 #include <fmt/format.h>
 
 namespace ff::reports {
 namespace {
 
-/// A bar would end the cell.
 std::string cell_text(const TableCell& cell) {
-    std::string out;
-    for (const char c : cell.text) out += c == '|' ? "\\|" : std::string(1, c);
+    const std::string out = markdown_cell(cell.text);
     const bool stressed = (cell.mark == Mark::bad || cell.mark == Mark::surprising) && !out.empty();
     return stressed ? fmt::format("**{}**", out) : out;
 }
@@ -21,7 +21,7 @@ std::string markdown_table(const Table& table) {
     for (const TableColumn& column : table.columns) {
         const std::string title =
             column.group.empty() ? column.title : fmt::format("{} {}", column.group, column.title);
-        out += fmt::format(" {} |", title);
+        out += fmt::format(" {} |", markdown_text(title));
         rule += column.number ? "--:|" : "---|";
     }
     out += "\n" + rule + "\n";
@@ -30,7 +30,7 @@ std::string markdown_table(const Table& table) {
         for (const TableCell& cell : row) out += fmt::format(" {} |", cell_text(cell));
         out += "\n";
     }
-    for (const std::string& remark : table.remarks) out += fmt::format("\n> {}\n", remark);
+    for (const std::string& remark : table.remarks) out += fmt::format("\n> {}\n", markdown_text(remark));
     return out + "\n";
 }
 
