@@ -21,8 +21,11 @@ constexpr std::uint64_t bytes_of_a_line = 100;  // of trials.csv, while it is ma
 constexpr double seconds_of_a_draw = 6e-9;      // of one trial into a resample of a ladder, for each pair of faces
 constexpr double seconds_of_a_group = 8e-6;     // a trial of a pair in intervals by all rules, for [coverage]
 // Processor time of `report` with 65 536 and 4096 patches a face of a cube, and a grid of 1024 x 1024: 1.7 to 2.6.
-constexpr double seconds_of_a_patch_factor = 2.5e-6;              // exact, from a patch to a surface
-constexpr std::uint64_t bytes_of_a_cell_in_reports = 1400 << 10;  // its tables and pictures in report.html
+constexpr double seconds_of_a_patch_factor = 2.5e-6;  // exact, from a patch to a surface
+// Its tables and pictures in report.html; of boxes the faces are laid flat. From the most memory of `convergence_rays`
+// and `sr_vs_pdm`, and of `catalogue` and `occlusion`.
+constexpr std::uint64_t bytes_of_a_cell_of_a_box = 1400 << 10;
+constexpr std::uint64_t bytes_of_another_cell = 600 << 10;
 
 std::uint64_t observations_per_trial(const StudyPlan& plan, const Cell& cell) {
     const std::uint64_t faces = plan.scenes[cell.scene].faces.size();
@@ -107,13 +110,19 @@ double seconds_of_patches(const StudyPlan& plan) {
     return factors * seconds_of_a_patch_factor;
 }
 
+std::uint64_t bytes_in_reports(const StudyPlan& plan, std::size_t cell) {
+    return plan.scenes[plan.cells[cell].scene].empty_box ? bytes_of_a_cell_of_a_box : bytes_of_another_cell;
+}
+
 /// Of ladders that are long only the ends are shown one by one.
-std::uint64_t cells_in_reports(const StudyPlan& plan) {
-    std::uint64_t cells = plan.cells.size();
+std::uint64_t memory_of_reports(const StudyPlan& plan) {
+    std::uint64_t bytes = 0;
+    for (std::size_t cell = 0; cell < plan.cells.size(); ++cell) bytes += bytes_in_reports(plan, cell);
     for (const Ladder& ladder : find_ladders(plan)) {
-        if (ladder.cells.size() >= long_ladder) cells -= ladder.cells.size() - 2;
+        if (ladder.cells.size() >= long_ladder)
+            bytes -= (ladder.cells.size() - 2) * bytes_in_reports(plan, ladder.cells.front());
     }
-    return cells;
+    return bytes;
 }
 
 }  // namespace
@@ -138,7 +147,7 @@ std::uint64_t expected_memory(const StudyPlan& plan, unsigned threads) {
         std::min<std::uint64_t>(plan.units.size(), threads + units_waiting(threads) + std::uint64_t{1});
     const std::uint64_t running =
         units * largest_record(plan) + std::min(Store::page_cache_bytes, expected_store_size(plan));
-    const std::uint64_t reporting = memory_of_analysis(plan) + cells_in_reports(plan) * bytes_of_a_cell_in_reports;
+    const std::uint64_t reporting = memory_of_analysis(plan) + memory_of_reports(plan);
     return program + std::max(running, reporting) + plan.units.size() * sizeof(WorkUnit);
 }
 

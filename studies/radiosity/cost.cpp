@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
+#include <utility>
 
 namespace ff::studies {
 namespace {
@@ -85,6 +87,7 @@ double seconds_of_radiosity(const StudyPlan& plan) {
     const RadiosityRequest& request = *plan.spec.radiosity;
     const auto settings = static_cast<double>(request.reflectance.size());
     double seconds = 0;
+    std::set<std::pair<std::size_t, std::uint32_t>> with_exact_factors;  // scenes and subdivisions
     for (std::size_t index = 0; index < plan.cells.size(); ++index) {
         const Cell& cell = plan.cells[index];
         const auto treatments = static_cast<double>(all_treatments.size());
@@ -95,7 +98,8 @@ double seconds_of_radiosity(const StudyPlan& plan) {
         double trial = expected_seconds_per_trial(plan, cell);
         if (plan.spec.methods[cell.method].estimator == Estimator::ray_shooting)
             trial += seconds_of_a_traced_ray * static_cast<double>(evaluations_per_trial(plan, cell));
-        seconds += n * n / 2 * seconds_of_an_exact_factor + seconds_of_systems(plan, n, true);
+        if (with_exact_factors.emplace(cell.scene, cell.subdivision.m).second)
+            seconds += n * n / 2 * seconds_of_an_exact_factor + seconds_of_systems(plan, n, true);
         seconds += trials * (trial + treatments_between_patches * seconds_of_systems(plan, n, false));
         seconds += seconds_of_systems(plan, n, true) - seconds_of_systems(plan, n, false);
     }
