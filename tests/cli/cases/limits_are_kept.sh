@@ -25,8 +25,10 @@ END
 sed 's/^trials = 20/trials = 400000/' "$folder/study.toml" >"$folder/longer.toml"
 # The library of a sanitizer wants to be first.
 ballast="$(ldd "$program" | grep -oE '/[^ ]*/lib[at]san[^ ]*' || true) $folder/ballast.so"
-LD_PRELOAD=$ballast ffstudy run "$folder/longer.toml" --max-memory 500M --max-time 30 --threads 1 --out grown
+begin=$SECONDS
+LD_PRELOAD=$ballast ffstudy run "$folder/longer.toml" --max-memory 500M --max-time 60 --threads 1 --out grown
 expect_status 130
+[ $((SECONDS - begin)) -lt 50 ] || fail "expected the limit of memory to end the run, not that of time"
 expect_stderr "of memory are in use, more than --max-memory."
 expect_in_file grown/report.md "Partial result"
 LD_PRELOAD=$ballast ffstudy run "$folder/study.toml" --max-memory 16G --threads 1 --out within
