@@ -1,10 +1,14 @@
-#include "app/commands.hpp"
-#include "app/messages.hpp"
-#include "app/signals.hpp"
-#include "app/study_files.hpp"
-#include "app/usage_errors.hpp"
+#include "app/command_line/command_model.hpp"
+#include "app/command_line/listings.hpp"
+#include "app/command_line/usage_errors.hpp"
+#include "app/commands/commands.hpp"
+#include "app/commands/hidden_commands.hpp"
+#include "app/folders/result_files.hpp"
+#include "app/folders/study_files.hpp"
+#include "app/process/guard.hpp"
+#include "app/process/signals.hpp"
 
-#include "core/error.hpp"
+#include "core/support/error.hpp"
 #include "studies/selftest/selftest.hpp"
 
 #include "app/build_info.hpp"
@@ -12,36 +16,35 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
-#include <cstdio>
-#include <exception>
 #include <functional>
-#include <new>
-#include <system_error>
+#include <span>
+#include <sstream>
 
 namespace {
 
 using namespace ff::app;
 
-/// What main does once the command line is understood.
-using Action = std::function<ExitCode()>;
-
 void add_run_options(CLI::App& app, RunCommand& command) {
     app.add_option("--trials", command.trials, "Repetitions of every sampled size (default: the study's)");
     app.add_option("--seed", command.seed, "Seed of all random numbers (default: the study's)");
-    app.add_option("--until", command.until, "Stop at a goal: rmse=1e-5 or ci=1e-5; --trials is then the most");
+    app.add_option("--until", command.until, "Stop at a goal: rmse=1e-5 or ci=1e-5; --trials is then the most")
+        ->type_name("GOAL");
     app.add_option("--level", command.level, "Level of intervals (default: the study's)");
     app.add_option("--threads", command.threads, "Threads; results do not depend on them (default: all cores)");
-    app.add_option("--shard", command.shard, "Carry out share i/n of the work only; see 'ffstudy merge'");
-    app.add_option("--max-time", command.max_time, "Stop in order after 90 (seconds), 15m, 2.5h, 1d");
-    app.add_option("--max-memory", command.max_memory, "Keep within 500M, 2G: fewer threads, or an orderly stop");
-    app.add_option("--out", command.out, "Folder for the results (default: results/<study>)");
-    app.add_option("--templates", command.templates, "Folder of own templates for report.html");
+    app.add_option("--shard", command.shard, "Carry out share i/n of the work only; see 'ffstudy merge'")
+        ->type_name("I/N");
+    app.add_option("--max-time", command.max_time, "Time limit: 90 (seconds), 15m, 2.5h, 1d; stops gracefully")
+        ->type_name("TIME");
+    app.add_option("--max-memory", command.max_memory, "Memory limit: 500M, 2G; fewer threads, or a graceful stop")
+        ->type_name("SIZE");
+    app.add_option("--out", command.out, "Folder for the results (default: results/<study>)")->type_name("DIR");
+    app.add_option("--templates", command.templates, "Folder of own templates for report.html")->type_name("DIR");
     app.add_flag("--quiet", command.quiet, "Print errors only");
     app.add_flag("--dry-run", command.dry_run, "Show work units, expected time and memory, run nothing");
 }
 
 void add_run(CLI::App& app, RunCommand& command, Action& action) {
-    CLI::App* sub = app.add_subcommand("run", "Run a study file, or go on with it");
+    CLI::App* sub = app.add_subcommand("run", "Run or resume a study");
     sub->add_option("STUDY", command.study, "Study file (.toml) or built-in name")->required();
     add_run_options(*sub, command);
     sub->callback([&] { action = [&] { return run(command); }; });
@@ -58,16 +61,29 @@ void add_run(CLI::App& app, RunCommand& command, Action& action) {
 void add_convergence(CLI::App& app, ff::studies::ConvergenceRequest& request, RunCommand& command, Action& action) {
     CLI::App* sub =
         app.add_subcommand("convergence", "Run samplers on a ladder of sizes and fit how fast they converge");
-    sub->add_option("--sampler", request.samplers, "Samplers, separated by commas")->delimiter(',')->required();
-    sub->add_option("--estimator", request.estimator, "What is done with the points")->capture_default_str();
-    sub->add_option("--scene", request.scenes, "Scenes, separated by commas")->delimiter(',')->capture_default_str();
+    sub->add_option("--sampler", request.samplers, "Samplers, separated by commas")
+        ->type_name("SAMPLER")
+        ->delimiter(',')
+        ->required();
+    sub->add_option("--estimator", request.estimator, "Estimator: " + names_in_words("estimators"))
+        ->type_name("ESTIMATOR")
+        ->capture_default_str();
+    sub->add_option("--scene", request.scenes, "Scenes, separated by commas")
+        ->type_name("SCENE")
+        ->delimiter(',')
+        ->capture_default_str();
     sub->add_option("--samples", request.samples, "Sizes: a range, or numbers separated by commas")
+        ->type_name("SIZES")
         ->capture_default_str();
     sub->add_option("--patches", request.patches_per_face, "Patches of a face")->capture_default_str();
-    sub->add_option("--allocation", request.allocation, "Whose points they are: patch (default) or face");
-    sub->add_option("--completion", request.completion, "direct (default) or reciprocal");
-    sub->add_option("--map", request.map, "How points are laid on patches that touch: uniform (default) or graded");
-    sub->add_option("--save-study", command.study_file, "Write the study file, to run or change it later");
+    sub->add_option("--allocation", request.allocation, "Whose points they are: " + names_in_words("allocations"))
+        ->type_name("ALLOCATION");
+    sub->add_option("--completion", request.completion, "How the matrix is completed: " + names_in_words("completions"))
+        ->type_name("COMPLETION");
+    sub->add_option("--map", request.map, "How points are laid on patches: " + names_in_words("maps"))
+        ->type_name("MAP");
+    sub->add_option("--save-study", command.study_file, "Write the study file, to run or change it later")
+        ->type_name("FILE");
     add_run_options(*sub, command);
     sub->callback([&] {
         action = [&] {
@@ -81,9 +97,11 @@ void add_radiosity(CLI::App& app, RadiosityOptions& options, RunCommand& command
     CLI::App* sub = app.add_subcommand("radiosity", "Run a study and send light through its form factors");
     sub->add_option("STUDY", command.study, "Study file (.toml) or built-in name")->required();
     sub->add_option("--reflectance", options.reflectance,
-                    "Reflectances, each solved for by itself (default: the study's, or 0.1,0.5,0.9,0.99,0.999)");
+                    "Reflectances, each solved for by itself (default: the study's, or 0.1,0.5,0.9,0.99,0.999)")
+        ->type_name("LIST");
     sub->add_option("--emission", options.emission,
-                    "Emitted exitance, one number or one for each face (default: the study's, or 1 on the last face)");
+                    "Emitted exitance, one number or one for each face (default: the study's, or 1 on the last face)")
+        ->type_name("LIST");
     sub->add_option("--patch-trials", options.patch_trials,
                     "Trials that are solved between patches too (default: the study's, or 0)");
     add_run_options(*sub, command);
@@ -97,17 +115,20 @@ void add_radiosity(CLI::App& app, RadiosityOptions& options, RunCommand& command
 
 void add_enclosure(CLI::App& app, EnclosureCommand& command, Action& action) {
     CLI::App* sub = app.add_subcommand("enclosure", "Light where surfaces see themselves: round rooms, mirrors");
-    sub->add_option("NAME", command.name, "cylinder:RxH, cap:RxH, cone:RxH, spheres:RxS, or cube, box:AxBxC")
+    sub->add_option("SHAPE", command.name, "cylinder:RxH, cap:RxH, cone:RxH, spheres:RxS, or cube, box:AxBxC")
         ->required();
-    sub->add_option("--mirror", command.mirror, "The face of a box that is a perfect mirror");
+    sub->add_option("--mirror", command.mirror, "The face of a box that is a perfect mirror")->type_name("FACE");
     sub->add_option("--reflectance", command.light.reflectance,
-                    "Reflectances, each solved for by itself (default: 0.1,0.5,0.9,0.99,0.999)");
+                    "Reflectances, each solved for by itself (default: 0.1,0.5,0.9,0.99,0.999)")
+        ->type_name("LIST");
     sub->add_option("--emission", command.light.emission,
-                    "Emitted exitance, one number or one for each surface (default: 1 on the last)");
+                    "Emitted exitance, one number or one for each surface (default: 1 on the last)")
+        ->type_name("LIST");
     sub->add_option("--trials", command.trials, "Trials of rays drawn from the exact factors (default: 0)");
     sub->add_option("--rays", command.rays, "Rays from each surface in a trial")->capture_default_str();
     sub->add_option("--seed", command.seed, "Seed of all random numbers")->capture_default_str();
-    sub->add_option("--out", command.out, "Folder for enclosure.md and the matrices (default: none is written)");
+    sub->add_option("--out", command.out, "Folder for enclosure.md and the matrices (default: none is written)")
+        ->type_name("DIR");
     sub->add_flag("--quiet", command.quiet, "Print errors only");
     sub->callback([&] { action = [&] { return enclosure(command); }; });
 }
@@ -115,7 +136,8 @@ void add_enclosure(CLI::App& app, EnclosureCommand& command, Action& action) {
 void add_form_factors(CLI::App& app, FormFactorsCommand& command, Action& action) {
     CLI::App* sub = app.add_subcommand("form_factors", "All form factors of a scene, each with an interval");
     auto& request = command.request;
-    CLI::Option* load = sub->add_option("--load", command.load, "Instead of SCENE: a folder that --out has written");
+    CLI::Option* load =
+        sub->add_option("--load", command.load, "Instead of SCENE: a folder that --out has written")->type_name("DIR");
     const auto of_a_run = [load](CLI::Option* option) { return option->excludes(load); };
     of_a_run(sub->add_option("SCENE", command.scene,
                              "cube, box:AxBxC, another built-in scene, or a file (.obj, .toml, .vs3)"));
@@ -127,10 +149,12 @@ void add_form_factors(CLI::App& app, FormFactorsCommand& command, Action& action
     of_a_run(sub->add_option("--seed", command.seed, "Seed of all random numbers"))->capture_default_str();
     of_a_run(
         sub->add_option("--threads", command.threads, "Threads; results do not depend on them (default: all cores)"));
-    of_a_run(sub->add_option("--max-time", command.max_time, "Stop in order after 90 (seconds), 15m, 2.5h, 1d"));
+    of_a_run(
+        sub->add_option("--max-time", command.max_time, "Time limit: 90 (seconds), 15m, 2.5h, 1d; stops gracefully")
+            ->type_name("TIME"));
     of_a_run(sub->add_option("--max-samples", request.max_samples, "Rays and points in all"))->capture_default_str();
     sub->add_flag("--repair", request.repair, "Also the nearest matrix that is closed and reciprocal");
-    sub->add_option("--out", command.out, "Folder for the matrices (default: none is written)");
+    sub->add_option("--out", command.out, "Folder for the matrices (default: none is written)")->type_name("DIR");
     sub->add_flag("--quiet", command.quiet, "Print errors and warnings only");
     sub->callback([&] { action = [&] { return form_factors(command); }; });
 }
@@ -138,20 +162,23 @@ void add_form_factors(CLI::App& app, FormFactorsCommand& command, Action& action
 void add_report(CLI::App& app, ReportCommand& command, Action& action) {
     CLI::App* sub = app.add_subcommand("report", "Write the reports of a finished study again");
     sub->add_option("RESULTS", command.results, "Folder of a study, or its results.sqlite")->required();
-    sub->add_option("--format", command.formats, "html, markdown, csv, json (default: these four), latex, svg, pdf")
+    sub->add_option("--format", command.formats,
+                    fmt::format("{} (default: {})", names_in_words("formats"), fmt::join(usual_formats(), ", ")))
+        ->type_name("FORMAT")
         ->delimiter(',');
-    sub->add_option("--out", command.out, "Folder for the files (default: where the results lie)");
-    sub->add_option("--templates", command.templates, "Folder of own templates for report.html");
+    sub->add_option("--out", command.out, "Folder for the files (default: where the results lie)")->type_name("DIR");
+    sub->add_option("--templates", command.templates, "Folder of own templates for report.html")->type_name("DIR");
     sub->add_flag("--quiet", command.quiet, "Print errors only");
     sub->callback([&] { action = [&] { return report(command); }; });
 }
 
 void add_compare(CLI::App& app, CompareCommand& command, Action& action) {
     CLI::App* sub = app.add_subcommand("compare", "Show two runs side by side: what differs, and how sure that is");
-    sub->add_option("A", command.first, "Folder of a study, or its results.sqlite")->required();
-    sub->add_option("B", command.second, "The other")->required();
-    sub->add_option("--out", command.out, "Folder for comparison.md and comparison.html (default: none is written)");
-    sub->add_option("--templates", command.templates, "Folder of own templates for comparison.html");
+    sub->add_option("A", command.first, "Folder of a study, or its results.sqlite")->type_name("RESULTS")->required();
+    sub->add_option("B", command.second, "The other")->type_name("RESULTS")->required();
+    sub->add_option("--out", command.out, "Folder for comparison.md and comparison.html (default: none is written)")
+        ->type_name("DIR");
+    sub->add_option("--templates", command.templates, "Folder of own templates for comparison.html")->type_name("DIR");
     sub->add_flag("--quiet", command.quiet, "Print errors only");
     sub->callback([&] { action = [&] { return compare(command); }; });
 }
@@ -159,7 +186,7 @@ void add_compare(CLI::App& app, CompareCommand& command, Action& action) {
 void add_merge(CLI::App& app, MergeCommand& command, Action& action) {
     CLI::App* sub = app.add_subcommand("merge", "Bring the results of shards together");
     sub->add_option("RESULTS", command.sources, "Folders of the shards, or their results.sqlite")->required();
-    sub->add_option("--out", command.out, "Folder for the merged results")->required();
+    sub->add_option("--out", command.out, "Folder for the merged results")->type_name("DIR")->required();
     sub->add_flag("--quiet", command.quiet, "Print errors only");
     sub->callback([&] { action = [&] { return merge(command); }; });
 }
@@ -172,12 +199,15 @@ void add_check(CLI::App& app, CheckCommand& command, Action& action) {
     sub->add_flag("--fresh-seed", command.fresh_seed, "A new seed, printed")->excludes(seed);
     sub->add_option("--seed-sweep", command.seed_sweep, "Check with N seeds; report failure rates against alpha")
         ->check(CLI::PositiveNumber);
-    sub->add_option("--estimates", command.estimates, "CSV of another program's estimates: trial,quantity,estimate");
-    CLI::Option* baseline = sub->add_option("--baseline", command.baseline, "Baseline file to compare with");
+    sub->add_option("--estimates", command.estimates, "CSV of another program's estimates: trial,quantity,estimate")
+        ->type_name("FILE");
+    CLI::Option* baseline =
+        sub->add_option("--baseline", command.baseline, "Baseline file to compare with")->type_name("FILE");
     sub->add_option("--save-baseline", command.save_baseline, "Run the gates that compare with a baseline; save it")
+        ->type_name("FILE")
         ->excludes(baseline);
     sub->add_option("--threads", command.threads, "Threads; verdicts do not depend on them (default: all cores)");
-    sub->add_option("--out", command.out, "Folder for the results (default: results/<bands>)");
+    sub->add_option("--out", command.out, "Folder for the results (default: results/<bands>)")->type_name("DIR");
     sub->add_flag("--quiet", command.quiet, "Print errors only");
     sub->add_flag("--dry-run", command.dry_run, "Show trials and expected time of each gate; runs pilots only");
     sub->callback([&] { action = [&] { return check(command); }; });
@@ -186,7 +216,7 @@ void add_check(CLI::App& app, CheckCommand& command, Action& action) {
 void add_audit(CLI::App& app, AuditCommand& command, Action& action) {
     CLI::App* sub = app.add_subcommand("audit", "Find contradictions in published tables");
     sub->add_option("TABLES", command.tables, "Tables file (.json)")->required();
-    sub->add_option("--out", command.out, "Folder for audit.md (default: none is written)");
+    sub->add_option("--out", command.out, "Folder for audit.md (default: none is written)")->type_name("DIR");
     sub->add_flag("--quiet", command.quiet, "Print errors only");
     sub->callback([&] { action = [&] { return audit(command); }; });
 }
@@ -200,7 +230,7 @@ void add_selftest(CLI::App& app, SelftestCommand& command, Action& action) {
         ->check(CLI::PositiveNumber);
     sub->add_option("--seed", command.seed, "Seed of all random numbers (default: 1)")->check(CLI::NonNegativeNumber);
     sub->add_option("--threads", command.threads, "Threads; results do not depend on them (default: all cores)");
-    sub->add_option("--out", command.out, "Folder for selftest.md (default: none is written)");
+    sub->add_option("--out", command.out, "Folder for selftest.md (default: none is written)")->type_name("DIR");
     sub->add_flag("--quiet", command.quiet, "Print errors only");
     sub->callback([&] { action = [&] { return gates_selftest(command); }; });
 }
@@ -212,17 +242,19 @@ void add_form_factors_selftest(CLI::App& app, SelftestCommand& command, Action& 
         ->check(CLI::PositiveNumber);
     sub->add_option("--tolerance", command.tolerance, "Of the form factors (default: 0.004)")
         ->check(CLI::PositiveNumber);
-    sub->add_option("--scene", command.scenes, "Scenes, separated by commas (default: the catalogue)")->delimiter(',');
+    sub->add_option("--scene", command.scenes, "Scenes, separated by commas (default: the catalogue)")
+        ->type_name("SCENE")
+        ->delimiter(',');
     sub->add_option("--seed", command.seed, "The first seed (default: 1)")->check(CLI::NonNegativeNumber);
     sub->add_option("--threads", command.threads, "Threads; results do not depend on them (default: all cores)");
-    sub->add_option("--out", command.out, "Folder for selftest.md (default: none is written)");
+    sub->add_option("--out", command.out, "Folder for selftest.md (default: none is written)")->type_name("DIR");
     sub->add_flag("--quiet", command.quiet, "Print errors only");
     sub->callback([&] { action = [&] { return form_factors_selftest(command); }; });
 }
 
 void add_catalogue(CLI::App& app, std::string& name, Action& action) {
     CLI::App* listing = app.add_subcommand("list", "List samplers, estimators, scenes, studies and so on");
-    listing->add_option("KIND", name, "samplers, estimators, scenes, studies, formats or controls")->required();
+    listing->add_option("KIND", name, listed_kinds_in_words())->required();
     listing->callback([&] { action = [&] { return list(name); }; });
     CLI::App* explanation = app.add_subcommand("explain", "Say what something is, its source, its limits");
     explanation->add_option("NAME", name, "A name that 'list' shows")->required();
@@ -262,47 +294,30 @@ ExitCode parse_and_act(int argc, char** argv) {
     add_form_factors_selftest(app, selftest_command, action);
     add_audit(app, audit_command, action);
     add_catalogue(app, name, action);
+    add_hidden_commands(app, action);
+    name_types_of_arguments(app);
     try {
         app.parse(argc, argv);
         if (!action) throw CLI::RequiredError("A command");
     } catch (const CLI::ParseError& error) {
         if (error.get_exit_code() != 0) throw ff::UserError(usage_problem(app, error));
-        app.exit(error);  // --help, --version
+        std::ostringstream text;
+        app.exit(error, text);  // --help, --version
+        fmt::print("{}", text.str());
         return ExitCode::passed;
     }
     refuse_unmeant_values(app);
     return action();
 }
 
-ExitCode fail(ExitCode code, const std::string& message) {
-    say("ffstudy: {}\n", message);
-    return code;
-}
-
-ExitCode guarded(int argc, char** argv) {
-    try {
-        const ExitCode code = parse_and_act(argc, argv);
-        if (std::fflush(stdout) != 0)
-            return fail(ExitCode::io, "standard output cannot be written. Check the disk or the pipe.");
-        return code;
-    } catch (const ff::UserError& error) {
-        return fail(ExitCode::usage, error.what());
-    } catch (const ff::IoError& error) {
-        return fail(ExitCode::io, error.what());
-    } catch (const std::filesystem::filesystem_error& error) {
-        return fail(ExitCode::io, fmt::format("{}. Check the path, the permissions and the free space.", error.what()));
-    } catch (const std::system_error& error) {
-        return fail(ExitCode::io, fmt::format("{}. Check the disk, or the pipe that reads the output.", error.what()));
-    } catch (const std::bad_alloc&) {
-        return fail(ExitCode::usage, "out of memory. Take fewer patches or threads.");
-    }
-}
-
 }  // namespace
 
-// An exception that nobody expects is a bug and ends the program, as a broken contract does.
+// What goes wrong while an error is told ends in the handler that `guarded` sets.
 // NOLINTNEXTLINE(bugprone-exception-escape)
 int main(int argc, char** argv) {
+    receive_signals();
     turn_output_signals_into_errors();
-    return static_cast<int>(guarded(argc, argv));
+    const ExitCode code = guarded({argv, static_cast<std::size_t>(argc)}, [&] { return parse_and_act(argc, argv); });
+    close_to_signals();
+    return static_cast<int>(code);
 }

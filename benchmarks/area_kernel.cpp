@@ -1,8 +1,8 @@
 // The paper's PDM on 1014 patches: all pairs of patches, five Gauss-Legendre nodes a side on each.
 
-#include "core/area_kernel.hpp"
+#include "core/estimators/area_kernel.hpp"
 
-#include "core/box.hpp"
+#include "core/geometry/box.hpp"
 #include "samplers/sampler.hpp"
 
 #include <benchmark/benchmark.h>

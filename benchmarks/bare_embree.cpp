@@ -1,12 +1,12 @@
 // What our tracer adds to Embree: the same rays through `Tracer::shoot` and through a loop of nothing but
 // rtcIntersect8, patch by patch in turn, so that whatever else the machine does meets both.
 
-#include "core/box.hpp"
-#include "core/tracer.hpp"
+#include "core/geometry/box.hpp"
+#include "core/tracing/embree_version.hpp"
+#include "core/tracing/tracer.hpp"
 #include "samplers/sampler.hpp"
 
 #include <benchmark/benchmark.h>
-#include <embree3/rtcore.h>
 
 #include <algorithm>
 #include <array>
@@ -95,8 +95,8 @@ void embree_beside_bare_loop(benchmark::State& state) {
     std::vector<RTCRayHit8> packets(samples / 8);
     alignas(32) std::array<int, 8> valid{};
     valid.fill(-1);
-    RTCIntersectContext context;
-    rtcInitIntersectContext(&context);
+    embree::QueryContext context;
+    embree::init(context);
     PointBlock block;
     block.size = samples;
     RayBatch rays;
@@ -112,7 +112,7 @@ void embree_beside_bare_loop(benchmark::State& state) {
             generate_rays(scene.surfaces[source], source, grid, within, block, rays);
             pack(rays, packets);
             const auto start = seconds();
-            for (RTCRayHit8& packet : packets) rtcIntersect8(valid.data(), bare_scene.get(), &context, &packet);
+            for (RTCRayHit8& packet : packets) embree::intersect8(valid.data(), bare_scene.get(), context, packet);
             const auto middle = seconds();
             tracer->shoot(source, grid, within, block, hits);
             const auto end = seconds();

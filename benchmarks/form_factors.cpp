@@ -2,8 +2,8 @@
 
 #include "studies/form_factors/form_factors.hpp"
 
-#include "core/box.hpp"
-#include "core/tracer.hpp"
+#include "core/configurations/built_in_scene.hpp"
+#include "core/tracing/tracer.hpp"
 #include "studies/form_factors/sampling.hpp"
 
 #include <benchmark/benchmark.h>
@@ -38,7 +38,7 @@ void a_point(benchmark::State& state, const char* name) {
     const studies::FacePairs geometry = studies::examine_pairs(scene, {});
     const auto pair =
         std::find_if(geometry.pairs.begin(), geometry.pairs.end(), [](const auto& p) { return p.by_points; });
-    const studies::PointSampling sampling(scene, pair->sampled.front());
+    const studies::PointSampling sampling(scene, pair->sampled.front(), 1e-4);
     constexpr std::uint64_t points = 4096;
     std::uint32_t randomisation = 0;
     for (auto _ : state) benchmark::DoNotOptimize(sampling.run({}, randomisation++, points, nullptr));

@@ -1,6 +1,6 @@
 // Cost of a ray among few and many surfaces: a sphere of triangles seen from a triangle inside of it.
 
-#include "core/tracer.hpp"
+#include "core/tracing/tracer.hpp"
 
 #include <Eigen/Geometry>
 

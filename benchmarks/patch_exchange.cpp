@@ -1,10 +1,10 @@
 // Exact exchange areas of all pairs of patches: the paper's cube with 1014 patches, by closed form (along the axes) and
 // by contour integrals (turned), and single pairs of triangles.
 
-#include "core/patch_exchange.hpp"
+#include "core/exact/patch_exchange.hpp"
 
-#include "core/box.hpp"
-#include "core/polygon_exchange.hpp"
+#include "core/formulas/polygon_exchange.hpp"
+#include "core/geometry/box.hpp"
 
 #include <benchmark/benchmark.h>
 

@@ -1,8 +1,8 @@
 // Exact factors from points of a face to the five others of a cube, points included.
 
-#include "core/point_to_polygon.hpp"
+#include "core/estimators/point_to_polygon.hpp"
 
-#include "core/box.hpp"
+#include "core/geometry/box.hpp"
 #include "samplers/sampler.hpp"
 
 #include <benchmark/benchmark.h>

@@ -1,7 +1,7 @@
 // One trial of ray shooting on the cube of the paper: 1014 patches x 625 rays, points, tracing and tallies.
 
-#include "core/ray_shooting.hpp"
-#include "core/box.hpp"
+#include "core/estimators/ray_shooting.hpp"
+#include "core/geometry/box.hpp"
 #include "samplers/sampler.hpp"
 
 #include <benchmark/benchmark.h>

@@ -1,10 +1,17 @@
-# Every library the project uses, all packaged in Debian 12 (scripts/packages.txt). Those that installed targets link to
+# Every library the project uses, all packaged in Debian 12 and 13 (scripts/packages.txt). Those that installed targets link to
 # are looked up again by cmake/ffstudyConfig.cmake.in: keep the two in step.
 
 find_package(Threads REQUIRED)
-find_package(Boost 1.74 REQUIRED)          # Random, Math: headers only
+find_package(Boost 1.74 REQUIRED CONFIG)   # Random, Math: headers only
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)
-find_package(embree 3 REQUIRED)
+find_package(embree REQUIRED)             # 3 or 4
+if(embree_VERSION VERSION_LESS 3.13 OR embree_VERSION VERSION_GREATER_EQUAL 5)
+  message(FATAL_ERROR "Embree ${embree_VERSION} was found in ${embree_DIR}; ffstudy knows 3.13 and later, and 4.")
+endif()
+string(REGEX MATCH "^[0-9]+" FFSTUDY_EMBREE_MAJOR ${embree_VERSION})
+add_library(ff_embree INTERFACE)
+target_link_libraries(ff_embree INTERFACE embree)
+target_compile_definitions(ff_embree INTERFACE FF_EMBREE_MAJOR=${FFSTUDY_EMBREE_MAJOR})
 find_package(fmt 9 REQUIRED)
 find_package(hwy 1.0 REQUIRED)
 find_package(CLI11 2 REQUIRED)

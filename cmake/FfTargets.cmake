@@ -26,17 +26,32 @@ if(FFSTUDY_SANITIZE)
   target_link_options(ff_settings INTERFACE -fsanitize=${FFSTUDY_SANITIZE})
 endif()
 
+# What is for use reads files of strangers: buffers and the stack are watched, and what the loader fills in is read-only
+# once it has. Decides no result; the hot loops write to no array on the stack. tests/cli/hardened looks at the program.
+if(FFSTUDY_SANITIZE)
+  set(hardened 0)
+else()
+  set(hardened $<CONFIG:Release>)
+endif()
+target_compile_options(ff_settings INTERFACE
+  $<${hardened}:-U_FORTIFY_SOURCE> $<${hardened}:-D_FORTIFY_SOURCE=2> $<${hardened}:-fstack-protector-strong>
+  $<${hardened}:-fPIE>)
+target_link_options(ff_settings INTERFACE
+  $<${hardened}:-pie> $<${hardened}:LINKER:-z,relro> $<${hardened}:LINKER:-z,now>)
+
 # ff_library(core SOURCES a.cpp b.cpp LINKS fmt::fmt PRIVATE_LINKS embree)
 #
-# One folder, one library: core/ -> target ff_core, alias ff::core, include "core/...".
+# One folder, one library: core/ -> target ff_core, alias ff::core, include "core/...", installed as <ffstudy/core/...>.
 function(ff_library name)
   cmake_parse_arguments(ARG "" "" "SOURCES;LINKS;PRIVATE_LINKS" ${ARGN})
-  add_library(ff_${name} STATIC ${ARG_SOURCES})
+  add_library(ff_${name} ${ARG_SOURCES})
   add_library(ff::${name} ALIAS ff_${name})
   target_include_directories(ff_${name} PUBLIC
-    $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}> $<INSTALL_INTERFACE:include/ffstudy>)
+    $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
   target_link_libraries(ff_${name} PUBLIC ${ARG_LINKS} PRIVATE $<BUILD_INTERFACE:ff_settings> ${ARG_PRIVATE_LINKS})
   target_compile_features(ff_${name} PUBLIC cxx_std_20)
   target_compile_definitions(ff_${name} PUBLIC FF_CONTRACTS=$<BOOL:${FFSTUDY_CONTRACTS}>)
-  set_target_properties(ff_${name} PROPERTIES EXPORT_NAME ${name})
+  # Until 1.0 each minor version may change the interface.
+  set_target_properties(ff_${name} PROPERTIES EXPORT_NAME ${name} OUTPUT_NAME ffstudy_${name}
+    VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
 endfunction()

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/contract.hpp"
-#include "core/error.hpp"
+#include "core/support/contract.hpp"
+#include "core/support/error.hpp"
 #include "samplers/sampler.hpp"
 
 #include <memory>

@@ -1,7 +1,7 @@
 #include "samplers/gauss_legendre.hpp"
 
-#include "core/contract.hpp"
-#include "core/error.hpp"
+#include "core/support/contract.hpp"
+#include "core/support/error.hpp"
 
 #include <boost/math/special_functions/legendre.hpp>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/points.hpp"
+#include "core/points/points.hpp"
 
 namespace ff::samplers {
 

@@ -1,6 +1,6 @@
 #include "samplers/random_mt.hpp"
 
-#include "core/contract.hpp"
+#include "core/support/contract.hpp"
 
 #include <boost/random/mersenne_twister.hpp>
 #include <boost/random/seed_seq.hpp>

@@ -1,6 +1,6 @@
 #include "samplers/size_ladder.hpp"
 
-#include "core/contract.hpp"
+#include "core/support/contract.hpp"
 #include "samplers/sizes.hpp"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "samplers/sizes.hpp"
 
-#include "core/contract.hpp"
+#include "core/support/contract.hpp"
 #include "samplers/sampler.hpp"
 
 #include <algorithm>

@@ -31,13 +31,12 @@ packages_of() {
     done
 }
 
-# missing_of PACKAGE...: those that are not installed. Some builds of nodejs bring npm along, and conflict with its package.
+# missing_of PACKAGE...: those that are not installed.
 missing_of() {
     local package installed
     installed=$(dpkg-query --show --showformat='${db:Status-Status} ${Package}\n' "$@" 2>/dev/null) || true
     for package in "$@"; do
-        grep -Fqx "installed $package" <<<"$installed" ||
-            { [ "$package" = npm ] && command -v npm >/dev/null; } || echo "$package"
+        grep -Fqx "installed $package" <<<"$installed" || echo "$package"
     done
 }
 
@@ -73,14 +72,30 @@ install_packages() {
         return 1
     fi
 
-    begin "installing ${missing[*]}"
-    local get=(env DEBIAN_FRONTEND=noninteractive apt-get --quiet --quiet --yes)
-    local install=("${get[@]}" install --no-install-recommends "${missing[@]}")
-    if [ "$(apt-cache show --no-all-versions "${missing[@]}" 2>/dev/null | grep -c '^Package:')" -eq ${#missing[@]} ] &&
-        quietly as_root "${install[@]}"; then
-        return 0
-    fi
+    begin "installing ${#missing[@]} packages and what they need (takes minutes when many are missing): ${missing[*]}"
+    local get=(env DEBIAN_FRONTEND=noninteractive apt-get --quiet --quiet --yes -o DPkg::Lock::Timeout=120 -o Acquire::Retries=3)
+    if finish_installations && listed "${missing[@]}" && install_listed; then return 0; fi
     # The package lists are absent or older than the archive.
-    quietly as_root "${get[@]}" update
-    quietly as_root "${install[@]}"
+    finish_installations && quietly as_root "${get[@]}" update && install_listed || {
+        echo "Packages could not be installed: see above. Where the network failed, run this again: it continues" >&2
+        echo "where it stopped. Where a package is broken, mend it with these, as root, and run this again:" >&2
+        echo "dpkg --configure -a && apt-get --fix-broken install" >&2
+        return 1
+    }
+}
+
+# The next two are parts of install_packages, and use its variables.
+
+# finish_installations: what a killed apt-get left half-installed would fail every later one.
+finish_installations() {
+    [ -n "$(dpkg --audit)" ] || [ -n "$(ls -A /var/lib/dpkg/updates)" ] || return 0
+    echo "   finishing an interrupted installation" >&2
+    quietly as_root env DEBIAN_FRONTEND=noninteractive dpkg --configure -a || true
+    quietly as_root "${get[@]}" --fix-broken install
+}
+install_listed() { quietly as_root "${get[@]}" install --no-install-recommends "${missing[@]}"; }
+
+# listed PACKAGE...: whether apt-get knows all of them.
+listed() {
+    [ "$(apt-cache show --no-all-versions "$@" 2>/dev/null | grep -c '^Package:')" -eq $# ]
 }

@@ -1,6 +1,6 @@
 #include "stats/bias_test.hpp"
 
-#include "core/contract.hpp"
+#include "core/support/contract.hpp"
 #include "stats/distributions.hpp"
 #include "stats/mean_interval.hpp"
 

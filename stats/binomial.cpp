@@ -1,12 +1,13 @@
 #include "stats/binomial.hpp"
 
-#include "core/contract.hpp"
+#include "core/support/contract.hpp"
 #include "stats/distributions.hpp"
 
 #include <boost/math/distributions/binomial.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
 
 namespace ff::stats {
 namespace {
@@ -25,17 +26,46 @@ Interval interval(double low, double high, double level, const char* method, Pro
     return {.low = low, .high = high, .level = level, .method = method, .n = counts.trials};
 }
 
+/// @param p_of  falls from above `tail` at `from` to below it at `to`
+template <class F>
+double bisect(double from, double to, double tail, const F& p_of) {
+    while (true) {
+        const double middle = from + (to - from) / 2;
+        if (middle == from || middle == to) return to;
+        (p_of(middle) > tail ? from : to) = middle;
+    }
+}
+
+// Boost's iterations give up on some counts from 1e12 on.
+
+double lower_bound(Proportion counts, double tail) {
+    if (counts.hits == 0) return 0;
+    try {
+        return Binomial::find_lower_bound_on_p(static_cast<double>(counts.trials), static_cast<double>(counts.hits),
+                                               tail, Binomial::clopper_pearson_exact_interval);
+    } catch (const std::exception&) {
+        return bisect(share(counts), 0, tail, [&](double p) { return binomial_upper_p(counts, p); });
+    }
+}
+
+double upper_bound(Proportion counts, double tail) {
+    if (counts.hits == counts.trials) return 1;
+    try {
+        return Binomial::find_upper_bound_on_p(static_cast<double>(counts.trials), static_cast<double>(counts.hits),
+                                               tail, Binomial::clopper_pearson_exact_interval);
+    } catch (const std::exception&) {
+        return bisect(share(counts), 1, tail, [&](double p) { return binomial_lower_p(counts, p); });
+    }
+}
+
 }  // namespace
 
 Interval clopper_pearson_interval(Proportion counts, double level) {
     expect_valid(counts);
     FF_EXPECT(0 < level && level < 1);
-    const double trials = static_cast<double>(counts.trials);
-    const double hits = static_cast<double>(counts.hits);
     const double tail = (1 - level) / 2;
-    const auto exact = Binomial::clopper_pearson_exact_interval;
-    const double low = counts.hits == 0 ? 0 : Binomial::find_lower_bound_on_p(trials, hits, tail, exact);
-    const double high = counts.hits == counts.trials ? 1 : Binomial::find_upper_bound_on_p(trials, hits, tail, exact);
+    const double low = lower_bound(counts, tail);
+    const double high = upper_bound(counts, tail);
     return interval(low, high, level, "clopper_pearson", counts);
 }
 

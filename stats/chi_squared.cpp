@@ -1,6 +1,6 @@
 #include "stats/chi_squared.hpp"
 
-#include "core/contract.hpp"
+#include "core/support/contract.hpp"
 #include "stats/distributions.hpp"
 
 #include <Eigen/Eigenvalues>
@@ -44,12 +44,6 @@ std::vector<Cell> pool(std::vector<Cell> cells, double least) {
 }
 
 }  // namespace
-
-std::optional<ChiSquared> combine_scores(std::span<const double> scores) {
-    if (scores.empty()) return std::nullopt;
-    const double statistic = std::inner_product(scores.begin(), scores.end(), scores.begin(), 0.0);
-    return judged(statistic, scores.size());
-}
 
 std::optional<QuadraticForm> combine_deviations(std::span<const double> deviations, const Eigen::MatrixXd& covariance,
                                                 double tolerance) {

@@ -15,9 +15,6 @@ struct ChiSquared {
     double p = 0;  ///< P(X >= statistic)
 };
 
-/// Sum of squares of independent standard normal scores, e.g. of a printed table. Empty without scores.
-std::optional<ChiSquared> combine_scores(std::span<const double> scores);
-
 /// d' C^+ d for correlated deviations d with known covariance C. Degrees of freedom are C's rank, counted over
 /// eigenvalues of its correlation matrix above `tolerance`; entries of zero variance are left out.
 struct QuadraticForm {

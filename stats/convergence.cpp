@@ -1,6 +1,6 @@
 #include "stats/convergence.hpp"
 
-#include "core/contract.hpp"
+#include "core/support/contract.hpp"
 #include "stats/distributions.hpp"
 #include "stats/moments.hpp"
 #include "stats/quantiles.hpp"

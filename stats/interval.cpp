@@ -1,6 +1,6 @@
 #include "stats/interval.hpp"
 
-#include "core/contract.hpp"
+#include "core/support/contract.hpp"
 
 #include <cmath>
 

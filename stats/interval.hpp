@@ -5,6 +5,18 @@
 
 namespace ff::stats {
 
+/// The highest level that may be asked for. Shared among the tests of a study what remains is still far above the
+/// rounding of 1 - level.
+inline constexpr double largest_level = 1 - 1e-9;
+
+/// Whether intervals of this level are right more often than not, but not always. False for NaN.
+constexpr bool is_level(double level) {
+    return level > 0.5 && level <= largest_level;
+}
+
+/// Replicates from which an interval by their spread holds its level well [lecuyer2023]; with fewer nothing is judged.
+inline constexpr std::size_t fewest_replicates = 5;
+
 /// A confidence interval that says where it comes from.
 struct Interval {
     double low = 0;

@@ -1,6 +1,6 @@
 #include "stats/kolmogorov.hpp"
 
-#include "core/contract.hpp"
+#include "core/support/contract.hpp"
 #include "stats/quantiles.hpp"
 
 #include <Eigen/Core>

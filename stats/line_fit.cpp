@@ -1,6 +1,6 @@
 #include "stats/line_fit.hpp"
 
-#include "core/contract.hpp"
+#include "core/support/contract.hpp"
 #include "stats/distributions.hpp"
 
 #include <cmath>
@@ -49,15 +49,6 @@ std::optional<LineFit> fit_line(std::span<const double> x, std::span<const doubl
 Interval slope_interval_normal(const LineFit& fit, double level) {
     const double half = normal_critical((1 - level) / 2) * std::sqrt(fit.variance_slope);
     return {.low = fit.slope - half, .high = fit.slope + half, .level = level, .method = "wls_normal", .n = fit.points};
-}
-
-std::optional<Interval> slope_interval_t(const LineFit& fit, double level) {
-    if (fit.freedom == 0) return std::nullopt;
-    const double freedom = static_cast<double>(fit.freedom);
-    const double half =
-        student_critical(freedom, (1 - level) / 2) * std::sqrt(fit.variance_slope * fit.chi_squared / freedom);
-    return Interval{
-        .low = fit.slope - half, .high = fit.slope + half, .level = level, .method = "wls_t", .n = fit.points};
 }
 
 }  // namespace ff::stats

@@ -27,8 +27,4 @@ std::optional<LineFit> fit_line(std::span<const double> x, std::span<const doubl
 
 /// slope +- z sd: trusts the known variances.
 Interval slope_interval_normal(const LineFit& fit, double level);
-/// Scales the variances by chi_squared / freedom and uses Student's t: trusts only their proportions. Empty for two
-/// points.
-std::optional<Interval> slope_interval_t(const LineFit& fit, double level);
-
 }  // namespace ff::stats

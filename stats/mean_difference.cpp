@@ -1,6 +1,6 @@
 #include "stats/mean_difference.hpp"
 
-#include "core/contract.hpp"
+#include "core/support/contract.hpp"
 #include "stats/distributions.hpp"
 
 #include <cmath>

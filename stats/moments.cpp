@@ -1,6 +1,6 @@
 #include "stats/moments.hpp"
 
-#include "core/contract.hpp"
+#include "core/support/contract.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "stats/multiplicity.hpp"
 
-#include "core/contract.hpp"
+#include "core/support/contract.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -19,12 +19,6 @@ std::vector<std::size_t> ascending_order(std::span<const double> p) {
 
 }  // namespace
 
-std::vector<double> bonferroni(std::span<const double> p) {
-    std::vector<double> adjusted(p.begin(), p.end());
-    for (double& value : adjusted) value = std::min(1.0, value * static_cast<double>(p.size()));
-    return adjusted;
-}
-
 std::vector<double> holm(std::span<const double> p) {
     std::vector<double> adjusted(p.size());
     double largest = 0;
@@ -39,18 +33,6 @@ std::vector<double> holm(std::span<const double> p) {
 std::vector<double> sidak(std::span<const double> p) {
     std::vector<double> adjusted(p.begin(), p.end());
     for (double& value : adjusted) value = -std::expm1(static_cast<double>(p.size()) * std::log1p(-value));
-    return adjusted;
-}
-
-std::vector<double> benjamini_hochberg(std::span<const double> p) {
-    std::vector<double> adjusted(p.size());
-    const std::vector<std::size_t> order = ascending_order(p);
-    double smallest = 1;
-    for (std::size_t rank = p.size(); rank > 0; --rank) {
-        const std::size_t i = order[rank - 1];
-        smallest = std::min(smallest, p[i] * static_cast<double>(p.size()) / static_cast<double>(rank));
-        adjusted[i] = smallest;
-    }
     return adjusted;
 }
 

@@ -8,16 +8,11 @@ namespace ff::stats {
 
 /// Adjusted p-values, in the order given, each at most 1: reject those at most alpha. @pre all p in [0, 1]
 
-/// Family-wise error rate, any dependence.
-std::vector<double> bonferroni(std::span<const double> p);
 /// Family-wise error rate, any dependence, never less powerful than Bonferroni. For gates. @see [holm1979]
 std::vector<double> holm(std::span<const double> p);
 /// Family-wise error rate for independent (or positively dependent two-sided normal) tests; 1 - (1-p)^m without
 /// cancellation for small p. @see [sidak1967]
 std::vector<double> sidak(std::span<const double> p);
-/// False discovery rate; for exploring. @see [benjamini1995]
-std::vector<double> benjamini_hochberg(std::span<const double> p);
-
 /// The level of each of `tests` that gives the family `alpha`: 1 - (1 - alpha)^(1/tests). @pre tests >= 1
 double sidak_level(double alpha, std::size_t tests);
 /// alpha / tests.

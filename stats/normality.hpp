@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/stream.hpp"
+#include "core/points/stream.hpp"
 
 #include <optional>
 #include <span>

@@ -1,6 +1,6 @@
 #include "stats/power.hpp"
 
-#include "core/contract.hpp"
+#include "core/support/contract.hpp"
 #include "stats/distributions.hpp"
 
 #include <boost/math/quadrature/gauss_kronrod.hpp>
@@ -104,13 +104,6 @@ double minimum_detectable_bias(double sigma, std::size_t trials, Risks risks) {
     const double critical = student_critical(freedom, risks.alpha / 2);
     const double shift = reach(risks.power, [&](double x) { return rejection_probability(x, freedom, critical); });
     return shift * sigma / std::sqrt(static_cast<double>(trials));
-}
-
-std::size_t trials_for_bias(double bias, double sigma, Risks risks) {
-    FF_EXPECT(bias > 0);
-    expect_valid(risks);
-    return least_trials(
-        [&](std::size_t trials) { return bias_test_power(bias, sigma, trials, risks.alpha) >= risks.power; });
 }
 
 double equivalence_power(double margin, double bias, double sigma, std::size_t trials, double alpha) {

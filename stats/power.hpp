@@ -20,9 +20,6 @@ double bias_test_power(double bias, double sigma, std::size_t trials, double alp
 /// @param risks  alpha of this one test: for a family of pairs, sidak_level(alpha, pairs)
 double minimum_detectable_bias(double sigma, std::size_t trials, Risks risks);
 
-/// Trials with which minimum_detectable_bias is at most `bias`. At least 2. @pre bias > 0, sigma > 0
-std::size_t trials_for_bias(double bias, double sigma, Risks risks);
-
 /// Probability that two one-sided t tests at `alpha` find |bias| < margin, exact for normal data.
 double equivalence_power(double margin, double bias, double sigma, std::size_t trials, double alpha);
 

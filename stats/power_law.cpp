@@ -1,6 +1,6 @@
 #include "stats/power_law.hpp"
 
-#include "core/contract.hpp"
+#include "core/support/contract.hpp"
 #include "stats/line_fit.hpp"
 
 #include <algorithm>

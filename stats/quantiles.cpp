@@ -1,6 +1,6 @@
 #include "stats/quantiles.hpp"
 
-#include "core/contract.hpp"
+#include "core/support/contract.hpp"
 #include "stats/binomial.hpp"
 
 #include <algorithm>

@@ -4,14 +4,22 @@
 
 #include <boost/math/special_functions/gamma.hpp>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <limits>
+#include <map>
 #include <numbers>
+#include <string>
 #include <unordered_map>
 #include <vector>
 
 namespace ff::stats {
 namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// Spacing of the lattice that ascending distinct values lie on; 0 where they lie on none.
 double find_spacing(const std::vector<double>& distinct) {
@@ -19,8 +27,10 @@ double find_spacing(const std::vector<double>& distinct) {
     for (std::size_t i = 1; i < distinct.size(); ++i) gaps.push_back(distinct[i] - distinct[i - 1]);
     if (gaps.empty()) return 0;
     const double least = *std::min_element(gaps.begin(), gaps.end());
-    // Values of a lattice are dense enough that some are neighbours, or nearly so; rounding is far below this.
-    const double none = least / 50;
+    // Values of a lattice are dense enough that some are neighbours, or nearly so. Rounding, be it to single precision,
+    // is below this.
+    const double largest = std::max(std::abs(distinct.front()), std::abs(distinct.back()));
+    const double none = std::min(least / 50, largest * 0x1p-22);
     double spacing = least;
     for (double gap : gaps) {
         while (gap > none) {
@@ -50,28 +60,86 @@ double expected_repeats(double n, double crowding) {
     return n / crowding * sum * (2 * reach / steps);
 }
 
+/// How often a value occurs, and where first.
+struct Occurrences {
+    std::size_t count = 0;
+    std::size_t first = 0;
+    std::size_t second = 0;
+};
+
+/// So few sites lie between the least and the largest value that any number of values fills them: counts of rare events
+/// and values that are one of a few. That they repeat says nothing.
+bool is_coarse(const std::vector<double>& distinct, double spacing) {
+    if (distinct.size() < 3) return true;
+    const double sites = spacing > 0 ? (distinct.back() - distinct.front()) / spacing + 1 : infinity;
+    return sites <= 1.25 * static_cast<double>(distinct.size());
+}
+
+/// Spacing of printed values over their power of ten, by the one with most digits: 1e-3 for four digits, 0 for values
+/// with all of theirs.
+double relative_grain(const std::vector<double>& distinct) {
+    std::size_t digits = 1;
+    for (const double value : distinct) {
+        std::string text = fmt::format("{}", std::abs(value));  // shortest that reads back
+        text.resize(std::min(text.find('e'), text.size()));
+        std::erase(text, '.');
+        const auto first = text.find_first_of("123456789");
+        if (first != std::string::npos) digits = std::max(digits, text.find_last_not_of('0') - first + 1);
+    }
+    constexpr std::size_t all_digits = 15;
+    return digits < all_digits ? std::pow(10.0, 1 - static_cast<double>(digits)) : 0;
+}
+
+/// Of values whose density hardly changes from site to site, as many fall on a value's own site as on each of those
+/// beside it.
+double repeats_by_neighbours(const std::map<double, Occurrences>& values, double spacing, double grain) {
+    double pairs = 0;
+    for (auto value = values.begin(); value != values.end(); ++value) {
+        const double size = std::abs(value->first);
+        const double own = grain * std::pow(10.0, std::floor(std::log10(size)));
+        const double near = 1.5 * std::max(spacing, own);
+        for (auto next = std::next(value); next != values.end() && next->first - value->first <= near; ++next)
+            pairs += static_cast<double>(value->second.count) * static_cast<double>(next->second.count);
+    }
+    return pairs / 2;  // on either side of it
+}
+
 }  // namespace
 
 std::optional<Repeats> find_repeats(std::span<const double> values) {
-    Repeats found;
-    std::unordered_map<double, std::size_t> seen;
+    std::map<double, Occurrences> seen;
     for (std::size_t i = 0; i < values.size(); ++i) {
-        const auto [place, is_new] = seen.emplace(values[i], i);
-        if (is_new) continue;
-        if (found.repeats++ > 0) continue;
-        found.earlier = place->second;
-        found.later = i;
+        Occurrences& here = seen[values[i] + 0.0];  // -0 is 0
+        if (here.count++ == 0) here.first = i;
+        if (here.count == 2) here.second = i;
+    }
+    std::vector<double> distinct;
+    for (const auto& [value, here] : seen) distinct.push_back(value);
+    const double spacing = find_spacing(distinct);
+    if (is_coarse(distinct, spacing)) return std::nullopt;
+
+    Repeats found;
+    std::map<double, Occurrences> inner;
+    for (const auto& [value, here] : seen) {
+        if (value == distinct.front() || value == distinct.back() || value == 0) continue;
+        inner.emplace(value, here);
+        found.repeats += here.count - 1;
+        if (here.count == 1 || (found.later > 0 && here.second > found.later)) continue;
+        found.earlier = here.first;
+        found.later = here.second;
     }
     if (found.repeats == 0) return std::nullopt;
-    std::vector<double> distinct;
-    for (const auto& [value, index] : seen) distinct.push_back(value);
-    std::sort(distinct.begin(), distinct.end());
     const auto n = static_cast<double>(values.size());
-    if (distinct.size() > 1) {
-        const double sigma = *moments_of(values).standard_deviation();
-        found.expected = expected_repeats(n, n * find_spacing(distinct) / sigma);
-    }
-    found.p = found.expected == 0 ? 0 : boost::math::gamma_p(static_cast<double>(found.repeats), found.expected);
+    const double grain = relative_grain(distinct);
+    const double normal =
+        distinct.size() > 1 ? expected_repeats(n, n * spacing / *moments_of(values).standard_deviation()) : 0;
+    const double nearby = repeats_by_neighbours(inner, spacing, grain);
+    found.expected = normal > 0 ? normal : nearby;
+    if (spacing == 0 && grain == 0) return found;  // p = 0
+    constexpr double uneven = 1.3;                 // what a steep density adds on its highest sites
+    const auto repeats = static_cast<double>(found.repeats);
+    found.p = std::max(normal > 0 ? boost::math::gamma_p(repeats, normal) : 0,
+                       boost::math::gamma_p(repeats, uneven * (nearby + 1)));
     return found;
 }
 

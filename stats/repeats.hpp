@@ -15,10 +15,12 @@ struct Repeats {
     std::size_t later = 0;    ///< ... and of where it does
 };
 
-/// Counts repeated values and says whether chance explains them. Estimates that are counted, or printed with few
-/// digits, lie on a lattice and coincide now and then: the spacing is the greatest common divisor of the gaps, and the
-/// expected number that of a normal distribution on it (Poisson, on the safe side). Values without a lattice never
-/// coincide by chance. Empty without a repeat.
+/// Counts repeated values and says whether chance explains them. The least value, the largest and 0 do not count:
+/// estimates are cut off there, or hit nothing. Values that are counted, or printed with few digits, lie on a lattice
+/// and coincide now and then; chance is asked twice, and the better explanation holds: a normal distribution on the
+/// lattice, whose spacing is the greatest common divisor of the gaps, and the neighbours, since where values crowd, the
+/// sites beside them fill too. Where the sites are few enough to be filled, repeats say nothing. Values without a
+/// lattice never coincide by chance. Empty without a repeat, and where they say nothing.
 std::optional<Repeats> find_repeats(std::span<const double> values);
 
 /// The period after which the whole series repeats itself: the least lag <= n/2 at which every value equals that one

@@ -1,6 +1,6 @@
 #include "stats/serial_correlation.hpp"
 
-#include "core/contract.hpp"
+#include "core/support/contract.hpp"
 #include "stats/distributions.hpp"
 #include "stats/moments.hpp"
 
@@ -52,8 +52,9 @@ std::optional<SerialTest> test_serial_correlation(std::span<const double> values
     return test;
 }
 
-double autocorrelation_time(std::span<const double> values) {
+Autocorrelation autocorrelation_of(std::span<const double> values) {
     const std::vector<double> x = centred(values);
+    const auto n = static_cast<double>(x.size());
     const double squares = sum_of_products(x, 0);
     FF_EXPECT(squares > 0);
     double time = -1;
@@ -64,7 +65,12 @@ double autocorrelation_time(std::span<const double> values) {
         least_pair = std::min(least_pair, pair);
         time += 2 * least_pair;
     }
-    return std::max(1.0, time);
+    if (time <= 1) return {.time = 1, .freedom = n};
+    // About the sample's own mean each of some 2 time lags is too small by about time / n. The variance of the mean is
+    // as uncertain as one of n / (3 time) values: sums over a window of twice that many lags, both ways [geyer1992].
+    constexpr double least_left = 0.1;
+    time /= std::max(least_left, 1 - 2 * time / n);
+    return {.time = time, .freedom = n / (3 * time)};
 }
 
 }  // namespace ff::stats

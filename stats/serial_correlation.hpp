@@ -27,9 +27,16 @@ std::optional<SerialTest> test_serial_correlation(std::span<const double> values
 
 inline constexpr std::size_t fewest_for_serial_test = 10;
 
-/// Integrated autocorrelation time 1 + 2 sum r_k: the variance of the mean is this many times that of independent
-/// values, which are worth n / time. Summed while pairs of successive autocorrelations are positive and fall (initial
-/// monotone sequence [geyer1992]). At least 1. @pre values are not all equal
-double autocorrelation_time(std::span<const double> values);
+/// How far a series is from independent values.
+struct Autocorrelation {
+    /// Integrated autocorrelation time 1 + 2 sum r_k: the variance of the mean is this many times that of independent
+    /// values, which are worth n / time. At least 1.
+    double time = 1;
+    double freedom = 0;  ///< of the variance of the mean; n where the time is 1
+};
+
+/// Summed while pairs of successive autocorrelations are positive and fall (initial monotone sequence [geyer1992]), and
+/// corrected for the mean's own share, which hides correlation in short series. @pre values are not all equal
+Autocorrelation autocorrelation_of(std::span<const double> values);
 
 }  // namespace ff::stats

@@ -1,6 +1,6 @@
 #include "stats/tail_index.hpp"
 
-#include "core/contract.hpp"
+#include "core/support/contract.hpp"
 #include "stats/distributions.hpp"
 #include "stats/quantiles.hpp"
 

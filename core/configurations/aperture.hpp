@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/aligned_rectangle.hpp"
+#include "core/geometry/aligned_rectangle.hpp"
 
 namespace ff {
 

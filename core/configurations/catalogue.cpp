@@ -10,7 +10,7 @@
 #include "core/configurations/rectangle_element.hpp"
 #include "core/configurations/scenes.hpp"
 #include "core/configurations/spheres.hpp"
-#include "core/rectangle_formulas.hpp"
+#include "core/formulas/rectangle_formulas.hpp"
 
 #include <fmt/format.h>
 

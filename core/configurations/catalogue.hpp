@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/scene.hpp"
+#include "core/geometry/scene.hpp"
 
 #include <optional>
 #include <span>

@@ -3,9 +3,9 @@
 #include "core/configurations/aperture.hpp"
 #include "core/configurations/nested_cubes.hpp"
 #include "core/configurations/scenes.hpp"
-#include "core/error.hpp"
-#include "core/excerpt.hpp"
-#include "core/rectangle_formulas.hpp"
+#include "core/formulas/rectangle_formulas.hpp"
+#include "core/support/error.hpp"
+#include "core/support/excerpt.hpp"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 #include "core/configurations/nested_cubes.hpp"
 
 #include "core/configurations/parameters.hpp"
-#include "core/rectangle_formulas.hpp"
+#include "core/formulas/rectangle_formulas.hpp"
 
 #include <boost/math/quadrature/gauss.hpp>
 

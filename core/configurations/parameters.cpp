@@ -1,6 +1,6 @@
 #include "core/configurations/parameters.hpp"
 
-#include "core/error.hpp"
+#include "core/support/error.hpp"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 #include "core/configurations/polygons.hpp"
 
 #include "core/configurations/parameters.hpp"
-#include "core/polygon_exchange.hpp"
+#include "core/formulas/polygon_exchange.hpp"
 
 #include <cmath>
 #include <numbers>

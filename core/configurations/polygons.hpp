@@ -2,8 +2,8 @@
 
 namespace ff {
 
-/// Factors between plane polygons by contour integrals (core/polygon_exchange.hpp) in extended precision, within about
-/// 1e-17. Lengths in one unit.
+/// Factors between plane polygons by contour integrals (core/formulas/polygon_exchange.hpp) in extended precision,
+/// within about 1e-17. Lengths in one unit.
 
 /// Between two rectangles that share a whole edge: `from` and `to` are their widths across it, the angle between them
 /// is in radians, strictly between 0 and pi. @see [howell] C-16   @throws UserError for other values

@@ -1,6 +1,6 @@
 #include "core/radiosity/correlated_repair.hpp"
 
-#include "core/contract.hpp"
+#include "core/support/contract.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/QR>
@@ -140,22 +140,37 @@ Balanced balance_correlated(const Eigen::MatrixXd& estimates, const std::vector<
     return result;
 }
 
-Eigen::MatrixXd covariance_of_row(const Eigen::MatrixXd& rows, const Eigen::Array<bool, Eigen::Dynamic, 1>& sight,
+RowScatter scatter_of_row(const Eigen::MatrixXd& rows) {
+    RowScatter row;
+    row.trials = rows.rows();
+    row.mean = rows.colwise().mean();
+    const Eigen::MatrixXd off = rows.rowwise() - row.mean;
+    row.scatter = off.transpose() * off;
+    return row;
+}
+
+RowScatter without(const RowScatter& all, const Eigen::RowVectorXd& trial) {
+    FF_EXPECT(all.trials >= 2);
+    const auto left = static_cast<double>(all.trials - 1);
+    const Eigen::RowVectorXd off = trial - all.mean;
+    return {.trials = all.trials - 1,
+            .mean = all.mean - off / left,
+            .scatter = all.scatter - (left + 1) / left * off.transpose() * off};
+}
+
+Eigen::MatrixXd covariance_of_row(const RowScatter& row, const Eigen::Array<bool, Eigen::Dynamic, 1>& sight,
                                   double floor) {
-    FF_EXPECT(rows.rows() >= 2 && rows.cols() == sight.size() && floor >= 0);
-    const Eigen::RowVectorXd mean = rows.colwise().mean();
-    const Eigen::MatrixXd off = rows.rowwise() - mean;
-    const Eigen::MatrixXd scatter = off.transpose() * off;
-    const auto freedom = static_cast<double>(rows.rows() - 1);
-    Eigen::VectorXd p = mean.transpose();
+    FF_EXPECT(row.trials >= 2 && row.mean.size() == sight.size() && floor >= 0);
+    const auto freedom = static_cast<double>(row.trials - 1);
+    Eigen::VectorXd p = row.mean.transpose();
     for (Eigen::Index j = 0; j < p.size(); ++j) p[j] = sight[j] ? p[j] + floor : 0;
     if (p.sum() > 0) p /= p.sum();
     Eigen::MatrixXd counted = -p * p.transpose();
     counted.diagonal() += p;
     const double trace = counted.trace();
-    if (trace > 0) counted *= scatter.trace() / freedom / trace;
+    if (trace > 0) counted *= row.scatter.trace() / freedom / trace;
     const auto further = static_cast<double>(sight.count());
-    return (scatter + further * counted) / (freedom + further);
+    return (row.scatter + further * counted) / (freedom + further);
 }
 
 }  // namespace ff

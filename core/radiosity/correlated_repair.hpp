@@ -20,11 +20,24 @@ inline constexpr Eigen::Index most_correlated_patches = 24;
 Balanced balance_correlated(const Eigen::MatrixXd& estimates, const std::vector<Eigen::MatrixXd>& covariances,
                             const Eigen::VectorXd& areas, const Sight& sight);
 
+/// Mean and scatter of a row of factors over trials.
+struct RowScatter {
+    Eigen::Index trials = 0;
+    Eigen::RowVectorXd mean;
+    Eigen::MatrixXd scatter;  ///< sum of products of deviations from the mean
+};
+
+/// @param rows trials x targets
+RowScatter scatter_of_row(const Eigen::MatrixXd& rows);
+
+/// The same without one of the trials. @pre at least two
+RowScatter without(const RowScatter& all, const Eigen::RowVectorXd& trial);
+
 /// Covariance of a row of factors over trials, drawn towards that of counted hits (p on the diagonal, minus p p') of
 /// the same total variance as if by `targets` further trials, so that a pair which no trial hit does not pass for
 /// certain.
-/// @param rows trials x targets, at least two @param floor added to the mean factor of pairs with sight: half a hit
-Eigen::MatrixXd covariance_of_row(const Eigen::MatrixXd& rows, const Eigen::Array<bool, Eigen::Dynamic, 1>& sight,
+/// @param row of at least two trials @param floor added to the mean factor of pairs with sight: half a hit
+Eigen::MatrixXd covariance_of_row(const RowScatter& row, const Eigen::Array<bool, Eigen::Dynamic, 1>& sight,
                                   double floor);
 
 }  // namespace ff

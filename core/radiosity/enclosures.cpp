@@ -1,8 +1,8 @@
 #include "core/radiosity/enclosures.hpp"
 
-#include "core/contract.hpp"
-#include "core/exact.hpp"
-#include "core/mirrors.hpp"
+#include "core/exact/exact.hpp"
+#include "core/support/contract.hpp"
+#include "core/visibility/mirrors.hpp"
 
 #include <cmath>
 #include <numbers>

@@ -1,12 +1,13 @@
 #include "core/radiosity/patch_factors.hpp"
 
-#include "core/area_kernel.hpp"
-#include "core/contract.hpp"
-#include "core/facing.hpp"
-#include "core/mirrors.hpp"
-#include "core/occlusion.hpp"
-#include "core/patch_exchange.hpp"
-#include "core/patch_order.hpp"
+#include "core/estimators/area_kernel.hpp"
+#include "core/exact/patch_exchange.hpp"
+#include "core/geometry/placement.hpp"
+#include "core/patches/patch_order.hpp"
+#include "core/support/contract.hpp"
+#include "core/visibility/facing.hpp"
+#include "core/visibility/mirrors.hpp"
+#include "core/visibility/occlusion.hpp"
 
 #include <algorithm>
 #include <memory>
@@ -44,7 +45,7 @@ Eigen::MatrixXd shoot_patch_factors(const Scene& scene, Subdivision subdivision,
     const PatchSequences sequences(scene, subdivision, allocation, samples_per_patch);
     Eigen::MatrixXd factors = Eigen::MatrixXd::Zero(rows.size(), rows.size());
     const auto block = std::make_unique<PointBlock>();
-    RayBatch rays;
+    const Scene where = placed(scene);
     std::vector<Hit> hits;
     for (std::uint32_t surface = 0; surface < scene.surfaces.size(); ++surface) {
         if (!is_of_face(scene.surfaces[surface])) continue;
@@ -56,9 +57,8 @@ Eigen::MatrixXd shoot_patch_factors(const Scene& scene, Subdivision subdivision,
                 block->size =
                     static_cast<std::size_t>(std::min<std::uint64_t>(block_capacity, samples_per_patch - done));
                 points.fill(stream, first + done, *block);
-                generate_rays(scene.surfaces[surface], surface, grid, p, *block, rays);
-                hits.resize(rays.size());
-                tracer.trace(rays, hits);
+                hits.resize(block->size);
+                tracer.find_ends(where.surfaces[surface], surface, grid, p, *block, hits);
                 for (const Hit& hit : hits) {
                     if (hit.surface == no_surface || !hit.received) continue;
                     const Grid of_target = subdivision.of(scene.surfaces[hit.surface]);

@@ -1,11 +1,11 @@
 #pragma once
 
-#include "core/graded_map.hpp"
-#include "core/points.hpp"
+#include "core/estimators/graded_map.hpp"
+#include "core/estimators/ray_shooting.hpp"
+#include "core/geometry/scene.hpp"
+#include "core/points/points.hpp"
 #include "core/radiosity/repair.hpp"
-#include "core/ray_shooting.hpp"
-#include "core/scene.hpp"
-#include "core/tracer.hpp"
+#include "core/tracing/tracer.hpp"
 
 #include <Eigen/Core>
 

@@ -1,6 +1,6 @@
 #include "core/radiosity/properties.hpp"
 
-#include "core/contract.hpp"
+#include "core/support/contract.hpp"
 
 #include <Eigen/LU>
 
@@ -47,10 +47,6 @@ FactorProperties factor_properties(const Eigen::MatrixXd& factors, const Eigen::
     properties.reciprocity_defect = difference.cwiseAbs().maxCoeff();
     properties.spectral_radius = spectral_radius(factors);
     return properties;
-}
-
-SystemProperties system_properties(const RadiositySystem& system) {
-    return solve_with_properties(system).properties;
 }
 
 SolvedSystem solve_with_properties(const RadiositySystem& system) {

@@ -44,8 +44,6 @@ struct SystemProperties {
     double condition = 0;    ///< of G in the 1-norm, estimated from its LU factors; infinity where G is singular
 };
 
-SystemProperties system_properties(const RadiositySystem& system);
-
 struct SolvedSystem {
     SystemProperties properties;
     std::optional<Eigen::VectorXd> exitance;  ///< as `solve_exactly`

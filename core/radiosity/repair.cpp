@@ -1,6 +1,6 @@
 #include "core/radiosity/repair.hpp"
 
-#include "core/contract.hpp"
+#include "core/support/contract.hpp"
 
 #include <Eigen/IterativeLinearSolvers>
 

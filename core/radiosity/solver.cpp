@@ -1,7 +1,7 @@
 #include "core/radiosity/solver.hpp"
 
-#include "core/contract.hpp"
 #include "core/radiosity/iteration.hpp"
+#include "core/support/contract.hpp"
 
 #include <Eigen/LU>
 

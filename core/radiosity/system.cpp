@@ -1,7 +1,7 @@
 #include "core/radiosity/system.hpp"
 
-#include "core/contract.hpp"
-#include "core/error.hpp"
+#include "core/support/contract.hpp"
+#include "core/support/error.hpp"
 
 #include <fmt/format.h>
 

@@ -4,21 +4,12 @@
 file(GLOB sources ${SOURCE}/*.json ${SOURCE}/*.js ${SOURCE}/*.mjs)
 file(COPY ${sources} DESTINATION ${WORK})
 
-file(SHA256 ${SOURCE}/package-lock.json wanted)
-set(installed)
-if(EXISTS ${WORK}/installed)
-  file(READ ${WORK}/installed installed)
-endif()
-if(NOT wanted STREQUAL installed)
-  execute_process(
-    COMMAND ${NPM} ci --ignore-scripts --no-audit --no-fund --fetch-retries=1 --fetch-timeout=60000
-    WORKING_DIRECTORY ${WORK} OUTPUT_VARIABLE said ERROR_VARIABLE said RESULT_VARIABLE failed)
-  if(failed)
-    message(NOTICE "${said}\nnpm cannot install what pictures need: reports will tell them in words. "
-      "Configure and build again when the npm registry can be reached.")
-    return()
-  endif()
-  file(WRITE ${WORK}/installed ${wanted})
+include(${CMAKE_CURRENT_LIST_DIR}/../../cmake/NpmPackages.cmake)
+install_npm_packages(${WORK} ${NODE} failed)
+if(failed)
+  message(NOTICE "${failed} Reports will tell their pictures in words. "
+    "Configure and build again when the npm registry can be reached.")
+  return()
 endif()
 
 file(REMOVE_RECURSE ${OUT})

@@ -1,12 +1,17 @@
 #include "studies/audit/diagnosis.hpp"
 
-#include "core/contract.hpp"
+#include "core/support/contract.hpp"
+#include "core/support/error.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <deque>
 #include <limits>
 #include <optional>
 #include <set>
+#include <span>
 
 namespace ff::studies {
 namespace {
@@ -65,6 +70,16 @@ class HittingSet {
 
     void search(double cost) {
         constexpr double equal = 1e-9;
+        // Some seconds. The search may double with every conflict.
+        constexpr std::uint64_t most_steps = 100'000'000;
+        for (const Conflict& conflict : conflicts_) steps_ += conflict.size();
+        if (steps_ > most_steps) {
+            throw UserError(
+                fmt::format("{} groups of figures contradict themselves (the fewest causes of so many cannot be "
+                            "found). Audit fewer "
+                            "columns at a time, and look whether one run is printed with different values.",
+                            conflicts_.size()));
+        }
         const Rest rest = this->rest();
         if (cost + rest.least_cost > bound_) return;
         if (!rest.narrowest) {
@@ -86,6 +101,7 @@ class HittingSet {
     Blame chosen_;
     Blame excluded_;
     double bound_;
+    std::uint64_t steps_ = 0;
     std::optional<Blame> best_;
 };
 
@@ -116,12 +132,31 @@ std::optional<Diagnosis> cheapest(const ConstraintSystem& system, std::vector<Co
     }
 }
 
+void set(Blame& blame, std::span<const std::size_t> suspects, bool value) {
+    for (const std::size_t s : suspects) blame[s] = value;
+}
+
+/// Blames those of `order` that the contradiction does not need, early ones first, and adds the others to `conflict`:
+/// by halves, so that few of many cost few propagations. @pre it is there without blaming any of them
+void narrow(const ConstraintSystem& system, std::span<const std::size_t> order, Blame& blame, Conflict& conflict) {
+    set(blame, order, true);
+    if (!propagate(system, blame)) return;  // it needs none of them
+    if (order.size() == 1) {
+        blame[order.front()] = false;
+        conflict.push_back(order.front());
+        return;
+    }
+    const auto early = order.first(order.size() / 2);
+    const auto late = order.subspan(order.size() / 2);
+    set(blame, order, false);
+    narrow(system, early, blame, conflict);
+    narrow(system, late, blame, conflict);
+}
+
 }  // namespace
 
 std::vector<std::size_t> find_conflict(const ConstraintSystem& system, const Blame& blame) {
     if (propagate(system, blame)) return {};
-    Blame without = blame;
-    Conflict conflict;
     std::vector<std::size_t> order;
     for (std::size_t s = 0; s < system.suspects.size(); ++s) {
         if (!blame[s]) order.push_back(s);
@@ -129,13 +164,9 @@ std::vector<std::size_t> find_conflict(const ConstraintSystem& system, const Bla
     // Cheap suspects are the weak relations: conflicts without them are smaller and fewer.
     std::stable_sort(order.begin(), order.end(),
                      [&](std::size_t a, std::size_t b) { return system.suspects[a].cost < system.suspects[b].cost; });
-    for (const std::size_t s : order) {
-        without[s] = true;
-        if (propagate(system, without)) {  // needed for the contradiction
-            without[s] = false;
-            conflict.push_back(s);
-        }
-    }
+    Blame without = blame;
+    Conflict conflict;
+    narrow(system, order, without, conflict);
     FF_ENSURE(!conflict.empty());
     return conflict;
 }

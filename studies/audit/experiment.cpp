@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
+#include <utility>
 
 namespace ff::studies {
 namespace {
@@ -27,6 +29,10 @@ class ModelBuilder {
           interpretation_(interpretation),
           z_limit_(z_limit),
           faces_(facts.faces()) {
+        for (const std::size_t f : experiment.figures) {
+            const Figure& figure = tables.figures[f];
+            if (figure.kind == FigureKind::form_factor) values_of_pair_[{figure.from, figure.to}].push_back(f);
+        }
         if (sampled()) {
             model_.distribution =
                 cache.at(facts, experiment.patches_per_face, *experiment.rays_per_face, experiment.completion);
@@ -231,12 +237,13 @@ class ModelBuilder {
             constraint.reference = reference.value / pair(figure).factor;
             constraint.values = widened(constraint.values, reference);
         }
-        if (const auto same = same_print(figure, constraint)) {
-            const Constraint& known = model_.system.constraints[*same];
+        const Print print = print_of(figure, constraint);
+        if (const auto same = constraint_of_print_.find(print); same != constraint_of_print_.end()) {
+            const Constraint& known = model_.system.constraints[same->second];
             Suspect& suspect = model_.system.suspects[*known.suspect];
             suspect.figures.push_back(index);
             suspect.cost += 0.01;  // between equally many causes, the one behind fewer figures
-            link.constraint = *same;
+            link.constraint = same->second;
         } else {
             constraint.suspect = model_.system.suspects.size();
             Suspect suspect{.figures = {index}, .assumption = {}};
@@ -246,34 +253,28 @@ class ModelBuilder {
             }
             model_.system.suspects.push_back(std::move(suspect));
             link.constraint = add_constraint(std::move(constraint));
+            constraint_of_print_.emplace(print, link.constraint);
         }
         model_.links.push_back(link);
     }
 
     /// An error that fits its value as printed is wrong only as a consequence: it was computed from that value.
     [[nodiscard]] bool follows_from_print(const Figure& error, Range percent, double reference) const {
-        return std::any_of(experiment_.figures.begin(), experiment_.figures.end(), [&](std::size_t f) {
+        const auto values = values_of_pair_.find({error.from, error.to});
+        if (values == values_of_pair_.end()) return false;
+        return std::any_of(values->second.begin(), values->second.end(), [&](std::size_t f) {
             const Figure& value = tables_.figures[f];
-            if (value.kind != FigureKind::form_factor || value.from != error.from || value.to != error.to) return false;
             const auto number = parse_printed(value.printed);
             const auto range = number ? printed_range(*number, interpretation_.values) : std::nullopt;
             return range && error_fits(*range, percent, reference);
         });
     }
 
-    /// The constraint of an earlier figure that prints the same quantity with the same digits.
-    [[nodiscard]] std::optional<std::size_t> same_print(const Figure& figure, const Constraint& constraint) const {
-        for (const FigureLink& link : model_.links) {
-            const Figure& other = tables_.figures[link.figure];
-            const Constraint& known = model_.system.constraints[link.constraint];
-            if (other.kind == figure.kind && other.printed == figure.printed &&
-                known.reference == constraint.reference &&
-                known.terms.front().variable == constraint.terms.front().variable &&
-                known.terms.front().factor == constraint.terms.front().factor) {
-                return link.constraint;
-            }
-        }
-        return std::nullopt;
+    /// What is equal for figures that print the same quantity with the same digits.
+    using Print = std::tuple<FigureKind, std::string, double, std::size_t, double>;
+    [[nodiscard]] static Print print_of(const Figure& figure, const Constraint& constraint) {
+        const Term& term = constraint.terms.front();
+        return {figure.kind, figure.printed, constraint.reference, term.variable, term.factor};
     }
 
     const PublishedTables& tables_;
@@ -282,6 +283,8 @@ class ModelBuilder {
     const Interpretation& interpretation_;
     double z_limit_;
     std::size_t faces_;
+    std::map<Print, std::size_t> constraint_of_print_;
+    std::map<std::pair<std::string, std::string>, std::vector<std::size_t>> values_of_pair_;  ///< figures
     ExperimentModel model_;
 };
 

@@ -3,7 +3,7 @@
 #include "studies/audit/constraint_system.hpp"
 #include "studies/audit/printed_number.hpp"
 #include "studies/audit/scene_facts.hpp"
-#include "studies/published.hpp"
+#include "studies/published/published.hpp"
 
 #include <cstddef>
 #include <cstdint>

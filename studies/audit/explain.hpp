@@ -1,6 +1,6 @@
 #pragma once
 
-#include "studies/audit.hpp"
+#include "studies/audit/audit.hpp"
 #include "studies/audit/blame.hpp"
 
 #include <cstddef>

@@ -1,6 +1,6 @@
 #include "studies/audit/hit_counts.hpp"
 
-#include "core/contract.hpp"
+#include "core/support/contract.hpp"
 
 #include <algorithm>
 #include <cmath>

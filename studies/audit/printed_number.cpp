@@ -1,6 +1,6 @@
 #include "studies/audit/printed_number.hpp"
 
-#include "core/contract.hpp"
+#include "core/support/contract.hpp"
 
 #include <fmt/format.h>
 

@@ -4,6 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <map>
+#include <set>
+#include <string_view>
+#include <tuple>
+#include <utility>
 
 namespace ff::studies {
 namespace {
@@ -28,24 +34,43 @@ struct Candidate {
     double value = 0;
 };
 
-/// The value that an error belongs to: same quantity, same experiment, preferably in the same table.
-std::optional<std::size_t> value_of(const PublishedTables& tables, std::size_t error) {
-    const Figure& e = tables.figures[error];
-    std::optional<std::size_t> found;
-    for (std::size_t f = 0; f < tables.figures.size(); ++f) {
-        const Figure& v = tables.figures[f];
-        if (v.kind != FigureKind::form_factor || v.method != e.method || v.from != e.from || v.to != e.to ||
-            v.patches_per_face != e.patches_per_face || v.samples_per_patch != e.samples_per_patch) {
-            continue;
+/// Finds the value that an error belongs to: same quantity, same experiment, preferably in the same table.
+class Values {
+  public:
+    explicit Values(const PublishedTables& tables) : tables_(tables) {
+        for (std::size_t f = 0; f < tables.figures.size(); ++f) {
+            if (tables.figures[f].kind != FigureKind::form_factor) continue;
+            first_.try_emplace(key(tables.figures[f], ""), f);
+            first_.try_emplace(key(tables.figures[f], tables.figures[f].table), f);
         }
-        if (!found || (v.table == e.table && tables.figures[*found].table != e.table)) found = f;
     }
-    return found;
-}
+
+    [[nodiscard]] std::optional<std::size_t> of(std::size_t error) const {
+        const Figure& figure = tables_.figures[error];
+        for (const std::string& table : {figure.table, std::string()}) {
+            const auto found = first_.find(key(figure, table));
+            if (found != first_.end()) return found->second;
+        }
+        return std::nullopt;
+    }
+
+  private:
+    using Key = std::tuple<std::string, std::string, std::string, std::string, std::uint32_t, std::uint64_t>;
+
+    /// @param table  empty for any
+    static Key key(const Figure& figure, const std::string& table) {
+        return {table,     figure.method,           figure.from,
+                figure.to, figure.patches_per_face, figure.samples_per_patch.value_or(0)};
+    }
+
+    const PublishedTables& tables_;
+    std::map<Key, std::size_t> first_;  ///< figure
+};
 
 std::vector<Group> collect_groups(const PublishedTables& tables, const SceneFacts& facts) {
     std::vector<Group> groups;
     if (!facts.exact) return groups;
+    const Values values(tables);
     for (std::size_t f = 0; f < tables.figures.size(); ++f) {
         const Figure& figure = tables.figures[f];
         if (figure.kind != FigureKind::relative_error) continue;
@@ -67,7 +92,7 @@ std::vector<Group> collect_groups(const PublishedTables& tables, const SceneFact
             groups.push_back(std::move(fresh));
             group = groups.end() - 1;
         }
-        if (const auto value = value_of(tables, f)) group->rows.push_back({f, *value});
+        if (const auto value = values.of(f)) group->rows.push_back({f, *value});
     }
     return groups;
 }
@@ -108,12 +133,10 @@ class RowCounter {
     }
     [[nodiscard]] std::vector<Row> different_rows(const std::vector<Row>& rows) const {
         std::vector<Row> different;
+        std::set<std::pair<std::string_view, std::string_view>> seen;
         for (const Row& row : rows) {
-            const bool seen = std::any_of(different.begin(), different.end(), [&](const Row& other) {
-                const auto& f = tables_.figures;
-                return f[other.error].printed == f[row.error].printed && f[other.value].printed == f[row.value].printed;
-            });
-            if (!seen) different.push_back(row);
+            if (seen.emplace(tables_.figures[row.error].printed, tables_.figures[row.value].printed).second)
+                different.push_back(row);
         }
         return different;
     }

@@ -2,7 +2,7 @@
 
 #include "studies/audit/experiment.hpp"
 #include "studies/audit/scene_facts.hpp"
-#include "studies/published.hpp"
+#include "studies/published/published.hpp"
 
 #include <cstddef>
 #include <optional>

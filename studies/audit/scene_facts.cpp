@@ -1,7 +1,7 @@
 #include "studies/audit/scene_facts.hpp"
 
-#include "core/box.hpp"
-#include "core/exact.hpp"
+#include "core/configurations/built_in_scene.hpp"
+#include "core/exact/exact.hpp"
 
 #include <algorithm>
 #include <cmath>

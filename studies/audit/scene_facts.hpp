@@ -1,9 +1,9 @@
 #pragma once
 
-#include "core/pair_class.hpp"
-#include "core/scene.hpp"
-#include "studies/published.hpp"
-#include "studies/sr_distribution.hpp"
+#include "core/geometry/scene.hpp"
+#include "core/visibility/pair_class.hpp"
+#include "studies/published/published.hpp"
+#include "studies/theory/sr_distribution.hpp"
 
 #include <Eigen/Core>
 

@@ -3,7 +3,7 @@
 #include "stats/chi_squared.hpp"
 #include "studies/audit/experiment.hpp"
 #include "studies/audit/hit_counts.hpp"
-#include "studies/published.hpp"
+#include "studies/published/published.hpp"
 
 #include <cstddef>
 #include <cstdint>

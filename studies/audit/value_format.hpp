@@ -1,7 +1,7 @@
 #pragma once
 
 #include "studies/audit/hit_counts.hpp"
-#include "studies/published.hpp"
+#include "studies/published/published.hpp"
 
 #include <string>
 #include <vector>

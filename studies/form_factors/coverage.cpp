@@ -1,9 +1,11 @@
 #include "studies/form_factors/coverage.hpp"
 
-#include "core/box.hpp"
+#include "core/configurations/built_in_scene.hpp"
 #include "core/configurations/catalogue.hpp"
 #include "stats/multiplicity.hpp"
+#include "studies/form_factors/adversarial.hpp"
 #include "studies/form_factors/form_factors.hpp"
+#include "studies/run/parallel.hpp"
 #include "studies/selftest/repetitions.hpp"
 
 #include <fmt/format.h>
@@ -103,11 +105,42 @@ void add_scene(const std::string& name, FormFactorCoverage& coverage) {
          options.level});
 }
 
+/// Tolerances from 1e-3 to 1e-8; a budget ends most of them, and intervals have to hold all the same.
+constexpr std::uint64_t budget = 15'000;
+constexpr std::uint64_t budget_with_rays = 200'000;
+
+void add_adversarial(FormFactorCoverage& coverage) {
+    const FormFactorCoverageOptions& options = coverage.options;
+    stats::Proportion all;
+    for (const Obstacle obstacle : obstacles) {
+        const Repetitions repetitions{options.seed, options.threads};
+        const auto counts = repetitions.count(options.adversarial, name(obstacle), [&](stats::Draws& draws) {
+            const AdversarialScene drawn = draw_adversarial(obstacle, draws);
+            FormFactorRequest request;
+            // Pilots by rays take longest: most tolerances are below what rays can meet.
+            const bool by_rays = obstacle != Obstacle::near_disc && draws.below(16) == 0;
+            request.tolerance = std::pow(10, by_rays ? -3 - 2.9 * draws.uniform() : -6.01 - 2 * draws.uniform());
+            request.max_samples = by_rays ? budget_with_rays : budget;
+            request.level = options.level;
+            request.seed = Seed{draws.below(std::size_t{1} << 31)};
+            const FaceExchange found = find_form_factors(drawn.scene, request).exchange(0, 1);
+            const double room = drawn.exchange_error;
+            const double shrink = options.shrink;
+            return found.value - shrink * (found.value - found.low) - room <= drawn.exchange &&
+                   drawn.exchange <= found.value + shrink * (found.high - found.value) + room;
+        });
+        all.hits += counts.hits;
+        all.trials += counts.trials;
+        coverage.adversarial.rates.push_back({std::string(name(obstacle)), counts, RateClaim::at_least, options.level});
+    }
+    coverage.adversarial.rates.push_back({"all of them", all, RateClaim::at_least, options.level});
+}
+
 }  // namespace
 
 std::size_t FormFactorCoverage::contradictions() const {
     std::size_t count = exact_missed;
-    for (const RateTable* table : {&entries, &matrices}) {
+    for (const RateTable* table : {&entries, &matrices, &adversarial}) {
         count += static_cast<std::size_t>(std::count_if(
             table->rates.begin(), table->rates.end(), [&](const auto& rate) { return !studies::holds(rate, level); }));
     }
@@ -128,7 +161,14 @@ FormFactorCoverage measure_form_factor_coverage(const FormFactorCoverageOptions&
         for (const std::string_view scene : configuration_scene_names()) names.emplace_back(scene);
     }
     for (const std::string& name : names) add_scene(name, coverage);
-    const std::size_t rates = coverage.entries.rates.size() + coverage.matrices.rates.size();
+    coverage.adversarial.title = "Intervals where points could miss something";
+    coverage.adversarial.text =
+        "How often the interval of random scenes holds the exact value: plates and holes of five decades of size and "
+        "distance, near one of the two surfaces, tolerances from 1e-3 to 1e-8. Intervals that allow for what no point "
+        "has met are cautious: rates above the level are meant.";
+    if (options.adversarial > 0) add_adversarial(coverage);
+    const std::size_t rates =
+        coverage.adversarial.rates.size() + coverage.entries.rates.size() + coverage.matrices.rates.size();
     coverage.level = 1 - stats::sidak_level(1 - family_level, std::max<std::size_t>(1, rates));
     return coverage;
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/stream.hpp"
+#include "core/points/stream.hpp"
 #include "studies/selftest/measured_rate.hpp"
 
 #include <cstdint>
@@ -17,6 +17,7 @@ struct FormFactorCoverageOptions {
     double shrink = 1;    ///< factor of the width of every sampled interval: below 1, a control that has to be caught
     unsigned threads = 1;
     std::vector<std::string> scenes;  ///< empty: the whole catalogue
+    std::uint64_t adversarial = 0;    ///< random scenes of each kind of obstacle (adversarial.hpp)
 };
 
 /// How often the intervals of `find_form_factors` hold values that are known.
@@ -24,6 +25,7 @@ struct FormFactorCoverage {
     FormFactorCoverageOptions options;
     RateTable entries;                 ///< of each sampled pair of faces of the catalogue
     RateTable matrices;                ///< of all known pairs of a scene at once, at LevelOf::matrix
+    RateTable adversarial;             ///< of random scenes that points could miss something in, pooled
     double level = 0;                  ///< of the interval of one rate, such that all hold together with 0.95 (Sidak)
     std::size_t exact_pairs = 0;       ///< known pairs whose error has a bound, in all runs
     std::size_t exact_missed = 0;      ///< those whose bound did not hold

@@ -1,12 +1,15 @@
 #include "studies/form_factors/face_pairs.hpp"
 
-#include "core/error.hpp"
-#include "core/facing.hpp"
-#include "studies/selftest/repetitions.hpp"
+#include "core/geometry/placement.hpp"
+#include "core/support/error.hpp"
+#include "core/visibility/facing.hpp"
+#include "studies/run/parallel.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <mutex>
 
 namespace ff::studies {
@@ -55,6 +58,16 @@ std::vector<PairExchange> exchanges_of(const Scene& scene, SceneSight sight, std
     return result;
 }
 
+/// Coordinates of the scene are rounded like the largest of them. That shows where faces are small beside it.
+void add_resolution(const Scene& scene, FacePairs& pairs) {
+    constexpr double noticeable = 1e-9;
+    const double step = 4 * std::numeric_limits<double>::epsilon() * farthest_coordinate(scene);
+    for (FacePair& pair : pairs.pairs) {
+        const double size = std::sqrt(std::min(pairs.areas[pair.from], pairs.areas[pair.to]));
+        if (pair.is_sampled() && step > noticeable * size) pair.resolution = std::min(step, size) * size;
+    }
+}
+
 void expect_few_faces(const Scene& scene) {
     if (scene.faces.size() <= most_faces) return;
     throw UserError(fmt::format("scene '{}': {} faces (a matrix of at most {} is made). Put surfaces into groups.",
@@ -95,6 +108,7 @@ FacePairs examine_pairs(const Scene& scene, const FormFactorRequest& request) {
             pair.most = std::min(result.areas[pair.from], result.areas[pair.to]);
             pair.methods[static_cast<std::size_t>(ExchangeMethod::rays)] = 1;
         }
+        add_resolution(scene, result);
         return result;
     }
     const SceneSight sight = sight_of(scene);
@@ -135,6 +149,7 @@ FacePairs examine_pairs(const Scene& scene, const FormFactorRequest& request) {
                              return sampled.exchange.method == ExchangeMethod::points;
                          });
     }
+    add_resolution(scene, result);
     return result;
 }
 

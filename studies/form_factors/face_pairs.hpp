@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/pair_exchange.hpp"
-#include "core/scene.hpp"
+#include "core/exact/pair_exchange.hpp"
+#include "core/geometry/scene.hpp"
 #include "studies/form_factors/request.hpp"
 
 #include <array>
@@ -10,7 +10,7 @@
 
 namespace ff::studies {
 
-inline constexpr std::size_t exchange_methods = 5;
+inline constexpr std::size_t exchange_methods = 6;
 
 /// Two surfaces whose exchange has to be sampled, and how often it counts.
 struct SampledPair {
@@ -27,9 +27,10 @@ std::size_t pair_index(std::size_t a, std::size_t b, std::size_t faces);
 struct FacePair {
     std::size_t from = 0;  ///< at most `to`
     std::size_t to = 0;
-    double known = 0;                  ///< sum of what is known, in squared units of length
-    double bound = 0;                  ///< that it is off by at most
-    double most = 0;                   ///< the exchange area is not larger: as if nothing stood in between
+    double known = 0;       ///< sum of what is known, in squared units of length
+    double bound = 0;       ///< that it is off by at most
+    double resolution = 0;  ///< what rounding of the scene's largest coordinates may change; 0 where it is little
+    double most = 0;        ///< the exchange area is not larger: as if nothing stood in between
     bool all_unblocked_known = true;   ///< `most` is the unblocked exchange area, not just what a surface can send
     std::vector<SampledPair> sampled;  ///< empty where `everything` is sampled
     bool everything = false;           ///< all pairs of surfaces, too many to list

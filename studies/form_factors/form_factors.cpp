@@ -1,7 +1,8 @@
 #include "studies/form_factors/form_factors.hpp"
 
-#include "core/error.hpp"
-#include "core/joined_surfaces.hpp"
+#include "core/geometry/joined_surfaces.hpp"
+#include "core/geometry/placement.hpp"
+#include "core/support/error.hpp"
 #include "stats/multiplicity.hpp"
 #include "studies/form_factors/repair.hpp"
 #include "studies/form_factors/rounds.hpp"
@@ -10,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace ff::studies {
@@ -79,8 +81,8 @@ FaceExchange exchange_of(const FacePair& pair, const PairEstimate& estimate) {
     } else if (pair.is_sampled()) {
         const Estimate found = estimate_of(*estimate.sum, estimate.level);
         result.value = found.value;
-        result.low = found.value - found.down - pair.bound;
-        result.high = found.value + found.up + pair.bound;
+        result.low = found.value - found.down - pair.bound - pair.resolution;
+        result.high = found.value + found.up + pair.bound + pair.resolution;
         result.method = estimate.by_points ? ExchangeMethod::points : ExchangeMethod::rays;
         result.by_rays_of_row = pair.by_points && !estimate.by_points;
         result.samples = estimate.samples;
@@ -120,9 +122,10 @@ RowTerms row_terms(const FormFactorMatrix& matrix, const FacePairs& geometry,
         if (pair.is_sampled() && estimate.sum && !estimate.contradicted) {
             terms.level = std::max(terms.level, estimate.level);
             terms.sum.offset += estimate.sum->offset;
+            terms.sum.offset_error += estimate.sum->offset_error;
             terms.sum.terms.insert(terms.sum.terms.end(), estimate.sum->terms.begin(), estimate.sum->terms.end());
-            terms.down += pair.bound;
-            terms.up += pair.bound;
+            terms.down += pair.bound + pair.resolution;
+            terms.up += pair.bound + pair.resolution;
         } else {
             terms.sum.offset += exchange.value;
             terms.down += exchange.value - exchange.low;
@@ -134,7 +137,7 @@ RowTerms row_terms(const FormFactorMatrix& matrix, const FacePairs& geometry,
 
 /// A row's sum: independent randomisations add up, bounds do.
 RowSum row_sum(const FormFactorMatrix& matrix, const FacePairs& geometry, const std::vector<PairEstimate>& estimates,
-               std::size_t row, double level) {
+               std::size_t row, double level, double farthest) {
     const RowTerms terms = row_terms(matrix, geometry, estimates, row);
     const double area = matrix.areas[row];
     const auto ends = [&](double at) {
@@ -143,9 +146,21 @@ RowSum row_sum(const FormFactorMatrix& matrix, const FacePairs& geometry, const 
     };
     const auto [low, high] = ends(std::max(level, terms.level));
     const auto [least, most] = ends(1 - false_alarm_of_rows / static_cast<double>(matrix.faces()));
-    constexpr double rounding = 1e-12;
-    return {terms.value / area, std::clamp(low, 0.0, 1.0), std::min(1.0, high),
+    // Coordinates in the file are rounded, and with them the edges of the row's face.
+    const double rounding = std::max(1e-12, 16 * std::numeric_limits<double>::epsilon() * farthest / std::sqrt(area));
+    const double value = terms.value / area;
+    // No true sum is above 1; where the interval is, the scene is not what it should be, and the interval is shown.
+    const double end = low > 1 + rounding ? high : std::min(1.0, high);
+    return {value, std::min(value, std::max(0.0, low)), std::max(value, end),
             least > 1 + rounding || most < 1 - rounding};
+}
+
+/// From the unit that was computed in to the scene's own.
+void scale_areas(FormFactorMatrix& matrix, double unit) {
+    for (double& area : matrix.areas) area *= unit;
+    for (FaceExchange& exchange : matrix.exchanges) {
+        for (double* value : {&exchange.value, &exchange.low, &exchange.high}) *value *= unit;
+    }
 }
 
 }  // namespace
@@ -179,6 +194,18 @@ std::size_t FormFactorMatrix::missed() const {
                                                   [](const FaceExchange& exchange) { return !exchange.within; }));
 }
 
+bool is_trusted(const Scene& scene, const FormFactorMatrix& matrix, double tolerance) {
+    if (!matrix.faults.empty()) return false;
+    if (!scene.closed && !scene.empty_box) return true;
+    return !leaks(matrix, tolerance) &&
+           std::none_of(matrix.rows.begin(), matrix.rows.end(), [](const RowSum& row) { return row.excludes_one; });
+}
+
+bool leaks(const FormFactorMatrix& matrix, double tolerance) {
+    constexpr double share_of_tolerance = 0.01;
+    return static_cast<double>(matrix.lost_rays) > share_of_tolerance * tolerance * static_cast<double>(matrix.rays);
+}
+
 double worst_half_width(const FormFactorMatrix& matrix, const FaceExchange& exchange) {
     return half_width(exchange.value, exchange.low, exchange.high) /
            std::min(matrix.areas[exchange.from], matrix.areas[exchange.to]);
@@ -187,7 +214,8 @@ double worst_half_width(const FormFactorMatrix& matrix, const FaceExchange& exch
 FormFactorMatrix find_form_factors(const Scene& whole_scene, const FormFactorRequest& request) {
     expect_sense(request);
     if (request.repair) expect_repairable(whole_scene);
-    const Scene scene = with_joined_surfaces(whole_scene);
+    const Placement placement = placement_of(whole_scene);
+    const Scene scene = with_joined_surfaces(placed(whole_scene, placement));
     FormFactorMatrix matrix;
     matrix.surfaces = scene.surfaces.size();
     const FacePairs geometry = examine_pairs(scene, request);
@@ -217,9 +245,11 @@ FormFactorMatrix find_form_factors(const Scene& whole_scene, const FormFactorReq
         exchange.within = !exchange.contradicted && worst_half_width(matrix, exchange) <= request.tolerance;
         matrix.exchanges.push_back(exchange);
     }
+    const double farthest = farthest_coordinate(whole_scene) / placement.unit;
     for (std::size_t row = 0; row < matrix.faces(); ++row) {
-        matrix.rows.push_back(row_sum(matrix, geometry, estimates, row, round_level(alpha, 0)));
+        matrix.rows.push_back(row_sum(matrix, geometry, estimates, row, round_level(alpha, 0), farthest));
     }
+    scale_areas(matrix, placement.unit * placement.unit);
     if (request.repair) matrix.repaired = repair(matrix);
     return matrix;
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/scene.hpp"
+#include "core/geometry/scene.hpp"
 #include "studies/form_factors/face_pairs.hpp"
 #include "studies/form_factors/request.hpp"
 
@@ -61,6 +61,9 @@ struct FormFactorMatrix {
     std::uint64_t rays = 0;
     bool interrupted = false;
     std::optional<RepairedFactors> repaired;
+    /// What is wrong with the scene (SceneDoubts::faults): intervals hold for it as it is read, which is not what was
+    /// meant. Found by who has the scene as it was written; not stored.
+    std::vector<std::string> faults;
 
     [[nodiscard]] std::size_t faces() const { return areas.size(); }
     [[nodiscard]] const FaceExchange& exchange(std::size_t a, std::size_t b) const {
@@ -72,11 +75,18 @@ struct FormFactorMatrix {
     [[nodiscard]] std::size_t missed() const;  ///< pairs of faces that are not within the tolerance
 };
 
+/// Whether nothing speaks against the matrix as a whole: no fault of the scene, and of a closed one no row that cannot
+/// add up to 1 and no leak.
+bool is_trusted(const Scene& scene, const FormFactorMatrix& matrix, double tolerance);
+
+/// Whether more rays were lost than a hundredth of the tolerance is.
+bool leaks(const FormFactorMatrix& matrix, double tolerance);
+
 /// The larger half of a pair's interval, as a form factor of its smaller face.
 double worst_half_width(const FormFactorMatrix& matrix, const FaceExchange& exchange);
 
 /// Computes the matrix: exactly where geometry allows it, by sampling elsewhere (docs/form-factors.md). Surfaces of a
-/// face are joined first where they can be (core/joined_surfaces.hpp).
+/// face are joined first where they can be (core/geometry/joined_surfaces.hpp).
 /// @throws UserError
 FormFactorMatrix find_form_factors(const Scene& scene, const FormFactorRequest& request);
 

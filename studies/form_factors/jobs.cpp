@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace ff::studies {
 namespace {
@@ -24,9 +23,12 @@ constexpr double margin = 1.33;
 /// A sequence has at most 2^32 points.
 constexpr double most_points = 0x1p31;
 
-double rate_of(const SampledShare& share, double usual) {
-    if (!is_rare(share)) return usual;
-    return share.met == 0 ? 1 : rate_of_rare;
+/// Of fewer hits.
+constexpr std::uint64_t few = 100;
+
+double rate_of_hits(const SampledShare& share) {
+    if (share.met == 0 || share.met == share.points) return 1;
+    return std::min(share.met, share.points - share.met) < few ? rate_of_rare : rate_of_rays;
 }
 
 }  // namespace
@@ -38,9 +40,10 @@ std::uint64_t size_for(std::uint64_t points, double now, double wanted, double r
     return static_cast<std::uint64_t>(std::min(most_points, static_cast<double>(points) * std::exp2(doublings)));
 }
 
-Job::Job(const Scene& scene, const FacePairs& pairs, std::size_t pair)
+Job::Job(const Scene& scene, const FacePairs& pairs, std::size_t pair, double wanted)
     : scene_(&scene), geometry_(&pairs), pairs_{pair}, point_sums_(randomisations) {
-    for (const SampledPair& sampled : pairs.pairs[pair].sampled) points_.emplace_back(scene, sampled);
+    for (const SampledPair& sampled : pairs.pairs[pair].sampled)
+        points_.emplace_back(scene, sampled, wanted / sampled.times);
     hidden_.assign(points_.size(), false);
     sizes_.assign(points_.size(), least_points);
 }
@@ -56,17 +59,17 @@ Job::Job(const Scene& scene, const FacePairs& pairs, std::size_t from, std::vect
 }
 
 std::uint64_t Job::samples() const {
-    return randomisations * std::accumulate(sizes_.begin(), sizes_.end(), std::uint64_t{0});
+    if (rays_) return randomisations * sizes_.front();
+    double sum = 0;
+    for (std::size_t k = 0; k < points_.size(); ++k) sum += points_[k].evaluations() * static_cast<double>(sizes_[k]);
+    return randomisations * static_cast<std::uint64_t>(sum);
 }
 
 double Job::cost(const std::vector<std::uint64_t>& sizes) const {
     if (rays_) return static_cast<double>(randomisations * sizes.front());
     double sum = 0;
-    const auto& sampled = geometry_->pairs[pairs_.front()].sampled;
     for (std::size_t k = 0; k < sizes.size(); ++k) {
-        // Measured: benchmarks/README.md.
-        const double of_point = 10 + 3 * static_cast<double>(sampled[k].exchange.blockers.size());
-        sum += of_point * static_cast<double>(randomisations * sizes[k]);
+        sum += points_[k].cost() * static_cast<double>(randomisations * sizes[k]);
     }
     return sum;
 }
@@ -96,27 +99,18 @@ void Job::run(const Tracer* tracer, Seed seed, const std::string& round, std::ui
     point_sums_[randomisation] = std::move(sums);
 }
 
-SampledShare Job::point_share(std::size_t k, bool hidden) const {
-    SampledShare share{{}, randomisations * sizes_[k], 0, false};
-    for (const auto& sums : point_sums_) {
-        share.means.push_back(hidden ? sums[k].hidden : sums[k].visible);
-        share.met += hidden ? sums[k].missed : sums[k].saw;
-    }
-    return share;
-}
-
-SampledSum::Term Job::point_term(std::size_t k) const {
+SampledSum Job::point_sum(std::size_t k, bool hidden) const {
     const double times = geometry_->pairs[pairs_.front()].sampled[k].times;
-    return {(hidden_[k] ? -1 : 1) * times * points_[k].source_area(), point_share(k, hidden_[k])};
+    const PointSampling::Side side = points_[k].side(hidden);
+    SampledShare share{{}, randomisations * sizes_[k], side.unmet, false, 0};
+    for (const auto& sums : point_sums_) share.means.push_back(hidden ? sums[k].hidden : sums[k].visible);
+    return {times * side.known.value, {{times * side.sign, std::move(share)}}, times * side.known.error};
 }
 
 void Job::choose_sides() {
     for (std::size_t k = 0; k < points_.size(); ++k) {
-        if (!geometry_->pairs[pairs_.front()].sampled[k].exchange.area) continue;
-        const auto width = [&](bool hidden) {
-            return estimate_of({0, {{1, point_share(k, hidden)}}}, 0.95).half_width();
-        };
-        hidden_[k] = width(true) < width(false);
+        const auto width = [&](bool hidden) { return estimate_of(point_sum(k, hidden), 0.95).half_width(); };
+        hidden_[k] = points_[k].has_sides() && width(true) < width(false);
     }
 }
 
@@ -125,13 +119,15 @@ SampledSum Job::sum(std::size_t pair) const {
     SampledSum sum{faces.known, {}};
     if (!rays_) {
         for (std::size_t k = 0; k < points_.size(); ++k) {
-            if (hidden_[k]) sum.offset += faces.sampled[k].times * faces.sampled[k].exchange.area->value;
-            sum.terms.push_back(point_term(k));
+            SampledSum part = point_sum(k, hidden_[k]);
+            sum.offset += part.offset;
+            sum.offset_error += part.offset_error;
+            sum.terms.push_back(std::move(part.terms.front()));
         }
         return sum;
     }
     const auto t = static_cast<std::size_t>(std::find(pairs_.begin(), pairs_.end(), pair) - pairs_.begin());
-    SampledShare share{{}, randomisations * sizes_.front(), 0, true};
+    SampledShare share{{}, randomisations * sizes_.front(), {}, true, 0};
     for (const RaySampling::Hits& hits : ray_hits_) {
         share.means.push_back(static_cast<double>(hits.hits[t]) / static_cast<double>(sizes_.front()));
         share.met += hits.hits[t];
@@ -143,7 +139,7 @@ SampledSum Job::sum(std::size_t pair) const {
 std::uint64_t Job::rays_for(std::size_t k, double wanted, double level) const {
     const SampledSum sum = this->sum(pairs_[k]);
     const double now = margin * estimate_of(sum, level).half_width();
-    return size_for(sizes_.front(), now, wanted, rate_of(sum.terms.front().share, rate_of_rays));
+    return size_for(sizes_.front(), now, wanted, rate_of_hits(sum.terms.front().share));
 }
 
 std::vector<std::uint64_t> Job::sizes_for(const std::vector<double>& wanted, double level) const {
@@ -153,27 +149,43 @@ std::vector<std::uint64_t> Job::sizes_for(const std::vector<double>& wanted, dou
         return {size};
     }
     // The widest terms are brought down to a common width, and the others are left as they are.
-    std::vector<double> widths;
-    std::vector<double> rates;
-    for (std::size_t k = 0; k < points_.size(); ++k) {
-        const SampledSum::Term term = point_term(k);
-        widths.push_back(margin * estimate_of({0, {term}}, level).half_width());
-        rates.push_back(rate_of(term.share, rate_of_points));
-    }
-    const auto together = [&](double cap) {
-        double squares = 0;
-        double rare = 0;
-        for (std::size_t k = 0; k < widths.size(); ++k) {
-            const double width = std::min(cap, widths[k]);
-            (rates[k] == rate_of_points ? squares : rare) += rates[k] == rate_of_points ? width * width : width;
-        }
-        return std::sqrt(squares) + rare;
+    struct Term {
+        double spread = 0;
+        double scale = 0;
+        Unmet unmet;
+        std::uint64_t size = 0;
+        double unmet_now = 0;
+
+        [[nodiscard]] double width() const { return spread + unmet_now; }
+        void look(double level) { unmet_now = scale * unmet.at(none_of(randomisations * size, level)); }
     };
-    double cap = *std::max_element(widths.begin(), widths.end());
-    for (int step = 0; step < 200 && together(cap) > wanted.front(); ++step) cap *= 0.9;
+    std::vector<Term> terms;
+    for (std::size_t k = 0; k < points_.size(); ++k) {
+        const SampledSum sum = point_sum(k, hidden_[k]);
+        const Estimate now = estimate_of(sum, level);
+        const SampledSum::Term& term = sum.terms.front();
+        terms.push_back(
+            {margin * (now.half_width() - now.unmet), std::abs(term.scale), term.share.unmet, sizes_[k], now.unmet});
+    }
+    const auto is_met = [&] {
+        double squares = 0;
+        double unmet = 0;
+        for (const Term& term : terms) {
+            squares += term.spread * term.spread;
+            unmet = std::max(unmet, term.unmet_now);
+        }
+        return std::sqrt(squares) + unmet <= wanted.front();
+    };
+    while (!is_met()) {
+        Term& widest = *std::max_element(terms.begin(), terms.end(),
+                                         [](const Term& a, const Term& b) { return a.width() < b.width(); });
+        if (static_cast<double>(widest.size) >= most_points) break;
+        widest.size *= 2;
+        widest.spread *= std::exp2(-rate_of_points);
+        widest.look(level);
+    }
     std::vector<std::uint64_t> sizes;
-    for (std::size_t k = 0; k < widths.size(); ++k)
-        sizes.push_back(size_for(sizes_[k], widths[k], std::min(cap, widths[k]), rates[k]));
+    for (const Term& term : terms) sizes.push_back(term.size);
     return sizes;
 }
 

@@ -15,7 +15,8 @@ namespace ff::studies {
 class Job {
   public:
     /// A pair of faces by points on each pair of its surfaces.
-    Job(const Scene& scene, const FacePairs& pairs, std::size_t pair);
+    /// @param wanted  half width that it is to have in the end
+    Job(const Scene& scene, const FacePairs& pairs, std::size_t pair, double wanted);
     /// Pairs of a face with others, all by the rays that leave it.
     Job(const Scene& scene, const FacePairs& pairs, std::size_t from, std::vector<std::size_t> row);
 
@@ -63,8 +64,8 @@ class Job {
     std::vector<std::vector<PointSums>> point_sums_;  ///< [randomisation][pair of surfaces]
     std::vector<RaySampling::Hits> ray_hits_;         ///< [randomisation]
 
-    [[nodiscard]] SampledShare point_share(std::size_t k, bool hidden) const;
-    [[nodiscard]] SampledSum::Term point_term(std::size_t k) const;
+    /// What the k-th pair of surfaces adds.
+    [[nodiscard]] SampledSum point_sum(std::size_t k, bool hidden) const;
 };
 
 /// Points of a randomisation for which the half width falls from `now` to `wanted`.

@@ -48,15 +48,13 @@ RaySampling::Hits RaySampling::run(const Tracer& tracer, StreamKey key, std::uin
     const Stream stream{.key = key, .trial = randomisation, .source = static_cast<std::uint32_t>(from_)};
     const auto block = std::make_unique<PointBlock>();
     const auto part = std::make_unique<PointBlock>();
-    RayBatch batch;
     std::vector<Hit> found(block_capacity);
     std::vector<std::pair<std::uint32_t, std::uint32_t>> order;  // source, point
     Hits result{std::vector<std::uint64_t>(targets_.size()), 0};
 
     const auto shoot = [&](std::uint32_t surface, const PointBlock& points) {
-        generate_rays(scene_->surfaces[surface], surface, undivided, 0, points, batch);
         const std::span<Hit> hits(found.data(), points.size);
-        tracer.trace(batch, hits);
+        tracer.find_ends(scene_->surfaces[surface], surface, undivided, 0, points, hits);
         for (const Hit& hit : hits) {
             if (hit.surface == no_surface) {
                 ++result.lost;

@@ -1,7 +1,7 @@
 #include "studies/form_factors/repair.hpp"
 
-#include "core/error.hpp"
 #include "core/radiosity/repair.hpp"
+#include "core/support/error.hpp"
 
 #include <fmt/format.h>
 

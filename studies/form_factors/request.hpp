@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/stream.hpp"
-#include "core/tracer.hpp"
+#include "core/points/stream.hpp"
+#include "core/tracing/tracer.hpp"
 
 #include <atomic>
 #include <cstddef>

@@ -1,10 +1,10 @@
 #include "studies/form_factors/rounds.hpp"
 
-#include "core/error.hpp"
-#include "core/tracer.hpp"
+#include "core/support/error.hpp"
+#include "core/tracing/tracer.hpp"
 #include "stats/multiplicity.hpp"
 #include "studies/form_factors/choice.hpp"
-#include "studies/selftest/repetitions.hpp"
+#include "studies/run/parallel.hpp"
 
 #include <fmt/format.h>
 
@@ -88,7 +88,7 @@ class Rounds {
         for (std::size_t pair = 0; pair < geometry_.pairs.size(); ++pair) {
             const FacePair& faces = geometry_.pairs[pair];
             if (!faces.is_sampled()) continue;
-            if (faces.by_points) work_.push_back({Job(scene_, geometry_, pair)});
+            if (faces.by_points) work_.push_back({Job(scene_, geometry_, pair, aim_.wanted(pair))});
             if (!faces.by_points || rays_are_exact_enough) rows[aim_.owner(pair)].push_back(pair);
         }
         add_rays(rows);

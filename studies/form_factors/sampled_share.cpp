@@ -1,6 +1,5 @@
 #include "studies/form_factors/sampled_share.hpp"
 
-#include "stats/binomial.hpp"
 #include "stats/mean_interval.hpp"
 #include "stats/moments.hpp"
 
@@ -10,61 +9,36 @@
 namespace ff::studies {
 namespace {
 
-/// Of fewer, counts are too skewed for means of 16 to be nearly normal.
-constexpr std::uint64_t few = 100;
-
 /// Student's half width; 0 for equal means.
 double student_half_width(const std::vector<double>& means, double level) {
     const auto interval = stats::mean_interval_t(stats::moments_of(means), level);
     return interval ? interval->width() / 2 : 0;
 }
 
-/// What a rare share may be off by: down and up.
-Estimate rare_widths(const SampledShare& share, double level) {
-    const double mean = *stats::moments_of(share.means).mean();
-    const double student = student_half_width(share.means, level);
-    const bool nearly_all = share.hits && share.points - share.met < few;
-    if (share.met < few || nearly_all) {
-        const auto met = stats::clopper_pearson_interval({.hits = share.met, .trials = share.points}, level);
-        // A point that meets something counts for 1 at most; one that has met less may not have met the most.
-        const double low = share.hits ? met.low : 0;
-        return {mean, std::max(student, mean - low), std::max(student, met.high - mean)};
-    }
-    // All means equal: what some unseen points may add, and no less than what one randomisation resolves.
-    const double unseen = stats::clopper_pearson_interval({.hits = 0, .trials = share.points}, level).high;
-    const double resolved = static_cast<double>(share.means.size()) / static_cast<double>(share.points);
-    const double width = share.hits ? std::max(unseen, resolved) : unseen;
-    return {mean, width, width};
-}
-
 }  // namespace
 
-bool is_rare(const SampledShare& share) {
-    const stats::Moments moments = stats::moments_of(share.means);
-    // Means of equal values differ by rounding.
-    const bool all_equal = *moments.standard_deviation() <= 1e-14 * *moments.mean();
-    return share.met < few || (share.hits && share.points - share.met < few) || all_equal;
+double none_of(std::uint64_t points, double level) {
+    return -std::expm1(std::log((1 - level) / 2) / static_cast<double>(points));
+}
+
+double Unmet::at(double p) const {
+    return std::max(rough * p, smooth * std::pow(p, power));
 }
 
 Estimate estimate_of(const SampledSum& sum, double level) {
-    Estimate result{sum.offset, 0, 0};
-    std::vector<double> sums(sum.terms.empty() ? 0 : sum.terms.front().share.means.size(), 0.0);
-    bool any_common = false;
+    Estimate result{sum.offset, sum.offset_error, sum.offset_error, 0};
+    if (sum.terms.empty()) return result;
+    std::vector<double> sums(sum.terms.front().share.means.size(), 0.0);
     for (const auto& [scale, share] : sum.terms) {
-        result.value += scale * *stats::moments_of(share.means).mean();
-        if (is_rare(share)) {
-            const Estimate rare = rare_widths(share, level);
-            result.down += std::abs(scale) * (scale > 0 ? rare.down : rare.up);
-            result.up += std::abs(scale) * (scale > 0 ? rare.up : rare.down);
-            continue;
-        }
-        any_common = true;
         for (std::size_t r = 0; r < sums.size(); ++r) sums[r] += scale * share.means[r];
+        // Points of all terms together share the few that a set of places may be due and get none of.
+        const double due = none_of(share.points, level);
+        result.unmet = std::max(result.unmet, std::abs(scale) * share.unmet.at(due));
     }
-    if (!any_common) return result;
-    const double student = student_half_width(sums, level);
-    result.down += student;
-    result.up += student;
+    result.value += *stats::moments_of(sums).mean();
+    const double width = student_half_width(sums, level) + result.unmet;
+    result.down += width;
+    result.up += width;
     return result;
 }
 

@@ -10,12 +10,23 @@ namespace ff::studies {
 /// with many, and its coverage hardly suffers from skewed means.
 inline constexpr std::size_t randomisations = 16;
 
-/// The mean of a quantity in [0, 1] (a hit or none; a form factor), by independent randomisations of one point set.
+/// What points can have missed of a mean, by the share p of them that a set of places may be due and still get none: at
+/// most max(rough * p, smooth * p^power). For a quantity in [0, 1] that may jump anywhere it is p.
+struct Unmet {
+    double rough = 1;
+    double smooth = 0;
+    double power = 1.5;
+
+    [[nodiscard]] double at(double p) const;
+};
+
+/// The mean of a quantity over a surface, by independent randomisations of one point set.
 struct SampledShare {
     std::vector<double> means;  ///< one for each randomisation
     std::uint64_t points = 0;   ///< of all randomisations together
-    std::uint64_t met = 0;      ///< points whose value is not 0
-    bool hits = false;          ///< values are 0 or 1
+    Unmet unmet;
+    bool hits = false;      ///< values are 0 or 1
+    std::uint64_t met = 0;  ///< of hits: how many
 };
 
 /// Sums of shares with factors, as an estimate with an interval.
@@ -23,6 +34,7 @@ struct Estimate {
     double value = 0;
     double down = 0;  ///< the interval is [value - down, value + up]
     double up = 0;
+    double unmet = 0;  ///< part of both that no spread shows
 
     [[nodiscard]] double half_width() const { return down > up ? down : up; }
 };
@@ -35,16 +47,16 @@ struct SampledSum {
     };
     double offset = 0;
     std::vector<Term> terms;
+    double offset_error = 0;  ///< bound
 };
 
+/// Clopper and Pearson's upper bound of a probability of which so many points showed nothing.
+double none_of(std::uint64_t points, double level);
+
 /// A sum with its interval. Randomisation by randomisation its terms add up to independent values: Student's interval.
-/// It would be too narrow for terms that have shown themselves at few points (or missed few, or whose means are all
-/// equal, which is no evidence of precision): these add the width of Clopper and Pearson's interval of the points that
-/// met anything. Points of a net meet small things no less regularly than independent ones.
+/// It knows nothing of what no point has met; that is added, as large as it may be in any one term
+/// (docs/statistics.md).
 /// @pre all terms have the same number of randomisations
 Estimate estimate_of(const SampledSum& sum, double level);
-
-/// Whether a share is too rare, or shows too little spread, for Student's interval.
-bool is_rare(const SampledShare& share);
 
 }  // namespace ff::studies

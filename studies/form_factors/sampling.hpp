@@ -1,8 +1,9 @@
 #pragma once
 
-#include "core/stream.hpp"
-#include "core/tracer.hpp"
+#include "core/points/stream.hpp"
+#include "core/tracing/tracer.hpp"
 #include "studies/form_factors/face_pairs.hpp"
+#include "studies/form_factors/source_cells.hpp"
 
 #include <atomic>
 #include <cstdint>
@@ -17,30 +18,42 @@ struct Stopped {};
 /// Throws Stopped when the flag is set. Null: never.
 void expect_more_time(const std::atomic<bool>* stop);
 
-/// One randomisation of the integral over a surface of the factors to what is seen of another.
+/// One randomisation of the exchange area of the parts of a surface that neither see all nor nothing of another.
 struct PointSums {
-    double visible = 0;        ///< mean factor to what is seen
-    double hidden = 0;         ///< mean factor to what is not
-    std::uint64_t saw = 0;     ///< points that see something
-    std::uint64_t missed = 0;  ///< points that something is hidden from
+    double visible = 0;  ///< what passes
+    double hidden = 0;   ///< what is kept from passing
 };
 
-/// Places on one of two surfaces (of two polygons, the smaller), scrambled Sobol' points in two dimensions. The
-/// exchange area is that of the source surface times the mean.
+/// Places on one of two surfaces (of two polygons, the smaller), scrambled Sobol' points in two dimensions, and more of
+/// them in rough cells: of these the first coordinate chooses the cell, and what is left of it the place.
 class PointSampling {
   public:
-    PointSampling(const Scene& scene, const SampledPair& pair);
+    /// @param wanted  exchange area that matters: parts where points could miss more are divided
+    PointSampling(const Scene& scene, const SampledPair& pair, double wanted);
 
-    [[nodiscard]] double source_area() const { return source_area_; }
     [[nodiscard]] PointSums run(StreamKey key, std::uint32_t randomisation, std::uint64_t points,
                                 const std::atomic<bool>* stop) const;
+
+    /// The exchange area is known + sign * (the mean of randomisations).
+    struct Side {
+        BoundedValue<double> known;
+        double sign = 1;
+        Unmet unmet;
+    };
+    [[nodiscard]] Side side(bool hidden) const;
+    [[nodiscard]] bool has_sides() const { return pair_->exchange.area.has_value(); }
+
+    /// Points that a randomisation takes for each that it is asked for.
+    [[nodiscard]] double evaluations() const { return 1 + cells_.extra; }
+    /// Time of a point, in rays.
+    [[nodiscard]] double cost() const;
 
   private:
     const Scene* scene_;
     const SampledPair* pair_;
     std::uint32_t source_;
     std::uint32_t target_;
-    double source_area_;
+    SourceCells cells_;
 };
 
 /// Rays from one face, by one scrambled Sobol' sequence in four dimensions for all its surfaces: the first coordinate

@@ -1,14 +1,17 @@
 #include "studies/form_factors/store.hpp"
 
-#include "core/contract.hpp"
+#include "core/support/contract.hpp"
 #include "studies/form_factors/repair.hpp"
 #include "studies/form_factors/words.hpp"
 #include "studies/scene_files/scene_file.hpp"
-#include "studies/store_format.hpp"
+#include "studies/store/digest.hpp"
+#include "studies/store/store_format.hpp"
+#include "studies/store/stored_context.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <memory>
@@ -16,8 +19,6 @@
 
 namespace ff::studies {
 namespace {
-
-constexpr StoreFormat format{"matrix of form factors", "about", form_factor_schema_version};
 
 /// Faces count from 1. The view has the columns of matrix.csv, in both directions.
 constexpr const char* schema = R"(
@@ -39,8 +40,27 @@ CREATE VIEW form_factors AS
   JOIN faces AS a ON a.face = i JOIN faces AS b ON b.face = j;
 )";
 
+constexpr int without_checksum = 1;
+constexpr StoreFormat format{FileKind::form_factor_store,
+                             "matrix of form factors",
+                             "about",
+                             form_factor_schema_version,
+                             without_checksum,
+                             schema,
+                             ""};
+
 std::int64_t integer(std::uint64_t value) {
     return static_cast<std::int64_t>(value);
+}
+
+std::string checksum(const Database& database) {
+    Digest digest;
+    for (const std::string_view sql :
+         {"SELECT * FROM about WHERE key <> 'checksum' ORDER BY key", "SELECT * FROM faces ORDER BY face",
+          "SELECT * FROM pairs ORDER BY from_face, to_face", "SELECT * FROM repaired ORDER BY from_face, to_face",
+          "SELECT warning FROM warnings ORDER BY rowid"})
+        add_rows(digest, database, sql);
+    return in_hexadecimal(digest);
 }
 
 void write_about(const Database& database, const KeptFormFactors& kept) {
@@ -133,6 +153,8 @@ class Reader {
 
     KeptFormFactors read() const {
         KeptFormFactors kept;
+        kept.was_checked = stored_value(*database_, format, "schema_version") != std::to_string(without_checksum);
+        if (kept.was_checked) expect_checksums();
         kept.source = about("scene", &Statement::text);
         if (const auto text = stored_value(*database_, format, "scene_text"))
             kept.source = with_scene_text(kept.source, *text);
@@ -144,12 +166,17 @@ class Reader {
         read_repaired(kept);
         Statement warnings(database_->handle(), "SELECT warning FROM warnings ORDER BY rowid");
         while (warnings.step()) kept.warnings.push_back(warnings.text(0));
-        Statement context(database_->handle(), "SELECT key, value FROM context");
-        while (context.step()) kept.context[context.text(0)] = context.text(1);
+        kept.context = read_context(*database_);
         return kept;
     }
 
   private:
+    void expect_checksums() const {
+        if (stored_value(*database_, format, "checksum") != checksum(*database_))
+            report_damage(file_, "it is not as it was saved: its checksum differs");
+        expect_sound_context(*database_, file_);
+    }
+
     [[nodiscard]] std::uint64_t count(std::string_view key) const {
         const std::int64_t value = about(key, &Statement::integer);
         expect(value >= 0, key);
@@ -247,7 +274,7 @@ class Reader {
 }  // namespace
 
 void save_form_factors(const std::filesystem::path& file, const KeptFormFactors& kept) {
-    FF_EXPECT(!std::filesystem::exists(file));
+    FF_EXPECT(!std::filesystem::exists(file) || std::filesystem::is_empty(file));
     Database database(file, Database::Mode::create_or_open);
     database.execute("PRAGMA journal_mode = OFF; BEGIN IMMEDIATE");  // a file that is not finished is of no use
     database.execute(schema);
@@ -257,9 +284,10 @@ void save_form_factors(const std::filesystem::path& file, const KeptFormFactors&
     if (kept.matrix.repaired) write_repaired(database, kept.matrix.repaired->factors);
     Statement warning(database.handle(), "INSERT INTO warnings VALUES(?)");
     for (const std::string& text : kept.warnings) warning.bind(0, std::string_view(text)).run();
-    Statement context(database.handle(), "INSERT INTO context VALUES(?, ?)");
-    for (const auto& [key, value] : kept.context)
-        context.bind(0, std::string_view(key)).bind(1, std::string_view(value)).run();
+    write_context(database, kept.context);
+    Statement(database.handle(), "INSERT INTO about VALUES('checksum', ?)")
+        .bind(0, std::string_view(checksum(database)))
+        .run();
     database.execute("COMMIT");
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "studies/form_factors/form_factors.hpp"
-#include "studies/store.hpp"
+#include "studies/store/store.hpp"
 
 #include <filesystem>
 #include <string>
@@ -10,7 +10,7 @@
 namespace ff::studies {
 
 /// Version of the tables; docs/form-factors.md describes them.
-inline constexpr int form_factor_schema_version = 1;
+inline constexpr int form_factor_schema_version = 2;
 
 /// A matrix with all that it is of.
 struct KeptFormFactors {
@@ -21,9 +21,10 @@ struct KeptFormFactors {
     FormFactorMatrix matrix;
     std::vector<std::string> warnings;
     Context context;
+    bool was_checked = true;  ///< false of a file of an earlier version: damage may have gone unnoticed
 };
 
-/// Writes an SQLite file. @pre there is none of that name @throws IoError
+/// Writes an SQLite file. @pre there is none of that name, or an empty one @throws IoError
 void save_form_factors(const std::filesystem::path& file, const KeptFormFactors& kept);
 
 /// Reads it. @throws UserError for a file that is something else or of another version; IoError where it is damaged or

@@ -9,11 +9,11 @@ constexpr std::string_view bounds = "bounds";
 constexpr std::string_view no_time = "no time to sample it";
 constexpr std::string_view rays_of_row = "the rays of its row do as well";
 
-constexpr std::array every_method{ExchangeMethod::none, ExchangeMethod::closed_form, ExchangeMethod::contour,
-                                  ExchangeMethod::points, ExchangeMethod::rays};
-constexpr std::array every_reason{ExchangeReason::turned_away,  ExchangeReason::aligned, ExchangeReason::polygons,
-                                  ExchangeReason::blocked,      ExchangeReason::curved,  ExchangeReason::many_blockers,
-                                  ExchangeReason::many_surfaces};
+constexpr std::array every_method{ExchangeMethod::none,       ExchangeMethod::closed_form, ExchangeMethod::contour,
+                                  ExchangeMethod::quadrature, ExchangeMethod::points,      ExchangeMethod::rays};
+constexpr std::array every_reason{ExchangeReason::turned_away,   ExchangeReason::aligned,      ExchangeReason::polygons,
+                                  ExchangeReason::far,           ExchangeReason::blocked,      ExchangeReason::curved,
+                                  ExchangeReason::many_blockers, ExchangeReason::many_surfaces};
 static_assert(every_method.size() == exchange_methods);
 
 }  // namespace

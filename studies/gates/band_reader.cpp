@@ -3,9 +3,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace ff::studies {
+
+void expect_magnitude(const TomlReader& reader, std::string_view key, double number) {
+    const double size = std::abs(number);
+    if (size == 0 || (smallest_magnitude <= size && size <= largest_magnitude)) return;
+    reader.fail(key, "(beyond 1e75, or nearer to 0 than 1e-75: its powers cannot be computed). Choose another unit.");
+}
+
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -32,14 +40,22 @@ double read_width(const TomlReader& reader, const std::vector<double>& numbers, 
     return numbers[0];
 }
 
+/// Of a ratio to either side of 1, or of a share beside its level.
+void expect_room(const TomlReader& reader, double width) {
+    constexpr double least = 1e-12;
+    if (width < least) reader.fail("band", "(narrower than 1e-12: a ratio is not computed to more digits). Try 0.1.");
+}
+
 Band read_ratio(const TomlReader& reader, const std::vector<double>& numbers, bool upwards_only) {
     if (numbers.size() == 1) {
         const double width = read_width(reader, numbers, "0.1");
+        expect_room(reader, width);
         return {1 / (1 + width), upwards_only ? infinity : 1 + width};
     }
     const Band band = read_ends(reader, numbers);
     if (band.low < 0 || band.low >= 1 || band.high <= 1)
         reader.fail("band", "(a ratio of 1, no change, has to lie inside). Try [0.9, 1.1].");
+    expect_room(reader, std::min(1 - band.low, band.high - 1));
     return band;
 }
 
@@ -48,6 +64,7 @@ Band read_ratio(const TomlReader& reader, const std::vector<double>& numbers, bo
 Band read_band(const TomlReader& reader, const Gate& gate) {
     if (!reader.has("band")) reader.fail("band", "missing (what is tolerated?). Add the key with a number.");
     const auto numbers = reader.numbers("band");
+    for (const double number : numbers) expect_magnitude(reader, "band", number);
     switch (gate.kind) {
         case GateKind::bias:
         case GateKind::closure:
@@ -72,6 +89,7 @@ Band read_band(const TomlReader& reader, const Gate& gate) {
                 return band;
             }
             const double width = read_width(reader, numbers, "0.02");
+            expect_room(reader, width);
             return {gate.interval_level - width, std::min(1.0, gate.interval_level + width)};
         }
         case GateKind::slope:

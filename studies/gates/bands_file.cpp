@@ -1,14 +1,18 @@
 #include "studies/gates/bands_file.hpp"
 
+#include "stats/interval.hpp"
 #include "studies/gates/band_reader.hpp"
-#include "studies/text_file.hpp"
-#include "studies/toml_reader.hpp"
+#include "studies/readers/printable.hpp"
+#include "studies/readers/text_file.hpp"
+#include "studies/readers/toml_reader.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <set>
+#include <string_view>
+#include <utility>
 
 namespace ff::studies {
 namespace {
@@ -65,6 +69,7 @@ void read_reference(const TomlReader& reader, Gate& gate) {
         gate.against = Against::number;
         gate.reference = reader.optional_number("reference");
         if (spread && *gate.reference <= 0) reader.fail("reference", "(a ratio to it is taken). Give a positive one.");
+        expect_magnitude(reader, "reference", *gate.reference);
     }
     gate.reference_se = reader.optional_number("reference_se");
     if (gate.reference_se && gate.against != Against::number)
@@ -72,14 +77,17 @@ void read_reference(const TomlReader& reader, Gate& gate) {
                     "(it belongs to a reference that is a number). Remove the key, or add 'reference'.");
     if (gate.reference_se && *gate.reference_se < 0)
         reader.fail("reference_se", "(a standard error is not negative). Give 0 or more.");
+    if (gate.reference_se) expect_magnitude(reader, "reference_se", *gate.reference_se);
 }
 
 void read_coverage(const TomlReader& reader, Gate& gate) {
     const auto method = reader.optional_choice("interval", interval_names, interval_names.size());
     if (method) gate.interval = static_cast<IntervalMethod>(*method);
     gate.interval_level = reader.optional_number("level").value_or(gate.interval_level);
-    if (gate.interval_level <= 0.5 || gate.interval_level >= 1)
-        reader.fail("level", "(intervals are right more often than not, but not always). Try 0.95.");
+    if (!stats::is_level(gate.interval_level))
+        reader.fail(
+            "level",
+            "(intervals are right more often than not, but not always: above 0.5, at most 1 - 1e-9). Try 0.95.");
     if (is_binomial(gate.interval) && reader.has("replicates"))
         reader.fail("replicates", "(this interval is made from the hits of one trial). Remove the key.");
     gate.replicates = is_binomial(gate.interval) ? 1 : reader.optional_count("replicates").value_or(gate.replicates);
@@ -106,6 +114,10 @@ Gate read_gate(const TomlReader& reader) {
         gate.scenes = read_scenes(reader);
     }
     gate.name = reader.text("name");
+    for (const auto& [key, text] :
+         {std::pair<std::string_view, std::string_view>{"name", gate.name}, {"quantity", gate.quantity}}) {
+        if (const auto problem = problem_with_name(text); !problem.empty()) reader.fail(key, problem);
+    }
     expect_own_keys(reader, gate.kind);
     read_reference(reader, gate);
     if (gate.from_estimates() && gate.against == Against::baseline)
@@ -131,8 +143,9 @@ void read_options(const TomlReader& reader, GatesSpec& spec) {
     static constexpr std::array<std::string_view, 5> known{"alpha", "power", "seed", "looks", "max_trials"};
     reader.expect_only(known);
     spec.alpha = reader.optional_number("alpha").value_or(spec.alpha);
-    if (spec.alpha <= 0 || spec.alpha >= 0.5)
-        reader.fail("alpha", "(the chance of a false alarm anywhere in the file). Try 1e-4.");
+    if (spec.alpha < smallest_alpha || spec.alpha >= 0.5)
+        reader.fail("alpha",
+                    "(the chance of a false alarm anywhere in the file: at least 1e-12, below 0.5). Try 1e-4.");
     spec.power = reader.optional_number("power").value_or(spec.power);
     if (spec.power < 0.5 || spec.power > 1 - 1e-9)
         reader.fail("power", "(at least 0.5, and no finite number of trials makes it 1). Try 0.9.");
@@ -174,7 +187,7 @@ GatesSpec parse_bands(std::string_view text, std::string_view origin) {
 }
 
 GatesSpec load_bands(const std::filesystem::path& file) {
-    return parse_bands(read_text_file(file), file.string());
+    return parse_bands(read_text_file(file, FileKind::bands), file.string());
 }
 
 }  // namespace ff::studies

@@ -1,6 +1,7 @@
 #include "studies/gates/baseline.hpp"
 
-#include "core/error.hpp"
+#include "core/support/error.hpp"
+#include "studies/gates/gate.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -14,6 +15,18 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::string_view schema = "ffstudy.baseline/1";
 
+constexpr double smallest_square = smallest_magnitude * smallest_magnitude;
+constexpr double largest_square = largest_magnitude * largest_magnitude;
+constexpr double least_freedom = 0.5;  // the largest kurtosis that n values can have leaves more
+constexpr std::uint64_t most_trials = 1'000'000'000'000'000;
+
+double read_number(const Json& json, const char* key, double low) {
+    const auto number = json.at(key).get<double>();
+    if (!(low <= number && number <= largest_magnitude))
+        throw UserError(fmt::format("{} = {} (not from {:g} to {:g})", key, number, low, largest_magnitude));
+    return number;
+}
+
 Json spread_json(const std::optional<stats::Spread>& spread) {
     if (!spread) return nullptr;
     return {{"mean_square", spread->mean_square}, {"freedom", spread->freedom}};
@@ -23,7 +36,12 @@ std::optional<stats::Spread> read_spread(const Json& json, std::uint64_t trials)
     if (json.is_null()) return std::nullopt;
     const stats::Spread spread{
         .mean_square = json.at("mean_square").get<double>(), .freedom = json.at("freedom").get<double>(), .n = trials};
-    if (!(spread.mean_square > 0 && spread.freedom > 0)) throw UserError("a mean square has to be positive");
+    if (!(smallest_square <= spread.mean_square && spread.mean_square <= largest_square))
+        throw UserError(fmt::format("mean_square = {} (not from {:g} to {:g})", spread.mean_square, smallest_square,
+                                    largest_square));
+    if (!(least_freedom <= spread.freedom && spread.freedom <= static_cast<double>(trials)))
+        throw UserError(
+            fmt::format("freedom = {} (not from {} to the {} trials)", spread.freedom, least_freedom, trials));
     return spread;
 }
 
@@ -43,11 +61,12 @@ StoredQuantity read_quantity(const Json& json) {
     stored.cell = json.at("cell").get<std::string>();
     stored.quantity = {QuantityKind::form_factor, json.at("from").get<int>(), json.at("to").get<int>()};
     stored.trials = json.at("trials").get<std::uint64_t>();
-    stored.mean = json.at("mean").get<double>();
-    stored.standard_error = json.at("standard_error").get<double>();
+    if (stored.trials < 1 || stored.trials > most_trials)
+        throw UserError(fmt::format("trials = {} (not from 1 to {})", stored.trials, most_trials));
+    stored.mean = read_number(json, "mean", -largest_magnitude);
+    stored.standard_error = read_number(json, "standard_error", 0);
     stored.variance = read_spread(json.at("variance"), stored.trials);
     stored.mean_square_error = read_spread(json.at("mean_square_error"), stored.trials);
-    if (!(stored.standard_error >= 0)) throw UserError("a standard error has to be 0 or more");
     return stored;
 }
 
@@ -95,8 +114,15 @@ Baseline parse_baseline(std::string_view text, std::string_view origin) {
         for (const Json& gate : json.at("gates")) {
             StoredGate& stored = baseline.gates.emplace_back();
             stored.gate = gate.at("gate").get<std::string>();
-            stored.seconds_per_trial = gate.at("seconds_per_trial").get<double>();
-            for (const Json& quantity : gate.at("quantities")) stored.quantities.push_back(read_quantity(quantity));
+            stored.seconds_per_trial = read_number(gate, "seconds_per_trial", 0);
+            for (const Json& quantity : gate.at("quantities")) {
+                try {
+                    stored.quantities.push_back(read_quantity(quantity));
+                } catch (const UserError& error) {
+                    throw UserError(fmt::format("gate '{}', quantity {}: {}", stored.gate, stored.quantities.size() + 1,
+                                                error.what()));
+                }
+            }
         }
         return baseline;
     } catch (const nlohmann::json::exception& error) {

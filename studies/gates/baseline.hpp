@@ -2,7 +2,7 @@
 
 #include "stats/moments.hpp"
 #include "stats/spread.hpp"
-#include "studies/estimates.hpp"
+#include "studies/trials/estimates.hpp"
 
 #include <cstddef>
 #include <cstdint>

@@ -1,7 +1,8 @@
 #include "studies/gates/estimate_gates.hpp"
 
-#include "core/contract.hpp"
-#include "core/error.hpp"
+#include "core/support/contract.hpp"
+#include "core/support/error.hpp"
+#include "stats/quantiles.hpp"
 #include "stats/repeats.hpp"
 #include "stats/serial_correlation.hpp"
 #include "stats/spread.hpp"
@@ -20,11 +21,15 @@ namespace {
 
 constexpr double repeat_alpha = 1e-6;
 constexpr double serial_alpha = 0.05;
-constexpr double tail_alpha = 0.005;  // of each tail
-constexpr double largest_vov = 0.1;   // of a healthy mean [pederson1997]
-constexpr std::size_t fewest_for_tails = 200;
+constexpr double tail_alpha = 0.005;          // of each tail
+constexpr double largest_vov = 0.1;           // of a healthy mean [pederson1997]
+constexpr double largest_vov_of_few = 10;     // over n: that of an exponential distribution is 8 / n
+constexpr double largest_shape = 2.0 / 3;     // of the outer tenth about the median: an index of 3/2
+constexpr std::size_t fewest_for_tails = 50;  // below, a normal sample may look like anything
+constexpr std::size_t fewest_exceedances = 10;
 constexpr std::size_t enough_for_tails = 1000;  // to show that a tail as light as the exponential one has a variance
 constexpr double light_alpha = 0.05;            // of calling one finite that is not
+constexpr double fewest_effective = 30;         // independent trials that correlated ones have to be worth
 
 [[noreturn]] void refuse(const EstimateSeries& series, const std::string& origin, std::size_t index,
                          const std::string& problem) {
@@ -43,6 +48,10 @@ void refuse_repeats(const EstimateSeries& series, const std::string& origin) {
             fmt::format("are all {} (no spread is no evidence of precision). {}; a value without randomness needs no "
                         "trials.",
                         values.front(), how_it_happens));
+    if (*stats::moments_of(values, values.front()).standard_deviation() < smallest_magnitude)
+        refuse(series, origin, 0,
+               fmt::format("spread by less than {:g} (its powers cannot be computed). Choose another unit.",
+                           smallest_magnitude));
     if (const auto period = stats::find_period(values, repeat_alpha))
         refuse(series, origin, *period,
                fmt::format("repeat from here on those from line {} on (repeated trials are no trials). {}.",
@@ -56,8 +65,17 @@ void refuse_repeats(const EstimateSeries& series, const std::string& origin) {
                            how_it_happens));
 }
 
-/// Why no interval of the mean can be believed, in words; empty where nothing speaks against one. Neither test is
-/// enough alone: the tail index needs thousands of values, and the variance of the variance a large one among them.
+/// Index of both tails together by Hill's estimate about the median; empty where too many values are equal to it.
+std::optional<double> outer_index(const std::vector<double>& values) {
+    const double median = stats::quantile(stats::sorted(values), 0.5);
+    std::vector<double> distances = values;
+    for (double& distance : distances) distance = std::abs(distance - median);
+    const auto tail = stats::fit_tail_hill(distances, std::max(fewest_exceedances, values.size() / 10));
+    return tail && tail->shape > largest_shape ? tail->index : std::nullopt;
+}
+
+/// Why no interval of the mean can be believed, in words; empty where nothing speaks against one. No test is enough
+/// alone: tail indices need many values, and the variance of the variance a large one among them.
 std::string heavy_tail(const std::vector<double>& values) {
     if (values.size() < fewest_for_tails) return {};
     std::vector<double> mirrored = values;
@@ -71,50 +89,61 @@ std::string heavy_tail(const std::vector<double>& values) {
         if (values.size() >= enough_for_tails && !light)
             return "the tail may be of infinite variance (its index is not shown to be above 2), so no interval holds";
     }
-    const auto vov = stats::moments_of(values).variance_of_variance();
-    if (vov && *vov > largest_vov)
+    const auto vov = stats::moments_of(values, values.front()).variance_of_variance();
+    const double largest = std::max(largest_vov, largest_vov_of_few / static_cast<double>(values.size()));
+    if (vov && *vov > largest)
         return fmt::format(
-            "variance of the variance {:.2g} (above {}): a few values make the mean, so no interval holds", *vov,
-            largest_vov);
+            "variance of the variance {:.2g} (above {:.2g}): a few values make the mean, so no interval holds", *vov,
+            largest);
+    if (const auto index = outer_index(values))
+        return fmt::format("the tails look as if their variance were infinite (index {:.2g}), so no interval holds",
+                           *index);
     return {};
 }
 
 std::optional<Measurement> measurement_of(const Gate& gate, const EstimatesPlan& plan) {
-    const auto moments = stats::moments_of(plan.series.values, *gate.reference);
+    const auto& values = plan.series.values;
     if (gate.kind == GateKind::bias)
-        return measure_mean(moments, {.value = *gate.reference, .standard_error = gate.reference_se.value_or(0)},
-                            gate.band, plan.levels, plan.independence.time);
+        return measure_unknown_mean(values, {.value = *gate.reference, .standard_error = gate.reference_se.value_or(0)},
+                                    gate.band, plan.levels, plan.independence.correlation);
     FF_EXPECT(gate.kind == GateKind::std);
-    const auto spread = stats::spread_of(moments);
-    if (!spread || plan.independence.time > 1) return std::nullopt;
+    const auto spread = stats::spread_of(stats::moments_of(values, values.front()));
+    if (!spread || plan.independence.correlation) return std::nullopt;
     return measure_spread(*spread, *gate.reference, gate.band, plan.levels);
 }
 
-/// By the spread of the trials at hand.
-std::optional<std::uint64_t> needed_trials(const Gate& gate, const EstimatesPlan& plan) {
+/// What the measurement cannot say, in words.
+std::string missing(const Gate& gate, const EstimatesPlan& plan, const Comparison& row) {
+    if (!row.measurement) return plan.independence.correlation ? "their spread cannot be judged" : "no spread";
+    const Measurement& m = *row.measurement;
+    if (row.verdict != Verdict::inconclusive || !(m.passing_is_open || m.below_is_open || m.above_is_open)) return {};
     const auto moments = stats::moments_of(plan.series.values, *gate.reference);
-    if (gate.kind == GateKind::std)
-        return trials_for_ratio(gate.band, moments.excess_kurtosis().value_or(0),
-                                std::numeric_limits<double>::infinity(), plan.levels, 1);
-    return trials_for_mean(gate.band.high, std::sqrt(*moments.variance() * plan.independence.time), 0,
-                           gate.reference_se.value_or(0), plan.levels, 1);
+    return fmt::format("skewness {:.2g} of {} trials: too skewed, or too few, for intervals at these levels",
+                       moments.skewness().value_or(0), plan.series.values.size());
 }
 
-}  // namespace
-
-Independence examine_independence(const EstimateSeries& series, const std::string& origin) {
-    refuse_repeats(series, origin);
-    const auto test = stats::test_serial_correlation(series.values);
-    if (!test || test->p >= serial_alpha) return {};
-    const double time = stats::autocorrelation_time(series.values);
-    if (time <= 1) return {};
-    return {.time = time,
-            .note = fmt::format("trials are serially correlated (lag 1: {:.2g}, p = {:.1g}): {} are worth {:.0f}",
-                                test->first, test->p, series.values.size(),
-                                static_cast<double>(series.values.size()) / time)};
+/// Of a trial, by those at hand, as if they were independent.
+double spread_of_trials(const EstimatesPlan& plan) {
+    const auto& values = plan.series.values;
+    const double time = plan.independence.correlation ? plan.independence.correlation->time : 1;
+    return *stats::moments_of(values, values.front()).standard_deviation() * std::sqrt(time);
 }
 
-EstimatesPlan plan_estimates(const GatesSpec& spec, const Gate& gate, const EstimatesFile& file) {
+std::optional<std::uint64_t> trials_for_spread(const Gate& gate, const EstimatesPlan& plan) {
+    const auto& values = plan.series.values;
+    return trials_for_ratio(gate.band, stats::moments_of(values, values.front()).excess_kurtosis().value_or(0),
+                            std::numeric_limits<double>::infinity(), plan.levels, 1);
+}
+
+[[noreturn]] void refuse_hopeless(const Gate& gate) {
+    throw UserError(
+        fmt::format("{}: no number of trials can decide (the reference is too uncertain for this band, or the band "
+                    "is far below the noise). Widen the band, or find a better reference.",
+                    gate.place));
+}
+
+/// All but the number of trials that are needed.
+EstimatesPlan examine(const GatesSpec& spec, const Gate& gate, const EstimatesFile& file) {
     FF_EXPECT(gate.from_estimates() && gate.reference);
     EstimatesPlan plan;
     plan.gate = gate.name;
@@ -124,18 +153,42 @@ EstimatesPlan plan_estimates(const GatesSpec& spec, const Gate& gate, const Esti
     GatesSpec one_look = spec;  // nothing can be added to a file
     one_look.looks = 1;
     plan.levels = levels_of(one_look, 1);
-    const auto needed = needed_trials(gate, plan);
-    if (!needed)
-        throw UserError(
-            fmt::format("{}: no number of trials can decide (the reference is too uncertain for this band, or the band "
-                        "is far below the noise). Widen the band, or find a better reference.",
-                        gate.place));
+    const bool decidable = gate.kind == GateKind::std ? trials_for_spread(gate, plan).has_value()
+                                                      : can_decide_mean(gate.band.high, spread_of_trials(plan),
+                                                                        gate.reference_se.value_or(0), plan.levels, 1);
+    if (!decidable) refuse_hopeless(gate);
+    return plan;
+}
+
+}  // namespace
+
+Independence examine_independence(const EstimateSeries& series, const std::string& origin) {
+    refuse_repeats(series, origin);
+    const auto test = stats::test_serial_correlation(series.values);
+    if (!test || test->p >= serial_alpha) return {};
+    const auto correlation = stats::autocorrelation_of(series.values);
+    if (correlation.time <= 1) return {};
+    const double effective = static_cast<double>(series.values.size()) / correlation.time;
+    Independence found;
+    found.correlation = correlation;
+    found.note = fmt::format("trials are serially correlated (lag 1: {:.2g}, p = {:.1g}): {} are worth {:.0f}",
+                             test->first, test->p, series.values.size(), effective);
+    found.enough = effective >= fewest_effective;
+    return found;
+}
+
+EstimatesPlan plan_estimates(const GatesSpec& spec, const Gate& gate, const EstimatesFile& file) {
+    EstimatesPlan plan = examine(spec, gate, file);
+    const auto needed = gate.kind == GateKind::std ? trials_for_spread(gate, plan)
+                                                   : trials_for_mean(gate.band.high, spread_of_trials(plan), 0,
+                                                                     gate.reference_se.value_or(0), plan.levels, 1);
+    if (!needed) refuse_hopeless(gate);
     plan.needed = *needed;
     return plan;
 }
 
 GateResult judge_estimates(const GatesSpec& spec, const Gate& gate, const EstimatesFile& file) {
-    const EstimatesPlan plan = plan_estimates(spec, gate, file);
+    const EstimatesPlan plan = examine(spec, gate, file);
     Comparison row;
     row.quantity = gate.quantity;
     row.band = gate.band;
@@ -144,10 +197,13 @@ GateResult judge_estimates(const GatesSpec& spec, const Gate& gate, const Estima
     row.note = plan.independence.note;
     if (const std::string reason = heavy_tail(plan.series.values); !reason.empty()) {
         row.note = reason;
+    } else if (!plan.independence.enough) {
+        row.note += ", too few to judge by";
     } else {
         row.measurement = measurement_of(gate, plan);
         row.verdict = judge(row.measurement, row.band);
-        if (!row.measurement && plan.independence.time > 1) row.note += "; their spread cannot be judged";
+        const std::string open = missing(gate, plan, row);
+        row.note += row.note.empty() || open.empty() ? open : "; " + open;
     }
     return {.gate = gate.name,
             .kind = gate.kind,

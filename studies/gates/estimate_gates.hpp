@@ -1,18 +1,21 @@
 #pragma once
 
+#include "stats/serial_correlation.hpp"
 #include "studies/gates/estimates_file.hpp"
 #include "studies/gates/gate.hpp"
 #include "studies/gates/gate_result.hpp"
 
 #include <cstdint>
+#include <optional>
 #include <string>
 
 namespace ff::studies {
 
 /// How far trials are from independent, and what follows for their mean.
 struct Independence {
-    double time = 1;   ///< trials that are worth one independent one
-    std::string note;  ///< in words, where it is above 1
+    std::optional<stats::Autocorrelation> correlation;  ///< where there is one
+    std::string note;                                   ///< in words, where there is one
+    bool enough = true;                                 ///< trials to say what a correlation costs
 };
 
 /// Refuses a series whose trials repeat; measures serial correlation in the order of trials, with a false alarm in 5 %
@@ -35,9 +38,10 @@ struct EstimatesPlan {
 /// @throws UserError where the file has no such quantity, its trials repeat, or no number of trials can decide
 EstimatesPlan plan_estimates(const GatesSpec& spec, const Gate& gate, const EstimatesFile& file);
 
-/// Judges a gate on a quantity that another program estimated, by the rules for our own. Serial correlation widens the
-/// intervals of a mean. Inconclusive, with a note, where the values have a tail of infinite variance (seen from 200
-/// values on), and where the spread of serially correlated values is asked for.
+/// Judges a gate on a quantity that another program estimated, by the rules for our own. Skewness and serial
+/// correlation widen the intervals of a mean. Inconclusive, with a note, where the values have a tail of infinite
+/// variance or a few of them make the mean (seen from 50 values on), where they are too skewed for so few, where
+/// correlated ones are worth too few independent ones, and where their spread is asked for.
 /// @pre, @throws as plan_estimates
 GateResult judge_estimates(const GatesSpec& spec, const Gate& gate, const EstimatesFile& file);
 

@@ -1,10 +1,11 @@
 #include "studies/gates/estimates_file.hpp"
 
-#include "core/error.hpp"
-#include "core/excerpt.hpp"
-#include "core/nearest_name.hpp"
-#include "studies/csv_reader.hpp"
-#include "studies/text_file.hpp"
+#include "core/support/error.hpp"
+#include "core/support/excerpt.hpp"
+#include "core/support/nearest_name.hpp"
+#include "studies/gates/gate.hpp"
+#include "studies/readers/csv_reader.hpp"
+#include "studies/readers/text_file.hpp"
 
 #include <fmt/format.h>
 
@@ -101,6 +102,10 @@ Row read_row(const CsvReader& reader, const std::vector<CsvField>& record, const
             fmt::format("estimate = '{}' (not a finite number; a mean of it would mean nothing). Find out why the "
                         "program gave it.",
                         excerpt(text)));
+    if (std::abs(*value) > largest_magnitude)
+        reader.fail(record[header[estimate]],
+                    fmt::format("estimate = '{}' (beyond {:g}: its powers cannot be computed). Choose another unit.",
+                                excerpt(text), largest_magnitude));
     return {.trial = *number, .value = *value, .line = record.front().line};
 }
 
@@ -154,7 +159,7 @@ EstimatesFile parse_estimates(std::string_view text, std::string_view origin) {
 }
 
 EstimatesFile load_estimates_file(const std::filesystem::path& file) {
-    return parse_estimates(read_text_file(file), file.string());
+    return parse_estimates(read_text_file(file, FileKind::estimates), file.string());
 }
 
 const EstimateSeries& find_series(const EstimatesFile& file, std::string_view wanted, std::string_view place) {

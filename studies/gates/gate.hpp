@@ -1,8 +1,8 @@
 #pragma once
 
-#include "core/stream.hpp"
+#include "core/points/stream.hpp"
 #include "studies/gates/verdict.hpp"
-#include "studies/spec.hpp"
+#include "studies/spec/spec.hpp"
 
 #include <cstdint>
 #include <optional>
@@ -12,6 +12,14 @@
 #include <vector>
 
 namespace ff::studies {
+
+/// Numbers of bands, references and estimates: their fourth powers are doubles.
+inline constexpr double largest_magnitude = 1e75;
+inline constexpr double smallest_magnitude = 1e-75;
+
+/// Smallest risks that are computed: of a file, and of one comparison when it is shared.
+inline constexpr double smallest_alpha = 1e-12;
+inline constexpr double smallest_shared_alpha = 1e-14;
 
 /// What a gate watches. The effect that its band speaks of stands behind each.
 enum class GateKind {
@@ -86,6 +94,7 @@ struct GatesSpec {
 /// (Bonferroni: gates on the same cell share trials), a gate's pass_alpha among its looks only, since all comparisons
 /// have to pass (intersection-union).
 /// @param comparisons  of this gate; at least 1
+/// @throws UserError where alpha is shared among so many that each would be below smallest_shared_alpha
 Levels levels_of(const GatesSpec& spec, std::size_t comparisons);
 
 }  // namespace ff::studies

@@ -1,13 +1,13 @@
 #include "studies/gates/gate_effects.hpp"
 
-#include "core/error.hpp"
-#include "core/known_factors.hpp"
-#include "core/nearest_name.hpp"
-#include "core/pair_class.hpp"
+#include "core/exact/known_factors.hpp"
+#include "core/support/error.hpp"
+#include "core/support/nearest_name.hpp"
+#include "core/visibility/pair_class.hpp"
 #include "samplers/sampler.hpp"
-#include "studies/analysis.hpp"
-#include "studies/known_variance.hpp"
-#include "studies/sr_distribution.hpp"
+#include "studies/analysis/analysis.hpp"
+#include "studies/theory/known_variance.hpp"
+#include "studies/theory/sr_distribution.hpp"
 
 #include <fmt/format.h>
 

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "studies/estimates.hpp"
 #include "studies/gates/gate.hpp"
 #include "studies/gates/gate_result.hpp"
-#include "studies/plan.hpp"
+#include "studies/plan/plan.hpp"
+#include "studies/trials/estimates.hpp"
 
 #include <optional>
 #include <string>

@@ -1,7 +1,7 @@
 #include "studies/gates/gate_plan.hpp"
 
-#include "core/contract.hpp"
-#include "core/error.hpp"
+#include "core/support/contract.hpp"
+#include "core/support/error.hpp"
 #include "studies/gates/needed_trials.hpp"
 
 #include <fmt/format.h>

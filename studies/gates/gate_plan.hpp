@@ -4,7 +4,7 @@
 #include "studies/gates/gate.hpp"
 #include "studies/gates/gate_effects.hpp"
 #include "studies/gates/gate_trials.hpp"
-#include "studies/plan.hpp"
+#include "studies/plan/plan.hpp"
 
 #include <cstdint>
 #include <optional>

@@ -1,6 +1,6 @@
 #include "studies/gates/gate_result.hpp"
 
-#include "core/contract.hpp"
+#include "core/support/contract.hpp"
 
 #include <algorithm>
 #include <cmath>

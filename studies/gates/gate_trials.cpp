@@ -1,7 +1,7 @@
 #include "studies/gates/gate_trials.hpp"
 
-#include "core/contract.hpp"
-#include "studies/run.hpp"
+#include "core/support/contract.hpp"
+#include "studies/run/run.hpp"
 
 namespace ff::studies {
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "studies/estimates.hpp"
-#include "studies/plan.hpp"
+#include "studies/plan/plan.hpp"
+#include "studies/trials/estimates.hpp"
 
 #include <atomic>
 #include <cstdint>

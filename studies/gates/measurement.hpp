@@ -3,6 +3,7 @@
 #include "stats/binomial.hpp"
 #include "stats/convergence.hpp"
 #include "stats/moments.hpp"
+#include "stats/serial_correlation.hpp"
 #include "stats/spread.hpp"
 #include "studies/gates/verdict.hpp"
 
@@ -23,10 +24,16 @@ struct MeanReference {
 };
 
 /// Mean minus reference. Student's t; with an uncertain reference Welch's [welch1947].
-/// @param correlation_time  values that are worth one independent one, at least 1 (stats/serial_correlation.hpp)
 /// @pre moments.reference() == reference.value
 std::optional<Measurement> measure_mean(const stats::Moments& moments, const MeanReference& reference, const Band& band,
-                                        const Levels& levels, double correlation_time = 1);
+                                        const Levels& levels);
+
+/// The same for values of which nothing is known beforehand: they may be skewed (stats/skewed_mean.hpp), and each may
+/// resemble the one before.
+/// @param correlation  of the values in their order; that of independent ones by default
+std::optional<Measurement> measure_unknown_mean(std::span<const double> values, const MeanReference& reference,
+                                                const Band& band, const Levels& levels,
+                                                const std::optional<stats::Autocorrelation>& correlation = {});
 
 /// Root of a mean square (standard deviation or RMSE) over a known one, > 0.
 Measurement measure_spread(const stats::Spread& spread, double reference, const Band& band, const Levels& levels);

@@ -1,6 +1,6 @@
 #include "studies/gates/needed_trials.hpp"
 
-#include "core/contract.hpp"
+#include "core/support/contract.hpp"
 #include "stats/distributions.hpp"
 #include "stats/power.hpp"
 
@@ -32,15 +32,26 @@ double reach(const Levels& levels, std::size_t comparisons) {
     return stats::normal_critical(levels.pass_alpha) + stats::normal_critical(miss(levels, comparisons));
 }
 
+/// What the reference leaves of the half width of a band; empty where that is nothing.
+std::optional<double> room_beside(double half_width, double reference_se, double reach) {
+    const double uncertain = reach * reference_se;
+    if (uncertain >= half_width) return std::nullopt;
+    return std::sqrt(half_width * half_width - uncertain * uncertain);
+}
+
 }  // namespace
+
+bool can_decide_mean(double half_width, double sigma, double reference_se, const Levels& levels,
+                     std::size_t comparisons) {
+    FF_EXPECT(half_width > 0 && sigma >= 0);
+    const auto room = room_beside(half_width, reference_se, reach(levels, comparisons));
+    return room && reach(levels, comparisons) * sigma <= *room * std::sqrt(most);
+}
 
 std::optional<std::uint64_t> trials_for_mean(double half_width, double sigma, double skewness, double reference_se,
                                              const Levels& levels, std::size_t comparisons) {
-    FF_EXPECT(half_width > 0 && sigma >= 0);
-    const double uncertain = reach(levels, comparisons) * reference_se;
-    if (uncertain >= half_width) return std::nullopt;
-    const double room = std::sqrt(half_width * half_width - uncertain * uncertain);
-    if (reach(levels, comparisons) * sigma > room * std::sqrt(most)) return std::nullopt;
+    if (!can_decide_mean(half_width, sigma, reference_se, levels, comparisons)) return std::nullopt;
+    const double room = room_beside(half_width, reference_se, reach(levels, comparisons)).value();
     const double z = stats::normal_critical(levels.fail_alpha / 2);
     const double straight = std::pow(z * z * z * skewness / (3 * std::log(2.0)), 2);
     const auto enough = whole(straight);

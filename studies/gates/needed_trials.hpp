@@ -18,6 +18,10 @@ namespace ff::studies {
 std::optional<std::uint64_t> trials_for_mean(double half_width, double sigma, double skewness, double reference_se,
                                              const Levels& levels, std::size_t comparisons);
 
+/// Whether there is such a number, which is quicker to say.
+bool can_decide_mean(double half_width, double sigma, double reference_se, const Levels& levels,
+                     std::size_t comparisons);
+
 /// A ratio of standard deviations; 1 lies inside the band.
 /// @param excess_kurtosis  of a trial     @param reference_freedom  infinite for an exact reference
 std::optional<std::uint64_t> trials_for_ratio(const Band& band, double excess_kurtosis, double reference_freedom,

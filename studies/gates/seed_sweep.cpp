@@ -1,6 +1,6 @@
 #include "studies/gates/seed_sweep.hpp"
 
-#include "core/contract.hpp"
+#include "core/support/contract.hpp"
 #include "stats/binomial.hpp"
 
 namespace ff::studies {

@@ -36,10 +36,16 @@ struct Measurement {
     stats::Interval failing;  ///< level 1 - fail_alpha: must not lie wholly outside
     /// Effect beyond the band's upper end (its lower one where that is infinite) that fails with the power.
     double minimum_detectable = 0;
+
+    // Values too skewed for so few: a limit of an interval that proves nothing.
+    bool passing_is_open = false;  ///< the effect is not shown to lie inside
+    bool below_is_open = false;    ///< the failing interval's lower limit: no effect above the band is shown
+    bool above_is_open = false;    ///< its upper limit
 };
 
 /// The rule of every gate, whose null hypothesis is composite ("inside the band"). Fail: the failing interval lies
-/// wholly outside. Pass: the passing interval lies inside. Otherwise, or without measurement, inconclusive.
+/// wholly outside. Pass: the passing interval lies inside. Otherwise, or without measurement, inconclusive. A limit
+/// that is open decides nothing.
 Verdict judge(const std::optional<Measurement>& measurement, const Band& band);
 
 /// Several comparisons under one verdict: fail if one fails, pass if all pass.

@@ -1,7 +1,7 @@
 #include "studies/radiosity/bias_order.hpp"
 
 #include "stats/line_fit.hpp"
-#include "studies/ladders.hpp"
+#include "studies/plan/ladders.hpp"
 
 #include <algorithm>
 #include <cmath>

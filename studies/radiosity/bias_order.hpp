@@ -2,7 +2,7 @@
 
 #include "stats/interval.hpp"
 #include "studies/radiosity/consequences.hpp"
-#include "studies/store.hpp"
+#include "studies/store/store.hpp"
 
 #include <cstddef>
 #include <optional>

@@ -1,12 +1,12 @@
 #include "studies/radiosity/consequences.hpp"
 
-#include "studies/interruptible_evaluation.hpp"
-#include "studies/interruptible_points.hpp"
+#include "studies/plan/patch_systems.hpp"
 #include "studies/radiosity/collector.hpp"
 #include "studies/radiosity/cost.hpp"
 #include "studies/radiosity/lighting.hpp"
 #include "studies/radiosity/patch_matrix.hpp"
 #include "studies/radiosity/solver_runs.hpp"
+#include "studies/run/interruptible_points.hpp"
 
 #include <algorithm>
 #include <map>
@@ -59,8 +59,9 @@ void evaluate_between_faces(const Store& store, RadiosityResults& results) {
             if (plan.cells[cell].scene != scene) continue;
             const TrialMatrices trials = load_matrices(store, cell);
             auto collectors = make_collectors(plan, cell, lighting, exitance, Between::faces, trials.errors);
-            for (const Eigen::MatrixXd& direct : trials.direct) {
-                for (ConsequencesCollector& collector : collectors) collector.add(direct, trials.errors);
+            for (std::size_t trial = 0; trial < trials.direct.size(); ++trial) {
+                const Uncertainty errors = errors_without(trials, trial, lighting.elements.sight);
+                for (ConsequencesCollector& collector : collectors) collector.add(trials.direct[trial], errors);
             }
             for (ConsequencesCollector& collector : collectors)
                 results.consequences.push_back(collector.finish(cell, plan.spec.level));
@@ -140,10 +141,6 @@ PatchTrials patch_trials(const StudyPlan& plan, const RadiosityResults& results)
         if (found != nullptr) trials.done += found->trials;
     }
     return trials;
-}
-
-RadiosityResults evaluate_radiosity(const Store& store) {
-    return evaluate_radiosity(store, nullptr);
 }
 
 RadiosityResults evaluate_radiosity(const Store& store, const std::atomic<bool>* stop) {

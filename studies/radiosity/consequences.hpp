@@ -5,6 +5,7 @@
 #include "stats/interval.hpp"
 #include "studies/radiosity/treatment.hpp"
 
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -107,6 +108,17 @@ struct RadiosityResults {
 };
 
 /// Sends light through the matrix of every trial. @pre the plan has a request; every estimate is finite
-RadiosityResults evaluate_radiosity(const Store& store);
+/// @param stop  once true, no further system between patches is begun; null: never
+RadiosityResults evaluate_radiosity(const Store& store, const std::atomic<bool>* stop = nullptr);
+
+/// Trials whose systems between patches are evaluated, and those that should be.
+struct PatchTrials {
+    std::uint64_t done = 0;
+    std::uint64_t wanted = 0;
+
+    [[nodiscard]] bool complete() const { return done == wanted; }
+};
+
+PatchTrials patch_trials(const StudyPlan& plan, const RadiosityResults& results);
 
 }  // namespace ff::studies

@@ -1,7 +1,7 @@
 #include "studies/radiosity/cost.hpp"
 
 #include "core/radiosity/patch_factors.hpp"
-#include "studies/radiosity/patch_matrix.hpp"
+#include "studies/plan/patch_systems.hpp"
 #include "studies/radiosity/treatment.hpp"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "studies/plan.hpp"
+#include "studies/plan/plan.hpp"
 
 #include <cstddef>
 #include <cstdint>

@@ -1,8 +1,8 @@
 #include "studies/radiosity/enclosure_study.hpp"
 
-#include "core/box.hpp"
-#include "core/error.hpp"
-#include "core/nearest_name.hpp"
+#include "core/configurations/built_in_scene.hpp"
+#include "core/support/error.hpp"
+#include "core/support/nearest_name.hpp"
 #include "studies/radiosity/collector.hpp"
 #include "studies/radiosity/lighting.hpp"
 

@@ -1,9 +1,9 @@
 #pragma once
 
+#include "core/points/stream.hpp"
 #include "core/radiosity/enclosures.hpp"
-#include "core/stream.hpp"
 #include "studies/radiosity/consequences.hpp"
-#include "studies/radiosity/request.hpp"
+#include "studies/spec/request.hpp"
 
 #include <cstdint>
 #include <optional>

@@ -1,10 +1,10 @@
 #include "studies/radiosity/lighting.hpp"
 
-#include "core/contract.hpp"
-#include "core/exact_rooms.hpp"
-#include "core/facing.hpp"
-#include "core/patch_order.hpp"
+#include "core/exact/exact_rooms.hpp"
+#include "core/patches/patch_order.hpp"
 #include "core/radiosity/patch_factors.hpp"
+#include "core/support/contract.hpp"
+#include "core/visibility/facing.hpp"
 
 #include <utility>
 

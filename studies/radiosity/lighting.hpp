@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/radiosity/solver.hpp"
-#include "studies/plan.hpp"
+#include "studies/plan/plan.hpp"
 #include "studies/radiosity/treatment.hpp"
 
 #include <Eigen/Core>

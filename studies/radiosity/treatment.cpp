@@ -1,7 +1,6 @@
 #include "studies/radiosity/treatment.hpp"
 
-#include "core/face_averages.hpp"
-#include "core/radiosity/correlated_repair.hpp"
+#include "core/patches/face_averages.hpp"
 #include "studies/radiosity/lighting.hpp"
 
 namespace ff::studies {
@@ -36,15 +35,26 @@ bool has_covariances(const Method& method, const Cell& cell, const TrialMatrices
     return trials.direct.front().rows() <= most_correlated_patches;
 }
 
-std::vector<Eigen::MatrixXd> measure_covariances(const TrialMatrices& trials, const Sight& sight) {
+std::vector<RowScatter> measure_scatters(const TrialMatrices& trials) {
     const Eigen::Index n = trials.direct.front().rows();
     const auto count = static_cast<Eigen::Index>(trials.direct.size());
-    const Eigen::VectorXd rays = static_cast<double>(count) * trials.errors.rays;
-    std::vector<Eigen::MatrixXd> covariances;
+    std::vector<RowScatter> scatters;
     for (Eigen::Index i = 0; i < n; ++i) {
         Eigen::MatrixXd rows(count, n);
         for (Eigen::Index t = 0; t < count; ++t) rows.row(t) = trials.direct[static_cast<std::size_t>(t)].row(i);
-        covariances.push_back(covariance_of_row(rows, sight.row(i).transpose(), rays.size() > 0 ? 0.5 / rays[i] : 0));
+        scatters.push_back(scatter_of_row(rows));
+    }
+    return scatters;
+}
+
+/// @param rays  of a trial, where factors are shares of hits; else empty
+std::vector<Eigen::MatrixXd> covariances_of(const std::vector<RowScatter>& scatters, const Eigen::VectorXd& rays,
+                                            const Sight& sight) {
+    std::vector<Eigen::MatrixXd> covariances;
+    for (const RowScatter& row : scatters) {
+        const auto i = static_cast<Eigen::Index>(covariances.size());
+        const double half_a_hit = rays.size() > 0 ? 0.5 / (static_cast<double>(row.trials) * rays[i]) : 0;
+        covariances.push_back(covariance_of_row(row, sight.row(i).transpose(), half_a_hit));
     }
     return covariances;
 }
@@ -78,9 +88,19 @@ TrialMatrices load_matrices(const Store& store, std::size_t cell_index) {
             for (std::size_t trial = 0; trial < values.size(); ++trial) trials.direct[trial](i, j) = values[trial];
         }
     }
-    if (has_covariances(plan.spec.methods[cell.method], cell, trials))
-        trials.errors.covariances = measure_covariances(trials, face_sight(plan.scenes[cell.scene]));
+    if (has_covariances(plan.spec.methods[cell.method], cell, trials)) {
+        trials.scatters = measure_scatters(trials);
+        trials.errors.covariances =
+            covariances_of(trials.scatters, trials.errors.rays, face_sight(plan.scenes[cell.scene]));
+    }
     return trials;
+}
+
+Uncertainty errors_without(const TrialMatrices& trials, std::size_t trial, const Sight& sight) {
+    std::vector<RowScatter> others = trials.scatters;
+    for (std::size_t i = 0; i < others.size(); ++i)
+        others[i] = without(others[i], trials.direct[trial].row(static_cast<Eigen::Index>(i)));
+    return {.rays = trials.errors.rays, .covariances = covariances_of(others, trials.errors.rays, sight)};
 }
 
 Eigen::MatrixXd treat(const Elements& elements, const Uncertainty& errors, const Eigen::MatrixXd& direct,

@@ -1,7 +1,8 @@
 #pragma once
 
+#include "core/radiosity/correlated_repair.hpp"
 #include "core/radiosity/repair.hpp"
-#include "studies/estimates.hpp"
+#include "studies/trials/estimates.hpp"
 
 #include <Eigen/Core>
 
@@ -45,8 +46,12 @@ struct Uncertainty {
 struct TrialMatrices {
     std::vector<std::uint64_t> numbers;  ///< of the trials
     std::vector<Eigen::MatrixXd> direct;
-    Uncertainty errors;
+    Uncertainty errors;                ///< by all trials
+    std::vector<RowScatter> scatters;  ///< of each row; empty where there are no covariances
 };
+
+/// By all trials but one, which it is for: the error of a trial that has a part in its own weights looks too small.
+Uncertainty errors_without(const TrialMatrices& trials, std::size_t trial, const Sight& sight);
 
 /// Trials that covariances are measured from, at least.
 inline constexpr std::size_t least_trials_of_covariances = 30;

@@ -1,9 +1,9 @@
 #include "studies/scene_files/builder.hpp"
 
-#include "core/error.hpp"
-#include "core/excerpt.hpp"
-#include "core/surface_map.hpp"
-#include "studies/printable.hpp"
+#include "core/geometry/surface_map.hpp"
+#include "core/support/error.hpp"
+#include "core/support/excerpt.hpp"
+#include "studies/readers/printable.hpp"
 
 #include <fmt/format.h>
 

@@ -1,83 +1,199 @@
-#include "core/mirrors.hpp"
-#include "core/stream.hpp"
-#include "core/tracer.hpp"
+#include "core/geometry/placement.hpp"
+#include "core/visibility/level_overlaps.hpp"
+#include "core/visibility/mirrors.hpp"
+#include "studies/scene_files/orientation.hpp"
 #include "studies/scene_files/scene_file.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <memory>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <map>
+#include <tuple>
+#include <utility>
 
 namespace ff::studies {
 namespace {
 
 constexpr std::size_t most_surfaces = 65536;
-constexpr std::size_t most_probed = 1000;
-constexpr std::size_t rays_of_a_surface = 64;
+constexpr std::size_t most_named = 3;
+constexpr std::size_t most_faces = 4096;
+/// Of a face's size, what coordinates are rounded by.
+constexpr double noticeable = 1e-9;
 
-/// What became of the probing rays of one face.
-struct Probe {
-    std::size_t rays = 0;
-    std::size_t lost = 0;
-    std::size_t on_backs = 0;
-    std::uint32_t back = no_surface;  ///< a surface whose back was met
+/// "1 ray", "2 rays".
+std::string counted(std::size_t count, std::string_view thing) {
+    return fmt::format("{} {}{}", count, thing, count == 1 ? "" : "s");
+}
+
+/// The names of some faces, and how many more there are.
+std::string names(const Scene& scene, const std::vector<std::size_t>& faces) {
+    std::string text = faces.size() == 1 ? "face" : "faces";
+    for (std::size_t i = 0; i < std::min(faces.size(), most_named); ++i)
+        text += fmt::format("{} '{}'", i == 0 ? "" : ",", scene.faces[faces[i]]);
+    return faces.size() > most_named ? text + fmt::format(" and {} more", faces.size() - most_named) : text;
+}
+
+/// Overlaps of the same two faces (no_face: occluders).
+struct Overlap {
+    std::size_t surfaces = 0;
+    double area = 0;
 };
 
-/// The same points whatever is asked: they decide nothing but a warning.
-std::unique_ptr<PointBlock> points() {
-    auto block = std::make_unique<PointBlock>();
-    block->size = rays_of_a_surface;
-    for (std::uint32_t i = 0; i < rays_of_a_surface; ++i) {
-        const Words words = philox({}, i, Purpose::coordinates);
-        for (std::size_t d = 0; d < words.size(); ++d) block->coordinate[d][i] = words[d];
+void add_overlaps(const Scene& scene, SceneDoubts& doubts) {
+    const Placement placement = placement_of(scene);
+    const Scene where = placed(scene, placement);
+    std::map<std::tuple<bool, int, int>, Overlap> by_faces;
+    for (const LevelOverlap& overlap : level_overlaps(where)) {
+        const auto [low, high] = std::minmax(scene.surfaces[overlap.first].face, scene.surfaces[overlap.second].face);
+        if (high < 0) continue;  // two occluders hide what they hide together
+        Overlap& all = by_faces[{overlap.same_side, low, high}];
+        ++all.surfaces;
+        all.area += overlap.area * placement.unit * placement.unit;
     }
-    return block;
+    std::size_t back_to_back = 0;
+    std::string an_example;
+    for (const auto& [key, overlap] : by_faces) {
+        const auto& [same_side, low, high] = key;
+        const std::string& face = scene.faces[static_cast<std::size_t>(high)];
+        const double share = 100 * overlap.area / face_area(scene, high);
+        if (low < 0) {
+            (same_side ? doubts.faults : doubts.notes)
+                .push_back(fmt::format(
+                    "scene '{}': an occluder lies on face '{}' in one plane and covers {:.3g} % of it (it is taken to "
+                    "lie "
+                    "behind the face and hides nothing of it). Move it a little in front of the face, or cut the face "
+                    "out beneath it.",
+                    scene.name, face, share));
+        } else if (same_side && low == high) {
+            doubts.faults.push_back(
+                fmt::format("scene '{}': surfaces of face '{}' lie over each other in one plane, {:.3g} % of it (what "
+                            "lies twice is counted twice). Remove one of them.",
+                            scene.name, face, share));
+        } else if (same_side) {
+            doubts.faults.push_back(fmt::format(
+                "scene '{}': faces '{}' and '{}' lie over each other in one plane and radiate to the same side, {:.3g} "
+                "% "
+                "of '{}' (neither is taken to hide the other: what arrives there is counted for one or for both). Move "
+                "the one that is seen a little to the front, or cut the other out beneath it.",
+                scene.name, scene.faces[static_cast<std::size_t>(low)], face, share, face));
+        } else if (back_to_back++ == 0) {
+            an_example = low == high
+                             ? fmt::format("surfaces of face '{}'", face)
+                             : fmt::format("faces '{}' and '{}'", scene.faces[static_cast<std::size_t>(low)], face);
+        }
+    }
+    if (back_to_back > 0) {
+        doubts.notes.push_back(fmt::format(
+            "scene '{}': {}{} lie in one plane back to back (they are taken for the two sides of a thin wall: nothing "
+            "passes between them)",
+            scene.name, an_example,
+            back_to_back > 1 ? fmt::format(" and {}", counted(back_to_back - 1, "other pair")) : ""));
+    }
+}
+
+void add_resolution(const Scene& scene, SceneDoubts& doubts) {
+    const double farthest = farthest_coordinate(placed(scene)) * placement_of(scene).unit;
+    const double step = 4 * std::numeric_limits<double>::epsilon() * farthest;
+    std::vector<std::size_t> small;
+    double least = std::numeric_limits<double>::max();
+    for (std::size_t face = 0; face < scene.faces.size(); ++face) {
+        const double size = std::sqrt(face_area(scene, static_cast<int>(face)));
+        if (step > noticeable * size) small.push_back(face);
+        least = std::min(least, size);
+    }
+    if (small.empty()) return;
+    doubts.notes.push_back(fmt::format(
+        "scene '{}': {} {} small beside coordinates of {:.2g} (which are rounded: sampled factors of a face of "
+        "size {:.2g} are known to {:.1g} at best)",
+        scene.name, names(scene, small), small.size() == 1 ? "is" : "are", farthest, least, step / least));
+}
+
+/// A room whose walls face outwards, said to be closed or not: no front sees a front, but backs see backs.
+bool is_inside_out(const SideProbes& probes) {
+    std::size_t rays = 0;
+    std::size_t between_fronts = 0;
+    std::size_t between_backs = 0;
+    for (std::size_t from = 0; from < probes.faces; ++from) {
+        rays += probes.rays[2 * from + 1];
+        for (std::size_t to = 0; to < probes.faces; ++to) {
+            between_fronts += probes.met(from, 0, to, 0);
+            between_backs += probes.met(from, 1, to, 1);
+        }
+    }
+    return between_fronts == 0 && 2 * between_backs > rays;
+}
+
+std::string how_to_turn(std::size_t faces) {
+    return fmt::format("Turn {} round: the other order of corners in OBJ and View3D, flip or facing in TOML.",
+                       faces == 1 ? "it" : "them");
+}
+
+void add_orientation(const Scene& scene, SceneDoubts& doubts) {
+    const SideProbes probes = probe_sides(scene);
+    const bool known = mirrors(scene).empty();
+    const std::string name = fmt::format("scene '{}'", scene.name);
+    if (known && is_inside_out(probes)) {
+        doubts.faults.push_back(fmt::format(
+            "{}: faces seem to face outwards (no ray from a radiating side meets another, while most from the backs "
+            "meet backs). {}",
+            name, how_to_turn(scene.faces.size())));
+        return;
+    }
+    std::vector<std::size_t> leaking;
+    std::vector<std::size_t> on_backs;  // mostly
+    std::size_t lost = 0;
+    std::size_t rays = 0;
+    std::size_t from_backs = 0;
+    for (std::size_t face = 0; face < probes.faces; ++face) {
+        std::size_t backs = 0;
+        for (std::size_t to = 0; to < probes.faces; ++to) backs += probes.met(face, 0, to, 1);
+        rays += probes.rays[2 * face];
+        if (probes.lost[2 * face] > 0) leaking.push_back(face);
+        lost += probes.lost[2 * face];
+        if (2 * backs > probes.rays[2 * face]) on_backs.push_back(face);
+        from_backs += backs;
+    }
+    const bool leaks = scene.closed && lost > 0;
+    const std::vector<std::size_t> turned = known ? turned_faces(probes, scene.closed) : std::vector<std::size_t>();
+    if (!turned.empty()) {
+        const std::string ends = fmt::format("{} of {} end on backs{}", counted(from_backs, "ray"), rays,
+                                             leaks ? fmt::format(", {} meet nothing", lost) : "");
+        (scene.closed ? doubts.faults : doubts.notes)
+            .push_back(fmt::format("{}: {} {} to face the wrong way ({}; with {} turned round, hardly any would). {}",
+                                   name, names(scene, turned), turned.size() == 1 ? "seems" : "seem", ends,
+                                   turned.size() == 1 ? "it" : "them", how_to_turn(turned.size())));
+        return;
+    }
+    if (leaks) {
+        doubts.faults.push_back(fmt::format(
+            "{}: {} of {} rays meet nothing, though the scene is said to be closed (a hole, as seen from {}). "
+            "Close it, or do not say that it is closed.",
+            name, lost, rays, names(scene, leaking)));
+    }
+    if (!on_backs.empty()) {
+        doubts.notes.push_back(fmt::format("{}: most rays from {} end on backs (normals may face the wrong way)", name,
+                                           names(scene, on_backs)));
+    }
 }
 
 }  // namespace
 
-std::vector<std::string> doubts_about(const Scene& scene) {
-    if (scene.surfaces.size() > most_surfaces) return {};
-    const auto tracer = make_tracer(scene, TracerChoice::automatic);
-    const auto block = points();
-    std::vector<Probe> probes(scene.faces.size());
-    std::vector<Hit> hits(rays_of_a_surface);
-    RayBatch rays;
-    const std::size_t step = scene.surfaces.size() / most_probed + 1;
-    for (std::size_t s = 0; s < scene.surfaces.size(); s += step) {
-        const Surface& surface = scene.surfaces[s];
-        if (!is_of_face(surface)) continue;
-        Probe& probe = probes[static_cast<std::size_t>(surface.face)];
-        generate_rays(surface, static_cast<std::uint32_t>(s), undivided, 0, *block, rays);
-        tracer->trace(rays, hits);
-        probe.rays += hits.size();
-        for (const Hit& hit : hits) {
-            if (hit.surface == no_surface) {
-                ++probe.lost;
-            } else if (!hit.received && is_of_face(scene.surfaces[hit.surface])) {
-                ++probe.on_backs;
-                probe.back = hit.surface;
-            }
-        }
-    }
-    std::vector<std::string> doubts;
-    for (std::size_t face = 0; face < probes.size(); ++face) {
-        const Probe& probe = probes[face];
-        const auto say = [&](std::size_t count, const std::string& what) {
-            doubts.push_back(fmt::format("scene '{}': {} of {} rays from face '{}' {}", scene.name, count, probe.rays,
-                                         scene.faces[face], what));
-        };
-        if (scene.closed && probe.lost > 0)
-            say(probe.lost,
-                "meet nothing, though the scene is said to be closed (a hole, or normals that face outwards)");
-        if (2 * probe.on_backs > probe.rays) {
-            const auto other = static_cast<std::size_t>(scene.surfaces[probe.back].face);
-            say(probe.on_backs,
-                fmt::format("end on backs, one of them of face '{}' (normals of either may face the wrong way)",
-                            scene.faces[other]));
-        }
-    }
+SceneDoubts examine_scene(const Scene& scene) {
+    SceneDoubts doubts;
+    if (scene.empty_box) return doubts;
+    add_overlaps(scene, doubts);
+    if (scene.faces.size() <= most_faces) add_resolution(scene, doubts);
+    if (scene.surfaces.size() <= most_surfaces && scene.faces.size() <= most_faces) add_orientation(scene, doubts);
     return doubts;
+}
+
+std::vector<std::string> doubts_about(const Scene& scene) {
+    SceneDoubts doubts = examine_scene(scene);
+    doubts.faults.insert(doubts.faults.end(), doubts.notes.begin(), doubts.notes.end());
+    return doubts.faults;
 }
 
 }  // namespace ff::studies

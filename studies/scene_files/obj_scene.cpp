@@ -1,9 +1,9 @@
+#include "studies/readers/words.hpp"
 #include "studies/scene_files/builder.hpp"
 #include "studies/scene_files/formats.hpp"
-#include "studies/scene_files/words.hpp"
 
-#include "core/error.hpp"
-#include "core/excerpt.hpp"
+#include "core/support/error.hpp"
+#include "core/support/excerpt.hpp"
 
 #include <fmt/format.h>
 
@@ -46,7 +46,28 @@ struct Lines {
     bool closed = false;
 };
 
-/// @throws UserError at a coordinate that is no number, and at a group without polygons
+/// The loader reads what begins like a number, and wraps what does not fit.
+/// @throws UserError where a corner is not an index of a vertex, with those of texture and normal behind slashes
+void expect_indices(const SceneBuilder& builder, std::uint64_t line, const std::vector<std::string_view>& words) {
+    const auto is_index = [](std::string_view text) { return parse_number<std::int32_t>(text).value_or(0) != 0; };
+    for (std::size_t corner = 1; corner < words.size(); ++corner) {
+        std::string_view rest = words[corner];
+        const std::size_t end = std::min(rest.find('/'), rest.size());
+        bool good = is_index(rest.substr(0, end));
+        rest.remove_prefix(end);
+        for (std::size_t slashes = 0; good && !rest.empty(); ++slashes) {
+            rest.remove_prefix(1);
+            const std::size_t length = std::min(rest.find('/'), rest.size());
+            good = slashes < 2 && (length == 0 || is_index(rest.substr(0, length)));
+            rest.remove_prefix(length);
+        }
+        if (!good)
+            builder.fail(line, fmt::format("corner {} is '{}' (vertices count from 1, or back from -1). Write f 1 2 3.",
+                                           corner, excerpt(words[corner])));
+    }
+}
+
+/// @throws UserError at a coordinate that is no number, at a corner that is no index, and at a group without polygons
 Lines read_lines(const SceneBuilder& builder, std::string_view text) {
     Lines lines;
     std::string group;
@@ -69,6 +90,7 @@ Lines read_lines(const SceneBuilder& builder, std::string_view text) {
             if (words.size() < 4) builder.fail(number, "a polygon needs three corners or more. Remove it.");
             if (words.size() > 1 + most_corners)
                 builder.fail(number, fmt::format("more than {} corners. Divide the polygon.", most_corners));
+            expect_indices(builder, number, words);
             lines.of_polygon.push_back(number);
             group_line = 0;
         } else if (words[0] == "g" && words.size() > 1) {
@@ -93,7 +115,7 @@ Scene read_obj_scene(std::string_view name, std::string_view text) {
     config.vertex_color = false;
     tinyobj::ObjReader reader;
     if (!reader.ParseFromString(lines.of_shapes, "", config)) {
-        throw UserError(fmt::format("{}: {}", name, reader.Error()));
+        throw UserError(fmt::format("{}: cannot be read as OBJ ({}). See docs/scenes.md.", name, reader.Error()));
     }
     const auto& vertices = reader.GetAttrib().vertices;
     std::size_t polygon = 0;

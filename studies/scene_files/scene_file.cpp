@@ -1,9 +1,9 @@
 #include "studies/scene_files/scene_file.hpp"
 
-#include "core/box.hpp"
-#include "core/contract.hpp"
-#include "core/error.hpp"
-#include "core/mirrors.hpp"
+#include "core/configurations/built_in_scene.hpp"
+#include "core/support/contract.hpp"
+#include "core/support/error.hpp"
+#include "core/visibility/mirrors.hpp"
 #include "studies/scene_files/formats.hpp"
 
 #include <fmt/format.h>

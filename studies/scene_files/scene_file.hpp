@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/scene.hpp"
+#include "core/geometry/scene.hpp"
 
 #include <string>
 #include <string_view>
@@ -32,8 +32,19 @@ std::string with_mirrors_named(std::string_view scene, const std::vector<std::st
 /// @throws UserError "name:line: face: problem (why). Suggestion."
 Scene make_scene(std::string_view scene);
 
-/// What speaks against the scene as it is: rays that leave it though it is said to be closed, rays that end on the
-/// backs of faces. A few rays of each face are shot, at most of a thousand surfaces; of more than 65536 surfaces none.
+/// What speaks against a scene as it is.
+struct SceneDoubts {
+    /// With which results are not what was meant: a closed scene leaks, faces lie over each other in one plane, or no
+    /// face sees another but their backs do.
+    std::vector<std::string> faults;
+    std::vector<std::string> notes;  ///< what may be meant, with what is assumed
+};
+
+/// Looks for surfaces that lie over each other, and shoots a few rays from both sides of each face, at most of a
+/// thousand surfaces; of more than 65536 surfaces none.
+SceneDoubts examine_scene(const Scene& scene);
+
+/// Faults and notes together.
 std::vector<std::string> doubts_about(const Scene& scene);
 
 }  // namespace ff::studies

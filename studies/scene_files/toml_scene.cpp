@@ -1,6 +1,6 @@
+#include "studies/readers/toml_reader.hpp"
 #include "studies/scene_files/builder.hpp"
 #include "studies/scene_files/formats.hpp"
-#include "studies/toml_reader.hpp"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
-#include "core/excerpt.hpp"
+#include "core/support/excerpt.hpp"
+#include "studies/readers/words.hpp"
 #include "studies/scene_files/builder.hpp"
 #include "studies/scene_files/formats.hpp"
-#include "studies/scene_files/words.hpp"
 
 #include <fmt/format.h>
 
@@ -37,7 +37,8 @@ class Vs3Reader {
             case 'F':
             case 'f':
                 if (words.size() < 2 || words[1] != "3")
-                    builder_.fail(line, "only three-dimensional geometry (F 3) is read.");
+                    builder_.fail(line,
+                                  "only three-dimensional geometry is read (F 3). Give surfaces in three dimensions.");
                 return;
             case 'E':
             case 'e':
@@ -48,7 +49,8 @@ class Vs3Reader {
             case 't':
                 return;
             default:
-                builder_.fail(line, fmt::format("'{}' begins no line of a View3D file. Known: T C F V S O E.",
+                builder_.fail(line, fmt::format("'{}' begins no line of a View3D file. Begin it with T, C, F, V, S, O "
+                                                "or E, or with ! for a comment.",
                                                 excerpt(words[0])));
         }
     }
@@ -58,7 +60,11 @@ class Vs3Reader {
   private:
     [[nodiscard]] long number(std::uint64_t line, const Words& words, std::size_t at) const {
         const auto value = at < words.size() ? parse_number<long>(words[at]) : std::nullopt;
-        if (!value) builder_.fail(line, fmt::format("field {} is no whole number. Mend it.", at + 1));
+        if (!value)
+            builder_.fail(line,
+                          fmt::format("field {} is {}. Write a whole number there.", at + 1,
+                                      at < words.size() ? fmt::format("'{}', not a whole number", excerpt(words[at]))
+                                                        : std::string("missing")));
         return *value;
     }
 
@@ -71,7 +77,9 @@ class Vs3Reader {
         }
         const long index = number(line, words, 1);
         if (!vertices_.emplace(index, place).second)
-            builder_.fail(line, fmt::format("vertex {} is there twice.", index));
+            builder_.fail(
+                line,
+                fmt::format("vertex {} is there twice (surfaces could mean either). Give one another number.", index));
     }
 
     /// Fields 2 to 5 after the surface's number; a triangle has a 0 in the last.
@@ -101,14 +109,18 @@ class Vs3Reader {
         if (combined != 0) {
             const auto found = faces_.find(combined);
             if (found == faces_.end()) {
-                builder_.fail(
-                    line, fmt::format("is to be combined with surface {}, which does not come before it.", combined));
+                builder_.fail(line, fmt::format("the surface is to be combined with surface {}, which does not come "
+                                                "before it. Move it, or write 0.",
+                                                combined));
             }
             face = found->second;
         } else {
             face = builder_.face(label, line);
         }
-        if (!faces_.emplace(index, face).second) builder_.fail(line, fmt::format("surface {} is there twice.", index));
+        if (!faces_.emplace(index, face).second)
+            builder_.fail(
+                line,
+                fmt::format("surface {} is there twice (others could mean either). Give one another number.", index));
         builder_.add_polygon(corners(line, words), face, line);
     }
 

@@ -4,7 +4,6 @@
 #include "stats/distributions.hpp"
 #include "stats/kolmogorov.hpp"
 #include "stats/power.hpp"
-#include "studies/gates/estimate_gates.hpp"
 #include "studies/gates/measurement.hpp"
 
 #include <fmt/format.h>
@@ -119,85 +118,6 @@ void measure_power(const Bench& bench, Calibration& calibration) {
     }
 }
 
-/// Normal estimates of which each resembles the one before; mean `mean`, variance 1.
-EstimateSeries draw_series(double correlation, std::size_t n, double mean, stats::Draws& draws) {
-    EstimateSeries series{.quantity = "x", .values = {}, .lines = std::vector<std::size_t>(n, 1)};
-    double x = draw_normal(draws);
-    for (std::size_t i = 0; i < n; ++i) {
-        series.values.push_back(mean + x);
-        x = correlation * x + std::sqrt(1 - correlation * correlation) * draw_normal(draws);
-    }
-    return series;
-}
-
-void measure_correlated(const Bench& bench, Calibration& calibration) {
-    RateTable& table = calibration.correlated;
-    table.title = "Serially correlated estimates";
-    table.text =
-        "Files of 400 estimates in which each resembles the one before (autoregressive), bias exactly at the end of "
-        "the "
-        "band, α = 0.05. *Widened* is what `--estimates` does. Too narrow an interval fails too often.";
-    GatesSpec spec;
-    spec.alpha = 0.05;
-    Gate gate;
-    gate.name = gate.quantity = "x";
-    gate.against = Against::number;
-    gate.reference = 0;
-    gate.band = {-wide, wide};
-    spec.gates = {gate};
-    for (const double correlation : {0.0, 0.1, 0.3, 0.6, 0.9}) {
-        const auto fails = [&](const std::string& what, bool widened) {
-            return bench.repetitions.count(bench.times / 10, what, [&](stats::Draws& draws) {
-                const EstimateSeries series = draw_series(correlation, 400, wide, draws);
-                if (widened) return judge_estimates(spec, gate, {"x.csv", {series}}).verdict == Verdict::fail;
-                const auto moments = stats::moments_of(series.values);
-                return judge(measure_mean(moments, {}, gate.band, levels_at(spec.alpha)), gate.band) == Verdict::fail;
-            });
-        };
-        const std::string naive = fmt::format("fails: correlation {}, taken as independent", correlation);
-        const std::string widened = fmt::format("fails: correlation {}, widened", correlation);
-        const bool independent = correlation == 0;
-        table.rates.push_back(
-            {naive, fails(naive, false), independent ? RateClaim::equal : RateClaim::none, spec.alpha / 2});
-        table.rates.push_back(
-            {widened, fails(widened, true), independent ? RateClaim::at_most : RateClaim::none, spec.alpha / 2});
-    }
-}
-
-/// Of a Pareto distribution: P(x > t) = t^-index from 1 on.
-double draw_pareto(double index, stats::Draws& draws) {
-    return std::pow(1 - draws.uniform(), -1 / index);
-}
-
-void measure_heavy(const Bench& bench, Calibration& calibration) {
-    RateTable& table = calibration.heavy;
-    table.title = "Estimates of infinite variance";
-    table.text =
-        "Files of estimates whose tail index is 3/2, as that of the area kernel between faces that touch, under a band "
-        "so wide that every interval lies inside: they must not pass. Exponential ones have to.";
-    GatesSpec spec;
-    Gate gate;
-    gate.name = gate.quantity = "x";
-    gate.against = Against::number;
-    gate.reference = 0;
-    gate.band = {-1e9, 1e9};
-    spec.gates = {gate};
-    const auto passes = [&](const std::string& what, std::size_t n, auto draw) {
-        return bench.repetitions.count(std::max<std::uint64_t>(20, bench.times / 40), what, [&](stats::Draws& draws) {
-            EstimateSeries series{.quantity = "x", .values = {}, .lines = std::vector<std::size_t>(n, 1)};
-            for (std::size_t i = 0; i < n; ++i) series.values.push_back(draw(draws));
-            return judge_estimates(spec, gate, {"x.csv", {series}}).verdict == Verdict::pass;
-        });
-    };
-    for (const std::size_t n : {200u, 1000u, 10'000u}) {
-        const std::string heavy = fmt::format("passes: tail index 3/2, {} estimates", n);
-        const auto pareto = [](stats::Draws& draws) { return draw_pareto(1.5, draws); };
-        table.rates.push_back({heavy, passes(heavy, n, pareto), n > 200 ? RateClaim::at_most : RateClaim::none, 0.1});
-        const std::string light = fmt::format("passes: exponential, {} estimates", n);
-        table.rates.push_back({light, passes(light, n, draw_exponential), RateClaim::at_least, 0.9});
-    }
-}
-
 }  // namespace
 
 Calibration measure_calibration(const Repetitions& repetitions, std::uint64_t times) {
@@ -205,8 +125,6 @@ Calibration measure_calibration(const Repetitions& repetitions, std::uint64_t ti
     Calibration calibration;
     measure_false_alarms(bench, calibration);
     measure_power(bench, calibration);
-    measure_correlated(bench, calibration);
-    measure_heavy(bench, calibration);
     return calibration;
 }
 

@@ -21,8 +21,6 @@ struct PValues {
 struct Calibration {
     RateTable false_alarms;
     RateTable power;
-    RateTable correlated;  ///< estimates in serial correlation
-    RateTable heavy;       ///< estimates of infinite variance
     std::vector<PValues> p_values;
 };
 

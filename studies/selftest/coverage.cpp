@@ -7,9 +7,9 @@
 #include "stats/spread.hpp"
 #include "stats/two_stage.hpp"
 #include "stats/variance_interval.hpp"
+#include "studies/comparison/rivals.hpp"
+#include "studies/diagnostics/variance_reduction.hpp"
 #include "studies/gates/measurement.hpp"
-#include "studies/rivals.hpp"
-#include "studies/variance_reduction.hpp"
 
 #include <fmt/format.h>
 
@@ -143,7 +143,7 @@ void add_variances(CoverageTable& table) {
     table.add("mean squared error: student_t", normal, 30, RateClaim::none, square, 1);
     // 30 trials of 10 pairs.
     const IntervalOf of_class = [](const auto& errors) { return ten_pairs(errors).variance_interval; };
-    table.add("variance over 10 pairs: log_normal", normal, 300, RateClaim::none, of_class, 1);
+    table.add("variance over 10 pairs: log_student_t", normal, 300, RateClaim::none, of_class, 1);
 }
 
 void add_proportions(CoverageTable& table) {
@@ -177,7 +177,7 @@ void add_ratios(CoverageTable& table) {
                             return stats::ratio_interval(*a, *b, level).contains(1);
                         });
     }
-    table.add_event("ratio of variances over 10 pairs: log_normal, normal data, n = 300 and 300", RateClaim::none, 1,
+    table.add_event("ratio of variances over 10 pairs: log_student_t, normal data, n = 300 and 300", RateClaim::none, 1,
                     [](stats::Draws& draws) {
                         const auto a = ten_pairs(draw_sample(normal, 300, draws));
                         return variance_ratio_interval(a, ten_pairs(draw_sample(normal, 300, draws))).contains(1);

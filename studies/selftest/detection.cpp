@@ -1,10 +1,11 @@
 #include "studies/selftest/detection.hpp"
 
-#include "core/box.hpp"
-#include "core/error.hpp"
-#include "core/exact.hpp"
+#include "core/configurations/built_in_scene.hpp"
+#include "core/exact/exact.hpp"
+#include "core/support/error.hpp"
 #include "studies/gates/estimate_gates.hpp"
 #include "studies/gates/gate_run.hpp"
+#include "studies/run/parallel.hpp"
 
 #include <fmt/format.h>
 
@@ -56,7 +57,8 @@ Method mend(Method method) {
 void measure_controls(const Laboratory& laboratory, const GatesSpec& controls, Detection& detection) {
     detection.caught.title = "Controls";
     detection.caught.text = fmt::format(
-        "Every gate of studies/gates/controls.toml with {} seeds in a row: how often the control fails. The trials of "
+        "Every gate of studies/built_in/gates/controls.toml with {} seeds in a row: how often the control fails. The "
+        "trials of "
         "each are such that the planned power against this control is at least {:g}.",
         laboratory.seeds, controls.power);
     detection.sound.title = "Their sound counterparts";

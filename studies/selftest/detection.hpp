@@ -18,7 +18,7 @@ struct Detection {
     std::vector<std::string> refused;  ///< messages of gates that are refused before anything is run
 };
 
-/// Runs every gate of `controls` (studies/gates/controls.toml), one a control, with `seeds` seeds.
+/// Runs every gate of `controls` (studies/built_in/gates/controls.toml), one a control, with `seeds` seeds.
 Detection measure_detection(const GatesSpec& controls, const Repetitions& repetitions, std::uint64_t seeds);
 
 }  // namespace ff::studies

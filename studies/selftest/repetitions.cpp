@@ -1,45 +1,12 @@
 #include "studies/selftest/repetitions.hpp"
 
-#include "core/error.hpp"
 #include "stats/distributions.hpp"
-
-#include <fmt/format.h>
+#include "studies/run/parallel.hpp"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
-#include <exception>
-#include <mutex>
-#include <system_error>
-#include <thread>
 
 namespace ff::studies {
-
-void for_each_index(std::uint64_t times, unsigned threads, const std::function<void(std::uint64_t)>& task) {
-    std::atomic<std::uint64_t> next{0};
-    std::mutex mutex;
-    std::exception_ptr failure;
-    const auto work = [&] {
-        try {
-            for (std::uint64_t i = next++; i < times; i = next++) task(i);
-        } catch (...) {
-            const std::lock_guard lock(mutex);
-            if (!failure) failure = std::current_exception();
-            next = times;
-        }
-    };
-    std::vector<std::jthread> pool;
-    try {
-        while (pool.size() + 1 < threads) pool.emplace_back(work);
-    } catch (const std::system_error& error) {
-        next = times;
-        throw UserError(fmt::format("{} threads (the system started {} of them: {}). Take fewer with --threads.",
-                                    threads, pool.size(), error.code().message()));
-    }
-    work();
-    pool.clear();  // joins them
-    if (failure) std::rethrow_exception(failure);
-}
 
 std::vector<double> Repetitions::collect(std::uint64_t times, std::string_view what,
                                          const std::function<double(stats::Draws&)>& experiment) const {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/stream.hpp"
+#include "core/points/stream.hpp"
 #include "stats/binomial.hpp"
 #include "stats/resampling.hpp"
 
@@ -24,10 +24,6 @@ struct Repetitions {
     [[nodiscard]] std::vector<double> collect(std::uint64_t times, std::string_view what,
                                               const std::function<double(stats::Draws&)>& experiment) const;
 };
-
-/// Calls `task(i)` for i = 0 .. times - 1 on several threads. @throws what a task threw first; UserError where the
-/// system starts fewer threads
-void for_each_index(std::uint64_t times, unsigned threads, const std::function<void(std::uint64_t)>& task);
 
 /// A standard normal number.
 double draw_normal(stats::Draws& draws);

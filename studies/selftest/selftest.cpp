@@ -2,6 +2,7 @@
 
 #include "stats/multiplicity.hpp"
 #include "studies/selftest/coverage.hpp"
+#include "studies/selftest/estimate_checks.hpp"
 
 #include <algorithm>
 
@@ -22,8 +23,11 @@ std::size_t count_claims(const std::vector<RateTable>& tables) {
 }  // namespace
 
 std::vector<RateTable> Selftest::tables() const {
-    return {detection.caught,  detection.sound,        calibration.false_alarms, detection.edge,
-            calibration.power, calibration.correlated, calibration.heavy,        coverage};
+    std::vector<RateTable> all{detection.caught, detection.sound, calibration.false_alarms, detection.edge,
+                               calibration.power};
+    all.insert(all.end(), estimates.begin(), estimates.end());
+    all.push_back(coverage);
+    return all;
 }
 
 std::size_t Selftest::contradictions() const {
@@ -43,6 +47,7 @@ Selftest run_selftest(const GatesSpec& controls, const SelftestOptions& options)
     selftest.options = options;
     selftest.detection = measure_detection(controls, repetitions, options.seeds);
     selftest.calibration = measure_calibration(repetitions, options.repetitions);
+    selftest.estimates = measure_estimate_checks(repetitions, options.repetitions);
     selftest.coverage = measure_coverage(repetitions, options.repetitions);
     const std::size_t claims = count_claims(selftest.tables()) + selftest.calibration.p_values.size();
     selftest.level = 1 - stats::bonferroni_level(family_alpha, claims);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "studies/descriptions.hpp"
+#include "studies/explain/descriptions.hpp"
 #include "studies/gates/gate.hpp"
 #include "studies/selftest/calibration.hpp"
 #include "studies/selftest/detection.hpp"
@@ -16,7 +16,8 @@ inline constexpr Description selftest_description{
     "gates_selftest", "The gates and intervals checked: is what is broken caught, and what is sound not?",
     "Runs every control ('ffstudy list controls') through its gate with many seeds, and its sound counterpart beside "
     "it;\nmeasures false alarms at the ends of the band and at a point null, p-values, power, the coverage of every "
-    "interval\nmethod, and what becomes of estimates that are correlated or of infinite variance. Claims are tested "
+    "interval\nmethod, and what becomes of estimates that are skewed, correlated, repeated or of infinite variance. "
+    "Claims are tested "
     "together, at 1 %;\nexit code 1 where one does not hold. A command of its own: ffstudy gates_selftest --help.",
     ""};
 
@@ -32,6 +33,7 @@ struct Selftest {
     SelftestOptions options;
     Detection detection;
     Calibration calibration;
+    std::vector<RateTable> estimates;  ///< files that are skewed, correlated, heavy-tailed, repeated
     RateTable coverage;
     double level = 0;  ///< of the interval of one rate, such that all of them hold together with probability 0.99
 
@@ -39,7 +41,7 @@ struct Selftest {
     [[nodiscard]] std::size_t contradictions() const;     ///< claims that the intervals exclude
 };
 
-/// @param controls  bands file of the controls (studies/gates/controls.toml)
+/// @param controls  bands file of the controls (studies/built_in/gates/controls.toml)
 Selftest run_selftest(const GatesSpec& controls, const SelftestOptions& options);
 
 }  // namespace ff::studies

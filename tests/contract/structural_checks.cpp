@@ -1,4 +1,4 @@
-#include "core/error.hpp"
+#include "core/support/error.hpp"
 #include "samplers/sizes.hpp"
 #include "tests/contract/checks.hpp"
 

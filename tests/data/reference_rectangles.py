@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Form factors of rectangles from contour integrals, independent of the corner sums in core/rectangle_formulas.cpp.
+"""Form factors of rectangles from contour integrals, independent of the corner sums in core/formulas/rectangle_formulas.cpp.
 
     python3 tests/data/reference_rectangles.py > tests/data/reference_rectangles.csv     (needs python3-mpmath)
 

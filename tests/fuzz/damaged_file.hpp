@@ -1,6 +1,6 @@
 #pragma once
 
-#include "studies/sqlite.hpp"
+#include "studies/store/sqlite.hpp"
 
 #include <stdlib.h>
 #include <cstddef>

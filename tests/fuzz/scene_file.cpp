@@ -2,7 +2,7 @@
 // format it is.
 
 #include "studies/scene_files/scene_file.hpp"
-#include "core/error.hpp"
+#include "core/support/error.hpp"
 #include "tests/fuzz/one_input.hpp"
 
 #include <array>

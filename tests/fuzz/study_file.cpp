@@ -1,8 +1,8 @@
 // A study file is a study, whose canonical text reads as the same study, or a UserError.
 
-#include "core/error.hpp"
-#include "studies/plan.hpp"
-#include "studies/spec.hpp"
+#include "core/support/error.hpp"
+#include "studies/plan/plan.hpp"
+#include "studies/spec/spec.hpp"
 #include "tests/fuzz/one_input.hpp"
 
 #include <cstdint>

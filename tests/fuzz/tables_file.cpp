@@ -1,8 +1,8 @@
 // A tables file can be audited and reported, or it is a UserError.
 
-#include "core/error.hpp"
-#include "studies/audit.hpp"
-#include "studies/published.hpp"
+#include "core/support/error.hpp"
+#include "studies/audit/audit.hpp"
+#include "studies/published/published.hpp"
 #include "tests/fuzz/one_input.hpp"
 
 #include <cstdint>

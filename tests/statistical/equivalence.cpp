@@ -6,15 +6,15 @@
 // planned from a pilot study with other seeds, so that an unbiased sampler passes on all
 // pairs together with probability 0.999 (the pilot's estimate of sigma is raised by its own uncertainty).
 
-#include "core/box.hpp"
-#include "core/exact.hpp"
+#include "core/configurations/built_in_scene.hpp"
+#include "core/exact/exact.hpp"
 #include "stats/bias_test.hpp"
 #include "stats/moments.hpp"
 #include "stats/power.hpp"
 #include "stats/variance_interval.hpp"
 
 #include "samplers/sampler.hpp"
-#include "studies/estimates.hpp"
+#include "studies/trials/estimates.hpp"
 #include "tests/support/studies.hpp"
 
 #include <gtest/gtest.h>

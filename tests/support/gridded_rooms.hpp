@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/box.hpp"
-#include "core/scene.hpp"
+#include "core/geometry/box.hpp"
+#include "core/geometry/scene.hpp"
 
 #include <array>
 #include <cstddef>

@@ -1,6 +1,6 @@
 #include "tests/support/studies.hpp"
 
-#include "studies/run.hpp"
+#include "studies/run/run.hpp"
 #include "studies/scene_files/scene_file.hpp"
 
 #include <fmt/format.h>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "studies/plan.hpp"
-#include "studies/store.hpp"
+#include "studies/plan/plan.hpp"
+#include "studies/store/store.hpp"
 
 #include <cstdint>
 #include <filesystem>

@@ -12,5 +12,5 @@ for file in summary.csv trials.csv results.json report.md context.json; do expec
 cp -r out kept
 ffstudy run "$folder/study.toml" --seed 2 --out out
 expect_status 2
-expect_stderr "holds another study (differs in 'seed = 1' there, 'seed = 2' here)"
+expect_stderr "holds another study (differs in [study]: 'seed = 1' there, 'seed = 2' here)"
 for file in summary.csv trials.csv results.json report.md results.sqlite; do expect_equal_files kept/$file out/$file; done

@@ -8,7 +8,6 @@ expect_status 0
 
 # goes_on OUT: what is there can be read, and leads to the same results once there is room.
 goes_on() {
-    rm -f "$1"/*.part
     if [ -s "$1/results.sqlite" ]; then
         /usr/bin/python3 -c "import sqlite3, sys
 [answer] = sqlite3.connect(sys.argv[1]).execute('PRAGMA integrity_check').fetchone()
@@ -32,16 +31,17 @@ for size in 0 40 $((largest / 2)) $largest; do
     # Nothing can be said where files of no size are allowed and the messages go to files.
     expect_status 3
     [ $size -eq 0 ] || expect_stderr "ffstudy: "
-    [ -z "$(find . -name '*.part')" ] || fail "a temporary file is left behind"
+    [ -z "$(find . -name '.ffstudy-part*')" ] || fail "a temporary file is left behind"
     goes_on out$size
 done
 
-# on_small_disk SIZE OUT: runs the study on a tmpfs of this size, and leaves in OUT what was there in the end.
+# on_small_disk SIZE OUT: runs the study on a tmpfs of this size, and leaves in OUT what was there in the end. A run that
+# may end before the disk is full, for its time, is not refused beforehand.
 on_small_disk() {
     command_line="ffstudy run on a tmpfs of $1" status=0
     mkdir disk "$2"
     "${namespace[@]}" bash -c 'mount -t tmpfs -o size='"$1"' none disk && {
-        "$0" run "$1" --out disk/out; status=$?; cp -r disk/out/. "$2"; exit $status; }' \
+        "$0" run "$1" --max-time 1h --out disk/out; status=$?; cp -r disk/out/. "$2"; exit $status; }' \
         "$program" "$folder/study.toml" "$2" >"$folder/stdout" 2>"$folder/stderr" </dev/null || status=$?
     rmdir disk
 }
@@ -49,11 +49,13 @@ namespace=(unshare --mount)
 [ "$(id -u)" -eq 0 ] || namespace=(unshare --user --map-root-user --mount)
 mkdir probe
 if "${namespace[@]}" mount -t tmpfs none probe 2>/dev/null; then
-    store=$(stat -c %s whole/results.sqlite)
+    store=$(stat -c %s whole/results.sqlite) reports=$(du -s --block-size=1 --exclude=results.sqlite whole | cut -f1)
     # Full while the store grows; full when the reports are written.
-    for size in $((store / 3)) $((store + 65536)); do
+    for size in $((store / 3)) $((store + 65536)) $((store + reports - 4096 * 20)); do
         on_small_disk $size disk$size
         expect_status 3
+        # Not what the system has said of something else.
+        grep -Eq 'disk is full|No space left on device' "$folder/stderr" || fail "expected the reason"
         goes_on disk$size
     done
     echo "on disks of several sizes"

@@ -9,7 +9,7 @@ expect_status 0
 
 ffstudy merge "$folder/parts/1" "$folder/parts/other" --out merged
 expect_status 2
-expect_stderr "parts/other/results.sqlite: holds another study (differs in 'seed = 2' there, 'seed = 1' here)"
+expect_stderr "parts/other/results.sqlite: holds another study (differs in [study]: 'seed = 2' there, 'seed = 1' here)"
 rm -r merged
 
 ffstudy merge "$folder/parts/1" "$folder/parts/2" --out "$folder/parts/1"

@@ -39,6 +39,6 @@ expect_refused 2 "--until speed=1 (the goals are rmse and ci)"
 ffstudy "${ladder[@]}" --until rmse=0
 expect_refused 2 "--until rmse=0 (not a number above 0)"
 ffstudy "${ladder[@]}" --until rmse=1e-3 --level 1
-expect_refused 2 "--level 1 (above 0.5 and below 1)"
+expect_refused 2 "--level 1 (above 0.5, at most 1 - 1e-9)"
 ffstudy convergence --sampler sobol --samples 256 --trials 4 --until rmse=1e-3
 expect_refused 2 "--trials 4 (the pilot of an adaptive study has at least 5)"

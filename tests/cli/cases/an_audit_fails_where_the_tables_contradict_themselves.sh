@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 source "$(dirname "$0")/../harness.sh"
 
-tables=$data/../../studies/paper_tables.json
+tables=$data/../../studies/built_in/paper_tables.json
 ffstudy audit "$tables"
 expect_status 1
 expect_stdout "contradiction"

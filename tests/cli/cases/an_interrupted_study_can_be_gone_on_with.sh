@@ -5,8 +5,7 @@ small_study 1000 >"$folder/study.toml"
 command_line="ffstudy run (interrupted)" status=0
 "$program" run "$folder/study.toml" --threads 2 --out out >"$folder/stdout" 2>"$folder/stderr" </dev/null &
 process=$!
-# Ready for the signal is what has begun its store and catches SIGINT, the second lowest bit of the mask.
-until [ -e out/results.sqlite ] && grep -q '^SigCgt:.*[2367abef]$' /proc/$process/status; do
+until [ -n "$(find out -name results.sqlite-wal -size +0 2>/dev/null)" ]; do
     kill -0 $process || fail "the study was over before it could be interrupted"
     sleep 0.01
 done

@@ -108,12 +108,16 @@ END
 study cube.obj
 ffstudy run "$folder/study.toml" --out wrong
 expect_status 0
-expect_stderr "64 of 64 rays from face 'floor' meet nothing, though the scene is said to be closed (a hole, or normals that face outwards)"
+expect_stderr "faces seem to face outwards (no ray from a radiating side meets another"
+ffstudy form_factors "$folder/cube.obj" --tolerance 1e-3
+expect_status 4
+expect_stderr "faces seem to face outwards"
+expect_stdout "NOT to be trusted (see the warnings)"
 sed 's/^f 5 6 7 8$/f 8 7 6 5/; s/^f 4 3 2 1$/f 1 2 3 4/' "$folder/cube.obj" >"$folder/mixed.obj"
 study mixed.obj
 ffstudy run "$folder/study.toml" --out mixed
 expect_status 0
-expect_stderr "rays from face 'floor' end on backs, one of them of face"
+expect_stderr "faces 'south', 'north', 'east' and 1 more seem to face the wrong way"
 
 # An open scene where closure is asked for.
 rm -rf -- *

@@ -1,13 +1,12 @@
 #!/usr/bin/env bash
 source "$(dirname "$0")/../harness.sh"
 
-# start STUDY OUT: runs it in the background and returns when the program has begun its store and catches SIGINT, the
-# second lowest bit of the mask.
+# start STUDY OUT: runs it in the background and returns when its first unit is saved.
 start() {
     command_line="ffstudy run (to be stopped)" status=0
     "$program" run "$1" --threads 2 --out "$2" >"$folder/stdout" 2>"$folder/stderr" </dev/null &
     process=$!
-    until [ -e "$2/results.sqlite" ] && grep -q '^SigCgt:.*[2367abef]$' /proc/$process/status; do
+    until [ -n "$(find "$2" -name results.sqlite-wal -size +0 2>/dev/null)" ]; do
         kill -0 $process || fail "the study was over before it could be stopped"
         sleep 0.01
     done

@@ -40,11 +40,12 @@ expect_equal_files "$folder/repaired" "$folder/stdout"
 expect_same repaired later
 
 # It can be repaired in its own folder; a file that a killed run has left there is no obstacle.
-: >plain/form_factors.sqlite.part
+: >plain/.ffstudy-part-0
 ffstudy form_factors --load plain --repair --out plain --quiet
 expect_status 0
 expect_no_stdout
 expect_same later plain
+[ ! -e plain/.ffstudy-part-0 ] || fail "expected what a killed run has left to be removed"
 
 # What is not within the tolerance is not when it is loaded either.
 ffstudy form_factors coaxial_discs_equal --max-samples 1000000 --out missed
@@ -100,7 +101,7 @@ expect_refused 2 "no SQLite file"
 import sqlite3, sys
 sqlite3.connect('$folder/store.sqlite').executescript('UPDATE about SET value = 99 WHERE key = \'schema_version\'')"
 ffstudy form_factors --load "$folder/store.sqlite" --out out
-expect_refused 2 "schema version 99 (this program reads 1)"
+expect_refused 2 "schema version 99 (this program reads 1 to 2)"
 ffstudy form_factors --load "$folder/half" --out out
 expect_refused 3 "half"
 ffstudy form_factors --load "$folder/store.sqlite" cube

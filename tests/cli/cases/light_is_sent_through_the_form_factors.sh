@@ -8,7 +8,7 @@ source "$(dirname "$0")/../harness.sh"
 small_study 20 >"$folder/study.toml"
 ffstudy radiosity "$folder/study.toml" --reflectance 0.5,0.95 --emission 0,0,0,0,0,1 --out lit
 expect_status 0
-expect_stdout "I − P F keeps diagonal dominance at every reflectance below 1; at 0.95 the light errs by"
+expect_stdout "I − P F keeps diagonal dominance at every reflectance below 1; at 0.95 the exitance error is"
 expect_stdout "What repairs leave of the error of the light at reflectance 0.95: "
 grep -Fq "## What the errors do to the light" lit/report.md || fail "report.md says nothing of light"
 /usr/bin/python3 "$here/validate_results" lit/results.json || fail "results.json breaks the schema"
@@ -106,7 +106,7 @@ for emission in 1e-30 1e30; do
     ffstudy radiosity "$folder/study.toml" --reflectance 0.5,0.95 --emission "0,0,0,0,0,$emission" --out "lit_$emission"
     expect_status 0
     errors() { grep -F "errs by" "$1/report.md"; }
-    [ "$(errors "lit_$emission")" = "$(errors lit)" ] || fail "at emission $emission the light errs otherwise"
+    [ "$(errors "lit_$emission")" = "$(errors lit)" ] || fail "at emission $emission the exitance error differs"
     ffstudy radiosity "$folder/study.toml" --reflectance 1e-30,0.999999999 --emission "$emission" --out "far_$emission"
     expect_status 0
     ! grep -Eqw 'nan|inf' "far_$emission/report.md" || fail "a number is none at emission $emission"

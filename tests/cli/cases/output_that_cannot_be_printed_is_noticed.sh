@@ -3,7 +3,7 @@ source "$(dirname "$0")/../harness.sh"
 
 small_study >"$folder/study.toml"
 # The device /dev/full is a disk that is always full.
-for arguments in "list samplers" "--help" "run $folder/study.toml --out a"; do
+for arguments in "list samplers" "--help" "--version" "run $folder/study.toml --out a"; do
     command_line="ffstudy $arguments >/dev/full" status=0
     # shellcheck disable=SC2086
     "$program" $arguments >/dev/full 2>"$folder/stderr" </dev/null || status=$?

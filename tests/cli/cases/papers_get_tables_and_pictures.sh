@@ -68,9 +68,42 @@ done
 rm bin/node
 printf '#!/bin/sh\nexit 1\n' >bin/node
 chmod +x bin/node
-PATH=$PWD/bin:$PATH TMPDIR=/nonexistent ffstudy report out --format svg --out none
-expect_status 3
-expect_stderr "Set TMPDIR"
 PATH=$PWD/bin:$PATH ffstudy report out --format svg --out none
 expect_status 3
 expect_stderr "bin/node: failed"
+[ -z "$(find none -name '.ffstudy-part*')" ] || fail "expected nothing left of what was on its way"
+
+# A report that is stopped takes the program that draws with it, and what both had begun.
+cat >bin/node <<'END'
+#!/bin/sh
+echo $$ >"$PIDS/$1"
+exec sleep 60
+END
+sed -i 's/\$1/node/' bin/node
+export PIDS=$PWD/pids
+# Whoever inherits a process that ended may not have asked for its status yet: a zombie runs no more.
+runs() { grep -qs '^State:[[:space:]]*[^Z[:space:]]' "/proc/$1/status"; }
+for signal in INT TERM KILL; do
+    rm -rf pids stopped
+    mkdir pids
+    command_line="ffstudy report --format svg (to be stopped by SIG$signal)" status=0
+    PATH=$PWD/bin:$PATH "$program" report out --format svg --out stopped >"$folder/stdout" 2>"$folder/stderr" </dev/null &
+    process=$!
+    until [ -s pids/node ]; do
+        kill -0 $process || fail "the report was over before it could be stopped"
+        sleep 0.01
+    done
+    kill -$signal $process
+    wait $process 2>/dev/null || status=$?
+    for _ in {1..100}; do
+        runs "$(cat pids/node)" || break
+        sleep 0.01
+    done
+    ! runs "$(cat pids/node)" || fail "expected SIG$signal to end the program that draws"
+    [ $signal = KILL ] || expect_status 130
+    [ $signal = KILL ] || [ -z "$(ls -A stopped)" ] || fail "expected nothing left: $(ls -A stopped)"
+done
+# What could not be cleaned up by one that was killed, the next one does.
+ffstudy report out --format csv --out stopped --quiet
+expect_status 0
+[ -z "$(find stopped -name '.ffstudy-part*')" ] || fail "expected nothing left of what was on its way"

@@ -69,7 +69,7 @@ for column in $(head -qn 1 results/shallow_box/summary.csv | tr , ' '); do expla
 for key in $(grep -oE '"[a-z_0-9]+":' results/shallow_box/{results,context}.json | cut -d'"' -f2 | sort -u); do
     explained "$key"
 done
-for table in $(grep -oE 'CREATE TABLE [a-z]+' "$root/studies/store.cpp" | cut -d' ' -f3); do explained "$table"; done
+for table in $(grep -oE 'CREATE TABLE [a-z]+' "$root/studies/store/store.cpp" | cut -d' ' -f3); do explained "$table"; done
 
 # The example of the study file has the 12 cells that its text counts.
 blocks toml "$root/docs/study-files.md" | sed '/^sizes = \[/,$d' >example.toml
@@ -86,7 +86,7 @@ for command in $commands; do
     grep -Eq "^  $command " "$folder/stdout" || fail "the documents name a command $command"
 done
 for document in "${documents[@]}"; do
-    for link in $(grep -oE '\]\([^)#:]+' "$document" | cut -c3-); do
+    for link in $(grep -oP '\]\(\K[^)#:]+(?=[)#])' "$document"); do
         [ -e "$(dirname "$document")/$link" ] || fail "$document links to $link, which is not there"
     done
     for script in $(grep -oE '(^|`)scripts/[a-z.]+' "$document" | tr -d '`'); do

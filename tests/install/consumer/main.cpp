@@ -1,4 +1,4 @@
-#include "core/stream.hpp"
+#include <ffstudy/core/points/stream.hpp>
 
 #include <cstdio>
 

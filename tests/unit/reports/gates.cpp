@@ -1,7 +1,7 @@
-#include "reports/gates_csv.hpp"
-#include "reports/gates_json.hpp"
-#include "reports/gates_junit.hpp"
-#include "reports/gates_terminal.hpp"
+#include "reports/csv/gates_csv.hpp"
+#include "reports/json/gates_json.hpp"
+#include "reports/json/gates_junit.hpp"
+#include "reports/terminal/gates_terminal.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,10 +1,10 @@
 // Infinity and what is no number never reach a report as numbers.
 
-#include "reports/csv.hpp"
-#include "reports/json.hpp"
-#include "reports/markdown.hpp"
-#include "reports/terminal.hpp"
-#include "studies/results.hpp"
+#include "reports/csv/csv.hpp"
+#include "reports/json/json.hpp"
+#include "reports/markdown/markdown.hpp"
+#include "reports/terminal/terminal.hpp"
+#include "studies/results/results.hpp"
 #include "tests/support/studies.hpp"
 
 #include <gmock/gmock.h>

@@ -1,11 +1,11 @@
-#include "reports/csv_radiosity.hpp"
-#include "reports/headline.hpp"
-#include "reports/json_radiosity.hpp"
-#include "reports/markdown_sections.hpp"
-#include "reports/numbers.hpp"
-#include "reports/pictures.hpp"
-#include "reports/radiosity_tables.hpp"
-#include "reports/radiosity_words.hpp"
+#include "reports/csv/csv_radiosity.hpp"
+#include "reports/json/json_radiosity.hpp"
+#include "reports/markdown/markdown_sections.hpp"
+#include "reports/pictures/pictures.hpp"
+#include "reports/tables/radiosity_tables.hpp"
+#include "reports/text/numbers.hpp"
+#include "reports/words/headline.hpp"
+#include "reports/words/radiosity_words.hpp"
 #include "tests/support/studies.hpp"
 #include "tests/unit/reports/small_study.hpp"
 
@@ -88,8 +88,8 @@ TEST(Headline, BeginsWithTheLight) {
     const auto light = light_in_brief(lit());
     ASSERT_TRUE(light);
     EXPECT_EQ(light->reflectance, "0.9");
-    EXPECT_THAT(light->clause, testing::ContainsRegex("at reflectance 0.9 the light errs by [0-9.]+ % with SR, "));
-    EXPECT_THAT(headline(lit()).verdict, testing::StartsWith("At reflectance 0.9 the light errs by "));
+    EXPECT_THAT(light->clause, testing::ContainsRegex("at reflectance 0.9 the exitance error is [0-9.]+ % with SR, "));
+    EXPECT_THAT(headline(lit()).verdict, testing::StartsWith("At reflectance 0.9 the exitance error is "));
     EXPECT_EQ(headline(lit()).numbers.front().value, light->value);
     EXPECT_FALSE(light_in_brief(test::small_results()));
 }

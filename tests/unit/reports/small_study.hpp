@@ -1,7 +1,7 @@
 #pragma once
 
-#include "reports/templates.hpp"
-#include "studies/results.hpp"
+#include "reports/templates/templates.hpp"
+#include "studies/results/results.hpp"
 
 #include <string>
 #include <string_view>

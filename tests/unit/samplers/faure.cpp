@@ -2,7 +2,7 @@
 
 #include "samplers/faure_digits.hpp"
 #include "samplers/sizes.hpp"
-#include "tests/unit/tracing/instruction_sets.hpp"
+#include "tests/unit/core/tracing/instruction_sets.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 #include "samplers/faure.hpp"
 #include "samplers/faure_digits.hpp"
 #include "samplers/sizes.hpp"
-#include "scrambling.hpp"
+#include "tests/unit/samplers/scrambling.hpp"
 
 #include <gtest/gtest.h>
 

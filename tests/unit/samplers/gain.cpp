@@ -1,7 +1,6 @@
 // The variance of a scrambled (t, m, s)-net in base b is at most b^t (b / (b - 1))^(s - 1) times that of as many
 // independent points, whatever the integrand [owen1997] (t = 0), [pan2023] (b = 2).
 
-#include "net.hpp"
 #include "samplers/antithetic.hpp"
 #include "samplers/faure.hpp"
 #include "samplers/faure_in_base.hpp"
@@ -14,8 +13,9 @@
 #include "samplers/sobol_lms.hpp"
 #include "samplers/sobol_nus.hpp"
 #include "samplers/stratified.hpp"
-#include "scrambling.hpp"
 #include "stats/moments.hpp"
+#include "tests/unit/samplers/net.hpp"
+#include "tests/unit/samplers/scrambling.hpp"
 
 #include <gtest/gtest.h>
 

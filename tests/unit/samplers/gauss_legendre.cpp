@@ -1,6 +1,6 @@
 #include "samplers/gauss_legendre.hpp"
 
-#include "core/error.hpp"
+#include "core/support/error.hpp"
 
 #include <gtest/gtest.h>
 

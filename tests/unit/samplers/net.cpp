@@ -1,4 +1,4 @@
-#include "net.hpp"
+#include "tests/unit/samplers/net.hpp"
 
 #include <gtest/gtest.h>
 

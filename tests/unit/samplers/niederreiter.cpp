@@ -1,6 +1,6 @@
 #include "samplers/niederreiter.hpp"
 
-#include "net.hpp"
+#include "tests/unit/samplers/net.hpp"
 
 #include <gtest/gtest.h>
 

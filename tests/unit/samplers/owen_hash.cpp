@@ -1,6 +1,6 @@
 #include "samplers/owen_hash.hpp"
 
-#include "core/stream.hpp"
+#include "core/points/stream.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 #include "samplers/padded.hpp"
 
-#include "net.hpp"
 #include "samplers/owen_hash.hpp"
 #include "samplers/sobol_directions.hpp"
+#include "tests/unit/samplers/net.hpp"
 
 #include <gtest/gtest.h>
 

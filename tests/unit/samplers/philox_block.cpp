@@ -1,6 +1,6 @@
 #include "samplers/philox_block.hpp"
 
-#include "tests/unit/tracing/instruction_sets.hpp"
+#include "tests/unit/core/tracing/instruction_sets.hpp"
 
 #include <gtest/gtest.h>
 

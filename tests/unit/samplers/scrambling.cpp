@@ -1,4 +1,4 @@
-#include "scrambling.hpp"
+#include "tests/unit/samplers/scrambling.hpp"
 
 #include "stats/variance_test.hpp"
 #include "tests/support/statistical_assertions.hpp"

@@ -1,6 +1,6 @@
 #include "samplers/sizes.hpp"
 
-#include "core/error.hpp"
+#include "core/support/error.hpp"
 #include "samplers/sampler.hpp"
 
 #include <gmock/gmock.h>

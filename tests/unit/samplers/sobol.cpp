@@ -1,9 +1,9 @@
 #include "samplers/sobol.hpp"
 
-#include "net.hpp"
 #include "samplers/owen_hash.hpp"
 #include "samplers/sobol_directions.hpp"
-#include "tests/unit/tracing/instruction_sets.hpp"
+#include "tests/unit/core/tracing/instruction_sets.hpp"
+#include "tests/unit/samplers/net.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 #include "samplers/sobol_lms.hpp"
 
-#include "net.hpp"
 #include "samplers/sobol_directions.hpp"
+#include "tests/unit/samplers/net.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,10 @@
 #include "samplers/sobol_nus.hpp"
 
-#include "net.hpp"
 #include "samplers/sobol.hpp"
 #include "samplers/sobol_directions.hpp"
 #include "samplers/sobol_lms.hpp"
-#include "scrambling.hpp"
+#include "tests/unit/samplers/net.hpp"
+#include "tests/unit/samplers/scrambling.hpp"
 
 #include <gtest/gtest.h>
 

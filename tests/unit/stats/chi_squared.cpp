@@ -13,15 +13,6 @@
 namespace ff::stats {
 namespace {
 
-// from scipy.stats import chi2; z = [.5, -1.2, 2.2, .3, -.7]; s = sum(a*a for a in z); s, chi2.sf(s, 5)
-TEST(CombineScores, AgreesWithScipy) {
-    const auto test = combine_scores(std::array{0.5, -1.2, 2.2, 0.3, -0.7});
-    EXPECT_NEAR(test->statistic, 7.11, 1e-14);
-    EXPECT_NEAR(test->p, 0.21258717769891491, 1e-13);
-    EXPECT_EQ(test->freedom, 5u);
-    EXPECT_FALSE(combine_scores({}));
-}
-
 const std::array deviations{0.5, -0.2, 0.1};
 
 Eigen::Matrix3d example_covariance() {

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace ff::stats {
 namespace {
 
@@ -28,6 +30,31 @@ TEST(Distributions, KeepTheFarTailThatOneMinusCdfLoses) {
     EXPECT_EQ(1 - (1 - normal_tail(8.5)), 0);  // what 1 - cdf would say
     EXPECT_GT(normal_tail(37), 0);
     EXPECT_DOUBLE_EQ(normal_two_sided_p(0), 1);
+}
+
+TEST(Distributions, AreContinuousWhereManyDegreesOfFreedomAreApproximated) {
+    for (const double tail : {1e-14, 1e-4, 0.3, 0.9}) {
+        const auto agree = [&](double below, double above) {
+            EXPECT_NEAR(std::log(above) / std::log(below), 1, 1e-6) << tail;
+        };
+        agree(chi_squared_tail(chi_squared_critical(0.99e8, tail), 0.99e8), tail);
+        agree(chi_squared_critical(0.999'999e8, tail) / 0.999'999e8 + 1,
+              chi_squared_critical(1.000'001e8, tail) / 1.000'001e8 + 1);
+        agree(fisher_critical(tail, 10, 0.99e8) + 1, fisher_critical(tail, 10, 1.01e8) + 1);
+        agree(fisher_critical(tail, 0.99e8, 10) + 1, fisher_critical(tail, 1.01e8, 10) + 1);
+    }
+}
+
+TEST(Distributions, ReachFisherQuantilesWhereBoostGivesUp) {
+    for (const double above : {0.5, 523.0, 1e15}) {
+        for (const double below : {0.5, 40.0, 1e22}) {
+            for (const double tail : {1e-14, 0.5, 1 - 1e-14}) {
+                const double f = fisher_critical(tail, above, below);
+                EXPECT_GT(f, 0) << above << ' ' << below << ' ' << tail;
+                EXPECT_TRUE(std::isfinite(f)) << above << ' ' << below << ' ' << tail;
+            }
+        }
+    }
 }
 
 }  // namespace

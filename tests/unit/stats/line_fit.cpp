@@ -16,7 +16,7 @@ constexpr std::array y{2.1, 3.9, 6.2, 9.8};
 constexpr std::array v{0.1, 0.2, 0.1, 0.4};
 
 // W = np.diag(1/v); A = np.c_[np.ones(4), x]; c = np.linalg.inv(A.T@W@A); b = c@A.T@W@y
-// r = y - A@b; q = r@W@r; b, c, q, chi2.sf(q, 2), and the interval with t(2) from mpmath
+// r = y - A@b; q = r@W@r; b, c, q, chi2.sf(q, 2)
 TEST(FitLine, AgreesWithNumpy) {
     const auto fit = fit_line(x, y, v);
     EXPECT_NEAR(fit->intercept, 0.13146067415730478, 1e-13);
@@ -28,7 +28,6 @@ TEST(FitLine, AgreesWithNumpy) {
     EXPECT_NEAR(*fit->lack_of_fit_p, 0.7876006988167973, 1e-13);
     EXPECT_EQ(fit->freedom, 2u);
     EXPECT_NEAR(slope_interval_normal(*fit, 0.95).low, 1.666005702610923, 1e-12);
-    EXPECT_NEAR(slope_interval_t(*fit, 0.95)->low, 1.643607353046052, 1e-12);
 }
 
 TEST(FitLine, NeedsTwoDistinctPlaces) {
@@ -37,7 +36,7 @@ TEST(FitLine, NeedsTwoDistinctPlaces) {
     EXPECT_FALSE(fit_line(std::array{3.0, 3.0}, std::array{1.0, 2.0}, std::array{1.0, 1.0}));
     const auto fit = fit_line(std::array{3.0, 4.0}, std::array{1.0, 3.0}, std::array{1.0, 1.0});
     EXPECT_DOUBLE_EQ(fit->slope, 2);
-    EXPECT_FALSE(fit->lack_of_fit_p || slope_interval_t(*fit, 0.95));
+    EXPECT_FALSE(fit->lack_of_fit_p);
 }
 
 TEST(FitLine, SurvivesAHugeOffset) {
@@ -48,7 +47,7 @@ TEST(FitLine, SurvivesAHugeOffset) {
 // Risks: 1e-6; coverage off by .016 is noticed with power .99.
 TEST(SlopeIntervals, CoverAtTheirLevelAndLackOfFitSeesACurve) {
     std::mt19937_64 engine(1);
-    std::uint64_t normal = 0, student = 0, false_alarms = 0, curves_found = 0;
+    std::uint64_t normal = 0, false_alarms = 0, curves_found = 0;
     for (int run = 0; run < 10'000; ++run) {
         const auto noise = test::normal_sample(4, engine);
         std::array<double, 4> line{};
@@ -59,12 +58,10 @@ TEST(SlopeIntervals, CoverAtTheirLevelAndLackOfFitSeesACurve) {
         }
         const auto fit = fit_line(x, line, v);
         normal += slope_interval_normal(*fit, 0.95).contains(-0.5) ? 1u : 0u;
-        student += slope_interval_t(*fit, 0.95)->contains(-0.5) ? 1u : 0u;
         false_alarms += *fit->lack_of_fit_p < 0.05 ? 1u : 0u;
         curves_found += *fit_line(x, curve, v)->lack_of_fit_p < 0.05 ? 1u : 0u;
     }
     EXPECT_TRUE(test::has_probability(normal, 10'000, 0.95, {.detects = 0.016}));
-    EXPECT_TRUE(test::has_probability(student, 10'000, 0.95, {.detects = 0.016}));
     EXPECT_TRUE(test::has_probability(false_alarms, 10'000, 0.05, {.detects = 0.016}));
     EXPECT_TRUE(test::has_probability_at_least(curves_found, 10'000, 0.9, {.detects = 0.03}));
 }

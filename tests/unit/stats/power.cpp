@@ -51,17 +51,6 @@ TEST(EquivalencePower, AgreesWithScipysIntegral) {
     EXPECT_NEAR(equivalence_power(0.3, 0, 1, 20, 0.05), 0.008390208274493592, 1e-9);
 }
 
-TEST(TrialsForBias, AreTheFewestThatReachThePower) {
-    constexpr Risks risks{.alpha = 1e-3, .power = 0.9};
-    for (const double bias : {0.05, 0.5, 5.0, 500.0}) {
-        const std::size_t trials = trials_for_bias(bias, 1, risks);
-        EXPECT_GE(bias_test_power(bias, 1, trials, risks.alpha), risks.power);
-        if (trials > 2) {
-            EXPECT_LT(bias_test_power(bias, 1, trials - 1, risks.alpha), risks.power);
-        }
-    }
-}
-
 TEST(TrialsForEquivalence, AreTheFewestThatReachThePower) {
     constexpr Risks risks{.alpha = 0.05, .power = 0.9};
     for (const std::size_t pairs : {1u, 30u}) {

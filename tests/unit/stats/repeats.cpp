@@ -5,7 +5,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <string>
 
 namespace ff::stats {
 namespace {
@@ -71,6 +73,59 @@ TEST(FindRepeats, FindsAQuarterOfTheTrialsCopiedAmongCounts) {
     std::vector<double> values = counted(400, 1'000'000, 0.2, engine);
     for (std::size_t i = 0; i < 100; ++i) values[i + 200] = values[i];
     EXPECT_LT(find_repeats(values)->p, 1e-6);
+}
+
+TEST(FindRepeats, AccusesNoCountsOfRareOrClusteredEvents) {
+    std::mt19937_64 engine(6);
+    std::poisson_distribution<int> rare(0.1);
+    std::poisson_distribution<int> one(1);
+    std::negative_binomial_distribution<int> few(1, 1.0 / 6);
+    std::gamma_distribution<double> half(0.5);
+    std::exponential_distribution<double> size;
+    std::bernoulli_distribution nothing(0.7);
+    for (int i = 0; i < 1000; ++i) {
+        std::vector<std::vector<double>> files(6, std::vector<double>(100));
+        for (std::size_t k = 0; k < 100; ++k) {
+            files[0][k] = rare(engine);
+            files[1][k] = one(engine);
+            files[2][k] = few(engine);
+            files[3][k] = std::poisson_distribution<int>(100 * half(engine))(engine);
+            files[4][k] = nothing(engine) ? 0 : size(engine);
+            files[5][k] = std::max(0.2, size(engine));  // cut off at its least value
+        }
+        for (std::size_t f = 0; f < files.size(); ++f) {
+            const auto found = find_repeats(files[f]);
+            EXPECT_TRUE(!found || found->p > 1e-6) << f << ": " << found->repeats << " for " << found->expected;
+        }
+    }
+}
+
+TEST(FindRepeats, AccusesNoFiguresOfThreeDigitsOverManyDecades) {
+    std::mt19937_64 engine(7);
+    std::lognormal_distribution<double> wide(0, 1.5);
+    for (int i = 0; i < 500; ++i) {
+        std::vector<double> values(100);
+        for (double& value : values) {
+            const double exact = wide(engine);
+            const double unit = std::pow(10.0, std::floor(std::log10(exact)) - 2);
+            value = std::stod(std::to_string(std::lround(exact / unit)) + "e" +
+                              std::to_string(static_cast<int>(std::floor(std::log10(exact))) - 2));
+        }
+        const auto found = find_repeats(values);
+        EXPECT_TRUE(!found || found->p > 1e-6) << found->repeats << " for " << found->expected;
+    }
+}
+
+TEST(FindRepeats, FindsTrialsOfFiveSeeds) {
+    std::mt19937_64 engine(8);
+    std::uniform_int_distribution<std::size_t> seed(0, 4);
+    for (const auto& distinct : {test::normal_sample(5, engine), counted(5, 100'000, 0.2, engine)}) {
+        std::vector<double> values(100);
+        for (double& value : values) value = distinct[seed(engine)];
+        const auto found = find_repeats(values);
+        ASSERT_TRUE(found);
+        EXPECT_LT(found->p, 1e-6);
+    }
 }
 
 TEST(FindPeriod, FindsTwoEqualHalvesOfCoarseCounts) {

@@ -66,14 +66,14 @@ TEST(SerialTest, SaysNothingOfFewOrEqualValues) {
 TEST(AutocorrelationTime, IsThatOfAnAutoregressiveSeries) {
     // (1 + rho) / (1 - rho) = 3 and 9. Its own error is some 5 % at this length.
     std::mt19937_64 engine(5);
-    EXPECT_NEAR(autocorrelation_time(autoregressive(0.5, 100'000, engine)), 3, 0.3);
-    EXPECT_NEAR(autocorrelation_time(autoregressive(0.8, 100'000, engine)), 9, 1.5);
+    EXPECT_NEAR(autocorrelation_of(autoregressive(0.5, 100'000, engine)).time, 3, 0.3);
+    EXPECT_NEAR(autocorrelation_of(autoregressive(0.8, 100'000, engine)).time, 9, 1.5);
 }
 
 TEST(AutocorrelationTime, IsNearlyOneForIndependentValuesAndNeverLess) {
     std::mt19937_64 engine(6);
-    EXPECT_NEAR(autocorrelation_time(test::normal_sample(100'000, engine)), 1, 0.05);
-    EXPECT_EQ(autocorrelation_time(autoregressive(-0.6, 10'000, engine)), 1);
+    EXPECT_NEAR(autocorrelation_of(test::normal_sample(100'000, engine)).time, 1, 0.05);
+    EXPECT_EQ(autocorrelation_of(autoregressive(-0.6, 10'000, engine)).time, 1);
 }
 
 }  // namespace

@@ -42,7 +42,8 @@ std::vector<Reference> read_references() {
 
 /// Values are reported in double: the computed one is to be no farther from the published one than that rounds, beyond
 /// what the publication rounded itself. The sums over corners of distant rectangles cancel: within 1e-18 of the squared
-/// extent, as core/rectangle_formulas.hpp says, which is 102 of their areas for the squares ten sides apart (R05).
+/// extent, as core/formulas/rectangle_formulas.hpp says, which is 102 of their areas for the squares ten sides apart
+/// (R05).
 bool agrees(long double computed, const Reference& reference) {
     const double value = static_cast<double>(computed);
     const auto rounded = static_cast<long double>(std::nextafter(value, 2.0) - value) / 2;

@@ -1,7 +1,7 @@
 #include "core/configurations/endless.hpp"
 
-#include "core/error.hpp"
-#include "near.hpp"
+#include "core/support/error.hpp"
+#include "tests/unit/core/configurations/near.hpp"
 
 #include <gtest/gtest.h>
 

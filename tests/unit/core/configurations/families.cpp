@@ -4,12 +4,12 @@
 
 #include "core/configurations/families.hpp"
 
-#include "core/aligned_rectangle.hpp"
-#include "core/box.hpp"
+#include "core/configurations/built_in_scene.hpp"
 #include "core/configurations/catalogue.hpp"
 #include "core/configurations/rectangle_element.hpp"
-#include "core/error.hpp"
-#include "core/known_factors.hpp"
+#include "core/exact/known_factors.hpp"
+#include "core/geometry/aligned_rectangle.hpp"
+#include "core/support/error.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,8 +1,8 @@
 #include "core/configurations/polygons.hpp"
 
-#include "core/error.hpp"
-#include "core/rectangle_formulas.hpp"
-#include "near.hpp"
+#include "core/formulas/rectangle_formulas.hpp"
+#include "core/support/error.hpp"
+#include "tests/unit/core/configurations/near.hpp"
 
 #include <gtest/gtest.h>
 

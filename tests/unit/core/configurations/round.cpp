@@ -4,8 +4,8 @@
 #include "core/configurations/discs.hpp"
 #include "core/configurations/rectangle_element.hpp"
 #include "core/configurations/spheres.hpp"
-#include "core/error.hpp"
-#include "near.hpp"
+#include "core/support/error.hpp"
+#include "tests/unit/core/configurations/near.hpp"
 
 #include <gtest/gtest.h>
 

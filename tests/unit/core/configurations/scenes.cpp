@@ -1,9 +1,9 @@
 #include "core/configurations/scenes.hpp"
 
-#include "core/box.hpp"
+#include "core/configurations/built_in_scene.hpp"
 #include "core/configurations/catalogue.hpp"
-#include "core/exact.hpp"
-#include "core/polygon_exchange.hpp"
+#include "core/exact/exact.hpp"
+#include "core/formulas/polygon_exchange.hpp"
 
 #include <Eigen/Geometry>
 

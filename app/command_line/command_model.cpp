@@ -1,0 +1,45 @@
+#include "app/command_line/command_model.hpp"
+
+namespace ff::app {
+
+std::vector<const CLI::App*> shown_commands(const CLI::App& app) {
+    return app.get_subcommands([](const CLI::App* command) { return !command->get_group().empty(); });
+}
+
+const CLI::App* find_command(const CLI::App& app, std::string_view name) {
+    for (const CLI::App* command : shown_commands(app)) {
+        if (command->get_name() == name) return command;
+    }
+    return nullptr;
+}
+
+std::vector<const CLI::Option*> shown_options(const CLI::App& command) {
+    return command.get_options(
+        [](const CLI::Option* option) { return !option->get_group().empty() && option->nonpositional(); });
+}
+
+std::vector<const CLI::Option*> shown_arguments(const CLI::App& command) {
+    return command.get_options([](const CLI::Option* option) { return option->get_positional(); });
+}
+
+bool is_flag(const CLI::Option& option) {
+    return option.get_type_size() == 0;
+}
+
+bool takes_many(const CLI::Option& argument) {
+    return argument.get_expected_max() >= CLI::detail::expected_max_vector_size;
+}
+
+std::string value_type(const CLI::Option& option) {
+    return option.get_positional() && option.get_type_name().empty() ? option.get_name() : option.get_type_name();
+}
+
+void name_types_of_arguments(CLI::App& app) {
+    for (CLI::App* command : app.get_subcommands(nullptr)) {
+        for (CLI::Option* option : command->get_options()) {
+            if (option->get_positional() && option->get_type_name() == "TEXT") option->type_name("");
+        }
+    }
+}
+
+}  // namespace ff::app

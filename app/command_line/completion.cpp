@@ -1,0 +1,126 @@
+#include "app/command_line/completion.hpp"
+
+#include "app/command_line/command_model.hpp"
+#include "app/command_line/listings.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+namespace ff::app {
+namespace {
+
+using Words = std::span<const std::string>;
+
+constexpr std::array<std::string_view, 6> of_files{"FILE", "RESULTS", "BANDS", "TABLES", "STUDY", "SCENE"};
+
+void add_values(Completions& completions, std::string_view type) {
+    for (const ListedKind& kind : listed_kinds()) {
+        if (type == "KIND")
+            completions.words.push_back({std::string(kind.plural), fmt::format("list {}", kind.plural)});
+        if (type != "NAME" && CLI::detail::to_lower(std::string(type)) != kind.name) continue;
+        for (auto& [name, summary] : listed(kind.plural)) completions.words.push_back({name, summary});
+    }
+    if (type == "DIR") completions.paths = Completions::Paths::folders;
+    if (std::find(of_files.begin(), of_files.end(), type) != of_files.end())
+        completions.paths = Completions::Paths::files;
+}
+
+/// What an option or argument takes, each behind `before`: "--format=csv," where a list has been begun.
+Completions values(const CLI::Option& option, const std::string& before, std::string_view begun) {
+    const auto comma = option.get_delimiter() == '\0' ? std::string_view::npos : begun.rfind(option.get_delimiter());
+    const std::string kept = before + std::string(begun.substr(0, comma == std::string_view::npos ? 0 : comma + 1));
+    Completions completions;
+    add_values(completions, value_type(option));
+    for (auto& word : completions.words) word.text.insert(0, kept);
+    return completions;
+}
+
+const CLI::Option* find_option(const CLI::App& command, std::string_view name) {
+    for (const CLI::Option* option : shown_options(command)) {
+        if (option->check_name(std::string(name))) return option;
+    }
+    return nullptr;
+}
+
+bool takes_value(const CLI::Option* option) {
+    return option != nullptr && option->get_expected_max() > 0 && !is_flag(*option);
+}
+
+Completions options(const CLI::App& command, Words given) {
+    Completions completions;
+    for (const CLI::Option* option : shown_options(command)) {
+        for (const std::string& name : option->get_lnames()) {
+            const std::string text = "--" + name;
+            if (std::find(given.begin(), given.end(), text) == given.end())
+                completions.words.push_back({text, option->get_description()});
+        }
+    }
+    return completions;
+}
+
+Completions commands(const CLI::App& app) {
+    Completions completions;
+    for (const CLI::App* command : shown_commands(app))
+        completions.words.push_back({command->get_name(), command->get_description()});
+    return completions;
+}
+
+/// What stands behind a command. @param given words between it and the last one
+Completions of_command(const CLI::App& command, Words given, std::string_view last) {
+    const CLI::Option* pending = nullptr;
+    std::size_t place = 0;
+    for (const std::string& word : given) {
+        if (pending != nullptr) {
+            pending = nullptr;
+        } else if (word.starts_with('-')) {
+            const CLI::Option* option = find_option(command, word);
+            if (takes_value(option)) pending = option;
+        } else {
+            ++place;
+        }
+    }
+    if (pending != nullptr) return values(*pending, "", last);
+    const auto equals = last.find('=');
+    if (last.starts_with('-') && equals != std::string_view::npos) {
+        const CLI::Option* option = find_option(command, last.substr(0, equals));
+        if (!takes_value(option)) return {};
+        return values(*option, std::string(last.substr(0, equals + 1)), last.substr(equals + 1));
+    }
+    if (last.starts_with('-')) return options(command, given);
+    const auto arguments = shown_arguments(command);
+    if (arguments.empty()) return options(command, given);
+    const CLI::Option& argument = *arguments[std::min(place, arguments.size() - 1)];
+    if (place >= arguments.size() && !takes_many(argument)) return options(command, given);
+    return values(argument, "", last);
+}
+
+}  // namespace
+
+Completions complete(const CLI::App& app, Words words) {
+    if (words.size() < 2) return {};
+    const std::string& last = words.back();
+    const Words given = words.subspan(1, words.size() - 2);
+    Completions completions;
+    const auto named =
+        std::find_if(given.begin(), given.end(), [](const auto& word) { return !word.starts_with('-'); });
+    if (named == given.end()) {
+        completions = last.starts_with('-') ? options(app, given) : commands(app);
+    } else if (const CLI::App* command = find_command(app, *named)) {
+        completions = of_command(*command, given.subspan(static_cast<std::size_t>(named - given.begin()) + 1), last);
+    }
+    std::erase_if(completions.words, [&](const auto& word) { return !word.text.starts_with(last); });
+    return completions;
+}
+
+std::string in_lines(const Completions& completions) {
+    std::string lines;
+    for (const auto& [text, summary] : completions.words) lines += fmt::format("{}\t{}\n", text, summary);
+    if (completions.paths == Completions::Paths::files) lines += ":files\n";
+    if (completions.paths == Completions::Paths::folders) lines += ":folders\n";
+    return lines;
+}
+
+}  // namespace ff::app

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "core/configurations/catalogue.hpp"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace ff::app {
+
+/// A kind of thing that `ffstudy list` shows; options name it in capitals: --sampler SAMPLER.
+struct ListedKind {
+    std::string_view name;    ///< "sampler"
+    std::string_view plural;  ///< "samplers"
+};
+
+std::vector<ListedKind> listed_kinds();
+
+/// "samplers, estimators, scenes", for help and messages.
+std::string listed_kinds_in_words();
+
+struct Listed {
+    std::string name;
+    std::string summary;
+};
+
+/// @param plural of a kind @throws UserError where nothing of that kind can be listed
+std::vector<Listed> listed(std::string_view plural);
+
+/// "patch, face", for help.
+std::string names_in_words(std::string_view plural);
+
+/// A form factor with as many digits as are right.
+std::string exact_digits(const Configuration& configuration);
+
+}  // namespace ff::app

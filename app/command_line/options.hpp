@@ -1,0 +1,119 @@
+#pragma once
+
+#include "studies/form_factors/form_factors.hpp"
+#include "studies/spec/convergence_study.hpp"
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace ff::app {
+
+/// What `ffstudy radiosity` asks of a study, beyond what its file says. Empty texts: as there.
+struct RadiosityOptions {
+    std::string reflectance;  ///< "0.5,0.9"
+    std::string emission;     ///< "0,0,0,0,0,1"
+    std::optional<std::uint64_t> patch_trials;
+};
+
+/// What the commands that run something take.
+struct RunCommand {
+    std::string study;  ///< built-in name, or a file
+    std::optional<std::uint64_t> trials;
+    std::optional<std::uint64_t> seed;
+    std::optional<unsigned> threads;
+    std::optional<std::string> shard;       ///< "i/n"
+    std::optional<std::string> max_time;    ///< "90", "15m"
+    std::optional<std::string> max_memory;  ///< "500M"
+    std::filesystem::path out;              ///< empty: results/<study>
+    std::filesystem::path templates;        ///< folder of own templates; empty: none
+    bool quiet = false;
+    bool dry_run = false;
+    std::optional<studies::ConvergenceRequest> convergence;  ///< instead of `study`
+    std::optional<RadiosityOptions> radiosity;
+    std::optional<std::string> until;  ///< "rmse=1e-5" or "ci=1e-5"
+    std::optional<double> level;
+    std::filesystem::path study_file;  ///< to write the study to; empty: nowhere
+};
+
+/// Of `ffstudy enclosure`.
+struct EnclosureCommand {
+    std::string name;
+    std::optional<std::string> mirror;
+    RadiosityOptions light;
+    std::uint64_t rays = 1000;
+    std::uint64_t trials = 0;
+    std::uint64_t seed = 1;
+    std::filesystem::path out;
+    bool quiet = false;
+};
+
+/// Of `ffstudy form_factors`.
+struct FormFactorsCommand {
+    std::string scene;                   ///< built-in name, or a file; empty: a matrix is loaded
+    std::filesystem::path load;          ///< folder or store of an earlier run; empty: none
+    studies::FormFactorRequest request;  ///< but for seed, threads and what level means
+    std::uint64_t seed = 1;
+    std::optional<unsigned> threads;
+    std::optional<std::string> max_time;
+    bool whole_matrix = false;
+    std::filesystem::path out;  ///< empty: nothing is written
+    bool quiet = false;
+};
+
+struct ReportCommand {
+    std::filesystem::path results;  ///< folder or store
+    std::filesystem::path out;      ///< empty: where the store lies
+    std::vector<std::string> formats;
+    std::filesystem::path templates;  ///< folder of own templates; empty: none
+    bool quiet = false;
+};
+
+struct MergeCommand {
+    std::vector<std::filesystem::path> sources;  ///< folders or stores
+    std::filesystem::path out;
+    bool quiet = false;
+};
+
+struct CompareCommand {
+    std::filesystem::path first;  ///< folder or store
+    std::filesystem::path second;
+    std::filesystem::path out;        ///< empty: nothing is written
+    std::filesystem::path templates;  ///< folder of own templates; empty: none
+    bool quiet = false;
+};
+
+struct AuditCommand {
+    std::filesystem::path tables;
+    std::filesystem::path out;  ///< empty: nothing is written
+    bool quiet = false;
+};
+
+struct CheckCommand {
+    std::filesystem::path bands;
+    std::optional<std::uint64_t> seed;
+    bool fresh_seed = false;
+    std::uint64_t seed_sweep = 0;     ///< number of seeds; 0: one check
+    std::filesystem::path estimates;  ///< CSV of another program; empty: none
+    std::filesystem::path baseline;
+    std::filesystem::path save_baseline;
+    std::optional<unsigned> threads;
+    std::filesystem::path out;  ///< empty: results/<bands>
+    bool quiet = false;
+    bool dry_run = false;
+};
+
+struct SelftestCommand {
+    std::optional<std::uint64_t> seed;
+    std::optional<std::uint64_t> repetitions;
+    std::optional<std::uint64_t> seeds;
+    std::optional<double> tolerance;  ///< of form factors
+    std::vector<std::string> scenes;  ///< of form factors; empty: all
+    std::optional<unsigned> threads;
+    std::filesystem::path out;  ///< empty: nothing is written
+    bool quiet = false;
+};
+
+}  // namespace ff::app

@@ -1,0 +1,29 @@
+#include "app/commands/commands.hpp"
+#include "app/folders/output_folder.hpp"
+
+#include "core/support/error.hpp"
+#include "reports/markdown/audit_markdown.hpp"
+#include "reports/words/audit_summary.hpp"
+#include "studies/audit/audit.hpp"
+#include "studies/published/published.hpp"
+
+#include <fmt/format.h>
+
+namespace ff::app {
+
+ExitCode audit(const AuditCommand& command) {
+    const auto tables = studies::read_published_tables(command.tables);
+    const auto found = [&] {
+        try {
+            return studies::audit(tables);
+        } catch (const UserError& error) {
+            throw UserError(fmt::format("{}: {}", command.tables.string(), error.what()));
+        }
+    }();
+    if (!command.out.empty())
+        OutputFolder(command.out, "audit").write("audit.md", reports::audit_markdown(tables, found));
+    if (!command.quiet) fmt::print("{}", reports::audit_summary(tables, found));
+    return found.contradictions() > 0 ? ExitCode::failed : ExitCode::passed;
+}
+
+}  // namespace ff::app

@@ -1,0 +1,42 @@
+#include "app/commands/commands.hpp"
+
+#include "app/folders/result_files.hpp"
+#include "app/folders/template_files.hpp"
+#include "app/terminal/terminal_colour.hpp"
+
+#include "core/support/error.hpp"
+#include "reports/comparison/run_comparison.hpp"
+#include "studies/comparison/run_comparison.hpp"
+#include "studies/store/store.hpp"
+
+#include <fmt/format.h>
+
+namespace ff::app {
+
+ExitCode compare(const CompareCommand& command) {
+    const auto first = store_of(command.first);
+    const auto second = store_of(command.second);
+    std::error_code missing;
+    if (std::filesystem::equivalent(first, second, missing))
+        throw UserError(fmt::format("{} is {} (a run is equal to itself). Give another one.", command.second.string(),
+                                    command.first.string()));
+    const auto templates = find_templates(command.templates);
+    const auto open = [](const std::filesystem::path& file) {
+        auto store = studies::Store::open(file);
+        if (!store.was_checked()) note_unchecked(file);
+        return store;
+    };
+    const auto comparison = studies::compare_runs(open(first), open(second));
+    if (!command.out.empty()) {
+        OutputFolder out(command.out, "comparison");
+        out.write("comparison.md", reports::comparison_markdown(comparison));
+        out.write("comparison.html", reports::comparison_html(comparison, templates));
+    }
+    if (!command.quiet) fmt::print("{}", reports::comparison_text(comparison, colour_of_stdout()));
+    if (!command.quiet && !command.out.empty())
+        fmt::print("\nResults: {}\n", (command.out / "comparison.html").string());
+    if (comparison.count(studies::Likeness::different) > 0) return ExitCode::failed;
+    return comparison.count(studies::Likeness::untestable) > 0 ? ExitCode::inconclusive : ExitCode::passed;
+}
+
+}  // namespace ff::app

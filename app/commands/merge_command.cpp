@@ -1,0 +1,72 @@
+#include "app/commands/commands.hpp"
+
+#include "app/folders/result_files.hpp"
+#include "app/folders/template_files.hpp"
+#include "app/process/signals.hpp"
+#include "app/terminal/messages.hpp"
+#include "app/terminal/terminal_colour.hpp"
+
+#include "core/support/error.hpp"
+#include "reports/terminal/terminal.hpp"
+#include "studies/results/results.hpp"
+#include "studies/run/merge.hpp"
+
+#include <fmt/format.h>
+
+namespace ff::app {
+namespace {
+
+/// The stores that are named, by themselves or by their folders. @throws UserError where one is to be written to
+std::vector<std::filesystem::path> stores_of(const MergeCommand& command, const std::filesystem::path& target) {
+    std::vector<std::filesystem::path> stores;
+    for (const auto& source : command.sources) {
+        stores.push_back(store_of(source));
+        std::error_code missing;
+        if (std::filesystem::equivalent(stores.back(), target, missing)) {
+            throw UserError(fmt::format("--out {}: one of the stores to be merged lies there. Choose another folder.",
+                                        command.out.string()));
+        }
+    }
+    return stores;
+}
+
+/// "12 of 30 units are missing: 2, 5, 8, ..."
+std::string units_in_words(const std::vector<std::size_t>& units, std::size_t all, std::string_view what) {
+    constexpr std::size_t shown = 20;
+    const std::size_t count = std::min(units.size(), shown);
+    return fmt::format("{} of {} units {}: {}{}", units.size(), all, what,
+                       fmt::join(units.begin(), units.begin() + static_cast<std::ptrdiff_t>(count), ", "),
+                       units.size() > shown ? ", ..." : "");
+}
+
+}  // namespace
+
+ExitCode merge(const MergeCommand& command) {
+    end_on_signals(
+        "\nstopped while stores were merged. Those that were given are as they were: the same command goes on.\n");
+    const auto templates = find_templates({});
+    const auto target = command.out / "results.sqlite";
+    const auto sources = stores_of(command, target);
+    const studies::StudyPlan plan = studies::Store::open(sources.front()).plan();
+    OutputFolder out(command.out, owner_of(plan.spec));
+    auto store = open_or_create(out, plan);
+    const studies::MergeOutcome outcome = studies::merge_stores(sources, store);
+    for (const std::size_t source : outcome.unchecked) note_unchecked(sources[source]);
+    seal(store, command.quiet);
+    if (!outcome.doubled.empty() && !command.quiet) {
+        say("note: {}; their content is the same.\n",
+            units_in_words(outcome.doubled, plan.units.size(), "are in more than one store"));
+    }
+    const auto [results, to_the_end] = evaluate_until_stopped(store);
+    write_results(out, {store, results, templates}, usual_formats());
+    if (!command.quiet) {
+        fmt::print("{}\nResults: {}\n", reports::terminal_summary(results, colour_of_stdout()),
+                   (command.out / "report.html").string());
+    }
+    if (outcome.missing.empty()) return to_the_end ? ExitCode::passed : ExitCode::interrupted;
+    say("{}. Merge again with the shards that hold them, or run the study with --out {}.\n",
+        units_in_words(outcome.missing, plan.units.size(), "are missing"), command.out.string());
+    return ExitCode::inconclusive;
+}
+
+}  // namespace ff::app

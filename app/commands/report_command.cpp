@@ -1,0 +1,34 @@
+#include "app/commands/commands.hpp"
+
+#include "app/folders/result_files.hpp"
+#include "app/folders/template_files.hpp"
+#include "app/terminal/terminal_colour.hpp"
+
+#include "reports/terminal/terminal.hpp"
+#include "studies/results/results.hpp"
+#include "studies/store/store.hpp"
+
+#include <fmt/format.h>
+
+namespace ff::app {
+
+ExitCode report(const ReportCommand& command) {
+    const auto templates = find_templates(command.templates);
+    const auto file = store_of(command.results);
+    const auto out = command.out.empty() ? file.parent_path() : command.out;
+    const std::vector<std::string_view> named(command.formats.begin(), command.formats.end());
+    const auto formats = named.empty() ? usual_formats() : std::span<const std::string_view>(named);
+    expect_formats(formats);
+    std::error_code missing;
+    const auto store = studies::Store::open(file);
+    if (!store.was_checked()) note_unchecked(file);
+    const auto [results, to_the_end] = evaluate_until_stopped(store);
+    OutputFolder folder(out.empty() ? "." : out, owner_of(store.plan().spec));
+    if (std::filesystem::equivalent(file, folder.path() / "results.sqlite", missing)) folder.inherit("study ");
+    write_results(folder, {store, results, templates}, formats);
+    if (!command.quiet)
+        fmt::print("{}\nResults: {}\n", reports::terminal_summary(results, colour_of_stdout()), out.string());
+    return to_the_end ? ExitCode::passed : ExitCode::interrupted;
+}
+
+}  // namespace ff::app

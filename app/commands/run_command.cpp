@@ -1,0 +1,195 @@
+#include "app/commands/commands.hpp"
+
+#include "app/commands/run_context.hpp"
+#include "app/commands/run_request.hpp"
+#include "app/folders/result_files.hpp"
+#include "app/folders/template_files.hpp"
+#include "app/process/limits.hpp"
+#include "app/process/processes.hpp"
+#include "app/process/signals.hpp"
+#include "app/terminal/messages.hpp"
+#include "app/terminal/progress.hpp"
+#include "app/terminal/terminal_colour.hpp"
+
+#include "core/support/error.hpp"
+#include "reports/files/output_file.hpp"
+#include "reports/terminal/terminal.hpp"
+#include "studies/results/resources.hpp"
+#include "studies/run/run.hpp"
+#include "studies/store/store.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <exception>
+#include <optional>
+#include <vector>
+
+namespace ff::app {
+namespace {
+
+/// The command that gives the same results.
+std::string reproduce(const RunCommand& command, const studies::StudySpec& spec) {
+    std::string text = command.convergence
+                           ? studies::convergence_command(*command.convergence)
+                           : fmt::format("ffstudy {} {}", command.radiosity ? "radiosity" : "run", command.study);
+    if (command.radiosity && !command.radiosity->reflectance.empty())
+        text += fmt::format(" --reflectance {}", command.radiosity->reflectance);
+    if (command.radiosity && !command.radiosity->emission.empty())
+        text += fmt::format(" --emission {}", command.radiosity->emission);
+    if (command.radiosity && command.radiosity->patch_trials)
+        text += fmt::format(" --patch-trials {}", *command.radiosity->patch_trials);
+    if (command.trials) text += fmt::format(" --trials {}", *command.trials);
+    if (command.until) text += fmt::format(" --until {}", *command.until);
+    if (command.level) text += fmt::format(" --level {}", *command.level);
+    return text + fmt::format(" --seed {}", spec.seed.value);
+}
+
+/// A finished shard leaves its store, without what an interruption reported. Reports come from all shards together.
+ExitCode finish_shard(const studies::Shard& shard, OutputFolder& out, bool quiet) {
+    for (const std::string& name : usual_files()) out.remove(name);
+    if (!quiet) {
+        fmt::print("shard {}/{} is complete: {}\nWhen all {} are: ffstudy merge FOLDER... --out FOLDER\n", shard.index,
+                   shard.count, (out.path() / "results.sqlite").string(), shard.count);
+    }
+    return ExitCode::passed;
+}
+
+/// Asks for an orderly end where this process has grown beyond the limit.
+void watch_memory(const RunRequest& request) {
+    if (!request.max_memory) return;
+    const auto used = resident_memory();
+    if (!used || *used <= *request.max_memory) return;
+    say("note: {} of memory are in use, more than --max-memory.\n", size_in_words(*used));
+    ask_for_the_end();
+}
+
+/// The part of a process beside the first one: carries out its units and hands them over. It says nothing: what is
+/// wrong with the command the first process finds as well, and its end ends all.
+ExitCode assist(const Processes& processes, const RunCommand& command) {
+    std::optional<RunRequest> request;
+    std::exception_ptr failure;
+    try {
+        request = check(command, processes);
+    } catch (...) {
+        failure = std::current_exception();
+    }
+    if (!failure && command.dry_run) return ExitCode::passed;
+    const std::vector<bool> finished = processes.share_finished_units({});
+    if (failure) std::rethrow_exception(failure);
+    studies::RunOptions options;
+    options.threads = request->threads;
+    options.shard = request->shard;
+    options.process = processes.part();
+    options.stop = &stop_flag();
+    options.drop = &drop_flag();
+    // Its end would be that of the first process, which saves and writes the reports.
+    never_end_on_signals();
+    const TimeLimit limit(request->max_time);
+    processes.assist([&] {
+        studies::carry_out_units(request->plan, finished, options, [&](const studies::UnitRecord& record) {
+            processes.send(record);
+            watch_memory(*request);
+        });
+    });
+    return ExitCode::passed;
+}
+
+void save_study(const std::filesystem::path& file, const studies::StudySpec& spec) {
+    if (file.extension() != ".toml") {
+        throw UserError(fmt::format("--save-study {}: study files end in .toml. Choose such a name.", file.string()));
+    }
+    const OutputFolder folder(file.has_parent_path() ? file.parent_path() : ".", "study file");
+    reports::write_file(file, studies::to_toml(spec));
+}
+
+ExitCode describe_plan(const RunRequest& request) {
+    fmt::print("{}about {} of memory, {} on the disk\n", reports::terminal_plan(request.plan, request.threads),
+               size_in_words(studies::expected_memory(request.plan, request.threads)),
+               size_in_words(studies::expected_store_size(request.plan)));
+    return ExitCode::passed;
+}
+
+/// @throws UserError where the finished store would not fit on the disk by far, and the run has no other end
+void expect_room_on_disk(const RunRequest& request, const std::filesystem::path& out, bool quiet) {
+    std::error_code error;
+    const std::uint64_t free = std::filesystem::space(out, error).available;
+    if (error) return;
+    const std::uint64_t held = std::filesystem::file_size(out / "results.sqlite", error);
+    const std::uint64_t expected = studies::expected_store_size(request.plan);
+    const std::uint64_t more = expected - std::min(expected, error ? 0 : held);
+    if (more <= free) return;
+    const std::string text = fmt::format("{}: about {} will be written, and {} are free", out.string(),
+                                         size_in_words(more), size_in_words(free));
+    // What is expected is right within a factor of two; a goal or a limit of time may end the run before.
+    if (more / 2 > free && !request.plan.spec.until && !request.max_time) {
+        throw UserError(fmt::format(
+            "{} (the run would end with a full disk). Take fewer trials, another --out, or a --max-time.", text));
+    }
+    if (!quiet) say("note: {}.\n", text);
+}
+
+}  // namespace
+
+ExitCode run(const RunCommand& command) {
+    const Processes processes;
+    if (!processes.leads()) return assist(processes, command);
+    const RunRequest request = check(command, processes);
+    const studies::StudyPlan& plan = request.plan;
+    if (!command.study_file.empty()) save_study(command.study_file, plan.spec);
+    if (command.dry_run) return describe_plan(request);
+    if (!command.quiet) {
+        for (const std::string& warning : plan.warnings) say("note: {}\n", warning);
+    }
+    const auto templates = find_templates(command.templates);
+    OutputFolder out(command.out.empty() ? std::filesystem::path("results") / plan.spec.name : command.out,
+                     owner_of(plan.spec));
+    expect_room_on_disk(request, out.path(), command.quiet);
+    studies::Store store = open_or_create(out, plan);
+
+    const auto start = std::chrono::steady_clock::now();
+    ProgressDisplay progress(ProgressDisplay::style(command.quiet));
+    studies::RunOptions options;
+    options.threads = request.threads;
+    options.shard = request.shard;
+    options.process = processes.part();
+    if (!processes.alone()) {
+        processes.share_finished_units(store.finished_units());
+        options.others = [&](const studies::Deliver& deliver) { processes.receive(deliver); };
+    }
+    options.stop = &stop_flag();
+    options.drop = &drop_flag();
+    stop_in_order_on_signals();
+    bool worked = false;
+    options.report = [&](const studies::Progress& state) {
+        worked = true;
+        progress.show(state);
+        watch_memory(request);
+    };
+    std::optional<TimeLimit> limit(request.max_time);
+    const auto outcome = studies::run_study(store, options);
+    limit.reset();
+    progress.finish();
+    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    if (outcome == studies::RunOutcome::complete && (worked || store.context().empty())) {
+        studies::Context context = store.context();
+        studies::add_context(context, describe_run(reproduce(command, plan.spec), request.threads, seconds));
+        store.set_context(context);
+    }
+
+    seal(store, command.quiet);
+    if (!request.shard.is_whole() && outcome == studies::RunOutcome::complete && !store.is_complete())
+        return finish_shard(request.shard, out, command.quiet);
+    const auto [results, to_the_end] = evaluate_until_stopped(store);
+    write_results(out, {store, results, templates}, usual_formats());
+    if (!command.quiet) fmt::print("{}", reports::terminal_summary(results, colour_of_stdout()));
+    if (!command.quiet) fmt::print("\nResults: {}\n", (out.path() / "report.html").string());
+    if (outcome == studies::RunOutcome::complete && !to_the_end) return ExitCode::interrupted;
+    if (outcome == studies::RunOutcome::complete)
+        return studies::all_reached(results.until) ? ExitCode::passed : ExitCode::inconclusive;
+    say("stopped early; what was done is saved. Run the same command again to go on.\n");
+    return ExitCode::interrupted;
+}
+
+}  // namespace ff::app

@@ -1,0 +1,14 @@
+#include "app/folders/check_files.hpp"
+
+#include "reports/csv/gates_csv.hpp"
+#include "reports/json/gates_json.hpp"
+
+namespace ff::app {
+
+void write_verdicts(OutputFolder& folder, const studies::CheckResults& check, const reports::JunitContext& context) {
+    folder.write("verdicts.csv", [&](std::ostream& out) { reports::write_verdicts_csv(out, check); });
+    folder.write("verdicts.json", reports::verdicts_json(check));
+    folder.write("junit.xml", reports::junit_xml(check, context));
+}
+
+}  // namespace ff::app

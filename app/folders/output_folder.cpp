@@ -1,0 +1,176 @@
+#include "app/folders/output_folder.hpp"
+
+#include "app/folders/earlier_files.hpp"
+
+#include "core/support/error.hpp"
+#include "reports/files/output_file.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <set>
+#include <utility>
+#include <vector>
+
+namespace ff::app {
+namespace {
+
+constexpr const char* list_name = ".ffstudy.files";
+
+void make_folder(const std::filesystem::path& folder) {
+    std::error_code error;
+    std::filesystem::create_directories(folder, error);
+    if (error)
+        throw IoError(fmt::format("{}: cannot be made ({}). Choose another --out.", folder.string(), error.message()));
+}
+
+/// The topmost folder of this path that is not there; empty if all are.
+std::filesystem::path topmost_missing(const std::filesystem::path& folder) {
+    std::filesystem::path missing;
+    for (auto path = std::filesystem::absolute(folder); !std::filesystem::exists(path); path = path.parent_path())
+        missing = path;
+    return missing;
+}
+
+std::filesystem::path made(std::filesystem::path folder) {
+    make_folder(folder);
+    return folder;
+}
+
+/// Removes what was on its way to a file here when a program ended.
+void remove_temporaries(const std::filesystem::path& folder) {
+    std::error_code error;
+    std::vector<std::filesystem::path> found;
+    for (std::filesystem::directory_iterator entry(folder, error), end; !error && entry != end;
+         entry.increment(error)) {
+        if (entry->path().filename().string().starts_with(reports::temporary_prefix)) found.push_back(entry->path());
+    }
+    for (const auto& path : found) std::filesystem::remove_all(path, error);
+}
+
+}  // namespace
+
+OutputFolder::OutputFolder(std::filesystem::path path, std::string owner, const std::vector<std::string>& files)
+    : topmost_made_(topmost_missing(path)),
+      path_(made(std::move(path))),
+      owner_(std::move(owner)),
+      lock_(path_),
+      end_([this] { leave(); }) {
+    read_list();
+    clean();
+    expect_own(files);
+}
+
+OutputFolder::~OutputFolder() {
+    leave();
+}
+
+/// Folders that were made for files that were never written go as well.
+void OutputFolder::leave() const {
+    clean();
+    lock_.remove_file();
+    std::error_code error;
+    if (topmost_made_.empty()) return;
+    for (auto path = std::filesystem::absolute(path_); !error; path = path.parent_path()) {
+        std::filesystem::remove(path, error);
+        if (path == topmost_made_) return;
+    }
+}
+
+/// Not below other folders than those that results are written to: they may be other runs'.
+void OutputFolder::clean() const {
+    std::set<std::filesystem::path> folders{path_};
+    for (const auto& [name, owner] : owners_) folders.insert((path_ / name).parent_path());
+    for (const auto& folder : folders) remove_temporaries(folder);
+}
+
+/// One line a file, "OWNER\tNAME"; the last one counts.
+void OutputFolder::read_list() {
+    std::ifstream in(path_ / list_name);
+    for (std::string line; std::getline(in, line);) {
+        const auto tab = line.find('\t');
+        if (tab != std::string::npos) owners_[line.substr(tab + 1)] = line.substr(0, tab);
+    }
+}
+
+void OutputFolder::inherit(std::string_view kind) {
+    for (auto& [name, owner] : owners_) {
+        if (owner.starts_with(kind)) owner = owner_;
+    }
+}
+
+bool OutputFolder::is_own(const std::string& name) const {
+    const auto known = owners_.find(name);
+    return known == owners_.end() ? is_of_earlier_version(path_, name) : known->second == owner_;
+}
+
+void OutputFolder::expect_own(const std::vector<std::string>& names) const {
+    for (const std::string& name : names) {
+        const auto file = path_ / name;
+        const auto status = std::filesystem::symlink_status(file);
+        if (!std::filesystem::exists(status)) continue;
+        if (std::filesystem::is_directory(status)) {
+            throw IoError(fmt::format(
+                "{}: cannot be written (a folder is in the way). Remove it, or choose another --out.", file.string()));
+        }
+        if (is_own(name)) continue;
+        const auto known = owners_.find(name);
+        throw IoError(
+            fmt::format("{}: not replaced ({}). Move it away, or choose another --out.", file.string(),
+                        known == owners_.end()
+                            ? std::string("ffstudy has not written it")
+                            : fmt::format("it is of another {}", known->second.substr(0, known->second.find(' ')))));
+    }
+}
+
+void OutputFolder::claim(const std::string& name) {
+    make_folder((path_ / name).parent_path());
+    expect_own({name});
+    const auto known = owners_.find(name);
+    if (known != owners_.end() && known->second == owner_) return;
+    // Appended, so that a full disk costs no more than this line; the line break ends one that was cut off.
+    std::ofstream out(path_ / list_name, std::ios::app | std::ios::binary);
+    out << '\n' << owner_ << '\t' << name;
+    out.close();
+    if (!out) {
+        throw IoError(fmt::format("{}: cannot be written. Check the folder, its permissions and the free space.",
+                                  (path_ / list_name).string()));
+    }
+    owners_[name] = owner_;
+}
+
+void OutputFolder::write(const std::string& name, const std::function<void(std::ostream&)>& write) {
+    claim(name);
+    reports::write_file(path_ / name, write);
+}
+
+void OutputFolder::write(const std::string& name, std::string_view text) {
+    write(name, [&](std::ostream& out) { out << text; });
+}
+
+void OutputFolder::replace(const std::string& name, const std::function<void(const std::filesystem::path&)>& write) {
+    claim(name);
+    reports::replace_file(path_ / name, write);
+}
+
+void OutputFolder::remove(const std::string& name) {
+    expect_own({name});
+    std::error_code error;
+    std::filesystem::remove(path_ / name, error);
+    if (error) throw IoError(fmt::format("{}: cannot be removed ({}).", (path_ / name).string(), error.message()));
+}
+
+std::filesystem::path OutputFolder::make_workshop() const {
+    for (int number = 0;; ++number) {
+        auto folder = path_ / fmt::format("{}folder-{}", reports::temporary_prefix, number);
+        std::error_code error;
+        if (std::filesystem::create_directory(folder, error)) return folder;
+        if (error) {
+            throw IoError(fmt::format("{}: cannot be made ({}). Check the folder, its permissions and the free space.",
+                                      folder.string(), error.message()));
+        }
+    }
+}
+
+}  // namespace ff::app

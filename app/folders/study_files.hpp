@@ -1,0 +1,28 @@
+#pragma once
+
+#include "studies/spec/spec.hpp"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace ff::app {
+
+/// A study file that comes with the program.
+struct BuiltInStudy {
+    std::string name;
+    std::string title;
+    std::filesystem::path file;
+};
+
+/// Where they lie: beside the installed program, or in the source tree when it runs from its build.
+std::filesystem::path studies_folder();
+
+/// Built-in studies, by name.
+std::vector<BuiltInStudy> built_in_studies();
+
+/// A built-in study by name, or a file by path.
+/// @throws UserError where there is neither, with the nearest name; IoError
+studies::StudySpec find_study(const std::string& name_or_file);
+
+}  // namespace ff::app

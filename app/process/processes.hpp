@@ -1,0 +1,42 @@
+#pragma once
+
+#include "studies/run/run.hpp"
+
+#include <functional>
+#include <mutex>
+#include <vector>
+
+namespace ff::app {
+
+/// The processes that carry out a study together: those that mpirun started, or this one alone. The first one leads: it
+/// has the store, the others send it what they do. When a process ends with an exception the whole job ends, and what
+/// the store holds is saved.
+class Processes {
+  public:
+    Processes();
+    ~Processes();  // NOLINT(performance-trivially-destructible): with MPI it has work to do
+    Processes(const Processes&) = delete;
+    Processes& operator=(const Processes&) = delete;
+
+    [[nodiscard]] bool alone() const { return part_.is_whole(); }
+    [[nodiscard]] bool leads() const { return part_.index == 1; }
+    /// This process's part of the work.
+    [[nodiscard]] const studies::Shard& part() const { return part_; }
+
+    /// What the leader gives is what all get; every process calls this once.
+    std::vector<bool> share_finished_units(std::vector<bool> finished) const;
+
+    /// For the others: does `work`, which sends its records, and returns when the leader has all records of all. While
+    /// it works, an end that is asked for here (app/process/signals.hpp) is asked for in all processes.
+    void assist(const std::function<void()>& work) const;
+    void send(const studies::UnitRecord& record) const;
+    /// For the leader: delivers what the others send, until all have come to their end, and tells all of an end that is
+    /// asked for. The only thread that communicates while it runs.
+    void receive(const studies::Deliver& deliver) const;
+
+  private:
+    studies::Shard part_;
+    mutable std::mutex talking_;  ///< of the others, whose listener communicates too
+};
+
+}  // namespace ff::app

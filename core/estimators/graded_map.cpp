@@ -1,0 +1,68 @@
+#include "core/estimators/graded_map.hpp"
+
+#include "core/support/contract.hpp"
+
+#include <cstddef>
+
+namespace ff {
+namespace {
+
+constexpr std::uint32_t edge_power = 3;
+constexpr std::uint32_t vertex_power = 2;
+
+/// The same patch with coordinate u (v) running the other way.
+void turn_u(Parallelogram& patch) {
+    patch.corner += patch.edge_u;
+    patch.edge_u = -patch.edge_u;
+}
+void turn_v(Parallelogram& patch) {
+    patch.corner += patch.edge_v;
+    patch.edge_v = -patch.edge_v;
+}
+
+}  // namespace
+
+std::optional<double> kernel_tail_index(Contact contact, PointMap map) {
+    const bool graded = map == PointMap::graded;
+    switch (contact) {
+        case Contact::none:
+            break;
+        case Contact::point:
+            return 2.0;
+        case Contact::vertex:
+            return graded ? std::nullopt : std::optional(2.0);
+        case Contact::edge:
+            return graded ? (edge_power + 2) / 2.0 : 1.5;
+    }
+    return std::nullopt;
+}
+
+std::optional<GradedPair> grade_pair(const Parallelogram& from, const Parallelogram& to) {
+    const Touch touch = find_touch(from, to);
+    if (touch.contact != Contact::edge && touch.contact != Contact::vertex) return std::nullopt;
+    GradedPair pair{from, to};
+    for (std::size_t d = 0; d < 4; ++d) {
+        if (touch.sides[d] != Side::neither) pair.power[d] = touch.contact == Contact::edge ? edge_power : vertex_power;
+    }
+    if (touch.sides[0] == Side::high) turn_u(pair.from);
+    if (touch.sides[1] == Side::high) turn_v(pair.from);
+    if (touch.sides[2] == Side::high) turn_u(pair.to);
+    if (touch.sides[3] == Side::high) turn_v(pair.to);
+    return pair;
+}
+
+void grade_points(const std::array<std::uint32_t, 4>& power, WeightedBlock& block) {
+    FF_EXPECT(block.dimension == 4);
+    for (std::size_t d = 0; d < 4; ++d) {
+        if (power[d] == 1) continue;
+        for (std::size_t i = 0; i < block.size; ++i) {
+            const double s = block.coordinate[d][i];
+            double slope = power[d];
+            for (std::uint32_t p = 1; p < power[d]; ++p) slope *= s;
+            block.coordinate[d][i] = slope * s / power[d];
+            block.weight[i] *= slope;
+        }
+    }
+}
+
+}  // namespace ff

@@ -1,0 +1,43 @@
+#pragma once
+
+#include "core/geometry/scene.hpp"
+#include "core/points/points.hpp"
+#include "core/visibility/contact.hpp"
+
+#include <array>
+#include <cstdint>
+#include <optional>
+
+namespace ff {
+
+/// How 4-D points are laid on a pair of patches.
+enum class PointMap {
+    uniform,  ///< evenly
+    graded,   ///< denser towards an edge or a vertex that the patches share, with weights to match
+};
+
+/// Where patches touch, the kernel cos cos / (pi r^2) is unbounded. The graded map lays a coordinate that leads away
+/// from the contact as s^power instead of s and multiplies the weight by power * s^(power - 1):
+/// - at a common edge, the distance from it on either patch, power 3: kernel times weight has tail index 5/2 (3/2
+///   without the map), so that its variance is finite, and its fourth moment is not;
+/// - at a common vertex, both coordinates on either patch, power 2: kernel times weight is bounded (index 2 without).
+/// Other contacts, which do not happen between patches of a box, are left as they are.
+
+/// The index of P(kernel * weight > x) ~ x^-index with random points; empty where it is bounded. Variance is finite
+/// above 2.
+std::optional<double> kernel_tail_index(Contact contact, PointMap map);
+
+/// Two patches with the contact at 0 of the graded coordinates, so that small distances keep their digits.
+struct GradedPair {
+    Parallelogram from;
+    Parallelogram to;
+    std::array<std::uint32_t, 4> power{1, 1, 1, 1};
+};
+
+/// Empty where there is nothing to grade.
+std::optional<GradedPair> grade_pair(const Parallelogram& from, const Parallelogram& to);
+
+/// Moves the coordinates of a block of 4-D points and changes their weights.
+void grade_points(const std::array<std::uint32_t, 4>& power, WeightedBlock& block);
+
+}  // namespace ff

@@ -1,0 +1,148 @@
+#include "core/exact/exact.hpp"
+
+#include "core/formulas/rectangle_formulas.hpp"
+#include "core/geometry/aligned_rectangle.hpp"
+#include "core/support/contract.hpp"
+#include "core/visibility/mirrors.hpp"
+#include "core/visibility/occlusion.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace ff {
+namespace {
+
+/// The part of `rectangle` in front of the plane of `viewer`, as heights above that plane.
+/// @pre the planes are perpendicular
+Interval heights_above(const AlignedRectangle& viewer, const AlignedRectangle& rectangle) {
+    const Interval& extent = rectangle.extent[viewer.axis];
+    const long double a = viewer.side * (extent.low - viewer.plane());
+    const long double b = viewer.side * (extent.high - viewer.plane());
+    return {std::max(0.0L, std::min(a, b)), std::max(0.0L, std::max(a, b))};
+}
+
+template <class Real>
+Real parallel_pair(const AlignedRectangle& from, const AlignedRectangle& to) {
+    const long double gap = from.side * (to.plane() - from.plane());
+    if (gap <= 0 || from.side == to.side) return 0;
+    const std::size_t x = (from.axis + 1) % 3;
+    const std::size_t y = (from.axis + 2) % 3;
+    return parallel_exchange_area<Real>(from.extent[x], from.extent[y], to.extent[x], to.extent[y], gap);
+}
+
+template <class Real>
+Real perpendicular_pair(const AlignedRectangle& from, const AlignedRectangle& to) {
+    const Interval height_from = heights_above(to, from);
+    const Interval height_to = heights_above(from, to);
+    if (height_from.high <= 0 || height_to.high <= 0) return 0;
+    const std::size_t along = 3 - from.axis - to.axis;
+    return perpendicular_exchange_area<Real>(from.extent[along], to.extent[along], height_from, height_to);
+}
+
+template <class Real>
+Real exchange_area(const AlignedRectangle& from, const AlignedRectangle& to) {
+    return from.axis == to.axis ? parallel_pair<Real>(from, to) : perpendicular_pair<Real>(from, to);
+}
+
+template <class Real>
+std::optional<double> exchange_area_of_rectangles(const Surface& from, const Surface& to) {
+    const auto from_rectangle = aligned_rectangle(from);
+    const auto to_rectangle = aligned_rectangle(to);
+    if (!from_rectangle || !to_rectangle) return std::nullopt;
+    return static_cast<double>(exchange_area<Real>(*from_rectangle, *to_rectangle));
+}
+
+/// A place that receives for a face.
+struct Target {
+    AlignedRectangle rectangle;
+    int face = 0;
+};
+
+/// The surfaces of faces and their images in mirrors; empty if one is no rectangle along the axes, or if images are
+/// not known.
+std::optional<std::vector<Target>> targets(const Scene& scene) {
+    std::vector<Target> all;
+    for (const Surface& surface : scene.surfaces) {
+        if (!is_of_face(surface)) continue;
+        const auto places = images(scene, surface);
+        if (!places) return std::nullopt;
+        for (const Surface& place : *places) {
+            const auto rectangle = aligned_rectangle(place);
+            if (!rectangle) return std::nullopt;
+            all.push_back({*rectangle, surface.face});
+        }
+    }
+    return all;
+}
+
+}  // namespace
+
+std::optional<double> exact_exchange_area(const Surface& from, const Surface& to) {
+    return exchange_area_of_rectangles<double>(from, to);
+}
+
+std::optional<double> extended_exchange_area(const Surface& from, const Surface& to) {
+    return exchange_area_of_rectangles<long double>(from, to);
+}
+
+std::optional<double> exact_form_factor(const Scene& scene, int from_face, int to_face) {
+    FF_EXPECT(from_face >= 0 && static_cast<std::size_t>(from_face) < scene.faces.size());
+    FF_EXPECT(to_face >= 0 && static_cast<std::size_t>(to_face) < scene.faces.size());
+    long double sum = 0;
+    for (const Surface& from : scene.surfaces) {
+        if (from.face != from_face) continue;
+        for (const Surface& to : scene.surfaces) {
+            if (to.face != to_face) continue;
+            const auto places = images(scene, to);
+            const auto from_rectangle = aligned_rectangle(from);
+            if (!places || !from_rectangle) return std::nullopt;
+            for (const Surface& place : *places) {
+                const auto to_rectangle = aligned_rectangle(place);
+                if (!to_rectangle) return std::nullopt;
+                sum += exchange_area<long double>(*from_rectangle, *to_rectangle);
+            }
+        }
+    }
+    return static_cast<double>(sum / face_area(scene, from_face));
+}
+
+std::optional<Eigen::MatrixXd> exact_patch_to_face(const Scene& scene, Subdivision subdivision) {
+    if (may_be_occluded(scene)) return std::nullopt;
+    const auto all = targets(scene);
+    if (!all) return std::nullopt;
+    Eigen::MatrixXd factors = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(subdivision.patches(scene)),
+                                                    static_cast<Eigen::Index>(scene.faces.size()));
+    Eigen::Index row = -1;
+    for (const Surface& source : scene.surfaces) {
+        const Grid grid = subdivision.of(source);
+        for (std::uint32_t p = 0; p < grid.parts(); ++p) {
+            ++row;
+            if (!is_of_face(source)) continue;
+            const Surface piece = patch(source, grid, p);
+            const auto from = aligned_rectangle(piece);
+            FF_ENSURE(from.has_value());
+            for (const Target& target : *all) {
+                factors(row, target.face) +=
+                    static_cast<double>(exchange_area<long double>(*from, target.rectangle) / area(piece.shape));
+            }
+        }
+    }
+    return factors;
+}
+
+std::optional<Eigen::MatrixXd> exact_form_factors(const Scene& scene) {
+    if (may_be_occluded(scene)) return std::nullopt;
+    const auto faces = static_cast<int>(scene.faces.size());
+    Eigen::MatrixXd factors(faces, faces);
+    for (int from = 0; from < faces; ++from) {
+        for (int to = 0; to < faces; ++to) {
+            const auto factor = exact_form_factor(scene, from, to);
+            if (!factor) return std::nullopt;
+            factors(from, to) = *factor;
+        }
+    }
+    return factors;
+}
+
+}  // namespace ff

@@ -1,0 +1,46 @@
+#pragma once
+
+#include "core/geometry/scene.hpp"
+
+#include <Eigen/Core>
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace ff {
+
+/// The exact form factors between faces that a scene has: of all pairs, of some, or of none. Dimensionless.
+class KnownFactors {
+  public:
+    KnownFactors() = default;
+    /// All of them, faces from 0.
+    explicit KnownFactors(const Eigen::MatrixXd& factors);
+    /// None, of so many faces.
+    explicit KnownFactors(std::size_t faces) : faces_(faces), factors_(faces * faces) {}
+
+    void set(int from, int to, double factor) { factors_[index(from, to)] = factor; }
+
+    /// Empty where there is none. @pre faces of the scene, from 0
+    [[nodiscard]] std::optional<double> at(int from, int to) const { return factors_[index(from, to)]; }
+    /// What a face sends to all faces; empty unless every factor of it is known.
+    [[nodiscard]] std::optional<double> row_sum(int from) const;
+
+  private:
+    [[nodiscard]] std::size_t index(int from, int to) const;
+
+    std::size_t faces_ = 0;
+    std::vector<std::optional<double>> factors_;  ///< [from * faces + to]
+};
+
+/// From a formula of the catalogue (core/configurations/catalogue.hpp), or of the whole scene
+/// (core/exact/exact_rooms.hpp); else, where there are no mirrors, by closed forms (core/exact/exact.hpp) where the
+/// surfaces of both faces are rectangles along the axes and nothing may stand between any two of them; of more than 128
+/// surfaces only where that holds for all faces.
+KnownFactors known_factors(const Scene& scene);
+
+/// How much of what one face would send to another is kept from it by what stands between, 1 - F / F without it: 0
+/// to 1. Empty where either factor is not known, or the second is 0.
+std::optional<double> hidden_share(const Scene& scene, const KnownFactors& known, int from, int to);
+
+}  // namespace ff

@@ -1,0 +1,168 @@
+#include "core/exact/pair_exchange.hpp"
+
+#include "core/exact/exact.hpp"
+#include "core/formulas/far_exchange.hpp"
+#include "core/formulas/polygon_exchange.hpp"
+#include "core/visibility/facing.hpp"
+#include "core/visibility/occlusion.hpp"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+
+namespace ff {
+namespace {
+
+using Eigen::Vector3d;
+
+/// Looking at all pairs takes the cube of the number of surfaces.
+constexpr std::size_t most_examined = 512;
+
+/// Each is cut out of every piece of a polygon; of more, rays cost less.
+constexpr std::size_t most_blockers = 64;
+
+bool is_polygon(const Surface& surface) {
+    return !corners(surface.shape).empty();
+}
+
+/// Corners counter-clockwise as seen from the side that radiates.
+template <class Real>
+Corners<Real> corners_of(const Surface& surface) {
+    Corners<Real> result;
+    for (const Vector3d& corner : corners(surface.shape)) result.push_back(corner.template cast<Real>());
+    const Vector3<Real> across = (result[1] - result[0]).cross(result[2] - result[1]);
+    if (across.dot(surface.normal.template cast<Real>()) < 0) std::reverse(result.begin(), result.end());
+    return result;
+}
+
+/// Squared diagonal of the box around both.
+double squared_extent(const Surface& from, const Surface& to) {
+    Eigen::AlignedBox3d box;
+    for (const Surface* surface : {&from, &to}) {
+        for (const Vector3d& corner : corners(surface->shape)) box.extend(corner);
+    }
+    return box.diagonal().squaredNorm();
+}
+
+BoundedValue<double> contour_exchange(const Surface& from, const Surface& to, double wanted) {
+    const auto brief = polygon_exchange_area<double>(corners_of<double>(from), corners_of<double>(to));
+    if (brief.error <= wanted) return brief;
+    const auto exact = polygon_exchange_area<long double>(corners_of<long double>(from), corners_of<long double>(to));
+    return {static_cast<double>(exact.value), static_cast<double>(exact.error) + 1e-16 * brief.value};
+}
+
+/// Of several, the one with the least error.
+struct Candidate {
+    ExchangeMethod method = ExchangeMethod::closed_form;
+    BoundedValue<double> area;
+};
+
+/// With nothing in between: what is within `wanted`, the cheapest first; if nothing is, what is best.
+Candidate clear_polygons(const Surface& from, const Surface& to, double wanted) {
+    std::optional<Candidate> best;
+    const auto is_good = [&](ExchangeMethod method, const BoundedValue<double>& area) {
+        if (!best || area.error < best->area.error) best = {method, area};
+        return best->area.error <= wanted;
+    };
+    const double extent = squared_extent(from, to);
+    const auto closed_form = exact_exchange_area(from, to);
+    if (closed_form && is_good(ExchangeMethod::closed_form, {std::max(0.0, *closed_form), 1e-15 * extent}))
+        return *best;
+    if (!closed_form && is_good(ExchangeMethod::contour, contour_exchange(from, to, wanted))) return *best;
+    const auto far = far_exchange_area(from, to);
+    if (far && is_good(ExchangeMethod::quadrature, *far)) return *best;
+    if (closed_form) {
+        const double exact = *extended_exchange_area(from, to);
+        if (!is_good(ExchangeMethod::closed_form, {exact, 1e-18 * extent + 1e-16 * exact}))
+            is_good(ExchangeMethod::contour, contour_exchange(from, to, wanted));
+    }
+    return *best;
+}
+
+/// With nothing in between; empty where a surface is no polygon.
+PairExchange clear_exchange(const Surface& from, const Surface& to, double wanted) {
+    if (!is_polygon(from) || !is_polygon(to)) {
+        return {ExchangeMethod::rays, ExchangeReason::curved, std::nullopt, {}};
+    }
+    const Candidate best = clear_polygons(from, to, wanted);
+    const ExchangeReason reason = best.method == ExchangeMethod::closed_form  ? ExchangeReason::aligned
+                                  : best.method == ExchangeMethod::quadrature ? ExchangeReason::far
+                                                                              : ExchangeReason::polygons;
+    return {best.method, reason, best.area, {}};
+}
+
+}  // namespace
+
+std::string_view name(ExchangeMethod method) {
+    switch (method) {
+        case ExchangeMethod::none:
+            return "none";
+        case ExchangeMethod::closed_form:
+            return "closed_form";
+        case ExchangeMethod::contour:
+            return "contour";
+        case ExchangeMethod::quadrature:
+            return "quadrature";
+        case ExchangeMethod::points:
+            return "points";
+        case ExchangeMethod::rays:
+            break;
+    }
+    return "rays";
+}
+
+std::string_view in_words(ExchangeReason reason) {
+    switch (reason) {
+        case ExchangeReason::turned_away:
+            return "cannot see each other";
+        case ExchangeReason::aligned:
+            return "aligned rectangles with nothing in between";
+        case ExchangeReason::far:
+            return "polygons far apart with nothing in between";
+        case ExchangeReason::polygons:
+            return "polygons with nothing in between";
+        case ExchangeReason::blocked:
+            return "polygons, something may stand in between";
+        case ExchangeReason::curved:
+            return "something is curved";
+        case ExchangeReason::many_blockers:
+            return "much may stand in between";
+        case ExchangeReason::many_surfaces:
+            break;
+    }
+    return "too many surfaces to look at each pair";
+}
+
+SceneSight sight_of(const Scene& scene) {
+    if (scene.empty_box || is_convex(scene)) return {.all_clear = true, .examined = true};
+    return {.all_clear = false, .examined = scene.surfaces.size() <= most_examined};
+}
+
+PairExchange pair_exchange(const Scene& scene, SceneSight sight, const Surface& from, const Surface& to,
+                           double wanted) {
+    if (!face_each_other(from, to)) return {};
+    if (sight.all_clear) return clear_exchange(from, to, wanted);
+    if (!sight.examined) return {ExchangeMethod::rays, ExchangeReason::many_surfaces, std::nullopt, {}};
+    std::vector<const Surface*> blockers = possible_blockers(scene, from, to);
+    PairExchange result = clear_exchange(from, to, wanted);
+    const auto is_flat_sided = [](const Surface* surface) { return is_polygon(*surface); };
+    const bool cut_out = std::all_of(blockers.begin(), blockers.end(), is_flat_sided);
+    if (result.method == ExchangeMethod::rays) {
+        // Places on a curved surface see a polygon just as well.
+        if (!(cut_out && (is_polygon(from) || is_polygon(to)))) return result;
+        result.method = ExchangeMethod::points;
+    } else if (blockers.empty()) {
+        return result;
+    } else {
+        result.method = cut_out ? ExchangeMethod::points : ExchangeMethod::rays;
+        result.reason = cut_out ? ExchangeReason::blocked : ExchangeReason::curved;
+    }
+    if (blockers.size() > most_blockers) {
+        result.method = ExchangeMethod::rays;
+        result.reason = ExchangeReason::many_blockers;
+    }
+    if (result.method == ExchangeMethod::points) result.blockers = std::move(blockers);
+    return result;
+}
+
+}  // namespace ff

@@ -1,0 +1,61 @@
+#pragma once
+
+#include "core/formulas/edge_integral.hpp"
+#include "core/geometry/scene.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+namespace ff {
+
+/// How the exchange area of two surfaces can be found, from the cheapest on.
+enum class ExchangeMethod : std::uint8_t {
+    none,         ///< they do not face each other: exactly 0
+    closed_form,  ///< elementary formulas (core/exact/exact.hpp)
+    contour,      ///< contour integrals with a bound (core/formulas/polygon_exchange.hpp)
+    quadrature,   ///< Gauss's rule with a bound, of pairs far apart (core/formulas/far_exchange.hpp)
+    points,       ///< sampled places on one, exact factors to what they see of the other
+                  ///< (core/visibility/visible_polygon.hpp)
+    rays,         ///< sampled rays; always possible
+};
+
+std::string_view name(ExchangeMethod method);
+
+/// Why a pair of surfaces is done by its method, in a few words.
+enum class ExchangeReason : std::uint8_t {
+    turned_away,    ///< they cannot see each other
+    aligned,        ///< rectangles along the axes that nothing can stand between
+    polygons,       ///< polygons that nothing can stand between
+    far,            ///< polygons that nothing can stand between, small beside their distance
+    blocked,        ///< polygons past polygons that may stand in between
+    curved,         ///< a surface is curved, or something curved may stand in between
+    many_blockers,  ///< more may stand in between than are cut out of a polygon
+    many_surfaces,  ///< the scene has too many surfaces to look at what may stand in between
+};
+
+std::string_view in_words(ExchangeReason reason);
+
+/// What is known of the exchange area A_1 F_12 of two surfaces beforehand.
+struct PairExchange {
+    ExchangeMethod method = ExchangeMethod::none;
+    ExchangeReason reason = ExchangeReason::turned_away;
+    /// The exchange area; of sampled pairs as if nothing stood in between, where that is known: no more passes.
+    std::optional<BoundedValue<double>> area = BoundedValue<double>{};
+    std::vector<const Surface*> blockers;  ///< for ExchangeMethod::points
+};
+
+/// What is known of a scene as a whole, so that it need not be found for every pair.
+struct SceneSight {
+    bool all_clear = false;  ///< nothing stands between any two surfaces
+    bool examined = false;   ///< few enough surfaces to look for what stands between two of them
+};
+
+SceneSight sight_of(const Scene& scene);
+
+/// The cheapest method for two surfaces of a scene (which may be one and the same).
+/// @param wanted  exchange area that errors are to stay below: extended precision is used where double does not do
+PairExchange pair_exchange(const Scene& scene, SceneSight sight, const Surface& from, const Surface& to, double wanted);
+
+}  // namespace ff

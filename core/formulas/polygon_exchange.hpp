@@ -1,0 +1,29 @@
+#pragma once
+
+#include "core/formulas/edge_integral.hpp"
+
+#include <vector>
+
+namespace ff {
+
+/// The corners of a plane polygon, counter-clockwise as seen from the side that it radiates to.
+template <class Real>
+using Corners = std::vector<Vector3<Real>>;
+
+/// Exchange area A_1 F_12 of two plane polygons anywhere to each other, in squared units of length, by the contour
+/// integral: 1 / (2 pi) times the integral of ln r over both rims. Only the parts in front of each other count; whether
+/// something stands in between is the caller's to know. They may touch, share edges, and have holes or bays (a rim that
+/// runs along a bridge there and back).
+///
+/// `error` bounds the truncation and estimates the rounding; it is relative to the squared extent of the pair, not to
+/// the result: about 1e-15 of it in double, 1e-18 in long double, more where edges are nearly parallel
+/// (core/formulas/edge_integral.hpp). Neither value nor error is negative.
+/// @see [sparrow1963], [schroeder1993]   @pre each polygon is plane, with at least three corners that span an area
+template <class Real>
+BoundedValue<Real> polygon_exchange_area(Corners<Real> from, Corners<Real> to);
+
+/// Area of a plane polygon.
+template <class Real>
+Real polygon_area(const Corners<Real>& polygon);
+
+}  // namespace ff

@@ -1,0 +1,127 @@
+#include "core/formulas/rectangle_formulas.hpp"
+
+#include "core/support/contract.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+
+namespace ff {
+namespace {
+
+/// Distances between the ends of two intervals. With the signs below they turn a second antiderivative F of an even
+/// function f into an integral over both: sum of sign * F(distance) = integral of f(x - x') dx dx'.
+template <class Real>
+using Distances = std::array<Real, 4>;
+constexpr std::array<int, 4> second_difference{1, -1, -1, 1};
+
+template <class Real>
+Distances<Real> distances(const Interval& a, const Interval& b) {
+    return {static_cast<Real>(std::abs(a.high - b.low)), static_cast<Real>(std::abs(a.high - b.high)),
+            static_cast<Real>(std::abs(a.low - b.low)), static_cast<Real>(std::abs(a.low - b.high))};
+}
+
+template <class Real>
+Real largest(const Distances<Real>& values) {
+    return *std::max_element(values.begin(), values.end());
+}
+
+/// The power of two just below `length`. Dividing by it is exact, keeps squares of tiny and huge lengths in range, and
+/// keeps logarithms small; the terms that it removes from them cancel in the sum over the corners.
+template <class Real>
+Real unit_of_length(Real length) {
+    return std::scalbn(Real{1}, std::ilogb(length));
+}
+
+/// x * atan(y / x), and its limit 0 for x = 0. @pre x >= 0, y >= 0
+template <class Real>
+Real x_atan(Real x, Real y) {
+    return x > 0 ? x * std::atan(y / x) : Real{0};
+}
+
+/// log(x), and 0 for x = 0: only for factors that vanish faster than the logarithm grows.
+template <class Real>
+Real limited_log(Real x) {
+    return x > 0 ? std::log(x) : Real{0};
+}
+
+/// One corner term of the formula for parallel rectangles; the slants are sqrt(u^2 + z^2) and sqrt(v^2 + z^2).
+template <class Real>
+Real corner_term(Real u, Real u_slant, Real v, Real v_slant, Real zz) {
+    return v * x_atan(u_slant, v) + u * x_atan(v_slant, u) - zz / 2 * limited_log(u * u + v * v + zz);
+}
+
+}  // namespace
+
+template <class Real>
+Real parallel_corner(Real u, Real v, Real gap) {
+    const Real zz = gap * gap;
+    return corner_term(u, std::sqrt(u * u + zz), v, std::sqrt(v * v + zz), zz);
+}
+
+template <class Real>
+Real parallel_exchange_area(const Interval& x_from, const Interval& y_from, const Interval& x_to, const Interval& y_to,
+                            long double gap) {
+    FF_EXPECT(gap > 0);
+    Distances<Real> u = distances<Real>(x_from, x_to);
+    Distances<Real> v = distances<Real>(y_from, y_to);
+    Real z = static_cast<Real>(gap);
+    const Real unit = unit_of_length(std::max({largest(u), largest(v), z}));
+    z /= unit;
+    const Real zz = z * z;
+    Distances<Real> u_slant;  // sqrt(u^2 + z^2)
+    Distances<Real> v_slant;
+    for (std::size_t i = 0; i < 4; ++i) {
+        u[i] /= unit;
+        v[i] /= unit;
+        u_slant[i] = std::sqrt(u[i] * u[i] + zz);
+        v_slant[i] = std::sqrt(v[i] * v[i] + zz);
+    }
+
+    Real sum = 0;
+    for (std::size_t i = 0; i < 4; ++i) {
+        for (std::size_t j = 0; j < 4; ++j) {
+            sum += static_cast<Real>(second_difference[i] * second_difference[j]) *
+                   corner_term(u[i], u_slant[i], v[j], v_slant[j], zz);
+        }
+    }
+    return std::max(Real{0}, sum / (2 * std::numbers::pi_v<Real>)) * unit * unit;
+}
+
+template <class Real>
+Real perpendicular_exchange_area(const Interval& along_from, const Interval& along_to, const Interval& height_from,
+                                 const Interval& height_to) {
+    FF_EXPECT(height_from.low >= 0 && height_to.low >= 0);
+    Distances<Real> u = distances<Real>(along_from, along_to);
+    const Real unit =
+        unit_of_length(std::max({largest(u), static_cast<Real>(height_from.high), static_cast<Real>(height_to.high)}));
+    for (Real& distance : u) {
+        distance /= unit;
+    }
+    const std::array<Real, 2> y{static_cast<Real>(height_from.low) / unit, static_cast<Real>(height_from.high) / unit};
+    const std::array<Real, 2> z{static_cast<Real>(height_to.low) / unit, static_cast<Real>(height_to.high) / unit};
+
+    Real sum = 0;
+    for (std::size_t j = 0; j < 2; ++j) {
+        for (std::size_t k = 0; k < 2; ++k) {
+            const Real pp = y[j] * y[j] + z[k] * z[k];
+            const Real p = std::sqrt(pp);
+            for (std::size_t i = 0; i < 4; ++i) {
+                const Real corner = 2 * u[i] * x_atan(p, u[i]) + (u[i] * u[i] - pp) / 2 * limited_log(u[i] * u[i] + pp);
+                sum += static_cast<Real>(second_difference[i] * (j == k ? 1 : -1)) * corner;
+            }
+        }
+    }
+    return std::max(Real{0}, -sum / (4 * std::numbers::pi_v<Real>)) * unit * unit;
+}
+
+template long double parallel_corner(long double, long double, long double);
+template double parallel_exchange_area(const Interval&, const Interval&, const Interval&, const Interval&, long double);
+template long double parallel_exchange_area(const Interval&, const Interval&, const Interval&, const Interval&,
+                                            long double);
+template double perpendicular_exchange_area(const Interval&, const Interval&, const Interval&, const Interval&);
+template long double perpendicular_exchange_area(const Interval&, const Interval&, const Interval&, const Interval&);
+
+}  // namespace ff

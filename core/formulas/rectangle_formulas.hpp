@@ -1,0 +1,30 @@
+#pragma once
+
+#include "core/geometry/aligned_rectangle.hpp"
+
+namespace ff {
+
+/// The elementary formulas behind core/exact/exact.hpp: exchange areas A_1 F_12, in squared units of length, as sums of
+/// an antiderivative of the kernel over all pairs of corners. `Real` is the precision of the computation, double or
+/// long double; the error is about 2 ulp of the squared extent of the pair, never relative to the result.
+
+/// Two rectangles in parallel planes `gap` apart that face each other; any offset and overlap.
+/// @pre gap > 0   @see [howell] C-13, [ehlert1993]
+template <class Real>
+Real parallel_exchange_area(const Interval& x_from, const Interval& y_from, const Interval& x_to, const Interval& y_to,
+                            long double gap);
+
+/// One corner term of `parallel_exchange_area`, times 2 pi: the kernel 1 / (pi r^4), integrated four times, at offsets
+/// u, v >= 0 in the two directions of the planes, `gap` apart.
+template <class Real>
+Real parallel_corner(Real u, Real v, Real gap);
+
+/// Two rectangles in perpendicular planes, each wholly in front of the other: `along` is the axis parallel to both
+/// planes, `height` the distance of a rectangle's points from the other one's plane (its low end is 0 where the
+/// rectangle touches that plane).
+/// @pre all heights >= 0   @see [howell] C-15, [ehlert1993]
+template <class Real>
+Real perpendicular_exchange_area(const Interval& along_from, const Interval& along_to, const Interval& height_from,
+                                 const Interval& height_to);
+
+}  // namespace ff

@@ -1,0 +1,92 @@
+#include "core/geometry/placement.hpp"
+
+#include "core/geometry/surface_map.hpp"
+#include "core/support/overloaded.hpp"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+
+namespace ff {
+namespace {
+
+using Eigen::Vector3d;
+
+/// Coordinates larger than so many edges of the box are far.
+constexpr double far_off = 8;
+/// Logarithms of sizes whose squares are ordinary numbers in single precision.
+constexpr int most_exponent = 20;
+
+Eigen::AlignedBox3d box_around(const Scene& scene) {
+    Eigen::AlignedBox3d box;
+    for (const Surface& surface : scene.surfaces) box.extend(box_around(surface));
+    return box;
+}
+
+}  // namespace
+
+Placement placement_of(const Scene& scene) {
+    Placement placement;
+    if (scene.surfaces.empty()) return placement;
+    const Eigen::AlignedBox3d box = box_around(scene);
+    const double longest = box.sizes().maxCoeff();
+    if (!(longest > 0)) return placement;
+    const int exponent = std::ilogb(longest);
+    const double step = std::ldexp(1.0, exponent);
+    for (Eigen::Index axis = 0; axis < 3; ++axis) {
+        if (std::max(std::abs(box.min()[axis]), std::abs(box.max()[axis])) <= far_off * longest) continue;
+        placement.origin[axis] = std::round(box.center()[axis] / step) * step;
+    }
+    if (std::abs(exponent) > most_exponent) placement.unit = step;
+    return placement;
+}
+
+double farthest_coordinate(const Scene& scene) {
+    if (scene.surfaces.empty()) return 0;
+    const Eigen::AlignedBox3d box = box_around(scene);
+    return std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff());
+}
+
+Scene placed(const Scene& scene, const Placement& placement) {
+    Scene result = scene;
+    if (placement.is_identity()) return result;
+    const auto move = [&](Vector3d& place) { place = (place - placement.origin) / placement.unit; };
+    const auto scale = [&](auto& length) { length /= placement.unit; };
+    for (Surface& surface : result.surfaces) {
+        std::visit(Overloaded{
+                       [&](Parallelogram& p) {
+                           move(p.corner);
+                           scale(p.edge_u);
+                           scale(p.edge_v);
+                       },
+                       [&](Triangle& p) {
+                           for (Vector3d* corner : {&p.a, &p.b, &p.c}) move(*corner);
+                       },
+                       [&](Disc& p) {
+                           move(p.centre);
+                           scale(p.inner_radius);
+                           scale(p.outer_radius);
+                       },
+                       [&](Frustum& p) {
+                           move(p.base);
+                           scale(p.axis);
+                           scale(p.base_radius);
+                           scale(p.top_radius);
+                       },
+                       [&](SphereZone& p) {
+                           move(p.centre);
+                           scale(p.radius);
+                       },
+                   },
+                   surface.shape);
+    }
+    if (result.empty_box) *result.empty_box /= placement.unit;
+    return result;
+}
+
+Scene placed(const Scene& scene) {
+    return placed(scene, placement_of(scene));
+}
+
+}  // namespace ff

@@ -1,0 +1,89 @@
+#pragma once
+
+#include "core/geometry/shape.hpp"
+
+#include <Eigen/Core>
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace ff {
+
+/// No face: a surface that only stands in the way. Rays end there and are counted nowhere.
+inline constexpr int no_face = -1;
+
+/// Parts of equal area that a surface is divided into. Part row*columns + column lies at s in [column/columns,
+/// (column+1)/columns] and t in [row/rows, (row+1)/rows]: on a parallelogram, along edge_u and edge_v. Both are 1 or
+/// more.
+struct Grid {
+    std::uint32_t columns;
+    std::uint32_t rows;
+
+    [[nodiscard]] std::uint32_t parts() const { return columns * rows; }
+    bool operator==(const Grid&) const = default;
+};
+
+/// A surface that is not divided.
+inline constexpr Grid undivided{1, 1};
+
+/// One piece of a scene's boundary. It radiates and receives on one side only: that of `normal` (unit length) where it
+/// is flat, that of its `facing` where it is curved (`normal` is then 0).
+struct Surface {
+    Shape shape;
+    Eigen::Vector3d normal;
+    int face = 0;  ///< index into Scene::faces, no_face or mirror_face (core/visibility/mirrors.hpp)
+    Grid grid = undivided;
+};
+
+/// Surfaces, and the faces (groups of surfaces) that results are reported for.
+struct Scene {
+    std::string name;       ///< as the user wrote it, e.g. "cube"
+    std::string canonical;  ///< what the scene is, independent of its name; keys the random streams
+    std::vector<Surface> surfaces;
+    std::vector<std::string> faces;  ///< face labels as reported, e.g. "1" .. "6"
+    bool closed = false;             ///< every ray hits something: a ray that does not is lost
+    std::optional<Eigen::Vector3d>
+        empty_box;  ///< edge lengths a, b, c where the scene is the inside of [0,a]x[0,b]x[0,c]
+};
+
+/// m x m patches in every part of a surface's grid. The patches of a scene are numbered surface by surface, on each as
+/// the parts of their grid are: core/patches/patch_order.hpp.
+struct Subdivision {
+    std::uint32_t m = 1;
+
+    [[nodiscard]] std::uint32_t per_part() const { return m * m; }
+    /// The patches of a surface.
+    [[nodiscard]] Grid of(const Surface& surface) const { return {surface.grid.columns * m, surface.grid.rows * m}; }
+    /// How many a scene has.
+    [[nodiscard]] std::uint64_t patches(const Scene& scene) const;
+};
+
+/// Area of a shape, in squared units of length.
+double area(const Parallelogram& shape);
+double area(const Shape& shape);
+
+/// The corners of a parallelogram or a triangle in order around it; none of a round shape.
+std::vector<Eigen::Vector3d> corners(const Shape& shape);
+
+/// Part `index` of a parallelogram.
+Parallelogram patch(const Parallelogram& shape, Grid grid, std::uint32_t index);
+
+/// The same of a surface that is known to be a parallelogram, as a surface of its own.
+Surface patch(const Surface& surface, Grid grid, std::uint32_t index);
+
+/// The shape of a surface that is known to be a parallelogram.
+const Parallelogram& parallelogram(const Surface& surface);
+Parallelogram& parallelogram(Surface& surface);
+
+/// Whether every surface is a parallelogram.
+bool has_only_parallelograms(const Scene& scene);
+
+/// Whether some surface is divided.
+bool has_grids(const Scene& scene);
+
+/// Total area of a face.
+double face_area(const Scene& scene, int face);
+
+}  // namespace ff

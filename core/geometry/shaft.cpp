@@ -1,0 +1,142 @@
+#include "core/geometry/shaft.hpp"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace ff {
+namespace {
+
+using Eigen::Vector3d;
+
+/// Room for rounding, relative to what is compared.
+constexpr double tolerance = 1e-15;
+
+/// Edges whose angle has a smaller sine span no plane.
+constexpr double least_sine = 1e-9;
+
+struct Range {
+    double low = std::numeric_limits<double>::max();
+    double high = std::numeric_limits<double>::lowest();
+
+    void include(const std::vector<Vector3d>& points, const Vector3d& axis) {
+        for (const Vector3d& point : points) {
+            const double at = axis.dot(point);
+            low = std::min(low, at);
+            high = std::max(high, at);
+        }
+    }
+};
+
+const Vector3d& next(const ConvexPolygon& polygon, std::size_t k) {
+    return polygon[k + 1 == polygon.size() ? 0 : k + 1];
+}
+
+/// Twice the area, along the normal.
+Vector3d twice_area(const ConvexPolygon& polygon) {
+    Vector3d sum = Vector3d::Zero();
+    for (std::size_t k = 1; k + 1 < polygon.size(); ++k)
+        sum += (polygon[k] - polygon[0]).cross(polygon[k + 1] - polygon[0]);
+    return sum;
+}
+
+}  // namespace
+
+bool Shaft::is_parted(const ConvexPolygon& polygon, const Vector3d& axis) const {
+    Range own;
+    own.include(polygon, axis);
+    Range lines;
+    lines.include(from_, axis);
+    lines.include(to_, axis);
+    const double room = tolerance * std::max(lines.high - lines.low, own.high - own.low);
+    return own.low >= lines.high - room || own.high <= lines.low + room;
+}
+
+bool Shaft::is_parted(const ConvexPolygon& polygon, const Vector3d& line, const Vector3d& edge) const {
+    const Vector3d axis = line.cross(edge);
+    if (axis.squaredNorm() <= least_sine * least_sine * line.squaredNorm() * edge.squaredNorm()) return false;
+    return is_parted(polygon, axis);
+}
+
+bool Shaft::keeps_clear_of(const ConvexPolygon& polygon) const {
+    for (const Vector3d& normal : {twice_area(polygon), twice_area(to_)}) {
+        if (normal.squaredNorm() > 0 && is_parted(polygon, normal)) return true;
+    }
+    for (Eigen::Index axis = 0; axis < 3; ++axis) {
+        if (is_parted(polygon, Vector3d::Unit(axis))) return true;
+    }
+    for (const Vector3d& begin : from_) {
+        for (std::size_t t = 0; t < to_.size(); ++t) {
+            const Vector3d line = to_[t] - begin;
+            for (std::size_t k = 0; k < polygon.size(); ++k) {
+                if (is_parted(polygon, line, next(polygon, k) - polygon[k])) return true;
+            }
+            if (is_parted(polygon, line, next(to_, t) - to_[t])) return true;
+        }
+    }
+    for (std::size_t k = 0; k < from_.size(); ++k) {
+        const Vector3d edge = next(from_, k) - from_[k];
+        for (const Vector3d& end : to_) {
+            if (is_parted(polygon, end - from_[k], edge)) return true;
+        }
+    }
+    return false;
+}
+
+bool Shaft::is_closed_by(const ConvexPolygon& polygon) const {
+    const Vector3d normal = twice_area(polygon);
+    const double plane = normal.dot(polygon.front());
+    const auto height = [&](const Vector3d& place) { return normal.dot(place) - plane; };
+    const double side = height(from_.front());
+    for (const Vector3d& begin : from_) {
+        const double before = height(begin);
+        if (!(before * side > 0)) return false;
+        for (const Vector3d& end : to_) {
+            const double after = height(end);
+            if (!(after * side < 0)) return false;
+            const Vector3d crossing = begin + (end - begin) * (before / (before - after));
+            for (std::size_t k = 0; k < polygon.size(); ++k) {
+                if (normal.cross(next(polygon, k) - polygon[k]).dot(crossing - polygon[k]) < 0) return false;
+            }
+        }
+    }
+    return true;
+}
+
+double distance(const Vector3d& place, const ConvexPolygon& polygon) {
+    const Vector3d normal = twice_area(polygon);
+    bool inside = normal.squaredNorm() > 0;
+    double nearest = std::numeric_limits<double>::max();
+    for (std::size_t k = 0; k < polygon.size(); ++k) {
+        const Vector3d edge = next(polygon, k) - polygon[k];
+        const Vector3d offset = place - polygon[k];
+        inside = inside && normal.cross(edge).dot(offset) >= 0;
+        const double squared = edge.squaredNorm();
+        const double along = squared > 0 ? std::clamp(offset.dot(edge) / squared, 0.0, 1.0) : 0;
+        nearest = std::min(nearest, (offset - along * edge).norm());
+    }
+    return inside ? std::abs(normal.normalized().dot(place - polygon.front())) : nearest;
+}
+
+double area(const ConvexPolygon& polygon) {
+    return twice_area(polygon).norm() / 2;
+}
+
+ConvexPolygon clipped(const ConvexPolygon& polygon, const Vector3d& normal, double offset) {
+    ConvexPolygon result;
+    for (std::size_t k = 0; k < polygon.size(); ++k) {
+        const Vector3d& a = polygon[k];
+        const Vector3d& b = next(polygon, k);
+        const double before = normal.dot(a) - offset;
+        const double after = normal.dot(b) - offset;
+        if (before >= 0) result.push_back(a);
+        if ((before > 0 && after < 0) || (before < 0 && after > 0))
+            result.push_back(a + (b - a) * (before / (before - after)));
+    }
+    if (result.size() < 3) result.clear();
+    return result;
+}
+
+}  // namespace ff

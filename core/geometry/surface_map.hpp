@@ -1,0 +1,65 @@
+#pragma once
+
+#include "core/geometry/scene.hpp"
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+#include <optional>
+
+namespace ff {
+
+/// A place on a surface and unit vectors there.
+struct SurfacePoint {
+    Eigen::Vector3d position;
+    Eigen::Vector3d normal;   ///< of the radiating side
+    Eigen::Vector3d tangent;  ///< along edge_u, from b to c, or where the azimuth grows
+};
+
+/// Coordinates of a place on a surface, in [0, 1].
+struct SurfaceCoordinates {
+    double s = 0;
+    double t = 0;
+};
+
+/// The map from the unit square onto a surface that keeps shares of area, with its inverse; what s and t are stands in
+/// core/geometry/shape.hpp. Azimuths begin at the coordinate axis that is farthest from the shape's own, the first of
+/// several.
+class SurfaceMap {
+  public:
+    explicit SurfaceMap(const Surface& surface);
+
+    /// The same bits on every CPU.
+    [[nodiscard]] SurfacePoint at(double s, double t) const;
+
+    /// @pre `place` lies on the surface, but for rounding
+    [[nodiscard]] SurfaceCoordinates coordinates(const Eigen::Vector3d& place) const;
+
+  private:
+    Shape shape_;
+    Eigen::Vector3d normal_;
+    Eigen::Vector3d x_;  ///< of round shapes azimuth 0, of others the tangent; unit length like y and z
+    Eigen::Vector3d y_;  ///< azimuth 1/4
+    Eigen::Vector3d z_;  ///< along the axis
+};
+
+/// The normal of a surface's radiating side at a place on it, but for rounding.
+Eigen::Vector3d normal_at(const Surface& surface, const Eigen::Vector3d& place);
+
+/// A unit vector perpendicular to `axis`: the coordinate axis farthest from it, projected.
+Eigen::Vector3d perpendicular(const Eigen::Vector3d& axis);
+
+/// From the least to the greatest product of `direction` with the points of a surface.
+struct Extent {
+    double low = 0;
+    double high = 0;
+};
+Extent extent(const Surface& surface, const Eigen::Vector3d& direction);
+
+/// The box along the axes around a surface.
+Eigen::AlignedBox3d box_around(const Surface& surface);
+
+/// The middle of that box.
+Eigen::Vector3d middle(const Surface& surface);
+
+}  // namespace ff

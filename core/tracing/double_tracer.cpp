@@ -1,0 +1,168 @@
+#include "core/geometry/box_tree.hpp"
+#include "core/geometry/placement.hpp"
+#include "core/geometry/surface_map.hpp"
+#include "core/support/contract.hpp"
+#include "core/tracing/rays.hpp"
+#include "core/tracing/tracer.hpp"
+#include "core/visibility/mirrors.hpp"
+#include "core/visibility/touching.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+namespace ff {
+namespace {
+
+/// How much nearer to the middle of its surface a ray's second attempt starts, and how much larger rims are then.
+constexpr double second_attempt = 0x1p-20;
+
+/// Larger than a surface by what rims are, and by rounding.
+std::vector<Eigen::AlignedBox3d> boxes_of(const std::vector<Surface>& surfaces) {
+    std::vector<Eigen::AlignedBox3d> boxes;
+    boxes.reserve(surfaces.size());
+    for (const Surface& surface : surfaces) {
+        Eigen::AlignedBox3d box = box_around(surface);
+        const double largest = std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff());
+        const Eigen::Vector3d room = Eigen::Vector3d::Constant(8 * second_attempt * largest);
+        boxes.emplace_back(box.min() - room, box.max() + room);
+    }
+    return boxes;
+}
+
+/// By this share of a scene's largest coordinate, planes that are the same may lie apart for rounding alone.
+constexpr double rounding = 0x1p-46;
+
+struct Found {
+    std::uint32_t surface = no_surface;
+    Meeting meeting;
+    bool from_behind = false;
+};
+
+class DoubleTracer final : public Tracer {
+  public:
+    explicit DoubleTracer(const Scene& scene)
+        : surfaces_(scene.surfaces),
+          tree_(boxes_of(scene.surfaces)),
+          closed_(scene.closed),
+          faces_(scene.faces.size()),
+          gap_(rounding * farthest_coordinate(scene)) {}
+
+    [[nodiscard]] std::string_view name() const override { return "double"; }
+
+    void shoot(std::uint32_t source, Grid grid, std::uint32_t patch, const PointBlock& block,
+               std::span<std::uint64_t> hits) const override {
+        FF_EXPECT(hits.size() == faces_ + 1);
+        std::vector<Line> lines;
+        generate_lines(surfaces_.at(source), grid, patch, block, lines);
+        for (const Line& line : lines) {
+            const Found found = find(line, source);
+            if (found.surface == no_surface) {
+                ++hits[faces_];
+            } else if (is_received(found)) {
+                ++hits[static_cast<std::size_t>(surfaces_[found.surface].face)];
+            }
+        }
+    }
+
+    void find_ends(const Surface& /*surface*/, std::uint32_t source, Grid grid, std::uint32_t patch,
+                   const PointBlock& block, std::span<Hit> hits) const override {
+        std::vector<Line> lines;
+        generate_lines(surfaces_.at(source), grid, patch, block, lines);
+        for (std::size_t i = 0; i < lines.size(); ++i) hits[i] = hit_of(lines[i], find(lines[i], source));
+    }
+
+    void trace(const RayBatch& rays, std::span<Hit> hits) const override {
+        const RayPointers pointers = pointers_to(rays);
+        const Surface& source = surfaces_[rays.source];
+        for (std::size_t i = 0; i < rays.size(); ++i) {
+            Line line = line_of(pointers, i);
+            // A rounded origin lies a little beside its surface.
+            if (is_flat(source.shape))
+                line.origin += source.normal.dot(middle(source) - line.origin) * source.normal;
+            else
+                line.origin = on_curve(source, line.origin);
+            hits[i] = hit_of(line, find(line, rays.source));
+        }
+    }
+
+  private:
+    static Eigen::Vector3d on_curve(const Surface& surface, const Eigen::Vector3d& place) {
+        const SurfaceMap map(surface);
+        const auto [s, t] = map.coordinates(place);
+        return map.at(s, t).position;
+    }
+
+    [[nodiscard]] Found find(const Line& line, std::uint32_t source) const {
+        const Found found = first_met(line, source, 0);
+        if (found.surface != no_surface || !closed_) return found;
+        const Eigen::Vector3d nearer = second_attempt * (middle(surfaces_[source]) - line.origin);
+        return first_met({line.origin + nearer, line.direction}, source, second_attempt);
+    }
+
+    /// Surfaces level with the source are not met.
+    [[nodiscard]] Found first_met(const Line& line, std::uint32_t source, double rim) const {
+        const Surface& from = surfaces_[source];
+        Found first;
+        tree_.along(line, [&](std::uint32_t index, double latest) {
+            const Surface& surface = surfaces_[index];
+            // In a second attempt a ray starts inside of its hollow source, not on it.
+            const bool begins =
+                index == source && (rim == 0 || is_flat(surface.shape) || facing(surface.shape) == Facing::outward);
+            const auto meeting = line_meets(line, surface, {.begins = begins}, rim);
+            if (!meeting || (index != source && are_level(surface, from, meeting->time, line.direction))) return latest;
+            Found found{index, *meeting, false};
+            found.from_behind = is_from_behind(found, line.direction);
+            if (!comes_before(found, first, line.direction)) return latest;
+            first = found;
+            return meeting->time;
+        });
+        return first;
+    }
+
+    /// Whether two flat surfaces lie in one plane, given that a line takes this long from one to the other.
+    [[nodiscard]] bool are_level(const Surface& a, const Surface& b, double time,
+                                 const Eigen::Vector3d& direction) const {
+        return is_flat(a.shape) && is_flat(b.shape) && time * std::abs(b.normal.dot(direction)) <= gap_ &&
+               are_parallel(a, b);
+    }
+
+    /// Of level ones, what receives comes first, then what is listed first.
+    [[nodiscard]] bool comes_before(const Found& a, const Found& b, const Eigen::Vector3d& direction) const {
+        if (b.surface == no_surface) return true;
+        const double later = a.meeting.time - b.meeting.time;
+        if (!are_level(surfaces_[a.surface], surfaces_[b.surface], std::abs(later), direction)) return later < 0;
+        return std::pair(!is_received(a), a.surface) < std::pair(!is_received(b), b.surface);
+    }
+
+    [[nodiscard]] bool is_from_behind(const Found& found, const Eigen::Vector3d& direction) const {
+        const Surface& met = surfaces_[found.surface];
+        if (is_flat(met.shape)) return met.normal.dot(direction) >= 0;
+        return (facing(met.shape) == Facing::inward) != found.meeting.outward;
+    }
+
+    [[nodiscard]] bool is_received(const Found& found) const {
+        return is_of_face(surfaces_[found.surface]) && !found.from_behind;
+    }
+
+    [[nodiscard]] Hit hit_of(const Line& line, const Found& found) const {
+        if (found.surface == no_surface) return {};
+        const auto [s, t] = SurfaceMap(surfaces_[found.surface]).coordinates(line.at(found.meeting.time));
+        return {found.surface, static_cast<float>(s), static_cast<float>(t), is_received(found)};
+    }
+
+    std::vector<Surface> surfaces_;
+    BoxTree tree_;
+    bool closed_ = false;
+    std::size_t faces_ = 0;
+    double gap_ = 0;  ///< what may be rounding
+};
+
+}  // namespace
+
+std::unique_ptr<Tracer> make_double_tracer(const Scene& scene) {
+    return std::make_unique<DoubleTracer>(scene);
+}
+
+}  // namespace ff

@@ -1,0 +1,79 @@
+#pragma once
+
+#include "core/geometry/line_meets.hpp"
+#include "core/geometry/scene.hpp"
+#include "core/points/points.hpp"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace ff {
+
+/// A parallelogram in single precision, with the directions that rays are built from: `tangent` along edge_u,
+/// `bitangent` perpendicular to it on the side of edge_v, and the normal, all of unit length.
+struct SurfaceFrame {
+    using Vector = std::array<float, 3>;
+    Vector corner, edge_u, edge_v;
+    Vector tangent, bitangent, normal;
+};
+
+/// @throws UserError where a coordinate is not finite in single precision
+/// @pre a parallelogram
+SurfaceFrame surface_frame(const Surface& surface);
+
+/// Where a patch lies in the grid of its surface. A coordinate of a point is put in the fraction of a float,
+/// which makes it 1 + x; `first_u` takes the one away, adds the column and goes to the middle of the last bit.
+struct PatchMap {
+    float first_u = 0;  ///< column - 1 + 2^-24
+    float first_v = 0;  ///< row - 1 + 2^-24
+    Grid grid = undivided;
+};
+
+PatchMap patch_map(Grid grid, std::uint32_t patch);
+
+/// Length of one of equal parts of an edge, rounded such that all of them are not longer than the edge: no ray starts
+/// outside its surface.
+float patch_step(float edge, std::uint32_t parts);
+
+/// Rays of one block, one array a component, in the first-level cache.
+struct RayBlock {
+    using Component = std::array<float, block_capacity>;
+    alignas(64) Component origin_x, origin_y, origin_z;
+    alignas(64) Component direction_x, direction_y, direction_z;
+};
+
+/// One ray for each point of the block; what `Tracer::shoot` shoots and `generate_rays` stores. Up to a whole vector
+/// past the size of the block may be written. Rays of parallelograms are computed in single precision and vectorised;
+/// those of other shapes in double precision, one by one, with origins at all 32 bits of a coordinate.
+/// @throws UserError where the surface does not fit single precision
+void generate_ray_block(const Surface& surface, Grid grid, std::uint32_t patch, const PointBlock& points,
+                        RayBlock& rays);
+
+/// The same rays in double precision, as lines: their directions are those, of parallelograms too, that are computed
+/// for other shapes; origins lie on the surface but for rounding in double precision.
+void generate_lines(const Surface& surface, Grid grid, std::uint32_t patch, const PointBlock& points,
+                    std::vector<Line>& lines);
+
+/// Components of consecutive rays, wherever they are stored: of origins, then of directions.
+using RayPointers = std::array<const float*, 6>;
+
+template <class Rays>
+RayPointers pointers_to(const Rays& rays) {
+    return {rays.origin_x.data(),    rays.origin_y.data(),    rays.origin_z.data(),
+            rays.direction_x.data(), rays.direction_y.data(), rays.direction_z.data()};
+}
+
+inline Eigen::Vector3d direction_of(const RayPointers& rays, std::size_t i) {
+    return {rays[3][i], rays[4][i], rays[5][i]};
+}
+
+inline Line line_of(const RayPointers& rays, std::size_t i) {
+    return {{rays[0][i], rays[1][i], rays[2][i]}, direction_of(rays, i)};
+}
+
+/// The largest coordinate of a surface, in the units of the scene.
+/// @throws UserError where one is not finite in single precision
+double largest_coordinate(const Surface& surface);
+
+}  // namespace ff

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "core/geometry/scene.hpp"
+#include "core/tracing/tracer.hpp"
+
+namespace ff {
+
+/// What `Tracer::shoot` does, by way of `trace`: for tracers that look at every ray by itself.
+/// @param scene  that the tracer was made for
+void shoot_by_tracing(const Tracer& tracer, const Scene& scene, std::uint32_t source, Grid grid, std::uint32_t patch,
+                      const PointBlock& block, std::span<std::uint64_t> hits);
+
+}  // namespace ff

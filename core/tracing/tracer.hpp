@@ -1,0 +1,109 @@
+#pragma once
+
+#include "core/geometry/scene.hpp"
+#include "core/points/points.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string_view>
+#include <vector>
+
+namespace ff {
+
+/// Rays in single precision, one array a component; they start on surface `source` and lead to its radiating side. A
+/// flat source they cannot hit, nor one that bulges; a hollow one only elsewhere.
+struct RayBatch {
+    std::vector<float> origin_x, origin_y, origin_z;
+    std::vector<float> direction_x, direction_y, direction_z;  ///< not necessarily of unit length
+    std::uint32_t source = 0;
+
+    [[nodiscard]] std::size_t size() const { return origin_x.size(); }
+};
+
+inline constexpr std::uint32_t no_surface = 0xffffffffu;
+
+/// The first surface that a ray meets, and where, in the surface's own coordinates in [0, 1].
+struct Hit {
+    std::uint32_t surface = no_surface;  ///< no_surface: the ray met nothing
+    float s = 0;
+    float t = 0;
+    bool received = true;  ///< false on the back of the surface, and where it belongs to no face
+};
+
+/// Hits of the rays of one patch by face; entry faces() is the number of lost rays.
+using FaceHits = std::vector<std::uint64_t>;
+
+/// Finds what rays hit. Surfaces are opaque from both sides, but receive on their radiating side only: a ray that
+/// comes from behind ends there and is no face's hit, nor is it lost (in a closed scene whose normals point inward
+/// there is none). The surface that a ray starts on is excluded as such, never by a distance; of a curved one, the
+/// place. Safe to use from several threads at once. Patches are found from hit coordinates by arithmetic, so the cost
+/// does not grow with them.
+class Tracer {
+  public:
+    virtual ~Tracer() = default;
+    [[nodiscard]] virtual std::string_view name() const = 0;
+
+    /// Shoots one cosine-distributed ray for each 4-D point (s, t on the patch; direction) of `block` from patch
+    /// `patch` of the `grid` of patches of surface `source` and adds the hits by face to `hits` (faces + 1 entries, the
+    /// last for lost rays). Rays that end where nothing receives are counted nowhere.
+    virtual void shoot(std::uint32_t source, Grid grid, std::uint32_t patch, const PointBlock& block,
+                       std::span<std::uint64_t> hits) const = 0;
+
+    /// The ends of the rays that `shoot` would shoot, one by one; `hits` has room for block.size.
+    /// @param surface  the source, of the scene as it is placed (core/geometry/placement.hpp)
+    virtual void find_ends(const Surface& surface, std::uint32_t source, Grid grid, std::uint32_t patch,
+                           const PointBlock& block, std::span<Hit> hits) const;
+
+    /// Traces rays one by one; `hits` has room for rays.size().
+    virtual void trace(const RayBatch& rays, std::span<Hit> hits) const = 0;
+
+  protected:
+    Tracer() = default;
+    Tracer(const Tracer&) = default;
+    Tracer& operator=(const Tracer&) = default;
+    Tracer(Tracer&&) = default;
+    Tracer& operator=(Tracer&&) = default;
+};
+
+/// The rays that `Tracer::shoot` shoots for these points, in single precision and the same to the bit on every CPU.
+/// Coordinates 0 and 1 place the origin at (s, t) on the patch: of a parallelogram along edge_u and edge_v, at the
+/// middle of one of 2^23 cells. Coordinate 2 is the squared sine of the angle to the normal, coordinate 3 the azimuth
+/// in turns: on a parallelogram from edge_u towards edge_v, elsewhere from the tangent of SurfacePoint. @throws
+/// UserError where the surface does not fit single precision
+void generate_rays(const Surface& surface, std::uint32_t source, Grid grid, std::uint32_t patch,
+                   const PointBlock& block, RayBatch& rays);
+
+/// Analytic vectorised tracer for the inside of an empty box; equal hits on every CPU. A ray that meets an edge hits
+/// the opposite surface first, then the one across edge_v. @pre scene.empty_box
+std::unique_ptr<Tracer> make_box_tracer(const Scene& scene);
+
+/// Embree in robust mode, for any scene: flat polygons by its own code, round shapes by core/geometry/line_meets, in
+/// double precision. Rays that pass within rounding of an edge may be seen differently by its code for different CPUs;
+/// in a closed box none is lost. Round shapes and flat ones meet in edges that have no corners in common, and a ray's
+/// origin is rounded: in a closed scene, a ray that meets nothing is traced once more from 2^-20 nearer to the middle
+/// of its surface, among round shapes larger by 2^-20. What is lost then is a hole. A ray that ends on a back before it
+/// has risen above its source by more than rounding is traced once more from a little above: surfaces that are level
+/// with the source, or turned away from it, do not catch what starts on their edge. @see [wald2014]
+std::unique_ptr<Tracer> make_embree_tracer(const Scene& scene);
+
+/// Every surface by core/geometry/line_meets in double precision, origins of rays too (those of a RayBatch are moved
+/// back to their surface): for scenes with sizes or gaps that single precision does not resolve. Rays that meet nothing
+/// in a closed scene are traced once more as Embree's are, and the hits are the same on every CPU. Of flat surfaces in
+/// one plane none hides another: rays that start on one pass the others, and those that arrive end on the one that
+/// receives them, the first in the scene of several.
+std::unique_ptr<Tracer> make_double_tracer(const Scene& scene);
+
+enum class TracerChoice {
+    automatic,
+    box,
+    embree,
+    leaky,  ///< a control (core/tracing/leaky_tracer.hpp)
+};
+
+/// The box tracer where it applies, unless told otherwise.
+/// @throws UserError where the box tracer is asked for in a scene that is not an empty box
+std::unique_ptr<Tracer> make_tracer(const Scene& scene, TracerChoice choice);
+
+}  // namespace ff

@@ -1,0 +1,111 @@
+#include "core/visibility/facing.hpp"
+
+#include "core/geometry/surface_map.hpp"
+#include "core/visibility/mirrors.hpp"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <limits>
+
+namespace ff {
+namespace {
+
+/// Room for rounding, relative to the surfaces.
+constexpr double tolerance = 1e-12;
+
+constexpr std::size_t most_surfaces = 4096;
+
+/// Beyond so many pairs of surfaces a relation is not looked for.
+constexpr std::size_t most_pairs = 1u << 22;
+
+std::vector<const Surface*> surfaces_of(const Scene& scene, int face) {
+    std::vector<const Surface*> own;
+    for (const Surface& surface : scene.surfaces) {
+        if (surface.face == face) own.push_back(&surface);
+    }
+    return own;
+}
+
+/// The least and the greatest height of a surface above the plane of a flat one.
+Extent heights(const Surface& flat, const Surface& body) {
+    const Extent own = extent(flat, flat.normal);
+    const Extent other = extent(body, flat.normal);
+    return {other.low - own.low, other.high - own.low};
+}
+
+bool has_some_in_front(const Surface& surface, const Surface& other) {
+    return !is_flat(surface.shape) || heights(surface, other).high > 0;
+}
+
+bool is_hollow(const Surface& surface) {
+    return !is_flat(surface.shape) && facing(surface.shape) == Facing::inward;
+}
+
+double size(const Surface& surface) {
+    double sum = 0;
+    for (Eigen::Index axis = 0; axis < 3; ++axis) {
+        const Extent along = extent(surface, Eigen::Vector3d::Unit(axis));
+        sum += along.high - along.low;
+    }
+    return sum;
+}
+
+/// Where images are not known, every face is taken to see itself.
+bool sees_itself_in_mirrors(const Scene& scene, int face) {
+    if (mirrors(scene).empty()) return false;
+    for (const Surface& from : scene.surfaces) {
+        for (const Surface& to : scene.surfaces) {
+            if (from.face != face || to.face != face) continue;
+            const auto places = images(scene, to);
+            if (!places || std::any_of(places->begin() + 1, places->end(),
+                                       [&](const Surface& place) { return ff::face_each_other(from, place); }))
+                return true;
+        }
+    }
+    return false;
+}
+
+}  // namespace
+
+bool face_each_other(const Surface& a, const Surface& b) {
+    if (&a == &b) return is_hollow(a);
+    return has_some_in_front(a, b) && has_some_in_front(b, a);
+}
+
+bool face_each_other(const Scene& scene, int from_face, int to_face) {
+    const auto from = surfaces_of(scene, from_face);
+    const auto to = surfaces_of(scene, to_face);
+    if (from.size() * to.size() > most_pairs || !mirrors(scene).empty()) return true;
+    return std::any_of(from.begin(), from.end(), [&](const Surface* a) {
+        return std::any_of(to.begin(), to.end(), [&](const Surface* b) { return face_each_other(*a, *b); });
+    });
+}
+
+bool sees_itself(const Scene& scene, int face) {
+    if (sees_itself_in_mirrors(scene, face)) return true;
+    const auto own = surfaces_of(scene, face);
+    if (std::any_of(own.begin(), own.end(), [](const Surface* surface) { return is_hollow(*surface); })) return true;
+    if (own.size() > most_surfaces) return true;
+    for (const Surface* a : own) {
+        for (const Surface* b : own) {
+            if (a < b && face_each_other(*a, *b)) return true;
+        }
+    }
+    return false;
+}
+
+bool is_convex(const Scene& scene) {
+    if (scene.surfaces.size() > most_surfaces || scene.surfaces.empty()) return false;
+    double smallest = std::numeric_limits<double>::max();
+    for (const Surface& surface : scene.surfaces) smallest = std::min(smallest, size(surface));
+    for (const Surface& plane : scene.surfaces) {
+        if (!is_flat(plane.shape)) return false;
+        for (const Surface& surface : scene.surfaces) {
+            if (heights(plane, surface).low < -tolerance * smallest) return false;
+        }
+    }
+    return true;
+}
+
+}  // namespace ff

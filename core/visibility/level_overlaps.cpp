@@ -1,0 +1,111 @@
+#include "core/visibility/level_overlaps.hpp"
+
+#include "core/geometry/box_tree.hpp"
+#include "core/geometry/line_meets.hpp"
+#include "core/geometry/placement.hpp"
+#include "core/geometry/surface_map.hpp"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace ff {
+namespace {
+
+using Eigen::Vector3d;
+using Polygon = std::vector<Vector3d>;
+
+constexpr double rounding = 0x1p-46;
+/// Of the smaller surface: less is what adjacent surfaces cover for rounding.
+constexpr double least_share = 1e-6;
+/// Places of a disc along each of its coordinates.
+constexpr int lattice = 32;
+
+/// The part of a convex polygon on the side of a plane that `inwards` points to.
+Polygon clipped(const Polygon& polygon, const Vector3d& corner, const Vector3d& inwards) {
+    Polygon result;
+    for (std::size_t k = 0; k < polygon.size(); ++k) {
+        const Vector3d& a = polygon[k];
+        const Vector3d& b = polygon[(k + 1) % polygon.size()];
+        const double before = inwards.dot(a - corner);
+        const double after = inwards.dot(b - corner);
+        if (before >= 0) result.push_back(a);
+        if ((before > 0 && after < 0) || (before < 0 && after > 0))
+            result.push_back(a + (b - a) * (before / (before - after)));
+    }
+    return result;
+}
+
+double area_along(const Polygon& polygon, const Vector3d& normal) {
+    double sum = 0;
+    for (std::size_t k = 1; k + 1 < polygon.size(); ++k)
+        sum += (polygon[k] - polygon[0]).cross(polygon[k + 1] - polygon[0]).dot(normal);
+    return std::abs(sum) / 2;
+}
+
+double common_area_of_polygons(const Surface& a, const Polygon& of_a, const Polygon& of_b) {
+    Vector3d upwards = (of_a[1] - of_a[0]).cross(of_a[2] - of_a[1]);
+    Polygon common = of_b;
+    for (std::size_t k = 0; k < of_a.size() && common.size() >= 3; ++k)
+        common = clipped(common, of_a[k], upwards.cross(of_a[(k + 1) % of_a.size()] - of_a[k]));
+    return common.size() < 3 ? 0 : area_along(common, a.normal);
+}
+
+/// The share of places of a surface that another lies above or beneath.
+double covered_share(const Surface& surface, const Surface& by) {
+    const SurfaceMap map(surface);
+    // So far away that rounding of the place does not show beside the distance.
+    const double distance = std::sqrt(area(surface.shape));
+    int covered = 0;
+    for (int i = 0; i < lattice * lattice; ++i) {
+        const Vector3d place = map.at((i % lattice + 0.5) / lattice, (i / lattice + 0.5) / lattice).position;
+        covered += line_meets({place + distance * surface.normal, -surface.normal}, by).has_value();
+    }
+    return covered / double{lattice * lattice};
+}
+
+}  // namespace
+
+bool lie_in_one_plane(const Surface& a, const Surface& b, double gap) {
+    const auto heights = [](const Surface& flat, const Surface& other) {
+        const Extent own = extent(flat, flat.normal);
+        const Extent along = extent(other, flat.normal);
+        return std::max(std::abs(along.high - own.low), std::abs(along.low - own.high));
+    };
+    return heights(a, b) <= gap && heights(b, a) <= gap;
+}
+
+double common_area(const Surface& a, const Surface& b) {
+    const Polygon of_a = corners(a.shape);
+    const Polygon of_b = corners(b.shape);
+    if (!of_a.empty() && !of_b.empty()) return common_area_of_polygons(a, of_a, of_b);
+    return std::max(covered_share(a, b) * area(a.shape), covered_share(b, a) * area(b.shape));
+}
+
+std::vector<LevelOverlap> level_overlaps(const Scene& scene) {
+    std::vector<Eigen::AlignedBox3d> boxes;
+    for (const Surface& surface : scene.surfaces) boxes.push_back(box_around(surface));
+    const double gap = rounding * farthest_coordinate(scene);
+    const BoxTree tree(boxes);
+    std::vector<LevelOverlap> overlaps;
+    for (std::uint32_t i = 0; i < boxes.size(); ++i) {
+        const Surface& a = scene.surfaces[i];
+        if (!is_flat(a.shape)) continue;
+        const Vector3d room = Vector3d::Constant(gap);
+        tree.within({boxes[i].min() - room, boxes[i].max() + room}, [&](std::uint32_t j) {
+            const Surface& b = scene.surfaces[j];
+            if (j <= i || !is_flat(b.shape) || !lie_in_one_plane(a, b, gap)) return;
+            const double common = common_area(a, b);
+            if (common > least_share * std::min(area(a.shape), area(b.shape)))
+                overlaps.push_back({i, j, a.normal.dot(b.normal) > 0, common});
+        });
+    }
+    std::sort(overlaps.begin(), overlaps.end(), [](const LevelOverlap& a, const LevelOverlap& b) {
+        return std::pair(a.first, a.second) < std::pair(b.first, b.second);
+    });
+    return overlaps;
+}
+
+}  // namespace ff

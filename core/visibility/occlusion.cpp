@@ -1,0 +1,124 @@
+#include "core/visibility/occlusion.hpp"
+
+#include "core/geometry/line_meets.hpp"
+#include "core/geometry/surface_map.hpp"
+#include "core/visibility/facing.hpp"
+#include "core/visibility/mirrors.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace ff {
+namespace {
+
+using Eigen::Vector3d;
+
+/// Room for rounding, relative to the surfaces.
+constexpr double tolerance = 1e-12;
+
+constexpr std::size_t most_surfaces = 512;
+
+struct Pair {
+    const Surface& from;
+    const Surface& to;
+
+    [[nodiscard]] Extent along(const Vector3d& direction) const {
+        const Extent a = extent(from, direction);
+        const Extent b = extent(to, direction);
+        return {std::min(a.low, b.low), std::max(a.high, b.high)};
+    }
+};
+
+double length(const Extent& extent) {
+    return extent.high - extent.low;
+}
+
+/// What computing a surface's extent may be off by: it grows with the surface, and what it may hide does not.
+double rounding(const Extent& extent) {
+    return 4 * std::numeric_limits<double>::epsilon() * std::max(std::abs(extent.low), std::abs(extent.high));
+}
+
+/// Whether a plane across `direction` parts a surface from both of a pair. It may reach across by a share of the pair's
+/// own length, however large it is itself.
+bool is_parted(const Surface& surface, const Pair& pair, const Vector3d& direction) {
+    const Extent own = extent(surface, direction);
+    const Extent others = pair.along(direction);
+    const double room =
+        tolerance * length(others) - (own.high == others.low || own.low == others.high ? 0 : rounding(own));
+    return own.high <= others.low + room || own.low >= others.high - room;
+}
+
+/// Whether a surface lies behind a flat one, where no line from its radiating side leads.
+bool is_behind(const Surface& surface, const Surface& flat, const Pair& pair) {
+    if (!is_flat(flat.shape)) return false;
+    const Extent own = extent(surface, flat.normal);
+    const Extent plane = extent(flat, flat.normal);
+    const double room = tolerance * length(pair.along(flat.normal)) - (own.high == plane.high ? 0 : rounding(own));
+    return own.high <= plane.high + room;
+}
+
+bool keeps_clear(const Surface& surface, const Pair& pair) {
+    if (is_behind(surface, pair.from, pair) || is_behind(surface, pair.to, pair)) return true;
+    for (Eigen::Index axis = 0; axis < 3; ++axis) {
+        if (is_parted(surface, pair, Vector3d::Unit(axis))) return true;
+    }
+    for (const Surface* flat : {&surface, &pair.from, &pair.to}) {
+        if (is_flat(flat->shape) && is_parted(surface, pair, flat->normal)) return true;
+    }
+    return false;
+}
+
+}  // namespace
+
+std::vector<const Surface*> possible_blockers(const Scene& scene, const Surface& from, const Surface& to) {
+    std::vector<const Surface*> blockers;
+    const Pair pair{from, to};
+    for (const Surface& surface : scene.surfaces) {
+        const bool is_end = &surface == &from || &surface == &to;
+        const bool in_the_way =
+            is_end ? &from != &to && face_each_other(surface, surface) : !keeps_clear(surface, pair);
+        if (in_the_way) blockers.push_back(&surface);
+    }
+    return blockers;
+}
+
+bool may_be_occluded(const Scene& scene) {
+    if (scene.empty_box) return false;
+    if (scene.surfaces.size() > most_surfaces) return true;
+    for (const Surface& from : scene.surfaces) {
+        if (!is_of_face(from)) continue;
+        for (const Surface& to : scene.surfaces) {
+            if (!is_of_face(to) || &to > &from || !face_each_other(from, to)) continue;
+            if (!possible_blockers(scene, from, to).empty()) return true;
+        }
+    }
+    return false;
+}
+
+bool may_be_occluded(const Scene& scene, int from_face, int to_face) {
+    if (scene.empty_box) return false;
+    if (scene.surfaces.size() > most_surfaces) return true;
+    std::vector<const Surface*> from;
+    std::vector<const Surface*> to;
+    for (const Surface& surface : scene.surfaces) {
+        if (surface.face == from_face) from.push_back(&surface);
+        if (surface.face == to_face) to.push_back(&surface);
+    }
+    return std::any_of(from.begin(), from.end(), [&](const Surface* a) {
+        return std::any_of(to.begin(), to.end(), [&](const Surface* b) {
+            return face_each_other(*a, *b) && !possible_blockers(scene, *a, *b).empty();
+        });
+    });
+}
+
+bool sees(const Vector3d& place, const Surface& from, const Vector3d& other, const Surface& to,
+          const std::vector<const Surface*>& blockers) {
+    const Line line{place, other - place};
+    return std::none_of(blockers.begin(), blockers.end(), [&](const Surface* blocker) {
+        const auto meeting = line_meets(line, *blocker, {.begins = blocker == &from, .ends = blocker == &to});
+        return meeting && meeting->time < 1;
+    });
+}
+
+}  // namespace ff

@@ -1,0 +1,170 @@
+#include "core/visibility/touching.hpp"
+
+#include "core/geometry/surface_map.hpp"
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace ff {
+namespace {
+
+using Eigen::Vector3d;
+using Polygon = std::vector<Vector3d>;
+
+/// Room for rounding, relative to the surfaces.
+constexpr double tolerance = 1e-12;
+
+struct StraightLine {
+    Vector3d point;
+    Vector3d direction;  ///< unit length
+};
+
+/// The part of a line between two positions along it; empty unless begin < end.
+struct Stretch {
+    double begin = -std::numeric_limits<double>::infinity();
+    double end = std::numeric_limits<double>::infinity();
+};
+
+constexpr Stretch nowhere{0, 0};
+
+double size(const Polygon& polygon) {
+    return (polygon[1] - polygon[0]).norm() + (polygon[2] - polygon[1]).norm();
+}
+
+Vector3d normal(const Polygon& polygon) {
+    return (polygon[1] - polygon[0]).cross(polygon[2] - polygon[1]).normalized();
+}
+
+/// Calls visit(a corner, the unit vector from the edge that begins there to the inside) for each edge.
+template <class Visit>
+void for_each_edge(const Polygon& polygon, Visit visit) {
+    const Vector3d upwards = normal(polygon);
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+        visit(polygon[i], upwards.cross(polygon[(i + 1) % polygon.size()] - polygon[i]).normalized());
+    }
+}
+
+/// Where the planes of two polygons meet. @pre they are not parallel
+StraightLine common_line(const Surface& a, const Polygon& of_a, const Surface& b, const Polygon& of_b) {
+    const Vector3d direction = a.normal.cross(b.normal).normalized();
+    // Measured from a's corner, so that rounding is relative to the surfaces and not to the origin.
+    Eigen::Matrix3d planes;
+    planes << a.normal.transpose(), b.normal.transpose(), direction.transpose();
+    const Vector3d offsets(0, b.normal.dot(of_b[0] - of_a[0]), 0);
+    return {of_a[0] + planes.partialPivLu().solve(offsets), direction};
+}
+
+/// The part of a line of its plane that lies on a convex polygon, rim included.
+Stretch inside(const StraightLine& line, const Polygon& polygon) {
+    Stretch part;
+    const double gap = tolerance * size(polygon);
+    for_each_edge(polygon, [&](const Vector3d& corner, const Vector3d& inwards) {
+        const double start = (line.point - corner).dot(inwards);
+        const double slope = line.direction.dot(inwards);
+        if (std::abs(slope) <= tolerance) {
+            if (start < -gap) part = nowhere;
+        } else if (slope > 0) {
+            part.begin = std::max(part.begin, -start / slope);
+        } else {
+            part.end = std::min(part.end, -start / slope);
+        }
+    });
+    return part;
+}
+
+bool polygons_meet(const Surface& a, const Polygon& of_a, const Surface& b, const Polygon& of_b) {
+    const StraightLine line = common_line(a, of_a, b, of_b);
+    const Stretch on_a = inside(line, of_a);
+    const Stretch on_b = inside(line, of_b);
+    const double length = std::min(on_a.end, on_b.end) - std::max(on_a.begin, on_b.begin);
+    return length > tolerance * std::min(size(of_a), size(of_b));
+}
+
+struct Ring {
+    Vector3d centre;
+    Vector3d axis;
+    double radius = 0;
+};
+
+std::vector<Ring> rims(const Surface& surface) {
+    std::vector<Ring> all;
+    if (const auto* disc = std::get_if<Disc>(&surface.shape)) {
+        all = {{disc->centre, surface.normal, disc->inner_radius}, {disc->centre, surface.normal, disc->outer_radius}};
+    } else if (const auto* wall = std::get_if<Frustum>(&surface.shape)) {
+        all = {{wall->base, wall->axis, wall->base_radius}, {wall->base + wall->axis, wall->axis, wall->top_radius}};
+    } else if (const auto* zone = std::get_if<SphereZone>(&surface.shape)) {
+        for (const double height : {zone->low, zone->high}) {
+            all.push_back({zone->centre + zone->radius * height * zone->axis, zone->axis,
+                           zone->radius * std::sqrt(std::max(0.0, (1 - height) * (1 + height)))});
+        }
+    }
+    all.erase(std::remove_if(all.begin(), all.end(), [](const Ring& ring) { return ring.radius == 0; }), all.end());
+    return all;
+}
+
+/// Three places of a circle fix it; a fourth tells a circle from what only crosses the surface.
+bool lies_on(const Ring& ring, const Surface& surface) {
+    const Vector3d x = perpendicular(ring.axis);
+    const Vector3d y = ring.axis.normalized().cross(x);
+    const std::array<Vector3d, 4> directions{x, Vector3d(0.6 * y - 0.8 * x), Vector3d(-y),
+                                             Vector3d(0.28 * x + 0.96 * y)};
+    return std::all_of(directions.begin(), directions.end(), [&](const Vector3d& direction) {
+        return lies_on(ring.centre + ring.radius * direction, surface, tolerance * ring.radius);
+    });
+}
+
+bool has_rim_on(const Surface& a, const Surface& b) {
+    const std::vector<Ring> all = rims(a);
+    return std::any_of(all.begin(), all.end(), [&](const Ring& ring) { return lies_on(ring, b); });
+}
+
+}  // namespace
+
+bool lies_on(const Vector3d& place, const Surface& surface, double gap) {
+    if (const auto* disc = std::get_if<Disc>(&surface.shape)) {
+        const Vector3d offset = place - disc->centre;
+        const double radius = offset.norm();
+        return std::abs(offset.dot(surface.normal)) <= gap && radius >= disc->inner_radius - gap &&
+               radius <= disc->outer_radius + gap;
+    }
+    if (const auto* wall = std::get_if<Frustum>(&surface.shape)) {
+        const double height = wall->axis.norm();
+        const Vector3d offset = place - wall->base;
+        const double along = offset.dot(wall->axis) / height;
+        const double radius = (offset - along * wall->axis / height).norm();
+        const double expected = wall->base_radius + along / height * (wall->top_radius - wall->base_radius);
+        const double slant = std::hypot(height, wall->top_radius - wall->base_radius);
+        return along >= -gap && along <= height + gap && std::abs(radius - expected) * height / slant <= gap;
+    }
+    if (const auto* zone = std::get_if<SphereZone>(&surface.shape)) {
+        const Vector3d offset = place - zone->centre;
+        const double height = offset.dot(zone->axis);
+        return std::abs(offset.norm() - zone->radius) <= gap && height >= zone->low * zone->radius - gap &&
+               height <= zone->high * zone->radius + gap;
+    }
+    const Polygon polygon = corners(surface.shape);
+    bool inside = std::abs((place - polygon[0]).dot(surface.normal)) <= gap;
+    for_each_edge(polygon, [&](const Vector3d& corner, const Vector3d& inwards) {
+        inside = inside && (place - corner).dot(inwards) >= -gap;
+    });
+    return inside;
+}
+
+bool are_parallel(const Surface& a, const Surface& b) {
+    return is_flat(a.shape) && is_flat(b.shape) && a.normal.cross(b.normal).norm() <= tolerance;
+}
+
+bool meet_along_line(const Surface& a, const Surface& b) {
+    if (are_parallel(a, b)) return false;
+    const Polygon of_a = corners(a.shape);
+    const Polygon of_b = corners(b.shape);
+    if (!of_a.empty() && !of_b.empty()) return polygons_meet(a, of_a, b, of_b);
+    return has_rim_on(a, b) || has_rim_on(b, a);
+}
+
+}  // namespace ff

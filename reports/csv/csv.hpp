@@ -1,0 +1,22 @@
+#pragma once
+
+#include "studies/results/results.hpp"
+#include "studies/store/store.hpp"
+
+#include <ostream>
+
+namespace ff::reports {
+
+/// One row per scene, method, size and quantity; a column is empty where a value does not exist (docs/results.md).
+void write_summary_csv(std::ostream& out, const studies::Findings& findings);
+
+/// One row per ladder, class or pair, and size of the error: how fast it falls.
+void write_slopes_csv(std::ostream& out, const studies::StudyResults& results);
+
+/// One row per cell, class, kind of interval and number of replicates: how often it contains the exact value.
+void write_coverage_csv(std::ostream& out, const studies::StudyResults& results);
+
+/// The direct estimate of every pair in every trial, before completion.
+void write_trials_csv(std::ostream& out, const studies::Store& store);
+
+}  // namespace ff::reports

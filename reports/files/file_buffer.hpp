@@ -1,0 +1,27 @@
+#pragma once
+
+#include <array>
+#include <streambuf>
+
+namespace ff::reports {
+
+/// Writes a stream to an open file, and keeps what the system says of the first write that fails. std::filebuf forgets
+/// it, and errno then is of something else.
+class FileBuffer : public std::streambuf {
+  public:
+    explicit FileBuffer(int descriptor);
+    /// errno; 0 while nothing has failed.
+    [[nodiscard]] int error() const { return error_; }
+
+  protected:
+    int_type overflow(int_type next) override;
+    int sync() override;
+
+  private:
+    bool write_out();
+    int descriptor_;
+    int error_ = 0;
+    std::array<char, 1 << 16> bytes_{};
+};
+
+}  // namespace ff::reports

@@ -1,0 +1,103 @@
+#include "reports/files/output_file.hpp"
+
+#include "core/support/error.hpp"
+#include "reports/files/file_buffer.hpp"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <cstdint>
+#include <string>
+#include <system_error>
+#include <utility>
+
+namespace ff::reports {
+namespace {
+
+[[noreturn]] void fail(const std::filesystem::path& file, int error) {
+    throw IoError(fmt::format("{}: cannot be written ({}). Check the folder, its permissions and the free space.",
+                              file.string(), error == 0 ? "output error" : std::generic_category().message(error)));
+}
+
+std::filesystem::path folder_of(const std::filesystem::path& file) {
+    return file.has_parent_path() ? file.parent_path() : ".";
+}
+
+/// What messages of others who fill the file say; short enough for a longer name to be made of it.
+std::string shown_name(const std::filesystem::path& file) {
+    constexpr std::size_t most_bytes = 100;
+    return file.filename().string().substr(0, most_bytes);
+}
+
+/// A file that nobody had before, beside the one that it will become; removed unless it does.
+class Temporary {
+  public:
+    explicit Temporary(std::filesystem::path file) : file_(std::move(file)) {
+        constexpr mode_t all_that_the_user_allows = 0666;
+        for (std::uint64_t number = 0; descriptor_ < 0; ++number) {
+            path_ = folder_of(file_) / fmt::format("{}{}-{}", temporary_prefix, number, shown_name(file_));
+            descriptor_ = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, all_that_the_user_allows);
+            if (descriptor_ < 0 && errno != EEXIST) fail(file_, errno);
+        }
+    }
+    ~Temporary() {
+        if (descriptor_ >= 0) ::close(descriptor_);
+        if (!path_.empty()) ::unlink(path_.c_str());
+    }
+    Temporary(const Temporary&) = delete;
+    Temporary& operator=(const Temporary&) = delete;
+
+    [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+    [[nodiscard]] int descriptor() const { return descriptor_; }
+
+    /// Puts it in its place once all of it is on the disk.
+    void deliver() {
+        if (::fsync(descriptor_) != 0) fail(file_, errno);
+        if (::close(std::exchange(descriptor_, -1)) != 0) fail(file_, errno);
+        if (::rename(path_.c_str(), file_.c_str()) != 0) fail(file_, errno);
+        path_.clear();
+        synchronise_folder();
+    }
+
+  private:
+    void synchronise_folder() const {
+        const int folder = ::open(folder_of(file_).c_str(), O_RDONLY | O_CLOEXEC);
+        if (folder < 0) fail(file_, errno);
+        const int status = ::fsync(folder);
+        const int error = errno;
+        ::close(folder);
+        // Some file systems cannot synchronise a folder and say so.
+        if (status != 0 && error != EINVAL) fail(file_, error);
+    }
+
+    std::filesystem::path file_;
+    std::filesystem::path path_;
+    int descriptor_ = -1;
+};
+
+}  // namespace
+
+void write_file(const std::filesystem::path& file, const std::function<void(std::ostream&)>& write) {
+    Temporary temporary(file);
+    FileBuffer buffer(temporary.descriptor());
+    std::ostream out(&buffer);
+    write(out);
+    out.flush();
+    if (!out) fail(file, buffer.error());
+    temporary.deliver();
+}
+
+void replace_file(const std::filesystem::path& file, const std::function<void(const std::filesystem::path&)>& write) {
+    Temporary temporary(file);
+    write(temporary.path());
+    temporary.deliver();
+}
+
+void write_file(const std::filesystem::path& file, std::string_view text) {
+    write_file(file, [&](std::ostream& out) { out << text; });
+}
+
+}  // namespace ff::reports

@@ -1,0 +1,106 @@
+#include "reports/html/html_view.hpp"
+
+#include "reports/text/labels.hpp"
+#include "reports/text/study_text.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <string_view>
+
+namespace ff::reports {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// The mark as a class of the style, and in words for those who do not see it.
+struct MarkView {
+    std::string_view style;
+    std::string_view says;
+};
+
+MarkView view(Mark mark) {
+    switch (mark) {
+        case Mark::misprint:
+            return {"misprint", "contradicts other figures"};
+        case Mark::surprising:
+            return {"surprising", "not what a run as described gives"};
+        case Mark::good:
+            return {"good", ""};
+        case Mark::bad:
+            return {"bad", ""};
+        case Mark::open:
+            return {"open", ""};
+        case Mark::none:
+            break;
+    }
+    return {};
+}
+
+/// Column titles of the upper row, with how many columns each covers; empty where no column has one.
+Json groups_of(const Table& table) {
+    Json groups = Json::array();
+    bool any = false;
+    for (std::size_t i = 0; i < table.columns.size();) {
+        std::size_t end = i + 1;
+        const std::string& title = table.columns[i].group;
+        while (end < table.columns.size() && table.columns[end].group == title) ++end;
+        any |= !title.empty();
+        groups.push_back({{"title", title}, {"span", std::to_string(end - i)}, {"named", !title.empty()}});
+        i = end;
+    }
+    return any ? groups : Json::array();
+}
+
+}  // namespace
+
+Json texts_view(const std::vector<std::string>& lines) {
+    Json list = Json::array();
+    for (const std::string& line : lines) list.push_back({{"text", line}});
+    return list;
+}
+
+Json headline_view(const Headline& headline) {
+    Json numbers = Json::array();
+    for (const KeyNumber& number : headline.numbers)
+        numbers.push_back({{"value", number.value}, {"label", number.label}, {"detail", number.detail}});
+    return {{"verdict", headline.verdict}, {"numbers", std::move(numbers)}};
+}
+
+Json table_view(const Table& table) {
+    Json columns = Json::array();
+    for (const TableColumn& column : table.columns)
+        columns.push_back({{"title", column.title}, {"number", column.number}});
+    Json rows = Json::array();
+    for (const auto& row : table.rows) {
+        Json cells = Json::array();
+        for (std::size_t i = 1; i < row.size(); ++i) {
+            const MarkView mark = view(row[i].mark);
+            cells.push_back({{"text", row[i].text},
+                             {"number", table.columns[i].number},
+                             {"mark", std::string(mark.style)},
+                             {"says", std::string(mark.says)}});
+        }
+        rows.push_back({{"name", row.front().text}, {"cells", std::move(cells)}});
+    }
+    Json groups = groups_of(table);
+    const bool grouped = !groups.empty();
+    return {{"id", table.id},
+            {"title", table.title},
+            {"note", table.note},
+            {"grouped", grouped},
+            {"groups", std::move(groups)},
+            {"columns", std::move(columns)},
+            {"rows", std::move(rows)},
+            {"remarks", texts_view(table.remarks)}};
+}
+
+Json reproduction_view(const studies::StudyResults& results) {
+    const studies::StudySpec& spec = results.findings.plan.spec;
+    const StudyText study = study_text(spec);
+    return {{"file", spec.name + ".toml"}, {"tables_file", spec.published ? spec.published->file : std::string()},
+            {"study_file", study.text},    {"whole", study.whole},
+            {"kept", whole_study_is_kept}, {"program", program_label(results.context)}};
+}
+
+}  // namespace ff::reports

@@ -1,0 +1,63 @@
+#include "reports/json/form_factors_json.hpp"
+
+#include "reports/json/json_values.hpp"
+#include "reports/text/numbers.hpp"
+#include "studies/form_factors/words.hpp"
+
+#include <fmt/format.h>
+
+namespace ff::reports {
+namespace {
+
+using studies::FaceExchange;
+
+Json faces_json(const FormFactorReport& report) {
+    Json faces = Json::array();
+    for (std::size_t i = 0; i < report.scene.faces.size(); ++i) {
+        const studies::RowSum& sum = report.matrix.rows[i];
+        faces.push_back({{"face", report.scene.faces[i]},
+                         {"area", report.matrix.areas[i]},
+                         {"row_sum", sum.value},
+                         {"row_sum_low", sum.low},
+                         {"row_sum_high", sum.high}});
+    }
+    return faces;
+}
+
+Json repair_json(const FormFactorReport& report) {
+    const auto& repaired = report.matrix.repaired;
+    if (!repaired) return nullptr;
+    return {{"possible", repaired->possible},
+            {"closure_before", repaired->closure_before},
+            {"closure_after", repaired->closure_after},
+            {"largest_change", repaired->largest_change},
+            {"from", report.scene.faces[repaired->from]},
+            {"to", report.scene.faces[repaired->to]},
+            {"outside", repaired->outside}};
+}
+
+}  // namespace
+
+std::string form_factors_json(const FormFactorReport& report) {
+    const studies::FormFactorMatrix& matrix = report.matrix;
+    double worst = 0;
+    for (const FaceExchange& exchange : matrix.exchanges) worst = std::max(worst, worst_half_width(matrix, exchange));
+    const Json json = {{"scene", report.scene.name},
+                       {"tolerance", report.request.tolerance},
+                       {"level", report.request.level},
+                       {"coverage", report.request.level_of == studies::LevelOf::entry ? "entry" : "matrix"},
+                       {"entry_level", matrix.entry_level},
+                       {"seed", report.request.seed.value},
+                       {"pairs", matrix.exchanges.size()},
+                       {"missed", matrix.missed()},
+                       {"worst_half_width", worst},
+                       {"samples", matrix.samples},
+                       {"rays", matrix.rays},
+                       {"lost_rays", matrix.lost_rays},
+                       {"faces", faces_json(report)},
+                       {"repair", repair_json(report)},
+                       {"warnings", form_factor_warnings(report)}};
+    return json.dump(2) + "\n";
+}
+
+}  // namespace ff::reports

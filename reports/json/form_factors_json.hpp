@@ -1,0 +1,12 @@
+#pragma once
+
+#include "reports/words/form_factor_warnings.hpp"
+
+#include <string>
+
+namespace ff::reports {
+
+/// form_factors.json; docs/form-factors.md says what the keys are.
+std::string form_factors_json(const FormFactorReport& report);
+
+}  // namespace ff::reports

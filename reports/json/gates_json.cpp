@@ -1,0 +1,74 @@
+#include "reports/json/gates_json.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+
+namespace ff::reports {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+template <class Value>
+Json optional(const std::optional<Value>& value) {
+    return value ? Json(*value) : Json(nullptr);
+}
+
+Json finite(double value) {
+    return std::isfinite(value) ? Json(value) : Json(nullptr);
+}
+
+Json interval_json(const stats::Interval& interval) {
+    return {{"low", finite(interval.low)},
+            {"high", finite(interval.high)},
+            {"level", interval.level},
+            {"method", interval.method},
+            {"n", interval.n}};
+}
+
+Json comparison_json(const studies::Comparison& c) {
+    const auto& measurement = c.measurement;
+    return {{"scene", c.scene},
+            {"method", c.method},
+            {"patches_per_face", optional(c.patches_per_face)},
+            {"samples_per_patch", optional(c.samples_per_patch)},
+            {"from_face", c.from_face},
+            {"to_face", c.to_face},
+            {"quantity", c.quantity},
+            {"value", measurement ? Json(measurement->value) : Json(nullptr)},
+            {"passing_interval", measurement ? interval_json(measurement->passing) : Json(nullptr)},
+            {"failing_interval", measurement ? interval_json(measurement->failing) : Json(nullptr)},
+            {"band", {{"low", finite(c.band.low)}, {"high", finite(c.band.high)}}},
+            {"verdict", name(c.verdict)},
+            {"minimum_detectable", measurement ? Json(measurement->minimum_detectable) : Json(nullptr)},
+            {"alpha", c.levels.fail_alpha},
+            {"pass_alpha", c.levels.pass_alpha},
+            {"power", c.levels.power},
+            {"trials", c.trials},
+            {"note", c.note}};
+}
+
+}  // namespace
+
+std::string verdicts_json(const studies::CheckResults& check) {
+    Json gates = Json::array();
+    for (const studies::GateResult& result : check.results) {
+        Json comparisons = Json::array();
+        for (const studies::Comparison& comparison : result.comparisons)
+            comparisons.push_back(comparison_json(comparison));
+        gates.push_back({{"gate", result.gate},
+                         {"kind", name(result.kind)},
+                         {"verdict", name(result.verdict)},
+                         {"looks", result.looks},
+                         {"evaluations", result.evaluations},
+                         {"note", result.note},
+                         {"comparisons", std::move(comparisons)}});
+    }
+    const Json root = {
+        {"schema", "ffstudy.verdicts/1"}, {"bands", check.spec.name},         {"seed", check.spec.seed.value},
+        {"alpha", check.spec.alpha},      {"power", check.spec.power},        {"looks", check.spec.looks},
+        {"complete", check.complete()},   {"verdict", name(check.verdict())}, {"gates", std::move(gates)}};
+    return root.dump(1) + "\n";
+}
+
+}  // namespace ff::reports

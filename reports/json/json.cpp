@@ -1,0 +1,257 @@
+#include "reports/json/json.hpp"
+
+#include "reports/json/json_laboratory.hpp"
+#include "reports/json/json_radiosity.hpp"
+#include "reports/json/json_slopes.hpp"
+#include "reports/json/json_values.hpp"
+#include "reports/text/labels.hpp"
+
+#include <fmt/format.h>
+
+namespace ff::reports {
+namespace {
+
+std::string_view name(studies::BiasFinding finding) {
+    switch (finding) {
+        case studies::BiasFinding::no_bias_found:
+            return "no_bias_found";
+        case studies::BiasFinding::biased:
+            return "biased";
+        case studies::BiasFinding::untestable:
+            break;
+    }
+    return "untestable";
+}
+
+std::string_view name(studies::EquivalenceFinding finding) {
+    switch (finding) {
+        case studies::EquivalenceFinding::shown:
+            return "shown";
+        case studies::EquivalenceFinding::refuted:
+            return "refuted";
+        case studies::EquivalenceFinding::inconclusive:
+            return "inconclusive";
+        case studies::EquivalenceFinding::not_asked:
+            break;
+    }
+    return "not_asked";
+}
+
+std::string_view name(studies::VarianceStatus status) {
+    switch (status) {
+        case studies::VarianceStatus::finite:
+            return "finite";
+        case studies::VarianceStatus::infinite:
+            return "infinite";
+        case studies::VarianceStatus::sparse:
+            return "sparse";
+        case studies::VarianceStatus::undefined:
+            return "undefined";
+        case studies::VarianceStatus::none:
+            break;
+    }
+    return "none";
+}
+
+Json summary_json(const Scene& scene, const studies::Summary& s) {
+    return {{"from_face", from_label(scene, s.quantity)},
+            {"to_face", to_label(scene, s.quantity)},
+            {"pair_class", s.pair_class ? Json(ff::name(*s.pair_class)) : Json(nullptr)},
+            {"variance", name(s.variance)},
+            {"not_finite", s.not_finite},
+            {"reference", optional_json(s.reference)},
+            {"mean", optional_json(s.mean)},
+            {"bias", optional_json(s.bias)},
+            {"bias_se", optional_json(s.bias_se)},
+            {"bias_interval", interval_json(s.bias_interval)},
+            {"minimum_detectable_bias", optional_json(s.minimum_detectable_bias)},
+            {"std", optional_json(s.std)},
+            {"std_interval", interval_json(s.std_interval)},
+            {"rmse", optional_json(s.rmse)},
+            {"median_abs_error", optional_json(s.median_abs_error)},
+            {"relative_error_percent", optional_json(s.relative_error_percent)},
+            {"skewness", optional_json(s.skewness)},
+            {"excess_kurtosis", optional_json(s.excess_kurtosis)},
+            {"quantiles",
+             {{"min", optional_json(s.min)},
+              {"q025", optional_json(s.q025)},
+              {"q05", optional_json(s.q05)},
+              {"median", optional_json(s.median)},
+              {"q95", optional_json(s.q95)},
+              {"q975", optional_json(s.q975)},
+              {"max", optional_json(s.max)}}},
+            {"normality_p", optional_json(s.normality_p)},
+            {"vov", optional_json(s.vov)},
+            {"tail_index", optional_json(s.tail_index)},
+            {"efficiency_samples", optional_json(s.efficiency_samples)}};
+}
+
+Json bias_json(const studies::StudyPlan& plan, const studies::CellFindings& found) {
+    if (!found.bias) return nullptr;
+    const studies::BiasFamily& family = *found.bias;
+    const Scene& scene = plan.scenes[plan.cells[found.cell].scene];
+    return {{"finding", name(found.bias_finding)},
+            {"pairs", family.pairs},
+            {"untestable", family.untestable},
+            {"infinite_variance", family.infinite},
+            {"no_exact_value", family.unknown},
+            {"too_few_hits", family.sparse},
+            {"not_finite", family.undefined},
+            {"constant_and_wrong", family.constant_and_wrong},
+            {"largest_t", family.largest_t},
+            {"largest_pair", family.largest_t > 0 ? Json(quantity_label(scene, family.largest_pair)) : Json(nullptr)},
+            {"adjusted_p", family.adjusted_p},
+            {"multiplicity", "holm over pairs, sidak over cells"},
+            {"alpha", 1.0 - plan.spec.level},
+            {"power", plan.spec.power},
+            {"few_trials", family.few_trials},
+            {"minimum_detectable_bias", family.minimum_detectable_bias},
+            {"equivalence",
+             {{"finding", name(found.equivalence)},
+              {"margin", optional_json(family.margin)},
+              {"shown_below", family.shown_below},
+              {"planned_margin", family.planned_margin}}}};
+}
+
+Json nodes_json(const studies::Method& method) {
+    if (!method.nodes) return nullptr;
+    const auto [source, target] = *method.nodes;
+    return target == 0 ? Json::array({source}) : Json::array({source, target});
+}
+
+Json cell_json(const studies::StudyPlan& plan, const studies::CellFindings& found) {
+    const studies::Cell& cell = plan.cells[found.cell];
+    const studies::Method& method = plan.spec.methods[cell.method];
+    const bool shoots = method.estimator == studies::Estimator::ray_shooting;
+    const bool kernel = method.estimator == studies::Estimator::area_kernel;
+    Json json{{"scene", plan.scenes[cell.scene].name},
+              {"method", method.name},
+              {"sampler", method.sampler.empty() ? Json(nullptr) : Json(method.sampler)},
+              {"estimator", studies::name(method.estimator)},
+              {"completion", studies::name(method.completion)},
+              {"allocation", has_allocation(method.estimator) ? Json(studies::name(method.allocation)) : Json(nullptr)},
+              {"tracer", shoots ? Json(studies::name(method.tracer)) : Json(nullptr)},
+              {"map", kernel ? Json(studies::name(method.map)) : Json(nullptr)},
+              {"nodes", nodes_json(method)},
+              {"patches_per_face", cell.subdivision.per_part()},
+              {"samples_per_patch", cell.samples == 0 ? Json(nullptr) : Json(cell.samples)},
+              {"deterministic", cell.deterministic},
+              {"trials", found.trials},
+              {"trials_planned", found.trials_planned},
+              {"lost_rays", found.lost_rays},
+              {"evaluations_per_face", found.evaluations_per_face},
+              {"bias_test", bias_json(plan, found)}};
+    Json& summaries = json["summaries"] = Json::array();
+    for (const studies::Summary& summary : found.summaries)
+        summaries.push_back(summary_json(plan.scenes[cell.scene], summary));
+    return json;
+}
+
+Json comparison_json(const studies::PublishedResults& published, const studies::TableComparison& table) {
+    Json figures = Json::array();
+    for (const studies::FigureComparison& c : table.figures) {
+        figures.push_back({{"figure", studies::describe(published.tables, c.figure)},
+                           {"printed", published.tables.figures[c.figure].printed},
+                           {"ours", optional_json(c.ours)},
+                           {"single_run_low", c.single_run ? Json(c.single_run->low) : Json(nullptr)},
+                           {"single_run_high", c.single_run ? Json(c.single_run->high) : Json(nullptr)},
+                           {"z", optional_json(c.z)},
+                           {"percentile", c.rank ? Json(100 * c.rank->percentile) : Json(nullptr)},
+                           {"adjusted_p", optional_json(c.adjusted_p)}});
+    }
+    Json chi_squared = Json::array();
+    for (const studies::ColumnChiSquared& column : table.chi_squared) {
+        chi_squared.push_back({{"column", column.column},
+                               {"statistic", column.form.chi_squared.statistic},
+                               {"freedom", column.form.chi_squared.freedom},
+                               {"p", column.form.chi_squared.p}});
+    }
+    const Json together = table.together ? Json{{"statistic", table.together->statistic},
+                                                {"freedom", table.together->freedom},
+                                                {"p", table.together->p}}
+                                         : Json(nullptr);
+    return {{"table", table.table},
+            {"figures", std::move(figures)},
+            {"chi_squared", std::move(chi_squared)},
+            {"chi_squared_together", together}};
+}
+
+Json published_json(const studies::PublishedResults& published) {
+    Json tables = Json::array();
+    for (const studies::TableComparison& table : published.comparisons)
+        tables.push_back(comparison_json(published, table));
+    Json claims = Json::array();
+    for (const studies::JudgedClaim& claim : published.claims) {
+        claims.push_back({{"id", claim.claim.id},
+                          {"section", claim.claim.section},
+                          {"statement", claim.claim.statement},
+                          {"verdict", studies::name(claim.verdict)},
+                          {"as_printed_only", claim.as_printed_only},
+                          {"evidence", claim.evidence}});
+    }
+    Json findings = Json::array();
+    for (const studies::Finding& finding : published.audit.findings) {
+        const bool contradiction = finding.severity == studies::Severity::contradiction;
+        Json figures = Json::array();
+        for (const std::size_t figure : finding.figures) figures.push_back(studies::describe(published.tables, figure));
+        findings.push_back({{"id", finding.id},
+                            {"severity", contradiction ? "contradiction" : "note"},
+                            {"relation", studies::name(finding.relation)},
+                            {"statement", finding.statement},
+                            {"blamed", std::move(figures)}});
+    }
+    return {{"source", published.tables.source},
+            {"tables", std::move(tables)},
+            {"claims", std::move(claims)},
+            {"audit", std::move(findings)}};
+}
+
+}  // namespace
+
+std::string results_json(const studies::StudyResults& results) {
+    const studies::StudyPlan& plan = results.findings.plan;
+    Json json{{"schema", fmt::format("ffstudy.results/{}", results_json_version)},
+              {"study", plan.spec.name},
+              {"title", plan.spec.title},
+              {"complete", results.findings.complete},
+              {"seed", plan.spec.seed.value},
+              {"level", plan.spec.level},
+              {"power", plan.spec.power},
+              {"equivalence_margin", optional_json(plan.spec.equivalence_margin)},
+              {"warnings", plan.warnings}};
+    Json& cells = json["cells"] = Json::array();
+    for (const studies::CellFindings& found : results.findings.cells) cells.push_back(cell_json(plan, found));
+    json["slopes"] = slopes_json(results);
+    json["heavy_tails"] = heavy_tails_json(results);
+    json["variance_reductions"] = reductions_json(results);
+    json["coverage"] = coverage_json(results);
+    json["until"] = until_json(results);
+    Json& checks = json["variance_checks"] = Json::array();
+    for (const studies::VarianceCheck& check : results.variance_checks) {
+        checks.push_back({{"cell", cell_label(plan, plan.cells[check.cell])},
+                          {"quantities", check.quantities.size()},
+                          {"smallest_ratio", check.smallest_ratio},
+                          {"largest_ratio", check.largest_ratio},
+                          {"adjusted_p", check.adjusted_p}});
+    }
+    Json& laws = json["error_laws"] = Json::array();
+    for (const studies::ErrorLaw& law : results.error_laws) {
+        laws.push_back({{"method", law.method},
+                        {"published", law.published},
+                        {"m", law.m},
+                        {"closure_errors", law.closure_errors},
+                        {"c", law.first_order.coefficient},
+                        {"largest_residual", law.first_order.largest_residual},
+                        {"free_exponent", law.free ? Json(law.free->exponent) : Json(nullptr)}});
+    }
+    json["radiosity"] = radiosity_json(results);
+    json["published"] = results.published ? published_json(*results.published) : Json(nullptr);
+    return json.dump(2) + "\n";
+}
+
+std::string context_json(const studies::Context& context) {
+    // File names of the command need not be UTF-8, as JSON has to be.
+    return Json(context).dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace ff::reports

@@ -1,0 +1,88 @@
+#include "reports/json/json_laboratory.hpp"
+
+#include "reports/text/labels.hpp"
+
+namespace ff::reports {
+namespace {
+
+std::string_view name(studies::UntilFinding finding) {
+    switch (finding) {
+        case studies::UntilFinding::reached:
+            return "reached";
+        case studies::UntilFinding::too_many_trials:
+            return "too_many_trials";
+        case studies::UntilFinding::infinite_variance:
+            return "infinite_variance";
+        case studies::UntilFinding::too_few_hits:
+            return "too_few_hits";
+        case studies::UntilFinding::no_spread:
+            break;
+    }
+    return "no_spread";
+}
+
+}  // namespace
+
+Json until_json(const studies::StudyResults& results) {
+    const studies::StudyPlan& plan = results.findings.plan;
+    if (!plan.spec.until) return nullptr;
+    Json outcomes = Json::array();
+    for (const studies::UntilOutcome& outcome : results.until) {
+        outcomes.push_back({{"cell", cell_label(plan, plan.cells[outcome.cell])},
+                            {"finding", name(outcome.finding)},
+                            {"trials", outcome.trials},
+                            {"wanted", outcome.wanted},
+                            {"achieved", optional_json(outcome.achieved)},
+                            {"unjudged", outcome.unjudged}});
+    }
+    return {{"goal", studies::name(plan.spec.until->goal)},
+            {"target", plan.spec.until->target},
+            {"pilot", plan.spec.until->pilot},
+            {"rule", "stein_two_stage"},
+            {"outcomes", std::move(outcomes)}};
+}
+
+Json heavy_tails_json(const studies::StudyResults& results) {
+    const studies::StudyPlan& plan = results.findings.plan;
+    Json rows = Json::array();
+    for (const studies::HeavyTail& tail : results.heavy_tails) {
+        const studies::Cell& cell = plan.cells[tail.cell];
+        rows.push_back({{"cell", cell_label(plan, cell)},
+                        {"pair", quantity_label(plan.scenes[cell.scene], tail.pair)},
+                        {"index", tail.index}});
+    }
+    return rows;
+}
+
+Json coverage_json(const studies::StudyResults& results) {
+    const studies::StudyPlan& plan = results.findings.plan;
+    Json rows = Json::array();
+    for (const studies::Coverage& row : results.coverage) {
+        rows.push_back({{"cell", cell_label(plan, plan.cells[row.cell])},
+                        {"pair_class", ff::name(row.pair_class)},
+                        {"interval_method", studies::name(row.rule)},
+                        {"replicates", row.replicates},
+                        {"mean_trials", row.mean_trials},
+                        {"intervals", row.intervals},
+                        {"covered", row.covered},
+                        {"coverage", row.share()},
+                        {"coverage_interval", interval_json(row.actual)},
+                        {"short_of_nominal", row.short_of_nominal}});
+    }
+    return rows;
+}
+
+Json reductions_json(const studies::StudyResults& results) {
+    const studies::StudyPlan& plan = results.findings.plan;
+    Json rows = Json::array();
+    for (const studies::VarianceReduction& reduction : results.reductions) {
+        rows.push_back({{"cell", cell_label(plan, plan.cells[reduction.cell])},
+                        {"random_cell", cell_label(plan, plan.cells[reduction.random_cell])},
+                        {"pair_class", ff::name(reduction.pair_class)},
+                        {"factor", reduction.factor},
+                        {"interval", interval_json(reduction.interval)}});
+    }
+    return rows;
+}
+
+}  // namespace ff::reports

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "reports/templates/templates.hpp"
+#include "reports/text/table.hpp"
+
+#include <string>
+#include <vector>
+
+namespace ff::reports {
+
+/// A file of a report, by its path below the folder of results.
+struct NamedText {
+    std::string path;
+    std::string text;
+};
+
+/// tables.tex, a document that compiles, and the tables that it takes in, one a file of tables/: methods, slopes, the
+/// published tables, claims, the pairs of every cell. Byte-identical for the same store.
+std::vector<NamedText> latex_report(const studies::StudyResults& results, const Templates& templates);
+
+/// One table. Where all columns but the first come in groups of equal titles, as in published tables, the groups stand
+/// one below the other: paper is narrow.
+std::string latex_table(const Table& table, const Templates& templates);
+
+}  // namespace ff::reports

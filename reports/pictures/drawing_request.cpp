@@ -1,0 +1,23 @@
+#include "reports/pictures/drawing_request.hpp"
+
+#include <nlohmann/json.hpp>
+
+namespace ff::reports {
+
+std::string drawing_request(const studies::StudyResults& results, const Templates& templates) {
+    using Json = nlohmann::ordered_json;
+    Json kinds = Json::object();
+    Json pictures = Json::array();
+    const auto add = [&](const std::vector<Picture>& more) {
+        for (const Picture& picture : more) {
+            if (!kinds.contains(picture.kind))
+                kinds[picture.kind] = Json::parse(templates.text(picture.kind + ".json"));
+            pictures.push_back({{"id", picture.id}, {"kind", picture.kind}, {"values", Json::parse(picture.values)}});
+        }
+    };
+    add(pictures_by_size(results));
+    for (const PictureGroup& group : picture_groups(results)) add(group.pictures);
+    return Json{{"kinds", std::move(kinds)}, {"pictures", std::move(pictures)}}.dump();
+}
+
+}  // namespace ff::reports

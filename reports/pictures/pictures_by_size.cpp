@@ -1,0 +1,208 @@
+#include "reports/pictures/picture_values.hpp"
+#include "reports/pictures/pictures.hpp"
+#include "reports/text/labels.hpp"
+#include "reports/text/numbers.hpp"
+#include "reports/words/size_series.hpp"
+#include "reports/words/slope_words.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+namespace ff::reports {
+namespace {
+
+/// The method, with its slope where it has one ladder.
+std::string legend_of(const SizeSeries& series) {
+    if (series.ladders.size() != 1) return series.method;
+    const studies::Slope& slope = series.ladders.front()->judged();
+    if (!slope.slope) return series.method;
+    const std::string theory = slope.expected ? fmt::format(" (theory {})", expected_text(slope)) : "";
+    return fmt::format("{}: {}{}{}", series.method, series.points.front().is_median ? "median, " : "",
+                       slope_text(slope), theory);
+}
+
+std::string where(const studies::StudyPlan& plan, std::size_t scene, PairClass pair_class) {
+    const std::string of_scene = plan.scenes.size() == 1 ? "" : fmt::format(" of {}", plan.scenes[scene].name);
+    return fmt::format("{} pairs{}", name(pair_class), of_scene);
+}
+
+nlohmann::ordered_json names_of(const std::vector<SizeSeries>& all) {
+    auto names = nlohmann::ordered_json::array();
+    for (const SizeSeries& series : all) names.push_back(series.method);
+    return names;
+}
+
+nlohmann::ordered_json interval_end(const std::optional<stats::Interval>& interval, double stats::Interval::*end) {
+    return interval ? drawn((*interval).*end) : nlohmann::ordered_json();
+}
+
+/// The two ends of a line with the slope that theory allows, through the middle of the points of a ladder.
+void add_expected(const SizeSeries& series, const studies::ClassSlopes& slopes, PictureValues& values) {
+    const studies::Slope& slope = slopes.judged();
+    if (!slope.slope || !slope.expected) return;
+    std::vector<const SizePoint*> points;
+    for (const SizePoint& point : series.points) {
+        const bool on_ladder = std::any_of(slopes.sizes.begin(), slopes.sizes.end(), [&](const auto& size) {
+            return size.evaluations == point.found->evaluations_per_face;
+        });
+        if (on_ladder) points.push_back(&point);
+    }
+    if (points.size() < 2) return;
+    const auto log_size = [](const SizePoint& point) {
+        return std::log(static_cast<double>(point.found->evaluations_per_face));
+    };
+    double mean_size = 0;
+    double mean_error = 0;
+    for (const SizePoint* point : points) {
+        mean_size += log_size(*point) / static_cast<double>(points.size());
+        mean_error += std::log(point->error) / static_cast<double>(points.size());
+    }
+    for (const SizePoint* end : {points.front(), points.back()}) {
+        const double error = std::exp(mean_error + slopes.judged().slowest_expected * (log_size(*end) - mean_size));
+        values.add(
+            {series.method, "expected", "", end->found->evaluations_per_face, drawn(error, 4), nullptr, nullptr});
+    }
+}
+
+void add_measured(const studies::StudyPlan& plan, PairClass pair_class, const SizeSeries& series,
+                  PictureValues& values) {
+    const std::optional<stats::Interval> of_median;  // there is none
+    for (const SizePoint& point : series.points) {
+        const auto& interval = point.is_median ? of_median : point.found->class_error(pair_class)->interval;
+        values.add({series.method, point.is_median ? "median" : "RMSE", size_label(plan, plan.cells[point.found->cell]),
+                    point.found->evaluations_per_face, drawn(point.error),
+                    interval_end(interval, &stats::Interval::low), interval_end(interval, &stats::Interval::high)});
+    }
+}
+
+/// The point with the smallest RMSE; of medians where there is no other.
+/// @return null where there is no such point
+const SizePoint* least_error(const studies::StudyPlan& plan, const std::vector<SizeSeries>& all, bool deterministic) {
+    const SizePoint* best = nullptr;
+    for (const SizeSeries& series : all) {
+        for (const SizePoint& point : series.points) {
+            if (plan.cells[point.found->cell].deterministic != deterministic) continue;
+            if (best == nullptr || std::pair(point.is_median, point.error) < std::pair(best->is_median, best->error))
+                best = &point;
+        }
+    }
+    return best;
+}
+
+/// The one error of a deterministic method may be small by luck, so that it is not set against those of samples.
+std::string least_errors_in_words(const studies::StudyPlan& plan, const std::vector<SizeSeries>& all) {
+    std::vector<std::string> parts;
+    for (const bool deterministic : {false, true}) {
+        const SizePoint* best = least_error(plan, all, deterministic);
+        if (best == nullptr) continue;
+        const char* measure = deterministic ? "an error of" : best->is_median ? "a median error of" : "an RMSE of";
+        parts.push_back(fmt::format("of {} methods {} errs least, {} {} with {} evaluations",
+                                    deterministic ? "deterministic" : "sampled",
+                                    cell_label(plan, plan.cells[best->found->cell]), measure, brief(best->error),
+                                    best->found->evaluations_per_face));
+    }
+    std::string text = fmt::format("{}.", fmt::join(parts, "; "));
+    text.front() = 'O';
+    return text;
+}
+
+Picture convergence_picture(const studies::Findings& findings, std::size_t scene, PairClass pair_class,
+                            const std::vector<SizeSeries>& all) {
+    PictureValues values({"method", "role", "size", "evaluations", "error", "low", "high"});
+    auto labels = nlohmann::ordered_json::object();
+    for (const SizeSeries& series : all) {
+        labels[series.method] = legend_of(series);
+        add_measured(findings.plan, pair_class, series, values);
+        for (const studies::ClassSlopes* slopes : series.ladders) add_expected(series, *slopes, values);
+    }
+    values.set("isolate", names_of(all));
+    values.set("signals", {{"labels", std::move(labels)}});
+    const std::string place = where(findings.plan, scene, pair_class);
+    Picture picture;
+    picture.id = slug(fmt::format("convergence-{}", place));
+    picture.kind = "convergence";
+    picture.title = fmt::format("Error against evaluations, {}.", place);
+    picture.finding = least_errors_in_words(findings.plan, all);
+    picture.description = fmt::format(
+        "RMSE of a run on {} against evaluations for a face, both logarithmic, with {:g} % intervals, a line for each "
+        "method; where the variance is infinite, the median of the absolute error. Thin dashed lines have the slope "
+        "that theory expects; the legend has the measured slopes, ± half of their intervals. {}",
+        place, 100 * findings.plan.spec.level, picture.finding);
+    picture.values = values.text();
+    return picture;
+}
+
+std::optional<Picture> efficiency_picture(const studies::Findings& findings, std::size_t scene, PairClass pair_class,
+                                          const std::vector<SizeSeries>& all) {
+    PictureValues values({"method", "size", "evaluations", "efficiency", "low", "high"});
+    auto names = nlohmann::ordered_json::array();
+    const studies::CellFindings* best = nullptr;
+    const studies::CellFindings* least = nullptr;
+    const auto efficiency = [&](const studies::CellFindings& found) {
+        return found.class_error(pair_class)->efficiency;
+    };
+    for (const SizeSeries& series : all) {
+        bool any = false;
+        for (const SizePoint& point : series.points) {
+            const studies::CellFindings& found = *point.found;
+            if (!efficiency(found)) continue;
+            const studies::ClassError& error = *found.class_error(pair_class);
+            values.add({series.method, size_label(findings.plan, findings.plan.cells[found.cell]),
+                        found.evaluations_per_face, drawn(error.efficiency),
+                        interval_end(error.efficiency_interval, &stats::Interval::low),
+                        interval_end(error.efficiency_interval, &stats::Interval::high)});
+            if (best == nullptr || *efficiency(found) > *efficiency(*best)) best = &found;
+            if (least == nullptr || *efficiency(found) < *efficiency(*least)) least = &found;
+            any = true;
+        }
+        if (any) names.push_back(series.method);
+    }
+    if (best == nullptr) return std::nullopt;
+    values.set("isolate", std::move(names));
+    const std::string place = where(findings.plan, scene, pair_class);
+    Picture picture;
+    picture.id = slug(fmt::format("efficiency-{}", place));
+    picture.kind = "efficiency";
+    picture.title = fmt::format("Efficiency against evaluations, {}.", place);
+    picture.finding = fmt::format("Per evaluation {} achieves most, {} times as much as {}.",
+                                  cell_label(findings.plan, findings.plan.cells[best->cell]),
+                                  brief(*efficiency(*best) / *efficiency(*least)),
+                                  cell_label(findings.plan, findings.plan.cells[least->cell]));
+    if (best == least) picture.finding = fmt::format("The efficiency is {}.", brief(*efficiency(*best)));
+    picture.description = fmt::format(
+        "1 / (RMSE² N) of the sampled methods on {} against N, the evaluations for a face, "
+        "with {:g} % intervals. {}",
+        place, 100 * findings.plan.spec.level, picture.finding);
+    picture.values = values.text();
+    return picture;
+}
+
+}  // namespace
+
+std::vector<Picture> pictures_of_scene(const studies::StudyResults& results, std::size_t scene) {
+    const studies::Findings& findings = results.findings;
+    std::vector<Picture> pictures;
+    for (const PairClass pair_class : {PairClass::parallel, PairClass::adjacent, PairClass::other}) {
+        const auto all = size_series(results, scene, pair_class);
+        if (all.empty()) continue;
+        pictures.push_back(convergence_picture(findings, scene, pair_class, all));
+        if (auto efficiency = efficiency_picture(findings, scene, pair_class, all))
+            pictures.push_back(std::move(*efficiency));
+    }
+    return pictures;
+}
+
+std::vector<Picture> pictures_by_size(const studies::StudyResults& results) {
+    if (!results.occlusion.empty()) return occlusion_pictures(results);
+    std::vector<Picture> pictures;
+    for (std::size_t scene = 0; scene < results.findings.plan.scenes.size(); ++scene) {
+        for (Picture& picture : pictures_of_scene(results, scene)) pictures.push_back(std::move(picture));
+    }
+    return pictures;
+}
+
+}  // namespace ff::reports

@@ -1,0 +1,201 @@
+#include "reports/pictures/picture_values.hpp"
+#include "reports/pictures/pictures.hpp"
+#include "reports/text/labels.hpp"
+#include "reports/text/numbers.hpp"
+#include "reports/words/radiosity_words.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+namespace ff::reports {
+namespace {
+
+using studies::Consequences;
+using studies::StudyPlan;
+
+struct Shown {
+    std::string label;
+    const Consequences* found;
+};
+
+/// What the verdict compares, with each treatment, but for treatments that change nothing.
+std::vector<Shown> shown_of(const studies::StudyResults& results, std::size_t scene) {
+    const StudyPlan& plan = results.findings.plan;
+    std::vector<Shown> shown;
+    for (const std::size_t cell : lit_cells(plan, scene)) {
+        for (const studies::Treatment treatment : studies::all_treatments) {
+            const Consequences* found = results.radiosity->find(cell, treatment);
+            const studies::Method& method = plan.spec.methods[plan.cells[cell].method];
+            const bool own = treatment == studies::treatment_of(method.completion);
+            if (found == nullptr || found->settings.empty()) continue;
+            if (!own && treatment != studies::Treatment::balanced) continue;
+            shown.push_back(
+                {fmt::format("{}, {}, {}", method.name, size_label(plan, plan.cells[cell]), studies::name(treatment)),
+                 found});
+        }
+    }
+    return shown;
+}
+
+/// The reflectance of all faces alike; empty where they differ.
+std::optional<double> same_everywhere(const StudyPlan& plan, std::size_t setting) {
+    const auto& reflectance = plan.spec.radiosity->reflectance[setting];
+    return reflectance.size() == 1 ? std::optional(reflectance.front()) : std::nullopt;
+}
+
+std::string place(const StudyPlan& plan, std::size_t scene) {
+    return plan.scenes.size() == 1 ? std::string() : fmt::format(" of {}", plan.scenes[scene].name);
+}
+
+nlohmann::ordered_json names_of(const std::vector<Shown>& shown) {
+    auto names = nlohmann::ordered_json::array();
+    for (const Shown& each : shown) names.push_back(each.label);
+    return names;
+}
+
+std::optional<Picture> errors_picture(const studies::StudyResults& results, std::size_t scene,
+                                      const std::vector<Shown>& shown) {
+    const StudyPlan& plan = results.findings.plan;
+    PictureValues values({"method", "reflectance", "absorbed", "rmse", "bias", "negative"});
+    const Shown* worst = nullptr;
+    double largest = 0;
+    std::string where;
+    for (const Shown& each : shown) {
+        for (const studies::SettingFindings& at : each.found->settings) {
+            const auto reflectance = same_everywhere(plan, at.setting);
+            if (!reflectance || at.exitance.empty()) continue;
+            const double rmse = at.light_error.value_or(0);
+            if (rmse < 1e-11) continue;  // rounding, or no mean
+            values.add({each.label, drawn(reflectance), drawn(1 - *reflectance), drawn(rmse),
+                        drawn(*at.exitance.front().bias / at.exitance.front().exact), at.negative});
+            if (rmse <= largest) continue;
+            largest = rmse;
+            worst = &each;
+            where = setting_text(plan, at.setting);
+        }
+    }
+    if (worst == nullptr) return std::nullopt;
+    values.set("isolate", names_of(shown));
+    Picture picture;
+    picture.id = slug(fmt::format("light-errors{}", place(plan, scene)));
+    picture.kind = "light_errors";
+    picture.title = fmt::format("How errors of the light grow with reflectance{}.", place(plan, scene));
+    picture.finding = fmt::format("The largest is {} at reflectance {}, by {}.", percent(largest), where, worst->label);
+    picture.description = fmt::format(
+        "Relative RMSE of the exitance, over faces and runs, against 1 − reflectance, both logarithmic, a line for "
+        "each method as it is "
+        "completed and balanced. {}",
+        picture.finding);
+    picture.values = values.text();
+    return picture;
+}
+
+std::optional<Picture> radius_picture(const studies::StudyResults& results, std::size_t scene,
+                                      const std::vector<Shown>& shown) {
+    const StudyPlan& plan = results.findings.plan;
+    PictureValues values({"method", "reflectance", "radius", "least", "largest"});
+    const Shown* first = nullptr;
+    for (const Shown& each : shown) {
+        for (const studies::SettingFindings& at : each.found->settings) {
+            const auto reflectance = same_everywhere(plan, at.setting);
+            if (!reflectance) continue;
+            const auto& radius = at.spectral_radius;
+            values.add({each.label, drawn(reflectance), drawn(radius.median, 8), drawn(radius.least, 8),
+                        drawn(radius.largest, 8)});
+        }
+        if (first == nullptr || each.found->convergent_below.least < first->found->convergent_below.least)
+            first = &each;
+    }
+    if (values.empty()) return std::nullopt;
+    values.set("isolate", names_of(shown));
+    Picture picture;
+    picture.id = slug(fmt::format("spectral-radius{}", place(plan, scene)));
+    picture.kind = "spectral_radius";
+    picture.title = fmt::format("Spectral radius against reflectance{}.", place(plan, scene));
+    const double limit = first->found->convergent_below.least;
+    picture.finding = limit < 1 - 1e-12
+                          ? fmt::format("The first to reach 1 is {}, at reflectance {}.", first->label, brief(limit, 4))
+                          : "It stays below 1 for every reflectance below 1, whatever the method.";
+    picture.description = fmt::format(
+        "Spectral radius of P F, median and range over runs, against the reflectance of all faces, with the line above "
+        "which iterations diverge. {}",
+        picture.finding);
+    picture.values = values.text();
+    return picture;
+}
+
+/// Some iterations of a long history: all at the start, then ever fewer.
+bool is_drawn(std::size_t iteration, std::size_t last) {
+    if (iteration <= 10 || iteration == last) return true;
+    std::size_t step = 1;
+    while (iteration / step >= 10) step *= 2;
+    return iteration % step == 0;
+}
+
+std::optional<Picture> residuals_picture(const studies::StudyResults& results, std::size_t scene) {
+    const StudyPlan& plan = results.findings.plan;
+    PictureValues values({"system", "solver", "iteration", "residual"});
+    auto systems = nlohmann::ordered_json::array();
+    std::set<std::string> failed;
+    const auto add = [&](const std::string& label, const std::vector<studies::SolverFindings>& solvers) {
+        if (solvers.empty()) return;
+        systems.push_back(label);
+        for (const studies::SolverFindings& found : solvers) {
+            if (found.solver == Solver::lu) continue;
+            if (found.diverged > 0) failed.insert(label);
+            for (std::size_t i = 0; i < found.residuals.size(); ++i) {
+                if (found.residuals[i] > 0 && is_drawn(i, found.residuals.size() - 1))
+                    values.add({label, ff::name(found.solver), i, drawn(found.residuals[i], 3)});
+            }
+        }
+    };
+    for (const studies::ExactSystem& system : results.radiosity->exact) {
+        if (system.scene == scene && system.m == 0)
+            add(fmt::format("exact factors, reflectance {}", setting_text(plan, system.setting)), system.solvers);
+    }
+    for (const std::size_t cell : lit_cells(plan, scene)) {
+        const auto own = studies::treatment_of(plan.spec.methods[plan.cells[cell].method].completion);
+        const Consequences* found = results.radiosity->find(cell, own);
+        if (found == nullptr) continue;
+        for (const studies::SettingFindings& at : found->settings) {
+            add(fmt::format("{}, reflectance {}", cell_label(plan, plan.cells[cell]), setting_text(plan, at.setting)),
+                at.solvers);
+        }
+    }
+    if (values.empty()) return std::nullopt;
+    const std::size_t count = systems.size();
+    values.set("choose", {{"signal", "system"}, {"label", "System"}, {"values", std::move(systems)}});
+    Picture picture;
+    picture.id = slug(fmt::format("residuals{}", place(plan, scene)));
+    picture.kind = "residuals";
+    picture.title = fmt::format("Residual histories{}.", place(plan, scene));
+    picture.finding = failed.empty() ? fmt::format("No solver diverges on any of the {} systems.", count)
+                                     : fmt::format("Some solver diverges on {} of the {} systems: {}.", failed.size(),
+                                                   count, fmt::join(failed, "; "));
+    picture.description = fmt::format(
+        "Largest residual against iteration, a line for each solver, on the first trial of the chosen system. {}",
+        picture.finding);
+    picture.values = values.text();
+    return picture;
+}
+
+}  // namespace
+
+std::optional<PictureGroup> radiosity_pictures(const studies::StudyResults& results) {
+    if (!results.radiosity) return std::nullopt;
+    PictureGroup group{"What the errors do to the light", true, {}};
+    for (std::size_t scene = 0; scene < results.findings.plan.scenes.size(); ++scene) {
+        const auto shown = shown_of(results, scene);
+        for (auto& picture : {errors_picture(results, scene, shown), radius_picture(results, scene, shown),
+                              residuals_picture(results, scene)}) {
+            if (picture) group.pictures.push_back(*picture);
+        }
+        for (Picture& picture : exitance_pictures(results, scene)) group.pictures.push_back(std::move(picture));
+    }
+    return group;
+}
+
+}  // namespace ff::reports

@@ -1,0 +1,81 @@
+#include "reports/text/labels.hpp"
+#include "reports/text/numbers.hpp"
+#include "reports/text/table.hpp"
+#include "reports/words/verdicts.hpp"
+
+#include "studies/analysis/configuration_estimates.hpp"
+
+#include <fmt/format.h>
+
+#include <string_view>
+
+namespace ff::reports {
+namespace {
+
+std::string_view why_no_interval(studies::VarianceStatus variance) {
+    switch (variance) {
+        case studies::VarianceStatus::infinite:
+            return "infinite variance";
+        case studies::VarianceStatus::sparse:
+            return "too few hits";
+        case studies::VarianceStatus::undefined:
+            return "infinity or no number in some trials";
+        case studies::VarianceStatus::finite:
+        case studies::VarianceStatus::none:
+            break;
+    }
+    return "no spread";
+}
+
+/// The bias test is of all pairs of a scene: a pair that could not be tested does not agree because others do.
+TableCell verdict(const studies::ConfigurationEstimate& row) {
+    const studies::CellFindings& found = *row.found;
+    if (!found.bias) return {"deterministic", Mark::open};
+    if (found.bias_finding == studies::BiasFinding::biased) return {bias_in_words(found), Mark::bad};
+    if (found.bias_finding == studies::BiasFinding::untestable) return {bias_in_words(found), Mark::open};
+    if (!row.interval) return {fmt::format("no interval: {}", why_no_interval(row.variance)), Mark::open};
+    return {"agrees", Mark::good};
+}
+
+std::string interval_of(const studies::ConfigurationEstimate& estimate) {
+    if (!estimate.interval) return "–";
+    return fmt::format("[{}, {}]", to_error(estimate.interval->low, estimate.error),
+                       to_error(estimate.interval->high, estimate.error));
+}
+
+}  // namespace
+
+Table configurations_table(const studies::StudyResults& results) {
+    const studies::StudyPlan& plan = results.findings.plan;
+    Table table{
+        "configurations",
+        "Against the exact values of the catalogue",
+        fmt::format("Mean over trials, its {:g} % interval by itself, and how many of its standard errors it is off "
+                    "(of a deterministic method: the error). The verdict is that of the bias test, {:g} % over "
+                    "the whole study. A surface that sees itself is estimated by what it sends to another.",
+                    100 * plan.spec.level, 100 * (1 - plan.spec.level)),
+        {{"configuration", false, ""},
+         {"method and size", false, ""},
+         {"estimate", true, ""},
+         {"interval", false, ""},
+         {"exact", true, ""},
+         {"off by", true, ""},
+         {"verdict", false, ""}},
+        {},
+        {}};
+    if (!results.occlusion.empty()) return table;  // which has a table of its own
+    for (const studies::ConfigurationEstimate& row : studies::configuration_estimates(results.findings)) {
+        const studies::Cell& cell = plan.cells[row.found->cell];
+        table.rows.push_back(
+            {{std::string(row.configuration->name)},
+             {fmt::format("{}, {}", plan.spec.methods[cell.method].name, size_label(plan, cell))},
+             {to_error(row.mean, row.error)},
+             {interval_of(row)},
+             {fmt::format("{:.12f}", row.exact)},
+             {row.standard_errors ? fmt::format("{:+.2f} SE", *row.standard_errors) : fmt::format("{:+.1e}", row.bias)},
+             verdict(row)});
+    }
+    return table;
+}
+
+}  // namespace ff::reports

@@ -1,0 +1,82 @@
+#include "reports/text/numbers.hpp"
+#include "reports/text/table.hpp"
+#include "reports/words/slope_words.hpp"
+
+#include <fmt/format.h>
+
+namespace ff::reports {
+namespace {
+
+std::string interval_text(const std::optional<stats::Interval>& interval) {
+    return interval ? fmt::format("[{:.3f}, {:.3f}]", interval->low, interval->high) : "–";
+}
+
+std::string slope(const studies::Slope& found) {
+    return found.slope ? fmt::format("{:.3f}", *found.slope) : "–";
+}
+
+std::string theory(const studies::Slope& found) {
+    if (!found.expected) return "none known";
+    return fmt::format("{} [{}]: {}", expected_text(found), found.expected->source, found.expected->because);
+}
+
+Mark mark_of(const studies::ClassSlopes& found) {
+    switch (found.finding) {
+        case studies::RateFinding::as_expected:
+        case studies::RateFinding::faster:
+            return Mark::good;
+        case studies::RateFinding::slower:
+            return Mark::bad;
+        case studies::RateFinding::no_theory:
+        case studies::RateFinding::no_slope:
+            break;
+    }
+    return Mark::none;
+}
+
+}  // namespace
+
+Table convergence_table(const studies::StudyResults& results) {
+    const studies::StudyPlan& plan = results.findings.plan;
+    Table table{
+        "convergence",
+        "Convergence",
+        fmt::format(
+            "Slope of ln(error) on ln N, N evaluations for a face (for a pair of faces with area_kernel): weighted "
+            "least squares with Var(ln MSE) = ψ₁(T/2), scaled by how trials vary. Two intervals of level {:g}: by "
+            "bootstrap over whole trials (whose pairs may depend on each other), and from the weights of the fit. Lack "
+            "of fit: χ² of the straight line. Theory: the rate expected, with its source; “≤” where it only bounds the "
+            "error; a range where powers of ln N slow it down at these sizes. Verdicts: Holm over all rows with a "
+            "theory, {:g} % together.",
+            plan.spec.level, 100 * (1 - plan.spec.level)),
+        {{"method", false, ""},
+         {"pairs", false, ""},
+         {"RMSE slope", true, ""},
+         {"bootstrap", true, ""},
+         {"from the fit", true, ""},
+         {"lack of fit p", true, ""},
+         {"median slope", true, ""},
+         {"bootstrap", true, ""},
+         {"theory", false, ""},
+         {"verdict", false, ""}},
+        {},
+        {}};
+    for (const studies::LadderSlopes& ladder : results.slopes) {
+        const std::string scene = plan.scenes.size() == 1 ? "" : plan.scenes[ladder.ladder.scene].name + ": ";
+        for (const studies::ClassSlopes& found : ladder.classes) {
+            table.rows.push_back({{scene + ladder.ladder.label},
+                                  {std::string(name(found.pair_class))},
+                                  {slope(found.rmse)},
+                                  {interval_text(found.rmse.interval)},
+                                  {interval_text(found.rmse.from_fit)},
+                                  {found.rmse.lack_of_fit_p ? p_value(*found.rmse.lack_of_fit_p) : "–"},
+                                  {slope(found.median)},
+                                  {interval_text(found.median.interval)},
+                                  {theory(found.judged())},
+                                  {finding_in_words(found), mark_of(found)}});
+        }
+    }
+    return table;
+}
+
+}  // namespace ff::reports

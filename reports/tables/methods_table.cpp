@@ -1,0 +1,119 @@
+#include "reports/text/labels.hpp"
+#include "reports/text/numbers.hpp"
+#include "reports/text/table.hpp"
+#include "reports/words/cells_in_between.hpp"
+#include "reports/words/verdicts.hpp"
+
+#include <fmt/format.h>
+
+namespace ff::reports {
+namespace {
+
+std::string rmse_text(const studies::CellFindings& found, PairClass pair_class) {
+    const studies::ClassError* error = found.class_error(pair_class);
+    if (found.has_infinite_variance(pair_class)) return "infinite";
+    if (error == nullptr) return "–";
+    if (error->status == studies::VarianceStatus::infinite) return "infinite";
+    if (!error->interval) return brief(error->rmse);
+    const double reach = error->interval->width() / 2;
+    return fmt::format("{} ± {:.1g}", to_error(error->rmse, reach), reach);
+}
+
+std::string sum_error_text(const studies::CellFindings& found) {
+    for (const studies::Summary& summary : found.summaries) {
+        if (summary.quantity.kind != studies::QuantityKind::sum_relative_error || !summary.mean) continue;
+        if (!summary.q025 || summary.q025 == summary.q975) return brief(*summary.mean);
+        return fmt::format("{} [{}, {}]", brief(*summary.mean), brief(*summary.q025), brief(*summary.q975));
+    }
+    return "–";
+}
+
+}  // namespace
+
+Table methods_table(const studies::StudyResults& results) {
+    const studies::StudyPlan& plan = results.findings.plan;
+    bool others = false;
+    for (const auto& found : results.findings.cells) others |= found.class_error(PairClass::other) != nullptr;
+    Table table{"methods",
+                "Methods and sizes",
+                fmt::format("RMSE: of one run against the exact form factors, over trials and the pairs of a class; ± "
+                            "half the width of its {:g} % interval (Student t over trials). Σ r.e.: sum over faces of "
+                            "100 |row sum − 1|, mean and range of 95 % of single runs. Bias: all distinct pairs "
+                            "together (Student t, Holm over pairs, Šidák over methods and sizes, {:g} % over the whole "
+                            "study); in parentheses what is detected with power {:g}.",
+                            100 * plan.spec.level, 100 * (1 - plan.spec.level), plan.spec.power),
+                {{"method", false, ""}, {"size (patches a face)", false, ""}, {"trials", true, ""}},
+                {},
+                plan.warnings};
+    std::vector<PairClass> classes{PairClass::parallel, PairClass::adjacent};
+    if (others) classes.push_back(PairClass::other);
+    for (const PairClass each : classes) table.columns.push_back({std::string(name(each)), true, "RMSE of a run"});
+    table.columns.push_back({"Σ r.e. (%)", true, ""});
+    table.columns.push_back({"bias", false, ""});
+    const bool margin = plan.spec.equivalence_margin.has_value();
+    if (margin) table.columns.push_back({"equivalence", false, ""});
+    const auto hidden = cells_in_between(results);
+    for (const studies::CellFindings& found : results.findings.cells) {
+        if (hidden.contains(found.cell)) continue;
+        const studies::Cell& cell = plan.cells[found.cell];
+        const std::string scene = plan.scenes.size() == 1 ? std::string() : plan.scenes[cell.scene].name + ": ";
+        std::vector<TableCell> row{{scene + plan.spec.methods[cell.method].name, Mark::none},
+                                   {size_label(plan, cell), Mark::none},
+                                   {std::to_string(found.trials), Mark::none}};
+        for (const PairClass each : classes) row.push_back({rmse_text(found, each), Mark::none});
+        row.push_back({sum_error_text(found), Mark::none});
+        row.push_back({bias_in_words(found), bias_mark(found)});
+        if (margin) row.push_back({equivalence_in_words(found), equivalence_mark(found.equivalence)});
+        table.rows.push_back(std::move(row));
+    }
+    if (!hidden.empty()) {
+        table.remarks.push_back(
+            fmt::format("{} sizes in the middle of ladders are not listed; summary.csv has them.", hidden.size()));
+    }
+    return table;
+}
+
+Table pairs_table(const studies::StudyResults& results, std::size_t cell_index) {
+    const studies::StudyPlan& plan = results.findings.plan;
+    const studies::CellFindings& found = results.findings.cells[cell_index];
+    const studies::Cell& cell = plan.cells[found.cell];
+    const Scene& scene = plan.scenes[cell.scene];
+    Table table{fmt::format("pairs-{}", cell_index),
+                fmt::format("{}, pair by pair", cell_label(plan, cell)),
+                cell.deterministic ? "Deterministic: one run says all, and the bias is the error."
+                                   : fmt::format("Intervals: Student t over {} trials, level {:g}, each row by itself.",
+                                                 found.trials, plan.spec.level),
+                {{"", false, ""},
+                 {"exact", true, ""},
+                 {"mean", true, ""},
+                 {"bias", true, ""},
+                 {"z", true, ""},
+                 {"interval of the bias", true, ""},
+                 {"detectable", true, ""},
+                 {"std of a run", true, ""}},
+                {},
+                {}};
+    const bool reciprocal = plan.spec.methods[cell.method].completion == studies::Completion::reciprocal;
+    for (const studies::Summary& s : found.summaries) {
+        const bool follows =
+            s.quantity.kind == studies::QuantityKind::form_factor && reciprocal && s.quantity.to < s.quantity.from;
+        if (follows || s.quantity.kind == studies::QuantityKind::sum_relative_error) continue;
+        const auto number = [](const std::optional<double>& value, std::string_view format) {
+            return value ? fmt::format(fmt::runtime(format), *value) : std::string("–");
+        };
+        std::vector<TableCell> row{{quantity_label(scene, s.quantity), Mark::none}};
+        row.push_back({number(s.reference, "{:.9f}"), Mark::none});
+        row.push_back({s.mean ? to_error(*s.mean, s.bias_se.value_or(0.0)) : "–", Mark::none});
+        row.push_back({number(s.bias, "{:+.2e}"), Mark::none});
+        row.push_back({s.bias && s.bias_se ? fmt::format("{:+.2f}", *s.bias / *s.bias_se) : "–", Mark::none});
+        row.push_back(
+            {s.bias_interval ? fmt::format("[{:+.2e}, {:+.2e}]", s.bias_interval->low, s.bias_interval->high) : "–",
+             Mark::none});
+        row.push_back({number(s.minimum_detectable_bias, "{:.2e}"), Mark::none});
+        row.push_back({number(s.std, "{:.3e}"), Mark::none});
+        table.rows.push_back(std::move(row));
+    }
+    return table;
+}
+
+}  // namespace ff::reports

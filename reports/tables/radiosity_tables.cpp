@@ -1,0 +1,238 @@
+#include "reports/tables/radiosity_tables.hpp"
+
+#include "reports/text/labels.hpp"
+#include "reports/text/numbers.hpp"
+#include "reports/words/radiosity_words.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdint>
+#include <utility>
+
+namespace ff::reports {
+namespace {
+
+using studies::Consequences;
+
+/// The cells that name a row: method and size.
+std::vector<TableCell> row_of(const studies::StudyPlan& plan, std::size_t index) {
+    const studies::Cell& cell = plan.cells[index];
+    const std::string scene = plan.scenes.size() == 1 ? std::string() : plan.scenes[cell.scene].name + ": ";
+    return {{scene + plan.spec.methods[cell.method].name, Mark::none}, {size_label(plan, cell), Mark::none}};
+}
+
+using studies::Between;
+
+/// Tables of systems between patches have titles and ids of their own.
+std::string title_of(Between between, const std::string& title) {
+    return between == Between::faces ? title : title + ", between patches";
+}
+std::string id_of(Between between, const std::string& id) {
+    return between == Between::faces ? id : id + "-patches";
+}
+
+Table matrices_table(const studies::StudyResults& results, Between between) {
+    const studies::StudyPlan& plan = results.findings.plan;
+    Table table{
+        id_of(between, "radiosity-matrices"),
+        title_of(between, "What is wrong with the matrices"),
+        "Median over trials, in brackets the range. Closure defect: largest |row sum − 1|. Reciprocity defect: largest "
+        "|F_ij − F_ji A_j / A_i|. Correction: largest change of a factor by the treatment. Error: root mean "
+        "square over pairs against the exact factors. The last two columns are reflectances, the same "
+        "everywhere, below which I − P F is strictly diagonally dominant, and the spectral radius of P F below 1; "
+        "above 1 they hold for every surface.",
+        {{"method", false, ""},
+         {"size (patches a face)", false, ""},
+         {"treatment", false, ""},
+         {"closure defect", true, ""},
+         {"reciprocity defect", true, ""},
+         {"correction", true, ""},
+         {"error", true, ""},
+         {"dominant below", true, ""},
+         {"convergent below", true, ""}},
+        {},
+        {}};
+    for (const Consequences& found : results.radiosity->consequences) {
+        if (found.between != between) continue;
+        if (found.trials == 0) continue;
+        auto row = row_of(plan, found.cell);
+        row.push_back({std::string(studies::name(found.treatment)), Mark::none});
+        for (const auto* range :
+             {&found.closure_defect, &found.reciprocity_defect, &found.correction, &found.factor_error})
+            row.push_back({over_trials_text(*range, found.trials, 2), Mark::none});
+        for (const auto* range : {&found.dominant_below, &found.convergent_below}) {
+            row.push_back(
+                {over_trials_text(*range, found.trials, 5), range->least < 1 - 1e-12 ? Mark::bad : Mark::good});
+        }
+        table.rows.push_back(std::move(row));
+        if (found.not_balanced > 0) {
+            table.remarks.push_back(fmt::format("{}: {} of {} trials have no closed reciprocal matrix near.",
+                                                cell_label(plan, plan.cells[found.cell]), found.not_balanced,
+                                                found.not_balanced + found.trials));
+        }
+    }
+    return table;
+}
+
+Table exitance_table(const studies::StudyResults& results, Between between) {
+    const studies::StudyPlan& plan = results.findings.plan;
+    Table table{
+        id_of(between, "radiosity-exitance"),
+        title_of(between, "What becomes of the light"),
+        fmt::format("Dominant: trials in which I − P F is strictly diagonally dominant. Spectral radius of P F, "
+                    "condition of I − P F (1-norm, estimated) and energy lost (share of the emitted power that "
+                    "nothing absorbs; negative: made of nothing): medians and ranges over trials. Mean "
+                    "exitance: of all {0} by area, relative to that with exact factors; ± half of its {1:g} % "
+                    "interval (Student t). Error of the light: root mean square over trials and {0}, relative to "
+                    "the mean exact exitance; at the worst: relative to its own. Negative light: trials "
+                    "with a negative exitance. Where some of several trials are not convergent, the "
+                    "exitance passes a pole and has no mean.",
+                    studies::name(between), 100 * plan.spec.level),
+        {{"method", false, ""},
+         {"size (patches a face)", false, ""},
+         {"treatment", false, ""},
+         {"reflectance", true, ""},
+         {"dominant", true, ""},
+         {"spectral radius", true, ""},
+         {"condition", true, ""},
+         {"energy lost (%)", true, ""},
+         {"bias of mean exitance", true, ""},
+         {"error of the light", true, ""},
+         {between == Between::patches ? "on the worst patch" : "on the worst face", true, ""},
+         {"negative light", true, ""}},
+        {},
+        {}};
+    for (const Consequences& found : results.radiosity->consequences) {
+        if (found.between != between) continue;
+        for (const studies::SettingFindings& at : found.settings) {
+            auto row = row_of(plan, found.cell);
+            row.push_back({std::string(studies::name(found.treatment)), Mark::none});
+            row.push_back({setting_text(plan, at.setting), Mark::none});
+            row.push_back(
+                {fmt::format("{} of {}", at.dominant, at.trials), at.dominant < at.trials ? Mark::bad : Mark::good});
+            row.push_back({over_trials_text(at.spectral_radius, at.trials, 5),
+                           at.convergent < at.trials ? Mark::bad : Mark::none});
+            row.push_back({over_trials_text(at.condition, at.trials, 3), Mark::none});
+            if (at.energy_defect) {
+                const auto& e = *at.energy_defect;
+                row.push_back(
+                    {over_trials_text({100 * e.least, 100 * e.median, 100 * e.largest}, at.trials, 2), Mark::none});
+            } else {
+                row.push_back({"–", Mark::none});
+            }
+            const Mark mark = at.negative > 0 ? Mark::bad : Mark::none;
+            row.push_back({at.exitance.empty() ? "singular" : bias_text(at.exitance.front()), mark});
+            row.push_back({at.light_error ? percent(*at.light_error) : "–", mark});
+            if (at.light_error) {
+                const auto& worst = *worst_element(at);
+                row.push_back(
+                    {fmt::format("{} ({})", percent(relative_error(worst)), element_text(plan, found, worst.element)),
+                     mark});
+            } else {
+                row.push_back({"–", mark});
+            }
+            row.push_back({at.negative == 0 ? "" : fmt::format("{} of {}", at.negative, at.trials), mark});
+            table.rows.push_back(std::move(row));
+        }
+    }
+    return table;
+}
+
+TableCell solver_cell(const studies::SolverFindings& found) {
+    return {iterations_text(found), found.converged == found.runs ? Mark::none : Mark::bad};
+}
+
+Table solvers_table(const studies::StudyResults& results, Between between) {
+    const studies::StudyPlan& plan = results.findings.plan;
+    const std::uint64_t trials = plan.spec.radiosity->solver_trials;
+    Table table{id_of(between, "radiosity-solvers"),
+                title_of(between, "How many iterations solvers take"),
+                fmt::format("Until the largest |e − G m| is {:g} of the largest emission, from m = e: sweeps over all "
+                            "{}, or n shots; {}, as each method is completed. Flops: solvers.csv.",
+                            plan.spec.radiosity->tolerance, studies::name(between),
+                            between == Between::patches
+                                ? std::string("the first trial")
+                                : fmt::format("median and range over the first {} trials at most", trials)),
+                {{"method", false, ""}, {"size (patches a face)", false, ""}, {"reflectance", true, ""}},
+                {},
+                {}};
+    for (const Solver solver : all_solvers) {
+        if (solver != Solver::lu) table.columns.push_back({std::string(ff::name(solver)), true, "iterations"});
+    }
+    const auto add = [&](std::vector<TableCell> row, std::size_t setting,
+                         const std::vector<studies::SolverFindings>& solvers) {
+        if (solvers.empty()) return;
+        row.push_back({setting_text(plan, setting), Mark::none});
+        for (const studies::SolverFindings& found : solvers) {
+            if (found.solver != Solver::lu) row.push_back(solver_cell(found));
+        }
+        table.rows.push_back(std::move(row));
+    };
+    for (const studies::ExactSystem& system : results.radiosity->exact) {
+        if ((system.m != 0) != (between == Between::patches)) continue;
+        const std::string scene = plan.scenes.size() == 1 ? std::string() : plan.scenes[system.scene].name + ": ";
+        const std::string size = system.m == 0 ? "–" : std::to_string(system.m * system.m);
+        add({{scene + "exact factors", Mark::none}, {size, Mark::none}}, system.setting, system.solvers);
+    }
+    for (const Consequences& found : results.radiosity->consequences) {
+        if (found.between != between) continue;
+        for (const studies::SettingFindings& at : found.settings) add(row_of(plan, found.cell), at.setting, at.solvers);
+    }
+    return table;
+}
+
+Table bias_order_table(const studies::StudyResults& results) {
+    const studies::StudyPlan& plan = results.findings.plan;
+    Table table{"radiosity-bias",
+                "The bias of the exitance",
+                fmt::format("Of the mean exitance of all faces, relative, at each size; and N times that, which stays "
+                            "where the bias is of order 1/N, N evaluations for a face. Slope of ln |bias| on ln N with "
+                            "its {:g} % interval, where the bias is beyond three standard errors at every size.",
+                            100 * plan.spec.level),
+                {{"ladder", false, ""},
+                 {"treatment", false, ""},
+                 {"reflectance", true, ""},
+                 {"N", true, ""},
+                 {"bias", true, ""},
+                 {"N × bias", true, ""},
+                 {"slope", true, ""}},
+                {},
+                {}};
+    for (const studies::BiasOrder& order : results.bias_orders) {
+        const std::string scene = plan.scenes.size() == 1 ? std::string() : plan.scenes[order.scene].name + ": ";
+        std::vector<std::string> sizes, biases, products;
+        for (const auto& point : order.points) {
+            sizes.push_back(fmt::format("{:.0f}", point.evaluations));
+            biases.push_back(fmt::format("{} ± {}", percent(point.bias), percent(point.error, 1)));
+            products.push_back(brief(point.evaluations * point.bias, 2));
+        }
+        const std::string slope = order.slope ? fmt::format("{:.2f} [{:.2f}, {:.2f}]", *order.slope,
+                                                            order.interval->low, order.interval->high)
+                                              : "–";
+        table.rows.push_back({{scene + order.label, Mark::none},
+                              {std::string(studies::name(order.treatment)), Mark::none},
+                              {setting_text(plan, order.setting), Mark::none},
+                              {fmt::format("{}", fmt::join(sizes, "; ")), Mark::none},
+                              {fmt::format("{}", fmt::join(biases, "; ")), Mark::none},
+                              {fmt::format("{}", fmt::join(products, "; ")), Mark::none},
+                              {slope, Mark::none}});
+    }
+    return table;
+}
+
+}  // namespace
+
+std::vector<Table> radiosity_tables(const studies::StudyResults& results) {
+    if (!results.radiosity) return {};
+    std::vector<Table> tables;
+    for (const Between between : {Between::faces, Between::patches}) {
+        for (const Table& table :
+             {matrices_table(results, between), exitance_table(results, between), solvers_table(results, between)}) {
+            if (!table.rows.empty()) tables.push_back(table);
+        }
+    }
+    if (!results.bias_orders.empty()) tables.push_back(bias_order_table(results));
+    return tables;
+}
+
+}  // namespace ff::reports

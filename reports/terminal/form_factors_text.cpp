@@ -1,0 +1,150 @@
+#include "reports/terminal/form_factors_text.hpp"
+
+#include "reports/text/numbers.hpp"
+#include "reports/text/text_table.hpp"
+#include "studies/form_factors/words.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+namespace ff::reports {
+namespace {
+
+using studies::FaceExchange;
+
+/// Of more faces the matrix is left to the files.
+constexpr std::size_t most_shown = 8;
+constexpr std::size_t most_listed = 10;
+
+TableCell cell(std::string text) {
+    return {std::move(text), Mark::none};
+}
+
+/// Thousands apart, so that counts of samples can be read.
+std::string count(std::uint64_t number) {
+    std::string digits = std::to_string(number);
+    for (auto at = static_cast<std::ptrdiff_t>(digits.size()) - 3; at > 0; at -= 3)
+        digits.insert(static_cast<std::size_t>(at), " ");
+    return digits;
+}
+
+struct MethodRow {
+    std::size_t pairs = 0;
+    double worst = 0;
+    std::uint64_t samples = 0;
+};
+
+std::string methods(const FormFactorReport& report) {
+    std::map<std::pair<std::string_view, std::string_view>, MethodRow> rows;
+    for (const FaceExchange& exchange : report.matrix.exchanges) {
+        MethodRow& row = rows[{method_of(exchange), reason_of(exchange)}];
+        ++row.pairs;
+        row.worst = std::max(row.worst, worst_half_width(report.matrix, exchange));
+    }
+    Table table{"methods", "",
+                "",        {{"method", false, {}}, {"pairs", true, {}}, {"worst ±", true, {}}, {"why", false, {}}},
+                {},        {}};
+    for (const auto& [key, row] : rows) {
+        table.rows.push_back({cell(std::string(key.first)), cell(std::to_string(row.pairs)),
+                              cell(key.first == "none" ? "" : brief(row.worst, 2)), cell(std::string(key.second))});
+    }
+    return text_table(table, Colour::none);
+}
+
+std::string factors(const FormFactorReport& report) {
+    const Eigen::MatrixXd values = report.matrix.factors();
+    const Eigen::MatrixXd widths = report.matrix.half_widths();
+    const auto n = static_cast<Eigen::Index>(report.scene.faces.size());
+    Table table{"factors", "", "", {{"F from", false, {}}}, {}, {}};
+    for (const std::string& face : report.scene.faces) table.columns.push_back({"to " + face, true, {}});
+    table.columns.push_back({"sum", true, {}});
+    table.columns.push_back({"interval of the sum", false, {}});
+    for (Eigen::Index i = 0; i < n; ++i) {
+        const studies::RowSum& sum = report.matrix.rows[static_cast<std::size_t>(i)];
+        std::vector<TableCell> row{cell(report.scene.faces[static_cast<std::size_t>(i)])};
+        for (Eigen::Index j = 0; j < n; ++j) {
+            row.push_back(cell(values(i, j) == 0 && widths(i, j) == 0 ? "0" : to_error(values(i, j), widths(i, j))));
+        }
+        const double width = std::max(sum.high - sum.value, sum.value - sum.low);
+        row.push_back(cell(to_error(sum.value, width)));
+        row.push_back(cell(fmt::format("[{}, {}]", to_error(sum.low, width), to_error(sum.high, width))));
+        table.rows.push_back(std::move(row));
+    }
+    return text_table(table, Colour::none);
+}
+
+std::string many_row_sums(const FormFactorReport& report) {
+    const auto& rows = report.matrix.rows;
+    const auto [least, most] =
+        std::minmax_element(rows.begin(), rows.end(), [](const auto& a, const auto& b) { return a.value < b.value; });
+    const auto words = [&](auto row) {
+        const double width = std::max(row->high - row->value, row->value - row->low);
+        return fmt::format("{} [{}, {}] (face {})", to_error(row->value, width), to_error(row->low, width),
+                           to_error(row->high, width),
+                           report.scene.faces[static_cast<std::size_t>(row - rows.begin())]);
+    };
+    return fmt::format("Row sums from {} to {}\n", words(least), words(most));
+}
+
+std::string verdict(const FormFactorReport& report) {
+    const studies::FormFactorMatrix& matrix = report.matrix;
+    const std::size_t missed = matrix.missed();
+    const std::size_t all = matrix.exchanges.size();
+    const std::string tolerance = brief(report.request.tolerance);
+    const std::string pairs = counted(all, "pair") + " of faces";
+    std::string text;
+    if (missed > 0) {
+        text = fmt::format("{} of {} {} NOT within {}:", missed, pairs, missed == 1 ? "is" : "are", tolerance);
+    } else if (!studies::is_trusted(report.scene, matrix, report.request.tolerance)) {
+        text = fmt::format("NOT to be trusted (see the warnings), though as the scene is read {} {} within {}.", pairs,
+                           all == 1 ? "is" : "are", tolerance);
+    } else {
+        text = all == 1 ? fmt::format("The pair of faces is within {}.", tolerance)
+                        : fmt::format("All {} are within {}.", pairs, tolerance);
+    }
+    if (missed > 0) {
+        std::size_t listed = 0;
+        for (const FaceExchange& pair : matrix.exchanges) {
+            if (pair.within || listed == most_listed) continue;
+            text += fmt::format("{} {}-{} (±{})", listed++ == 0 ? "" : ",", report.scene.faces[pair.from],
+                                report.scene.faces[pair.to], brief(worst_half_width(matrix, pair), 2));
+        }
+        text += missed > most_listed ? " and others." : ".";
+    }
+    if (matrix.samples > 0) text += fmt::format(" {} samples.", count(matrix.samples));
+    return text + "\n";
+}
+
+std::string repair_text(const FormFactorReport& report) {
+    const auto& repaired = report.matrix.repaired;
+    if (!repaired) return "";
+    if (!repaired->possible) return "\nNo closed reciprocal matrix is near: nothing is repaired.\n";
+    return fmt::format("\nRepaired: row sums off 1 by up to {} before, {} after; largest change {} (F {}-{}); {}.\n",
+                       brief(repaired->closure_before, 2), brief(repaired->closure_after, 2),
+                       brief(repaired->largest_change, 2), report.scene.faces[repaired->from],
+                       report.scene.faces[repaired->to],
+                       repaired->outside == 1 ? "1 entry leaves its interval"
+                                              : fmt::format("{} entries leave their intervals", repaired->outside));
+}
+
+}  // namespace
+
+std::string form_factors_text(const FormFactorReport& report) {
+    const auto& [scene, request, matrix] = report;
+    const std::string joined =
+        matrix.surfaces < scene.surfaces.size() ? fmt::format(", joined to {}", matrix.surfaces) : "";
+    std::string text = fmt::format(
+        "{}: {} of {}{}\ntolerance {}, level {} {}, seed {}\n\n", scene.name, counted(scene.faces.size(), "face"),
+        counted(scene.surfaces.size(), "surface"), joined, brief(request.tolerance), brief(request.level, 10),
+        request.level_of == studies::LevelOf::entry ? "of each entry" : "of the whole matrix", request.seed.value);
+    text += methods(report) + "\n";
+    text += scene.faces.size() <= most_shown ? factors(report) : many_row_sums(report);
+    text += "\n" + verdict(report);
+    if (matrix.interrupted) text += "Stopped before the sampling was done; pairs by `bounds` have none.\n";
+    return text + repair_text(report);
+}
+
+}  // namespace ff::reports

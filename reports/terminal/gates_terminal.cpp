@@ -1,0 +1,143 @@
+#include "reports/terminal/gates_terminal.hpp"
+
+#include "reports/text/numbers.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace ff::reports {
+namespace {
+
+using studies::Verdict;
+
+Mark mark_of(Verdict verdict) {
+    switch (verdict) {
+        case Verdict::pass:
+            return Mark::good;
+        case Verdict::fail:
+            return Mark::bad;
+        case Verdict::inconclusive:
+            break;
+    }
+    return Mark::open;
+}
+
+std::string band_in_words(const studies::Band& band) {
+    if (band.low == 0 && band.high == 0) return "none tolerated";
+    if (band.high == -band.low) return fmt::format("band ±{}", brief(band.high));
+    if (!std::isfinite(band.high)) return fmt::format("band {} or more", brief(band.low));
+    return fmt::format("band {} to {}", brief(band.low), brief(band.high));
+}
+
+std::string faces_in_words(const studies::Comparison& c) {
+    if (c.from_face.empty()) return {};
+    return c.to_face == "sum" ? fmt::format(" Σ{}", c.from_face) : fmt::format(" {}-{}", c.from_face, c.to_face);
+}
+
+std::string seconds_in_words(double seconds) {
+    return seconds < 100 ? fmt::format("{:.1f} s", seconds) : fmt::format("{:.1f} min", seconds / 60);
+}
+
+/// Of the column of names.
+std::size_t name_width(const studies::GatesSpec& spec) {
+    std::size_t width = 4;
+    for (const studies::Gate& gate : spec.gates) width = std::max(width, gate.name.size());
+    return width;
+}
+
+std::string trials_in_words(const studies::GatePlan& plan) {
+    const auto [least, most] = std::minmax_element(plan.trials.begin(), plan.trials.end());
+    const std::string text = *least == *most ? fmt::format("{}", *most) : fmt::format("{}-{}", *least, *most);
+    return plan.wanted_trials > 0 ? text + "!" : text;
+}
+
+}  // namespace
+
+std::string gates_heading(const studies::GatesSpec& spec) {
+    return fmt::format("{}: {} gate{}, false alarm at most {} in all, power {}, seed {}\n\n", spec.name,
+                       spec.gates.size(), spec.gates.size() == 1 ? "" : "s", brief(spec.alpha), brief(spec.power),
+                       spec.seed.value);
+}
+
+std::string gate_in_words(const studies::GateResult& result) {
+    const studies::Comparison& c = decisive(result.comparisons);
+    std::string text = fmt::format("{}{}", c.quantity, faces_in_words(c));
+    if (c.measurement) {
+        const studies::Measurement& e = *c.measurement;
+        const bool exact_value = e.passing.low == e.passing.high;
+        text += fmt::format(" {}", brief(e.value));
+        if (!exact_value) text += fmt::format(" ({} to {})", brief(e.passing.low), brief(e.passing.high));
+        text += fmt::format(", {}", band_in_words(c.band));
+        if (!exact_value && std::isfinite(e.minimum_detectable))
+            text += fmt::format("; {} would fail", brief(e.minimum_detectable));
+    }
+    text += fmt::format("; {} trial{}", c.trials, c.trials == 1 ? "" : "s");
+    if (result.looks > 1) text += fmt::format(" in {} looks", result.looks);
+    if (result.comparisons.size() > 1) text += fmt::format(", worst of {}", result.comparisons.size());
+    if (!result.note.empty()) text += fmt::format(". {}", result.note);
+    return text;
+}
+
+std::string gate_line(const studies::GateResult& result, Colour colour) {
+    const std::string verdict = fmt::format("{:<12}", name(result.verdict));
+    return fmt::format("{}  {:<28}  {}\n", painted(verdict, mark_of(result.verdict), colour), result.gate,
+                       gate_in_words(result));
+}
+
+std::string gates_summary(const studies::CheckResults& check) {
+    const std::size_t missing = check.spec.gates.size() - check.results.size();
+    return fmt::format("\n{} passed, {} failed, {} inconclusive{}.\n", check.count(Verdict::pass),
+                       check.count(Verdict::fail), check.count(Verdict::inconclusive),
+                       missing > 0 ? fmt::format(", {} not run", missing) : "");
+}
+
+std::string gates_plan(const studies::GatesSpec& spec, std::span<const studies::EstimatesPlan> files,
+                       std::span<const studies::GatePlan> plans, unsigned threads) {
+    std::string out = gates_heading(spec);
+    const std::size_t width = name_width(spec);
+    out += fmt::format("{:<{}}  {:<11}  {:>11}  {:>10}  {:>10}  {}\n", "gate", width, "kind", "comparisons", "trials",
+                       "core time", "at most");
+    for (const studies::EstimatesPlan& file : files)
+        out += fmt::format("{:<{}}  {:<11}  {:>11}  {:>10}  {:>10}  {} in the file\n", file.gate, width,
+                           name(file.kind), 1, file.needed, "", file.series.values.size());
+    double total = 0;
+    double most = 0;
+    bool capped = false;
+    for (const studies::GatePlan& plan : plans) {
+        const studies::Gate& gate = spec.gates[plan.gate];
+        const double seconds = expected_seconds(plan);
+        const double looks = plan.deterministic ? 1 : static_cast<double>(spec.looks);
+        total += seconds;
+        most += seconds * looks;
+        capped = capped || plan.wanted_trials > 0;
+        out += fmt::format("{:<{}}  {:<11}  {:>11}  {:>10}  {:>10}  {}\n", gate.name, width, name(gate.kind),
+                           plan.effects.size(), trials_in_words(plan), seconds_in_words(seconds),
+                           seconds_in_words(seconds * looks));
+    }
+    if (capped) out += fmt::format("! more are needed; max_trials allows {} a look\n", spec.max_trials);
+    return out + fmt::format("\nabout {} on {} thread{}, at most {} ({} looks)\n", seconds_in_words(total / threads),
+                             threads, threads == 1 ? "" : "s", seconds_in_words(most / threads), spec.looks);
+}
+
+std::string seed_sweep_table(const studies::GatesSpec& spec, std::span<const studies::SeedSweep> sweeps) {
+    const std::size_t width = name_width(spec);
+    std::string out =
+        fmt::format("{:<{}}  {:>6}  {:>6}  {:<24}  {:<9}  {:>12}  {:<24}  {}\n", "gate", width, "seeds", "fails",
+                    "rate (95 % interval)", "alpha", "inconclusive", "rate (95 % interval)", "allowed");
+    const auto rate = [](const studies::SweepRate& r) {
+        return fmt::format("{} ({} to {}){}", brief(r.rate), brief(r.interval.low, 2), brief(r.interval.high, 2),
+                           r.exceeded ? " !" : "");
+    };
+    for (const studies::SeedSweep& sweep : sweeps) {
+        const auto failed = failure_rate(sweep, spec);
+        const auto undecided = inconclusive_rate(sweep, spec);
+        out += fmt::format("{:<{}}  {:>6}  {:>6}  {:<24}  {:<9}  {:>12}  {:<24}  {}\n", sweep.gate, width, sweep.seeds,
+                           sweep.fails, rate(failed), brief(failed.allowed, 2), sweep.inconclusive, rate(undecided),
+                           brief(undecided.allowed, 2));
+    }
+    return out;
+}
+
+}  // namespace ff::reports

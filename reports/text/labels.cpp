@@ -1,0 +1,69 @@
+#include "reports/text/labels.hpp"
+
+#include <fmt/format.h>
+
+namespace ff::reports {
+
+using studies::QuantityKind;
+
+std::string from_label(const Scene& scene, const studies::Quantity& quantity) {
+    return quantity.from == 0 ? std::string("all") : scene.faces.at(static_cast<std::size_t>(quantity.from - 1));
+}
+
+std::string to_label(const Scene& scene, const studies::Quantity& quantity) {
+    switch (quantity.kind) {
+        case QuantityKind::form_factor:
+            return scene.faces.at(static_cast<std::size_t>(quantity.to - 1));
+        case QuantityKind::row_sum:
+            return "sum";
+        case QuantityKind::sum_relative_error:
+            break;
+    }
+    return "sum_re";
+}
+
+std::string quantity_label(const Scene& scene, const studies::Quantity& quantity) {
+    switch (quantity.kind) {
+        case QuantityKind::form_factor:
+            return fmt::format("F {}-{}", from_label(scene, quantity), to_label(scene, quantity));
+        case QuantityKind::row_sum:
+            return fmt::format("Σ {}", from_label(scene, quantity));
+        case QuantityKind::sum_relative_error:
+            break;
+    }
+    return "Σ r.e.";
+}
+
+std::string size_label(const studies::StudyPlan& plan, const studies::Cell& cell) {
+    const studies::Method& method = plan.spec.methods[cell.method];
+    const auto patches = cell.subdivision.per_part();
+    if (method.nodes) {
+        const auto [source, target] = *method.nodes;
+        if (target == 0) return fmt::format("{} × {}² nodes", patches, source);
+        return fmt::format("{} × {}²·{}² nodes", patches, source, target);
+    }
+    switch (method.estimator) {
+        case studies::Estimator::ray_shooting:
+            return fmt::format("{} × {} rays", patches, cell.samples);
+        case studies::Estimator::area_kernel:
+        case studies::Estimator::point_to_polygon:
+            return fmt::format("{} × {} points", patches, cell.samples);
+        case studies::Estimator::closed_form:
+            break;
+    }
+    return "exact";
+}
+
+std::string cell_label(const studies::StudyPlan& plan, const studies::Cell& cell) {
+    const std::string text = fmt::format("{}, {}", plan.spec.methods[cell.method].name, size_label(plan, cell));
+    return plan.scenes.size() == 1 ? text : fmt::format("{}: {}", plan.scenes[cell.scene].name, text);
+}
+
+std::string program_label(const studies::Context& context) {
+    const auto version = context.find("version");
+    const auto revision = context.find("revision");
+    if (version == context.end() || revision == context.end()) return {};
+    return fmt::format("ffstudy {}, revision {}", version->second, revision->second);
+}
+
+}  // namespace ff::reports

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "studies/analysis/analysis.hpp"
+#include "studies/store/store.hpp"
+
+#include <string>
+
+namespace ff::reports {
+
+/// Label of a face (number from 1) as its scene gives it; "sum" and "sum_re" for the to-face of sums.
+std::string from_label(const Scene& scene, const studies::Quantity& quantity);
+std::string to_label(const Scene& scene, const studies::Quantity& quantity);
+
+/// The quantity as people write it: "F 1-6", "Σ 3", "Σ r.e.".
+std::string quantity_label(const Scene& scene, const studies::Quantity& quantity);
+
+/// The size of a cell: "169 × 625 rays", "36 × 5×5 nodes", "1".
+std::string size_label(const studies::StudyPlan& plan, const studies::Cell& cell);
+
+/// Method and size; the scene too where the study has several.
+std::string cell_label(const studies::StudyPlan& plan, const studies::Cell& cell);
+
+/// The program that completed a study: version and revision. Empty before that. What differs between runs of one
+/// program (host, date, seconds) stands in context.json alone.
+std::string program_label(const studies::Context& context);
+
+}  // namespace ff::reports

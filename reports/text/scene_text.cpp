@@ -1,0 +1,65 @@
+#include "reports/text/scene_text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace ff::reports {
+namespace {
+
+constexpr std::size_t most_lines = 12;
+
+std::string plural(std::size_t count, std::string_view what) {
+    return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
+}
+
+/// Lines below a heading, those beyond the twelfth counted.
+std::string listed(std::string_view heading, const std::vector<std::string>& lines) {
+    std::string out = fmt::format("{}:\n", heading);
+    for (std::size_t i = 0; i < std::min(lines.size(), most_lines); ++i) out += fmt::format("  {}\n", lines[i]);
+    if (lines.size() > most_lines) out += fmt::format("  and {} more\n", lines.size() - most_lines);
+    return out;
+}
+
+/// ", grid 4 × 1"; nothing in a scene without grids.
+std::string grids_text(const std::vector<Grid>& grids) {
+    if (grids.empty()) return {};
+    std::vector<std::string> texts;
+    for (const Grid& grid : grids) texts.push_back(fmt::format("{} × {}", grid.columns, grid.rows));
+    return fmt::format(", grid{} {}", grids.size() == 1 ? "" : "s", fmt::join(texts, ", "));
+}
+
+}  // namespace
+
+std::string scene_text(const Scene& scene, const studies::SceneExplanation& explanation) {
+    std::string out = fmt::format("{} (scene)\n{}, {}", scene.name, plural(scene.surfaces.size(), "surface"),
+                                  scene.closed ? "closed" : "open");
+    if (explanation.occluders > 0)
+        out += fmt::format(", {} of them only {} in the way", explanation.occluders,
+                           explanation.occluders == 1 ? "stands" : "stand");
+    std::vector<std::string> faces;
+    for (std::size_t face = 0; face < scene.faces.size(); ++face) {
+        const std::size_t surfaces = explanation.surfaces[face];
+        faces.push_back(fmt::format("{}: area {:.6g}{}{}", scene.faces[face], explanation.areas[face],
+                                    surfaces == 1 ? "" : fmt::format(", {} surfaces", surfaces),
+                                    grids_text(explanation.grids[face])));
+    }
+    out += "\n\n" + listed("Faces", faces);
+    std::vector<std::string> pairs;
+    for (const studies::ExplainedPair& pair : explanation.pairs) {
+        const auto label = [&](int face) { return scene.faces[static_cast<std::size_t>(face)]; };
+        pairs.push_back(fmt::format("F {}-{} = {:.15f}  {} [{}]", label(pair.from), label(pair.to), pair.exact,
+                                    pair.origin, pair.reference));
+    }
+    if (!pairs.empty()) out += listed("Exact", pairs);
+    if (explanation.unknown_pairs > 0)
+        out += fmt::format("No exact value: {} that face each other\n",
+                           plural(explanation.unknown_pairs, pairs.empty() ? "pair" : "other pair"));
+    std::vector<std::string> estimators;
+    for (const studies::ExplainedEstimator& estimator : explanation.estimators)
+        estimators.push_back(estimator.why_not ? fmt::format("not {}: {}", estimator.name, *estimator.why_not)
+                                               : estimator.name);
+    return out + listed("Estimators", estimators);
+}
+
+}  // namespace ff::reports

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "core/geometry/scene.hpp"
+#include "studies/explain/scene_explanation.hpp"
+
+#include <string>
+
+namespace ff::reports {
+
+/// A few facts about a scene for a terminal: faces with areas, exact values with their origin, estimators.
+std::string scene_text(const Scene& scene, const studies::SceneExplanation& explanation);
+
+}  // namespace ff::reports

@@ -1,0 +1,30 @@
+#include "reports/words/audit_summary.hpp"
+
+#include <fmt/format.h>
+
+#include <cstddef>
+
+namespace ff::reports {
+
+using studies::AuditReport;
+using studies::Finding;
+using studies::PublishedTables;
+
+std::string audit_verdict(const AuditReport& report) {
+    const std::size_t n = report.contradictions();
+    if (n == 0) return fmt::format("The {} printed figures contain no contradiction.", report.figures);
+    return fmt::format("The {} printed figures contain {} contradiction{}.", report.figures, n, n == 1 ? "" : "s");
+}
+
+std::string audit_summary(const PublishedTables& tables, const AuditReport& report) {
+    std::string text = audit_verdict(report) + "\n";
+    std::size_t number = 0;
+    for (const Finding& f : report.findings) {
+        const std::string line =
+            f.figures.empty() ? std::string{} : fmt::format(" (line {})", tables.figures[f.figures.front()].line);
+        text += fmt::format("{:3}. {}{}\n", ++number, f.statement, line);
+    }
+    return text;
+}
+
+}  // namespace ff::reports

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "studies/results/results.hpp"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace ff::reports {
+
+/// "Student's t", "normal quantiles", ...
+std::string_view rule_in_words(studies::IntervalRule rule);
+
+/// A line for each rule and number of replicates: the range of its actual coverage over methods and classes of pairs
+/// that have a variance, and how often it is significantly short of what it promises; a line about those without.
+std::vector<std::string> coverage_in_brief(const studies::StudyResults& results);
+
+}  // namespace ff::reports

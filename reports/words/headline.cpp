@@ -1,0 +1,179 @@
+#include "reports/words/headline.hpp"
+
+#include "reports/text/labels.hpp"
+#include "reports/text/numbers.hpp"
+#include "reports/words/occlusion_words.hpp"
+#include "reports/words/published_summary.hpp"
+#include "reports/words/radiosity_words.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace ff::reports {
+namespace {
+
+using studies::Rivalry;
+
+/// A rivalry with the names that a sentence needs.
+struct Contest {
+    std::string where;  ///< "on parallel pairs"
+    std::string better;
+    std::string worse;
+    double better_rmse = 0;
+    double worse_rmse = 0;
+    std::string sizes;  ///< "169 × 5²·5² nodes against 169 × 625 rays"
+};
+
+Contest describe(const studies::Findings& findings, const Rivalry& rivalry) {
+    const studies::StudyPlan& plan = findings.plan;
+    const auto method = [&](std::size_t cell) { return plan.spec.methods[plan.cells[cell].method].name; };
+    const auto rmse = [&](std::size_t cell) { return findings.cells[cell].class_error(rivalry.pair_class)->rmse; };
+    Contest contest;
+    contest.where = fmt::format("on {} pairs", name(rivalry.pair_class));
+    if (plan.scenes.size() > 1) contest.where += fmt::format(" of {}", plan.scenes[rivalry.scene].name);
+    contest.better = method(rivalry.better);
+    contest.better_rmse = rmse(rivalry.better);
+    contest.sizes = size_label(plan, plan.cells[rivalry.better]);
+    if (!rivalry.worse) return contest;
+    contest.worse = method(*rivalry.worse);
+    contest.worse_rmse = rmse(*rivalry.worse);
+    const std::string other = size_label(plan, plan.cells[*rivalry.worse]);
+    contest.sizes = contest.sizes == other ? "both at " + other : fmt::format("at {} against {}", contest.sizes, other);
+    return contest;
+}
+
+std::string ratio_text(const Rivalry& rivalry) {
+    return rivalry.interval ? to_error(*rivalry.ratio, 5 * rivalry.interval->width()) : brief(*rivalry.ratio);
+}
+
+/// "5.07 to 5.11 with 95 % confidence"
+std::string interval_text(const stats::Interval& interval) {
+    const double reach = 5 * interval.width();  // one digit of the half width, not two
+    return fmt::format("{} to {} with {:g} % confidence", to_error(interval.low, reach), to_error(interval.high, reach),
+                       100 * interval.level);
+}
+
+std::string clause(const Rivalry& rivalry, const Contest& c) {
+    if (!rivalry.worse) return fmt::format("{} a run of {} errs by {} (RMSE)", c.where, c.better, brief(c.better_rmse));
+    if (!rivalry.ratio) {
+        if (c.worse_rmse < studies::rounding_error)
+            return fmt::format("{} {} and {} are both exact to rounding", c.where, c.better, c.worse);
+        return fmt::format("{} {} is better: exact to rounding, where {} errs by {}", c.where, c.better, c.worse,
+                           brief(c.worse_rmse));
+    }
+    if (!rivalry.decided()) return fmt::format("{} {} and {} cannot be told apart", c.where, c.better, c.worse);
+    return fmt::format("{} {} is better: its error is {} times smaller than that of {}", c.where, c.better,
+                       ratio_text(rivalry), c.worse);
+}
+
+KeyNumber contest_number(const Rivalry& rivalry, const Contest& c) {
+    KeyNumber number;
+    number.label = c.where;
+    const std::string errors =
+        fmt::format("RMSE of a run {} against {}, {}.", brief(c.better_rmse), brief(c.worse_rmse), c.sizes);
+    if (!rivalry.worse) {
+        number.value = brief(c.better_rmse);
+        number.detail = fmt::format("RMSE of a run of {} at {}.", c.better, c.sizes);
+        return number;
+    }
+    if (!rivalry.ratio) {
+        number.value = fmt::format("{}: exact", c.better);
+        number.detail = fmt::format("Exact to rounding. {}", errors);
+    } else if (rivalry.decided()) {
+        number.value = fmt::format("{}: {} × better", c.better, ratio_text(rivalry));
+        number.detail = rivalry.interval ? fmt::format("{}. {}", interval_text(*rivalry.interval), errors) : errors;
+    } else {
+        number.value = "undecided";
+        number.detail = rivalry.interval
+                            ? fmt::format("The ratio of errors is {}. {}", interval_text(*rivalry.interval), errors)
+                            : fmt::format("The variance of one is infinite, or its trials are too few. {}", errors);
+    }
+    return number;
+}
+
+KeyNumber bias_number(const studies::Findings& findings) {
+    std::size_t sampled = 0;
+    std::size_t biased = 0;
+    std::size_t untestable = 0;
+    std::size_t shown = 0;
+    std::uint64_t lost = 0;
+    double detectable = 0;
+    for (const studies::CellFindings& found : findings.cells) {
+        lost += found.lost_rays;
+        if (!found.bias) continue;
+        ++sampled;
+        if (found.bias_finding == studies::BiasFinding::biased) ++biased;
+        if (found.bias_finding == studies::BiasFinding::untestable) ++untestable;
+        if (found.equivalence == studies::EquivalenceFinding::shown) ++shown;
+        detectable = std::max(detectable, found.bias->minimum_detectable_bias);
+    }
+    if (sampled == 0) return {};
+    KeyNumber number;
+    number.label = "biased sampled methods and sizes";
+    number.value = fmt::format("{} of {}", biased, sampled);
+    number.detail = fmt::format("A false alarm anywhere: {:g} %", 100 * (1 - findings.plan.spec.level));
+    if (detectable > 0)
+        number.detail += fmt::format("; a bias of {} on one pair is found with power {:g}", brief(detectable, 2),
+                                     findings.plan.spec.power);
+    number.detail += untestable == 0 ? "." : fmt::format("; {} cannot be tested.", untestable);
+    if (const auto margin = findings.plan.spec.equivalence_margin)
+        number.detail += fmt::format(" Within ±{} shown on every pair of {}.", brief(*margin, 2), shown);
+    number.detail += fmt::format(" Lost rays: {}.", lost);
+    return number;
+}
+
+/// Contradictions first, those with a correction before the rest.
+std::vector<std::string> wrong_in_print(const studies::PublishedResults& published, double alpha) {
+    std::vector<std::string> lines;
+    for (const bool corrected : {true, false}) {
+        for (const studies::Finding& finding : published.audit.findings) {
+            if (finding.severity == studies::Severity::contradiction && finding.corrections.empty() != corrected)
+                lines.push_back(finding.statement);
+        }
+    }
+    lines.push_back(published_in_brief(published, alpha).front());
+    return lines;
+}
+
+}  // namespace
+
+Headline headline(const studies::StudyResults& results) {
+    Headline out;
+    std::vector<std::string> clauses;
+    if (const auto light = light_in_brief(results)) {
+        clauses.push_back(light->clause);
+        out.numbers.push_back({light->value, fmt::format("error of the light at reflectance {}", light->reflectance),
+                               "Root mean square over runs and faces, of the mean exitance: with each method as it is "
+                               "completed, before repairs."});
+    }
+    if (const std::string clause = occlusion_clause(results); !clause.empty()) clauses.push_back(clause);
+    for (const Rivalry& rivalry : results.rivals) {
+        if (!results.occlusion.empty()) break;  // that clause compares them, over all scenes
+        const Contest contest = describe(results.findings, rivalry);
+        clauses.push_back(clause(rivalry, contest));
+        if (out.numbers.size() < 4) out.numbers.push_back(contest_number(rivalry, contest));
+    }
+    if (KeyNumber bias = bias_number(results.findings); !bias.value.empty()) out.numbers.push_back(std::move(bias));
+    if (results.published) {
+        const studies::AuditReport& audit = results.published->audit;
+        const std::size_t count = audit.contradictions();
+        clauses.push_back(fmt::format("the publication's {} printed figures contain {} contradiction{}", audit.figures,
+                                      count, count == 1 ? "" : "s"));
+        out.published = wrong_in_print(*results.published, 1 - results.findings.plan.spec.level);
+        out.numbers.push_back({std::to_string(count), "contradictions in print",
+                               fmt::format("among {} printed figures, found from the figures alone.", audit.figures)});
+    }
+    if (clauses.empty()) clauses.emplace_back("no method of this study can be compared with exact values");
+    if (clauses.size() > 4) {
+        const std::size_t more = clauses.size() - 4;
+        clauses.resize(4);
+        clauses.back() += fmt::format(" (and {} more, below)", more);
+    }
+    out.verdict = fmt::format("{}.", fmt::join(clauses, "; "));
+    if (out.verdict.front() >= 'a' && out.verdict.front() <= 'z')
+        out.verdict.front() = static_cast<char>(out.verdict.front() - 'a' + 'A');
+    return out;
+}
+
+}  // namespace ff::reports

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "studies/results/results.hpp"
+
+#include <string>
+#include <vector>
+
+namespace ff::reports {
+
+/// What a study found beyond the errors of its methods, a sentence each: heavy tails, slopes, variances, coverage,
+/// stopping rules, error laws.
+std::vector<std::string> results_in_brief(const studies::StudyResults& results);
+
+}  // namespace ff::reports

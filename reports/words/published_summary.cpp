@@ -1,0 +1,54 @@
+#include "reports/words/published_summary.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace ff::reports {
+namespace {
+
+std::string surprising_figures(const studies::PublishedResults& published, double alpha) {
+    std::size_t sampled = 0;
+    std::vector<std::string> surprising;
+    for (const studies::TableComparison& table : published.comparisons) {
+        for (const studies::FigureComparison& c : table.figures) {
+            if (!c.adjusted_p) continue;
+            ++sampled;
+            if (*c.adjusted_p >= alpha) continue;
+            const std::string place = c.z ? fmt::format("z = {:+.1f}", *c.z) : std::string("no run gives it");
+            surprising.push_back(fmt::format("{} = {} ({})", studies::describe(published.tables, c.figure),
+                                             published.tables.figures[c.figure].printed, place));
+        }
+    }
+    std::string text = fmt::format(
+        "Of {} printed figures of sampled methods, {} lie outside what a run as described gives ({:g} % a table, Holm)",
+        sampled, surprising.size(), 100 * alpha);
+    return surprising.empty() ? text : fmt::format("{}: {}", text, fmt::join(surprising, "; "));
+}
+
+}  // namespace
+
+std::vector<std::string> published_in_brief(const studies::PublishedResults& published, double alpha) {
+    std::vector<std::string> lines{surprising_figures(published, alpha)};
+    const auto count = [&](studies::ClaimVerdict verdict) {
+        return std::count_if(published.claims.begin(), published.claims.end(),
+                             [&](const auto& claim) { return claim.verdict == verdict; });
+    };
+    if (!published.claims.empty()) {
+        lines.push_back(fmt::format("Of the publication's {} claims {} are supported, {} refuted, {} inconclusive.",
+                                    published.claims.size(), count(studies::ClaimVerdict::supported),
+                                    count(studies::ClaimVerdict::refuted), count(studies::ClaimVerdict::inconclusive)));
+        const auto printed_only = std::count_if(published.claims.begin(), published.claims.end(),
+                                                [](const auto& claim) { return claim.as_printed_only; });
+        if (printed_only > 0) {
+            lines.back() += fmt::format(
+                " {} of these verdicts rest on printed errors that the methods as described do not give; with ours "
+                "they "
+                "would be others.",
+                printed_only);
+        }
+    }
+    return lines;
+}
+
+}  // namespace ff::reports

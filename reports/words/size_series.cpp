@@ -1,0 +1,50 @@
+#include "reports/words/size_series.hpp"
+
+#include <algorithm>
+#include <optional>
+
+namespace ff::reports {
+namespace {
+
+/// The slopes of a method on a class of pairs.
+std::vector<const studies::ClassSlopes*> ladders_of(const studies::StudyResults& results, std::size_t scene,
+                                                    std::size_t method, PairClass pair_class) {
+    std::vector<const studies::ClassSlopes*> found;
+    for (const studies::LadderSlopes& ladder : results.slopes) {
+        if (ladder.ladder.scene != scene || ladder.ladder.method != method) continue;
+        for (const studies::ClassSlopes& slopes : ladder.classes) {
+            if (slopes.pair_class == pair_class) found.push_back(&slopes);
+        }
+    }
+    return found;
+}
+
+std::optional<SizePoint> point_of(const studies::CellFindings& found, PairClass pair_class) {
+    const studies::ClassError* error = found.class_error(pair_class);
+    if (error == nullptr || found.evaluations_per_face == 0) return std::nullopt;
+    const bool is_median = found.has_infinite_variance(pair_class);
+    const SizePoint point{&found, is_median ? error->median_abs_error : error->rmse, is_median};
+    return point.error < studies::rounding_error ? std::nullopt : std::optional(point);
+}
+
+}  // namespace
+
+std::vector<SizeSeries> size_series(const studies::StudyResults& results, std::size_t scene, PairClass pair_class) {
+    const studies::Findings& findings = results.findings;
+    std::vector<SizeSeries> all;
+    for (std::size_t method = 0; method < findings.plan.spec.methods.size(); ++method) {
+        SizeSeries series{findings.plan.spec.methods[method].name, {}, ladders_of(results, scene, method, pair_class)};
+        for (const studies::CellFindings& found : findings.cells) {
+            const studies::Cell& cell = findings.plan.cells[found.cell];
+            if (cell.scene != scene || cell.method != method) continue;
+            if (const auto point = point_of(found, pair_class)) series.points.push_back(*point);
+        }
+        std::stable_sort(series.points.begin(), series.points.end(), [](const SizePoint& a, const SizePoint& b) {
+            return a.found->evaluations_per_face < b.found->evaluations_per_face;
+        });
+        if (!series.points.empty()) all.push_back(std::move(series));
+    }
+    return all;
+}
+
+}  // namespace ff::reports

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "studies/results/results.hpp"
+
+#include <string>
+#include <vector>
+
+namespace ff::reports {
+
+/// A line for each method and size whose trials look as if they had no variance.
+std::vector<std::string> heavy_tails_in_brief(const studies::StudyResults& results);
+
+}  // namespace ff::reports

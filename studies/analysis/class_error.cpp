@@ -1,0 +1,171 @@
+#include "studies/analysis/class_error.hpp"
+
+#include "core/visibility/facing.hpp"
+#include "stats/distributions.hpp"
+#include "stats/mean_interval.hpp"
+#include "stats/moments.hpp"
+#include "stats/quantiles.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <limits>
+#include <vector>
+
+namespace ff::studies {
+namespace {
+
+/// Mean over the pairs of each trial.
+std::vector<double> trial_means(std::span<const double> values, std::size_t pairs) {
+    std::vector<double> means(values.size() / pairs, 0.0);
+    for (std::size_t i = 0; i < values.size(); ++i) means[i / pairs] += values[i];
+    for (double& mean : means) mean /= static_cast<double>(pairs);
+    return means;
+}
+
+/// Squared deviations from `centres`, one for each pair.
+std::vector<double> squared_deviations(std::span<const double> errors, const std::vector<double>& centres) {
+    std::vector<double> squares;
+    for (std::size_t i = 0; i < errors.size(); ++i) {
+        const double deviation = errors[i] - centres[i % centres.size()];
+        squares.push_back(deviation * deviation);
+    }
+    return squares;
+}
+
+/// Mean over trials of each pair.
+std::vector<double> pair_means(std::span<const double> errors, std::size_t pairs) {
+    const std::size_t trials = errors.size() / pairs;
+    std::vector<double> means(pairs, 0.0);
+    for (std::size_t i = 0; i < errors.size(); ++i) means[i % pairs] += errors[i] / static_cast<double>(trials);
+    return means;
+}
+
+void add_variance(std::span<const double> errors, double level, ClassError& found) {
+    const auto deviations = squared_deviations(errors, pair_means(errors, found.pairs));
+    const auto squares = stats::moments_of(trial_means(deviations, found.pairs));
+    const auto trials = static_cast<double>(found.trials);
+    if (trials < 2 || *squares.mean() <= 0) return;
+    found.variance = *squares.mean() * trials / (trials - 1);
+    if (found.trials < stats::fewest_replicates) return;
+    const double relative_error = *squares.standard_error() / *squares.mean();
+    const double factor = std::exp(stats::student_critical(trials - 1, (1 - level) / 2) * relative_error);
+    found.variance_interval = stats::Interval{.low = *found.variance / factor,
+                                              .high = *found.variance * factor,
+                                              .level = level,
+                                              .method = "log_student_t",
+                                              .n = found.trials};
+}
+
+/// Interval of 1 / (x N) from that of sqrt(x): the ends change places.
+stats::Interval efficiency_interval(stats::Interval rmse, double evaluations) {
+    const double high = 1 / (rmse.low * rmse.low * evaluations);
+    rmse.low = 1 / (rmse.high * rmse.high * evaluations);
+    rmse.high = high;
+    return rmse;
+}
+
+/// Of ln RMSE, from trial to trial; 0 for a deterministic method.
+double log_variance(const ClassError& error) {
+    const double relative = error.mean_square_se / (2 * error.rmse * error.rmse);
+    return relative * relative;
+}
+
+/// @param squares  of the errors, about the exact values
+void add_efficiency(const stats::Moments& squares, double level, ClassError& found) {
+    if (found.rmse == 0) return;
+    found.mean_square_se = squares.standard_error().value_or(0.0);
+    const auto evaluations = static_cast<double>(found.evaluations);
+    found.efficiency = 1 / (*squares.mean() * evaluations);
+    if (squares.count() < stats::fewest_replicates) return;
+    const auto interval = stats::mean_interval_t(squares, level);
+    if (!interval || interval->low <= 0) return;
+    found.interval = stats::square_root(*interval);
+    found.efficiency_interval = efficiency_interval(*found.interval, evaluations);
+}
+
+}  // namespace
+
+std::optional<ClassError> class_error(const CellEstimates& estimates, const Scene& scene, const KnownFactors& known,
+                                      std::span<const Quantity> pairs, PairClass pair_class, VarianceStatus status,
+                                      double level) {
+    const auto members = pairs_of_class(scene, known_pairs(pairs, known), pair_class);
+    const auto errors = errors_of(estimates, members, known);
+    if (errors.empty()) return std::nullopt;
+    ClassError found = class_error_of(errors, members.size(), estimates.evaluations_per_face, status, level);
+    found.pair_class = pair_class;
+    return found;
+}
+
+ClassError class_error_of(std::span<const double> errors, std::size_t pairs, std::uint64_t evaluations,
+                          VarianceStatus status, double level) {
+    ClassError found;
+    found.pairs = pairs;
+    found.trials = errors.size() / pairs;
+    found.evaluations = evaluations;
+    found.status = status;
+    const std::vector<double> exactly(found.pairs, 0.0);
+    const auto squares = stats::moments_of(trial_means(squared_deviations(errors, exactly), found.pairs), 0.0);
+    const auto means = stats::moments_of(trial_means(errors, found.pairs));
+    found.rmse = std::sqrt(*squares.mean());
+    found.median_abs_error = *stats::median_absolute_error(errors, 0);
+    found.bias = *means.mean();
+    // Too few hits make no test of a mean, but their spread is one all the same.
+    if (status == VarianceStatus::finite || status == VarianceStatus::sparse) add_variance(errors, level, found);
+    if (status != VarianceStatus::finite) return found;
+    found.bias_interval = stats::mean_interval_t(means, level);
+    add_efficiency(squares, level, found);
+    return found;
+}
+
+std::vector<double> errors_of(const CellEstimates& estimates, std::span<const Quantity> pairs,
+                              const KnownFactors& known) {
+    std::vector<double> errors;
+    errors.reserve(estimates.trials() * pairs.size());
+    for (std::size_t trial = 0; trial < estimates.trials(); ++trial) {
+        for (const Quantity pair : pairs)
+            errors.push_back(estimates.values(pair)[trial] - known.at(pair.from - 1, pair.to - 1).value());
+    }
+    return errors;
+}
+
+std::vector<Quantity> known_pairs(std::span<const Quantity> pairs, const KnownFactors& known) {
+    std::vector<Quantity> members;
+    std::copy_if(pairs.begin(), pairs.end(), std::back_inserter(members),
+                 [&](const Quantity pair) { return known.at(pair.from - 1, pair.to - 1).has_value(); });
+    return members;
+}
+
+std::vector<Quantity> pairs_of_class(const Scene& scene, std::span<const Quantity> pairs, PairClass wanted) {
+    std::vector<Quantity> members;
+    std::copy_if(pairs.begin(), pairs.end(), std::back_inserter(members), [&](const Quantity pair) {
+        return face_each_other(scene, pair.from - 1, pair.to - 1) &&
+               pair_class(scene, pair.from - 1, pair.to - 1) == wanted;
+    });
+    return members;
+}
+
+std::optional<LogRatio> rmse_log_ratio(const ClassError& first, const ClassError& second) {
+    std::size_t trials = std::numeric_limits<std::size_t>::max();
+    for (const ClassError* error : {&first, &second}) {
+        if (error->interval) trials = std::min(trials, error->trials);
+    }
+    if (trials == std::numeric_limits<std::size_t>::max()) return std::nullopt;
+    return LogRatio{std::log(second.rmse / first.rmse), std::sqrt(log_variance(first) + log_variance(second)), trials};
+}
+
+std::optional<stats::Interval> rmse_ratio_interval(const ClassError& first, const ClassError& second, double level) {
+    const auto ratio = rmse_log_ratio(first, second);
+    if (!ratio) return std::nullopt;
+    const double reach =
+        stats::student_critical(static_cast<double>(ratio->trials - 1), (1 - level) / 2) * ratio->standard_error;
+    return stats::Interval{std::exp(ratio->value - reach), std::exp(ratio->value + reach), level,
+                           "student_t_of_logarithm", ratio->trials};
+}
+
+double p_of_equal(const LogRatio& ratio) {
+    if (ratio.standard_error == 0) return ratio.value == 0 ? 1 : 0;
+    return stats::student_two_sided_p(ratio.value / ratio.standard_error, static_cast<double>(ratio.trials - 1));
+}
+
+}  // namespace ff::studies

@@ -1,0 +1,77 @@
+#pragma once
+
+#include "core/exact/known_factors.hpp"
+#include "core/geometry/scene.hpp"
+#include "core/visibility/pair_class.hpp"
+#include "stats/interval.hpp"
+#include "studies/analysis/summary.hpp"
+#include "studies/trials/estimates.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace ff::studies {
+
+/// How large the error of one run is on the pairs of a class, all of them together. Intervals rest on one value a
+/// trial, so that pairs of a trial may depend on each other.
+struct ClassError {
+    PairClass pair_class = PairClass::other;
+    std::size_t pairs = 0;
+    std::size_t trials = 0;
+    std::uint64_t evaluations = 0;  ///< N, of a face or of a pair of faces
+    VarianceStatus status = VarianceStatus::finite;
+    double rmse = 0;            ///< root mean square over trials and pairs; without a variance, of these trials only
+    double mean_square_se = 0;  ///< standard error of rmse², from trial to trial; 0 without a finite variance
+    std::optional<stats::Interval>
+        interval;  ///< of the RMSE: Student's t for the mean square, its root taken; none of few trials
+    double median_abs_error = 0;
+    double bias = 0;                                   ///< mean over pairs
+    std::optional<stats::Interval> bias_interval;      ///< Student's t
+    std::optional<double> variance;                    ///< mean over pairs, of one trial
+    std::optional<stats::Interval> variance_interval;  ///< Student's t for its logarithm; empty for few trials
+    std::optional<double> efficiency;                  ///< 1 / (rmse² N)
+    std::optional<stats::Interval> efficiency_interval;
+};
+
+/// Empty where none of the pairs with an exact value belongs to the class, or there is no trial.
+/// @param pairs  distinct ones
+/// @param status  of the estimates of this class: intervals and efficiency need a finite variance
+/// @param level  of the intervals, in (0, 1)
+std::optional<ClassError> class_error(const CellEstimates& estimates, const Scene& scene, const KnownFactors& known,
+                                      std::span<const Quantity> pairs, PairClass pair_class, VarianceStatus status,
+                                      double level);
+
+/// The same of errors, [trial * pairs + pair]; the class is left as it is. @pre at least one trial
+ClassError class_error_of(std::span<const double> errors, std::size_t pairs, std::uint64_t evaluations,
+                          VarianceStatus status, double level);
+
+/// Estimate - exact value, [trial * pairs + pair]. @pre all pairs have one
+std::vector<double> errors_of(const CellEstimates& estimates, std::span<const Quantity> pairs,
+                              const KnownFactors& known);
+
+/// Those of the pairs that have an exact value.
+std::vector<Quantity> known_pairs(std::span<const Quantity> pairs, const KnownFactors& known);
+
+/// Those of the pairs that belong to the class and face each other: where nothing can pass there is nothing to err.
+std::vector<Quantity> pairs_of_class(const Scene& scene, std::span<const Quantity> pairs, PairClass wanted);
+
+/// ln(second.rmse / first.rmse) of independent trials.
+struct LogRatio {
+    double value = 0;
+    double standard_error = 0;  ///< of both logarithms together, by the delta method
+    std::size_t trials = 0;     ///< the fewest; one less is the degrees of freedom
+};
+
+/// Errors without an interval count as exact; empty where both are.
+std::optional<LogRatio> rmse_log_ratio(const ClassError& first, const ClassError& second);
+
+/// Interval of second.rmse / first.rmse: exp(ln ratio ± t s). Empty as above.
+std::optional<stats::Interval> rmse_ratio_interval(const ClassError& first, const ClassError& second, double level);
+
+/// Two-sided p of equal RMSEs by Student's t.
+double p_of_equal(const LogRatio& ratio);
+
+}  // namespace ff::studies

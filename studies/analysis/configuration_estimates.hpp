@@ -1,0 +1,30 @@
+#pragma once
+
+#include "core/configurations/catalogue.hpp"
+#include "stats/interval.hpp"
+#include "studies/analysis/analysis.hpp"
+
+#include <optional>
+#include <vector>
+
+namespace ff::studies {
+
+/// What one cell says about a configuration of the catalogue. Of a face with itself all follows from what it sends to
+/// another, by closure.
+struct ConfigurationEstimate {
+    const Configuration* configuration = nullptr;
+    const CellFindings* found = nullptr;
+    double mean = 0;
+    double exact = 0;
+    double error = 0;                         ///< standard error; of a deterministic method |mean - exact|
+    std::optional<stats::Interval> interval;  ///< of the mean, at the study's level; empty without trials that vary
+    VarianceStatus variance = VarianceStatus::finite;  ///< why there may be none
+    double bias = 0;                                   ///< mean - exact
+    std::optional<double> standard_errors;             ///< bias in standard errors
+};
+
+/// In the order of the catalogue, then of the cells. Empty where no scene is one of the catalogue. Points into
+/// `findings`.
+std::vector<ConfigurationEstimate> configuration_estimates(const Findings& findings);
+
+}  // namespace ff::studies

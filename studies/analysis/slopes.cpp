@@ -1,0 +1,254 @@
+#include "studies/analysis/slopes.hpp"
+
+#include "core/exact/known_factors.hpp"
+#include "core/visibility/occlusion.hpp"
+#include "stats/convergence.hpp"
+#include "stats/distributions.hpp"
+#include "stats/multiplicity.hpp"
+#include "stats/power_law.hpp"
+#include "stats/quantiles.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+
+namespace ff::studies {
+namespace {
+
+/// Errors of this size are those of double precision.
+constexpr double rounding = 1e-12;
+
+/// Trials drawn by all resamples of a ladder together, about: more trials need fewer resamples.
+constexpr double most_draws = 4e6;
+
+/// Resamples of the trials of each size.
+stats::LadderDraws draw_trials(std::span<const CellEstimates> sizes, const StreamKey& key) {
+    std::vector<std::size_t> trials;
+    for (const CellEstimates& estimates : sizes) trials.push_back(estimates.trials());
+    return {trials, {key, resamples_of_ladder(std::accumulate(trials.begin(), trials.end(), std::uint64_t{0}))}};
+}
+
+double root_mean_square(std::span<const double> errors) {
+    return std::sqrt(std::inner_product(errors.begin(), errors.end(), errors.begin(), 0.0) /
+                     static_cast<double>(errors.size()));
+}
+
+/// The slope through one error at each size, without any interval.
+std::optional<double> deterministic_slope(std::span<const stats::Rung> rungs, ErrorSize error) {
+    std::vector<double> sizes;
+    std::vector<double> errors;
+    for (const stats::Rung& rung : rungs) {
+        sizes.push_back(rung.size);
+        errors.push_back(error == ErrorSize::rmse ? root_mean_square(rung.errors)
+                                                  : *stats::median_absolute_error(rung.errors, 0));
+        if (errors.back() < rounding) return std::nullopt;
+    }
+    const auto law = stats::fit_power_law(sizes, errors);
+    return law ? std::optional(-law->exponent) : std::nullopt;
+}
+
+/// p of "the slope lies between the expected rate and the slowest that its logarithms allow", or below it.
+std::optional<double> p_of_expected(const Slope& slope, double standard_error) {
+    if (!slope.expected || !slope.slope || standard_error <= 0) return std::nullopt;
+    const double above = (*slope.slope - slope.slowest_expected) / standard_error;
+    const double below = (slope.expected->rate - *slope.slope) / standard_error;
+    if (slope.expected->at_least) return stats::normal_tail(above);
+    const double z = std::max({above, below, 0.0});
+    return stats::normal_two_sided_p(z);
+}
+
+void fit(std::span<const stats::Rung> rungs, double level, const stats::LadderDraws& draws, Slope& slope) {
+    slope.points = rungs.size();
+    if (slope.expected && slope.expected->of_median && slope.error == ErrorSize::rmse) slope.expected.reset();
+    if (slope.variance == VarianceStatus::none) {
+        slope.slope = deterministic_slope(rungs, slope.error);
+        return;
+    }
+    if (slope.variance == VarianceStatus::infinite && slope.error == ErrorSize::rmse) return;
+    const auto rate = slope.error == ErrorSize::rmse ? stats::fit_rmse_rate(rungs, level, draws)
+                                                     : stats::fit_median_rate(rungs, level, draws);
+    if (!rate) return;
+    slope.slope = rate->rate;
+    const auto few = [](const stats::Rung& rung) { return rung.replicates() < stats::fewest_replicates; };
+    slope.few_trials = std::any_of(rungs.begin(), rungs.end(), few);
+    if (slope.few_trials) return;
+    slope.interval = rate->bootstrap;
+    if (slope.error == ErrorSize::rmse) slope.from_fit = rate->interval;
+    slope.lack_of_fit_p = rate->lack_of_fit_p;
+    if (slope.expected) {
+        const double middle = std::sqrt(rungs.front().size * rungs.back().size);
+        slope.slowest_expected = slope.expected->slowest(middle);
+        slope.p = p_of_expected(slope, rate->standard_error);
+    }
+}
+
+/// All that is fitted to one ladder.
+class LadderFit {
+  public:
+    LadderFit(const Store& store, const Findings& findings, const Ladder& ladder)
+        : plan_(store.plan()),
+          findings_(findings),
+          ladder_(ladder),
+          estimates_(load(store, ladder)),
+          known_(known_factors(plan_.scenes[ladder.scene])),
+          draws_(draw_trials(estimates_, key())) {}
+
+    [[nodiscard]] LadderSlopes slopes() const {
+        LadderSlopes found;
+        found.ladder = ladder_;
+        const Method& method = plan_.spec.methods[ladder_.method];
+        const auto pairs = known_pairs(distinct_pairs(estimates_.front().faces, method.completion), known_);
+        for (const PairClass pair_class : {PairClass::parallel, PairClass::adjacent, PairClass::other}) {
+            const auto members = pairs_of_class(plan_.scenes[ladder_.scene], pairs, pair_class);
+            if (!members.empty()) found.classes.push_back(class_slopes(pair_class, members));
+        }
+        for (const Quantity pair : pairs) {
+            for (const ErrorSize error : {ErrorSize::rmse, ErrorSize::median_abs_error})
+                found.pairs.push_back(slope(std::array{pair}, pair, error));
+        }
+        return found;
+    }
+
+  private:
+    static std::vector<CellEstimates> load(const Store& store, const Ladder& ladder) {
+        std::vector<CellEstimates> estimates;
+        for (const std::size_t cell : ladder.cells) estimates.push_back(load_estimates(store, cell));
+        return estimates;
+    }
+
+    /// The same for all pairs and errors of the ladder: their trials are drawn together.
+    [[nodiscard]] StreamKey key() const {
+        const std::string text = fmt::format("slope|{}|{}|{}", plan_.cells[ladder_.cells.front()].canonical,
+                                             name(plan_.spec.methods[ladder_.method].completion), ladder_.cells.size());
+        return derive_key(plan_.spec.seed, text);
+    }
+
+    [[nodiscard]] PairClass class_of(Quantity pair) const {
+        return pair_class(plan_.scenes[ladder_.scene], pair.from - 1, pair.to - 1);
+    }
+
+    [[nodiscard]] Hiding hiding(std::span<const Quantity> pairs) const {
+        const Scene& scene = plan_.scenes[ladder_.scene];
+        return std::any_of(pairs.begin(), pairs.end(),
+                           [&](Quantity pair) { return may_be_occluded(scene, pair.from - 1, pair.to - 1); })
+                   ? Hiding::possible
+                   : Hiding::none;
+    }
+
+    [[nodiscard]] std::vector<stats::Rung> rungs(std::span<const Quantity> pairs) const {
+        std::vector<stats::Rung> rungs;
+        for (const CellEstimates& estimates : estimates_) {
+            stats::Rung& rung = rungs.emplace_back();
+            rung.size = static_cast<double>(estimates.evaluations_per_face);
+            rung.width = pairs.size();
+            rung.errors = errors_of(estimates, pairs, known_);
+        }
+        return rungs;
+    }
+
+    [[nodiscard]] Slope slope(std::span<const Quantity> pairs, std::optional<Quantity> pair, ErrorSize error) const {
+        const Method& method = plan_.spec.methods[ladder_.method];
+        Slope slope;
+        slope.pair = pair;
+        slope.pair_class = class_of(pairs.front());
+        slope.error = error;
+        slope.variance = variance_of(pairs.front());
+        if (ladder_.growth == Growth::samples) slope.expected = expected_rate(method, slope.pair_class, hiding(pairs));
+        fit(rungs(pairs), plan_.spec.level, draws_, slope);
+        return slope;
+    }
+
+    /// Sparse hits make no test of a mean, but their spread is one all the same.
+    [[nodiscard]] VarianceStatus variance_of(Quantity pair) const {
+        const VarianceStatus status = findings_.cells[ladder_.cells.front()].summary(pair).variance;
+        return status == VarianceStatus::sparse ? VarianceStatus::finite : status;
+    }
+
+    [[nodiscard]] ClassSlopes class_slopes(PairClass pair_class, std::span<const Quantity> members) const {
+        ClassSlopes found;
+        found.pair_class = pair_class;
+        found.pairs = members.size();
+        found.rmse = slope(members, std::nullopt, ErrorSize::rmse);
+        found.median = slope(members, std::nullopt, ErrorSize::median_abs_error);
+        for (const std::size_t cell : ladder_.cells) {
+            if (const ClassError* error = findings_.cells[cell].class_error(pair_class)) found.sizes.push_back(*error);
+        }
+        return found;
+    }
+
+    const StudyPlan& plan_;
+    const Findings& findings_;
+    const Ladder& ladder_;
+    std::vector<CellEstimates> estimates_;
+    KnownFactors known_;
+    stats::LadderDraws draws_;
+};
+
+RateFinding judge(const ClassSlopes& found, double level) {
+    const Slope& slope = found.judged();
+    if (!slope.slope || !slope.interval) return RateFinding::no_slope;
+    if (!found.adjusted_p) return RateFinding::no_theory;
+    if (*found.adjusted_p >= 1 - level) return RateFinding::as_expected;
+    return *slope.slope > slope.slowest_expected ? RateFinding::slower : RateFinding::faster;
+}
+
+/// Every class of every ladder is looked at for a bend.
+void judge_straightness(std::vector<LadderSlopes>& ladders, double level) {
+    std::vector<ClassSlopes*> family;
+    std::vector<double> p_values;
+    for (LadderSlopes& ladder : ladders) {
+        for (ClassSlopes& found : ladder.classes) {
+            if (!found.judged().lack_of_fit_p) continue;
+            family.push_back(&found);
+            p_values.push_back(*found.judged().lack_of_fit_p);
+        }
+    }
+    const auto adjusted = stats::holm(p_values);
+    for (std::size_t i = 0; i < family.size(); ++i) family[i]->bent = adjusted[i] < 1 - level;
+}
+
+/// Verdicts over the whole table.
+void judge_together(std::vector<LadderSlopes>& ladders, double level) {
+    std::vector<ClassSlopes*> family;
+    std::vector<double> p_values;
+    for (LadderSlopes& ladder : ladders) {
+        for (ClassSlopes& found : ladder.classes) {
+            if (!found.judged().p) continue;
+            family.push_back(&found);
+            p_values.push_back(*found.judged().p);
+        }
+    }
+    const auto adjusted = stats::holm(p_values);
+    for (std::size_t i = 0; i < family.size(); ++i) family[i]->adjusted_p = adjusted[i];
+    judge_straightness(ladders, level);
+    for (LadderSlopes& ladder : ladders) {
+        for (ClassSlopes& found : ladder.classes) found.finding = judge(found, level);
+    }
+}
+
+}  // namespace
+
+std::string_view name(ErrorSize size) {
+    return size == ErrorSize::rmse ? "rmse" : "median_abs_error";
+}
+
+std::uint32_t resamples_of_ladder(std::uint64_t trials) {
+    constexpr std::array choices{1999u, 999u, 399u, 199u};
+    return *std::find_if(choices.begin(), choices.end() - 1, [trials](std::uint32_t resamples) {
+        return resamples * static_cast<double>(trials) <= most_draws;
+    });
+}
+
+std::vector<LadderSlopes> fit_slopes(const Store& store, const Findings& findings) {
+    if (!findings.complete) return {};
+    std::vector<LadderSlopes> ladders;
+    for (const Ladder& ladder : find_ladders(store.plan()))
+        ladders.push_back(LadderFit(store, findings, ladder).slopes());
+    judge_together(ladders, store.plan().spec.level);
+    return ladders;
+}
+
+}  // namespace ff::studies

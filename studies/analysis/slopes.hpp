@@ -1,0 +1,74 @@
+#pragma once
+
+#include "core/visibility/pair_class.hpp"
+#include "stats/interval.hpp"
+#include "studies/analysis/analysis.hpp"
+#include "studies/plan/ladders.hpp"
+#include "studies/theory/expected_rate.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+namespace ff::studies {
+
+/// Which size of the error a slope belongs to.
+enum class ErrorSize { rmse, median_abs_error };
+std::string_view name(ErrorSize size);
+
+/// How the error falls with the number of evaluations N: the slope of its logarithm on ln N.
+struct Slope {
+    std::optional<Quantity> pair;  ///< empty for all pairs of a class together
+    PairClass pair_class = PairClass::other;
+    ErrorSize error = ErrorSize::rmse;
+    VarianceStatus variance = VarianceStatus::finite;
+    std::size_t points = 0;                   ///< sizes behind it
+    std::optional<double> slope;              ///< empty without variance (rmse), or where the error is rounding
+    std::optional<stats::Interval> interval;  ///< bootstrap over whole trials; empty for deterministic methods
+    std::optional<stats::Interval> from_fit;  ///< from the weights of the fit; rmse only
+    std::optional<double> lack_of_fit_p;      ///< of a straight line; rmse only
+    std::optional<ExpectedRate> expected;
+    double slowest_expected = 0;  ///< ExpectedRate::slowest at the middle of the ladder
+    std::optional<double> p;      ///< of the slope being as expected
+    bool few_trials = false;      ///< at some size: there is neither an interval nor a p
+};
+
+/// What theory and trials together say about a class of pairs.
+enum class RateFinding {
+    as_expected,  ///< no difference found at the study's level, over all classes of all methods together (Holm)
+    slower,
+    faster,  ///< than expected
+    no_theory,
+    no_slope,  ///< deterministic, no variance, few trials, or errors of rounding only
+};
+
+struct ClassSlopes {
+    PairClass pair_class = PairClass::other;
+    std::size_t pairs = 0;
+    Slope rmse;
+    Slope median;
+    std::vector<ClassError> sizes;
+    std::optional<double> adjusted_p;  ///< Holm over all classes of all ladders with an expected rate
+    RateFinding finding = RateFinding::no_slope;
+    bool bent = false;  ///< not a straight line: at the study's level over all classes of all ladders (Holm)
+
+    /// The slope that is compared with theory: of the RMSE, or of the median where there is no variance.
+    [[nodiscard]] const Slope& judged() const { return rmse.variance == VarianceStatus::infinite ? median : rmse; }
+};
+
+struct LadderSlopes {
+    Ladder ladder;
+    std::vector<ClassSlopes> classes;
+    std::vector<Slope> pairs;  ///< rmse and median of every distinct pair
+};
+
+/// Resamples behind the intervals of a ladder's slopes, by the trials of all its sizes together: as many as these
+/// allow, of (resamples + 1) / 40 whole.
+std::uint32_t resamples_of_ladder(std::uint64_t trials);
+
+/// Slopes of all ladders of a complete study. Pure.
+std::vector<LadderSlopes> fit_slopes(const Store& store, const Findings& findings);
+
+}  // namespace ff::studies

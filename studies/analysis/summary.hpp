@@ -1,0 +1,61 @@
+#pragma once
+
+#include "core/points/stream.hpp"
+#include "core/visibility/pair_class.hpp"
+#include "stats/interval.hpp"
+#include "studies/theory/known_variance.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string_view>
+
+namespace ff::studies {
+
+/// Statistics of one quantity over all trials of a cell. What does not exist is empty: no interval for a deterministic
+/// method or under infinite variance, no bias without an exact value.
+struct Summary {
+    Quantity quantity;
+    std::optional<PairClass> pair_class;  ///< of form factors
+    VarianceStatus variance = VarianceStatus::finite;
+    std::size_t trials = 0;
+    std::size_t not_finite = 0;  ///< trials that gave infinity or no number; where there are some, the rest is empty
+    std::optional<double> reference;
+    std::optional<double> mean;
+    std::optional<double> bias;
+    std::optional<double> bias_se;
+    std::optional<stats::Interval> bias_interval;
+    std::optional<double> minimum_detectable_bias;  ///< at the family-wise level and the power of the study; empty
+                                                    ///< where the trials are few, or none is possible
+    std::optional<double> std;
+    std::optional<stats::Interval> std_interval;
+    std::optional<double> rmse;
+    std::optional<double> median_abs_error;
+    std::optional<double> relative_error_percent;  ///< mean over trials of 100 |estimate - reference| / reference
+    std::optional<double> skewness;
+    std::optional<double> excess_kurtosis;
+    std::optional<double> min, q05, median, q95, max;
+    std::optional<double> q025, q975;   ///< 95 % range of a single run
+    std::optional<double> normality_p;  ///< Anderson-Darling; hit counts are jittered by half a hit
+    std::optional<double> vov;
+    std::optional<double> tail_index;
+    std::optional<double> efficiency_samples;  ///< 1 / (variance * evaluations per face)
+};
+
+/// What `summarise` needs to know about a quantity besides its values.
+struct SummaryRequest {
+    Quantity quantity;
+    std::optional<PairClass> pair_class;
+    VarianceStatus variance = VarianceStatus::finite;
+    std::optional<double> reference;
+    std::optional<double> lattice;  ///< spacing of possible values
+    std::uint64_t evaluations_per_face = 0;
+    double level = 0.95;         ///< of intervals
+    double detectable_bias = 0;  ///< that the family-wise test finds with this many trials of standard deviation 1
+    std::optional<std::size_t> pilot;  ///< trials of the pilot, after two stages
+    StreamKey key;                     ///< for jitter and bootstrap
+};
+
+Summary summarise(std::span<const double> values, const SummaryRequest& request);
+
+}  // namespace ff::studies

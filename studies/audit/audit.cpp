@@ -1,0 +1,342 @@
+#include "studies/audit/audit.hpp"
+
+#include "core/support/error.hpp"
+#include "stats/distributions.hpp"
+#include "studies/audit/blame.hpp"
+#include "studies/audit/explain.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace ff::studies {
+namespace {
+
+bool is_value(const Figure& figure) {
+    return figure.kind == FigureKind::form_factor || figure.kind == FigureKind::row_sum;
+}
+
+/// The steps of an audit, in the order in which they build on each other.
+class Auditor {
+  public:
+    Auditor(const PublishedTables& tables, const AuditOptions& options, DistributionCache& cache)
+        : tables_(tables), cache_(cache), facts_(scene_facts(tables)), experiments_(collect_experiments(tables)) {
+        report_.source = tables.source;
+        report_.figures = tables.figures.size();
+        report_.alpha = options.alpha;
+    }
+
+    AuditReport run() {
+        judge_formats();
+        judge_references();
+        judge_readings();
+        set_z_limit();
+        for (const Experiment& experiment : experiments_) judge_experiment(experiment);
+        judge_spreads();
+        sort_findings();
+        return std::move(report_);
+    }
+
+  private:
+    void add(Finding finding) {
+        if (finding.involved.empty()) finding.involved = finding.figures;
+        report_.findings.push_back(std::move(finding));
+    }
+
+    // How values are printed ------------------------------------------------------------------------------------
+
+    void judge_formats() {
+        for (const Experiment& experiment : experiments_) {
+            const bool known = std::any_of(report_.formats.begin(), report_.formats.end(),
+                                           [&](const FormatFinding& f) { return f.method == experiment.method; });
+            if (known) continue;
+            report_.formats.push_back(infer_format(tables_, experiment.method));
+            if (!report_.formats.back().evidence.empty()) judge_printing_rule(report_.formats.back());
+        }
+    }
+
+    /// Does the publication print as it says?
+    void judge_printing_rule(const FormatFinding& finding) {
+        if (tables_.rule == PrintingRule::unstated) return;
+        const Rounding stated = tables_.rule == PrintingRule::rounded ? Rounding::rounded : Rounding::truncated;
+        const FormatEvidence& best = finding.evidence.front();
+        if (best.format.rounding == stated) return;
+        const auto other = std::find_if(finding.evidence.begin(), finding.evidence.end(),
+                                        [&](const FormatEvidence& e) { return e.format.rounding == stated; });
+        const double log_odds = best.log_likelihood - other->log_likelihood;
+        if (log_odds < std::log(refuting_odds)) return;
+        Finding f;
+        f.id = fmt::format("printing rule: {}", finding.method);
+        f.relation = Relation::printing_rule;
+        f.statement =
+            fmt::format("The publication says that its figures are {}, but those of {} are {}.",
+                        stated == Rounding::rounded ? "rounded" : "truncated", finding.method, describe(best.format));
+        for (const FormatEvidence* e : {&best, &*other}) {
+            f.evidence.push_back({Relation::integrality,
+                                  fmt::format("{}: {} of {} figures are a whole number of hits, {:.1f} expected by "
+                                              "chance (p = {:.2g}).",
+                                              describe(e->format), e->whole, e->figures, e->expected, e->chance),
+                                  {}});
+        }
+        f.evidence.push_back(
+            {Relation::printing_rule, fmt::format("Odds 10^{:.0f} to 1.", log_odds / std::log(10.0)), {}});
+        add(std::move(f));
+    }
+
+    FormatFinding& format_of_method(const std::string& method) {
+        return *std::find_if(report_.formats.begin(), report_.formats.end(),
+                             [&](const FormatFinding& f) { return f.method == method; });
+    }
+
+    // What errors are relative to -------------------------------------------------------------------------------
+
+    void judge_references() {
+        std::vector<NumberFormat> formats;
+        for (const Figure& figure : tables_.figures) formats.push_back(format_of_method(figure.method).format);
+        report_.references = infer_references(tables_, facts_, formats);
+        for (const InferredReference& r : report_.references.references) {
+            if (r.source != ReferenceSource::shortened) continue;
+            Finding f;
+            f.id = fmt::format("reference: {} {}", r.table, r.pair_class);
+            f.relation = Relation::reference;
+            f.statement = fmt::format("The relative errors of {} ({} pairs) are relative to {}, not to the stated {}.",
+                                      r.table, r.pair_class, r.text, r.stated);
+            f.figures = r.unexplained_by_stated;
+            f.evidence.push_back({Relation::relative_error,
+                                  fmt::format("{} explains {} of {} different rows, {} explains {}.", r.text,
+                                              r.explained, r.rows, r.stated, r.explained_by_stated),
+                                  {}});
+            add(std::move(f));
+        }
+        check_reference(tables_.reference_parallel, PairClass::parallel);
+        check_reference(tables_.reference_adjacent, PairClass::adjacent);
+    }
+
+    /// A stated reference must be a print of the exact value of some pair.
+    void check_reference(const std::optional<std::string>& stated, PairClass kind) {
+        if (!stated || !facts_.exact) return;
+        const PrintedNumber number = *parse_printed(*stated);
+        double nearest = 0;
+        for (int i = 0; i < static_cast<int>(facts_.faces()); ++i) {
+            for (int j = 0; j < static_cast<int>(facts_.faces()); ++j) {
+                if (i == j || pair_class(facts_.scene, i, j) != kind) continue;
+                const double exact = (*facts_.exact)(i, j);
+                for (const Rounding rounding : {Rounding::rounded, Rounding::truncated}) {
+                    const auto range = printed_range(number, {rounding, Layout::fixed_decimals, number.decimals});
+                    if (range && range->contains(exact)) return;
+                }
+                if (nearest == 0 || std::abs(exact - number.value()) < std::abs(nearest - number.value()))
+                    nearest = exact;
+            }
+        }
+        Finding f;
+        f.id = fmt::format("stated reference: {}", name(kind));
+        f.relation = Relation::reference;
+        f.statement = fmt::format("The stated reference {} of {} pairs is not the exact value {:.9f}.", *stated,
+                                  name(kind), nearest);
+        add(std::move(f));
+    }
+
+    // What columns mean -----------------------------------------------------------------------------------------
+
+    void judge_readings() {
+        NumberFormat format{};
+        for (const std::string& method : tables_.sampling_methods) {
+            for (const FormatFinding& f : report_.formats) {
+                if (f.method == method) format = f.format;
+            }
+        }
+        report_.readings = weigh_readings(tables_, facts_, format, cache_);
+        for (const ReadingEvidence& reading : report_.readings) {
+            if (reading.log_odds == 0) apply_reading(reading);
+            if (!reading.refuted || reading.stated_in.empty()) continue;
+            Finding f;
+            f.id = fmt::format("reading: {} {}", reading.table, reading.statement);
+            f.relation = Relation::reading;
+            f.statement = fmt::format(
+                "{}: the {} and the figures contradict each other (reading \"{}\": odds 10^{:.0f} "
+                "to 1 against it).",
+                reading.table, reading.stated_in, reading.statement, -reading.log_odds / std::log(10.0));
+            f.evidence.push_back({Relation::integrality,
+                                  fmt::format("{} of {} figures are a whole number of hits, {:.1f} expected by chance.",
+                                              reading.hits.whole, reading.hits.figures, reading.hits.expected),
+                                  {}});
+            for (std::size_t column = 0; column < reading.spread.size(); ++column) {
+                const auto& spread = reading.spread[column];
+                if (!spread) continue;
+                f.evidence.push_back(
+                    {Relation::spread,
+                     fmt::format("Column {} with {} rays per face: chi-squared {:.3g} with {} degrees of freedom (p = "
+                                 "{:.2g} for as far, {:.2g} for as close).",
+                                 column + 1, reading.rays_per_face[column], spread->chi_squared.statistic,
+                                 spread->chi_squared.freedom, spread->too_far, spread->too_close),
+                     {}});
+            }
+            add(std::move(f));
+        }
+    }
+
+    void apply_reading(const ReadingEvidence& reading) {
+        for (Experiment& experiment : experiments_) {
+            const Figure& figure = tables_.figures[experiment.figures.front()];
+            if (!experiment.rays_per_face || figure.table != reading.table) continue;
+            experiment.rays_per_face = reading.rays_per_face[figure.column];
+        }
+    }
+
+    // Every experiment ------------------------------------------------------------------------------------------
+
+    void set_z_limit() {
+        const double single = report_.alpha / 2;
+        for (const Experiment& experiment : experiments_) {
+            if (!experiment.rays_per_face) continue;
+            report_.plausibility_tests += facts_.faces() * (facts_.faces() + 1);  // all pairs and sums, printed or not
+        }
+        const auto tests = static_cast<double>(std::max<std::size_t>(1, report_.plausibility_tests));
+        report_.z_limit = stats::normal_critical(single / (2 * tests));
+    }
+
+    struct Judged {
+        ExperimentModel model;
+        Interpretation interpretation;
+        std::vector<JudgedDiagnosis> diagnoses;
+    };
+
+    Judged judge_as(const Experiment& experiment, NumberFormat format) {
+        Judged judged;
+        judged.interpretation = {format, report_.references.rounding, report_.references.reference};
+        judged.model = build_model(tables_, facts_, experiment, judged.interpretation, cache_, report_.z_limit);
+        try {
+            judged.diagnoses = judge_diagnoses(tables_, facts_, judged.model, judged.interpretation);
+        } catch (const UserError& error) {
+            throw UserError(fmt::format("{}: {}", describe(experiment), error.what()));
+        }
+        return judged;
+    }
+
+    void judge_experiment(const Experiment& experiment) {
+        FormatFinding& format = format_of_method(experiment.method);
+        Judged judged = judge_as(experiment, format.format);
+        if (!experiment.rays_per_face && !judged.diagnoses.empty() && judged.diagnoses.front().diagnosis.cost > 0) {
+            // Without hits to tell rounding from truncation, a figure is wrong only if it is wrong under both.
+            NumberFormat other = format.format;
+            other.rounding = other.rounding == Rounding::rounded ? Rounding::truncated : Rounding::rounded;
+            Judged again = judge_as(experiment, other);
+            if (!again.diagnoses.empty() &&
+                again.diagnoses.front().diagnosis.cost < judged.diagnoses.front().diagnosis.cost - 0.5) {
+                judged = std::move(again);
+            }
+        }
+        for (Finding& finding :
+             explain_diagnosis(tables_, facts_, experiment, judged.model, judged.interpretation, judged.diagnoses)) {
+            add_hints(finding, judged.interpretation);
+            add(std::move(finding));
+        }
+        if (experiment.rays_per_face) recover_hits(experiment, judged);
+    }
+
+    /// What may have gone wrong, where the figures show it.
+    void add_hints(Finding& finding, const Interpretation& interpretation) const {
+        for (const Correction& correction : finding.corrections) {
+            const Figure& figure = tables_.figures[correction.figure];
+            if (!is_value(figure)) {
+                NumberFormat other = format_of(figure, interpretation);
+                other.rounding = other.rounding == Rounding::rounded ? Rounding::truncated : Rounding::rounded;
+                const auto range = printed_range(*parse_printed(figure.printed), other);
+                if (range && range->low <= correction.values.high && range->high >= correction.values.low) {
+                    finding.evidence.push_back(
+                        {Relation::printing_rule,
+                         fmt::format("{} would be right if it were {}.", figure.printed, describe(other)),
+                         {}});
+                }
+                continue;
+            }
+            for (std::size_t f = 0; f < tables_.figures.size(); ++f) {
+                const Figure& twin = tables_.figures[f];
+                if (f == correction.figure || twin.method != figure.method || twin.printed != figure.printed) continue;
+                if (twin.kind != figure.kind || correction.edits < 2) continue;
+                finding.evidence.push_back(
+                    {Relation::print,
+                     fmt::format("The same digits stand in {}: perhaps copied.", describe(tables_, f)),
+                     {}});
+            }
+        }
+    }
+
+    void recover_hits(const Experiment& experiment, const Judged& judged) {
+        std::vector<SampledValue> values;
+        for (const FigureLink& link : judged.model.links) {
+            const Constraint& constraint = judged.model.system.constraints[link.constraint];
+            if (constraint.kind != ConstraintKind::linear || !link.quantity) continue;
+            const Variable& variable = judged.model.system.variables[link.quantity->variable];
+            RecoveredHits hits{
+                .figure = link.figure, .rays = *experiment.rays_per_face, .printed = {}, .consistent = {}};
+            if (variable.rays && link.quantity->factor == 1) {
+                hits.printed = possible_hits(constraint.values, *variable.rays);
+            }
+            if (!judged.diagnoses.empty()) {
+                const Range range = judged.diagnoses.front().diagnosis.ranges[link.quantity->variable];
+                if (variable.rays) hits.consistent = possible_hits(range, *variable.rays);
+                values.push_back({link.figure, link.quantity->factor * range.middle()});
+            }
+            report_.hits.push_back(hits);
+        }
+        if (!judged.model.distribution) return;
+        if (const auto spread = weigh_spread(tables_, facts_, *judged.model.distribution, values)) {
+            report_.spreads.push_back({describe(experiment), *spread});
+        }
+    }
+
+    void judge_spreads() {
+        const double level =
+            report_.alpha / 2 / (2 * static_cast<double>(std::max<std::size_t>(1, report_.spreads.size())));
+        for (const SpreadFinding& s : report_.spreads) {
+            const bool far = s.spread.too_far < level;
+            if (!far && s.spread.too_close >= level) continue;
+            Finding f;
+            f.id = fmt::format("spread: {}", s.experiment);
+            f.relation = Relation::spread;
+            f.statement = fmt::format(
+                "{}: the values lie together too {} the exact ones for chance (chi-squared {:.3g} "
+                "with {} degrees of freedom, p = {:.2g}).",
+                s.experiment, far ? "far from" : "close to", s.spread.chi_squared.statistic,
+                s.spread.chi_squared.freedom, far ? s.spread.too_far : s.spread.too_close);
+            f.involved = s.spread.figures;
+            add(std::move(f));
+        }
+    }
+
+    void sort_findings() {
+        const auto place = [](const Finding& f) { return f.figures.empty() ? std::size_t{0} : f.figures.front() + 1; };
+        std::stable_sort(report_.findings.begin(), report_.findings.end(), [&](const Finding& a, const Finding& b) {
+            if (a.severity != b.severity) return a.severity < b.severity;
+            return place(a) < place(b);
+        });
+    }
+
+    const PublishedTables& tables_;
+    DistributionCache& cache_;
+    SceneFacts facts_;
+    std::vector<Experiment> experiments_;
+    AuditReport report_;
+};
+
+}  // namespace
+
+std::size_t AuditReport::contradictions() const {
+    return static_cast<std::size_t>(std::count_if(
+        findings.begin(), findings.end(), [](const Finding& f) { return f.severity == Severity::contradiction; }));
+}
+
+AuditReport audit(const PublishedTables& tables, const AuditOptions& options, DistributionCache& cache) {
+    return Auditor(tables, options, cache).run();
+}
+
+AuditReport audit(const PublishedTables& tables, const AuditOptions& options) {
+    DistributionCache cache;
+    return audit(tables, options, cache);
+}
+
+}  // namespace ff::studies

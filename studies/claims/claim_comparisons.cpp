@@ -1,0 +1,226 @@
+#include "studies/claims/claim_judgements.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+namespace ff::studies {
+namespace {
+
+/// Mean over pairs of the relative error, by trial.
+std::vector<double> class_errors(const ClaimEvidence& evidence, std::size_t cell, const std::vector<Quantity>& pairs) {
+    std::vector<double> errors;
+    for (std::size_t t = 0; t < evidence.estimates(cell).trials(); ++t) {
+        const auto each = evidence.pair_errors(cell, t, pairs);
+        errors.push_back(std::accumulate(each.begin(), each.end(), 0.0) / static_cast<double>(each.size()));
+    }
+    return errors;
+}
+
+/// Whether the errors of `a` are smaller than those of `b`; a lone value stands for every trial.
+Judgement compare_errors(const std::string& what, const std::string& name_a, const std::vector<double>& a,
+                         const std::string& name_b, const std::vector<double>& b, double level) {
+    const MeanWithError mean_a = mean_with_error(a, level);
+    const MeanWithError mean_b = mean_with_error(b, level);
+    const std::size_t trials = std::max(a.size(), b.size());
+    std::size_t smaller = 0;
+    for (std::size_t t = 0; t < trials; ++t) {
+        if (a[a.size() == 1 ? 0 : t] < b[b.size() == 1 ? 0 : t]) ++smaller;
+    }
+    const auto verdict = mean_a.high() < mean_b.low()   ? ClaimVerdict::supported
+                         : mean_a.low() > mean_b.high() ? ClaimVerdict::refuted
+                                                        : ClaimVerdict::inconclusive;
+    return {verdict, fmt::format("{}: {} {}, {} {}; {} is closer in {}.", what, name_a, percent(mean_a), name_b,
+                                 percent(mean_b), name_a, percent(share_of(smaller, trials, level)))};
+}
+
+Judgement judge_class(const ClaimEvidence& evidence, const PublishedClaim& claim, std::size_t first, std::size_t second,
+                      const std::string& pair_class) {
+    const auto a = evidence.cells(claim, first);
+    const auto b = evidence.cells(claim, second);
+    if (a.empty() || b.empty()) return not_in_study();
+    const auto pairs = evidence.pairs(pair_class);
+    return compare_errors(fmt::format("Mean r.e. of {} pairs", pair_class), claim.methods[first],
+                          class_errors(evidence, a.front(), pairs), claim.methods[second],
+                          class_errors(evidence, b.front(), pairs), evidence.findings().plan.spec.level);
+}
+
+/// A method of the study, and its mean error on a class of pairs.
+struct Contender {
+    std::string name;
+    MeanWithError error;  ///< the intervals of all contenders of a claim hold at once: the best of many is picked
+    bool deterministic = false;
+
+    [[nodiscard]] bool is_exact() const { return error.mean < rounding_percent; }
+};
+
+/// Sampled and quadrature methods at the claim's size, by mean error on each class of pairs.
+struct Contenders {
+    std::vector<Contender> parallel;
+    std::vector<Contender> adjacent;
+};
+
+/// The cells of these methods.
+std::vector<std::size_t> contending_cells(const ClaimEvidence& evidence, const PublishedClaim& claim) {
+    const Findings& findings = evidence.findings();
+    std::vector<std::size_t> result;
+    for (std::size_t i = 0; i < findings.plan.cells.size(); ++i) {
+        const Cell& cell = findings.plan.cells[i];
+        const Method& method = findings.plan.spec.methods[cell.method];
+        if (cell.scene != evidence.scene()) continue;
+        const bool same_size = names(claim.patches_per_face, cell.subdivision.per_part()) &&
+                               (cell.deterministic || names(claim.samples_per_patch, cell.samples));
+        if (!same_size || method.estimator == Estimator::closed_form || findings.cells[i].trials == 0) continue;
+        result.push_back(i);
+    }
+    return result;
+}
+
+Contenders contenders(const ClaimEvidence& evidence, const PublishedClaim& claim) {
+    const StudyPlan& plan = evidence.findings().plan;
+    const auto cells = contending_cells(evidence, claim);
+    const double level = 1 - (1 - plan.spec.level) / (2 * static_cast<double>(std::max<std::size_t>(cells.size(), 1)));
+    const auto sorted = [&](const std::string& pair_class) {
+        const auto pairs = evidence.pairs(pair_class);
+        std::vector<Contender> result;
+        for (const std::size_t cell : cells) {
+            result.push_back({plan.spec.methods[plan.cells[cell].method].name,
+                              mean_with_error(class_errors(evidence, cell, pairs), level),
+                              plan.cells[cell].deterministic});
+        }
+        std::stable_sort(result.begin(), result.end(),
+                         [](const Contender& a, const Contender& b) { return a.error.mean < b.error.mean; });
+        return result;
+    };
+    return {sorted("parallel"), sorted("adjacent")};
+}
+
+/// The best; all of them where nothing is left but rounding, which makes no winner.
+std::string best_in_words(const std::vector<Contender>& sorted) {
+    if (sorted.empty()) return "none";
+    if (!sorted.front().is_exact()) return fmt::format("{} ({:.2g} %)", sorted.front().name, sorted.front().error.mean);
+    std::vector<std::string> exact;
+    for (const Contender& contender : sorted) {
+        if (contender.is_exact() && std::find(exact.begin(), exact.end(), contender.name) == exact.end())
+            exact.push_back(contender.name);
+    }
+    return fmt::format("{} (exact to rounding)", fmt::join(exact, ", "));
+}
+
+/// The best method of a kind, and between what its error lies, whichever of them is the best.
+struct BestOfKind {
+    std::string words;
+    double low = 0;
+    double high = 0;
+};
+
+std::optional<BestOfKind> best_of_kind(const std::vector<Contender>& sorted, bool deterministic) {
+    std::optional<BestOfKind> best;
+    for (const Contender& contender : sorted) {
+        if (contender.deterministic != deterministic) continue;
+        if (!best) {
+            best = {fmt::format("{} ({})", contender.name, percent(contender.error)), contender.error.low(),
+                    contender.error.high()};
+        }
+        best->low = std::min(best->low, contender.error.low());
+        best->high = std::min(best->high, contender.error.high());
+    }
+    return best;
+}
+
+/// Whether, on a class of pairs, the best method of the kind that is advised errs less than the best of the other.
+struct RuleOnClass {
+    ClaimVerdict verdict = ClaimVerdict::inconclusive;
+    std::string evidence;
+};
+
+std::optional<RuleOnClass> judge_rule(const std::vector<Contender>& sorted, bool deterministic_advised) {
+    const auto advised = best_of_kind(sorted, deterministic_advised);
+    const auto other = best_of_kind(sorted, !deterministic_advised);
+    if (!advised || !other) return std::nullopt;
+    RuleOnClass rule;
+    rule.evidence = fmt::format("{} against {}", advised->words, other->words);
+    if (advised->high < other->low) rule.verdict = ClaimVerdict::supported;
+    if (advised->low > other->high) rule.verdict = ClaimVerdict::refuted;
+    return rule;
+}
+
+ClaimVerdict both(ClaimVerdict a, ClaimVerdict b) {
+    if (a == ClaimVerdict::refuted || b == ClaimVerdict::refuted) return ClaimVerdict::refuted;
+    return a == b ? a : ClaimVerdict::inconclusive;
+}
+
+std::string_view right_or_wrong(ClaimVerdict verdict) {
+    switch (verdict) {
+        case ClaimVerdict::supported:
+            return "right";
+        case ClaimVerdict::refuted:
+            return "wrong";
+        case ClaimVerdict::inconclusive:
+            break;
+    }
+    return "neither shown to be right nor to be wrong";
+}
+
+/// The advice itself: as between the two methods, and as a rule about their kinds where others of the study are better.
+std::string advice_in_words(const PublishedClaim& claim, ClaimVerdict verdict, const Contenders& all, double level) {
+    std::string words = fmt::format(
+        "Between these two methods the advice ({} for parallel faces, {} for perpendicular ones) was {}, with {:g} % "
+        "confidence.",
+        claim.methods[0], claim.methods[1], right_or_wrong(verdict), 100 * level);
+    const auto on_parallel = judge_rule(all.parallel, true);
+    const auto on_adjacent = judge_rule(all.adjacent, false);
+    if (!on_parallel || !on_adjacent) return words + " ";
+    return words +
+           fmt::format(
+               " As a rule (deterministic for parallel faces, Monte Carlo for perpendicular ones) it was {} among the "
+               "methods of this study at this size. The best of each kind, with intervals that hold for all methods at "
+               "once: on parallel pairs {}; on perpendicular ones {}. ",
+               right_or_wrong(both(on_parallel->verdict, on_adjacent->verdict)), on_parallel->evidence,
+               on_adjacent->evidence);
+}
+
+/// The comparison of the two methods, and who is best of all.
+Judgement judge_division_among(const ClaimEvidence& evidence, const PublishedClaim& claim, const Contenders& all) {
+    const Judgement parallel = judge_class(evidence, claim, 0, 1, "parallel");
+    const Judgement adjacent = judge_class(evidence, claim, 1, 0, "adjacent");
+    return {
+        both(parallel.verdict, adjacent.verdict),
+        fmt::format("{} {} Of all sampled and quadrature methods of this study at this size, best on parallel "
+                    "pairs: {}; on adjacent ones: {}.",
+                    parallel.evidence, adjacent.evidence, best_in_words(all.parallel), best_in_words(all.adjacent))};
+}
+
+}  // namespace
+
+Judgement judge_smaller_sum_error(const ClaimEvidence& evidence, const PublishedClaim& claim) {
+    const auto a = evidence.cells(claim, 0);
+    const auto b = evidence.cells(claim, 1);
+    if (a.empty() || b.empty()) return not_in_study();
+    return compare_errors("Mean Σ r.e. of the row sums", claim.methods[0], evidence.sum_errors(a.front()),
+                          claim.methods[1], evidence.sum_errors(b.front()), evidence.findings().plan.spec.level);
+}
+
+Judgement judge_smaller_error(const ClaimEvidence& evidence, const PublishedClaim& claim) {
+    return judge_class(evidence, claim, 0, 1, claim.pair_class);
+}
+
+Judgement judge_division(const ClaimEvidence& evidence, const PublishedClaim& claim) {
+    return judge_division_among(evidence, claim, contenders(evidence, claim));
+}
+
+Judgement judge_advice(const ClaimEvidence& evidence, const PublishedClaim& claim) {
+    const Contenders all = contenders(evidence, claim);
+    Judgement judgement = judge_division_among(evidence, claim, all);
+    if (evidence.cells(claim, 0).empty() || evidence.cells(claim, 1).empty()) return judgement;
+    judgement.evidence =
+        advice_in_words(claim, judgement.verdict, all, evidence.findings().plan.spec.level) + judgement.evidence;
+    return judgement;
+}
+
+}  // namespace ff::studies

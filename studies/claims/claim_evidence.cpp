@@ -1,0 +1,107 @@
+#include "studies/claims/claim_evidence.hpp"
+
+#include "stats/binomial.hpp"
+#include "stats/mean_interval.hpp"
+#include "stats/moments.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+namespace ff::studies {
+
+std::vector<std::size_t> ClaimEvidence::cells(const PublishedClaim& claim, std::size_t method) const {
+    std::vector<std::size_t> found;
+    if (method >= claim.methods.size()) return found;
+    for (std::size_t i = 0; i < findings_.plan.cells.size(); ++i) {
+        const Cell& cell = findings_.plan.cells[i];
+        if (cell.scene != scene_) continue;
+        if (findings_.cells[i].trials == 0 || findings_.plan.spec.methods[cell.method].name != claim.methods[method])
+            continue;
+        if (!names(claim.patches_per_face, cell.subdivision.per_part())) continue;
+        if (cell.deterministic || names(claim.samples_per_patch, cell.samples)) found.push_back(i);
+    }
+    std::sort(found.begin(), found.end(), [&](std::size_t a, std::size_t b) {
+        const Cell& x = findings_.plan.cells[a];
+        const Cell& y = findings_.plan.cells[b];
+        return std::pair(x.subdivision.m, x.samples) < std::pair(y.subdivision.m, y.samples);
+    });
+    return found;
+}
+
+const CellEstimates& ClaimEvidence::estimates(std::size_t cell) const {
+    const auto found =
+        std::find_if(cache_.begin(), cache_.end(), [&](const CellEstimates& e) { return e.cell == cell; });
+    if (found != cache_.end()) return *found;
+    cache_.reserve(findings_.plan.cells.size());  // references stay valid
+    cache_.push_back(load_estimates(store_, cell));
+    return cache_.back();
+}
+
+bool ClaimEvidence::infinite_variance(const PublishedClaim& claim) const {
+    for (std::size_t method = 0; method < claim.methods.size(); ++method) {
+        for (const std::size_t cell : cells(claim, method)) {
+            for (const Quantity pair : pairs(claim.pair_class)) {
+                if (findings_.cells[cell].summary(pair).variance == VarianceStatus::infinite) return true;
+            }
+        }
+    }
+    return false;
+}
+
+std::vector<double> ClaimEvidence::sum_errors(std::size_t cell) const {
+    return estimates(cell).sum_relative_error;
+}
+
+std::vector<double> ClaimEvidence::pair_errors(std::size_t cell, std::size_t trial,
+                                               const std::vector<Quantity>& pairs) const {
+    std::vector<double> errors;
+    for (const Quantity pair : pairs) {
+        const auto& values = estimates(cell).values(pair);
+        const double reference = findings_.cells[cell].summary(pair).reference.value_or(0.0);
+        errors.push_back(100.0 * std::abs(values[values.size() == 1 ? 0 : trial] - reference) / reference);
+    }
+    return errors;
+}
+
+std::vector<Quantity> ClaimEvidence::pairs(std::string_view pair_class) const {
+    const Scene& scene = findings_.plan.scenes[scene_];
+    auto list = distinct_pairs(scene.faces.size(), Completion::reciprocal);
+    std::erase_if(list, [&](Quantity pair) {
+        return !pair_class.empty() && pair_class != "all" &&
+               name(ff::pair_class(scene, pair.from - 1, pair.to - 1)) != pair_class;
+    });
+    return list;
+}
+
+std::vector<double> ClaimEvidence::printed_errors(const PublishedClaim& claim, std::size_t method,
+                                                  const std::vector<Quantity>& pairs) const {
+    const Scene& scene = findings_.plan.scenes[scene_];
+    std::vector<double> errors;
+    if (method >= claim.methods.size()) return errors;
+    for (const Quantity pair : pairs) {
+        for (const Figure& figure : tables_.figures) {
+            if (figure.kind != FigureKind::relative_error || figure.method != claim.methods[method]) continue;
+            if (!names(claim.patches_per_face, figure.patches_per_face)) continue;
+            if (figure.samples_per_patch && !names(claim.samples_per_patch, *figure.samples_per_patch)) continue;
+            if (figure.from != scene.faces[static_cast<std::size_t>(pair.from - 1)]) continue;
+            if (figure.to != scene.faces[static_cast<std::size_t>(pair.to - 1)]) continue;
+            errors.push_back(std::strtod(figure.printed.c_str(), nullptr));
+            break;
+        }
+    }
+    if (errors.size() != pairs.size()) errors.clear();
+    return errors;
+}
+
+Share share_of(std::size_t count, std::size_t of, double level) {
+    return {count, of, stats::clopper_pearson_interval({count, of}, level)};
+}
+
+MeanWithError mean_with_error(const std::vector<double>& values, double level) {
+    const auto moments = stats::moments_of(values, values.front());
+    const auto interval = stats::mean_interval_t(moments, level);
+    return {*moments.mean(), interval ? interval->width() / 2 : 0.0};
+}
+
+}  // namespace ff::studies

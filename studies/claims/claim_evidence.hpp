@@ -1,0 +1,82 @@
+#pragma once
+
+#include "stats/interval.hpp"
+#include "studies/analysis/analysis.hpp"
+#include "studies/published/published.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+namespace ff::studies {
+
+/// Whether a claim's list of sizes has one; it speaks of every size where it names none.
+template <typename Size>
+bool names(const std::vector<Size>& sizes, Size size) {
+    return sizes.empty() || std::find(sizes.begin(), sizes.end(), size) != sizes.end();
+}
+
+/// What the claims are judged by: trials of the cells that they name.
+class ClaimEvidence {
+  public:
+    /// @param scene  of the study, the one that the tables are about
+    ClaimEvidence(const Store& store, const Findings& findings, const PublishedTables& tables, std::size_t scene)
+        : store_(store), findings_(findings), tables_(tables), scene_(scene) {}
+
+    [[nodiscard]] const Findings& findings() const { return findings_; }
+    [[nodiscard]] std::size_t scene() const { return scene_; }
+
+    /// Cells of the claim's method number `method` at its sizes, ascending in patches, then samples; those without
+    /// trials are left out.
+    [[nodiscard]] std::vector<std::size_t> cells(const PublishedClaim& claim, std::size_t method) const;
+
+    /// Whether a pair that the claim is about has infinite variance with one of its methods, so that no interval holds
+    /// for its mean error.
+    [[nodiscard]] bool infinite_variance(const PublishedClaim& claim) const;
+
+    /// Sum of relative errors of the row sums in every trial, percent.
+    [[nodiscard]] std::vector<double> sum_errors(std::size_t cell) const;
+
+    /// Relative errors of one trial, percent, by pair; a deterministic cell answers for every trial with its only one.
+    [[nodiscard]] std::vector<double> pair_errors(std::size_t cell, std::size_t trial,
+                                                  const std::vector<Quantity>& pairs) const;
+
+    /// Pairs with from < to of a class ("parallel", "adjacent", "all").
+    [[nodiscard]] std::vector<Quantity> pairs(std::string_view pair_class) const;
+
+    /// The errors that the publication prints for these pairs of the claim's method number `method` at the claim's
+    /// sizes, percent; empty where it does not print all of them.
+    [[nodiscard]] std::vector<double> printed_errors(const PublishedClaim& claim, std::size_t method,
+                                                     const std::vector<Quantity>& pairs) const;
+
+    /// Estimates of a cell, kept for the next question.
+    [[nodiscard]] const CellEstimates& estimates(std::size_t cell) const;
+
+  private:
+    const Store& store_;
+    const Findings& findings_;
+    const PublishedTables& tables_;
+    std::size_t scene_;
+    mutable std::vector<CellEstimates> cache_;
+};
+
+/// How often something happens among independent trials, with its Clopper-Pearson interval.
+struct Share {
+    std::size_t count = 0;
+    std::size_t of = 0;
+    stats::Interval interval;
+    [[nodiscard]] double value() const { return static_cast<double>(count) / static_cast<double>(of); }
+};
+Share share_of(std::size_t count, std::size_t of, double level);
+
+/// Mean with its Student t half-width; the half-width is 0 for a deterministic value.
+struct MeanWithError {
+    double mean = 0;
+    double half_width = 0;
+    [[nodiscard]] double low() const { return mean - half_width; }
+    [[nodiscard]] double high() const { return mean + half_width; }
+};
+MeanWithError mean_with_error(const std::vector<double>& values, double level);
+
+}  // namespace ff::studies

@@ -1,0 +1,166 @@
+#include "studies/claims/claim_judgements.hpp"
+
+#include "stats/quantiles.hpp"
+#include "stats/variance_test.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numeric>
+#include <vector>
+
+namespace ff::studies {
+namespace {
+
+/// In each trial, on how many pairs the first method errs more than the bounds.
+std::vector<double> counts_above(const ClaimEvidence& evidence, std::size_t cell, const std::vector<Quantity>& pairs,
+                                 const std::vector<double>& bounds) {
+    std::vector<double> counts;
+    for (std::size_t t = 0; t < evidence.estimates(cell).trials(); ++t) {
+        const auto errors = evidence.pair_errors(cell, t, pairs);
+        double count = 0;
+        for (std::size_t i = 0; i < pairs.size(); ++i) count += errors[i] > bounds[i] ? 1 : 0;
+        counts.push_back(count);
+    }
+    return counts;
+}
+
+struct Opponent {
+    std::string name;
+    std::vector<double> errors;  ///< percent, by pair
+};
+
+/// The second method's errors as printed, which the claim is about, and as this study finds them.
+std::vector<Opponent> opponents(const ClaimEvidence& evidence, const PublishedClaim& claim,
+                                const std::vector<Quantity>& pairs) {
+    std::vector<Opponent> list;
+    if (auto printed = evidence.printed_errors(claim, 1, pairs); !printed.empty()) {
+        list.push_back({fmt::format("the printed {} errors", claim.methods[1]), std::move(printed)});
+    }
+    const auto cells = evidence.cells(claim, 1);
+    if (!cells.empty())
+        list.push_back(
+            {fmt::format("{} as computed here", claim.methods[1]), evidence.pair_errors(cells.front(), 0, pairs)});
+    return list;
+}
+
+/// The verdict against the first opponent, and a word where another gives a different one.
+template <typename Judge>
+Judgement against_each(const std::vector<Opponent>& rivals, const Judge& judge) {
+    Judgement all;
+    for (const Opponent& rival : rivals) {
+        const Judgement one = judge(rival);
+        const bool first = &rival == &rivals.front();
+        if (first) all.verdict = one.verdict;
+        all.evidence += fmt::format("{}Against {}: {}.", first ? "" : " ", rival.name, one.evidence);
+        if (one.verdict != all.verdict) {
+            all.as_printed_only = true;
+            all.evidence += fmt::format(" Against these the claim is {}.", name(one.verdict));
+        }
+    }
+    return all;
+}
+
+}  // namespace
+
+Judgement judge_count(const ClaimEvidence& evidence, const PublishedClaim& claim) {
+    const auto cells = evidence.cells(claim, 0);
+    const auto pairs = evidence.pairs(claim.pair_class);
+    const auto rivals = opponents(evidence, claim, pairs);
+    if (cells.empty() || rivals.empty() || !claim.number) return not_in_study();
+    const double level = evidence.findings().plan.spec.level;
+    return against_each(rivals, [&](const Opponent& rival) -> Judgement {
+        const auto counts = counts_above(evidence, cells.front(), pairs, rival.errors);
+        const auto range = stats::central_range(counts, level);
+        const auto mean = mean_with_error(counts, level);
+        const bool inside = range->low <= *claim.number && *claim.number <= range->high;
+        // The ends of the range want some trials beyond them.
+        const bool known = static_cast<double>(counts.size()) * (1 - level) >= 2;
+        const auto verdict = !known   ? ClaimVerdict::inconclusive
+                             : inside ? ClaimVerdict::supported
+                                      : ClaimVerdict::refuted;
+        return {
+            verdict,
+            fmt::format(
+                "{:.2f} ± {:.2f} of {} pairs in the mean, {:g} to {:g} in {:g} % of single runs; the claim says {:g}",
+                mean.mean, mean.half_width, pairs.size(), range->low, range->high, 100 * level, *claim.number)};
+    });
+}
+
+Judgement judge_not_always_smaller(const ClaimEvidence& evidence, const PublishedClaim& claim) {
+    const auto cells = evidence.cells(claim, 0);
+    const auto pairs = evidence.pairs(claim.pair_class);
+    const auto rivals = opponents(evidence, claim, pairs);
+    if (cells.empty() || rivals.empty()) return not_in_study();
+    return against_each(rivals, [&](const Opponent& rival) -> Judgement {
+        const auto counts = counts_above(evidence, cells.front(), pairs, rival.errors);
+        const auto some = std::count_if(counts.begin(), counts.end(), [](double count) { return count > 0; });
+        const Share share =
+            share_of(static_cast<std::size_t>(some), counts.size(), evidence.findings().plan.spec.level);
+        // "Not always" wants an event that really happens: more than one run in twenty.
+        const auto verdict = share.interval.low > 0.05    ? ClaimVerdict::supported
+                             : share.interval.high < 0.05 ? ClaimVerdict::refuted
+                                                          : ClaimVerdict::inconclusive;
+        return {verdict, fmt::format("{} errs more on some pair in {}", claim.methods[0], percent(share))};
+    });
+}
+
+Judgement judge_uniform(const ClaimEvidence& evidence, const PublishedClaim& claim) {
+    const auto cells = evidence.cells(claim, 0);
+    if (cells.empty()) return not_in_study();
+    Judgement judgement{ClaimVerdict::supported, ""};
+    for (const std::string_view pair_class : {"parallel", "adjacent"}) {
+        const auto pairs = evidence.pairs(pair_class);
+        if (pairs.empty()) continue;
+        const auto errors = evidence.pair_errors(cells.front(), 0, pairs);
+        const auto [least, most] = std::minmax_element(errors.begin(), errors.end());
+        if (*most - *least > 1e-6 * *most + rounding_percent) judgement.verdict = ClaimVerdict::refuted;
+        judgement.evidence += *most < rounding_percent ? fmt::format("{} pairs are exact to rounding. ", pair_class)
+                                                       : fmt::format("r.e. on {} pairs from {:.4g} % to {:.4g} %. ",
+                                                                     pair_class, *least, *most);
+    }
+    judgement.evidence += "Uniform, then, over congruent pairs; not from one class of pairs to the other.";
+    return judgement;
+}
+
+Judgement judge_nonuniform(const ClaimEvidence& evidence, const PublishedClaim& claim) {
+    const auto cells = evidence.cells(claim, 0);
+    const auto pairs = evidence.pairs("adjacent");
+    if (cells.empty() || pairs.size() < 2) return not_in_study();
+    std::vector<double> ratios;
+    for (std::size_t t = 0; t < evidence.estimates(cells.front()).trials(); ++t) {
+        const auto errors = evidence.pair_errors(cells.front(), t, pairs);
+        ratios.push_back(*std::max_element(errors.begin(), errors.end()) /
+                         std::accumulate(errors.begin(), errors.end(), 0.0) * static_cast<double>(errors.size()));
+    }
+    const double level = evidence.findings().plan.spec.level;
+    const auto range = stats::central_range(ratios, level);
+    std::vector<Quantity> by_std = pairs;
+    const CellFindings& findings = evidence.findings().cells[cells.front()];
+    std::sort(by_std.begin(), by_std.end(),
+              [&](Quantity a, Quantity b) { return findings.summary(a).std < findings.summary(b).std; });
+    const auto& least = evidence.estimates(cells.front()).values(by_std.front());
+    const auto& most = evidence.estimates(cells.front()).values(by_std.back());
+    const auto test = stats::test_variances_brown_forsythe(most, least);
+    Judgement judgement;
+    judgement.verdict = range->low > 1.5    ? ClaimVerdict::supported
+                        : range->high < 1.5 ? ClaimVerdict::refuted
+                                            : ClaimVerdict::inconclusive;
+    judgement.evidence = fmt::format(
+        "Within one run the largest r.e. of the {} adjacent pairs is {:.2f} to {:.2f} times their mean ({:g} % of "
+        "runs). ",
+        pairs.size(), range->low, range->high, 100 * level);
+    if (test) {
+        const double comparisons = static_cast<double>(pairs.size() * (pairs.size() - 1)) / 2;
+        const double p = std::min(1.0, test->p * comparisons);
+        judgement.evidence += fmt::format(
+            "Over all runs their standard deviations, {:.3e} to {:.3e}, {} (Brown-Forsythe, Bonferroni p = {:.2g}): "
+            "{}.",
+            *findings.summary(by_std.front()).std, *findings.summary(by_std.back()).std,
+            p < 1 - level ? "differ" : "do not differ detectably", p,
+            p < 1 - level ? "some pairs are harder" : "which pair comes out worst is chance, not geometry");
+    }
+    return judgement;
+}
+
+}  // namespace ff::studies

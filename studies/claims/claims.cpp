@@ -1,0 +1,90 @@
+#include "studies/claims/claims.hpp"
+
+#include "studies/claims/claim_judgements.hpp"
+#include "studies/claims/comparison.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace ff::studies {
+
+Judgement not_in_study() {
+    return {ClaimVerdict::inconclusive, "The study has no trials of the methods and sizes that the claim is about."};
+}
+
+std::string percent(const MeanWithError& value) {
+    if (value.half_width == 0 && value.mean < rounding_percent) return "exact to rounding";
+    if (value.half_width == 0) return fmt::format("{:.3g} %", value.mean);
+    const int decimals = std::max(0, 1 - static_cast<int>(std::floor(std::log10(value.half_width))));
+    return fmt::format("{:.{}f} ± {:.{}f} %", value.mean, decimals, value.half_width, decimals);
+}
+
+std::string percent(const Share& share) {
+    return fmt::format("{:.1f} % [{:.1f}, {:.1f}] of {} trials", 100 * share.value(), 100 * share.interval.low,
+                       100 * share.interval.high, share.of);
+}
+
+namespace {
+
+/// What a verdict is made from: intervals of mean errors, or shares and ranges of single runs.
+enum class Basis { means, runs };
+
+struct Kind {
+    std::string_view name;
+    Basis basis;
+    Judgement (*judge)(const ClaimEvidence&, const PublishedClaim&);
+};
+
+constexpr std::array kinds{
+    Kind{"error_falls_with_subdivision", Basis::means, judge_falling},
+    Kind{"error_falls_with_subdivision_not_always", Basis::runs, judge_not_always_falling},
+    Kind{"error_falls_with_samples", Basis::means, judge_falling},
+    Kind{"smaller_sum_error", Basis::means, judge_smaller_sum_error},
+    Kind{"smaller_error", Basis::means, judge_smaller_error},
+    Kind{"smaller_error_not_always", Basis::runs, judge_not_always_smaller},
+    Kind{"count_larger_error", Basis::runs, judge_count},
+    Kind{"uniform_error", Basis::runs, judge_uniform},
+    Kind{"nonuniform_error", Basis::runs, judge_nonuniform},
+    Kind{"no_single_best", Basis::means, judge_division},
+    Kind{"best_per_class", Basis::means, judge_advice},
+};
+
+}  // namespace
+
+std::string_view name(ClaimVerdict verdict) {
+    switch (verdict) {
+        case ClaimVerdict::supported:
+            return "supported";
+        case ClaimVerdict::refuted:
+            return "refuted";
+        case ClaimVerdict::inconclusive:
+            break;
+    }
+    return "inconclusive";
+}
+
+std::vector<JudgedClaim> judge_claims(const Store& store, const Findings& findings, const PublishedTables& tables) {
+    const auto scene = find_scene(findings.plan, tables);
+    const ClaimEvidence evidence(store, findings, tables, scene.value_or(0));
+    std::vector<JudgedClaim> judged;
+    for (const PublishedClaim& claim : tables.claims) {
+        const auto kind = std::find_if(kinds.begin(), kinds.end(), [&](const Kind& k) { return k.name == claim.kind; });
+        Judgement judgement{ClaimVerdict::inconclusive,
+                            "A claim of this kind cannot be judged by numbers of the study."};
+        if (kind != kinds.end() && !scene) judgement = not_in_study();
+        if (kind != kinds.end() && scene) {
+            judgement = kind->basis == Basis::means && evidence.infinite_variance(claim)
+                            ? Judgement{ClaimVerdict::inconclusive,
+                                        "A method has infinite variance on pairs that touch: no interval holds for its "
+                                        "mean error."}
+                            : kind->judge(evidence, claim);
+        }
+        judged.push_back({claim, judgement.verdict, judgement.as_printed_only, judgement.evidence});
+    }
+    return judged;
+}
+
+}  // namespace ff::studies

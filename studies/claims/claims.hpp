@@ -1,0 +1,31 @@
+#pragma once
+
+#include "studies/analysis/analysis.hpp"
+#include "studies/published/published.hpp"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace ff::studies {
+
+enum class ClaimVerdict { supported, refuted, inconclusive };
+
+std::string_view name(ClaimVerdict verdict);
+
+/// A published claim, judged by the trials of the study.
+struct JudgedClaim {
+    PublishedClaim claim;
+    ClaimVerdict verdict = ClaimVerdict::inconclusive;
+    bool as_printed_only = false;  ///< the verdict rests on printed figures; with this study's own it would be another
+    std::string evidence;          ///< the numbers behind the verdict, with their uncertainty, in sentences
+};
+
+/// Kinds of claims that can be judged; a claim of another kind is inconclusive and says so.
+///
+/// error_falls_with_subdivision, error_falls_with_subdivision_not_always, error_falls_with_samples,
+/// smaller_sum_error, smaller_error, smaller_error_not_always, count_larger_error, uniform_error, nonuniform_error,
+/// no_single_best, best_per_class
+std::vector<JudgedClaim> judge_claims(const Store& store, const Findings& findings, const PublishedTables& tables);
+
+}  // namespace ff::studies

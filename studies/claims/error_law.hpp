@@ -1,0 +1,27 @@
+#pragma once
+
+#include "stats/power_law.hpp"
+#include "studies/analysis/analysis.hpp"
+#include "studies/published/published.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace ff::studies {
+
+/// How the closure error of a deterministic method falls with subdivision: mean row sum - 1 at m patches along an edge.
+struct ErrorLaw {
+    std::string method;
+    bool published = false;  ///< from printed row sums instead of this study's
+    std::vector<double> m;
+    std::vector<double> closure_errors;
+    stats::PowerLaw first_order;          ///< c / m
+    std::optional<stats::PowerLaw> free;  ///< c / m^p, both fitted
+};
+
+/// One law for each deterministic method with at least two subdivisions of a closed scene, then those of the
+/// publication. Methods without error (closed_form) have none.
+std::vector<ErrorLaw> fit_error_laws(const Findings& findings, const PublishedTables* tables);
+
+}  // namespace ff::studies

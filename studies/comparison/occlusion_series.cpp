@@ -1,0 +1,159 @@
+#include "studies/comparison/occlusion_series.hpp"
+
+#include "core/configurations/catalogue.hpp"
+#include "core/configurations/families.hpp"
+#include "core/exact/known_factors.hpp"
+#include "studies/comparison/rivals.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace ff::studies {
+namespace {
+
+constexpr std::size_t fewest_scenes = 3;
+
+/// Cells of a method in a scene.
+std::vector<std::size_t> cells_of(const StudyPlan& plan, std::size_t scene, std::size_t method) {
+    std::vector<std::size_t> cells;
+    for (std::size_t i = 0; i < plan.cells.size(); ++i) {
+        if (plan.cells[i].scene == scene && plan.cells[i].method == method) cells.push_back(i);
+    }
+    return cells;
+}
+
+double log_evaluations(const Findings& findings, std::size_t cell) {
+    return std::log(static_cast<double>(std::max<std::uint64_t>(1, findings.cells[cell].evaluations_per_face)));
+}
+
+/// The least of the largest numbers of evaluations of all methods in all scenes of a series.
+std::uint64_t common_evaluations(const Findings& findings, const std::vector<std::size_t>& scenes) {
+    std::uint64_t common = std::numeric_limits<std::uint64_t>::max();
+    for (const std::size_t scene : scenes) {
+        for (std::size_t method = 0; method < findings.plan.spec.methods.size(); ++method) {
+            std::uint64_t largest = 0;
+            for (const std::size_t cell : cells_of(findings.plan, scene, method))
+                largest = std::max(largest, findings.cells[cell].evaluations_per_face);
+            if (largest > 0) common = std::min(common, largest);
+        }
+    }
+    return common;
+}
+
+std::optional<Slope> slope_of(const std::vector<LadderSlopes>& slopes, std::size_t scene, std::size_t method,
+                              Quantity pair, ErrorSize size) {
+    for (const LadderSlopes& ladder : slopes) {
+        if (ladder.ladder.scene != scene || ladder.ladder.method != method) continue;
+        for (const Slope& slope : ladder.pairs) {
+            if (slope.pair == pair && slope.error == size) return slope;
+        }
+    }
+    return std::nullopt;
+}
+
+/// Of what a scene of a family, a pair and the common number of evaluations say.
+class Errors {
+  public:
+    Errors(const Store& store, const Findings& findings, const std::vector<LadderSlopes>& slopes)
+        : store_(store), findings_(findings), slopes_(slopes) {}
+
+    [[nodiscard]] std::optional<PairError> of(std::size_t scene, std::size_t method, Quantity pair,
+                                              const KnownFactors& known, std::uint64_t evaluations) const {
+        const auto cells = cells_of(findings_.plan, scene, method);
+        if (cells.empty()) return std::nullopt;
+        const double wanted = std::log(static_cast<double>(evaluations));
+        const std::size_t cell = *std::min_element(cells.begin(), cells.end(), [&](std::size_t a, std::size_t b) {
+            return std::abs(log_evaluations(findings_, a) - wanted) < std::abs(log_evaluations(findings_, b) - wanted);
+        });
+        if (findings_.cells[cell].trials == 0) return std::nullopt;
+        const CellEstimates estimates = load_estimates(store_, cell);
+        const VarianceStatus status = findings_.cells[cell].summary(pair).variance;
+        if (status == VarianceStatus::undefined) return std::nullopt;
+        PairError found;
+        found.cell = cell;
+        found.error = class_error_of(errors_of(estimates, std::array{pair}, known), 1, estimates.evaluations_per_face,
+                                     status, findings_.plan.spec.level);
+        const ErrorSize size = status == VarianceStatus::infinite ? ErrorSize::median_abs_error : ErrorSize::rmse;
+        found.slope = slope_of(slopes_, scene, method, pair, size);
+        return found;
+    }
+
+  private:
+    const Store& store_;
+    const Findings& findings_;
+    const std::vector<LadderSlopes>& slopes_;
+};
+
+/// Which method errs least, and whether every method of the other kind is shown to err more.
+/// @param alpha  this scene's share of the study's error rate
+void judge(const StudyPlan& plan, double alpha, HiddenPair& scene) {
+    for (std::size_t method = 0; method < scene.methods.size(); ++method) {
+        const auto& found = scene.methods[method];
+        if (found && (!scene.least || found->size() < scene.methods[*scene.least]->size())) scene.least = method;
+    }
+    const bool all_rounding = std::all_of(scene.methods.begin(), scene.methods.end(),
+                                          [](const auto& found) { return !found || found->size() < rounding_error; });
+    if (all_rounding) scene.least.reset();
+    if (!scene.least) return;
+    const auto is_deterministic = [&](std::size_t method) {
+        return plan.cells[scene.methods[method]->cell].deterministic;
+    };
+    const PairError& best = *scene.methods[*scene.least];
+    const auto errs_more = [&](const PairError& other) {
+        if (best.size() < rounding_error) return other.size() >= rounding_error;
+        const auto ratio = rmse_log_ratio(best.error, other.error);
+        return ratio && p_of_equal(*ratio) < alpha;
+    };
+    scene.decided = true;
+    for (std::size_t method = 0; method < scene.methods.size(); ++method) {
+        if (!scene.methods[method] || is_deterministic(method) == is_deterministic(*scene.least)) continue;
+        scene.decided = scene.decided && errs_more(*scene.methods[method]);
+    }
+}
+
+}  // namespace
+
+std::vector<OcclusionSeries> occlusion_series(const Store& store, const Findings& findings,
+                                              const std::vector<LadderSlopes>& slopes) {
+    const StudyPlan& plan = findings.plan;
+    const Errors errors(store, findings, slopes);
+    std::vector<OcclusionSeries> all;
+    for (const SceneFamily& family : scene_families()) {
+        std::vector<std::size_t> members;
+        for (std::size_t scene = 0; scene < plan.scenes.size(); ++scene) {
+            const auto member = family_member(plan.scenes[scene]);
+            if (member && member->family == &family) members.push_back(scene);
+        }
+        if (members.size() < fewest_scenes) continue;
+        for (const Configuration& configuration : configurations()) {
+            if (configuration.scene_name != family.name) continue;
+            OcclusionSeries series{family.name,
+                                   family.measure,
+                                   {QuantityKind::form_factor, configuration.from + 1, configuration.to + 1},
+                                   common_evaluations(findings, members),
+                                   {}};
+            for (const std::size_t scene : members) {
+                const KnownFactors known = known_factors(plan.scenes[scene]);
+                const auto hidden = hidden_share(plan.scenes[scene], known, configuration.from, configuration.to);
+                if (!hidden) continue;
+                HiddenPair found{scene, *hidden, known.at(configuration.from, configuration.to).value(), {}, {}, false};
+                for (std::size_t method = 0; method < plan.spec.methods.size(); ++method)
+                    found.methods.push_back(errors.of(scene, method, series.pair, known, series.evaluations));
+                series.scenes.push_back(std::move(found));
+            }
+            std::stable_sort(series.scenes.begin(), series.scenes.end(),
+                             [](const HiddenPair& a, const HiddenPair& b) { return a.hidden < b.hidden; });
+            if (!series.scenes.empty()) all.push_back(std::move(series));
+        }
+    }
+    std::size_t scenes = 0;
+    for (const OcclusionSeries& series : all) scenes += series.scenes.size();
+    for (OcclusionSeries& series : all) {
+        for (HiddenPair& scene : series.scenes) judge(plan, (1 - plan.spec.level) / static_cast<double>(scenes), scene);
+    }
+    return all;
+}
+
+}  // namespace ff::studies

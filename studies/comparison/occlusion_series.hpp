@@ -1,0 +1,50 @@
+#pragma once
+
+#include "studies/analysis/analysis.hpp"
+#include "studies/analysis/slopes.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+namespace ff::studies {
+
+/// The error of a method on one pair of faces.
+struct PairError {
+    std::size_t cell = 0;        ///< the size of the method whose evaluations are next to the common number
+    ClassError error;            ///< of this pair alone
+    std::optional<Slope> slope;  ///< along the method's ladder: of the RMSE, of the median where there is no variance
+    [[nodiscard]] double size() const {
+        return error.status == VarianceStatus::infinite ? error.median_abs_error : error.rmse;
+    }
+};
+
+/// One scene of a family: how much is hidden, and how each method errs.
+struct HiddenPair {
+    std::size_t scene = 0;
+    double hidden = 0;  ///< share of the open form factor, 0 to 1
+    double exact = 0;
+    std::vector<std::optional<PairError>> methods;  ///< by index into StudySpec::methods
+    std::optional<std::size_t> least;               ///< method with the least error; empty where all are rounding
+    /// Whether `least` errs less than every method of the other kind (sampled, deterministic): at the study's level
+    /// over all scenes of all series together (Bonferroni).
+    bool decided = false;
+};
+
+/// The same pair of faces in scenes of a family, by ascending share that is hidden.
+struct OcclusionSeries {
+    std::string_view family;
+    std::string_view measure;
+    Quantity pair;
+    std::uint64_t evaluations = 0;  ///< the common number that methods are compared at
+    std::vector<HiddenPair> scenes;
+};
+
+/// What occlusion does to the methods of a study, for each family (core/configurations/families.hpp) that it has three
+/// scenes of or more. The common number of evaluations is the largest that every method reaches, or comes next to.
+/// @param slopes  of all ladders; may be empty
+std::vector<OcclusionSeries> occlusion_series(const Store& store, const Findings& findings,
+                                              const std::vector<LadderSlopes>& slopes);
+
+}  // namespace ff::studies

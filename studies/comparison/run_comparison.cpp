@@ -1,0 +1,252 @@
+#include "studies/comparison/run_comparison.hpp"
+
+#include "core/support/error.hpp"
+#include "stats/distributions.hpp"
+#include "stats/mean_difference.hpp"
+#include "stats/multiplicity.hpp"
+#include "stats/spread.hpp"
+#include "stats/variance_test.hpp"
+#include "studies/comparison/rivals.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace ff::studies {
+namespace {
+
+/// Brown-Forsythe needs this many times the trials of the best test, for normal values: (pi - 2) of mean absolute
+/// deviations against 1 of standard deviations.
+constexpr double brown_forsythe_cost = 1.1415926535897931;
+
+enum class Tested { mean, spread, rmse };
+
+/// A test of one pair, or of a class of pairs; `cell` is an index into the comparison.
+struct Test {
+    std::size_t cell = 0;
+    Tested tested = Tested::mean;
+    Contrast contrast;
+    double p = 1;
+    double log_error = 0;   ///< of the ratio of standard deviations
+    std::size_t ratio = 0;  ///< of RMSEs: index into the cell's ratios
+};
+
+Basis basis_of(const Cell& first, const Cell& second) {
+    if (first.deterministic && second.deterministic) return Basis::deterministic;
+    if (first.deterministic || second.deterministic) return Basis::mixed;
+    return first.key == second.key ? Basis::same_random_numbers : Basis::independent;
+}
+
+std::optional<std::size_t> counterpart(const StudyPlan& plan, const std::string& scene, const std::string& method,
+                                       const Cell& size) {
+    for (std::size_t i = 0; i < plan.cells.size(); ++i) {
+        const Cell& cell = plan.cells[i];
+        if (plan.scenes[cell.scene].name == scene && plan.spec.methods[cell.method].name == method &&
+            cell.subdivision.m == size.subdivision.m && cell.samples == size.samples)
+            return i;
+    }
+    return std::nullopt;
+}
+
+/// Pairs that are free in at least one of two cells.
+std::vector<Quantity> pairs_of(const CellEstimates& estimates, const StudyPlan& a, const Cell& cell_a,
+                               const StudyPlan& b, const Cell& cell_b) {
+    const auto completion_a = a.spec.methods[cell_a.method].completion;
+    const auto completion_b = b.spec.methods[cell_b.method].completion;
+    return distinct_pairs(estimates.faces, completion_a == completion_b ? completion_a : Completion::direct);
+}
+
+std::vector<RmseRatio> ratios_of(const CellFindings& first, const CellFindings& second, Basis basis, double level) {
+    std::vector<RmseRatio> ratios;
+    for (const ClassError& a : first.class_errors) {
+        const ClassError* b = second.class_error(a.pair_class);
+        if (b == nullptr) continue;
+        RmseRatio& found = ratios.emplace_back(RmseRatio{a.pair_class, a.rmse, b->rmse, {}, {}, {}, 1});
+        if (a.rmse < rounding_error || b->rmse < rounding_error) continue;
+        found.ratio = b->rmse / a.rmse;
+        if (basis != Basis::independent || !a.interval || !b->interval) continue;
+        found.logarithm = rmse_log_ratio(a, *b);
+        found.interval = rmse_ratio_interval(a, *b, level);
+    }
+    return ratios;
+}
+
+/// Both tests of every pair that has them.
+void test_pairs(const CellEstimates& a, const CellEstimates& b, const Findings& first, const Findings& second,
+                const std::vector<Quantity>& pairs, std::size_t index, CellComparison& cell, std::vector<Test>& tests) {
+    for (const Quantity pair : pairs) {
+        const Summary& of_a = first.cells[cell.first].summary(pair);
+        const Summary& of_b = second.cells[cell.second].summary(pair);
+        const auto& x = a.values(pair);
+        const auto& y = b.values(pair);
+        const bool finite = of_a.variance == VarianceStatus::finite && of_b.variance == VarianceStatus::finite;
+        const double centre = finite && !x.empty() ? x.front() : 0;
+        const auto in_a = stats::moments_of(finite ? std::span<const double>(x) : std::span<const double>(), centre);
+        const auto in_b = stats::moments_of(finite ? std::span<const double>(y) : std::span<const double>(), centre);
+        const auto means = stats::test_means_welch(in_a, in_b);
+        if (!means || std::min(in_a.count(), in_b.count()) < stats::fewest_replicates) {
+            ++cell.untestable;
+            continue;
+        }
+        tests.push_back({index, Tested::mean, {pair, means->difference, means->standard_error, 1}, means->p, 0, 0});
+        // A sample that never varies cannot stand below; then the ratio is 1 / 0.
+        const bool inverse = *in_a.variance() == 0;
+        const auto spread =
+            inverse ? stats::test_variances_brown_forsythe(x, y) : stats::test_variances_brown_forsythe(y, x);
+        if (!spread) continue;
+        const double ratio = inverse ? std::numeric_limits<double>::infinity() : spread->ratio;
+        const auto spread_a = stats::spread_of(in_a);
+        const auto spread_b = stats::spread_of(in_b);
+        const double error =
+            spread_a && spread_b
+                ? std::sqrt(brown_forsythe_cost * (1 / (2 * spread_a->freedom) + 1 / (2 * spread_b->freedom)))
+                : 0;
+        tests.push_back({index, Tested::spread, {pair, ratio, 0, 1}, spread->p, error, 0});
+    }
+}
+
+/// All pairs of a class together see a small difference of all of them, which no pair shows by itself.
+void test_classes(std::size_t index, const CellComparison& cell, std::vector<Test>& tests) {
+    for (std::size_t i = 0; i < cell.ratios.size(); ++i) {
+        if (const auto& logarithm = cell.ratios[i].logarithm;
+            logarithm && logarithm->trials >= stats::fewest_replicates)
+            tests.push_back({index, Tested::rmse, {}, p_of_equal(*logarithm), 0, i});
+    }
+}
+
+/// Values of the same random numbers are to be equal, whatever is made of them: the direct estimates are compared.
+void compare_trials(const Store& first, const Store& second, CellComparison& cell) {
+    const auto a = load_estimates(first, cell.first, Completion::direct);
+    const auto b = load_estimates(second, cell.second, Completion::direct);
+    std::size_t j = 0;
+    for (std::size_t i = 0; i < a.trial_numbers.size(); ++i) {
+        while (j < b.trial_numbers.size() && b.trial_numbers[j] < a.trial_numbers[i]) ++j;
+        if (j == b.trial_numbers.size()) break;
+        if (b.trial_numbers[j] != a.trial_numbers[i]) continue;
+        ++cell.trials;
+        const auto differs = [&](const Quantity& pair) { return a.values(pair)[i] != b.values(pair)[j]; };
+        const auto pairs = distinct_pairs(a.faces, Completion::direct);
+        if (std::any_of(pairs.begin(), pairs.end(), differs)) ++cell.differing;
+    }
+    if (cell.trials > 0) cell.likeness = cell.differing > 0 ? Likeness::different : Likeness::alike;
+}
+
+void compare_values(const CellEstimates& a, const CellEstimates& b, const std::vector<Quantity>& pairs,
+                    CellComparison& cell) {
+    if (a.trials() == 0 || b.trials() == 0) return;
+    for (const Quantity pair : pairs) {
+        const double difference = b.values(pair).front() - a.values(pair).front();
+        if (std::abs(difference) <= std::abs(cell.largest_difference)) continue;
+        cell.largest_difference = difference;
+        cell.largest_pair = pair;
+    }
+    cell.likeness = std::abs(cell.largest_difference) > rounding_error ? Likeness::different : Likeness::alike;
+}
+
+void keep_smaller(std::optional<Contrast>& kept, const Contrast& contrast) {
+    if (!kept || contrast.adjusted_p < kept->adjusted_p) kept = contrast;
+}
+
+/// Shares the error rate among all tests, and judges the cells by them.
+void judge(const std::vector<Test>& tests, RunComparison& comparison) {
+    comparison.tests = tests.size();
+    if (tests.empty()) return;
+    std::vector<double> p;
+    for (const Test& test : tests) p.push_back(test.p);
+    const auto adjusted = stats::holm(p);
+    const double alpha = 1 - comparison.level;
+    const double reach = stats::normal_critical(stats::bonferroni_level(alpha, tests.size()) / 2) +
+                         stats::normal_critical(1 - comparison.power);
+    for (std::size_t i = 0; i < tests.size(); ++i) {
+        const Test& test = tests[i];
+        CellComparison& cell = comparison.cells[test.cell];
+        Contrast contrast = test.contrast;
+        contrast.adjusted_p = adjusted[i];
+        switch (test.tested) {
+            case Tested::mean:
+                keep_smaller(cell.mean, contrast);
+                cell.detectable_difference = std::max(cell.detectable_difference, reach * contrast.error);
+                break;
+            case Tested::spread:
+                keep_smaller(cell.spread, contrast);
+                break;
+            case Tested::rmse:
+                cell.ratios[test.ratio].adjusted_p = adjusted[i];
+                break;
+        }
+        cell.detectable_ratio = std::max(cell.detectable_ratio, std::exp(reach * test.log_error));
+        if (cell.likeness == Likeness::untestable) cell.likeness = Likeness::alike;
+        if (adjusted[i] < alpha) cell.likeness = Likeness::different;
+    }
+}
+
+std::string scenes_of(const StudyPlan& plan) {
+    std::vector<std::string> names;
+    for (const Scene& scene : plan.scenes) names.push_back(scene.name);
+    return fmt::format("{}", fmt::join(names, ", "));
+}
+
+}  // namespace
+
+std::size_t RunComparison::count(Likeness likeness) const {
+    return static_cast<std::size_t>(
+        std::count_if(cells.begin(), cells.end(), [&](const auto& cell) { return cell.likeness == likeness; }));
+}
+
+RunComparison compare_runs(const Store& first, const Store& second) {
+    RunComparison out{analyse(first), analyse(second), {}, {}, {}, {}, 0, 0.95, 0.9};
+    const StudyPlan& a = first.plan();
+    const StudyPlan& b = second.plan();
+    out.level = a.spec.level;
+    out.power = a.spec.power;
+    out.differences = differences_of(a.spec, b.spec);
+    std::vector<bool> met(b.cells.size(), false);
+    std::vector<Test> tests;
+    for (std::size_t i = 0; i < a.cells.size(); ++i) {
+        const Cell& cell = a.cells[i];
+        const auto other = counterpart(b, a.scenes[cell.scene].name, a.spec.methods[cell.method].name, cell);
+        if (!other) {
+            out.only_first.push_back(i);
+            continue;
+        }
+        met[*other] = true;
+        CellComparison& compared = out.cells.emplace_back();
+        compared.first = i;
+        compared.second = *other;
+        compared.basis = basis_of(cell, b.cells[*other]);
+        compared.ratios = ratios_of(out.first.cells[i], out.second.cells[*other], compared.basis, out.level);
+        const auto in_a = load_estimates(first, i);
+        const auto in_b = load_estimates(second, *other);
+        const auto pairs = pairs_of(in_a, a, cell, b, b.cells[*other]);
+        compared.pairs = pairs.size();
+        switch (compared.basis) {
+            case Basis::independent:
+                test_pairs(in_a, in_b, out.first, out.second, pairs, out.cells.size() - 1, compared, tests);
+                test_classes(out.cells.size() - 1, compared, tests);
+                break;
+            case Basis::same_random_numbers:
+                compare_trials(first, second, compared);
+                break;
+            case Basis::deterministic:
+                compare_values(in_a, in_b, pairs, compared);
+                break;
+            case Basis::mixed:
+                break;
+        }
+    }
+    for (std::size_t i = 0; i < met.size(); ++i) {
+        if (!met[i]) out.only_second.push_back(i);
+    }
+    if (out.cells.empty()) {
+        throw UserError(fmt::format(
+            "nothing to compare (no scene, method and size is in both; scenes are {} there and {} here). Give "
+            "two runs that share the names of some methods.",
+            scenes_of(a), scenes_of(b)));
+    }
+    judge(tests, out);
+    return out;
+}
+
+}  // namespace ff::studies

@@ -1,0 +1,84 @@
+#pragma once
+
+#include "core/visibility/pair_class.hpp"
+#include "stats/interval.hpp"
+#include "studies/analysis/analysis.hpp"
+#include "studies/spec/spec_differences.hpp"
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace ff::studies {
+
+/// What the trials of two runs of one method and size have to do with each other.
+enum class Basis {
+    independent,          ///< other random numbers: compared by tests
+    same_random_numbers,  ///< the same seed and the same points: compared trial by trial, to the bit
+    deterministic,        ///< both: compared by value
+    mixed,                ///< one is deterministic, the other is not
+};
+
+/// RMSE of a class of pairs in both runs.
+struct RmseRatio {
+    PairClass pair_class = PairClass::other;
+    double first = 0;
+    double second = 0;
+    std::optional<double> ratio;              ///< second / first; empty where one is rounding
+    std::optional<LogRatio> logarithm;        ///< of the ratio; independent runs only
+    std::optional<stats::Interval> interval;  ///< of the ratio by itself; independent runs only
+    double adjusted_p = 1;                    ///< of equal errors, Holm over all tests of the comparison
+};
+
+/// The pair on which two independent runs differ most.
+struct Contrast {
+    Quantity pair;
+    double size = 0;        ///< difference of the means, second - first; or ratio of the variances, second / first
+    double error = 0;       ///< standard error of the difference; 0 for the ratio
+    double adjusted_p = 1;  ///< Holm over all tests of the comparison
+};
+
+enum class Likeness { alike, different, untestable };
+
+/// One scene, method and size that both runs have.
+struct CellComparison {
+    std::size_t first = 0;  ///< index into the findings of each run
+    std::size_t second = 0;
+    Basis basis = Basis::independent;
+    Likeness likeness = Likeness::untestable;
+    std::vector<RmseRatio> ratios;
+    std::size_t pairs = 0;
+    std::size_t untestable = 0;        ///< pairs without a test: no variance, too few hits, fewer than three trials
+    std::optional<Contrast> mean;      ///< independent runs: Welch
+    std::optional<Contrast> spread;    ///< independent runs: Brown-Forsythe
+    double detectable_difference = 0;  ///< of means, on the worst pair, at the level of the smallest p and the power
+    double detectable_ratio = 1;       ///< of standard deviations, the same; approximate
+    std::size_t trials = 0;            ///< that both have; same random numbers only
+    std::size_t differing = 0;         ///< of these, trials with another value of some pair
+    double largest_difference = 0;     ///< deterministic only, on `largest_pair`
+    Quantity largest_pair;
+};
+
+/// Two runs side by side.
+struct RunComparison {
+    Findings first;
+    Findings second;
+    std::vector<CellComparison> cells;    ///< in the order of the first run
+    std::vector<std::size_t> only_first;  ///< cells without a counterpart
+    std::vector<std::size_t> only_second;
+    std::vector<SpecDifference> differences;
+    std::size_t tests = 0;  ///< of means, variances and RMSEs, that share one error rate
+    double level = 0.95;    ///< 1 - that error rate; of intervals too
+    double power = 0.9;
+
+    [[nodiscard]] std::size_t count(Likeness likeness) const;
+};
+
+/// Compares what two runs have in common, matched by the names of scene and method and by size. Where two independent
+/// runs do the same, the chance that any of their cells is said to be different is at most 1 - level. Level and power
+/// are those of the first study. Pure.
+/// @throws UserError where they have nothing in common
+RunComparison compare_runs(const Store& first, const Store& second);
+
+}  // namespace ff::studies

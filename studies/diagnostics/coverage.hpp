@@ -1,0 +1,45 @@
+#pragma once
+
+#include "core/visibility/pair_class.hpp"
+#include "stats/interval.hpp"
+#include "studies/store/store.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+namespace ff::studies {
+
+/// How an interval is made of the trials of one group.
+enum class IntervalRule {
+    student_t,
+    normal,
+    percentile_bootstrap,
+    two_stage,   ///< Stein's: R trials are the pilot, and fix how many follow
+    look_short,  ///< trials are added to R one by one until Student's interval looks short enough; broken on purpose
+};
+std::string_view name(IntervalRule rule);
+
+/// How often intervals of one kind contain the exact value.
+struct Coverage {
+    std::size_t cell = 0;
+    PairClass pair_class = PairClass::other;
+    IntervalRule rule = IntervalRule::student_t;
+    std::uint64_t replicates = 0;  ///< R: trials of a group, or of its first stage
+    std::uint64_t intervals = 0;
+    std::uint64_t covered = 0;
+    double mean_trials = 0;         ///< of a group
+    stats::Interval actual;         ///< Clopper-Pearson, of the coverage, at the study's level
+    bool short_of_nominal = false;  ///< significantly, at the study's level over all rows together (Sidak)
+
+    [[nodiscard]] double share() const { return static_cast<double>(covered) / static_cast<double>(intervals); }
+};
+
+/// Cuts the trials of each sampled cell into groups of R and makes an interval of each, for StudySpec::coverage. From
+/// each source face one target of each class is taken: such pairs have no point in common, so that intervals are
+/// independent. Stopping rules aim at the half-width that 4 R trials have on average. Pure.
+std::vector<Coverage> measure_coverage(const Store& store);
+
+}  // namespace ff::studies

@@ -1,0 +1,43 @@
+#include "studies/diagnostics/heavy_tails.hpp"
+
+#include "stats/multiplicity.hpp"
+#include "stats/tail_index.hpp"
+
+namespace ff::studies {
+namespace {
+
+/// The tails that can be tested, with their fits.
+struct Candidate {
+    HeavyTail tail;
+    stats::TailFit fit;
+};
+
+std::vector<Candidate> candidates(const Store& store, const Findings& findings) {
+    std::vector<Candidate> found;
+    for (const CellFindings& cell : findings.cells) {
+        const CellEstimates estimates = load_estimates(store, cell.cell);
+        for (const Summary& summary : cell.summaries) {
+            const bool pair = summary.quantity.kind == QuantityKind::form_factor;
+            if (!pair || summary.variance != VarianceStatus::finite) continue;
+            const auto fit = stats::fit_tail(estimates.values(summary.quantity));
+            if (fit && fit->index) found.push_back({{cell.cell, summary.quantity, *fit->index}, *fit});
+        }
+    }
+    return found;
+}
+
+}  // namespace
+
+std::vector<HeavyTail> find_heavy_tails(const Store& store, const Findings& findings) {
+    const auto tested = candidates(store, findings);
+    std::vector<HeavyTail> heavy;
+    if (tested.empty()) return heavy;
+    const double alpha = stats::sidak_level(1 - findings.plan.spec.level, tested.size());
+    for (const Candidate& candidate : tested) {
+        if (stats::judge_variance(candidate.fit, alpha) == stats::VarianceHealth::infinite)
+            heavy.push_back(candidate.tail);
+    }
+    return heavy;
+}
+
+}  // namespace ff::studies

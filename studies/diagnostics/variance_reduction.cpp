@@ -1,0 +1,62 @@
+#include "studies/diagnostics/variance_reduction.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ff::studies {
+namespace {
+
+constexpr std::string_view reference_sampler = "random";
+
+/// The cell of random points that differs from this one in the sampler and the allocation of its points only.
+std::optional<std::size_t> counterpart(const StudyPlan& plan, const Cell& cell) {
+    const Method& method = plan.spec.methods[cell.method];
+    const auto found = std::find_if(plan.cells.begin(), plan.cells.end(), [&](const Cell& other) {
+        const Method& candidate = plan.spec.methods[other.method];
+        return candidate.sampler == reference_sampler && other.scene == cell.scene &&
+               candidate.estimator == method.estimator && candidate.completion == method.completion &&
+               other.subdivision.m == cell.subdivision.m && other.samples == cell.samples;
+    });
+    if (method.sampler == reference_sampler || found == plan.cells.end()) return std::nullopt;
+    return static_cast<std::size_t>(found - plan.cells.begin());
+}
+
+double log_reach(const ClassError& errors) {
+    return std::log(errors.variance_interval->high / *errors.variance);
+}
+
+}  // namespace
+
+stats::Interval variance_ratio_interval(const ClassError& ours, const ClassError& theirs) {
+    const double factor = *theirs.variance / *ours.variance;
+    const double reach = std::exp(std::hypot(log_reach(ours), log_reach(theirs)));
+    return {.low = factor / reach,
+            .high = factor * reach,
+            .level = ours.variance_interval->level,
+            .method = "log_student_t",
+            .n = std::min(ours.trials, theirs.trials)};
+}
+
+std::vector<VarianceReduction> compare_with_random(const Findings& findings) {
+    const StudyPlan& plan = findings.plan;
+    std::vector<VarianceReduction> reductions;
+    for (std::size_t i = 0; i < plan.cells.size(); ++i) {
+        const auto random = counterpart(plan, plan.cells[i]);
+        if (plan.cells[i].deterministic || !random) continue;
+        for (const PairClass pair_class : {PairClass::parallel, PairClass::adjacent, PairClass::other}) {
+            const ClassError* ours = findings.cells[i].class_error(pair_class);
+            const ClassError* theirs = findings.cells[*random].class_error(pair_class);
+            if (ours == nullptr || theirs == nullptr || !ours->variance_interval || !theirs->variance_interval)
+                continue;
+            VarianceReduction& found = reductions.emplace_back();
+            found.cell = i;
+            found.random_cell = *random;
+            found.pair_class = pair_class;
+            found.factor = *theirs->variance / *ours->variance;
+            found.interval = variance_ratio_interval(*ours, *theirs);
+        }
+    }
+    return reductions;
+}
+
+}  // namespace ff::studies

@@ -1,0 +1,31 @@
+#pragma once
+
+#include "core/visibility/pair_class.hpp"
+#include "stats/interval.hpp"
+#include "studies/analysis/analysis.hpp"
+#include "studies/analysis/class_error.hpp"
+
+#include <cstddef>
+#include <vector>
+
+namespace ff::studies {
+
+/// How many times less variance a cell has than one with as many independent random points, on the pairs of a class
+/// together.
+struct VarianceReduction {
+    std::size_t cell = 0;
+    std::size_t random_cell = 0;  ///< of sampler "random", with the same scene, estimator, completion and size
+    PairClass pair_class = PairClass::other;
+    double factor = 1;
+    stats::Interval interval;
+};
+
+/// Of theirs.variance / ours.variance: Student's t for the logarithm, from both cells' spread over trials.
+/// @pre both have a variance, with intervals of the same level
+stats::Interval variance_ratio_interval(const ClassError& ours, const ClassError& theirs);
+
+/// One for each cell and class that has a variance with an interval, and a random counterpart, in the order of cells.
+/// Pure.
+std::vector<VarianceReduction> compare_with_random(const Findings& findings);
+
+}  // namespace ff::studies

@@ -1,0 +1,268 @@
+#include "studies/plan/plan.hpp"
+
+#include "core/support/error.hpp"
+#include "core/tracing/tracer.hpp"
+#include "core/visibility/mirrors.hpp"
+#include "samplers/sampler.hpp"
+#include "stats/interval.hpp"
+#include "studies/plan/patch_systems.hpp"
+#include "studies/scene_files/scene_file.hpp"
+#include "studies/theory/applicability.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <unordered_set>
+#include <utility>
+
+namespace ff::studies {
+namespace {
+
+constexpr double unit_seconds = 0.2;
+
+/// A unit's observations wait in memory to be saved: some kilobytes a trial.
+constexpr double most_trials_of_a_unit = 2000;
+
+/// 320 MB of plan, and a day of work for a hundred cores.
+constexpr std::uint64_t most_units = 10'000'000;
+
+/// About a month on one core.
+constexpr double most_evaluations = 1e15;
+constexpr std::uint64_t most_patches = 1u << 31;  // of a scene
+
+/// Nanoseconds on one core of a current server; only their ratios matter, for units of about equal length.
+constexpr double tracing_nanoseconds = 1.0;
+constexpr double embree_nanoseconds = 60.0;
+constexpr double kernel_nanoseconds = 1.5;
+constexpr double polygons_nanoseconds = 60.0;  // of all faces of a box
+
+double sampling_nanoseconds(std::string_view sampler) {
+    constexpr std::array<std::string_view, 6> slow{"random_mt", "halton",       "faure",
+                                                   "sobol_raw", "niederreiter", "latin_hypercube"};
+    if (std::find(slow.begin(), slow.end(), sampler) != slow.end()) return 15.0;
+    if (sampler == "sobol_nus") return 2000.0;
+    if (sampler == "faure_7" || sampler == "faure_11" || sampler == "faure_13") return 100.0;
+    return 1.5;
+}
+
+std::uint64_t sample_count(const Method& method, const Size& size) {
+    if (method.nodes) {
+        const std::uint64_t source = method.nodes->source;
+        const std::uint64_t target = method.nodes->target;
+        return target == 0 ? source * source : source * source * target * target;
+    }
+    return size.samples_per_patch.value_or(0);
+}
+
+bool is_deterministic(const Method& method) {
+    return method.estimator == Estimator::closed_form || !samplers::find(method.sampler).info.randomised;
+}
+
+std::string canonical_text(const Scene& scene, const Method& method, const Cell& cell) {
+    std::string text = fmt::format("{}|{}|{}|m={}|n={}", scene.canonical, method.sampler, name(method.estimator),
+                                   cell.subdivision.m, cell.samples);
+    if (method.nodes) text += fmt::format("|nodes={},{}", method.nodes->source, method.nodes->target);
+    if (has_allocation(method.estimator)) text += fmt::format("|allocation={}", name(method.allocation));
+    if (method.map != PointMap::uniform) text += fmt::format("|map={}", name(method.map));
+    return text;
+}
+
+/// Warnings of a plan, each once.
+class Warnings {
+  public:
+    explicit Warnings(StudyPlan& plan) : plan_(plan) {}
+
+    void add(std::string text) {
+        if (seen_.insert(text).second) plan_.warnings.push_back(std::move(text));
+    }
+
+    void add_control(const Method& method) {
+        const bool sampler = !method.sampler.empty() && samplers::find(method.sampler).info.control;
+        if (!sampler && method.tracer != TracerChoice::leaky) return;
+        add(fmt::format("method '{}': {} is a control, broken on purpose; its results are not to be used", method.name,
+                        sampler ? method.sampler : name(method.tracer)));
+    }
+
+    void add_size(const Method& method, const Cell& cell) {
+        if (method.sampler.empty() || method.nodes) return;
+        const auto problem = samplers::check_size(samplers::find(method.sampler).info,
+                                                  points_per_sequence(method, cell.subdivision, cell.samples),
+                                                  dimension(method.estimator));
+        if (problem.message.empty()) return;
+        add(fmt::format("method '{}': {}", method.name, problem.message));
+    }
+
+    void add_trials(const Cell& cell) {
+        if (cell.deterministic || cell.trials >= stats::fewest_replicates || plan_.spec.until) return;
+        add(fmt::format("fewer than {} trials: estimates are shown without verdicts", stats::fewest_replicates));
+    }
+
+  private:
+    StudyPlan& plan_;
+    std::unordered_set<std::string> seen_;
+};
+
+/// Patches, or ordered pairs of patches of different surfaces with kernels.
+double evaluated_patches(const Method& method, const Scene& scene, Subdivision subdivision) {
+    const auto all = static_cast<double>(subdivision.patches(scene));
+    if (method.estimator != Estimator::area_kernel) return all;
+    double pairs = all * all;
+    for (const Surface& surface : scene.surfaces) {
+        const double own = subdivision.of(surface).parts();
+        pairs -= own * own;
+    }
+    return pairs;
+}
+
+/// @throws UserError where one trial alone would take for ever
+void expect_feasible(const Method& method, const Scene& scene, const Cell& cell) {
+    const std::uint64_t patches = cell.subdivision.patches(scene);
+    if (patches > most_patches) {
+        throw UserError(fmt::format(
+            "method '{}': {} patches in scene '{}' (at most {} can be told apart). Take fewer patches a face, or "
+            "coarser grids.",
+            method.name, patches, scene.name, most_patches));
+    }
+    const double evaluations = evaluated_patches(method, scene, cell.subdivision) * static_cast<double>(cell.samples);
+    if (evaluations <= most_evaluations) return;
+    throw UserError(fmt::format(
+        "method '{}': one trial takes {:.1g} evaluations (more than {:g}). Take fewer patches, samples or nodes.",
+        method.name, evaluations, most_evaluations));
+}
+
+/// @throws UserError where an adaptive study leaves a size fewer trials than its pilot has
+void expect_room_for_pilot(const StudySpec& spec, const Method& method, const Cell& cell) {
+    if (!spec.until || cell.deterministic || cell.trials >= spec.until->pilot) return;
+    throw UserError(
+        fmt::format("method '{}': trials = {} (the pilot of [until] has {}). Take more trials, or a smaller pilot.",
+                    method.name, cell.trials, spec.until->pilot));
+}
+
+/// Whether a method takes part in a scene. One that cannot be used there is named in `left_out`, where the study says
+/// so.
+/// @throws UserError otherwise
+bool takes_part(const StudySpec& spec, const Method& method, const Scene& scene, std::vector<std::string>& left_out) {
+    try {
+        expect_applicable(method, scene);
+    } catch (const UserError&) {
+        if (spec.inapplicable == Inapplicable::refuse) throw;
+        left_out.push_back(scene.name);
+        return false;
+    }
+    return true;
+}
+
+void warn_about_left_out(const StudyPlan& plan, const std::vector<std::vector<std::string>>& left_out,
+                         Warnings& warnings) {
+    for (std::size_t m = 0; m < left_out.size(); ++m) {
+        if (left_out[m].empty()) continue;
+        warnings.add(fmt::format("method '{}' cannot be used in {} of {} scenes, and is left out there: {}",
+                                 plan.spec.methods[m].name, left_out[m].size(), plan.scenes.size(),
+                                 fmt::join(left_out[m], ", ")));
+    }
+    if (!plan.cells.empty()) return;
+    throw UserError(
+        "no method of the study can be used in any of its scenes (inapplicable = \"skip\" leaves them all "
+        "out). Leave the key out to see why.");
+}
+
+}  // namespace
+
+void add_units(const StudyPlan& plan, std::size_t cell_index, std::uint64_t first_trial, std::uint64_t end_trial,
+               std::vector<WorkUnit>& units) {
+    const double seconds = expected_seconds_per_trial(plan, plan.cells[cell_index]);
+    const auto batch = static_cast<std::uint64_t>(std::clamp(unit_seconds / seconds, 1.0, most_trials_of_a_unit));
+    if (units.size() + (end_trial - first_trial) / batch >= most_units) {
+        throw UserError(fmt::format("method '{}': {} trials make more than {} work units. Take fewer trials.",
+                                    plan.spec.methods[plan.cells[cell_index].method].name, end_trial, most_units));
+    }
+    const bool adaptive = plan.spec.until && !plan.cells[cell_index].deterministic;
+    const std::uint64_t pilot = adaptive ? plan.spec.until->pilot : 0;
+    for (std::uint64_t first = first_trial; first < end_trial;) {
+        std::uint64_t trials = std::min(batch, end_trial - first);
+        // A round ends where a unit does: that of the pilot, and later ones not far beyond what they need.
+        if (first < pilot) trials = std::min(trials, pilot - first);
+        if (adaptive && first >= pilot) trials = std::min(trials, std::max<std::uint64_t>(1, first / 8));
+        units.push_back({units.size(), cell_index, first, trials});
+        first += trials;
+    }
+}
+
+std::uint64_t points_per_sequence(const Method& method, Subdivision subdivision, std::uint64_t samples) {
+    return method.allocation == Allocation::face ? samples * subdivision.per_part() : samples;
+}
+
+std::uint64_t evaluations_per_trial(const StudyPlan& plan, const Cell& cell) {
+    const Method& method = plan.spec.methods[cell.method];
+    const double patches = evaluated_patches(method, plan.scenes[cell.scene], cell.subdivision);
+    return static_cast<std::uint64_t>(patches) * cell.samples;
+}
+
+double expected_seconds_per_trial(const StudyPlan& plan, const Cell& cell) {
+    const Method& method = plan.spec.methods[cell.method];
+    const auto evaluations = static_cast<double>(evaluations_per_trial(plan, cell));
+    switch (method.estimator) {
+        case Estimator::closed_form:
+            return 1e-3;
+        case Estimator::area_kernel: {
+            const double sampling = cell.deterministic ? 0.0 : sampling_nanoseconds(method.sampler);
+            return 1e-9 * evaluations * (kernel_nanoseconds + sampling);
+        }
+        case Estimator::point_to_polygon:
+            return 1e-9 * evaluations * (polygons_nanoseconds + sampling_nanoseconds(method.sampler));
+        case Estimator::ray_shooting: {
+            const Scene& scene = plan.scenes[cell.scene];
+            const bool one_by_one = method.tracer == TracerChoice::embree || method.tracer == TracerChoice::leaky ||
+                                    !mirrors(scene).empty();
+            const bool analytic = scene.empty_box && !one_by_one;
+            const double tracing = analytic ? tracing_nanoseconds : embree_nanoseconds;
+            return 1e-9 * evaluations * (tracing + sampling_nanoseconds(method.sampler));
+        }
+    }
+    return 1e-3;
+}
+
+StudyPlan plan_study(StudySpec spec) {
+    StudyPlan plan;
+    plan.spec = std::move(spec);
+    Warnings warnings(plan);
+    for (const std::string& scene : plan.spec.scenes) plan.scenes.push_back(make_scene(scene));
+    for (const Scene& scene : plan.scenes) {
+        if (!scene.empty_box) {
+            for (std::string& doubt : doubts_about(scene)) warnings.add(std::move(doubt));
+        }
+        if (plan.spec.radiosity) expect_fitting(*plan.spec.radiosity, scene);
+    }
+    std::vector<std::vector<std::string>> left_out(plan.spec.methods.size());  // scenes, by method
+    for (std::size_t scene = 0; scene < plan.scenes.size(); ++scene) {
+        for (std::size_t m = 0; m < plan.spec.methods.size(); ++m) {
+            const Method& method = plan.spec.methods[m];
+            if (!takes_part(plan.spec, method, plan.scenes[scene], left_out[m])) continue;
+            for (const Size& size : method.sizes) {
+                Cell cell;
+                cell.scene = scene;
+                cell.method = m;
+                cell.subdivision.m = static_cast<std::uint32_t>(std::lround(std::sqrt(size.patches_per_face)));
+                cell.samples = sample_count(method, size);
+                cell.deterministic = is_deterministic(method);
+                expect_feasible(method, plan.scenes[scene], cell);
+                cell.trials = cell.deterministic ? 1 : size.trials.value_or(plan.spec.trials);
+                expect_room_for_pilot(plan.spec, method, cell);
+                cell.canonical = canonical_text(plan.scenes[scene], method, cell);
+                cell.key = derive_key(plan.spec.seed, cell.canonical);
+                warnings.add_control(method);
+                warnings.add_size(method, cell);
+                warnings.add_trials(cell);
+                plan.cells.push_back(std::move(cell));
+                if (has_patch_systems(plan, plan.cells.size() - 1)) expect_few_patches(plan, plan.cells.size() - 1);
+                add_units(plan, plan.cells.size() - 1, 0, plan.cells.back().trials, plan.units);
+            }
+        }
+    }
+    warn_about_left_out(plan, left_out, warnings);
+    return plan;
+}
+
+}  // namespace ff::studies

@@ -1,0 +1,78 @@
+#include "studies/readers/csv_reader.hpp"
+
+#include "core/support/error.hpp"
+
+#include <fmt/format.h>
+
+namespace ff::studies {
+
+CsvReader::CsvReader(std::string_view text, std::string_view origin) : text_(text), origin_(origin) {
+    if (text_.starts_with("\xef\xbb\xbf")) text_.remove_prefix(3);
+    if (text_.starts_with("\xff\xfe") || text_.starts_with("\xfe\xff"))
+        throw UserError(fmt::format("{}:1:1: the file is in UTF-16 (UTF-8 is read). Save it as UTF-8.", origin));
+}
+
+bool CsvReader::at_line_end() const {
+    return text_[place_] == '\n' || text_.substr(place_).starts_with("\r\n");
+}
+
+void CsvReader::step() {
+    const bool new_line = text_[place_++] == '\n';
+    line_ += new_line ? 1 : 0;
+    column_ = new_line ? 1 : column_ + 1;
+}
+
+void CsvReader::end_line() {
+    while (text_[place_] != '\n') step();
+    step();
+}
+
+bool CsvReader::next(std::vector<CsvField>& record) {
+    while (!at_end() && at_line_end()) end_line();
+    if (at_end()) return false;
+    record.clear();
+    record.push_back(field());
+    while (!at_end() && text_[place_] == ',') {
+        step();
+        record.push_back(field());
+    }
+    if (!at_end()) end_line();
+    return true;
+}
+
+/// Ends before a comma, a line end or the end of the text.
+CsvField CsvReader::field() {
+    CsvField result{.text = {}, .line = line_, .column = column_};
+    if (!at_end() && text_[place_] == '"') {
+        quoted(result);
+        return result;
+    }
+    while (!at_end() && text_[place_] != ',' && !at_line_end()) {
+        result.text += text_[place_];
+        step();
+    }
+    return result;
+}
+
+void CsvReader::quoted(CsvField& field) {
+    step();
+    for (;;) {
+        if (at_end())
+            fail(field, "a quote is opened and never closed (the rest of the file would be one cell). Add \".");
+        const bool quote = text_[place_] == '"';
+        const bool doubled = quote && text_.substr(place_).starts_with("\"\"");
+        if (quote && !doubled) break;
+        if (doubled) step();
+        field.text += text_[place_];
+        step();
+    }
+    step();
+    if (!at_end() && text_[place_] != ',' && !at_line_end())
+        fail(field, "text follows a closing quote (a quote within quotes is written twice). Write \"\".");
+}
+
+void CsvReader::fail(const CsvField& field, std::string_view problem) const {
+    throw UserError(fmt::format("{}:{}:{}: {}", origin_, field.line, field.column, problem));
+}
+
+}  // namespace ff::studies

@@ -1,0 +1,118 @@
+#include "studies/readers/file_kind.hpp"
+
+#include "core/support/error.hpp"
+#include "studies/readers/words.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <string>
+#include <utility>
+
+namespace ff::studies {
+namespace {
+
+constexpr std::size_t kinds = 8;
+
+struct Words {
+    std::string_view name;
+    std::string_view command;  ///< that takes it; {} is the file
+};
+constexpr std::array<Words, kinds> words_of_kinds{
+    Words{"a study file", "ffstudy run {}"},
+    Words{"a bands file", "ffstudy check {}"},
+    Words{"a scene file", "ffstudy form_factors {}"},
+    Words{"a tables file", "ffstudy audit {}"},
+    Words{"a baseline", "ffstudy check BANDS.toml --baseline {}"},
+    Words{"a file of estimates", "ffstudy check BANDS.toml --estimates {}"},
+    Words{"a result store", "ffstudy report {}"},
+    Words{"a store of form factors", "ffstudy form_factors --load {}"},
+};
+
+const Words& words_of(FileKind kind) {
+    return words_of_kinds.at(static_cast<std::size_t>(kind));
+}
+
+/// By kind, whether something of it was seen.
+using Marks = std::array<bool, kinds>;
+
+void mark(Marks& marks, FileKind kind) {
+    marks.at(static_cast<std::size_t>(kind)) = true;
+}
+
+constexpr std::array<std::pair<std::string_view, FileKind>, 5> headings{{{"[study]", FileKind::study},
+                                                                         {"[[method]]", FileKind::study},
+                                                                         {"[gates]", FileKind::bands},
+                                                                         {"[[gate]]", FileKind::bands},
+                                                                         {"[[surface]]", FileKind::scene}}};
+
+/// A vertex, a face or a surface of OBJ and View3D.
+bool begins_geometry(const std::vector<std::string_view>& words) {
+    constexpr std::array<std::string_view, 4> first{"v", "V", "f", "S"};
+    return words.size() >= 4 && std::find(first.begin(), first.end(), words[0]) != first.end() &&
+           std::all_of(words.begin() + 2, words.begin() + 4,
+                       [](std::string_view word) { return word.find_first_not_of("+-.0123456789eE/") == word.npos; });
+}
+
+void mark_json(std::string_view text, Marks& marks) {
+    const auto has = [&](std::string_view part) { return text.find(part) != std::string_view::npos; };
+    if (has("\"ffstudy.baseline/")) mark(marks, FileKind::baseline);
+    if (has("\"tables\"") && has("\"methods\"")) mark(marks, FileKind::tables);
+}
+
+void mark_store(std::string_view bytes, Marks& marks) {
+    const auto has = [&](std::string_view part) { return bytes.find(part) != std::string_view::npos; };
+    if (has("CREATE TABLE meta(")) mark(marks, FileKind::result_store);
+    if (has("CREATE TABLE about(")) mark(marks, FileKind::form_factor_store);
+}
+
+void mark_lines(std::string_view text, Marks& marks) {
+    bool is_first = true;
+    for_each_line(text, [&](std::uint64_t, const std::vector<std::string_view>& words) {
+        if (words.empty() || words[0].front() == '#' || words[0].front() == '!') return;
+        const bool heads = std::exchange(is_first, false);
+        for (const auto& [heading, kind] : headings) {
+            if (words[0] == heading) mark(marks, kind);
+        }
+        if (begins_geometry(words)) mark(marks, FileKind::scene);
+        const std::string_view line = words[0];
+        if (heads && words.size() <= 3 && line.find('=') == line.npos && line.find("trial") != line.npos &&
+            text.substr(0, text.find('\n')).find("estimate") != text.npos)
+            mark(marks, FileKind::estimates);
+    });
+}
+
+Marks marks_of(std::string_view bytes) {
+    Marks marks{};
+    const std::size_t first = bytes.find_first_not_of(" \t\r\n");
+    if (bytes.starts_with("SQLite format 3")) {
+        mark_store(bytes, marks);
+    } else if (first != std::string_view::npos && bytes[first] == '{') {
+        mark_json(bytes, marks);
+    } else {
+        mark_lines(bytes, marks);
+    }
+    return marks;
+}
+
+}  // namespace
+
+std::optional<FileKind> kind_of(std::string_view bytes) {
+    const Marks marks = marks_of(bytes);
+    const auto* const found = std::find(marks.begin(), marks.end(), true);
+    if (found == marks.end()) return std::nullopt;
+    return static_cast<FileKind>(found - marks.begin());
+}
+
+void expect_kind(FileKind wanted, std::string_view bytes, const std::filesystem::path& file) {
+    if (marks_of(bytes).at(static_cast<std::size_t>(wanted))) return;
+    const auto kind = kind_of(bytes);
+    if (!kind) return;
+    throw UserError(fmt::format("{}: {} ({} is wanted here). Run '{}'.", file.string(), words_of(*kind).name,
+                                words_of(wanted).name,
+                                fmt::format(fmt::runtime(words_of(*kind).command), file.string())));
+}
+
+}  // namespace ff::studies

@@ -1,0 +1,20 @@
+#pragma once
+
+#include "studies/plan/plan.hpp"
+
+#include <cstdint>
+
+namespace ff::studies {
+
+/// Bytes that running a plan and evaluating its results take at their peak, by the sizes of what is held at a time: a
+/// few units a thread, pages of the store, the trials of one cell (of all cells where tables are compared). Within a
+/// factor of two of what was measured on the built-in studies; docs/reliability.md has the figures.
+std::uint64_t expected_memory(const StudyPlan& plan, unsigned threads);
+
+/// Bytes of the finished store.
+std::uint64_t expected_store_size(const StudyPlan& plan);
+
+/// Seconds that saving and evaluating all observations take, on one core whatever the number of threads.
+double expected_seconds_of_results(const StudyPlan& plan);
+
+}  // namespace ff::studies

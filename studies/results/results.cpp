@@ -1,0 +1,48 @@
+#include "studies/results/results.hpp"
+
+#include <algorithm>
+
+namespace ff::studies {
+namespace {
+
+bool all_finite(const Findings& findings) {
+    return std::all_of(findings.cells.begin(), findings.cells.end(), [](const CellFindings& cell) {
+        return std::all_of(cell.summaries.begin(), cell.summaries.end(),
+                           [](const Summary& summary) { return summary.not_finite == 0; });
+    });
+}
+
+}  // namespace
+
+StudyResults evaluate(const Store& store, const std::atomic<bool>* stop) {
+    StudyResults results;
+    results.findings = analyse(store);
+    results.context = store.context();
+    if (results.findings.complete && all_finite(results.findings)) {
+        results.slopes = fit_slopes(store, results.findings);
+        results.occlusion = occlusion_series(store, results.findings, results.slopes);
+        results.heavy_tails = find_heavy_tails(store, results.findings);
+        results.reductions = compare_with_random(results.findings);
+        results.coverage = measure_coverage(store);
+        results.until = until_outcomes(store);
+        if (results.findings.plan.spec.radiosity) {
+            results.radiosity = evaluate_radiosity(store, stop);
+            results.bias_orders = bias_orders(results.findings.plan, *results.radiosity);
+        }
+    }
+    results.variance_checks = check_variances(results.findings);
+    const auto& published = results.findings.plan.spec.published;
+    if (published && all_finite(results.findings)) {
+        PublishedResults& compared = results.published.emplace();
+        compared.tables = parse_published_tables(published->text, published->file);
+        compared.comparisons = compare_with_published(store, results.findings, compared.tables);
+        compared.claims = judge_claims(store, results.findings, compared.tables);
+        compared.audit = audit(compared.tables);
+    }
+    results.error_laws = fit_error_laws(results.findings, results.published ? &results.published->tables : nullptr);
+    results.rivals = find_rivals(results.findings,
+                                 results.published ? results.published->comparisons : std::vector<TableComparison>{});
+    return results;
+}
+
+}  // namespace ff::studies

@@ -1,0 +1,33 @@
+#pragma once
+
+#include "studies/plan/plan.hpp"
+#include "studies/run/interruptible_points.hpp"
+#include "studies/store/records.hpp"
+
+#include <atomic>
+#include <memory>
+
+namespace ff::studies {
+
+/// The points of a cell. Null where its method takes none.
+std::unique_ptr<PointSource> make_points(const Method& method, const Cell& cell);
+
+/// Carries out work units of a plan. Safe to use from several threads: nothing is changed after construction.
+class Worker {
+  public:
+    /// @param stop  once true, `carry_out` throws `Interrupted`; null: never
+    explicit Worker(const StudyPlan& plan, const std::atomic<bool>* stop = nullptr);
+    ~Worker();
+    Worker(const Worker&) = delete;
+    Worker& operator=(const Worker&) = delete;
+
+    /// A pure function of plan and unit. @throws Interrupted
+    [[nodiscard]] UnitRecord carry_out(const WorkUnit& unit) const;
+
+  private:
+    struct Tools;  // scene, tracer and points of one cell
+    const StudyPlan& plan_;
+    std::vector<std::unique_ptr<Tools>> tools_;
+};
+
+}  // namespace ff::studies

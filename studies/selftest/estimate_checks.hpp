@@ -1,0 +1,15 @@
+#pragma once
+
+#include "studies/selftest/measured_rate.hpp"
+#include "studies/selftest/repetitions.hpp"
+
+#include <cstdint>
+#include <vector>
+
+namespace ff::studies {
+
+/// What becomes of files of estimates that are not normal and independent, and of trials that all give one value.
+/// @param times  repetitions of a row; slow ones are repeated less often
+std::vector<RateTable> measure_estimate_checks(const Repetitions& repetitions, std::uint64_t times);
+
+}  // namespace ff::studies

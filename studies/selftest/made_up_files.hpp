@@ -1,0 +1,41 @@
+#pragma once
+
+#include "stats/resampling.hpp"
+
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace ff::studies {
+
+/// A distribution that files of estimates are drawn from.
+struct Law {
+    std::string name;
+    double mean = 0;
+    std::function<double(stats::Draws&)> draw;
+};
+
+/// Of skewness 1, 2, 1, 0.1 and 33, and one that is 0 in seven trials of ten.
+Law gamma_law();
+Law exponential_law();
+Law poisson_law(double mean);
+Law log_normal_law(double sigma);
+Law zero_inflated_law();
+
+/// Counts whose variance is far above their mean: those of a Poisson law whose mean is squared normal.
+Law clustered_counts_law(double mean);
+/// Of infinite variance (Pareto of this index), and without even a mean.
+Law pareto_law(double index);
+Law cauchy_law();
+Law normal_law();
+
+/// The law with three significant digits.
+Law printed(const Law& law);
+
+std::vector<double> draw_file(const Law& law, std::size_t n, stats::Draws& draws);
+
+/// Normal, each like the one before; correlation 1 is a random walk that begins at 0.
+std::vector<double> draw_chain(double correlation, std::size_t n, double mean, stats::Draws& draws);
+
+}  // namespace ff::studies

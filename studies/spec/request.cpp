@@ -1,0 +1,166 @@
+#include "studies/spec/request.hpp"
+
+#include "core/exact/exact_rooms.hpp"
+#include "core/support/error.hpp"
+#include "studies/readers/toml_reader.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <optional>
+#include <string_view>
+
+namespace ff::studies {
+namespace {
+
+constexpr double most_reflectance = 1 - 1e-9;
+// Errors of the exitance enter statistics by their squares and fourth powers, which have to be numbers and not 0. The
+// exitance is up to 1e9 times the largest emission, more where a system is nearly singular, and as little as the least
+// emission times the least reflectance.
+constexpr double least = 1e-30;
+constexpr double most_emission = 1e30;
+
+bool within(double value, double most) {
+    return value == 0 || (value >= least && value <= most);
+}
+
+/// What is wrong with a list of numbers; empty where nothing is.
+std::string problem_with_reflectance(const std::vector<double>& reflectance) {
+    for (const double value : reflectance) {
+        if (value >= 1) return fmt::format("({} is 1 or more: light that nothing absorbs piles up). Try 0.99.", value);
+        if (value > most_reflectance)
+            return fmt::format("({} is so near to 1 that rounding decides the light). Take at most 1 - 1e-9.", value);
+        if (!(value >= 0)) return fmt::format("({} is below 0). Give 0 or more.", value);
+        if (!within(value, most_reflectance))
+            return fmt::format("({} is so small that squares of the light would be 0). Give 0, or {} at least.", value,
+                               least);
+    }
+    return {};
+}
+
+std::string problem_with_emission(const std::vector<double>& emission) {
+    for (const double value : emission) {
+        if (!(value >= 0) || !std::isfinite(value))
+            return fmt::format("({} is below 0, or no number: no surface emits that). Give 0 or more.", value);
+    }
+    if (!emission.empty() && std::all_of(emission.begin(), emission.end(), [](double value) { return value == 0; }))
+        return "(nothing emits: all would be dark). Give one face 1.";
+    for (const double value : emission) {
+        if (!within(value, most_emission))
+            return fmt::format(
+                "({} is neither 0 nor from {} to {}: squares of the light would be no numbers, or 0). Use another "
+                "unit, in which the emission is near 1: the light is proportional to it.",
+                value, least, most_emission);
+    }
+    return {};
+}
+
+/// A number, or a list of numbers and of lists with one number for each face.
+std::vector<std::vector<double>> read_settings(const TomlReader& reader, std::string_view key) {
+    static constexpr std::string_view form = "(numbers, or lists of one number a face). Write it like [0.5, 0.9].";
+    const toml::node* node = reader.find(key);
+    if (!node->is_array()) return {reader.numbers(key)};
+    std::vector<std::vector<double>> settings;
+    for (const toml::node& item : *node->as_array()) {
+        std::vector<double>& setting = settings.emplace_back();
+        const auto add = [&](const toml::node& number) {
+            if (!number.is_number()) reader.fail(key, form);
+            setting.push_back(*number.value<double>());
+        };
+        if (const toml::array* list = item.as_array()) {
+            for (const toml::node& number : *list) add(number);
+        } else {
+            add(item);
+        }
+        if (setting.empty()) reader.fail(key, form);
+    }
+    if (settings.empty()) reader.fail(key, "(an empty list leaves nothing to do). Give at least one number.");
+    return settings;
+}
+
+void expect_numbers_for(const std::vector<double>& numbers, std::string_view what, const Scene& scene) {
+    if (numbers.size() <= 1 || numbers.size() == scene.faces.size()) return;
+    throw UserError(fmt::format("[radiosity]: {} has {} numbers (scene '{}' has {} faces). Give one, or one for each.",
+                                what, numbers.size(), scene.name, scene.faces.size()));
+}
+
+}  // namespace
+
+RadiosityRequest read_radiosity(const TomlReader& reader) {
+    static constexpr std::array<std::string_view, 5> known{"reflectance", "emission", "tolerance", "solver_trials",
+                                                           "patch_trials"};
+    reader.expect_only(known);
+    RadiosityRequest request;
+    if (reader.has("reflectance")) request.reflectance = read_settings(reader, "reflectance");
+    for (const auto& setting : request.reflectance) {
+        if (const auto problem = problem_with_reflectance(setting); !problem.empty())
+            reader.fail("reflectance", problem);
+    }
+    if (reader.has("emission")) request.emission = reader.numbers("emission");
+    if (const auto problem = problem_with_emission(request.emission); !problem.empty())
+        reader.fail("emission", problem);
+    request.tolerance = reader.optional_number("tolerance").value_or(request.tolerance);
+    if (request.tolerance < 1e-13 || request.tolerance >= 1)
+        reader.fail("tolerance", "(1e-13 to below 1: no residual is smaller than rounding). Try 1e-6.");
+    request.solver_trials = reader.optional_count("solver_trials").value_or(request.solver_trials);
+    request.patch_trials = reader.optional_count("patch_trials").value_or(request.patch_trials);
+    return request;
+}
+
+void check_radiosity(const RadiosityRequest& request, const std::string& place) {
+    for (const auto& setting : request.reflectance) {
+        if (const auto problem = problem_with_reflectance(setting); !problem.empty())
+            throw UserError(fmt::format("{}reflectance {}", place, problem));
+    }
+    if (const auto problem = problem_with_emission(request.emission); !problem.empty())
+        throw UserError(fmt::format("{}emission {}", place, problem));
+}
+
+std::vector<double> parse_numbers(const std::string& text, const std::string& option) {
+    std::vector<double> numbers;
+    const char* at = text.data();
+    const char* const end = at + text.size();
+    while (true) {
+        double value = 0;
+        const auto [rest, error] = std::from_chars(at, end, value);
+        if (error != std::errc() || !std::isfinite(value) || (rest != end && *rest != ','))
+            throw UserError(fmt::format("{} {}: not a list of numbers. Write it like 0.5,0.9.", option, text));
+        numbers.push_back(value);
+        if (rest == end) return numbers;
+        at = rest + 1;
+    }
+}
+
+std::string to_toml(const RadiosityRequest& request) {
+    std::vector<std::string> settings;
+    for (const auto& setting : request.reflectance) settings.push_back(fmt::format("[{}]", fmt::join(setting, ", ")));
+    std::string out = fmt::format("\n[radiosity]\nreflectance = [{}]\n", fmt::join(settings, ", "));
+    if (!request.emission.empty()) out += fmt::format("emission = [{}]\n", fmt::join(request.emission, ", "));
+    out += fmt::format("tolerance = {}\nsolver_trials = {}\n", request.tolerance, request.solver_trials);
+    return request.patch_trials == 0 ? out : out + fmt::format("patch_trials = {}\n", request.patch_trials);
+}
+
+void expect_fitting(const RadiosityRequest& request, const Scene& scene) {
+    if (!scene.closed) {
+        throw UserError(
+            fmt::format("[radiosity]: scene '{}' is open (where light leaves, rows need not sum to 1, and "
+                        "what is lost by errors cannot be told). Close it, or leave the section out.",
+                        scene.name));
+    }
+    if (!exact_room_factors(scene)) {
+        throw UserError(fmt::format(
+            "[radiosity]: scene '{}' has no exact form factors to compare with ({}). Leave the section out.",
+            scene.name, why_no_exact_factors(scene)));
+    }
+    for (const auto& setting : request.reflectance) expect_numbers_for(setting, "reflectance", scene);
+    expect_numbers_for(request.emission, "emission", scene);
+}
+
+std::string in_words(const std::vector<double>& reflectance) {
+    return fmt::format("{}", fmt::join(reflectance, ", "));
+}
+
+}  // namespace ff::studies

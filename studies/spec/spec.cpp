@@ -1,0 +1,328 @@
+#include "studies/spec/spec.hpp"
+
+#include "core/support/error.hpp"
+#include "core/support/nearest_name.hpp"
+#include "samplers/sampler.hpp"
+#include "stats/interval.hpp"
+#include "studies/published/published.hpp"
+#include "studies/readers/printable.hpp"
+#include "studies/readers/text_file.hpp"
+#include "studies/readers/toml_reader.hpp"
+#include "studies/scene_files/scene_file.hpp"
+#include "studies/spec/coverage_request.hpp"
+#include "studies/spec/sample_sizes.hpp"
+#include "studies/spec/spec_names.hpp"
+#include "studies/spec/spec_trials.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <set>
+#include <span>
+#include <utility>
+
+namespace ff::studies {
+namespace {
+
+using Keys = std::array<std::string_view, 12>;
+
+constexpr std::uint64_t max_samples = 1ULL << 32;  // a stream addresses points with 32 bits
+constexpr std::uint32_t max_patches_per_face = 1u << 20;
+constexpr double most_power = 1 - 1e-9;
+
+/// The enumerator whose name is the text at `key`; `fallback` where the key is missing. A message suggests the first
+/// `shown` names.
+template <typename Enum, std::size_t N>
+Enum choice(const TomlReader& reader, std::string_view key, const std::array<std::string_view, N>& names, Enum fallback,
+            std::size_t shown = N) {
+    const auto found = reader.optional_choice(key, names, shown);
+    return found ? static_cast<Enum>(*found) : fallback;
+}
+
+std::uint64_t checked_trials(const TomlReader& reader, std::uint64_t trials) {
+    if (trials == 0) reader.fail("trials", "(nothing would be run). Try 64.");
+    if (trials == 1) reader.fail("trials", "(a confidence interval needs at least 2). Try 64.");
+    if (trials > max_trials)
+        reader.fail("trials", fmt::format("(at most {} trials are told apart). Take fewer.", max_trials));
+    return trials;
+}
+
+std::vector<std::uint32_t> read_patches_per_face(const TomlReader& reader) {
+    if (!reader.has("patches_per_face")) return {1};
+    std::vector<std::uint32_t> patches;
+    for (const std::uint64_t value : reader.counts("patches_per_face")) {
+        if (value == 0 || value > max_patches_per_face) {
+            reader.fail("patches_per_face",
+                        fmt::format("(a face is divided into 1 to {} patches). Try 169.", max_patches_per_face));
+        }
+        const auto m = static_cast<std::uint64_t>(std::lround(std::sqrt(static_cast<double>(value))));
+        if (m * m != value) {
+            reader.fail("patches_per_face",
+                        fmt::format("({} is not a square; faces are divided into m x m patches). Try {} or {}.", value,
+                                    (m > 1 ? m * m : 1), (m + 1) * (m + 1)));
+        }
+        patches.push_back(static_cast<std::uint32_t>(value));
+    }
+    return patches;
+}
+
+/// Numbers, or a text with ranges of sizes that the sampler is made for.
+std::vector<std::uint64_t> read_samples(const TomlReader& reader, const samplers::SamplerInfo& sampler,
+                                        std::size_t dimension) {
+    const toml::node* node = reader.find("samples_per_patch");
+    if (node == nullptr || !node->is_string()) return reader.counts("samples_per_patch");
+    try {
+        return read_sample_sizes(reader.text("samples_per_patch"), sampler, dimension);
+    } catch (const UserError& error) {
+        reader.fail("samples_per_patch", error.what());
+    }
+}
+
+/// @param patches  that share one sequence of points
+void check_samples(const TomlReader& reader, const samplers::SamplerInfo& sampler, std::uint64_t samples,
+                   std::uint64_t patches, std::size_t dimension) {
+    if (samples > max_samples / patches) {
+        reader.fail("samples_per_patch",
+                    fmt::format("(a sequence has at most {} points). Take more trials instead.", max_samples));
+    }
+    const auto problem = samplers::check_size(sampler, samples * patches, dimension);
+    if (problem.fatal) reader.fail("samples_per_patch", "makes " + problem.message);
+}
+
+/// The product of both lists, or the entries of `sizes`.
+std::vector<Size> read_sizes(const TomlReader& reader, const samplers::SamplerInfo* sampler, const Method& method,
+                             std::optional<std::uint64_t> trials) {
+    const bool sampled = sampler != nullptr && sampler->sizes != samplers::Sizes::nodes;
+    if (reader.has("samples_per_patch") && !sampled) {
+        reader.fail("samples_per_patch",
+                    "(this method takes no samples). Remove the key; Gauss-Legendre takes 'nodes'.");
+    }
+    std::vector<Size> sizes;
+    const std::vector<std::uint64_t> none{0};
+    const auto samples = sampled ? read_samples(reader, *sampler, dimension(method.estimator)) : none;
+    for (const std::uint32_t patches : read_patches_per_face(reader)) {
+        for (const std::uint64_t count : samples) {
+            const std::uint64_t sharing = method.allocation == Allocation::face ? patches : 1;
+            if (sampled) check_samples(reader, *sampler, count, sharing, dimension(method.estimator));
+            sizes.push_back({patches, sampled ? std::optional(count) : std::nullopt, trials});
+        }
+    }
+    return sizes;
+}
+
+std::optional<Nodes> read_nodes(const TomlReader& reader, const samplers::SamplerInfo* sampler, Estimator estimator) {
+    const bool wanted = sampler != nullptr && sampler->sizes == samplers::Sizes::nodes;
+    if (!wanted) {
+        if (reader.has("nodes"))
+            reader.fail("nodes",
+                        "(only quadrature rules have nodes). Remove the key, or set sampler = \"gauss_legendre\".");
+        return std::nullopt;
+    }
+    const auto nodes = reader.counts("nodes");
+    if (nodes.size() > 2) reader.fail("nodes", "(one number, or two: source and target patch). Give 5 or [5, 6].");
+    for (const std::uint64_t n : nodes) {
+        if (n == 0 || n > 64) reader.fail("nodes", "(1 to 64 nodes a side are possible). Try 5.");
+    }
+    const auto source = static_cast<std::uint32_t>(nodes.front());
+    if (dimension(estimator) == 2) {
+        if (nodes.size() > 1) {
+            reader.fail("nodes", fmt::format("({} has points on the source patch only). Give one number.",
+                                             estimator_names.at(static_cast<std::size_t>(estimator))));
+        }
+        return Nodes{source, 0};
+    }
+    return Nodes{source, static_cast<std::uint32_t>(nodes.back())};
+}
+
+const samplers::SamplerInfo* read_sampler(const TomlReader& reader, Estimator estimator) {
+    if (estimator == Estimator::closed_form) {
+        if (reader.has("sampler"))
+            reader.fail("sampler", "(closed_form evaluates a formula at no points). Remove the key.");
+        return nullptr;
+    }
+    const std::string name = reader.text("sampler");
+    const samplers::SamplerInfo* info = nullptr;
+    try {
+        info = &samplers::find(name).info;
+    } catch (const UserError& error) {
+        reader.fail("sampler", fmt::format("is refused: {}", error.what()));
+    }
+    if (estimator == Estimator::ray_shooting && !info->equal_weights) {
+        reader.fail("sampler",
+                    "cannot shoot rays (its points have unequal weights and hits are counted). Use estimator = "
+                    "\"area_kernel\" or \"point_to_polygon\".");
+    }
+    return info;
+}
+
+void expect_none(std::string_view problem, const TomlReader& reader, std::string_view key) {
+    if (!problem.empty()) reader.fail(key, problem);
+}
+
+void expect_unique_sizes(const TomlReader& reader, const Method& method) {
+    std::set<std::pair<std::uint32_t, std::optional<std::uint64_t>>> seen;
+    for (const Size& size : method.sizes) {
+        if (!seen.emplace(size.patches_per_face, size.samples_per_patch).second)
+            reader.fail("name", "has the same size twice (their trials would share random numbers). Keep one.");
+    }
+}
+
+}  // namespace
+
+Method read_method(const TomlReader& reader, std::span<const std::string_view> other_keys) {
+    static constexpr Keys own_keys{"name", "sampler", "estimator", "completion",       "allocation",        "tracer",
+                                   "map",  "nodes",   "sizes",     "patches_per_face", "samples_per_patch", "trials"};
+    std::vector<std::string_view> known(own_keys.begin(), own_keys.end());
+    known.insert(known.end(), other_keys.begin(), other_keys.end());
+    reader.expect_only(known);
+    Method method;
+    method.name = reader.text("name");
+    expect_none(problem_with_name(method.name), reader, "name");
+    if (!reader.has("estimator"))
+        reader.fail("estimator", fmt::format("missing. Choose one of {}.", fmt::join(estimator_names, ", ")));
+    method.estimator = choice(reader, "estimator", estimator_names, Estimator::ray_shooting);
+    const samplers::SamplerInfo* sampler = read_sampler(reader, method.estimator);
+    method.sampler = sampler == nullptr ? std::string() : std::string(sampler->name);
+    method.completion = choice(reader, "completion", completion_names, Completion::direct);
+    method.allocation = choice(reader, "allocation", allocation_names, Allocation::patch);
+    if (reader.has("allocation") && !has_allocation(method.estimator)) {
+        reader.fail("allocation", "(only ray_shooting and point_to_polygon have it). Remove the key.");
+    }
+    const bool one_cell_a_point = sampler != nullptr && sampler->sizes == samplers::Sizes::fourth_power;
+    if (method.allocation == Allocation::face && one_cell_a_point) {
+        reader.fail("allocation",
+                    "(each point of this sampler stays in one cell of the hypercube, so a part of its "
+                    "points is biased). Use allocation = \"patch\".");
+    }
+    if (method.allocation == Allocation::face && sampler != nullptr && !sampler->equal_weights) {
+        reader.fail("allocation", "(the nodes of a rule belong to one patch). Use allocation = \"patch\".");
+    }
+    method.tracer = choice(reader, "tracer", tracer_names, TracerChoice::automatic, sound_tracers);
+    if (reader.has("tracer") && method.estimator != Estimator::ray_shooting) {
+        reader.fail("tracer", "(only ray_shooting has it). Remove the key.");
+    }
+    method.map = choice(reader, "map", map_names, PointMap::uniform);
+    if (reader.has("map") && method.estimator != Estimator::area_kernel) {
+        reader.fail("map", "(only area_kernel has points on both patches of a pair). Remove the key.");
+    }
+    method.nodes = read_nodes(reader, sampler, method.estimator);
+
+    const auto own_trials = [](const TomlReader& table) {
+        const auto trials = table.optional_count("trials");
+        return trials ? std::optional(checked_trials(table, *trials)) : std::nullopt;
+    };
+    if (!reader.has("sizes")) {
+        method.sizes = read_sizes(reader, sampler, method, own_trials(reader));
+        expect_unique_sizes(reader, method);
+        return method;
+    }
+    for (const std::string_view key : {"patches_per_face", "samples_per_patch", "trials"}) {
+        if (reader.has(key)) reader.fail(key, "(stands beside 'sizes', which says it for each size). Move it there.");
+    }
+    static constexpr std::array<std::string_view, 3> size_keys{"patches_per_face", "samples_per_patch", "trials"};
+    for (const TomlReader& table : reader.tables("sizes")) {
+        table.expect_only(size_keys);
+        for (const Size& size : read_sizes(table, sampler, method, own_trials(table))) method.sizes.push_back(size);
+    }
+    if (method.sizes.empty()) reader.fail("sizes", "(an empty list leaves nothing to do). Give at least one size.");
+    expect_unique_sizes(reader, method);
+    return method;
+}
+
+std::vector<std::string> read_scenes(const TomlReader& reader) {
+    std::vector<std::string> names = reader.texts("scene");
+    for (std::string& scene : names) {
+        if (reader.has("mirrors")) scene = with_mirrors_named(scene, reader.texts("mirrors"));
+    }
+    std::set<std::string> scenes;
+    for (const std::string& scene : names) {
+        expect_none(problem_with_name(scene.substr(0, scene.find('\n'))), reader, "scene");
+        std::string canonical = scene;
+        try {
+            if (!names_scene_file(scene) || has_scene_text(scene)) canonical = make_scene(scene).canonical;
+        } catch (const UserError& error) {
+            reader.fail("scene", fmt::format("is refused: {}", error.what()));
+        }
+        if (!scenes.insert(canonical).second) reader.fail("scene", "names a scene twice. Keep one.");
+    }
+    return names;
+}
+
+StudySpec parse_study(std::string_view text, std::string_view origin) {
+    const toml::table root = parse_toml(text, origin);
+    const TomlReader file(root, origin);
+    static constexpr std::array<std::string_view, 6> sections{"study",    "method",    "until",
+                                                              "coverage", "radiosity", "published"};
+    file.expect_only(sections);
+    const auto study = file.optional_table("study");
+    if (!study) file.fail("study", "missing. Begin the file with [study].");
+    static constexpr std::array<std::string_view, 10> known{
+        "name", "title", "scene", "mirrors", "trials", "seed", "level", "power", "equivalence_margin", "inapplicable"};
+    study->expect_only(known);
+
+    StudySpec spec;
+    spec.name = study->text("name");
+    expect_none(problem_with_name(spec.name), *study, "name");
+    if (spec.name.find('/') != std::string::npos || spec.name.front() == '.') {
+        study->fail("name", "(it names the folder of the results). Leave out '/' and a leading '.'.");
+    }
+    spec.title = study->optional_text("title").value_or(spec.name);
+    expect_none(problem_with_title(spec.title), *study, "title");
+    spec.scenes = read_scenes(*study);
+    spec.trials = checked_trials(*study, study->count("trials"));
+    spec.seed = Seed{study->count("seed")};
+    spec.level = study->optional_number("level").value_or(spec.level);
+    if (!stats::is_level(spec.level)) {
+        study->fail(
+            "level",
+            "(intervals are right more often than not, but not always: above 0.5, at most 1 - 1e-9). Try 0.95.");
+    }
+    spec.power = study->optional_number("power").value_or(spec.power);
+    if (spec.power < 0.5 || spec.power > most_power) {
+        study->fail("power", "(at least 0.5, and no finite number of trials makes it 1). Try 0.9.");
+    }
+    spec.equivalence_margin = study->optional_number("equivalence_margin");
+    if (spec.equivalence_margin && *spec.equivalence_margin <= 0) {
+        study->fail("equivalence_margin", "(no number of trials shows a bias of exactly 0). Try 1e-4.");
+    }
+
+    spec.inapplicable = choice(*study, "inapplicable", inapplicable_names, Inapplicable::refuse);
+
+    std::set<std::string> names;
+    for (const TomlReader& table : file.tables("method")) {
+        Method method = read_method(table);
+        if (!names.insert(method.name).second)
+            table.fail("name", "is used twice (results are found by it). Rename one.");
+        spec.methods.push_back(std::move(method));
+    }
+    if (spec.methods.empty()) file.fail("method", "missing (nothing would be run). Add a [[method]].");
+
+    if (const auto until = file.optional_table("until")) spec.until = read_stopping_rule(*until, spec.trials);
+    if (const auto coverage = file.optional_table("coverage")) spec.coverage = read_coverage(*coverage, spec.trials);
+    if (const auto radiosity = file.optional_table("radiosity")) spec.radiosity = read_radiosity(*radiosity);
+    if (const auto published = file.optional_table("published")) {
+        static constexpr std::array<std::string_view, 1> published_keys{"tables"};
+        published->expect_only(published_keys);
+        spec.published = Published{published->text("tables"), {}};
+    }
+    return spec;
+}
+
+StudySpec load_study(const std::filesystem::path& file) {
+    StudySpec spec = parse_study(read_text_file(file, FileKind::study), file.string());
+    for (std::string& scene : spec.scenes) {
+        if (!names_scene_file(scene) || has_scene_text(scene)) continue;
+        scene = with_scene_text(scene, read_text_file(file.parent_path() / scene_file(scene), FileKind::scene));
+        static_cast<void>(make_scene(scene));  // refused before it is run
+    }
+    if (spec.published) {
+        const auto tables = file.parent_path() / spec.published->file;
+        spec.published->text = read_text_file(tables, FileKind::tables);
+        static_cast<void>(parse_published_tables(spec.published->text, tables.string()));  // refused before it is run
+    }
+    return spec;
+}
+
+}  // namespace ff::studies

@@ -1,0 +1,124 @@
+#pragma once
+
+#include "core/estimators/graded_map.hpp"
+#include "core/estimators/ray_shooting.hpp"
+#include "core/points/stream.hpp"
+#include "core/tracing/tracer.hpp"
+#include "studies/spec/request.hpp"
+#include "studies/spec/stopping_rule.hpp"
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace ff::studies {
+
+enum class Estimator { ray_shooting, area_kernel, point_to_polygon, closed_form };
+
+/// How the face-to-face matrix is filled from direct estimates.
+enum class Completion {
+    direct,      ///< every row from its own samples
+    reciprocal,  ///< (j, i) with j > i follows from (i, j): A_j F_ji = A_i F_ij; what the paper does
+};
+
+std::string_view name(Estimator estimator);
+std::string_view name(Completion completion);
+std::string_view name(Allocation allocation);
+std::string_view name(TracerChoice tracer);
+std::string_view name(PointMap map);
+
+/// Coordinates of a point, 0 where an estimator takes none.
+std::size_t dimension(Estimator estimator);
+/// Whether points belong to source patches, not to pairs of patches, so that one sequence can serve a whole face.
+bool has_allocation(Estimator estimator);
+
+/// Gauss-Legendre nodes a side on the source and on the target patch.
+struct Nodes {
+    std::uint32_t source = 0;
+    std::uint32_t target = 0;  ///< 0 where points lie on the source alone
+    auto operator<=>(const Nodes&) const = default;
+};
+
+/// One size at which a method is run.
+struct Size {
+    std::uint32_t patches_per_face = 1;              ///< a square m * m
+    std::optional<std::uint64_t> samples_per_patch;  ///< empty for methods that take no samples
+    std::optional<std::uint64_t> trials;             ///< where it differs from the study's
+    auto operator<=>(const Size&) const = default;
+};
+
+/// A method: sampler x estimator, with its sizes.
+struct Method {
+    std::string name;
+    std::string sampler;  ///< empty for closed_form
+    Estimator estimator = Estimator::ray_shooting;
+    Completion completion = Completion::direct;
+    Allocation allocation = Allocation::patch;
+    TracerChoice tracer = TracerChoice::automatic;
+    PointMap map = PointMap::uniform;
+    std::optional<Nodes> nodes;
+    std::vector<Size> sizes;
+    auto operator<=>(const Method&) const = default;
+};
+
+/// A tables file that a study is compared with; its text is kept with the results.
+struct Published {
+    std::string file;
+    std::string text;
+    auto operator<=>(const Published&) const = default;
+};
+
+/// What becomes of a method in a scene that it cannot be used in.
+enum class Inapplicable {
+    refuse,  ///< the study is
+    skip,    ///< the method is left out there, with a warning
+};
+
+/// What a study file says. Everything that results depend on is here.
+struct StudySpec {
+    std::string name;
+    std::string title;
+    std::vector<std::string> scenes;
+    Inapplicable inapplicable = Inapplicable::refuse;
+    std::uint64_t trials = 0;
+    Seed seed;
+    double level = 0.95;  ///< of every interval, and 1 - the family-wise error rate of the bias tests; in (0.5, 1)
+    double power = 0.9;   ///< at which minimum detectable biases are stated; in [0.5, 1 - 1e-9]
+    std::optional<double> equivalence_margin;  ///< |bias| to be shown smaller than this, in units of the form factor
+    std::vector<Method> methods;
+    std::optional<StoppingRule> until;    ///< of an adaptive study; `trials` is then the most that are run
+    std::vector<std::uint64_t> coverage;  ///< numbers of trials whose intervals are to be checked; may be empty
+    std::optional<RadiosityRequest> radiosity;
+    std::optional<Published> published;
+    auto operator<=>(const StudySpec&) const = default;
+};
+
+class TomlReader;
+
+/// A [[method]] table, or one with more keys than a method has.
+/// @throws UserError
+Method read_method(const TomlReader& reader, std::span<const std::string_view> other_keys = {});
+
+/// The scenes that `scene` names: one or a list, none twice.
+/// @throws UserError
+std::vector<std::string> read_scenes(const TomlReader& reader);
+
+/// Parses the text of a study file; `origin` names it in messages.
+/// @throws UserError "origin:line:column: problem (why). Suggestion."
+StudySpec parse_study(std::string_view text, std::string_view origin);
+
+/// Reads a study file and the tables file that it names.
+/// @throws IoError, UserError
+StudySpec load_study(const std::filesystem::path& file);
+
+/// The spec as a study file in canonical form: `parse_study(to_toml(spec))` is `spec`, but for the text of the tables.
+std::string to_toml(const StudySpec& spec);
+
+/// A text in quotes, as TOML wants it.
+std::string toml_text(std::string_view text);
+
+}  // namespace ff::studies

@@ -1,0 +1,65 @@
+#include "studies/spec/stopping_rule.hpp"
+
+#include "core/support/error.hpp"
+#include "studies/readers/toml_reader.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <charconv>
+#include <cmath>
+
+namespace ff::studies {
+namespace {
+
+constexpr std::array<std::string_view, 2> goal_names{"rmse", "ci"};
+constexpr std::array goals{StoppingGoal::rmse, StoppingGoal::ci};
+
+}  // namespace
+
+std::string_view name(StoppingGoal goal) {
+    return goal_names.at(static_cast<std::size_t>(goal));
+}
+
+StoppingRule read_stopping_rule(const TomlReader& reader, std::uint64_t trials) {
+    static constexpr std::array<std::string_view, 3> known{"rmse", "ci", "pilot"};
+    reader.expect_only(known);
+    StoppingRule rule;
+    if (reader.has("rmse") == reader.has("ci")) {
+        reader.fail("rmse", "(one goal is wanted: rmse or ci). Write one of them, e.g. ci = 1e-5.");
+    }
+    rule.goal = reader.has("rmse") ? StoppingGoal::rmse : StoppingGoal::ci;
+    rule.target = *reader.optional_number(name(rule.goal));
+    if (rule.target <= 0) reader.fail(name(rule.goal), "(no number of trials reaches 0). Try 1e-4.");
+    rule.pilot = reader.optional_count("pilot").value_or(rule.pilot);
+    if (rule.pilot < fewest_pilot_trials || rule.pilot > trials) {
+        reader.fail("pilot", fmt::format("({} to {} trials, the study's, are possible). Try {}.", fewest_pilot_trials,
+                                         trials, std::min<std::uint64_t>(30, trials)));
+    }
+    return rule;
+}
+
+StoppingRule parse_stopping_rule(std::string_view text) {
+    const std::size_t equals = text.find('=');
+    const auto fail = [&](std::string_view why) {
+        return UserError(fmt::format("--until {} ({}). Write rmse=1e-5 or ci=1e-5.", text, why));
+    };
+    if (equals == std::string_view::npos) throw fail("a goal and its value are wanted");
+    for (const StoppingGoal goal : goals) {
+        if (name(goal) != text.substr(0, equals)) continue;
+        const std::string_view number = text.substr(equals + 1);
+        StoppingRule rule;
+        rule.goal = goal;
+        const auto [stop, error] = std::from_chars(number.data(), number.data() + number.size(), rule.target);
+        const bool whole = error == std::errc() && stop == number.data() + number.size();
+        if (!whole || !std::isfinite(rule.target) || rule.target <= 0) throw fail("not a number above 0");
+        return rule;
+    }
+    throw fail("the goals are rmse and ci");
+}
+
+std::string to_toml(const StoppingRule& rule) {
+    return fmt::format("\n[until]\n{} = {}\npilot = {}\n", name(rule.goal), rule.target, rule.pilot);
+}
+
+}  // namespace ff::studies

@@ -1,0 +1,91 @@
+#include "studies/spec/study_difference.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace ff::studies {
+namespace {
+
+struct Entry {
+    std::string section;  ///< as it is written; of a method with its name
+    std::string key;
+    std::string value;
+};
+
+/// The keys of a text, values of several lines as one.
+std::vector<Entry> entries_of(std::string_view text) {
+    std::vector<Entry> entries;
+    std::string section;
+    while (!text.empty()) {
+        const std::size_t end = std::min(text.find('\n'), text.size());
+        const std::string_view line = text.substr(0, end);
+        text.remove_prefix(std::min(end + 1, text.size()));
+        const std::size_t equals = line.find(" = ");
+        if (line.starts_with('[')) {
+            section = line;
+        } else if (!line.empty() && (line.starts_with(' ') || line == "]") && !entries.empty()) {
+            entries.back().value += line.substr(line.find_first_not_of(' '));
+        } else if (equals != std::string_view::npos) {
+            const std::string_view value = line.substr(equals + 3);
+            if (section == "[[method]]") section += fmt::format(" {}", value);  // its name comes first
+            entries.push_back({section, std::string(line.substr(0, equals)), std::string(value)});
+        }
+    }
+    return entries;
+}
+
+const Entry* find(const std::vector<Entry>& entries, const Entry& wanted) {
+    const auto found = std::find_if(entries.begin(), entries.end(), [&](const Entry& entry) {
+        return entry.section == wanted.section && entry.key == wanted.key;
+    });
+    return found == entries.end() ? nullptr : &*found;
+}
+
+/// "'seed = 1'", of long values what is around a place.
+std::string shown(const Entry* entry, std::string_view key, std::size_t place) {
+    constexpr std::size_t before = 40;
+    constexpr std::size_t most = 100;
+    if (entry == nullptr) return fmt::format("no '{}'", key);
+    const std::string& value = entry->value;
+    const std::size_t begin = value.size() <= most || place <= before ? 0 : place - before;
+    return fmt::format("'{} = {}{}{}'", key, begin > 0 ? "..." : "", value.substr(begin, most),
+                       begin + most < value.size() ? "..." : "");
+}
+
+std::string in_words(const Entry* stored, const Entry* wanted) {
+    const Entry& either = stored != nullptr ? *stored : *wanted;
+    std::size_t place = 0;
+    if (stored != nullptr && wanted != nullptr) {
+        const std::size_t length = std::min(stored->value.size(), wanted->value.size());
+        while (place < length && stored->value[place] == wanted->value[place]) ++place;
+    }
+    return fmt::format("{}: {} there, {} here", either.section, shown(stored, either.key, place),
+                       shown(wanted, either.key, place));
+}
+
+}  // namespace
+
+std::string first_difference(std::string_view stored, std::string_view wanted) {
+    const std::vector<Entry> there = entries_of(stored);
+    const std::vector<Entry> here = entries_of(wanted);
+    std::string first;
+    std::size_t differing = 0;
+    const auto add = [&](const Entry* a, const Entry* b) {
+        if (++differing == 1) first = in_words(a, b);
+    };
+    for (const Entry& entry : there) {
+        const Entry* other = find(here, entry);
+        if (other == nullptr || other->value != entry.value) add(&entry, other);
+    }
+    for (const Entry& entry : here) {
+        if (find(there, entry) == nullptr) add(nullptr, &entry);
+    }
+    if (differing > 1) first += fmt::format(", and in {} more key{}", differing - 1, differing == 2 ? "" : "s");
+    if (differing == 0 && stored != wanted) first = "the order of its methods";
+    return first;
+}
+
+}  // namespace ff::studies

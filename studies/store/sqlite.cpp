@@ -1,0 +1,189 @@
+#include "studies/store/sqlite.hpp"
+
+#include "core/support/error.hpp"
+
+#include <fmt/format.h>
+#include <sqlite3.h>
+
+#include <bit>
+#include <cstring>
+#include <utility>
+
+namespace ff::studies {
+namespace {
+
+/// Bytes of an absolute path that leave room for the log's name beside it.
+constexpr std::size_t longest_name = 500;
+
+/// How long another program that has the file open is waited for.
+constexpr int patience_ms = 10'000;
+
+static_assert(std::endian::native == std::endian::little, "blobs are little-endian");
+
+[[noreturn]] void fail(sqlite3* database) {
+    const char* name = sqlite3_db_filename(database, "main");
+    const std::string file = name == nullptr ? "result store" : name;
+    if (sqlite3_errcode(database) == SQLITE_NOTADB) {
+        throw UserError(fmt::format("{}: not a result store (no SQLite file). Give one written by ffstudy.", file));
+    }
+    const int error = sqlite3_errcode(database);
+    throw IoError(fmt::format("{}: {} (SQLite error {}). {}", file, sqlite3_errmsg(database),
+                              sqlite3_extended_errcode(database),
+                              error == SQLITE_BUSY || error == SQLITE_LOCKED
+                                  ? "Close the other program that has it open, and run the same command again."
+                                  : "Check the disk, the permissions and the file."));
+}
+
+}  // namespace
+
+Statement::Statement(sqlite3* database, std::string_view sql) : database_(database) {
+    check(sqlite3_prepare_v2(database, sql.data(), static_cast<int>(sql.size()), &statement_, nullptr));
+}
+
+Statement::~Statement() {
+    sqlite3_finalize(statement_);
+}
+
+void Statement::check(int status) const {
+    if (status != SQLITE_OK && status != SQLITE_ROW && status != SQLITE_DONE) fail(database_);
+}
+
+Statement& Statement::bind(int parameter, std::int64_t value) {
+    check(sqlite3_bind_int64(statement_, parameter + 1, value));
+    return *this;
+}
+
+Statement& Statement::bind(int parameter, double value) {
+    check(sqlite3_bind_double(statement_, parameter + 1, value));
+    return *this;
+}
+
+Statement& Statement::bind(int parameter, std::string_view value) {
+    check(sqlite3_bind_text64(statement_, parameter + 1, value.data(), value.size(), SQLITE_TRANSIENT, SQLITE_UTF8));
+    return *this;
+}
+
+Statement& Statement::bind(int parameter, std::span<const std::uint64_t> values) {
+    // A null pointer would bind NULL instead of an empty blob.
+    const void* data = values.empty() ? static_cast<const void*>("") : values.data();
+    check(sqlite3_bind_blob64(statement_, parameter + 1, data, values.size_bytes(), SQLITE_TRANSIENT));
+    return *this;
+}
+
+bool Statement::step() {
+    const int status = sqlite3_step(statement_);
+    check(status);
+    return status == SQLITE_ROW;
+}
+
+void Statement::run() {
+    check(sqlite3_step(statement_));
+    check(sqlite3_reset(statement_));
+}
+
+std::int64_t Statement::integer(int column) const {
+    return sqlite3_column_int64(statement_, column);
+}
+
+double Statement::real(int column) const {
+    return sqlite3_column_double(statement_, column);
+}
+
+bool Statement::is_number(int column) const {
+    const int type = sqlite3_column_type(statement_, column);
+    return type == SQLITE_INTEGER || type == SQLITE_FLOAT;
+}
+
+int Statement::columns() const {
+    return sqlite3_column_count(statement_);
+}
+
+std::int64_t Statement::bytes(int column) const {
+    return sqlite3_column_bytes(statement_, column);
+}
+
+std::string Statement::text(int column) const {
+    const auto* text = reinterpret_cast<const char*>(sqlite3_column_text(statement_, column));
+    return text == nullptr ? std::string()
+                           : std::string(text, static_cast<std::size_t>(sqlite3_column_bytes(statement_, column)));
+}
+
+std::vector<std::uint64_t> Statement::integers(int column) const {
+    const void* blob = sqlite3_column_blob(statement_, column);
+    std::vector<std::uint64_t> values(static_cast<std::size_t>(sqlite3_column_bytes(statement_, column)) /
+                                      sizeof(std::uint64_t));
+    if (!values.empty()) std::memcpy(values.data(), blob, values.size() * sizeof(std::uint64_t));
+    return values;
+}
+
+std::string sqlite_name(const std::filesystem::path& file) {
+    if (file == ":memory:") return file.string();
+    std::string name = std::filesystem::absolute(file).string();
+    if (name.size() > longest_name) {
+        throw IoError(
+            fmt::format("{}: a path of {} bytes is too long for SQLite, which takes {}. Choose a shorter one.",
+                        file.string(), name.size(), longest_name));
+    }
+    return name;
+}
+
+Database::Database(const std::filesystem::path& file, Mode mode) {
+    const int flags = mode == Mode::read_only ? SQLITE_OPEN_READONLY : SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE;
+    if (sqlite3_open_v2(sqlite_name(file).c_str(), &handle_, flags | SQLITE_OPEN_FULLMUTEX, nullptr) != SQLITE_OK) {
+        const std::string reason = handle_ == nullptr ? "out of memory" : sqlite3_errmsg(handle_);
+        sqlite3_close_v2(handle_);
+        throw IoError(fmt::format("{}: {}. Check that the folder exists and can be written.", file.string(), reason));
+    }
+    sqlite3_busy_timeout(handle_, patience_ms);
+    // A file from elsewhere runs nothing of its own: no trigger, no view, no function in its schema.
+    for (const auto& [option, value] :
+         {std::pair{SQLITE_DBCONFIG_DEFENSIVE, 1}, std::pair{SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0},
+          std::pair{SQLITE_DBCONFIG_ENABLE_TRIGGER, 0}, std::pair{SQLITE_DBCONFIG_ENABLE_VIEW, 0}}) {
+        if (sqlite3_db_config(handle_, option, value, nullptr) != SQLITE_OK) fail(handle_);
+    }
+}
+
+Database::~Database() {
+    sqlite3_close_v2(handle_);
+}
+
+std::string Database::file() const {
+    const char* name = sqlite3_db_filename(handle_, "main");
+    return name == nullptr ? std::string() : name;
+}
+
+bool Database::has_moved() const {
+    int moved = 0;
+    return sqlite3_file_control(handle_, "main", SQLITE_FCNTL_HAS_MOVED, &moved) == SQLITE_OK && moved != 0;
+}
+
+void Database::execute(const char* sql) {
+    if (sqlite3_exec(handle_, sql, nullptr, nullptr, nullptr) != SQLITE_OK) fail(handle_);
+}
+
+bool Database::execute_unless_busy(const char* sql) {
+    const int status = sqlite3_exec(handle_, sql, nullptr, nullptr, nullptr);
+    if (status == SQLITE_BUSY || status == SQLITE_LOCKED) return false;
+    if (status != SQLITE_OK) fail(handle_);
+    return true;
+}
+
+void Database::execute_in_turn(const char* sql) {
+    // SQLite waits for no lock where two wait for each other, as they do who change the journal at once.
+    constexpr int pause_ms = 10;
+    for (int left = patience_ms / pause_ms; left > 0; --left) {
+        if (execute_unless_busy(sql)) return;
+        sqlite3_sleep(pause_ms);
+    }
+    execute(sql);
+}
+
+std::int64_t Database::changes() const {
+    return sqlite3_changes(handle_);
+}
+
+void Database::keep_log_on_close(bool keep) {
+    if (sqlite3_db_config(handle_, SQLITE_DBCONFIG_NO_CKPT_ON_CLOSE, keep ? 1 : 0, nullptr) != SQLITE_OK) fail(handle_);
+}
+
+}  // namespace ff::studies

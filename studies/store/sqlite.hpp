@@ -1,0 +1,80 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+struct sqlite3;
+struct sqlite3_stmt;
+
+namespace ff::studies {
+
+/// A prepared statement. Parameters and columns count from 0.
+class Statement {
+  public:
+    Statement(sqlite3* database, std::string_view sql);
+    ~Statement();
+    Statement(const Statement&) = delete;
+    Statement& operator=(const Statement&) = delete;
+
+    Statement& bind(int parameter, std::int64_t value);
+    Statement& bind(int parameter, double value);
+    Statement& bind(int parameter, std::string_view value);
+    Statement& bind(int parameter,
+                    std::span<const std::uint64_t> values);  ///< as a blob of little-endian 64-bit integers
+
+    /// True where there is a row to read.
+    bool step();
+    /// Steps a statement without rows and makes it ready for the next use.
+    void run();
+
+    [[nodiscard]] std::int64_t integer(int column) const;
+    [[nodiscard]] double real(int column) const;
+    [[nodiscard]] bool is_number(int column) const;
+    [[nodiscard]] int columns() const;
+    [[nodiscard]] std::int64_t bytes(int column) const;  ///< of a text or blob
+    [[nodiscard]] std::string text(int column) const;
+    [[nodiscard]] std::vector<std::uint64_t> integers(int column) const;
+
+  private:
+    void check(int status) const;
+    sqlite3* database_;
+    sqlite3_stmt* statement_ = nullptr;
+};
+
+/// The name by which SQLite finds a file: absolute, since it takes "file:x" for a URI. @throws IoError where it is too
+/// long
+std::string sqlite_name(const std::filesystem::path& file);
+
+/// One SQLite file. Every failure is an IoError that names it; a UserError where it is no SQLite file at all.
+class Database {
+  public:
+    enum class Mode { create_or_open, read_only };
+    Database(const std::filesystem::path& file, Mode mode);
+    ~Database();
+    Database(const Database&) = delete;
+    Database& operator=(const Database&) = delete;
+
+    void execute(const char* sql);
+    /// The same; false where another program that has the file open is in the way.
+    [[nodiscard]] bool execute_unless_busy(const char* sql);
+    /// The same; waits even where SQLite would refuse at once, because two programs wait for each other.
+    void execute_in_turn(const char* sql);
+    /// Rows that the last statement inserted.
+    [[nodiscard]] std::int64_t changes() const;
+    /// Whether what a write-ahead log holds stays there when the file is closed.
+    void keep_log_on_close(bool keep);
+    /// Whether the file lies no longer where it was opened. SQLite would go on writing to it unseen.
+    [[nodiscard]] bool has_moved() const;
+    /// As it was opened, made absolute; empty for one in memory.
+    [[nodiscard]] std::string file() const;
+    [[nodiscard]] sqlite3* handle() const { return handle_; }
+
+  private:
+    sqlite3* handle_ = nullptr;
+};
+
+}  // namespace ff::studies

@@ -1,0 +1,143 @@
+#include "studies/store/store_format.hpp"
+
+#include "core/support/error.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <fstream>
+#include <map>
+
+namespace ff::studies {
+namespace {
+
+bool has_table(const Database& database, std::string_view table) {
+    Statement query(database.handle(), "SELECT 1 FROM sqlite_master WHERE type = 'table' AND name = ?");
+    return query.bind(0, table).step();
+}
+
+using Definitions = std::map<std::string, std::string>;  // SQL by table
+
+Definitions definitions(const Database& database) {
+    Definitions all;
+    Statement query(database.handle(), "SELECT name, sql FROM sqlite_master WHERE type = 'table'");
+    while (query.step()) all[query.text(0)] = query.text(1);
+    return all;
+}
+
+/// A table that is a view, or computes its columns, would not only be read.
+void expect_own_tables(const Database& database, const std::filesystem::path& file, const StoreFormat& format,
+                       int version) {
+    Database model(":memory:", Database::Mode::create_or_open);
+    model.execute(format.schema);
+    if (version == format.oldest) model.execute(format.to_oldest);
+    const Definitions there = definitions(database);
+    for (const auto& [table, sql] : definitions(model)) {
+        const auto found = there.find(table);
+        if (found != there.end() && found->second == sql) continue;
+        throw UserError(fmt::format("{}: not a {} (table '{}' is {}). Give a file written by ffstudy.", file.string(),
+                                    format.what, table, found == there.end() ? "missing" : "defined otherwise"));
+    }
+}
+
+/// In words; empty for a regular file.
+std::string_view kind_of_no_file(std::filesystem::file_type type) {
+    switch (type) {
+        case std::filesystem::file_type::regular:
+            return {};
+        case std::filesystem::file_type::directory:
+            return "a folder, not a file";
+        case std::filesystem::file_type::fifo:
+            return "a FIFO, not a file";
+        case std::filesystem::file_type::not_found:
+            return "no such file";
+        default:
+            return "a device or socket, not a file";
+    }
+}
+
+void expect_file(const std::filesystem::path& file) {
+    std::error_code error;
+    const auto type = std::filesystem::status(file, error).type();
+    const bool unknown = type == std::filesystem::file_type::none;
+    const std::string_view what = kind_of_no_file(type);
+    if (what.empty()) return;
+    throw IoError(fmt::format("{}: {}. Give a folder or file written by ffstudy.", file.string(),
+                              unknown ? error.message() : what));
+}
+
+/// @throws UserError for a file of another kind that commands take
+void expect_no_other_kind(const std::filesystem::path& file, const StoreFormat& format) {
+    std::array<char, 1 << 16> start{};
+    std::ifstream in(file, std::ios::binary);
+    in.read(start.data(), start.size());
+    expect_kind(format.kind, {start.data(), static_cast<std::size_t>(in.gcount())}, file);
+}
+
+}  // namespace
+
+std::optional<std::string> stored_value(const Database& database, const StoreFormat& format, std::string_view key) {
+    Statement query(database.handle(), fmt::format("SELECT value FROM {} WHERE key = ?", format.keys));
+    query.bind(0, key);
+    return query.step() ? std::optional(query.text(0)) : std::nullopt;
+}
+
+int expect_readable(const Database& database, const std::filesystem::path& file, const StoreFormat& format) {
+    if (!has_table(database, format.keys)) {
+        throw UserError(fmt::format("{}: not a {} (no table '{}'). Give a file written by ffstudy.", file.string(),
+                                    format.what, format.keys));
+    }
+    const std::string stored = stored_value(database, format, "schema_version").value_or("none");
+    int version = format.oldest;
+    while (version <= format.version && stored != std::to_string(version)) ++version;
+    if (version > format.version) {
+        throw UserError(
+            fmt::format("{}: schema version {} (this program reads {}{}). Use the version of ffstudy that "
+                        "wrote it.",
+                        file.string(), stored,
+                        format.oldest < format.version ? fmt::format("{} to ", format.oldest) : "", format.version));
+    }
+    expect_own_tables(database, file, format, version);
+    return version;
+}
+
+void expect_intact(const Database& database, const std::filesystem::path& file) {
+    Statement check(database.handle(), "PRAGMA quick_check(1)");
+    const std::string found = check.step() ? check.text(0) : "no answer";
+    if (found != "ok") report_damage(file, found);
+}
+
+void expect_no_log_of_another(const std::filesystem::path& file) {
+    // https://sqlite.org/fileformat2.html#file_format_version_numbers
+    constexpr std::string_view magic{"SQLite format 3\0", 16};
+    constexpr std::size_t read_version = magic.size() + 3;
+    constexpr char without_log = 1;
+    std::string begin(read_version + 1, '\0');
+    std::ifstream in(file, std::ios::binary);
+    in.read(begin.data(), static_cast<std::streamsize>(begin.size()));
+    if (!in || !begin.starts_with(magic) || begin[read_version] != without_log) return;
+    const std::filesystem::path log = file.string() + "-wal";
+    std::error_code none;
+    if (std::filesystem::file_size(log, none) == 0 || none) return;
+    throw IoError(
+        fmt::format("{}: a log beside a file that was made whole (it has none, so the log is of another). Remove the "
+                    "log, if {} is what you want to keep.",
+                    log.string(), file.filename().string()));
+}
+
+std::unique_ptr<Database> open_store(const std::filesystem::path& file, const StoreFormat& format) {
+    expect_file(file);
+    expect_no_other_kind(file, format);
+    expect_no_log_of_another(file);
+    auto database = std::make_unique<Database>(file, Database::Mode::read_only);
+    expect_readable(*database, file, format);
+    expect_intact(*database, file);
+    return database;
+}
+
+void report_damage(const std::filesystem::path& file, const std::string& what) {
+    throw IoError(
+        fmt::format("{}: damaged ({}). Take a copy, or remove it and run the study again.", file.string(), what));
+}
+
+}  // namespace ff::studies

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "core/visibility/pair_class.hpp"
+#include "studies/spec/spec.hpp"
+
+#include <optional>
+#include <string_view>
+
+namespace ff::studies {
+
+/// What theory says about the error of a sampler with N points: N^rate (ln N)^log_power.
+struct ExpectedRate {
+    double rate = 0;
+    double log_power = 0;      ///< at most; 0 where there are no logarithms
+    bool at_least = false;     ///< an upper bound of the error: it may fall faster
+    bool of_median = false;    ///< of the median absolute error; the RMSE does not exist
+    std::string_view source;   ///< key of docs/references.md
+    std::string_view because;  ///< in a few words
+
+    /// The slowest slope that a straight line through sizes about `size` may show: that of N^rate (ln N)^log_power
+    /// there.
+    [[nodiscard]] double slowest(double size) const;
+};
+
+/// Whether something may stand between the faces of a pair.
+enum class Hiding { none, possible };
+
+/// The rate for one patch, or a fixed number of them, on each face. Empty where no theory is known.
+/// @see docs/convergence.md for the table
+std::optional<ExpectedRate> expected_rate(const Method& method, PairClass pair_class, Hiding hiding = Hiding::none);
+
+}  // namespace ff::studies

@@ -1,0 +1,184 @@
+#include "studies/trials/estimates.hpp"
+
+#include "core/patches/face_averages.hpp"
+#include "core/support/contract.hpp"
+#include "core/support/error.hpp"
+#include "core/visibility/facing.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace ff::studies {
+namespace {
+
+/// Direct estimates of one pair by trial; hits, not yet divided by the rays, where they are counted.
+/// @throws IoError where the store lacks a trial that it says is saved
+std::vector<double> direct_values(const Store& store, std::size_t cell, const DirectEstimates& direct, int from, int to,
+                                  bool counted) {
+    auto series = store.series(cell, counted ? observable::hits : observable::estimate, from, to);
+    if (series.trial != direct.trial_numbers) {
+        throw IoError(
+            fmt::format("{}: damaged (cell {} lacks trials of faces {} and {}). Take a copy, or remove it and "
+                        "run the study again.",
+                        store.database().file(), cell, from, to));
+    }
+    return std::move(series.value);
+}
+
+/// Rays of each face, for each pair of faces those of the one that was shot from.
+std::vector<double> rays_of_pairs(const CellEstimates& estimates, const Scene& scene, Completion completion) {
+    const Eigen::VectorXd of_face = static_cast<double>(estimates.evaluations_per_face) * parts_a_surface(scene);
+    std::vector<double> rays;
+    for (Eigen::Index i = 0; i < of_face.size(); ++i) {
+        for (Eigen::Index j = 0; j < of_face.size(); ++j)
+            rays.push_back(completion == Completion::reciprocal ? of_face[std::min(i, j)] : of_face[i]);
+    }
+    return rays;
+}
+
+/// Hits add up exactly and are divided once, so that a row that closure fixes sums to 1 to the bit.
+void divide_by_rays(CellEstimates& estimates) {
+    const std::size_t faces = estimates.faces;
+    for (std::size_t i = 0; i < faces; ++i) {
+        const double rays = estimates.rays[i * faces + i];
+        for (double& sum : estimates.row_sums[i]) sum /= rays;
+        for (std::size_t j = 0; j < faces; ++j) {
+            for (double& value : estimates.factors[i * faces + j]) value /= rays;
+        }
+    }
+}
+
+void add_row_sums(CellEstimates& estimates) {
+    const std::size_t faces = estimates.faces;
+    std::size_t trials = 0;
+    for (const auto& values : estimates.factors) trials = std::max(trials, values.size());
+    estimates.row_sums.assign(faces, std::vector<double>(trials, 0.0));
+    for (std::size_t i = 0; i < faces; ++i) {
+        for (std::size_t j = 0; j < faces; ++j) {
+            const auto& values = estimates.factors[i * faces + j];
+            for (std::size_t trial = 0; trial < values.size(); ++trial) estimates.row_sums[i][trial] += values[trial];
+        }
+    }
+}
+
+void add_sum_of_relative_errors(CellEstimates& estimates) {
+    const std::size_t trials = estimates.trials();
+    estimates.sum_relative_error.assign(trials, 0.0);
+    for (const auto& sums : estimates.row_sums) {
+        for (std::size_t trial = 0; trial < trials; ++trial) {
+            estimates.sum_relative_error[trial] += 100.0 * std::abs(sums[trial] - 1.0);
+        }
+    }
+}
+
+}  // namespace
+
+const std::vector<double>& CellEstimates::values(Quantity quantity) const {
+    switch (quantity.kind) {
+        case QuantityKind::form_factor: {
+            FF_EXPECT(quantity.from >= 1 && quantity.to >= 1);
+            return factors[static_cast<std::size_t>(quantity.from - 1) * faces +
+                           static_cast<std::size_t>(quantity.to - 1)];
+        }
+        case QuantityKind::row_sum:
+            return row_sums[static_cast<std::size_t>(quantity.from - 1)];
+        case QuantityKind::sum_relative_error:
+            break;
+    }
+    return sum_relative_error;
+}
+
+std::optional<double> CellEstimates::lattice(Quantity quantity) const {
+    if (rays.empty() || quantity.kind == QuantityKind::sum_relative_error) return std::nullopt;
+    const std::size_t row = static_cast<std::size_t>(quantity.from - 1) * faces;
+    if (quantity.kind == QuantityKind::form_factor) return 1 / rays[row + static_cast<std::size_t>(quantity.to - 1)];
+    for (std::size_t to = 0; to < faces; ++to) {
+        if (rays[row + to] != rays[row]) return std::nullopt;
+    }
+    return 1 / rays[row];
+}
+
+CellEstimates load_estimates(const Store& store, std::size_t cell) {
+    return load_estimates(store, cell, store.plan().spec.methods[store.plan().cells[cell].method].completion);
+}
+
+CellEstimates load_estimates(const Store& store, std::size_t cell_index, Completion completion) {
+    const StudyPlan& plan = store.plan();
+    const Cell& cell = plan.cells[cell_index];
+    const Scene& scene = plan.scenes[cell.scene];
+    const bool shoots = plan.spec.methods[cell.method].estimator == Estimator::ray_shooting;
+    const bool counted = shoots && has_one_surface_a_face(scene);
+    const int faces = static_cast<int>(plan.scenes[cell.scene].faces.size());
+    DirectEstimates direct;
+    direct.trial_numbers = store.saved_trial_numbers(cell_index);
+    for (int i = 1; i <= faces; ++i) {
+        const bool with_itself = sees_itself(scene, i - 1);
+        if (shoots) direct.lost_rays += static_cast<std::uint64_t>(store.total(cell_index, observable::lost, i, 0));
+        for (int j = 1; j <= faces; ++j) {
+            const bool used = i < j || (i > j && completion == Completion::direct) || (i == j && with_itself);
+            direct.values.push_back(used ? direct_values(store, cell_index, direct, i, j, counted)
+                                         : std::vector<double>());
+        }
+    }
+    return complete(plan, cell_index, completion, std::move(direct));
+}
+
+CellEstimates complete(const StudyPlan& plan, std::size_t cell_index, Completion completion, DirectEstimates direct) {
+    const Cell& cell = plan.cells[cell_index];
+    const Method& method = plan.spec.methods[cell.method];
+    const Scene& scene = plan.scenes[cell.scene];
+    CellEstimates estimates;
+    estimates.cell = cell_index;
+    estimates.faces = scene.faces.size();
+    estimates.trial_numbers = std::move(direct.trial_numbers);
+    estimates.factors = std::move(direct.values);
+    estimates.evaluations_per_face = cell.subdivision.per_part() * cell.samples;
+    if (method.estimator == Estimator::area_kernel) estimates.evaluations_per_face *= cell.subdivision.per_part();
+    const bool shoots = method.estimator == Estimator::ray_shooting;
+    const bool counted = shoots && has_one_surface_a_face(scene);
+    if (shoots && scene.closed) estimates.lost_rays = direct.lost_rays;  // out of an open scene rays may go
+    if (counted) estimates.rays = rays_of_pairs(estimates, scene, completion);
+    const int faces = static_cast<int>(estimates.faces);
+    for (int i = 1; completion == Completion::reciprocal && i <= faces; ++i) {
+        for (int j = 1; j < i; ++j) {
+            const auto row = static_cast<std::size_t>((i - 1) * faces);
+            auto& target = estimates.factors[row + static_cast<std::size_t>(j - 1)];
+            target = estimates.factors[static_cast<std::size_t>((j - 1) * faces + i - 1)];
+            double ratio = face_area(scene, j - 1) / face_area(scene, i - 1);
+            // Hits of j, as if they were of the rays of i.
+            if (counted)
+                ratio *= estimates.rays[row + static_cast<std::size_t>(i - 1)] /
+                         estimates.rays[row + static_cast<std::size_t>(j - 1)];
+            for (double& value : target) value *= ratio;
+        }
+    }
+    add_row_sums(estimates);
+    if (counted) divide_by_rays(estimates);
+    if (scene.closed) add_sum_of_relative_errors(estimates);
+    return estimates;
+}
+
+std::vector<Quantity> distinct_pairs(std::size_t faces, Completion completion) {
+    std::vector<Quantity> pairs;
+    const int count = static_cast<int>(faces);
+    for (int i = 1; i <= count; ++i) {
+        for (int j = completion == Completion::reciprocal ? i + 1 : 1; j <= count; ++j) {
+            if (i != j) pairs.push_back({QuantityKind::form_factor, i, j});
+        }
+    }
+    return pairs;
+}
+
+std::vector<Quantity> all_quantities(const CellEstimates& estimates) {
+    auto quantities = distinct_pairs(estimates.faces, Completion::direct);
+    for (int i = 1; i <= static_cast<int>(estimates.faces); ++i) {
+        const Quantity with_itself{QuantityKind::form_factor, i, i};
+        if (!estimates.values(with_itself).empty()) quantities.push_back(with_itself);
+    }
+    for (int i = 1; i <= static_cast<int>(estimates.faces); ++i) quantities.push_back({QuantityKind::row_sum, i, 0});
+    if (!estimates.sum_relative_error.empty()) quantities.push_back({QuantityKind::sum_relative_error, 0, 0});
+    return quantities;
+}
+
+}  // namespace ff::studies

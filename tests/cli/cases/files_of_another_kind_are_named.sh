@@ -1,0 +1,71 @@
+#!/usr/bin/env bash
+# Every kind of file given to every command that takes another: it is named, with the command that takes it.
+source "$(dirname "$0")/../harness.sh"
+
+files=$folder/files
+mkdir "$files"
+small_study 4 >"$files/study"
+printf '[[gate]]\nname = "g"\nkind = "bias"\nquantity = "q"\nreference = 1\nband = 1\n' >"$files/bands"
+printf '[[surface]]\nface = "a"\nshape = "disc"\ncentre = [0, 0, 0]\nnormal = [0, 0, 1]\nradius = 1\n' >"$files/toml_scene"
+printf '# a\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n' >"$files/obj"
+printf 'T t\nF 3\nV 1 0 0 0\nV 2 1 0 0\nV 3 0 1 0\nS 1 1 2 3 0 0 0 0.9 a\n' >"$files/vs3"
+cp "$data/../../studies/built_in/paper_tables.json" "$files/tables"
+printf '{"schema": "ffstudy.baseline/1", "gates": []}\n' >"$files/baseline"
+printf 'trial,quantity,estimate\n0,q,1\n' >"$files/estimates"
+ffstudy run "$files/study" --out "$folder/kept" --quiet
+expect_status 0
+cp "$folder/kept/results.sqlite" "$files/store"
+ffstudy form_factors cube --out "$folder/factors" --quiet
+expect_status 0
+cp "$folder/factors/form_factors.sqlite" "$files/factors"
+
+# what KIND: how it is named; taken_by KIND FILE: the command that is suggested.
+what() {
+    case $1 in
+        study) echo "a study file" ;; bands) echo "a bands file" ;; toml_scene | obj | vs3) echo "a scene file" ;;
+        tables) echo "a tables file" ;; baseline) echo "a baseline" ;; estimates) echo "a file of estimates" ;;
+        store) echo "a result store" ;; factors) echo "a store of form factors" ;;
+    esac
+}
+taken_by() {
+    case $1 in
+        study) echo "run $2" ;; bands) echo "check $2" ;; toml_scene | obj | vs3) echo "form_factors $2" ;;
+        tables) echo "audit $2" ;; baseline) echo "check BANDS.toml --baseline $2" ;;
+        estimates) echo "check BANDS.toml --estimates $2" ;; store) echo "report $2" ;;
+        factors) echo "form_factors --load $2" ;;
+    esac
+}
+
+# refuse WANTED COMMAND...: every file but those of the kind WANTED; {} stands for the file.
+refuse() {
+    local wanted=$1 kind file
+    shift
+    for kind in study bands toml_scene obj vs3 tables baseline estimates store factors; do
+        [ "$(what $kind)" != "$(what "$wanted")" ] || continue
+        file=$files/$kind
+        [ "$wanted" != obj ] || { file=$folder/$kind.obj && cp "$files/$kind" "$file"; }
+        ffstudy "${@/\{\}/$file}"
+        expect_refused 2 "$file: $(what $kind) ($(what "$wanted") is wanted here). Run 'ffstudy $(taken_by $kind "$file")'."
+    done
+}
+refuse study run {}
+refuse study radiosity {}
+refuse bands check {}
+refuse tables audit {}
+refuse baseline check "$files/bands" --baseline {}
+refuse estimates check "$files/bands" --estimates {}
+refuse store report {}
+refuse store compare {} "$folder/kept"
+refuse store merge {} --out merged
+refuse factors form_factors --load {}
+refuse obj form_factors {}
+refuse obj explain {}
+
+# What has no ending of a scene, and what is no file at all.
+ffstudy form_factors "$files/study"
+expect_refused 2 "a study file (a scene file is wanted here). Run 'ffstudy run $files/study'."
+ffstudy form_factors "$files/obj"
+expect_refused 2 "its ending tells no format of scenes. Rename it to .obj, .toml or .vs3."
+mkfifo "$folder/fifo"
+ffstudy report "$folder/fifo"
+expect_refused 3 "fifo: a FIFO, not a file."

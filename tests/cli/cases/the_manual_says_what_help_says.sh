@@ -1,0 +1,99 @@
+#!/usr/bin/env bash
+# Man pages and completion come from the definitions that --help shows: every command, option and value is in all three.
+root=$(cd "$(dirname "$0")/../../.." && pwd)
+source "$(dirname "$0")/../harness.sh"
+
+ffstudy man_pages manual
+expect_status 0
+page() { sed 's/\\-/-/g; s/\\&//g' "manual/$1.1"; }
+
+# offered WORD...: what completion offers in place of the last word.
+offered() {
+    ffstudy complete ffstudy "$@"
+    expect_status 0
+    expect_no_stderr
+    cut -f1 "$folder/stdout" >"$folder/offered"
+}
+expect_offered() { grep -Fqxe "$1" "$folder/offered" || fail "expected to be offered: $1"; }
+expect_as_many_as() { [ "$(grep -vc '^:' "$folder/offered")" -eq "$(wc -l <"$1")" ] || fail "expected no more than in $1"; }
+
+ffstudy --help
+sed '1,/^Subcommands:/d' "$folder/stdout" | sed -nE 's/^  ([a-z_0-9]+) .*/\1/p' >"$folder/commands"
+[ "$(wc -l <"$folder/commands")" -ge 20 ] || fail "expected the commands"
+! grep -Eq '^(complete|man_pages)$' "$folder/commands" || fail "expected no hidden command"
+offered ""
+expect_as_many_as "$folder/commands"
+[ "$(ls manual | wc -l)" -eq $(($(wc -l <"$folder/commands") + 1)) ] || fail "expected a page for each command"
+while read -r command; do
+    offered "$command"
+    expect_offered "$command"
+    page ffstudy | grep -Fq "ffstudy-$command" || fail "expected in ffstudy.1: $command"
+    ffstudy "$command" --help
+    ! grep -Ew TEXT "$folder/stdout" || fail "expected every value to have a name"
+    grep -oE '^  (-h,)?--[a-z-]+' "$folder/stdout" | grep -oE -e '--.*' >"$folder/options"
+    sed -nE '/^Positionals:/,/^$/s/^  ([A-Z]+).*/\1/p' "$folder/stdout" >"$folder/arguments"
+    offered "$command" --
+    expect_as_many_as "$folder/options"
+    while read -r option; do
+        expect_offered "$option"
+        page "ffstudy-$command" | grep -Eq "^\.BR \"(-h,)?$option\"" || fail "expected in ffstudy-$command.1: $option"
+    done <"$folder/options"
+    while read -r argument; do
+        page "ffstudy-$command" | grep -Fq ".BR \"$argument\"" || fail "expected in ffstudy-$command.1: $argument"
+    done <"$folder/arguments"
+done <"$folder/commands"
+
+# The kinds are those that can be listed; help and completion name all of them, and every name of each.
+kinds=$("$program" list --help | sed -nE 's/^  KIND REQUIRED +//p; s/^ {30,}//p' | tr -d , | tr '\n' ' ')
+for kind in $kinds; do
+    ffstudy list "$kind"
+    expect_status 0
+    cut -d' ' -f1 "$folder/stdout" >"$folder/$kind"
+    offered explain ""
+    while read -r name; do expect_offered "$name"; done <"$folder/$kind"
+done
+offered list ""
+[ "$(sort "$folder/offered" | tr '\n' ' ')" = "$(tr ' ' '\n' <<<"$kinds" | sed '/^$/d' | sort | tr '\n' ' ')" ] ||
+    fail "expected the kinds of help: $kinds"
+
+# taken PLURAL WORD...: exactly the names that 'list PLURAL' shows are offered.
+taken() {
+    local plural=$1
+    shift
+    offered "$@" ""
+    diff "$folder/$plural" <(grep -v '^:' "$folder/offered") >&2 || fail "expected $plural"
+}
+taken samplers convergence --sampler
+taken estimators convergence --estimator
+taken allocations convergence --allocation
+taken completions convergence --completion
+taken maps convergence --map
+taken scenes convergence --scene
+taken scenes form_factors
+taken formats report results --format
+taken studies run
+offered report --format=csv,h
+expect_offered --format=csv,html
+offered run s
+expect_offered sr_vs_pdm
+expect_offered :files
+offered run x --out ""
+expect_offered :folders
+offered run sr_vs_pdm --trials ""
+[ ! -s "$folder/offered" ] || fail "expected nothing for a number"
+offered nothing ""
+[ ! -s "$folder/offered" ] || fail "expected nothing for an unknown command"
+ffstudy report --help
+tr -s ' \n' ' ' <"$folder/stdout" | grep -Fq "$(paste -sd, "$folder/formats" | sed 's/,/, /g') (default: html, markdown, csv, json)" ||
+    fail "expected every format in help"
+
+# docs/command-line.md names them too.
+named() { sed -nE "s/$1/\\1/p" "$root/docs/command-line.md" | grep -oE '`[a-z_]+`' | tr -d '`' | sort; }
+diff <(tr ' ' '\n' <<<"$kinds" | sed '/^$/d' | sort) <(named '^`KIND` is one of (.*)\.$') >&2 || fail "expected the kinds"
+diff <(sort "$folder/formats") <(named '^\| `--format LIST` \| of (.*); separated.*') >&2 || fail "expected the formats"
+
+# Programs that show manuals find no fault with the pages, but that they bear no date: the same program, the same bytes.
+for page in manual/*.1; do
+    mandoc -Tlint -W warning "$page" >"$folder/stdout" || true
+    ! grep -v 'missing date' "$folder/stdout" || fail "$page has faults"
+done

@@ -1,0 +1,13 @@
+#pragma once
+
+namespace ff::test {
+
+/// SQL that makes a file what version 1 of its format was, which had no checksums: what is changed afterwards is then
+/// looked at by itself.
+inline constexpr const char* store_as_version_1 =
+    "UPDATE meta SET value = '1' WHERE key = 'schema_version'; DELETE FROM meta WHERE key = 'checksum'; "
+    "DELETE FROM context WHERE key = 'checksum'; ALTER TABLE units DROP COLUMN checksum";
+inline constexpr const char* form_factors_as_version_1 =
+    "UPDATE about SET value = 1 WHERE key = 'schema_version'; DELETE FROM about WHERE key = 'checksum'";
+
+}  // namespace ff::test

@@ -1,0 +1,69 @@
+#include "core/exact/pair_exchange.hpp"
+
+#include "core/configurations/built_in_scene.hpp"
+#include "core/configurations/catalogue.hpp"
+#include "core/exact/exact.hpp"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+namespace ff {
+namespace {
+
+PairExchange between(const char* scene_name, std::size_t from, std::size_t to) {
+    static std::vector<Scene> scenes;  // blockers point into them
+    scenes.reserve(64);
+    scenes.push_back(built_in_scene(scene_name));
+    const Scene& scene = scenes.back();
+    return pair_exchange(scene, sight_of(scene), scene.surfaces[from], scene.surfaces[to], 1e-12);
+}
+
+TEST(PairExchange, TakesTheCheapestMethodThatGeometryAllows) {
+    EXPECT_EQ(between("cube", 0, 0).method, ExchangeMethod::none);
+    EXPECT_EQ(between("cube", 0, 5).method, ExchangeMethod::closed_form);
+    EXPECT_EQ(between("squares_at_60_degrees", 0, 1).method, ExchangeMethod::contour);
+    EXPECT_EQ(between("parallel_right_triangles", 0, 1).method, ExchangeMethod::contour);
+    EXPECT_EQ(between("squares_blocked", 0, 1).method, ExchangeMethod::points);
+    EXPECT_EQ(between("coaxial_discs_equal", 0, 1).method, ExchangeMethod::rays);
+    EXPECT_EQ(between("cylinder_wall", 0, 0).method, ExchangeMethod::rays) << "it sees itself";
+    EXPECT_EQ(between("discs_blocked", 0, 1).reason, ExchangeReason::curved);
+}
+
+TEST(PairExchange, KnowsWhatPassesWithNothingInBetween) {
+    const PairExchange blocked = between("squares_blocked", 0, 1);
+    ASSERT_TRUE(blocked.area);
+    EXPECT_NEAR(blocked.area->value, 0.199824895698387, blocked.area->error + 1e-15);
+    EXPECT_EQ(blocked.blockers.size(), 1u);
+    EXPECT_FALSE(between("coaxial_discs_equal", 0, 1).area);
+}
+
+TEST(PairExchange, TakesMoreDigitsWhereDoubleHasTooFew) {
+    // Unit squares a thousand apart: 1e-15 of the squared extent is 1e-9, the exchange area is 3e-7.
+    Scene scene;
+    scene.faces = {"1", "2"};
+    const Surface from{Parallelogram{{0, 0, 0}, {1, 0.5, 0}, {0, 1, 0}}, {0, 0, 1}, 0};
+    const Surface to{Parallelogram{{0, 0, 1000}, {0, 1, 0}, {1, 0.5, 0}}, {0, 0, -1}, 1};
+    scene.surfaces = {from, to};
+    const PairExchange brief = pair_exchange(scene, sight_of(scene), scene.surfaces[0], scene.surfaces[1], 1);
+    const PairExchange exact = pair_exchange(scene, sight_of(scene), scene.surfaces[0], scene.surfaces[1], 1e-11);
+    EXPECT_LT(exact.area->error, brief.area->error / 100);
+    EXPECT_NEAR(exact.area->value, 1e-6 / std::numbers::pi, exact.area->error + 1e-12);
+}
+
+TEST(PairExchange, LeavesScenesOfManySurfacesToRays) {
+    // A convex ring would be clear whatever its size; two plates that face away from a third are not.
+    Scene scene;
+    scene.faces = {"1"};
+    for (int i = 0; i < 600; ++i) {
+        const double z = i % 2 == 0 ? i : i + 0.5;
+        scene.surfaces.push_back({Parallelogram{{0, 0, z}, {1, 0, 0}, {0, 1, 0}}, {0, 0, i % 2 == 0 ? 1.0 : -1.0}, 0});
+    }
+    const SceneSight sight = sight_of(scene);
+    EXPECT_FALSE(sight.all_clear);
+    EXPECT_FALSE(sight.examined);
+    EXPECT_EQ(pair_exchange(scene, sight, scene.surfaces[0], scene.surfaces[1], 1e-9).method, ExchangeMethod::rays);
+}
+
+}  // namespace
+}  // namespace ff

@@ -1,0 +1,51 @@
+#include "core/visibility/facing.hpp"
+
+#include "core/geometry/box.hpp"
+#include "tests/unit/core/geometry/rectangles.hpp"
+
+#include <gtest/gtest.h>
+
+namespace ff {
+namespace {
+
+Scene scene_of(std::vector<Surface> surfaces) {
+    Scene scene;
+    for (Surface& surface : surfaces) {
+        surface.face = static_cast<int>(scene.faces.size());
+        scene.faces.push_back(std::to_string(surface.face + 1));
+        scene.surfaces.push_back(surface);
+    }
+    return scene;
+}
+
+TEST(Facing, NeedsSomeOfEachSurfaceInFrontOfTheOther) {
+    const Surface floor = test::rectangle("0:1 0:1 0:0 +z");
+    EXPECT_TRUE(face_each_other(floor, test::rectangle("0:1 0:1 1:1 -z")));
+    EXPECT_FALSE(face_each_other(floor, test::rectangle("0:1 0:1 1:1 +z"))) << "turned away";
+    EXPECT_FALSE(face_each_other(floor, test::rectangle("0:1 0:1 0:0 -z"))) << "in one plane";
+    EXPECT_FALSE(face_each_other(floor, test::rectangle("0:1 0:0 -1:0 +y"))) << "below the horizon";
+    EXPECT_TRUE(face_each_other(floor, test::rectangle("0:1 0:0 -1:1 +y"))) << "partly above the horizon";
+}
+
+TEST(Convexity, HoldsInsideEveryBox) {
+    EXPECT_TRUE(is_convex(make_box(6, 6, 6)));
+    EXPECT_TRUE(is_convex(make_box(1e-3, 7, 2)));
+    EXPECT_TRUE(is_convex(make_box(1.0 / 3, 0.1, 1e6)));
+}
+
+TEST(Convexity, FailsWhereSomethingMayStandBetween) {
+    Scene with_screen = make_box(6, 6, 6);
+    with_screen.surfaces.push_back(test::rectangle("2:4 2:4 3:3 +z"));
+    with_screen.surfaces.back().face = 6;
+    with_screen.faces.emplace_back("screen");
+    EXPECT_FALSE(is_convex(with_screen));
+}
+
+TEST(Convexity, NeedsNoClosedScene) {
+    EXPECT_TRUE(is_convex(scene_of({test::rectangle("0:1 0:1 0:0 +z"), test::rectangle("0:1 0:1 1:1 -z")})));
+    EXPECT_FALSE(is_convex(scene_of({test::rectangle("0:1 0:1 0:0 +z"), test::rectangle("0:1 0:1 1:1 +z")})));
+    EXPECT_FALSE(is_convex(scene_of({test::rectangle("0:1 0:1 0:0 +z"), test::rectangle("0:1 0:0 -1:1 +y")})));
+}
+
+}  // namespace
+}  // namespace ff

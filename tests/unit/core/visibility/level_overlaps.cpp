@@ -1,0 +1,61 @@
+#include "core/visibility/level_overlaps.hpp"
+
+#include "core/geometry/box.hpp"
+#include "tests/support/round_scenes.hpp"
+
+#include <gtest/gtest.h>
+#include <Eigen/Geometry>
+
+#include <numbers>
+
+namespace ff {
+namespace {
+
+using Eigen::Vector3d;
+
+Surface rectangle(double x, double y, double width, double depth, double height = 0, bool down = false) {
+    return {Parallelogram{{x, y, height}, {width, 0, 0}, {0, depth, 0}}, {0, 0, down ? -1.0 : 1.0}, 0};
+}
+
+Scene turned(Scene scene) {
+    const Eigen::Matrix3d turn = Eigen::AngleAxisd(0.7, Vector3d(0.3, 0.5, std::sqrt(0.66))).toRotationMatrix();
+    for (Surface& surface : scene.surfaces) {
+        surface.normal = turn * surface.normal;
+        if (auto* p = std::get_if<Parallelogram>(&surface.shape))
+            *p = {turn * p->corner, turn * p->edge_u, turn * p->edge_v};
+        if (auto* p = std::get_if<Disc>(&surface.shape)) p->centre = turn * p->centre;
+    }
+    return scene;
+}
+
+TEST(LevelOverlaps, AreFoundWithTheirArea) {
+    for (const bool down : {false, true}) {
+        const auto found =
+            level_overlaps(turned(test::faces_of({rectangle(0, 0, 1, 1), rectangle(0.8, 0.5, 2, 2, 0, down)}, false)));
+        ASSERT_EQ(found.size(), 1u);
+        EXPECT_EQ(found[0].same_side, !down);
+        EXPECT_NEAR(found[0].area, 0.1, 1e-12);
+    }
+}
+
+TEST(LevelOverlaps, AreNotSurfacesSideBySideOrApart) {
+    EXPECT_TRUE(level_overlaps(make_box(3, 2, 1)).empty());
+    const Scene apart = test::faces_of(
+        {rectangle(0, 0, 1, 1), rectangle(1, 0, 1, 1), rectangle(0, 1, 1.7, 1), rectangle(0.2, 0.2, 0.2, 0.2, 1e-12)},
+        false);
+    EXPECT_TRUE(level_overlaps(apart).empty());
+    EXPECT_TRUE(level_overlaps(turned(apart)).empty());
+}
+
+TEST(LevelOverlaps, AreFoundOfDiscs) {
+    const Vector3d up(0, 0, 1);
+    const Scene rings = test::faces_of({test::disc({0, 0, 0}, up, 2, 1), test::disc({0, 0, 0}, up, 1)}, false);
+    EXPECT_TRUE(level_overlaps(turned(rings)).empty()) << "a disc in the hole of a ring";
+    const Scene over = test::faces_of({test::disc({0, 0, 0}, up, 2), rectangle(-0.5, -0.5, 1, 1)}, false);
+    const auto found = level_overlaps(turned(over));
+    ASSERT_EQ(found.size(), 1u);
+    EXPECT_NEAR(found[0].area, 1, 0.1);
+}
+
+}  // namespace
+}  // namespace ff

@@ -1,0 +1,109 @@
+#include "reports/html/html.hpp"
+
+#include "core/support/error.hpp"
+#include "reports/templates/mustache.hpp"
+#include "reports/words/headline.hpp"
+#include "tests/support/studies.hpp"
+#include "tests/unit/reports/small_study.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <array>
+#include <fstream>
+#include <regex>
+
+namespace ff::reports {
+namespace {
+
+using test::shipped_templates;
+using testing::HasSubstr;
+using testing::Not;
+
+TEST(HtmlReport, HasAllTagsClosed) {
+    const std::string text = html_report(test::published_results(), shipped_templates());
+    for (const char* tag : {"table", "tr", "td", "th", "section", "details", "figure", "mark", "div", "script"}) {
+        const std::regex open(std::string("<") + tag + "[ >]");
+        const std::regex close(std::string("</") + tag + ">");
+        const auto count = [&](const std::regex& pattern) {
+            return std::distance(std::sregex_iterator(text.begin(), text.end(), pattern), std::sregex_iterator());
+        };
+        EXPECT_EQ(count(open), count(close)) << tag;
+    }
+}
+
+TEST(HtmlReport, LoadsNothing) {
+    const std::string text = html_report(test::published_results(), shipped_templates());
+    EXPECT_FALSE(std::regex_search(text, std::regex("(src|href)=\"[^#]")));
+    EXPECT_THAT(text, HasSubstr("default-src &#39;none&#39;"));
+    EXPECT_THAT(text, Not(HasSubstr("unsafe")));
+}
+
+TEST(HtmlReport, HasNoNumberThatIsNone) {
+    for (const auto* results : {&test::small_results(), &test::published_results()}) {
+        EXPECT_FALSE(
+            std::regex_search(html_report(*results, shipped_templates()), std::regex(">[^<]*\\b(nan|inf)\\b")));
+    }
+}
+
+TEST(HtmlReport, EscapesNamesOfTheStudy) {
+    EXPECT_THAT(html_report(test::small_results(), shipped_templates()), HasSubstr("SR &quot;quoted&quot;"));
+}
+
+TEST(HtmlReport, NamesTheProgramAndNothingElseThatDiffersBetweenRuns) {
+    studies::StudyResults results = test::small_results();
+    results.context = {{"version", "1.2"}, {"revision", "abc"}};
+    const std::string one = html_report(results, shipped_templates());
+    EXPECT_THAT(one, HasSubstr("Made by ffstudy 1.2, revision abc."));
+    results.context.insert({{"host", "somewhere"}, {"seconds", "3"}, {"command", "ffstudy run a.toml"}});
+    EXPECT_EQ(html_report(results, shipped_templates()), one);
+}
+
+TEST(HtmlReport, BeginsWithTheVerdict) {
+    const Headline top = headline(test::published_results());
+    const std::string text = html_report(test::published_results(), shipped_templates());
+    EXPECT_THAT(top.verdict, HasSubstr("PDM"));
+    EXPECT_THAT(top.verdict, HasSubstr("contradiction"));
+    EXPECT_LT(text.find(escape_html(top.verdict)), text.find("<table"));
+}
+
+TEST(HtmlReport, MarksMisprints) {
+    EXPECT_THAT(html_report(test::published_results(), shipped_templates()),
+                testing::ContainsRegex("<mark class=\"misprint\">0.900000"));
+}
+
+TEST(HtmlReport, IsTheSameForTheSameStore) {
+    EXPECT_EQ(html_report(test::small_results(), shipped_templates()),
+              html_report(studies::evaluate(test::small_store()), shipped_templates()));
+}
+
+TEST(HtmlReport, SaysThatItIsPartial) {
+    const studies::Store store = studies::Store::create_or_resume(test::in_memory, test::small_results().findings.plan);
+    EXPECT_THAT(html_report(studies::evaluate(store), shipped_templates()), HasSubstr("Partial result"));
+    EXPECT_THAT(html_report(test::small_results(), shipped_templates()), Not(HasSubstr("Partial result")));
+}
+
+TEST(Headline, NamesTheBetterMethodOnEachClassOfPairs) {
+    const Headline top = headline(test::small_results());
+    EXPECT_THAT(top.verdict, HasSubstr("on adjacent pairs"));
+    EXPECT_GE(top.numbers.size(), 3u);
+    EXPECT_TRUE(top.published.empty());
+}
+
+TEST(Templates, OfALaterFolderComeFirst) {
+    const test::TemporaryFolder own;
+    std::ofstream(own.path() / "report.css") << "own {}";
+    const std::array<std::filesystem::path, 2> folders{FF_TEMPLATES, own.path()};
+    const Templates templates = Templates::read(folders);
+    EXPECT_EQ(templates.text("report.css"), "own {}");
+    EXPECT_TRUE(templates.has("report.mustache"));
+    EXPECT_THROW((void)templates.text("nothing.css"), UserError);
+}
+
+TEST(Templates, AreRefusedWhereThereIsNoFolder) {
+    const std::array<std::filesystem::path, 1> folders{"/no/such/folder"};
+    EXPECT_THROW(Templates::read(folders), IoError);
+}
+
+}  // namespace
+}  // namespace ff::reports

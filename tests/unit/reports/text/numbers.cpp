@@ -1,0 +1,59 @@
+#include "reports/text/numbers.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <limits>
+
+namespace ff::reports {
+namespace {
+
+TEST(Exact, ReadsBackAsTheSameDouble) {
+    for (const double value : {0.1, 1.0 / 3, 5e-324, 1e308, -0.2000437761, 1e22}) {
+        EXPECT_EQ(std::strtod(exact(value).c_str(), nullptr), value) << exact(value);
+    }
+    EXPECT_EQ(exact(0.1), "0.1");
+}
+
+TEST(Exact, IsEmptyWithoutAFiniteValue) {
+    EXPECT_EQ(exact(std::nullopt), "");
+    EXPECT_EQ(exact(std::numeric_limits<double>::quiet_NaN()), "");
+    EXPECT_EQ(exact(std::numeric_limits<double>::infinity()), "");
+}
+
+TEST(ToError, ShowsTheSecondSignificantDigitOfTheError) {
+    EXPECT_EQ(to_error(0.19982490, 1.2e-3), "0.1998");
+    EXPECT_EQ(to_error(0.19982490, 9.9e-6), "0.1998249");
+    EXPECT_EQ(to_error(12.3456, 0.5), "12.35");
+    EXPECT_EQ(to_error(1234.5, 30), "1234");
+    EXPECT_EQ(to_error(1234.5, std::numeric_limits<double>::infinity()), "1234.5");
+}
+
+TEST(ToError, ShowsSmallValuesWithAnExponent) {
+    EXPECT_EQ(to_error(5.2213e-7, 3.4e-8), "5.22e-07");
+    EXPECT_EQ(to_error(-3.38e-6, 2e-6), "-3.4e-06");
+    EXPECT_EQ(to_error(3.3e-6, 2e-3), "0.0000");
+}
+
+TEST(ToError, ShowsEightDigitsWithoutAnError) {
+    EXPECT_EQ(to_error(0.199824895, 0), "0.1998249");
+    EXPECT_EQ(to_error(1, 0), "1");
+}
+
+TEST(Brief, ShowsAFewDigits) {
+    EXPECT_EQ(brief(0.0123456), "0.0123");
+    EXPECT_EQ(brief(7.7e-5, 2), "7.7e-05");
+    EXPECT_EQ(brief(0), "0");
+}
+
+TEST(PValue, NeverShowsZero) {
+    EXPECT_EQ(p_value(0.0312), "0.031");
+    EXPECT_EQ(p_value(1e-300), "< 1e-10");
+    EXPECT_EQ(p_value(0), "< 1e-10");
+    EXPECT_EQ(p_value(1), "1");
+    EXPECT_EQ(p_text(0.0312), "p = 0.031");
+    EXPECT_EQ(p_text(0), "p < 1e-10");
+}
+
+}  // namespace
+}  // namespace ff::reports

@@ -1,0 +1,73 @@
+#include "reports/words/cells_in_between.hpp"
+
+#include "reports/html/html.hpp"
+#include "reports/pictures/pictures.hpp"
+#include "reports/terminal/terminal.hpp"
+#include "reports/text/table.hpp"
+#include "tests/support/studies.hpp"
+#include "tests/unit/reports/small_study.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace ff::reports {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+/// A long ladder (cells 0 .. 5) and a short one (6 .. 8).
+const studies::StudyResults& ladders() {
+    static const studies::StudyResults made = studies::evaluate(test::run(test::plan_of(R"([study]
+name = "ladders"
+scene = "cube"
+trials = 20
+seed = 3
+
+[[method]]
+name = "long"
+sampler = "random"
+estimator = "ray_shooting"
+samples_per_patch = [64, 128, 256, 512, 1024, 2048]
+
+[[method]]
+name = "short"
+sampler = "sobol"
+estimator = "ray_shooting"
+samples_per_patch = [64, 256, 1024]
+)")));
+    return made;
+}
+
+TEST(CellsInBetween, AreTheMiddleOfLongLaddersOnly) {
+    EXPECT_EQ(cells_in_between(ladders()), (std::set<std::size_t>{1, 2, 3})) << "the verdict compares at 1024 rays";
+    EXPECT_TRUE(cells_in_between(test::published_results()).empty());
+}
+
+TEST(CellsInBetween, AreShownWhenSomethingIsWrong) {
+    studies::StudyResults results = ladders();
+    results.findings.cells[2].lost_rays = 1;
+    ASSERT_TRUE(results.findings.cells[3].bias);
+    results.findings.cells[3].bias_finding = studies::BiasFinding::biased;
+    EXPECT_EQ(cells_in_between(results), (std::set<std::size_t>{1}));
+}
+
+TEST(CellsInBetween, AreLeftOutOfTablesAndGroupsOfPictures) {
+    const Table table = methods_table(ladders());
+    EXPECT_EQ(table.rows.size(), 6u);
+    EXPECT_THAT(table.remarks.back(), HasSubstr("3 sizes"));
+    EXPECT_THAT(picture_groups(ladders()), testing::SizeIs(6));
+    const std::string page = html_report(ladders(), test::shipped_templates());
+    EXPECT_THAT(page, HasSubstr("long, 1 × 2048 rays, pair by pair"));
+    EXPECT_THAT(page, Not(HasSubstr("long, 1 × 256 rays, pair by pair")));
+}
+
+TEST(TerminalSummary, DrawsLaddersWithLetters) {
+    const std::string text = terminal_summary(ladders());
+    EXPECT_THAT(text, HasSubstr("evaluations a face, adjacent pairs\n"));
+    EXPECT_THAT(text, HasSubstr("a long   b short\n"));
+    EXPECT_THAT(terminal_summary(test::published_results()), Not(HasSubstr("evaluations a face")));
+}
+
+}  // namespace
+}  // namespace ff::reports

@@ -1,0 +1,102 @@
+#include "studies/analysis/class_error.hpp"
+
+#include "core/exact/exact.hpp"
+#include "core/geometry/box.hpp"
+
+#include <gtest/gtest.h>
+
+namespace ff::studies {
+namespace {
+
+/// Estimates of a cube that are off by `errors[trial]` on every pair.
+CellEstimates shifted(const Eigen::MatrixXd& exact, const std::vector<double>& errors) {
+    CellEstimates estimates;
+    estimates.faces = 6;
+    estimates.evaluations_per_face = 100;
+    estimates.factors.resize(36);
+    for (std::size_t i = 0; i < 6; ++i) {
+        for (std::size_t j = 0; j < 6; ++j) {
+            if (i == j) continue;
+            for (const double error : errors) {
+                estimates.factors[i * 6 + j].push_back(exact(static_cast<int>(i), static_cast<int>(j)) + error);
+            }
+        }
+    }
+    estimates.row_sums.assign(6, std::vector<double>(errors.size(), 1.0));
+    return estimates;
+}
+
+class ClassErrors : public testing::Test {
+  protected:
+    [[nodiscard]] std::optional<ClassError> of(const std::vector<double>& errors, PairClass pair_class,
+                                               VarianceStatus status = VarianceStatus::finite,
+                                               double level = 0.95) const {
+        return class_error(shifted(exact, errors), cube, KnownFactors(exact), distinct_pairs(6, Completion::direct),
+                           pair_class, status, level);
+    }
+
+    Scene cube = make_box(1, 1, 1);
+    Eigen::MatrixXd exact = *exact_form_factors(cube);
+};
+
+TEST_F(ClassErrors, AreRootMeanSquaresOverTrialsAndPairs) {
+    const auto error = of({0.03, -0.04}, PairClass::parallel);
+    ASSERT_TRUE(error);
+    EXPECT_EQ(error->pairs, 6u);
+    EXPECT_NEAR(error->rmse, std::sqrt((0.0009 + 0.0016) / 2), 1e-12);
+    ASSERT_TRUE(error->efficiency);
+    EXPECT_NEAR(*error->efficiency, 1 / (0.00125 * 100), 1e-9);
+}
+
+TEST_F(ClassErrors, HaveTheIntervalOfTheMeanOverTrials) {
+    const auto error = of({1e-3, 2e-3, 3e-3, 4e-3, 5e-3}, PairClass::adjacent, VarianceStatus::finite, 0.5);
+    ASSERT_TRUE(error && error->interval);
+    // Student t of the squares 1, 4, 9, 16, 25: qt(0.75, 4) * sd / sqrt(5) in R's words.
+    const double reach = 0.7406970841 * std::sqrt(93.5 / 5);
+    EXPECT_NEAR(error->interval->low, 1e-3 * std::sqrt(11 - reach), 1e-9);
+    EXPECT_NEAR(error->interval->high, 1e-3 * std::sqrt(11 + reach), 1e-9);
+    ASSERT_TRUE(error->efficiency_interval);
+    EXPECT_NEAR(error->efficiency_interval->low * error->interval->high * error->interval->high, 0.01, 1e-9);
+}
+
+TEST_F(ClassErrors, HaveBiasAndVarianceOfTheTrials) {
+    const auto error = of({1e-3, 2e-3, 3e-3, 4e-3, 5e-3}, PairClass::adjacent);
+    ASSERT_TRUE(error && error->bias_interval && error->variance_interval);
+    EXPECT_NEAR(error->bias, 3e-3, 1e-12);
+    EXPECT_NEAR(error->median_abs_error, 3e-3, 1e-12);
+    EXPECT_NEAR(*error->variance, 2.5e-6, 1e-12);
+    const double t = 2.7764451051977987;  // qt(0.975, 4)
+    EXPECT_NEAR(error->bias_interval->width() / 2, 1e-3 * t * std::sqrt(2.5 / 5), 1e-9);
+    // Squared deviations 4, 1, 0, 1, 4 (times 1e-6): mean 2, standard error sqrt(14 / 4 / 5).
+    EXPECT_NEAR(std::log(error->variance_interval->high / *error->variance), t * std::sqrt(14.0 / 4 / 5) / 2, 1e-9);
+}
+
+TEST_F(ClassErrors, OfFewHitsHaveASpreadAndNoTest) {
+    const auto error = of({0.01, 0.02, 0.03}, PairClass::adjacent, VarianceStatus::sparse);
+    ASSERT_TRUE(error);
+    EXPECT_TRUE(error->variance);
+    EXPECT_FALSE(error->interval);
+    EXPECT_FALSE(error->bias_interval);
+}
+
+TEST_F(ClassErrors, HaveNoIntervalWhereNoneHolds) {
+    for (const VarianceStatus status : {VarianceStatus::infinite, VarianceStatus::none}) {
+        const auto error = of({0.01, 0.02, 0.03}, PairClass::adjacent, status);
+        ASSERT_TRUE(error);
+        EXPECT_FALSE(error->interval);
+        EXPECT_FALSE(error->bias_interval);
+        EXPECT_FALSE(error->variance);
+        EXPECT_FALSE(error->efficiency);
+    }
+    const auto one = of({0.01}, PairClass::adjacent);
+    ASSERT_TRUE(one);
+    EXPECT_FALSE(one->interval);
+    EXPECT_FALSE(one->variance);
+}
+
+TEST_F(ClassErrors, AreEmptyWhereTheSceneHasNoSuchPair) {
+    EXPECT_FALSE(of({0.01}, PairClass::other));
+}
+
+}  // namespace
+}  // namespace ff::studies

@@ -1,0 +1,83 @@
+#include "studies/comparison/occlusion_series.hpp"
+
+#include "core/exact/known_factors.hpp"
+#include "studies/results/results.hpp"
+#include "tests/support/studies.hpp"
+
+#include <gtest/gtest.h>
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <random>
+#include <string>
+
+namespace ff::studies {
+namespace {
+
+constexpr double sigma = 1e-3;  // of the sampled method with one evaluation
+
+/// Scenes in another order than that of their shares.
+StudyPlan plan(std::string_view scenes = R"("squares_blocked:0.8", "squares_blocked:0", "squares_blocked:0.4")") {
+    return test::plan_of(fmt::format(
+        "[study]\nname = \"o\"\nscene = [{}]\ntrials = 60\nseed = 5\n"
+        "[[method]]\nname = \"rule\"\nsampler = \"gauss_legendre\"\nnodes = 2\nestimator = \"area_kernel\"\n"
+        "patches_per_face = [1, 4, 16]\n"
+        "[[method]]\nname = \"points\"\nsampler = \"random\"\nestimator = \"area_kernel\"\n"
+        "samples_per_patch = [16, 256, 4096]\n",
+        scenes));
+}
+
+/// Points err by `sigma` / sqrt(N), normally; the rule by `rule(hidden)` times N^-1/4 in every trial.
+template <class Rule>
+std::vector<OcclusionSeries> series_of(const StudyPlan& plan, Rule rule) {
+    std::mt19937_64 bits(11);
+    std::normal_distribution<double> normal;
+    const Store store = test::fill(plan, [&](std::size_t index, std::uint64_t, int from, int to) {
+        const Cell& cell = plan.cells[index];
+        const Scene& scene = plan.scenes[cell.scene];
+        const KnownFactors known = known_factors(scene);
+        const double patches = cell.subdivision.per_part();
+        const double n = static_cast<double>(cell.samples) * patches * patches;
+        const double hidden = hidden_share(scene, known, from - 1, to - 1).value();
+        return known.at(from - 1, to - 1).value() +
+               (cell.deterministic ? rule(hidden) * std::pow(n, -0.25) : sigma / std::sqrt(n) * normal(bits));
+    });
+    const Findings findings = analyse(store);
+    return occlusion_series(store, findings, fit_slopes(store, findings));
+}
+
+TEST(OcclusionSeries, TellsWhoErrsLeastAsMoreIsHidden) {
+    // At 4096 evaluations points err by 1.6e-5; the rule by 1.2e-6 in the open and 1.2e-3 behind the blocker.
+    const auto all = series_of(plan(), [](double hidden) { return hidden == 0 ? 1e-5 : 1e-2; });
+    ASSERT_EQ(all.size(), 1u);
+    const OcclusionSeries& series = all.front();
+    EXPECT_EQ(series.family, "squares_blocked");
+    EXPECT_EQ(series.evaluations, 4096u);
+    ASSERT_EQ(series.scenes.size(), 3u);
+    EXPECT_EQ(series.scenes[0].hidden, 0);
+    EXPECT_LT(series.scenes[1].hidden, series.scenes[2].hidden);
+    EXPECT_EQ(series.scenes[0].least, 0u);
+    EXPECT_EQ(series.scenes[1].least, 1u);
+    EXPECT_EQ(series.scenes[2].least, 1u);
+    for (const HiddenPair& scene : series.scenes) {
+        EXPECT_TRUE(scene.decided);
+        EXPECT_NEAR(scene.methods[0]->slope->slope.value(), -0.25, 1e-9);
+        EXPECT_NEAR(scene.methods[1]->slope->slope.value(), -0.5, 0.1);
+    }
+}
+
+TEST(OcclusionSeries, LeavesOpenWhatTrialsDoNotShow) {
+    // The rule errs as points do, in the mean.
+    const auto all = series_of(plan(), [](double) { return sigma * std::pow(4096.0, -0.25); });
+    for (const HiddenPair& scene : all.front().scenes) EXPECT_FALSE(scene.decided) << scene.hidden;
+}
+
+TEST(OcclusionSeries, NeedsThreeScenesOfAFamily) {
+    const auto none = series_of(plan(R"("squares_blocked:0.8", "squares_blocked:0", "squares_through_aperture")"),
+                                [](double) { return 0.0; });
+    EXPECT_TRUE(none.empty());
+}
+
+}  // namespace
+}  // namespace ff::studies

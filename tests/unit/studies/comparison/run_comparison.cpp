@@ -1,0 +1,141 @@
+#include "studies/comparison/run_comparison.hpp"
+
+#include "core/support/error.hpp"
+#include "stats/binomial.hpp"
+#include "tests/support/studies.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fmt/format.h>
+
+namespace ff::studies {
+namespace {
+
+Store made(std::string_view sampler, int seed, int trials = 60, std::string_view more = "") {
+    return test::run(test::plan_of(fmt::format(
+        "[study]\nname = \"s\"\nscene = \"cube\"\nseed = {}\ntrials = {}\n[[method]]\nname = \"rays\"\nsampler = "
+        "\"{}\"\nestimator = \"ray_shooting\"\nsamples_per_patch = 256\n{}",
+        seed, trials, sampler, more)));
+}
+
+constexpr const char* quadrature = R"([[method]]
+name = "PDM"
+sampler = "gauss_legendre"
+nodes = {}
+estimator = "area_kernel"
+patches_per_face = 4
+)";
+
+// 300 comparisons of sound runs at 5 % each: a rate above 5 % is claimed by mistake with probability 1e-6; a rate of
+// 15 % is missed with probability below 1e-3 (binomial).
+TEST(RunComparison, CallsSoundRunsDifferentNoMoreOftenThanItSays) {
+    std::uint64_t alarms = 0;
+    constexpr int repeats = 300;
+    for (int i = 0; i < repeats; ++i) {
+        const auto comparison = compare_runs(made("random", 2 * i + 1, 12), made("random", 2 * i + 2, 12));
+        EXPECT_EQ(comparison.tests, 62u);
+        EXPECT_EQ(comparison.cells.front().basis, Basis::independent);
+        alarms += comparison.count(Likeness::different) > 0 ? 1u : 0u;
+    }
+    const auto interval = stats::clopper_pearson_interval({alarms, static_cast<std::uint64_t>(repeats)}, 1 - 2e-6);
+    EXPECT_LE(interval.low, 0.05) << alarms;
+}
+
+// The bias of patch_centres with one origin on the whole face is many standard errors at these sizes.
+TEST(RunComparison, SeesABrokenSamplerInTheMeans) {
+    const auto comparison = compare_runs(made("random", 1, 400), made("patch_centres", 2, 400));
+    ASSERT_EQ(comparison.count(Likeness::different), 1u);
+    EXPECT_LT(comparison.cells.front().mean->adjusted_p, 1e-6);
+}
+
+TEST(RunComparison, SeesABrokenSamplerInTheSpread) {
+    const auto comparison = compare_runs(made("sobol", 1), made("random", 2));
+    const CellComparison& cell = comparison.cells.front();
+    EXPECT_EQ(cell.likeness, Likeness::different);
+    EXPECT_GE(cell.mean->adjusted_p, 0.05);
+    EXPECT_LT(cell.spread->adjusted_p, 1e-6);
+    EXPECT_GT(cell.spread->size, 1);
+    for (const RmseRatio& ratio : cell.ratios) EXPECT_GT(ratio.interval->low, 1);
+}
+
+// Halton against Sobol' rays: a few percent on every pair, more than five standard errors of them all together.
+TEST(RunComparison, SeesASmallDifferenceOfAllPairsInTheRmse) {
+    const auto comparison = compare_runs(made("halton", 1, 400), made("sobol", 2, 400));
+    const CellComparison& cell = comparison.cells.front();
+    EXPECT_EQ(cell.likeness, Likeness::different);
+    EXPECT_GE(cell.mean->adjusted_p, 0.05);
+    EXPECT_LT(cell.ratios.back().adjusted_p, cell.spread->adjusted_p / 100);
+}
+
+TEST(RunComparison, SeesTrialsThatNeverVary) {
+    for (const bool swapped : {false, true}) {
+        const auto comparison = swapped ? compare_runs(made("same_seed", 1), made("random", 2))
+                                        : compare_runs(made("random", 1), made("same_seed", 2));
+        EXPECT_EQ(comparison.count(Likeness::different), 1u);
+        EXPECT_LT(comparison.cells.front().spread->adjusted_p, 1e-6);
+    }
+}
+
+TEST(RunComparison, ComparesTheSameRandomNumbersToTheBit) {
+    const auto equal = compare_runs(made("random", 1, 60), made("random", 1, 40));
+    EXPECT_EQ(equal.cells.front().basis, Basis::same_random_numbers);
+    EXPECT_EQ(equal.cells.front().likeness, Likeness::alike);
+    EXPECT_EQ(equal.cells.front().trials, 40u);
+    EXPECT_EQ(equal.tests, 0u);
+
+    const auto plan = made("random", 1, 10).plan();
+    const auto value = [](double wrong) {
+        return [wrong](std::size_t, std::uint64_t trial, int, int) { return trial == 3 ? wrong : 0.2; };
+    };
+    const auto changed = compare_runs(test::fill(plan, value(0.2)), test::fill(plan, value(0.25)));
+    EXPECT_EQ(changed.cells.front().differing, 1u);
+    EXPECT_EQ(changed.cells.front().likeness, Likeness::different);
+}
+
+TEST(RunComparison, ComparesDeterministicMethodsByValue) {
+    const auto store = [](int nodes) { return made("random", 1, 10, fmt::format(fmt::runtime(quadrature), nodes)); };
+    EXPECT_EQ(compare_runs(store(3), store(3)).cells[1].likeness, Likeness::alike);
+    const auto comparison = compare_runs(store(3), store(4));
+    EXPECT_EQ(comparison.cells.size(), 1u);  // the samples of a pair of patches follow from the nodes
+    EXPECT_THAT(comparison.only_first, testing::ElementsAre(1u));
+    EXPECT_THAT(comparison.only_second, testing::ElementsAre(1u));
+}
+
+TEST(RunComparison, TestsNothingWithoutVariance) {
+    const auto store = [](int seed) {
+        return test::run(test::plan_of(fmt::format(
+            "[study]\nname = \"s\"\nscene = \"cube\"\nseed = {}\ntrials = 10\n[[method]]\nname = \"kernel\"\nsampler = "
+            "\"random\"\nestimator = \"area_kernel\"\nsamples_per_patch = 64\n",
+            seed)));
+    };
+    const auto comparison = compare_runs(store(1), store(2));
+    const CellComparison& cell = comparison.cells.front();
+    EXPECT_EQ(cell.untestable, 24u);  // of 30, the adjacent ones
+    for (const RmseRatio& ratio : cell.ratios)
+        EXPECT_EQ(ratio.interval.has_value(), ratio.pair_class == PairClass::parallel);
+}
+
+TEST(RunComparison, RefusesWhatHasNothingInCommon) {
+    const auto box = test::run(test::plan_of(
+        "[study]\nname = \"s\"\nscene = \"box:2x1x1\"\nseed = 1\ntrials = 5\n[[method]]\nname = \"rays\"\nsampler = "
+        "\"random\"\nestimator = \"ray_shooting\"\nsamples_per_patch = 256\n"));
+    const std::string message =
+        test::message_of<UserError>([&] { static_cast<void>(compare_runs(made("random", 1, 5), box)); });
+    EXPECT_THAT(message, testing::HasSubstr("scenes are cube there and box:2x1x1 here"));
+}
+
+TEST(DifferencesOf, NamesEveryKeyThatDiffers) {
+    const auto first = made("random", 1, 10).plan().spec;
+    auto second = made("halton", 2, 10).plan().spec;
+    second.equivalence_margin = 0.1;
+    std::vector<std::string> seen;
+    for (const SpecDifference& each : differences_of(first, second))
+        seen.push_back(fmt::format("{}.{}: {} / {}", each.place, each.key, each.first, each.second));
+    EXPECT_THAT(seen, testing::ElementsAre("study.seed: 1 / 2", "study.equivalence_margin:  / 0.1",
+                                           "rays.sampler: \"random\" / \"halton\""));
+    EXPECT_THAT(differences_of(first, first), testing::IsEmpty());
+}
+
+}  // namespace
+}  // namespace ff::studies

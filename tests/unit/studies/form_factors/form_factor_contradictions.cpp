@@ -1,0 +1,100 @@
+#include "core/configurations/built_in_scene.hpp"
+#include "core/configurations/catalogue.hpp"
+#include "studies/form_factors/form_factors.hpp"
+#include "tests/support/statistical_assertions.hpp"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <memory>
+
+namespace ff::studies {
+namespace {
+
+/// A tracer that is broken on purpose: what meets the first `hole` of a surface is lost, once so many rays are shot.
+class HoleyTracer final : public Tracer {
+  public:
+    HoleyTracer(const Scene& scene, float hole, std::uint64_t sound_rays)
+        : sound_(make_tracer(scene, TracerChoice::automatic)), hole_(hole), sound_rays_(sound_rays) {}
+
+    [[nodiscard]] std::string_view name() const override { return "holey"; }
+
+    void shoot(std::uint32_t source, Grid grid, std::uint32_t patch, const PointBlock& block,
+               std::span<std::uint64_t> hits) const override {
+        sound_->shoot(source, grid, patch, block, hits);
+    }
+
+    void trace(const RayBatch& rays, std::span<Hit> hits) const override {
+        sound_->trace(rays, hits);
+        if ((rays_ += rays.size()) <= sound_rays_) return;
+        for (Hit& hit : hits.first(rays.size())) {
+            if (hit.s < hole_) hit = {};
+        }
+    }
+
+  private:
+    std::unique_ptr<Tracer> sound_;
+    float hole_;
+    std::uint64_t sound_rays_;
+    mutable std::atomic<std::uint64_t> rays_{0};
+};
+
+constexpr std::uint64_t runs = 200;
+
+/// Of runs, each with a seed of its own, what becomes of the estimate of the first two faces.
+struct Outcome {
+    std::uint64_t contradicted = 0;
+    std::uint64_t held = 0;  ///< of these, intervals that hold the exact value
+};
+
+Outcome outcome(std::string_view scene_name, float hole, std::uint64_t sound_rays = 0) {
+    const Scene scene = built_in_scene(scene_name);
+    const double exact = *known_form_factor(scene, 0, 1);
+    Outcome outcome;
+    for (std::uint64_t seed = 1; seed <= runs; ++seed) {
+        FormFactorRequest request;
+        request.tolerance = 2e-3;
+        request.seed = Seed{seed};
+        request.threads = 2;
+        request.tracer = [&](const Scene& joined) { return std::make_unique<HoleyTracer>(joined, hole, sound_rays); };
+        const FormFactorMatrix matrix = find_form_factors(scene, request);
+        const FaceExchange& pair = matrix.exchange(0, 1);
+        if (!pair.contradicted) continue;
+        EXPECT_FALSE(pair.within) << "a contradicted entry counts as missed";
+        ++outcome.contradicted;
+        outcome.held += pair.low <= exact * matrix.areas[0] && exact * matrix.areas[0] <= pair.high;
+    }
+    return outcome;
+}
+
+const test::StatisticalRisk risk{.alpha = 1e-6, .detects = 0.12, .power = 0.99};
+
+// Sound estimates are contradicted in 0.001 of runs at most, over all pairs; 0.121 would be noticed.
+TEST(FormFactorContradictions, AreRareWhereNothingIsBroken) {
+    for (const char* scene : {"squares_blocked", "discs_blocked"}) {
+        EXPECT_TRUE(test::has_probability_at_most(outcome(scene, 0).contradicted, runs, 1e-3, risk)) << scene;
+    }
+}
+
+// Points and rays are sampled of these squares, and only the rays are wrong. That is found in 0.95 of runs at least
+// (0.83 would be noticed), and the interval, which holds that of the points, misses no more often than that one may.
+TEST(FormFactorContradictions, AreFoundWhereRaysAreLostAndPointsAreNot) {
+    const Outcome found = outcome("squares_blocked", 0.1F);
+    EXPECT_TRUE(test::has_probability_at_least(found.contradicted, runs, 0.95, risk));
+    EXPECT_TRUE(test::has_probability_at_least(found.held, found.contradicted, 0.95, risk));
+}
+
+// Rays alone do for discs: the first pilots are sound, and what follows is not.
+TEST(FormFactorContradictions, AreFoundWhereLaterRaysAreLost) {
+    const Outcome found = outcome("discs_blocked", 0.1F, 65536);
+    EXPECT_TRUE(test::has_probability_at_least(found.contradicted, runs, 0.95, risk));
+    EXPECT_TRUE(test::has_probability_at_least(found.held, found.contradicted, 0.95, risk));
+}
+
+// A thousandth of a surface is less than the pilots can tell: nobody is to rely on this comparison alone.
+TEST(FormFactorContradictions, AreNotFoundWhereLittleIsLost) {
+    EXPECT_TRUE(test::has_probability_at_most(outcome("squares_blocked", 0.001F).contradicted, runs, 0.01, risk));
+}
+
+}  // namespace
+}  // namespace ff::studies

@@ -1,0 +1,232 @@
+#include "studies/form_factors/form_factors.hpp"
+
+#include "core/configurations/built_in_scene.hpp"
+#include "core/configurations/catalogue.hpp"
+#include "core/exact/exact.hpp"
+#include "core/geometry/box.hpp"
+#include "core/support/error.hpp"
+#include "studies/form_factors/coverage.hpp"
+#include "studies/form_factors/words.hpp"
+#include "tests/support/statistical_assertions.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <vector>
+
+namespace ff::studies {
+namespace {
+
+FormFactorRequest request_of(double tolerance, std::uint64_t seed = 1) {
+    FormFactorRequest request;
+    request.tolerance = tolerance;
+    request.seed = Seed{seed};
+    request.threads = 2;
+    return request;
+}
+
+/// The matrix of two squares with something in between, stopped when this stage tells of itself for the first time.
+FormFactorMatrix stopped_in(FormFactorProgress::Stage stage, FormFactorRequest request) {
+    std::atomic<bool> stop = false;
+    request.stop = &stop;
+    request.report = [&](const FormFactorProgress& progress) { stop = stop || progress.stage == stage; };
+    return find_form_factors(built_in_scene("squares_blocked"), request);
+}
+
+double factor(const FormFactorMatrix& matrix, std::size_t from, std::size_t to) {
+    return matrix.exchange(from, to).value / matrix.areas[from];
+}
+
+TEST(FormFactors, AreExactWhereGeometryAllowsIt) {
+    const Scene box = make_box(3, 2, 1);
+    const FormFactorMatrix matrix = find_form_factors(box, request_of(1e-12));
+    EXPECT_LT((matrix.factors() - *exact_form_factors(box)).cwiseAbs().maxCoeff(), 1e-14);
+    EXPECT_EQ(matrix.samples, 0u);
+    EXPECT_EQ(matrix.missed(), 0u);
+    for (const RowSum& row : matrix.rows) {
+        EXPECT_LE(row.low, 1);
+        EXPECT_GE(row.high, 1 - 1e-15);
+    }
+}
+
+TEST(FormFactors, AddUpSurfacesOfAFace) {
+    // The floor of a box in four pieces is the floor.
+    const Scene whole = make_box(3, 2, 1);
+    Scene pieces = whole;
+    pieces.empty_box.reset();
+    const Parallelogram floor = parallelogram(whole.surfaces[0]);
+    pieces.surfaces[0].shape = patch(floor, {2, 2}, 0);
+    for (std::uint32_t p = 1; p < 4; ++p) {
+        pieces.surfaces.push_back({patch(floor, {2, 2}, p), whole.surfaces[0].normal, 0});
+    }
+    const FormFactorMatrix matrix = find_form_factors(pieces, request_of(1e-12));
+    EXPECT_LT((matrix.factors() - *exact_form_factors(whole)).cwiseAbs().maxCoeff(), 1e-13);
+}
+
+TEST(FormFactors, DoNotDependOnThreads) {
+    for (const char* name : {"squares_blocked", "cylinder_wall"}) {
+        const Scene scene = built_in_scene(name);
+        FormFactorRequest request = request_of(2e-3);
+        const FormFactorMatrix two = find_form_factors(scene, request);
+        request.threads = 1;
+        const FormFactorMatrix one = find_form_factors(scene, request);
+        EXPECT_EQ(two.factors(), one.factors());
+        EXPECT_EQ(two.half_widths(), one.half_widths());
+        request.seed = Seed{2};
+        EXPECT_NE(find_form_factors(scene, request).factors(), one.factors());
+    }
+}
+
+TEST(FormFactors, SayWhatABudgetLeavesOut) {
+    const Scene scene = built_in_scene("coaxial_discs_equal");
+    FormFactorRequest request = request_of(1e-5);
+    request.max_samples = 2'000'000;
+    const FormFactorMatrix matrix = find_form_factors(scene, request);
+    EXPECT_EQ(matrix.missed(), 1u);
+    EXPECT_LE(matrix.samples, request.max_samples);
+    EXPECT_GT(matrix.samples, request.max_samples / 4);
+    const FaceExchange& exchange = matrix.exchange(0, 1);
+    EXPECT_GT(exchange.high - exchange.low, 2e-5 * matrix.areas[0]);
+    request.max_samples = 1000;
+    EXPECT_THROW(find_form_factors(scene, request), UserError);
+}
+
+TEST(FormFactors, AreBoundedByGeometryWhereThereWasNoTime) {
+    const FormFactorMatrix matrix = stopped_in(FormFactorProgress::Stage::pilots, request_of(1e-4));
+    EXPECT_TRUE(matrix.interrupted);
+    EXPECT_EQ(matrix.missed(), 1u);
+    const FaceExchange& exchange = matrix.exchange(0, 1);
+    EXPECT_EQ(method_of(exchange), "bounds");
+    EXPECT_EQ(exchange.low, 0);
+    EXPECT_NEAR(exchange.high, 0.199824895698387, 1e-14) << "as if nothing stood in between";
+    const std::atomic<bool> stop = true;
+    FormFactorRequest request = request_of(1e-4);
+    request.stop = &stop;
+    const FormFactorMatrix unknown = find_form_factors(built_in_scene("squares_blocked"), request);
+    EXPECT_TRUE(unknown.interrupted);
+    EXPECT_EQ(method_of(unknown.exchange(0, 1)), "bounds");
+    EXPECT_EQ(unknown.exchange(0, 1).low, 0);
+    EXPECT_EQ(unknown.exchange(0, 1).high, 1) << "not even that was looked at";
+}
+
+// Of 200 seeds, the pilots' interval holds the exact value in 0.95 at least; 0.85 would be noticed with probability
+// 0.99. Halved intervals are.
+TEST(FormFactors, HoldWhenTheyAreStopped) {
+    const double exact = *known_form_factor(built_in_scene("squares_blocked"), 0, 1);
+    std::uint64_t held = 0;
+    std::uint64_t held_by_halves = 0;
+    for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+        const FormFactorMatrix matrix = stopped_in(FormFactorProgress::Stage::rounds, request_of(1e-4, seed));
+        ASSERT_TRUE(matrix.interrupted);
+        const FaceExchange& pair = matrix.exchange(0, 1);
+        ASSERT_NE(method_of(pair), "bounds");
+        held += pair.low <= exact && exact <= pair.high;
+        held_by_halves += std::abs(exact - pair.value) <= (pair.high - pair.low) / 4;
+    }
+    const test::StatisticalRisk risk{.alpha = 1e-4, .detects = 0.1, .power = 0.99};
+    EXPECT_TRUE(test::has_probability_at_least(held, 200, 0.95, risk));
+    EXPECT_FALSE(test::has_probability_at_least(held_by_halves, 200, 0.95, risk));
+}
+
+TEST(FormFactors, SayHowFarTheyAre) {
+    using Stage = FormFactorProgress::Stage;
+    FormFactorRequest request = request_of(1e-3);
+    std::vector<FormFactorProgress> told;
+    request.report = [&](const FormFactorProgress& progress) { told.push_back(progress); };
+    const Scene scene = built_in_scene("nested_cubes");
+    const FormFactorMatrix matrix = find_form_factors(scene, request);
+    ASSERT_FALSE(told.empty());
+    EXPECT_EQ(told.front().stage, Stage::looking);
+    EXPECT_EQ(told.back().stage, Stage::rounds);
+    EXPECT_EQ(told.back().share, 1);
+    EXPECT_EQ(told.back().samples, matrix.samples);
+    for (std::size_t i = 0; i + 1 < told.size(); ++i) {
+        EXPECT_LE(told[i].samples, told[i + 1].samples);
+        EXPECT_LE(told[i].within, told[i + 1].within);
+        EXPECT_EQ(told[i].pairs, matrix.exchanges.size());
+    }
+}
+
+TEST(FormFactors, StayBelowWhatNothingInBetweenWouldLetThrough) {
+    // One blocker hides all: that is proved, not sampled.
+    Scene scene = built_in_scene("squares_blocked");
+    Parallelogram& blocker = parallelogram(scene.surfaces[2]);
+    blocker = {{-1, -1, 0.5}, {3, 0, 0}, {0, 3, 0}};
+    const FormFactorMatrix proved = find_form_factors(scene, request_of(1e-3));
+    EXPECT_LT(proved.exchange(0, 1).high, 1e-13);
+    // Two do so together: no point sees anything, which is no proof.
+    Scene two = scene;
+    two.surfaces.push_back(two.surfaces[2]);
+    parallelogram(two.surfaces[2]).edge_u *= 0.51;
+    parallelogram(two.surfaces[3]) = {{0.49, -1, 0.51}, {1.51, 0, 0}, {0, 3, 0}};
+    const FaceExchange exchange = find_form_factors(two, request_of(1e-3)).exchange(0, 1);
+    EXPECT_LT(exchange.value, 1e-13);
+    EXPECT_EQ(exchange.low, 0);
+    EXPECT_GT(exchange.high, 1e-8) << "no hits are no proof";
+    EXPECT_LE(exchange.high, 1e-3);
+    // A blocker beside the line of sight hides nothing: the value is that of nothing in between, and clipped there.
+    blocker = {{0.4, 1.2, 0.5}, {0.1, 0.1, 0}, {0.1, -0.1, 0.2}};
+    const FormFactorMatrix clear = find_form_factors(scene, request_of(1e-3));
+    EXPECT_NEAR(factor(clear, 0, 1), 0.199824895698387, 1e-14);
+    EXPECT_LE(clear.exchanges[1].high, 0.199824895698387 + 1e-14);
+}
+
+TEST(FormFactors, AreRepairedToCloseWithinTheirIntervals) {
+    FormFactorRequest request = request_of(1e-3);
+    request.repair = true;
+    const Scene scene = built_in_scene("nested_cubes");
+    const FormFactorMatrix matrix = find_form_factors(scene, request);
+    ASSERT_TRUE(matrix.repaired && matrix.repaired->possible);
+    EXPECT_GT(matrix.repaired->closure_before, 1e-7);
+    EXPECT_LT(matrix.repaired->closure_after, 1e-12);
+    EXPECT_LT(matrix.repaired->largest_change, 1e-3);
+    const double exact = *known_form_factor(scene, 0, 2);
+    EXPECT_LT(std::abs(matrix.repaired->factors(0, 2) - exact), std::abs(factor(matrix, 0, 2) - exact) + 1e-3);
+    EXPECT_THROW(find_form_factors(built_in_scene("squares_blocked"), request), UserError) << "it is open";
+}
+
+TEST(FormFactors, RefuseWhatCannotBeMet) {
+    const Scene round = built_in_scene("coaxial_discs_equal");
+    for (const double tolerance : {0.0, -1.0, 1e-15, 0.5, std::numeric_limits<double>::quiet_NaN()}) {
+        EXPECT_THROW(find_form_factors(round, request_of(tolerance)), UserError) << tolerance;
+    }
+    EXPECT_THROW(find_form_factors(round, request_of(1e-7)), UserError) << "rays are in single precision";
+    FormFactorRequest request = request_of(1e-3);
+    request.level = 1;
+    EXPECT_THROW(find_form_factors(round, request), UserError);
+}
+
+/// 100 seeds on three scenes of points and rays, level 0.95 of each entry and of the matrix.
+FormFactorCoverage coverage_of(double shrink) {
+    FormFactorCoverageOptions options;
+    options.seeds = 100;
+    options.tolerance = 4e-3;
+    options.threads = 2;
+    options.shrink = shrink;
+    options.scenes = {"squares_blocked", "discs_blocked", "sphere_to_disc", "cube_adjacent_faces"};
+    return measure_form_factor_coverage(options);
+}
+
+// Six rates, each claimed to be at least 0.95: one of them falls below its interval, at level 1 - 0.05 / 6, with
+// probability 0.05 at most if all are 0.95 (fixed seeds). Coverage of 0.83 is noticed with probability 0.9 in each:
+// P(X <= 88) for X ~ B(100, 0.83), 88 being the most whose interval ends below 0.95.
+TEST(FormFactorCoverage, IsThatOfTheLevel) {
+    const FormFactorCoverage coverage = coverage_of(1);
+    EXPECT_EQ(coverage.contradictions(), 0u);
+    EXPECT_EQ(coverage.entries.rates.size(), 3u);
+    EXPECT_EQ(coverage.matrices.rates.size(), 3u);
+    EXPECT_EQ(coverage.exact_pairs, 1u);
+    EXPECT_EQ(coverage.exact_missed, 0u);
+    EXPECT_EQ(coverage.out_of_tolerance, 0u);
+}
+
+// Half the width holds about 0.71 of all values where it should hold 0.955 (Student's t, 15 degrees of freedom).
+TEST(FormFactorCoverage, IsSeenToFallShortWhereIntervalsAreTooNarrow) {
+    EXPECT_EQ(coverage_of(0.5).contradictions(), 6u);
+}
+
+}  // namespace
+}  // namespace ff::studies

@@ -1,0 +1,199 @@
+#include "studies/plan/plan.hpp"
+
+#include "core/support/error.hpp"
+#include "tests/support/studies.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+namespace ff::studies {
+namespace {
+
+using test::plan_of;
+using test::study_text;
+
+constexpr std::string_view ladder = R"([[method]]
+name = "SR"
+sampler = "random"
+estimator = "ray_shooting"
+patches_per_face = [4, 9]
+samples_per_patch = [100, 200]
+)";
+
+constexpr std::string_view pdm = R"([[method]]
+name = "PDM"
+sampler = "gauss_legendre"
+estimator = "area_kernel"
+nodes = [5, 6]
+patches_per_face = 4
+)";
+
+std::string replaced(std::string text, std::string_view what, std::string_view with) {
+    const auto at = text.find(what);
+    EXPECT_NE(at, std::string::npos) << what;
+    return text.replace(at, what.size(), with);
+}
+
+std::vector<StreamKey> keys(const StudyPlan& plan) {
+    std::vector<StreamKey> list;
+    for (const Cell& cell : plan.cells) list.push_back(cell.key);
+    return list;
+}
+
+StreamKey only_key(std::string_view scene, std::string_view method) {
+    return plan_of(replaced(study_text("trials = 9", method), "cube", scene)).cells.at(0).key;
+}
+
+constexpr std::string_view rays = R"([[method]]
+name = "SR"
+sampler = "random"
+estimator = "ray_shooting"
+completion = "direct"
+patches_per_face = 4
+samples_per_patch = 100
+)";
+
+TEST(PlanKeys, DifferForEveryCell) {
+    const auto list = keys(plan_of(study_text("trials = 9", std::string(ladder) + std::string(pdm))));
+    ASSERT_EQ(list.size(), 5u);
+    EXPECT_EQ(std::set<StreamKey>(list.begin(), list.end()).size(), list.size());
+}
+
+TEST(PlanKeys, DoNotDependOnOtherMethodsOrTheirOrder) {
+    const auto alone = keys(plan_of(study_text("trials = 9", ladder)));
+    const auto first = keys(plan_of(study_text("trials = 9", std::string(ladder) + std::string(pdm))));
+    const auto last = keys(plan_of(study_text("trials = 9", std::string(pdm) + std::string(ladder))));
+    EXPECT_TRUE(std::equal(alone.begin(), alone.end(), first.begin()));
+    EXPECT_TRUE(std::equal(alone.begin(), alone.end(), last.begin() + 1));
+}
+
+TEST(PlanKeys, DoNotDependOnNameCompletionTrialsOrOrderOfSizes) {
+    const std::string text(rays);
+    const StreamKey key = only_key("cube", text);
+    EXPECT_EQ(only_key("cube", replaced(text, "SR", "other name")), key);
+    EXPECT_EQ(only_key("cube", replaced(text, "direct", "reciprocal")), key);
+    EXPECT_EQ(only_key("cube", text + "trials = 77"), key);
+    auto sizes = keys(plan_of(study_text("trials = 9", replaced(std::string(ladder), "[4, 9]", "[9, 4]"))));
+    auto straight = keys(plan_of(study_text("trials = 9", ladder)));
+    EXPECT_NE(sizes, straight);
+    std::sort(sizes.begin(), sizes.end());
+    std::sort(straight.begin(), straight.end());
+    EXPECT_EQ(sizes, straight);
+}
+
+TEST(PlanKeys, DependOnAllThatShapesTheNumbers) {
+    const std::string text(rays);
+    const StreamKey key = only_key("cube", text);
+    EXPECT_NE(only_key("cube", replaced(text, "\"random\"", "\"random_mt\"")), key);
+    EXPECT_NE(only_key("cube", replaced(text, "= 4", "= 9")), key);
+    EXPECT_NE(only_key("cube", replaced(text, "= 100", "= 101")), key);
+    EXPECT_NE(only_key("cube", replaced(text, "ray_shooting", "area_kernel")), key);
+    EXPECT_NE(only_key("cube", text + "allocation = \"face\""), key);
+    const std::string kernel = replaced(text, "ray_shooting", "area_kernel");
+    EXPECT_NE(only_key("cube", kernel + "map = \"graded\""), only_key("cube", kernel));
+    EXPECT_EQ(only_key("cube", kernel + "map = \"uniform\""), only_key("cube", kernel));
+    EXPECT_NE(only_key("box:6x6x7", text), key);
+    EXPECT_NE(plan_of(replaced(study_text("trials = 9", rays), "seed = 7", "seed = 8")).cells.at(0).key, key);
+}
+
+TEST(PlanKeys, AreThoseOfTheSceneNotOfItsName) {
+    EXPECT_EQ(only_key("cube", rays), only_key("box:6x6x6", rays));
+    EXPECT_EQ(only_key("cube", rays), only_key("box:6.0x6x06", rays));
+}
+
+TEST(PlanUnits, CoverEveryTrialOnce) {
+    const StudyPlan plan = plan_of(study_text("trials = 1000", R"([[method]]
+name = "SR"
+sampler = "random"
+estimator = "ray_shooting"
+sizes = [ { patches_per_face = 169, samples_per_patch = [1, 625, 10000] },
+          { patches_per_face = 9, samples_per_patch = 1000000, trials = 33 } ]
+)" + std::string(pdm)));
+    std::map<std::size_t, std::uint64_t> next;  // trial, by cell
+    for (std::size_t i = 0; i < plan.units.size(); ++i) {
+        const WorkUnit& unit = plan.units[i];
+        EXPECT_EQ(unit.index, i);
+        EXPECT_EQ(unit.first_trial, next[unit.cell]);
+        EXPECT_GE(unit.trials, 1u);
+        next[unit.cell] += unit.trials;
+    }
+    ASSERT_EQ(next.size(), plan.cells.size());
+    for (std::size_t cell = 0; cell < plan.cells.size(); ++cell) EXPECT_EQ(next[cell], plan.cells[cell].trials);
+    EXPECT_EQ(plan.cells[3].trials, 33u);
+}
+
+TEST(PlanUnits, TakeAboutAFifthOfASecond) {
+    const StudyPlan plan = plan_of(study_text("trials = 100000", ladder));
+    for (const WorkUnit& unit : plan.units) {
+        const double seconds =
+            static_cast<double>(unit.trials) * expected_seconds_per_trial(plan, plan.cells[unit.cell]);
+        EXPECT_LE(seconds, 0.2001);
+    }
+    EXPECT_GT(plan.units.size(), plan.cells.size());
+}
+
+TEST(Plan, RunsADeterministicMethodOnce) {
+    const StudyPlan plan = plan_of(study_text("trials = 1000", pdm));
+    EXPECT_TRUE(plan.cells.at(0).deterministic);
+    EXPECT_EQ(plan.cells.at(0).trials, 1u);
+    EXPECT_EQ(plan.cells.at(0).samples, 900u);  // 5^2 times 6^2 points a pair
+}
+
+TEST(Plan, RunsEveryMethodOnEveryScene) {
+    const StudyPlan plan = plan_of(replaced(study_text("trials = 9", ladder), "\"cube\"", R"(["cube", "box:1x2x3"])"));
+    ASSERT_EQ(plan.scenes.size(), 2u);
+    EXPECT_EQ(plan.cells.size(), 8u);
+}
+
+std::vector<std::string> warnings_of_sobol(std::string_view lines) {
+    return plan_of(study_text("trials = 9",
+                              "[[method]]\nname = \"S\"\nsampler = \"sobol\"\nestimator = "
+                              "\"ray_shooting\"\n" +
+                                  std::string(lines)))
+        .warnings;
+}
+
+TEST(Plan, WarnsOfASizeAtWhichASamplerIsNotAtItsBest) {
+    EXPECT_THAT(warnings_of_sobol("samples_per_patch = [512, 1024]"), testing::IsEmpty());
+    EXPECT_THAT(warnings_of_sobol("samples_per_patch = [512, 625]"),
+                testing::ElementsAre(testing::AllOf(testing::HasSubstr("'S'"), testing::HasSubstr("512 = 2^9"))));
+}
+
+TEST(Plan, WarnsOfTheSizeOfTheWholeSequence) {
+    EXPECT_THAT(warnings_of_sobol("patches_per_face = 9\nsamples_per_patch = 128"), testing::IsEmpty());
+    EXPECT_THAT(warnings_of_sobol("patches_per_face = 9\nsamples_per_patch = 128\nallocation = \"face\""),
+                testing::ElementsAre(testing::HasSubstr("1152 points")));
+}
+
+TEST(Plan, RefusesMoreUnitsThanCanBeKept) {
+    const std::string methods =
+        "[[method]]\nname = \"slow\"\nsampler = \"random\"\nestimator = \"ray_shooting\"\n"
+        "samples_per_patch = 100000000\n";
+    EXPECT_THROW(plan_of(study_text("trials = 4294967295", methods)), UserError);
+}
+
+TEST(Plan, CountsRaysAndKernelValues) {
+    const StudyPlan plan = plan_of(study_text("trials = 9", std::string(rays) + std::string(pdm)));
+    EXPECT_EQ(evaluations_per_trial(plan, plan.cells[0]), 6u * 4 * 100);
+    EXPECT_EQ(evaluations_per_trial(plan, plan.cells[1]), 24u * 20 * 900);
+}
+
+TEST(Plan, CountsPointsThatSeeAllFacesOnce) {
+    const StudyPlan plan = plan_of(study_text("trials = 9",
+                                              "[[method]]\nname = \"p\"\nsampler = \"gauss_legendre\"\n"
+                                              "estimator = \"point_to_polygon\"\nnodes = 5\npatches_per_face = 4"));
+    EXPECT_EQ(plan.cells.at(0).samples, 25u);
+    EXPECT_EQ(evaluations_per_trial(plan, plan.cells[0]), 24u * 25);
+}
+
+TEST(Plan, RefusesSomeOtherOrdersOnlyWhereTheyAreWrong) {
+    EXPECT_NO_THROW(static_cast<void>(plan_of(study_text("trials = 9", std::string(rays) + "tracer = \"box\""))));
+    EXPECT_NO_THROW(static_cast<void>(plan_of(study_text("trials = 9", std::string(rays) + "tracer = \"embree\""))));
+}
+
+}  // namespace
+}  // namespace ff::studies

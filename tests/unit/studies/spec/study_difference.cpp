@@ -1,0 +1,46 @@
+#include "studies/spec/study_difference.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <string>
+
+namespace ff::studies {
+namespace {
+
+const std::string study = "[study]\nname = \"s\"\ntrials = 3\n";
+const std::string a = "\n[[method]]\nname = \"a\"\nsampler = \"random\"\nsizes = [\n    { patches_per_face = 1 },\n]\n";
+const std::string b = "\n[[method]]\nname = \"b\"\nsampler = \"sobol\"\nsizes = [\n    { patches_per_face = 4 },\n]\n";
+
+TEST(StudyDifference, NamesSectionKeyAndBothValues) {
+    EXPECT_EQ(first_difference(study + a, study + a), "");
+    EXPECT_EQ(first_difference("[study]\ntrials = 3\n", "[study]\ntrials = 4\n"),
+              "[study]: 'trials = 3' there, 'trials = 4' here");
+}
+
+TEST(StudyDifference, NamesWhatOnlyOneOfThemHas) {
+    EXPECT_EQ(first_difference(study, study + "level = 0.9\n"), "[study]: no 'level' there, 'level = 0.9' here");
+    EXPECT_EQ(first_difference(study + "\n[radiosity]\nemission = [1]\n", study),
+              "[radiosity]: 'emission = [1]' there, no 'emission' here");
+}
+
+TEST(StudyDifference, MatchesMethodsByNameAndJoinsLines) {
+    std::string changed = b;
+    changed.replace(changed.find('4'), 1, "9");
+    EXPECT_EQ(
+        first_difference(study + a + b, study + a + changed),
+        "[[method]] \"b\": 'sizes = [{ patches_per_face = 4 },]' there, 'sizes = [{ patches_per_face = 9 },]' here");
+    EXPECT_EQ(first_difference(study + a, study + a + b),
+              "[[method]] \"b\": no 'name' there, 'name = \"b\"' here, and in 2 more keys");
+    EXPECT_EQ(first_difference(study + a + b, study + b + a), "the order of its methods");
+}
+
+TEST(StudyDifference, ShowsWhatIsAroundThePlaceOfLongValues) {
+    const std::string begin = "[study]\nscene = [\"" + std::string(500, 'x');
+    EXPECT_THAT(first_difference(begin + "1\"]\n", begin + "2\"]\n"),
+                testing::AllOf(testing::HasSubstr("'scene = ...xxx"), testing::HasSubstr("x1\"]' there"),
+                               testing::HasSubstr("x2\"]' here")));
+}
+
+}  // namespace
+}  // namespace ff::studies

@@ -1,0 +1,70 @@
+#include "studies/theory/applicability.hpp"
+
+#include "core/geometry/box.hpp"
+#include "core/support/error.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace ff::studies {
+namespace {
+
+using testing::HasSubstr;
+
+Method method_of(Estimator estimator, TracerChoice tracer = TracerChoice::automatic) {
+    Method method;
+    method.name = "a";
+    method.estimator = estimator;
+    method.tracer = tracer;
+    return method;
+}
+
+std::string refusal(const Method& method, const Scene& scene) {
+    try {
+        expect_applicable(method, scene);
+        return "";
+    } catch (const UserError& error) {
+        return error.what();
+    }
+}
+
+/// A box in which a plate stands.
+Scene occluded_scene() {
+    Scene scene = make_box(6, 6, 6);
+    scene.name = "room";
+    scene.empty_box.reset();
+    scene.surfaces.push_back({Parallelogram{{2, 2, 3}, {2, 0, 0}, {0, 2, 0}}, {0, 0, 1}, 6});
+    scene.faces.emplace_back("plate");
+    return scene;
+}
+
+TEST(Applicability, LetsEveryEstimatorIntoABox) {
+    for (const Estimator estimator :
+         {Estimator::ray_shooting, Estimator::area_kernel, Estimator::point_to_polygon, Estimator::closed_form}) {
+        EXPECT_EQ(refusal(method_of(estimator), make_box(2, 1, 0.5)), "");
+    }
+}
+
+TEST(Applicability, IsRefusedToWhatDoesNotSeeOccluders) {
+    for (const Estimator estimator : {Estimator::closed_form, Estimator::point_to_polygon}) {
+        const std::string message = refusal(method_of(estimator), occluded_scene());
+        EXPECT_THAT(message,
+                    HasSubstr("method 'a': " + std::string(name(estimator)) + " cannot be used in scene 'room'"));
+        EXPECT_THAT(message, HasSubstr("something may stand between two of its faces"));
+    }
+    EXPECT_EQ(refusal(method_of(Estimator::area_kernel), occluded_scene()), "");
+    EXPECT_EQ(refusal(method_of(Estimator::ray_shooting), occluded_scene()), "");
+}
+
+TEST(Applicability, KeepsTheBoxTracerToEmptyBoxes) {
+    EXPECT_THAT(refusal(method_of(Estimator::ray_shooting, TracerChoice::box), occluded_scene()),
+                HasSubstr("not an empty box"));
+}
+
+TEST(Applicability, KeepsRaysToBoxesThatSinglePrecisionResolves) {
+    EXPECT_THAT(refusal(method_of(Estimator::ray_shooting), make_box(1, 1, 1e-5)), HasSubstr("cannot be traced"));
+    EXPECT_EQ(refusal(method_of(Estimator::point_to_polygon), make_box(1, 1, 1e-5)), "");
+}
+
+}  // namespace
+}  // namespace ff::studies
