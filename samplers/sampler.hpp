@@ -15,7 +15,7 @@ namespace ff::samplers {
 enum class Sizes {
     any,           ///< every number of points
     powers,        ///< multiple * base^m keeps the net property; others are allowed with a warning
-    fourth_power,  ///< k^dimension (k^4 in 4-D), one point a cell; others are impossible
+    fourth_power,  ///< k^dimension (k^4 in 4-D), one point per cell; others are impossible
     nodes,         ///< n nodes a side, n^4 points in 4-D
 };
 

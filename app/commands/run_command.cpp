@@ -188,7 +188,7 @@ ExitCode run(const RunCommand& command) {
     if (outcome == studies::RunOutcome::complete && !to_the_end) return ExitCode::interrupted;
     if (outcome == studies::RunOutcome::complete)
         return studies::all_reached(results.until) ? ExitCode::passed : ExitCode::inconclusive;
-    say("stopped early; what was done is saved. Run the same command again to go on.\n");
+    say("stopped early; what was done is saved. Run the same command again to resume.\n");
     return ExitCode::interrupted;
 }
 

@@ -143,7 +143,7 @@ void patch_systems(const studies::Store& store, const TakeMatrix& take) {
     if (!found) {
         throw UserError(
             "--format patch_systems: no system between patches (it takes [radiosity], and ray_shooting or area_kernel "
-            "with several patches a face). Take --format matrices for those between faces.");
+            "with several patches per face). Take --format matrices for those between faces.");
     }
 }
 

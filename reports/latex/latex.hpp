@@ -14,7 +14,7 @@ struct NamedText {
     std::string text;
 };
 
-/// tables.tex, a document that compiles, and the tables that it takes in, one a file of tables/: methods, slopes, the
+/// tables.tex, a document that compiles, and the tables that it takes in, one per file of tables/: methods, slopes, the
 /// published tables, claims, the pairs of every cell. Byte-identical for the same store.
 std::vector<NamedText> latex_report(const studies::StudyResults& results, const Templates& templates);
 

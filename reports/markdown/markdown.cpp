@@ -11,7 +11,7 @@ namespace ff::reports {
 std::string markdown_report(const studies::StudyResults& results) {
     std::string out = fmt::format("# {}\n\n", markdown_text(results.findings.plan.spec.title));
     if (!results.findings.complete)
-        out += "> **Partial result:** the study was stopped early; run it again to go on.\n\n";
+        out += "> **Partial result:** the study was stopped early; run it again to resume.\n\n";
     out += brief_section(results);
     out += markdown_section(methods_table(results));
     out += markdown_section(occlusion_table(results));

@@ -196,7 +196,7 @@ std::vector<Picture> patch_pictures(const studies::StudyResults& results, std::s
         {{},
          "exitance_errors",
          fmt::format("Where the exitance is wrong{}.", place(plan, scene_index)),
-         fmt::format("The patch that errs most is off by {} of its own exitance: {}.", percent(largest), worst),
+         fmt::format("The patch with the largest error is off by {} of its own exitance: {}.", percent(largest), worst),
          "The faces laid flat, each patch coloured by the RMSE of its exitance over trials, relative to the exact "
          "one. ",
          {}}));

@@ -100,7 +100,7 @@ std::string least_errors_in_words(const studies::StudyPlan& plan, const std::vec
         const SizePoint* best = least_error(plan, all, deterministic);
         if (best == nullptr) continue;
         const char* measure = deterministic ? "an error of" : best->is_median ? "a median error of" : "an RMSE of";
-        parts.push_back(fmt::format("of {} methods {} errs least, {} {} with {} evaluations",
+        parts.push_back(fmt::format("of {} methods {} has the least error, {} {} with {} evaluations",
                                     deterministic ? "deterministic" : "sampled",
                                     cell_label(plan, plan.cells[best->found->cell]), measure, brief(best->error),
                                     best->found->evaluations_per_face));

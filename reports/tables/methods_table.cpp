@@ -42,7 +42,7 @@ Table methods_table(const studies::StudyResults& results) {
                             "together (Student t, Holm over pairs, Šidák over methods and sizes, {:g} % over the whole "
                             "study); in parentheses what is detected with power {:g}.",
                             100 * plan.spec.level, 100 * (1 - plan.spec.level), plan.spec.power),
-                {{"method", false, ""}, {"size (patches a face)", false, ""}, {"trials", true, ""}},
+                {{"method", false, ""}, {"size (patches per face)", false, ""}, {"trials", true, ""}},
                 {},
                 plan.warnings};
     std::vector<PairClass> classes{PairClass::parallel, PairClass::adjacent};

@@ -42,7 +42,7 @@ Table matrices_table(const studies::StudyResults& results, Between between) {
         "everywhere, below which I − P F is strictly diagonally dominant, and the spectral radius of P F below 1; "
         "above 1 they hold for every surface.",
         {{"method", false, ""},
-         {"size (patches a face)", false, ""},
+         {"size (patches per face)", false, ""},
          {"treatment", false, ""},
          {"closure defect", true, ""},
          {"reciprocity defect", true, ""},
@@ -89,7 +89,7 @@ Table exitance_table(const studies::StudyResults& results, Between between) {
                     "exitance passes a pole and has no mean.",
                     studies::name(between), 100 * plan.spec.level),
         {{"method", false, ""},
-         {"size (patches a face)", false, ""},
+         {"size (patches per face)", false, ""},
          {"treatment", false, ""},
          {"reflectance", true, ""},
          {"dominant", true, ""},
@@ -153,7 +153,7 @@ Table solvers_table(const studies::StudyResults& results, Between between) {
                             between == Between::patches
                                 ? std::string("the first trial")
                                 : fmt::format("median and range over the first {} trials at most", trials)),
-                {{"method", false, ""}, {"size (patches a face)", false, ""}, {"reflectance", true, ""}},
+                {{"method", false, ""}, {"size (patches per face)", false, ""}, {"reflectance", true, ""}},
                 {},
                 {}};
     for (const Solver solver : all_solvers) {

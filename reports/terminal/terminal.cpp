@@ -68,7 +68,7 @@ std::string terminal_summary(const studies::StudyResults& results, Colour colour
                            adjacent, verdict);
     };
     add_row("method", "size", "trials", "RMSE", "RMSE", "bias");
-    add_row("", "patches a face × …", "", "parallel", "adjacent", "(all pairs together)");
+    add_row("", "patches per face × …", "", "parallel", "adjacent", "(all pairs together)");
     for (const studies::CellFindings* found : shown) {
         const std::string margin = equivalence_in_words(*found);
         add_row(method_of(plan, *found), size_label(plan, plan.cells[found->cell]), std::to_string(found->trials),

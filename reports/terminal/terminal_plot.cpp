@@ -48,7 +48,7 @@ std::string plot_of(const studies::StudyPlan& plan, std::size_t scene, PairClass
     const std::string plot = text_plot(letters);
     if (plot.empty()) return {};
     const std::string of_scene = plan.scenes.size() == 1 ? "" : fmt::format(" of {}", plan.scenes[scene].name);
-    return fmt::format("\nRMSE of a run against evaluations a face, {} pairs{}{}\n{}", name(pair_class), of_scene,
+    return fmt::format("\nRMSE of a run against evaluations per face, {} pairs{}{}\n{}", name(pair_class), of_scene,
                        which, plot);
 }
 

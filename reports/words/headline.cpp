@@ -55,11 +55,11 @@ std::string interval_text(const stats::Interval& interval) {
 }
 
 std::string clause(const Rivalry& rivalry, const Contest& c) {
-    if (!rivalry.worse) return fmt::format("{} a run of {} errs by {} (RMSE)", c.where, c.better, brief(c.better_rmse));
+    if (!rivalry.worse) return fmt::format("{} a run of {} has an RMSE of {}", c.where, c.better, brief(c.better_rmse));
     if (!rivalry.ratio) {
         if (c.worse_rmse < studies::rounding_error)
             return fmt::format("{} {} and {} are both exact to rounding", c.where, c.better, c.worse);
-        return fmt::format("{} {} is better: exact to rounding, where {} errs by {}", c.where, c.better, c.worse,
+        return fmt::format("{} {} is better: exact to rounding, where {} has an error of {}", c.where, c.better, c.worse,
                            brief(c.worse_rmse));
     }
     if (!rivalry.decided()) return fmt::format("{} {} and {} cannot be told apart", c.where, c.better, c.worse);

@@ -96,7 +96,7 @@ std::string repair_line(const studies::StudyResults& results) {
                        fmt::join(parts, "; "));
 }
 
-/// The same between patches, with the patch that errs most.
+/// The same between patches, with the patch of the largest error.
 std::vector<std::string> patch_lines(const studies::StudyResults& results) {
     const studies::StudyPlan& plan = results.findings.plan;
     const std::size_t told = told_setting(plan);
@@ -136,7 +136,7 @@ std::string bias_order_line(const studies::StudyResults& results) {
     }
     if (fitted.empty()) return {};
     return fmt::format(
-        "The exitance is biased though the factors are not: with N rays a face by some power of N, −1 for large N. "
+        "The exitance is biased though the factors are not: with N rays per face by some power of N, −1 for large N. "
         "Clear "
         "at every size in {} of {} cases: {}.",
         fitted.size(), results.bias_orders.size(), fmt::join(fitted, "; "));

@@ -38,7 +38,7 @@ std::string iterations_text(const studies::SolverFindings& found);
 /// RMSE of an exitance that has a mean, relative to the exact one; 0 of what is black and dark.
 double relative_error(const studies::ExitanceFindings& found);
 
-/// The face or patch whose exitance errs most, relatively; null where the exitance has no mean.
+/// The face or patch whose exitance has the largest relative error; null where the exitance has no mean.
 const studies::ExitanceFindings* worst_element(const studies::SettingFindings& at);
 
 /// A face, or a patch of it: row and column from 1, 0 for the whole face.

@@ -73,7 +73,7 @@ std::vector<std::string> reductions_in_brief(const studies::StudyResults& result
         const double gain = face.factor / patch->factor;
         const bool apart = face.interval.low > patch->interval.high || face.interval.high < patch->interval.low;
         lines.push_back(fmt::format(
-            "One {} sequence over all patches of a face instead of one a patch {} the variance on {} pairs "
+            "One {} sequence over all patches of a face instead of one per patch {} the variance on {} pairs "
             "by {:.2f} at {}{}.",
             method_of(plan, face).sampler, gain >= 1 ? "divides" : "multiplies", name(face.pair_class),
             gain >= 1 ? gain : 1 / gain, place_of(plan, plan.cells[face.cell]), apart ? "" : " (intervals overlap)"));

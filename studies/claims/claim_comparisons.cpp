@@ -133,7 +133,7 @@ std::optional<BestOfKind> best_of_kind(const std::vector<Contender>& sorted, boo
     return best;
 }
 
-/// Whether, on a class of pairs, the best method of the kind that is advised errs less than the best of the other.
+/// Whether, on a class of pairs, the best method of the kind that is advised has less error than the best of the other.
 struct RuleOnClass {
     ClaimVerdict verdict = ClaimVerdict::inconclusive;
     std::string evidence;

@@ -32,7 +32,7 @@ std::string ladder(const ClaimEvidence& evidence, const std::vector<std::size_t>
         const Cell& cell = evidence.findings().plan.cells[cells[i]];
         const std::string samples = cell.deterministic ? "" : fmt::format(" × {} rays", cell.samples);
         rungs.push_back(
-            fmt::format("{} at {} patches a face{}", percent(errors[i]), cell.subdivision.per_part(), samples));
+            fmt::format("{} at {} patches per face{}", percent(errors[i]), cell.subdivision.per_part(), samples));
     }
     return fmt::format("Mean Σ r.e.: {}.", fmt::join(rungs, ", "));
 }
@@ -63,7 +63,7 @@ Judgement judge_not_always_falling(const ClaimEvidence& evidence, const Publishe
         const Share share = share_of(worse, trials, evidence.findings().plan.spec.level);
         least = std::min(least, share.interval.low);
         most = std::max(most, share.interval.high);
-        text += fmt::format("From {} to {} patches a face a single run gets worse in {}. ",
+        text += fmt::format("From {} to {} patches per face a single run gets worse in {}. ",
                             evidence.findings().plan.cells[cells[i - 1]].subdivision.per_part(),
                             evidence.findings().plan.cells[cells[i]].subdivision.per_part(), percent(share));
     }

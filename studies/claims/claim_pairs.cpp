@@ -101,7 +101,7 @@ Judgement judge_not_always_smaller(const ClaimEvidence& evidence, const Publishe
         const auto verdict = share.interval.low > 0.05    ? ClaimVerdict::supported
                              : share.interval.high < 0.05 ? ClaimVerdict::refuted
                                                           : ClaimVerdict::inconclusive;
-        return {verdict, fmt::format("{} errs more on some pair in {}", claim.methods[0], percent(share))};
+        return {verdict, fmt::format("{} has the larger error on some pair in {}", claim.methods[0], percent(share))};
     });
 }
 

@@ -47,7 +47,7 @@ bool may_be_luck(const StudyPlan& plan, const Cell& cell) {
     return cell.deterministic && !method.sampler.empty() && samplers::find(method.sampler).info.equal_weights;
 }
 
-/// One cell a method: sampled ones at the size that most of them share, quadratures at the same number of patches.
+/// One cell per method: sampled ones at the size that most of them share, quadratures at the same number of patches.
 std::vector<std::size_t> comparable_cells(const Findings& findings, std::size_t scene) {
     const StudyPlan& plan = findings.plan;
     std::map<std::pair<std::uint32_t, std::uint64_t>, std::set<std::size_t>> methods_of_size;

@@ -43,7 +43,7 @@ std::optional<VarianceCheck> check_cell(const Findings& findings, std::size_t ce
             pair ? exact->pair_sigma(quantity.from - 1, quantity.to - 1) : exact->sum_sigma(quantity.from - 1);
         const auto& sampled = found.summary(quantity).std;
         if (sigma == 0 || !sampled) continue;  // closure fixes the sum
-        // Chi-squared wants nearly normal counts: ten hits a trial.
+        // Chi-squared wants nearly normal counts: ten hits per trial.
         const double mean = found.summary(quantity).reference.value_or(1.0);
         if (mean * static_cast<double>(found.evaluations_per_face) < 10) continue;
         const double p = chi_squared_two_sided_p(*sampled, sigma, found.trials);

@@ -39,7 +39,7 @@ void expect_few_patches(const StudyPlan& plan, std::size_t index) {
     if (patches <= most) return;
     throw UserError(fmt::format(
         "[radiosity]: patch_trials with method '{}' and {} patches in all (every pair has a factor: at most {} patches "
-        "with {}). Take fewer patches a face, or leave patch_trials out.",
+        "with {}). Take fewer patches per face, or leave patch_trials out.",
         method.name, patches, most, name(method.estimator)));
 }
 

@@ -121,7 +121,7 @@ void expect_feasible(const Method& method, const Scene& scene, const Cell& cell)
     const std::uint64_t patches = cell.subdivision.patches(scene);
     if (patches > most_patches) {
         throw UserError(fmt::format(
-            "method '{}': {} patches in scene '{}' (at most {} can be told apart). Take fewer patches a face, or "
+            "method '{}': {} patches in scene '{}' (at most {} can be told apart). Take fewer patches per face, or "
             "coarser grids.",
             method.name, patches, scene.name, most_patches));
     }

@@ -34,7 +34,7 @@ Sight face_sight(const Scene& scene);
 /// @pre the plan has a request
 PatchLight patch_light(const StudyPlan& plan, std::size_t scene, Subdivision subdivision);
 Lighting light_faces(const StudyPlan& plan, std::size_t scene);
-/// @pre `light_faces`; more than one patch a face makes a difference
+/// @pre `light_faces`; more than one patch per face makes a difference
 Lighting light_patches(const StudyPlan& plan, std::size_t scene, Subdivision subdivision);
 
 SolverOptions solver_options(const StudyPlan& plan);

@@ -7,7 +7,7 @@
 namespace ff::studies {
 
 /// Bytes that running a plan and evaluating its results take at their peak, by the sizes of what is held at a time: a
-/// few units a thread, pages of the store, the trials of one cell (of all cells where tables are compared). Within a
+/// few units per thread, pages of the store, the trials of one cell (of all cells where tables are compared). Within a
 /// factor of two of what was measured on the built-in studies; docs/reliability.md has the figures.
 std::uint64_t expected_memory(const StudyPlan& plan, unsigned threads);
 

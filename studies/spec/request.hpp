@@ -38,7 +38,7 @@ void check_radiosity(const RadiosityRequest& request, const std::string& place);
 /// @throws UserError unless the scene is closed, has exact form factors, and as many faces as the settings
 void expect_fitting(const RadiosityRequest& request, const Scene& scene);
 
-/// "0.9"; "0.2, 0.5, 0.5" for one a face.
+/// "0.9"; "0.2, 0.5, 0.5" for one per face.
 std::string in_words(const std::vector<double>& reflectance);
 
 }  // namespace ff::studies

@@ -11,7 +11,7 @@
 namespace ff::studies {
 
 /// Mean and covariance of one trial of ray shooting with independent rays, exactly: not from a simulation, and not the
-/// binomial F(1-F)/N either, because a fixed number of rays a patch makes the tallies stratified.
+/// binomial F(1-F)/N either, because a fixed number of rays per patch makes the tallies stratified.
 struct SrDistribution {
     Eigen::MatrixXd mean;             ///< exact factors, [from, to]
     Eigen::MatrixXd pair_covariance;  ///< between F(i,j) and F(k,l): [i * faces + j, k * faces + l]

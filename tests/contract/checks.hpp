@@ -19,7 +19,7 @@ Check is_pure;                  ///< point i is the same bits from any first poi
 Check streams_differ;           ///< in key, trial, source and target, if and only if it is randomised
 Check weights_add_up;           ///< to 1 over the set, and each is positive
 Check blocks_agree;             ///< a weighted point is the centre of the 2^-32 cell of the tallied one
-Check fills_its_strata;         ///< what `sizes` promises: one point a cell, or polynomials integrated exactly
+Check fills_its_strata;         ///< what `sizes` promises: one point per cell, or polynomials integrated exactly
 
 Check coordinates_are_uniform;     ///< randomised ones: each coordinate by itself
 Check pairs_are_uniform;           ///< randomised ones: every two coordinates of a point

@@ -105,7 +105,8 @@ expect_stderr "at most 10000 patches with ray_shooting"
 for emission in 1e-30 1e30; do
     ffstudy radiosity "$folder/study.toml" --reflectance 0.5,0.95 --emission "0,0,0,0,0,$emission" --out "lit_$emission"
     expect_status 0
-    errors() { grep -F "errs by" "$1/report.md"; }
+    expect_in_file "lit_$emission/report.md" "exitance error"
+    errors() { grep -F "exitance error" "$1/report.md"; }
     [ "$(errors "lit_$emission")" = "$(errors lit)" ] || fail "at emission $emission the exitance error differs"
     ffstudy radiosity "$folder/study.toml" --reflectance 1e-30,0.999999999 --emission "$emission" --out "far_$emission"
     expect_status 0

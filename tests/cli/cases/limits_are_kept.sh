@@ -5,18 +5,18 @@ small_study 20 >"$folder/study.toml"
 ffstudy run "$folder/study.toml" --out whole
 expect_status 0
 
-# Hours of work, stopped after half a second, go on later; here with the time of a shorter study.
+# Hours of work, stopped after half a second, are resumed later; here with the time of a shorter study.
 sed 's/^trials = 20/trials = 4000000/' "$folder/study.toml" >"$folder/long.toml"
 ffstudy run "$folder/long.toml" --max-time 0.5 --threads 1 --out long
 expect_status 130
-expect_stderr "Run the same command again to go on."
+expect_stderr "Run the same command again to resume."
 expect_in_file long/report.md "Partial result"
 ffstudy run "$folder/study.toml" --max-time 1d --out enough
 expect_status 0
 expect_same_results whole enough
 rm -r enough long
 
-# A run that grows beyond what was expected ends in order: here with 600 MiB that no plan knows of.
+# A run that grows beyond what was expected stops gracefully: here with 600 MiB that no plan knows of.
 cat >"$folder/ballast.cpp" <<'END'
 #include <vector>
 static const std::vector<char> ballast(600 << 20, 1);
@@ -54,3 +54,11 @@ for value in 0 -1 x 5x 5mm 1e3 "" nan inf 1e-400; do
     ffstudy run "$folder/study.toml" "--max-memory=$value"
     expect_refused 2 "--max-memory"
 done
+
+# A store that no disk has room for is refused before the run; a run that may end earlier is begun, with a note.
+sed 's/^trials = 20/trials = 4000000000000/' "$folder/study.toml" >"$folder/vast.toml"
+ffstudy run "$folder/vast.toml" --out vast
+expect_refused 2 "will be written, and "
+ffstudy run "$folder/vast.toml" --max-time 0.5 --threads 1 --out begun
+expect_status 130
+expect_stderr "note: begun: about "

@@ -156,7 +156,7 @@ constexpr double z_limit = 5.523;
 //   scipy.stats.chi2.ppf([1e-6 / 60, 1 - 1e-6 / 60], 400) / 400 = 0.657, 1.441
 constexpr double ratio_low = 0.657, ratio_high = 1.441;
 
-// 400 trials of 9 x 200 rays a face. The standard error is at most 6e-4 (checked), so that a bias of 5e-3 in one pair
+// 400 trials of 9 x 200 rays per face. The standard error is at most 6e-4 (checked), so that a bias of 5e-3 in one pair
 // shows with probability above .99; a variance wrong by a factor of 1.7 does as well.
 TEST(RayShooting, IsUnbiasedAndHasTheExactStratifiedVariance) {
     const Comparison c = compare_with_exact(make_box(3, 2, 1), 3, 200, 400, test::PhiloxPoints(200));

@@ -41,7 +41,7 @@ struct Closed {
 
 class ClosedScene : public testing::TestWithParam<Closed> {};
 
-// 10 million rays a scene.
+// 10 million rays per scene.
 TEST_P(ClosedScene, LosesNoRay) {
     const Scene scene = GetParam().make();
     const auto blocks = static_cast<std::uint32_t>(10'000'000 / block_capacity / scene.surfaces.size() + 1);

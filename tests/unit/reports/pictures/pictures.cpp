@@ -82,7 +82,7 @@ TEST(ConvergencePicture, HasSlopesInItsLegend) {
 }
 
 TEST(UnfoldedPicture, IsThereForQuadratures) {
-    const auto& results = test::published_results();  // SR with 4 patches a face, PDM with 4 and 9
+    const auto& results = test::published_results();  // SR with 4 patches per face, PDM with 4 and 9
     const auto four = unfolded_picture(results, 1);
     const auto nine = unfolded_picture(results, 2);
     ASSERT_TRUE(four && nine);

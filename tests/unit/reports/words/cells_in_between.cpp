@@ -64,9 +64,9 @@ TEST(CellsInBetween, AreLeftOutOfTablesAndGroupsOfPictures) {
 
 TEST(TerminalSummary, DrawsLaddersWithLetters) {
     const std::string text = terminal_summary(ladders());
-    EXPECT_THAT(text, HasSubstr("evaluations a face, adjacent pairs\n"));
+    EXPECT_THAT(text, HasSubstr("evaluations per face, adjacent pairs\n"));
     EXPECT_THAT(text, HasSubstr("a long   b short\n"));
-    EXPECT_THAT(terminal_summary(test::published_results()), Not(HasSubstr("evaluations a face")));
+    EXPECT_THAT(terminal_summary(test::published_results()), Not(HasSubstr("evaluations per face")));
 }
 
 }  // namespace

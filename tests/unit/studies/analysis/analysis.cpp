@@ -245,7 +245,7 @@ TEST(Bias, ThatNoFormFactorCanHaveIsNotCalledDetectable) {
 }
 
 TEST(Bias, IsNotTestedWithTooFewHits) {
-    // 16 trials of 1 ray from each of 4 patches: 13 hits a pair.
+    // 16 trials of 1 ray from each of 4 patches: 13 hits per pair.
     const Store store =
         test::run(plan_of(study_text("trials = 16",
                                      "[[method]]\nname = \"SR\"\nsampler = \"random\"\nestimator = \"ray_shooting\"\n"

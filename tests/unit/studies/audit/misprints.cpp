@@ -75,7 +75,7 @@ std::map<std::string, Share> alter_every_figure(const PublishedTables& tables) {
 // Measured over all 6417 alterations (every digit by every other one): 98.4 % found, 92.8 % blamed; the worst kind,
 // sampled row sums, 95.9 % and 78.2 %. Not to be found in principle: a figure altered to what is right (0.78 to 0.79,
 // 0.86 to 0.87), and last digits of row sums where every print is a whole number of hits and the sum of relative
-// errors, printed to 0.01 %, cannot tell (the columns with 169 000 and 9 000 000 rays a face). The test alters one
+// errors, printed to 0.01 %, cannot tell (the columns with 169 000 and 9 000 000 rays per face). The test alters one
 // digit a figure, so the required shares leave room for the luck of the draw: about 3 standard errors below what was
 // measured.
 TEST(AuditOfThePaper, NoticesEveryKindOfAlteredDigit) {

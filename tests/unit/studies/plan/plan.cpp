@@ -140,7 +140,7 @@ TEST(Plan, RunsADeterministicMethodOnce) {
     const StudyPlan plan = plan_of(study_text("trials = 1000", pdm));
     EXPECT_TRUE(plan.cells.at(0).deterministic);
     EXPECT_EQ(plan.cells.at(0).trials, 1u);
-    EXPECT_EQ(plan.cells.at(0).samples, 900u);  // 5^2 times 6^2 points a pair
+    EXPECT_EQ(plan.cells.at(0).samples, 900u);  // 5^2 times 6^2 points per pair
 }
 
 TEST(Plan, RunsEveryMethodOnEveryScene) {

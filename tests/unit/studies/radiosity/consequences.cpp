@@ -184,7 +184,7 @@ TEST(PatchConsequences, AreOfDividedFacesAndOfTheTrialsAskedFor) {
         EXPECT_EQ(found->settings[0].exitance.size(), patches + 1);
         EXPECT_EQ(results.exact_system(0, 0, patches == 24 ? 2 : 4).exitance.size(), patches);
     }
-    EXPECT_EQ(results.find(0, Treatment::direct, Between::patches), nullptr) << "one patch a face: the face itself";
+    EXPECT_EQ(results.find(0, Treatment::direct, Between::patches), nullptr) << "one patch per face: the face itself";
     EXPECT_EQ(results.find(4, Treatment::direct, Between::patches), nullptr) << "points tell faces apart, not patches";
     EXPECT_NE(results.find(4, Treatment::direct), nullptr);
     EXPECT_EQ(small_results().find(0, Treatment::direct, Between::patches), nullptr) << "nobody asked";

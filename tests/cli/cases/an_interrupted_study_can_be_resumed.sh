@@ -13,7 +13,7 @@ kill -INT $process
 status=0
 wait $process || status=$?
 expect_status 130
-expect_stderr "Run the same command again to go on."
+expect_stderr "Run the same command again to resume."
 expect_in_file out/report.md "Partial result"
 
 ffstudy run "$folder/study.toml" --threads 2 --out out
