@@ -2,6 +2,7 @@
 #include "app/command_line/listings.hpp"
 #include "app/command_line/usage_errors.hpp"
 #include "app/commands/commands.hpp"
+#include "app/commands/definitions.hpp"
 #include "app/commands/hidden_commands.hpp"
 #include "app/folders/result_files.hpp"
 #include "app/folders/study_files.hpp"
@@ -9,7 +10,6 @@
 #include "app/process/signals.hpp"
 
 #include "core/support/error.hpp"
-#include "studies/selftest/selftest.hpp"
 
 #include "app/build_info.hpp"
 
@@ -39,17 +39,20 @@ void add_run_options(CLI::App& app, RunCommand& command) {
         ->type_name("SIZE");
     app.add_option("--out", command.out, "Folder for the results (default: results/<study>)")->type_name("DIR");
     app.add_option("--templates", command.templates, "Folder of own templates for report.html")->type_name("DIR");
-    app.add_flag("--quiet", command.quiet, "Print errors only");
+    app.add_flag("-q,--quiet", command.quiet, "Print errors only");
     app.add_flag("--dry-run", command.dry_run, "Show work units, expected time and memory, run nothing");
 }
 
 void add_run(CLI::App& app, RunCommand& command, Action& action) {
-    CLI::App* sub = app.add_subcommand("run", "Run or resume a study");
+    CLI::App* sub = add_command(app, everyday, "run", "Run or resume a study");
     sub->add_option("STUDY", command.study, "Study file (.toml) or built-in name")->required();
     add_run_options(*sub, command);
     sub->callback([&] { action = [&] { return run(command); }; });
+}
+
+void add_built_in_studies(CLI::App& app, RunCommand& command, Action& action) {
     for (const BuiltInStudy& study : built_in_studies()) {
-        CLI::App* alias = app.add_subcommand(study.name, study.title);
+        CLI::App* alias = add_command(app, built_in, study.name, study.title);
         add_run_options(*alias, command);
         alias->callback([&command, &action, name = study.name] {
             command.study = name;
@@ -60,7 +63,7 @@ void add_run(CLI::App& app, RunCommand& command, Action& action) {
 
 void add_convergence(CLI::App& app, ff::studies::ConvergenceRequest& request, RunCommand& command, Action& action) {
     CLI::App* sub =
-        app.add_subcommand("convergence", "Run samplers on a ladder of sizes and fit how fast they converge");
+        add_command(app, laboratory, "convergence", "Run samplers on a ladder of sizes and fit how fast they converge");
     sub->add_option("--sampler", request.samplers, "Samplers, separated by commas")
         ->type_name("SAMPLER")
         ->delimiter(',')
@@ -94,7 +97,7 @@ void add_convergence(CLI::App& app, ff::studies::ConvergenceRequest& request, Ru
 }
 
 void add_radiosity(CLI::App& app, RadiosityOptions& options, RunCommand& command, Action& action) {
-    CLI::App* sub = app.add_subcommand("radiosity", "Run a study and send light through its form factors");
+    CLI::App* sub = add_command(app, laboratory, "radiosity", "Run a study and send light through its form factors");
     sub->add_option("STUDY", command.study, "Study file (.toml) or built-in name")->required();
     sub->add_option("--reflectance", options.reflectance,
                     "Reflectances, each solved for by itself (default: the study's, or 0.1,0.5,0.9,0.99,0.999)")
@@ -114,7 +117,8 @@ void add_radiosity(CLI::App& app, RadiosityOptions& options, RunCommand& command
 }
 
 void add_enclosure(CLI::App& app, EnclosureCommand& command, Action& action) {
-    CLI::App* sub = app.add_subcommand("enclosure", "Light where surfaces see themselves: round rooms, mirrors");
+    CLI::App* sub =
+        add_command(app, laboratory, "enclosure", "Light where surfaces see themselves: round rooms, mirrors");
     sub->add_option("SHAPE", command.name, "cylinder:RxH, cap:RxH, cone:RxH, spheres:RxS, or cube, box:AxBxC")
         ->required();
     sub->add_option("--mirror", command.mirror, "The face of a box that is a perfect mirror")->type_name("FACE");
@@ -129,12 +133,12 @@ void add_enclosure(CLI::App& app, EnclosureCommand& command, Action& action) {
     sub->add_option("--seed", command.seed, "Seed of all random numbers")->capture_default_str();
     sub->add_option("--out", command.out, "Folder for enclosure.md and the matrices (default: none is written)")
         ->type_name("DIR");
-    sub->add_flag("--quiet", command.quiet, "Print errors only");
+    sub->add_flag("-q,--quiet", command.quiet, "Print errors only");
     sub->callback([&] { action = [&] { return enclosure(command); }; });
 }
 
 void add_form_factors(CLI::App& app, FormFactorsCommand& command, Action& action) {
-    CLI::App* sub = app.add_subcommand("form_factors", "All form factors of a scene, each with an interval");
+    CLI::App* sub = add_command(app, everyday, "form_factors", "All form factors of a scene, each with an interval");
     auto& request = command.request;
     CLI::Option* load =
         sub->add_option("--load", command.load, "Instead of SCENE: a folder that --out has written")->type_name("DIR");
@@ -155,44 +159,12 @@ void add_form_factors(CLI::App& app, FormFactorsCommand& command, Action& action
     of_a_run(sub->add_option("--max-samples", request.max_samples, "Rays and points in all"))->capture_default_str();
     sub->add_flag("--repair", request.repair, "Also the nearest matrix that is closed and reciprocal");
     sub->add_option("--out", command.out, "Folder for the matrices (default: none is written)")->type_name("DIR");
-    sub->add_flag("--quiet", command.quiet, "Print errors and warnings only");
+    sub->add_flag("-q,--quiet", command.quiet, "Print errors and warnings only");
     sub->callback([&] { action = [&] { return form_factors(command); }; });
 }
 
-void add_report(CLI::App& app, ReportCommand& command, Action& action) {
-    CLI::App* sub = app.add_subcommand("report", "Write the reports of a finished study again");
-    sub->add_option("RESULTS", command.results, "Folder of a study, or its results.sqlite")->required();
-    sub->add_option("--format", command.formats,
-                    fmt::format("{} (default: {})", names_in_words("formats"), fmt::join(usual_formats(), ", ")))
-        ->type_name("FORMAT")
-        ->delimiter(',');
-    sub->add_option("--out", command.out, "Folder for the files (default: where the results lie)")->type_name("DIR");
-    sub->add_option("--templates", command.templates, "Folder of own templates for report.html")->type_name("DIR");
-    sub->add_flag("--quiet", command.quiet, "Print errors only");
-    sub->callback([&] { action = [&] { return report(command); }; });
-}
-
-void add_compare(CLI::App& app, CompareCommand& command, Action& action) {
-    CLI::App* sub = app.add_subcommand("compare", "Show two runs side by side: what differs, and how sure that is");
-    sub->add_option("A", command.first, "Folder of a study, or its results.sqlite")->type_name("RESULTS")->required();
-    sub->add_option("B", command.second, "The other")->type_name("RESULTS")->required();
-    sub->add_option("--out", command.out, "Folder for comparison.md and comparison.html (default: none is written)")
-        ->type_name("DIR");
-    sub->add_option("--templates", command.templates, "Folder of own templates for comparison.html")->type_name("DIR");
-    sub->add_flag("--quiet", command.quiet, "Print errors only");
-    sub->callback([&] { action = [&] { return compare(command); }; });
-}
-
-void add_merge(CLI::App& app, MergeCommand& command, Action& action) {
-    CLI::App* sub = app.add_subcommand("merge", "Bring the results of shards together");
-    sub->add_option("RESULTS", command.sources, "Folders of the shards, or their results.sqlite")->required();
-    sub->add_option("--out", command.out, "Folder for the merged results")->type_name("DIR")->required();
-    sub->add_flag("--quiet", command.quiet, "Print errors only");
-    sub->callback([&] { action = [&] { return merge(command); }; });
-}
-
 void add_check(CLI::App& app, CheckCommand& command, Action& action) {
-    CLI::App* sub = app.add_subcommand("check", "Check the gates of a bands file: pass, fail or inconclusive");
+    CLI::App* sub = add_command(app, checks, "check", "Check the gates of a bands file: pass, fail or inconclusive");
     sub->add_option("BANDS", command.bands, "Bands file (.toml)")->required();
     CLI::Option* seed = sub->add_option("--seed", command.seed, "Seed of all random numbers (default: the file's)")
                             ->check(CLI::NonNegativeNumber);
@@ -208,62 +180,14 @@ void add_check(CLI::App& app, CheckCommand& command, Action& action) {
         ->excludes(baseline);
     sub->add_option("--threads", command.threads, "Threads; verdicts do not depend on them (default: all cores)");
     sub->add_option("--out", command.out, "Folder for the results (default: results/<bands>)")->type_name("DIR");
-    sub->add_flag("--quiet", command.quiet, "Print errors only");
+    sub->add_flag("-q,--quiet", command.quiet, "Print errors only");
     sub->add_flag("--dry-run", command.dry_run, "Show trials and expected time of each gate; runs pilots only");
     sub->callback([&] { action = [&] { return check(command); }; });
 }
 
-void add_audit(CLI::App& app, AuditCommand& command, Action& action) {
-    CLI::App* sub = app.add_subcommand("audit", "Find contradictions in published tables");
-    sub->add_option("TABLES", command.tables, "Tables file (.json)")->required();
-    sub->add_option("--out", command.out, "Folder for audit.md (default: none is written)")->type_name("DIR");
-    sub->add_flag("--quiet", command.quiet, "Print errors only");
-    sub->callback([&] { action = [&] { return audit(command); }; });
-}
-
-void add_selftest(CLI::App& app, SelftestCommand& command, Action& action) {
-    constexpr auto& description = ff::studies::selftest_description;
-    CLI::App* sub = app.add_subcommand(std::string(description.name), std::string(description.summary));
-    sub->add_option("--seeds", command.seeds, "Seeds that every control is run with (default: 200)")
-        ->check(CLI::PositiveNumber);
-    sub->add_option("--repetitions", command.repetitions, "Repetitions on made-up trials (default: 20000)")
-        ->check(CLI::PositiveNumber);
-    sub->add_option("--seed", command.seed, "Seed of all random numbers (default: 1)")->check(CLI::NonNegativeNumber);
-    sub->add_option("--threads", command.threads, "Threads; results do not depend on them (default: all cores)");
-    sub->add_option("--out", command.out, "Folder for selftest.md (default: none is written)")->type_name("DIR");
-    sub->add_flag("--quiet", command.quiet, "Print errors only");
-    sub->callback([&] { action = [&] { return gates_selftest(command); }; });
-}
-
-void add_form_factors_selftest(CLI::App& app, SelftestCommand& command, Action& action) {
-    CLI::App* sub = app.add_subcommand("form_factors_selftest",
-                                       "How often the intervals of 'form_factors' hold the values of the catalogue");
-    sub->add_option("--seeds", command.seeds, "Seeds that every scene is computed with (default: 200)")
-        ->check(CLI::PositiveNumber);
-    sub->add_option("--tolerance", command.tolerance, "Of the form factors (default: 0.004)")
-        ->check(CLI::PositiveNumber);
-    sub->add_option("--scene", command.scenes, "Scenes, separated by commas (default: the catalogue)")
-        ->type_name("SCENE")
-        ->delimiter(',');
-    sub->add_option("--seed", command.seed, "The first seed (default: 1)")->check(CLI::NonNegativeNumber);
-    sub->add_option("--threads", command.threads, "Threads; results do not depend on them (default: all cores)");
-    sub->add_option("--out", command.out, "Folder for selftest.md (default: none is written)")->type_name("DIR");
-    sub->add_flag("--quiet", command.quiet, "Print errors only");
-    sub->callback([&] { action = [&] { return form_factors_selftest(command); }; });
-}
-
-void add_catalogue(CLI::App& app, std::string& name, Action& action) {
-    CLI::App* listing = app.add_subcommand("list", "List samplers, estimators, scenes, studies and so on");
-    listing->add_option("KIND", name, listed_kinds_in_words())->required();
-    listing->callback([&] { action = [&] { return list(name); }; });
-    CLI::App* explanation = app.add_subcommand("explain", "Say what something is, its source, its limits");
-    explanation->add_option("NAME", name, "A name that 'list' shows")->required();
-    explanation->callback([&] { action = [&] { return explain(name); }; });
-}
-
 ExitCode parse_and_act(int argc, char** argv) {
     CLI::App app("Form-factor methods under honest statistics.", "ffstudy");
-    app.set_version_flag("--version", fmt::format("ffstudy {} ({})", build_info::version, build_info::revision));
+    app.set_version_flag("-V,--version", fmt::format("ffstudy {} ({})", build_info::version, build_info::revision));
     app.require_subcommand(0, 1);  // an unknown option is named first; that a command is missing, below
     app.footer(
         "Exit codes: 0 passed, 1 out of tolerance or a contradiction, 2 usage or input, 3 input/output,\n4 "
@@ -280,25 +204,28 @@ ExitCode parse_and_act(int argc, char** argv) {
     RadiosityOptions radiosity_options;
     EnclosureCommand enclosure_command;
     FormFactorsCommand form_factors_command;
-    std::string name;
+    ListCommand list_command;
+    std::string helped;
+    add_form_factors(app, form_factors_command, action);
     add_run(app, run_command, action);
+    add_report(app, report_command, action);
+    add_compare(app, compare_command, action);
+    add_list(app, list_command, action);
+    add_explain(app, list_command, action);
+    add_help(app, helped, action);
     add_convergence(app, convergence_request, run_command, action);
     add_radiosity(app, radiosity_options, run_command, action);
     add_enclosure(app, enclosure_command, action);
-    add_form_factors(app, form_factors_command, action);
-    add_report(app, report_command, action);
     add_merge(app, merge_command, action);
-    add_compare(app, compare_command, action);
+    add_audit(app, audit_command, action);
     add_check(app, check_command, action);
     add_selftest(app, selftest_command, action);
     add_form_factors_selftest(app, selftest_command, action);
-    add_audit(app, audit_command, action);
-    add_catalogue(app, name, action);
+    add_built_in_studies(app, run_command, action);
     add_hidden_commands(app, action);
     name_types_of_arguments(app);
     try {
         app.parse(argc, argv);
-        if (!action) throw CLI::RequiredError("A command");
     } catch (const CLI::ParseError& error) {
         if (error.get_exit_code() != 0) throw ff::UserError(usage_problem(app, error));
         std::ostringstream text;
@@ -307,7 +234,9 @@ ExitCode parse_and_act(int argc, char** argv) {
         return ExitCode::passed;
     }
     refuse_unmeant_values(app);
-    return action();
+    if (action) return action();
+    fmt::print("{}", app.help());
+    return ExitCode::passed;
 }
 
 }  // namespace

@@ -48,6 +48,7 @@ class Antithetic {
         .sizes = Sampler::info.sizes,
         .base = Sampler::info.base,
         .multiple = 2 * Sampler::info.multiple,
+        .spread = Sampler::info.independent() ? Spread::mirrored : Spread::other,
     };
 
     explicit Antithetic(PointSetSpec spec) : sampler_((spec.points = (spec.points + 1) / 2, spec)) {}

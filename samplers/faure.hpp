@@ -30,6 +30,8 @@ class Faure {
         .reference = "faure1982",
         .sizes = Sizes::powers,
         .base = 5,
+        .spread = Spread::net,
+        .nanoseconds = 15,
     };
 
     explicit Faure(const PointSetSpec& spec);

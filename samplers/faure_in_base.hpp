@@ -30,6 +30,7 @@ class FaureInBase {
         .reference = "faure1982",
         .sizes = Sizes::powers,
         .base = prime,
+        .nanoseconds = 100,
     };
 
     explicit FaureInBase(const PointSetSpec& spec);

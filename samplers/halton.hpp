@@ -24,6 +24,8 @@ class Halton {
             "one set are not independent: take intervals over trials.",
         .reference = "owen2017",
         .sizes = Sizes::any,
+        .spread = Spread::halton,
+        .nanoseconds = 15,
     };
 
     explicit Halton(const PointSetSpec& spec);

@@ -23,6 +23,8 @@ class LatinHypercube {
             "independent: take intervals over trials.",
         .reference = "mckay1979",
         .sizes = Sizes::any,
+        .spread = Spread::latin,
+        .nanoseconds = 15,
     };
 
     explicit LatinHypercube(const PointSetSpec& spec) : points_(spec.points) {}

@@ -28,6 +28,7 @@ class Lattice {
             "over trials, never within a set.",
         .reference = "cools2006",
         .sizes = Sizes::powers,
+        .spread = Spread::lattice,
     };
 
     static constexpr std::array<std::uint32_t, max_dimension> generating_vector{1, 6906571, 12751639, 4408903};

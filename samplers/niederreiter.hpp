@@ -22,6 +22,7 @@ class Niederreiter {
         .reference = "niederreiter1988",
         .sizes = Sizes::any,
         .randomised = false,
+        .nanoseconds = 15,
     };
 
     explicit Niederreiter(const PointSetSpec& /*spec*/) {}

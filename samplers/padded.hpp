@@ -22,6 +22,7 @@ class Padded {
             "over trials, never within a set.",
         .reference = "kollig2002",
         .sizes = Sizes::powers,
+        .spread = Spread::padded_nets,
     };
 
     explicit Padded(const PointSetSpec& /*spec*/) {}

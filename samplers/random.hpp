@@ -19,7 +19,7 @@ class Random {
             "not seen: from some 10^9 points on, the resolution shows.",
         .reference = "salmon2011",
         .sizes = Sizes::any,
-        .independent = true,
+        .spread = Spread::independent,
     };
 
     explicit Random(const PointSetSpec& /*spec*/) {}

@@ -21,7 +21,8 @@ class RandomMt {
             "pay the 2.5 kB of seeding.",
         .reference = "matsumoto1998",
         .sizes = Sizes::any,
-        .independent = true,
+        .spread = Spread::independent,
+        .nanoseconds = 15,
     };
 
     explicit RandomMt(const PointSetSpec& spec) : dimension_(spec.dimension) {}

@@ -19,6 +19,19 @@ enum class Sizes {
     nodes,         ///< n nodes a side, n^4 points in 4-D
 };
 
+/// How points are spread, as theories of convergence tell samplers apart.
+enum class Spread {
+    other,        ///< no theory is known
+    independent,  ///< independent draws, so binomial intervals hold within one set
+    mirrored,     ///< independent draws, each with its mirror image
+    grid,         ///< one in each cell of a regular grid
+    latin,        ///< one in each slice of every coordinate
+    net,          ///< a scrambled (t, m, d)-net
+    padded_nets,  ///< a net in each pair of coordinates
+    halton,
+    lattice,
+};
+
 /// What a sampler declares about itself; `ffstudy list`, `explain`, the contract tests and the reports read it.
 struct SamplerInfo {
     std::string_view name;
@@ -30,8 +43,12 @@ struct SamplerInfo {
     std::uint32_t multiple = 1;  ///< for Sizes::powers; points that share an interval
     bool randomised = true;      ///< trials differ
     bool equal_weights = true;   ///< points can be tallied as hits
-    bool independent = false;    ///< points are independent draws, so binomial intervals hold within one set
-    bool control = false;        ///< broken on purpose, so that checks can be checked
+    Spread spread = Spread::other;
+    double nanoseconds = 1.5;             ///< of processor time for a point in 4-D, roughly; only ratios matter
+    bool control = false;                 ///< broken on purpose, so that checks can be checked
+    std::string_view unbroken_name = {};  ///< of a control: what it would be if it were not broken
+
+    [[nodiscard]] constexpr bool independent() const { return spread == Spread::independent; }
 };
 
 /// What a point set is made from.
@@ -58,6 +75,12 @@ std::span<const CatalogueEntry> controls();
 
 /// A sampler of the catalogue, or a control. @throws UserError with the nearest name of the catalogue
 const CatalogueEntry& find(std::string_view name);
+
+/// Independent random points, the yardstick for all others.
+const SamplerInfo& yardstick();
+
+/// What the program itself integrates with.
+const CatalogueEntry& house_sampler();
 
 /// Most points in one set: an index has 32 bits.
 inline constexpr std::uint64_t max_points = std::uint64_t{1} << 32;

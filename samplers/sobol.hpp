@@ -25,6 +25,7 @@ class Sobol {
             "tallies of rays. Points of one set are not independent: take intervals over trials, never within a set.",
         .reference = "burley2020",
         .sizes = Sizes::powers,
+        .spread = Spread::net,
     };
 
     explicit Sobol(const PointSetSpec& /*spec*/) {}

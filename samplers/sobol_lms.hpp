@@ -23,6 +23,7 @@ class SobolLms {
             "tallies of rays. Points of one set are not independent: take intervals over trials, never within a set.",
         .reference = "matousek1998",
         .sizes = Sizes::powers,
+        .spread = Spread::net,
     };
 
     explicit SobolLms(const PointSetSpec& /*spec*/) {}

@@ -22,6 +22,8 @@ class SobolNus {
             "never within a set.",
         .reference = "owen1995",
         .sizes = Sizes::powers,
+        .spread = Spread::net,
+        .nanoseconds = 2000,
     };
 
     explicit SobolNus(const PointSetSpec& /*spec*/) {}

@@ -21,6 +21,7 @@ class SobolRaw {
         .reference = "joekuo2008",
         .sizes = Sizes::any,
         .randomised = false,
+        .nanoseconds = 15,
     };
 
     explicit SobolRaw(const PointSetSpec& /*spec*/) {}

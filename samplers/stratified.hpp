@@ -20,6 +20,7 @@ class Stratified {
             "set, and binomial intervals are too wide.",
         .reference = "heowen2016",
         .sizes = Sizes::fourth_power,
+        .spread = Spread::grid,
     };
 
     explicit Stratified(const PointSetSpec& spec);

@@ -1,5 +1,10 @@
 #include "app/command_line/command_model.hpp"
 
+#include "core/support/error.hpp"
+#include "core/support/nearest_name.hpp"
+
+#include <fmt/format.h>
+
 namespace ff::app {
 
 std::vector<const CLI::App*> shown_commands(const CLI::App& app) {
@@ -11,6 +16,21 @@ const CLI::App* find_command(const CLI::App& app, std::string_view name) {
         if (command->get_name() == name) return command;
     }
     return nullptr;
+}
+
+std::vector<std::string> command_names(const CLI::App& app) {
+    std::vector<std::string> names;
+    for (const CLI::App* command : shown_commands(app)) names.push_back(command->get_name());
+    return names;
+}
+
+std::string help_of_command(const CLI::App& app, const std::string& name) {
+    // Not app.help(), which is that of the command that was given.
+    if (name.empty()) return app.get_formatter()->make_help(&app, app.get_name(), CLI::AppFormatMode::Normal);
+    if (const CLI::App* command = find_command(app, name)) return command->help(app.get_name());
+    const auto names = command_names(app);
+    const std::vector<std::string_view> known(names.begin(), names.end());
+    throw UserError(fmt::format("unknown command '{}'. {}See 'ffstudy --help'.", name, did_you_mean(name, known)));
 }
 
 std::vector<const CLI::Option*> shown_options(const CLI::App& command) {

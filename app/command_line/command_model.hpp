@@ -12,8 +12,13 @@ namespace ff::app {
 
 std::vector<const CLI::App*> shown_commands(const CLI::App& app);
 
+std::vector<std::string> command_names(const CLI::App& app);
+
 /// nullptr where there is no such command.
 const CLI::App* find_command(const CLI::App& app, std::string_view name);
+
+/// The help of a command; that of the program where the name is empty. @throws UserError where there is no such command
+std::string help_of_command(const CLI::App& app, const std::string& name);
 
 /// Those that begin with dashes.
 std::vector<const CLI::Option*> shown_options(const CLI::App& command);

@@ -28,6 +28,13 @@ void add_values(Completions& completions, std::string_view type) {
         completions.paths = Completions::Paths::files;
 }
 
+Completions commands(const CLI::App& app) {
+    Completions completions;
+    for (const CLI::App* command : shown_commands(app))
+        completions.words.push_back({command->get_name(), command->get_description()});
+    return completions;
+}
+
 /// What an option or argument takes, each behind `before`: "--format=csv," where a list has been begun.
 Completions values(const CLI::Option& option, const std::string& before, std::string_view begun) {
     const auto comma = option.get_delimiter() == '\0' ? std::string_view::npos : begun.rfind(option.get_delimiter());
@@ -61,15 +68,8 @@ Completions options(const CLI::App& command, Words given) {
     return completions;
 }
 
-Completions commands(const CLI::App& app) {
-    Completions completions;
-    for (const CLI::App* command : shown_commands(app))
-        completions.words.push_back({command->get_name(), command->get_description()});
-    return completions;
-}
-
 /// What stands behind a command. @param given words between it and the last one
-Completions of_command(const CLI::App& command, Words given, std::string_view last) {
+Completions of_command(const CLI::App& app, const CLI::App& command, Words given, std::string_view last) {
     const CLI::Option* pending = nullptr;
     std::size_t place = 0;
     for (const std::string& word : given) {
@@ -94,6 +94,7 @@ Completions of_command(const CLI::App& command, Words given, std::string_view la
     if (arguments.empty()) return options(command, given);
     const CLI::Option& argument = *arguments[std::min(place, arguments.size() - 1)];
     if (place >= arguments.size() && !takes_many(argument)) return options(command, given);
+    if (value_type(argument) == "COMMAND") return commands(app);
     return values(argument, "", last);
 }
 
@@ -109,7 +110,8 @@ Completions complete(const CLI::App& app, Words words) {
     if (named == given.end()) {
         completions = last.starts_with('-') ? options(app, given) : commands(app);
     } else if (const CLI::App* command = find_command(app, *named)) {
-        completions = of_command(*command, given.subspan(static_cast<std::size_t>(named - given.begin()) + 1), last);
+        completions =
+            of_command(app, *command, given.subspan(static_cast<std::size_t>(named - given.begin()) + 1), last);
     }
     std::erase_if(completions.words, [&](const auto& word) { return !word.text.starts_with(last); });
     return completions;

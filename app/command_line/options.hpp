@@ -82,6 +82,7 @@ struct CompareCommand {
     std::filesystem::path second;
     std::filesystem::path out;        ///< empty: nothing is written
     std::filesystem::path templates;  ///< folder of own templates; empty: none
+    bool json = false;                ///< instead of text
     bool quiet = false;
 };
 
@@ -103,6 +104,12 @@ struct CheckCommand {
     std::filesystem::path out;  ///< empty: results/<bands>
     bool quiet = false;
     bool dry_run = false;
+};
+
+/// Of `ffstudy list` and `ffstudy explain`.
+struct ListCommand {
+    std::string name;  ///< kind, or what is explained; empty: what there is
+    bool json = false;
 };
 
 struct SelftestCommand {

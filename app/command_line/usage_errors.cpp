@@ -4,10 +4,13 @@
 
 #include "core/support/error.hpp"
 #include "core/support/nearest_name.hpp"
+#include "studies/readers/file_kind.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
+#include <fstream>
 #include <string_view>
 #include <vector>
 
@@ -33,16 +36,25 @@ std::vector<std::string> option_names(const CLI::App& command) {
     return names;
 }
 
-std::vector<std::string> command_names(const CLI::App& app) {
-    std::vector<std::string> names;
-    for (const CLI::App* command : shown_commands(app)) names.push_back(command->get_name());
-    return names;
-}
-
 std::string unknown(std::string_view what, const std::string& argument, const std::vector<std::string>& names,
                     const CLI::App& app) {
     const std::vector<std::string_view> known(names.begin(), names.end());
     return fmt::format("unknown {} '{}'. {}{}", what, argument, did_you_mean(argument, known), help_of(app));
+}
+
+/// A file where a command is wanted, with the command that takes it; empty where the word names no file of ours.
+std::string file_as_command(const std::string& word) {
+    std::error_code error;
+    if (!std::filesystem::is_regular_file(word, error)) return {};
+    constexpr std::size_t enough = 1 << 16;
+    std::string bytes(enough, '\0');
+    std::ifstream file(word, std::ios::binary);
+    file.read(bytes.data(), static_cast<std::streamsize>(enough));
+    bytes.resize(static_cast<std::size_t>(file.gcount()));
+    const auto kind = studies::kind_of(bytes);
+    if (!kind) return {};
+    return fmt::format("'{}' is {}, not a command. Run '{}'.", word, studies::name_of(*kind),
+                       studies::command_for(*kind, word));
 }
 
 std::string unexpected(const CLI::App& app) {
@@ -51,7 +63,10 @@ std::string unexpected(const CLI::App& app) {
     const CLI::App& command = given_command(app);
     const bool commanded = &command != &app;
     // Without a command, every option is unknown: the word that should have been one comes first.
-    if (!commanded && !is_option(rest.front())) return unknown("command", rest.front(), command_names(app), app);
+    if (!commanded && !is_option(rest.front())) {
+        const std::string told = file_as_command(rest.front());
+        return told.empty() ? unknown("command", rest.front(), command_names(app), app) : told;
+    }
     const auto option = std::find_if(rest.begin(), rest.end(), is_option);
     if (option != rest.end()) return unknown("option", *option, option_names(command), app);
     return fmt::format("'{}' is one argument too many. {}", rest.front(), help_of(app));

@@ -7,7 +7,7 @@
 
 namespace ff::app {
 
-/// Runs a study, or goes on with it, writes its reports, prints a short result.
+/// Runs a study, or resumes it, writes its reports, prints a short result.
 ExitCode run(const RunCommand& command);
 
 /// Light in an enclosure that sees itself, by exact factors and by rays drawn from them.
@@ -37,10 +37,10 @@ ExitCode gates_selftest(const SelftestCommand& command);
 /// Measures how often the intervals of form_factors hold exact values; failed where too seldom.
 ExitCode form_factors_selftest(const SelftestCommand& command);
 
-/// Lists samplers, estimators, scenes, studies or formats.
-ExitCode list(const std::string& kind);
+/// Lists samplers, estimators, scenes, studies or formats; without a kind, what there is of each.
+ExitCode list(const ListCommand& command);
 
 /// Prints what a sampler, estimator, scene or study is, its source and its limits.
-ExitCode explain(const std::string& name);
+ExitCode explain(const ListCommand& command);
 
 }  // namespace ff::app

@@ -45,7 +45,7 @@ std::string read_source(const std::string& name) {
     if (!names_file && !std::filesystem::is_regular_file(name)) return name;
     const std::string text = studies::read_text_file(studies::scene_file(name), studies::FileKind::scene);
     if (names_file) return studies::with_scene_text(name, text);
-    throw UserError(fmt::format("{}: its ending tells no format of scenes. Rename it to .obj, .toml or .vs3.", name));
+    throw UserError(fmt::format("{}: its extension names no scene format. Rename it to .obj, .toml or .vs3.", name));
 }
 
 Scene make_scene(const std::string& source) {

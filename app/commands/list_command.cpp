@@ -18,22 +18,37 @@
 #include "studies/selftest/selftest.hpp"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <cstdio>
 #include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace ff::app {
 namespace {
 
-void print_description(std::string_view kind, std::string_view name, std::string_view summary, std::string_view details,
-                       std::string_view reference) {
-    fmt::print("{} ({})\n{}\n\n{}\n", name, kind, summary, details);
-    if (!reference.empty()) fmt::print("\nSource: [{}], see docs/references.md\n", reference);
+/// What `explain` says of one thing of that name.
+struct Explanation {
+    std::string kind;
+    std::string name;
+    std::string summary;
+    std::string details;
+    std::string reference;  ///< key of docs/references.md; empty: none
+};
+
+Explanation explanation(std::string kind, const studies::Description& of) {
+    return {std::move(kind), std::string(of.name), std::string(of.summary), std::string(of.details),
+            std::string(of.reference)};
+}
+
+void print(const Explanation& explained) {
+    fmt::print("{} ({})\n{}\n\n{}", explained.name, explained.kind, explained.summary, explained.details);
+    if (!explained.details.ends_with('\n')) fmt::print("\n");
+    if (!explained.reference.empty()) fmt::print("\nSource: [{}], see docs/references.md\n", explained.reference);
 }
 
 std::string_view beside_its_sizes(samplers::Sizes sizes) {
@@ -49,40 +64,39 @@ std::string_view beside_its_sizes(samplers::Sizes sizes) {
     return "";
 }
 
-void print_sampler(const samplers::SamplerInfo& info) {
-    print_description("sampler", info.name, info.summary, info.details, info.reference);
-    fmt::print("Sizes:  {}{}\n", sizes_in_words(info), beside_its_sizes(info.sizes));
-    fmt::print("Random: {}\n", info.randomised ? "yes, every trial has points of its own" : "no, one trial says all");
+Explanation explanation(const samplers::SamplerInfo& info) {
+    return {
+        "sampler", std::string(info.name), std::string(info.summary),
+        fmt::format("{}\n\nSizes:  {}{}\nRandom: {}", info.details, sizes_in_words(info), beside_its_sizes(info.sizes),
+                    info.randomised ? "yes, every trial has points of its own" : "no, one trial says all"),
+        std::string(info.reference)};
 }
 
-void print_configuration(const Configuration& configuration) {
+Explanation explanation(const Configuration& configuration) {
     const std::string_view no_scene = why_no_scene(configuration.kind);
     const std::string scene = no_scene.empty() ? fmt::format("{} (scene), face {} to face {}", configuration.scene_name,
                                                              configuration.from + 1, configuration.to + 1)
                                                : fmt::format("none: {}", no_scene);
-    print_description("configuration", configuration.name, configuration.summary,
-                      fmt::format("Exact:  {}\nFrom:   {}\nHidden: {}\nScene:  {}", exact_digits(configuration),
-                                  configuration.formula,
-                                  configuration.occluded ? "in part, something stands in between" : "nothing", scene),
-                      configuration.reference);
+    return {"configuration", std::string(configuration.name), std::string(configuration.summary),
+            fmt::format("Exact:    {}\nFrom:     {}\nOccluded: {}\nScene:    {}", exact_digits(configuration),
+                        configuration.formula, configuration.occluded ? "in part, something stands in between" : "no",
+                        scene),
+            std::string(configuration.reference)};
 }
 
-/// Everything that can be explained, but for samplers, configurations and studies, whose descriptions are made.
-struct Entry {
-    std::string kind;
-    studies::Description description;
-};
-
-std::vector<Entry> entries() {
-    std::vector<Entry> all;
+/// Everything that has a description of its own.
+std::vector<Explanation> described() {
+    std::vector<Explanation> all;
+    for (const auto& entry : samplers::catalogue()) all.push_back(explanation(entry.info));
     for (const auto& [kind, plural, descriptions] : studies::all_choices()) {
-        for (const auto& description : descriptions) all.push_back({std::string(kind), description});
+        for (const auto& description : descriptions) all.push_back(explanation(std::string(kind), description));
     }
-    all.push_back({"study", studies::selftest_description});
+    all.push_back(explanation("study", studies::selftest_description));
     for (const Format& format : all_formats())
-        all.push_back({"format", {format.name, format.files, "What is in them: docs/results.md.", ""}});
+        all.push_back(
+            {"format", std::string(format.name), std::string(format.files), "What is in them: docs/results.md.", ""});
     for (const auto& control : studies::controls())
-        all.push_back({fmt::format("control {}, broken on purpose", control.kind), control.description});
+        all.push_back(explanation(fmt::format("control {}, broken on purpose", control.kind), control.description));
     return all;
 }
 
@@ -107,66 +121,104 @@ std::optional<Scene> find_scene(const std::string& name) {
                : std::nullopt;
 }
 
-void print_scene(const Scene& scene) {
-    fmt::print("{}", reports::scene_text(scene, studies::explain_scene(scene)));
-    for (const std::string& doubt : scene.empty_box ? std::vector<std::string>() : studies::doubts_about(scene))
-        say("warning: {}\n", doubt);
+/// Everything of that name. @throws UserError where there is nothing
+std::vector<Explanation> explanations_of(const std::string& name, const std::optional<Scene>& scene) {
+    std::vector<Explanation> found;
+    std::vector<std::string> names;
+    const auto add_if_named = [&](Explanation explained, bool named) {
+        names.push_back(explained.name);
+        if (named) found.push_back(std::move(explained));
+    };
+    for (Explanation& explained : described()) {
+        const bool named = explained.name == pattern_of(name);
+        add_if_named(std::move(explained), named);
+    }
+    for (const Configuration& of : configurations())
+        add_if_named(explanation(of), of.name == name || of.id == name || of.scene_name == name);
+    for (const auto& study : built_in_studies()) {
+        names.push_back(study.name);
+        if (study.name != name) continue;
+        found.push_back({"study", name, study.title,
+                         fmt::format("{}\n{}", study.file.string(), studies::to_toml(studies::load_study(study.file))),
+                         ""});
+    }
+    if (scene) {
+        auto [summary, details] = reports::scene_text(*scene, studies::explain_scene(*scene));
+        found.push_back({"scene", scene->name, std::move(summary), std::move(details), ""});
+    }
+    if (!found.empty()) return found;
+    const std::vector<std::string_view> known(names.begin(), names.end());
+    throw UserError(fmt::format("'{}' is unknown. {}See 'ffstudy list'.", name, did_you_mean(name, known)));
+}
+
+std::vector<std::string> names_of(const ListedKind& kind) {
+    std::vector<std::string> names;
+    for (const Listed& row : listed(kind.plural)) names.push_back(row.name);
+    return names;
+}
+
+/// What there is of each kind: how many, and the first few names.
+void print_kinds() {
+    constexpr std::size_t shown = 3;
+    for (const ListedKind& kind : listed_kinds()) {
+        auto names = names_of(kind);
+        const std::size_t number = names.size();
+        names.resize(std::min(number, shown));
+        fmt::print("{:<15} {:>2}  {}{}\n", kind.plural, number, fmt::join(names, ", "), number > shown ? ", …" : "");
+    }
+}
+
+void print_kinds_as_json() {
+    nlohmann::ordered_json kinds;
+    for (const ListedKind& kind : listed_kinds()) kinds[std::string(kind.plural)] = names_of(kind);
+    fmt::print("{}\n", kinds.dump(2));
 }
 
 }  // namespace
 
-ExitCode list(const std::string& kind) {
-    const auto rows = listed(kind);
+ExitCode list(const ListCommand& command) {
+    if (command.name.empty()) {
+        if (command.json) {
+            print_kinds_as_json();
+            return ExitCode::passed;
+        }
+        print_kinds();
+        fmt::print("\nAll of a kind: 'ffstudy list samplers'. More about one: 'ffstudy explain sobol'.\n");
+        return ExitCode::passed;
+    }
+    const auto rows = listed(command.name);
+    if (command.json) {
+        auto array = nlohmann::ordered_json::array();
+        for (const Listed& row : rows) array.push_back({{"name", row.name}, {"summary", row.summary}});
+        fmt::print("{}\n", array.dump(2));
+        return ExitCode::passed;
+    }
     std::size_t width = 0;
     for (const Listed& row : rows) width = std::max(width, row.name.size());
     for (const Listed& row : rows) fmt::print("{:<{}}  {}\n", row.name, width, row.summary);
     return ExitCode::passed;
 }
 
-ExitCode explain(const std::string& name) {
-    std::vector<std::string> names;
-    for (const auto& entry : samplers::catalogue()) {
-        names.emplace_back(entry.info.name);
-        if (entry.info.name != name) continue;
-        print_sampler(entry.info);
-        return ExitCode::passed;
-    }
-    const auto scene = find_scene(name);
-    for (const auto& [kind, description] : entries()) {
-        names.emplace_back(description.name);
-        if (description.name != pattern_of(name)) continue;
-        print_description(kind, description.name, description.summary, description.details, description.reference);
-        if (scene) {
-            fmt::print("\n");
-            print_scene(*scene);
+ExitCode explain(const ListCommand& command) {
+    if (command.name.empty()) return list(command);
+    const auto scene = find_scene(command.name);
+    const auto found = explanations_of(command.name, scene);
+    if (command.json) {
+        auto array = nlohmann::ordered_json::array();
+        for (const auto& [kind, name, summary, details, reference] : found) {
+            array.push_back(
+                {{"kind", kind}, {"name", name}, {"summary", summary}, {"details", details}, {"reference", reference}});
         }
-        return ExitCode::passed;
+        fmt::print("{}\n", array.dump(2));
+    } else {
+        for (const Explanation& explained : found) {
+            if (&explained != &found.front()) fmt::print("\n");
+            print(explained);
+        }
     }
-    bool explained = false;
-    for (const Configuration& configuration : configurations()) {
-        names.emplace_back(configuration.name);
-        if (configuration.name != name && configuration.id != name && configuration.scene_name != name) continue;
-        if (explained) fmt::print("\n");
-        print_configuration(configuration);
-        explained = true;
-    }
-    if (scene) {
-        if (explained) fmt::print("\n");
-        print_scene(*scene);
-        explained = true;
-    }
-    if (explained) return ExitCode::passed;
-    for (const auto& study : built_in_studies()) {
-        names.push_back(study.name);
-        if (study.name != name) continue;
-        print_description("study", name, study.title,
-                          fmt::format("{}\n{}", study.file.string(), studies::to_toml(studies::load_study(study.file))),
-                          "");
-        return ExitCode::passed;
-    }
-    const std::vector<std::string_view> known(names.begin(), names.end());
-    throw UserError(fmt::format("'{}' is unknown. {}See 'ffstudy list KIND', with KIND one of: {}.", name,
-                                did_you_mean(name, known), listed_kinds_in_words()));
+    if (!scene || scene->empty_box) return ExitCode::passed;
+    for (const std::string& doubt : studies::doubts_about(*scene)) say("warning: {}\n", doubt);
+    return ExitCode::passed;
 }
 
 }  // namespace ff::app

@@ -112,7 +112,8 @@ constexpr std::array known{
 constexpr std::array<std::string_view, 4> of_a_run{"html", "markdown", "csv", "json"};
 
 constexpr const char* evaluated_again =
-    "\nstopped while results were evaluated or written. What was found is saved: run the same command again to resume.\n";
+    "\nstopped while results were evaluated or written. What was found is saved: run the same command again to "
+    "resume.\n";
 
 const KnownFormat& find_format(std::string_view name) {
     const auto found = std::find_if(known.begin(), known.end(), [&](const auto& k) { return k.format.name == name; });

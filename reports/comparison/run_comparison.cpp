@@ -2,6 +2,7 @@
 
 #include "reports/html/html_view.hpp"
 #include "reports/html/security_policy.hpp"
+#include "reports/json/json_values.hpp"
 #include "reports/markdown/markdown_table.hpp"
 #include "reports/templates/mustache.hpp"
 #include "reports/text/labels.hpp"
@@ -11,6 +12,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -54,11 +57,50 @@ std::string independent_in_words(const RunComparison& comparison, const CellComp
 }
 
 std::string ratio_text(const studies::RmseRatio& ratio) {
-    if (!ratio.ratio) return "–";
-    if (!ratio.interval) return brief(*ratio.ratio);
     const double reach = ratio.interval->width() / 2;
     return fmt::format("{} [{}, {}]", to_error(*ratio.ratio, reach), to_error(ratio.interval->low, reach),
                        to_error(ratio.interval->high, reach));
+}
+
+/// An interval as a bar between 1/`reach` and `reach`, on a logarithmic scale with 1 in the middle.
+std::string bar(const studies::RmseRatio& ratio, double reach) {
+    constexpr int half = 15;
+    const auto place = [&](double value) {
+        return half + static_cast<int>(std::lround(half * std::clamp(std::log(value) / std::log(reach), -1.0, 1.0)));
+    };
+    const int low = place(ratio.interval->low);
+    const int high = place(ratio.interval->high);
+    const int middle = place(*ratio.ratio);
+    std::string text;
+    for (int i = 0; i <= 2 * half; ++i) text += i == middle ? "●" : i == half ? "│" : i >= low && i <= high ? "─" : " ";
+    return text;
+}
+
+/// A forest plot in characters: every ratio of RMSEs with its interval. Empty where there is none.
+std::string forest(const RunComparison& comparison) {
+    const auto lead = comparison.lead();
+    if (!lead.ratios) return {};
+    const double reach = std::max({1 / lead.ratios->low, lead.ratios->high, 1.05});
+    const studies::StudyPlan& plan = comparison.first.plan;
+    std::vector<std::array<std::string, 3>> rows{
+        {fmt::format("RMSE of {} / RMSE of {}", comparison.names[1], comparison.names[0]),
+         fmt::format("{:<15.2f}1{:>15.2f}", 1 / reach, reach), ""}};
+    for (const CellComparison& compared : comparison.cells) {
+        for (const studies::RmseRatio& ratio : compared.ratios) {
+            if (!ratio.interval) continue;
+            rows.push_back({fmt::format("{}, {}", cell_label(plan, plan.cells[compared.first]), name(ratio.pair_class)),
+                            bar(ratio, reach), ratio_text(ratio)});
+        }
+    }
+    std::size_t width = 0;
+    for (const auto& row : rows) width = std::max(width, visible_length(row[0]));
+    std::string out;
+    for (const auto& [label, drawn, figures] : rows) {
+        std::string line =
+            fmt::format("{}{}  {}  {}", label, std::string(width - visible_length(label), ' '), drawn, figures);
+        out += line.substr(0, line.find_last_not_of(' ') + 1) + '\n';
+    }
+    return out;
 }
 
 std::string trials_text(const RunComparison& comparison, const CellComparison& cell) {
@@ -72,18 +114,16 @@ Table cells_table(const RunComparison& comparison) {
     Table table{
         "runs",
         "Method by method",
-        fmt::format("RMSE of a run against the exact form factors. B / A with its {:g} % interval (Student t of "
-                    "the logarithm, over trials), each by itself. Verdicts: means by Welch's t, variances by "
-                    "Brown and Forsythe, on every distinct pair, RMSEs by that t; {} tests, {:g} % together (Holm); in "
-                    "parentheses what is found with power {:g}.",
-                    100 * comparison.level, comparison.tests, 100 * (1 - comparison.level), comparison.power),
+        fmt::format("RMSE of a run against the exact form factors. Verdicts: means by Welch's t, variances by "
+                    "Brown and Forsythe, on every distinct pair, RMSEs by Student's t of their logarithms; {} tests, "
+                    "{:g} % together (Holm); in parentheses what is found with power {:g}.",
+                    comparison.tests, 100 * (1 - comparison.level), comparison.power),
         {{"method", false, ""},
          {"size", false, ""},
          {"trials", true, ""},
          {"pairs", false, ""},
-         {"A", true, "RMSE"},
-         {"B", true, "RMSE"},
-         {"B / A", false, ""},
+         {comparison.names[0], true, "RMSE"},
+         {comparison.names[1], true, "RMSE"},
          {"verdict", false, ""}},
         {},
         {}};
@@ -101,7 +141,6 @@ Table cells_table(const RunComparison& comparison) {
                                   {std::string(name(ratio.pair_class)), Mark::none},
                                   {fmt::format("{:.2e}", ratio.first), Mark::none},
                                   {fmt::format("{:.2e}", ratio.second), Mark::none},
-                                  {ratio_text(ratio), Mark::none},
                                   std::exchange(verdict, {})});
         }
     }
@@ -109,9 +148,13 @@ Table cells_table(const RunComparison& comparison) {
 }
 
 Table differences_table(const RunComparison& comparison) {
-    Table table{"studies", "What the study files say differently",
-                "",        {{"where", false, ""}, {"key", false, ""}, {"A", false, ""}, {"B", false, ""}},
-                {},        {}};
+    Table table{
+        "studies",
+        "What the study files say differently",
+        "",
+        {{"where", false, ""}, {"key", false, ""}, {comparison.names[0], false, ""}, {comparison.names[1], false, ""}},
+        {},
+        {}};
     for (const auto& [place, key, first, second] : comparison.differences) {
         table.rows.push_back({{place, Mark::none},
                               {key, Mark::none},
@@ -137,22 +180,47 @@ void add_unmatched(const studies::Findings& findings, const std::vector<std::siz
 
 std::vector<std::string> remarks(const RunComparison& comparison) {
     std::vector<std::string> lines;
-    add_unmatched(comparison.first, comparison.only_first, "A", lines);
-    add_unmatched(comparison.second, comparison.only_second, "B", lines);
+    add_unmatched(comparison.first, comparison.only_first, comparison.names[0], lines);
+    add_unmatched(comparison.second, comparison.only_second, comparison.names[1], lines);
     return lines;
 }
 
-std::string names(const RunComparison& comparison) {
-    const auto one = [](const studies::Findings& findings) {
-        return fmt::format("{} (seed {})", findings.plan.spec.name, findings.plan.spec.seed.value);
+/// "halton: study shallow_box, seed 1"
+std::string description(const RunComparison& comparison, std::size_t run) {
+    const studies::StudySpec& spec = (run == 0 ? comparison.first : comparison.second).plan.spec;
+    return fmt::format("{}: study {}, seed {}", comparison.names.at(run), spec.name, spec.seed.value);
+}
+
+/// Which run is better, and by how much; empty where no RMSE is compared.
+std::string answer(const RunComparison& comparison) {
+    const studies::Lead lead = comparison.lead();
+    const auto& [first, second] = comparison.names;
+    if (!lead.ratios) return {};
+    const auto range = [](const stats::Interval& interval) {
+        return fmt::format("{} to {}", brief(interval.low), brief(interval.high));
     };
-    return fmt::format("A: {}, B: {}", one(comparison.first), one(comparison.second));
+    if (!lead.decided) {
+        return fmt::format("Neither run is better: the RMSE of {} is {} times that of {} in every comparison. ", second,
+                           range(*lead.ratios), first);
+    }
+    if (lead.first > 0 && lead.second > 0) {
+        return fmt::format("Neither run is better throughout: of {} RMSEs {} are smaller in {}, and {} in {}. ",
+                           lead.compared, lead.first, first, lead.second, second);
+    }
+    const bool first_leads = lead.first > 0;
+    const std::size_t led = lead.first + lead.second;
+    const std::string where =
+        led == lead.compared
+            ? fmt::format("all {} comparisons", led)
+            : fmt::format("{} of {} comparisons (the others do not tell them apart)", led, lead.compared);
+    return fmt::format("{} is better: its RMSE is {} times smaller than that of {} in {}. ",
+                       first_leads ? first : second, range(*lead.decided), first_leads ? second : first, where);
 }
 
 std::string verdict(const RunComparison& comparison) {
     const std::size_t untestable = comparison.count(Likeness::untestable);
-    return fmt::format("Of {} methods and sizes in both runs {} differ{}.", comparison.cells.size(),
-                       comparison.count(Likeness::different),
+    return fmt::format("{}Of {} methods and sizes in both runs {} differ{}.", answer(comparison),
+                       comparison.cells.size(), comparison.count(Likeness::different),
                        untestable == 0 ? "" : fmt::format("; {} cannot be tested", untestable));
 }
 
@@ -185,20 +253,24 @@ TableCell likeness_in_words(const RunComparison& comparison, const CellCompariso
 }
 
 std::string comparison_text(const RunComparison& comparison, Colour colour) {
-    const Table cells = cells_table(comparison);
-    std::string out = fmt::format("{}\n\n{}\n", names(comparison), text_table(cells, colour));
+    std::string out =
+        fmt::format("{}\n{}\n\n{}\n\n", description(comparison, 0), description(comparison, 1), verdict(comparison));
+    if (const std::string plot = forest(comparison); !plot.empty()) out += plot + '\n';
+    out += text_table(cells_table(comparison), colour);
     if (!comparison.differences.empty()) {
         const Table differences = differences_table(comparison);
-        out += fmt::format("{}\n{}\n", differences.title, text_table(differences, colour));
+        out += fmt::format("\n{}\n{}", differences.title, text_table(differences, colour));
     }
-    for (const std::string& line : remarks(comparison)) out += line + "\n";
-    return out + fmt::format("{} ({} tests, {:g} % together)\n", verdict(comparison), comparison.tests,
+    const auto lines = remarks(comparison);
+    if (!lines.empty()) out += fmt::format("\n{}\n", fmt::join(lines, "\n"));
+    return out + fmt::format("\n{} tests, {:g} % together; intervals hold together too\n", comparison.tests,
                              100 * (1 - comparison.level));
 }
 
 std::string comparison_markdown(const RunComparison& comparison) {
-    std::string out =
-        fmt::format("# Two runs side by side\n\n{}\n\n**{}**\n\n", names(comparison), verdict(comparison));
+    std::string out = fmt::format("# Two runs side by side\n\n**{}**\n\n- {}\n- {}\n\n", verdict(comparison),
+                                  description(comparison, 0), description(comparison, 1));
+    if (const std::string plot = forest(comparison); !plot.empty()) out += fmt::format("```\n{}```\n\n", plot);
     for (const Table& table : {cells_table(comparison), differences_table(comparison)}) {
         if (table.rows.empty()) continue;
         out += fmt::format("## {}\n\n", table.title);
@@ -207,6 +279,35 @@ std::string comparison_markdown(const RunComparison& comparison) {
     }
     for (const std::string& line : remarks(comparison)) out += fmt::format("- {}\n", line);
     return out;
+}
+
+std::string comparison_json(const RunComparison& comparison) {
+    const studies::StudyPlan& plan = comparison.first.plan;
+    auto cells = nlohmann::ordered_json::array();
+    for (const CellComparison& compared : comparison.cells) {
+        const studies::Cell& cell = plan.cells[compared.first];
+        auto ratios = nlohmann::ordered_json::array();
+        for (const studies::RmseRatio& ratio : compared.ratios) {
+            ratios.push_back({{"pairs", name(ratio.pair_class)},
+                              {"first", ratio.first},
+                              {"second", ratio.second},
+                              {"ratio", optional_json(ratio.ratio)},
+                              {"interval", interval_json(ratio.interval)},
+                              {"adjusted_p", ratio.adjusted_p}});
+        }
+        cells.push_back({{"scene", plan.scenes[cell.scene].name},
+                         {"method", plan.spec.methods[cell.method].name},
+                         {"size", size_label(plan, cell)},
+                         {"verdict", likeness_in_words(comparison, compared).text},
+                         {"differs", compared.likeness == Likeness::different},
+                         {"testable", compared.likeness != Likeness::untestable},
+                         {"rmse", std::move(ratios)}});
+    }
+    const nlohmann::ordered_json whole{{"schema", "ffstudy.comparison/1"}, {"runs", comparison.names},
+                                       {"verdict", verdict(comparison)},   {"level", comparison.level},
+                                       {"tests", comparison.tests},        {"cells", std::move(cells)},
+                                       {"remarks", remarks(comparison)}};
+    return whole.dump(2);
 }
 
 std::string comparison_html(const RunComparison& comparison, const Templates& templates) {
@@ -220,8 +321,10 @@ std::string comparison_html(const RunComparison& comparison, const Templates& te
     return fill_template(templates, "comparison",
                          {{"policy", security_policy(styles, {})},
                           {"style", templates.text("report.css")},
-                          {"names", names(comparison)},
+                          {"first", description(comparison, 0)},
+                          {"second", description(comparison, 1)},
                           {"verdict", verdict(comparison)},
+                          {"forest", forest(comparison)},
                           {"tables", std::move(tables)},
                           {"remarks", std::move(lines)}},
                          escape_html);

@@ -9,10 +9,10 @@
 
 namespace ff::reports {
 
-/// Two runs side by side, A and B. All three are byte-identical for the same stores.
+/// Two runs side by side. All of these are byte-identical for the same stores.
 
-/// For the terminal: the verdict in a sentence, a row for each method, size and class of pairs, what differs in the
-/// study files, and what only one has.
+/// For the terminal: which run is better, the ratios of errors as a forest plot, a row for each method, size and class
+/// of pairs, what differs in the study files, and what only one has.
 std::string comparison_text(const studies::RunComparison& comparison, Colour colour);
 
 /// comparison.md
@@ -20,6 +20,9 @@ std::string comparison_markdown(const studies::RunComparison& comparison);
 
 /// comparison.html, from comparison.mustache
 std::string comparison_html(const studies::RunComparison& comparison, const Templates& templates);
+
+/// What comparison_text says, for programs.
+std::string comparison_json(const studies::RunComparison& comparison);
 
 /// The verdict on one method and size in words.
 TableCell likeness_in_words(const studies::RunComparison& comparison, const studies::CellComparison& cell);

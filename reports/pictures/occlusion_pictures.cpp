@@ -8,8 +8,8 @@
 namespace ff::reports {
 namespace {
 
-nlohmann::ordered_json end_of(const std::optional<stats::Interval>& interval, double stats::Interval::*end) {
-    return interval ? drawn((*interval).*end) : nlohmann::ordered_json();
+nlohmann::ordered_json end_of(const stats::Interval* interval, double stats::Interval::*end) {
+    return interval ? drawn(interval->*end) : nlohmann::ordered_json();
 }
 
 Picture picture_of(const studies::StudyResults& results, const studies::OcclusionSeries& series) {
@@ -22,7 +22,7 @@ Picture picture_of(const studies::StudyResults& results, const studies::Occlusio
             const auto& found = scene.methods[method];
             if (!found || found->size() < studies::rounding_error) continue;
             const bool infinite = found->error.status == studies::VarianceStatus::infinite;
-            const auto interval = infinite ? std::nullopt : found->error.interval;
+            const stats::Interval* interval = infinite || !found->error.interval ? nullptr : &*found->error.interval;
             values.add({plan.spec.methods[method].name, plan.scenes[scene.scene].name, drawn(scene.hidden, 4),
                         size_label(plan, plan.cells[found->cell]), drawn(found->size()),
                         end_of(interval, &stats::Interval::low), end_of(interval, &stats::Interval::high)});

@@ -31,12 +31,12 @@ std::string grids_text(const std::vector<Grid>& grids) {
 
 }  // namespace
 
-std::string scene_text(const Scene& scene, const studies::SceneExplanation& explanation) {
-    std::string out = fmt::format("{} (scene)\n{}, {}", scene.name, plural(scene.surfaces.size(), "surface"),
-                                  scene.closed ? "closed" : "open");
+SceneText scene_text(const Scene& scene, const studies::SceneExplanation& explanation) {
+    SceneText text;
+    text.summary = fmt::format("{}, {}", plural(scene.surfaces.size(), "surface"), scene.closed ? "closed" : "open");
     if (explanation.occluders > 0)
-        out += fmt::format(", {} of them only {} in the way", explanation.occluders,
-                           explanation.occluders == 1 ? "stands" : "stand");
+        text.summary += fmt::format(", {} of them only {} in the way", explanation.occluders,
+                                    explanation.occluders == 1 ? "stands" : "stand");
     std::vector<std::string> faces;
     for (std::size_t face = 0; face < scene.faces.size(); ++face) {
         const std::size_t surfaces = explanation.surfaces[face];
@@ -44,22 +44,23 @@ std::string scene_text(const Scene& scene, const studies::SceneExplanation& expl
                                     surfaces == 1 ? "" : fmt::format(", {} surfaces", surfaces),
                                     grids_text(explanation.grids[face])));
     }
-    out += "\n\n" + listed("Faces", faces);
+    text.details = listed("Faces", faces);
     std::vector<std::string> pairs;
     for (const studies::ExplainedPair& pair : explanation.pairs) {
         const auto label = [&](int face) { return scene.faces[static_cast<std::size_t>(face)]; };
         pairs.push_back(fmt::format("F {}-{} = {:.15f}  {} [{}]", label(pair.from), label(pair.to), pair.exact,
                                     pair.origin, pair.reference));
     }
-    if (!pairs.empty()) out += listed("Exact", pairs);
+    if (!pairs.empty()) text.details += listed("Exact", pairs);
     if (explanation.unknown_pairs > 0)
-        out += fmt::format("No exact value: {} that face each other\n",
-                           plural(explanation.unknown_pairs, pairs.empty() ? "pair" : "other pair"));
+        text.details += fmt::format("No exact value: {} that face each other\n",
+                                    plural(explanation.unknown_pairs, pairs.empty() ? "pair" : "other pair"));
     std::vector<std::string> estimators;
     for (const studies::ExplainedEstimator& estimator : explanation.estimators)
         estimators.push_back(estimator.why_not ? fmt::format("not {}: {}", estimator.name, *estimator.why_not)
                                                : estimator.name);
-    return out + listed("Estimators", estimators);
+    text.details += listed("Estimators", estimators);
+    return text;
 }
 
 }  // namespace ff::reports

@@ -7,7 +7,12 @@
 
 namespace ff::reports {
 
-/// A few facts about a scene for a terminal: faces with areas, exact values with their origin, estimators.
-std::string scene_text(const Scene& scene, const studies::SceneExplanation& explanation);
+/// A few facts about a scene for a terminal.
+struct SceneText {
+    std::string summary;  ///< "6 surfaces, closed"
+    std::string details;  ///< in lines: faces with areas, exact values with their origin, estimators
+};
+
+SceneText scene_text(const Scene& scene, const studies::SceneExplanation& explanation);
 
 }  // namespace ff::reports

@@ -59,8 +59,8 @@ std::string clause(const Rivalry& rivalry, const Contest& c) {
     if (!rivalry.ratio) {
         if (c.worse_rmse < studies::rounding_error)
             return fmt::format("{} {} and {} are both exact to rounding", c.where, c.better, c.worse);
-        return fmt::format("{} {} is better: exact to rounding, where {} has an error of {}", c.where, c.better, c.worse,
-                           brief(c.worse_rmse));
+        return fmt::format("{} {} is better: exact to rounding, where {} has an error of {}", c.where, c.better,
+                           c.worse, brief(c.worse_rmse));
     }
     if (!rivalry.decided()) return fmt::format("{} {} and {} cannot be told apart", c.where, c.better, c.worse);
     return fmt::format("{} {} is better: its error is {} times smaller than that of {}", c.where, c.better,

@@ -21,6 +21,7 @@ class PatchCentres {
         .reference = "",
         .sizes = Sizes::any,
         .control = true,
+        .unbroken_name = "random",
     };
 
     explicit PatchCentres(const PointSetSpec& spec) : random_(spec) {}

@@ -18,6 +18,7 @@ class SameSeed {
         .reference = "",
         .sizes = Sizes::any,
         .control = true,
+        .unbroken_name = "random",
     };
 
     explicit SameSeed(const PointSetSpec& spec) : random_(spec) {}

@@ -20,6 +20,7 @@ class SobolDigitsReversed {
         .reference = "laine2011",
         .sizes = Sizes::powers,
         .control = true,
+        .unbroken_name = "sobol",
     };
 
     explicit SobolDigitsReversed(const PointSetSpec& spec) : sobol_(spec) {}

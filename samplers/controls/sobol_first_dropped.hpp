@@ -19,6 +19,7 @@ class SobolFirstDropped {
         .reference = "owen2022",
         .sizes = Sizes::powers,
         .control = true,
+        .unbroken_name = "sobol",
     };
 
     explicit SobolFirstDropped(const PointSetSpec& spec) : sobol_(spec) {}

@@ -154,13 +154,16 @@ std::optional<LogRatio> rmse_log_ratio(const ClassError& first, const ClassError
     return LogRatio{std::log(second.rmse / first.rmse), std::sqrt(log_variance(first) + log_variance(second)), trials};
 }
 
+stats::Interval ratio_interval(const LogRatio& ratio, double level) {
+    const double reach =
+        stats::student_critical(static_cast<double>(ratio.trials - 1), (1 - level) / 2) * ratio.standard_error;
+    return {std::exp(ratio.value - reach), std::exp(ratio.value + reach), level, "student_t_of_logarithm",
+            ratio.trials};
+}
+
 std::optional<stats::Interval> rmse_ratio_interval(const ClassError& first, const ClassError& second, double level) {
     const auto ratio = rmse_log_ratio(first, second);
-    if (!ratio) return std::nullopt;
-    const double reach =
-        stats::student_critical(static_cast<double>(ratio->trials - 1), (1 - level) / 2) * ratio->standard_error;
-    return stats::Interval{std::exp(ratio->value - reach), std::exp(ratio->value + reach), level,
-                           "student_t_of_logarithm", ratio->trials};
+    return ratio ? std::optional(ratio_interval(*ratio, level)) : std::nullopt;
 }
 
 double p_of_equal(const LogRatio& ratio) {

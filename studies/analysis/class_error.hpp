@@ -68,7 +68,10 @@ struct LogRatio {
 /// Errors without an interval count as exact; empty where both are.
 std::optional<LogRatio> rmse_log_ratio(const ClassError& first, const ClassError& second);
 
-/// Interval of second.rmse / first.rmse: exp(ln ratio ± t s). Empty as above.
+/// Interval of the ratio: exp(ln ratio ± t s).
+stats::Interval ratio_interval(const LogRatio& ratio, double level);
+
+/// The same of second.rmse / first.rmse. Empty as above.
 std::optional<stats::Interval> rmse_ratio_interval(const ClassError& first, const ClassError& second, double level);
 
 /// Two-sided p of equal RMSEs by Student's t.

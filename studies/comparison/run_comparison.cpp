@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace ff::studies {
 namespace {
@@ -58,7 +59,7 @@ std::vector<Quantity> pairs_of(const CellEstimates& estimates, const StudyPlan& 
     return distinct_pairs(estimates.faces, completion_a == completion_b ? completion_a : Completion::direct);
 }
 
-std::vector<RmseRatio> ratios_of(const CellFindings& first, const CellFindings& second, Basis basis, double level) {
+std::vector<RmseRatio> ratios_of(const CellFindings& first, const CellFindings& second, Basis basis) {
     std::vector<RmseRatio> ratios;
     for (const ClassError& a : first.class_errors) {
         const ClassError* b = second.class_error(a.pair_class);
@@ -66,11 +67,27 @@ std::vector<RmseRatio> ratios_of(const CellFindings& first, const CellFindings& 
         RmseRatio& found = ratios.emplace_back(RmseRatio{a.pair_class, a.rmse, b->rmse, {}, {}, {}, 1});
         if (a.rmse < rounding_error || b->rmse < rounding_error) continue;
         found.ratio = b->rmse / a.rmse;
-        if (basis != Basis::independent || !a.interval || !b->interval) continue;
-        found.logarithm = rmse_log_ratio(a, *b);
-        found.interval = rmse_ratio_interval(a, *b, level);
+        if (basis == Basis::independent && a.interval && b->interval) found.logarithm = rmse_log_ratio(a, *b);
     }
     return ratios;
+}
+
+/// Bonferroni over all tests, so that an interval without 1 is also a difference by Holm.
+void add_simultaneous_intervals(RunComparison& comparison) {
+    if (comparison.tests == 0) return;
+    const double level = 1 - stats::bonferroni_level(1 - comparison.level, comparison.tests);
+    for (CellComparison& cell : comparison.cells) {
+        for (RmseRatio& ratio : cell.ratios) {
+            if (ratio.logarithm && ratio.logarithm->trials >= stats::fewest_replicates)
+                ratio.interval = ratio_interval(*ratio.logarithm, level);
+        }
+    }
+}
+
+void widen(std::optional<stats::Interval>& all, double low, double high, double level) {
+    if (!all) all = stats::Interval{low, high, level, "bonferroni", 0};
+    all->low = std::min(all->low, low);
+    all->high = std::max(all->high, high);
 }
 
 /// Both tests of every pair that has them.
@@ -195,8 +212,25 @@ std::size_t RunComparison::count(Likeness likeness) const {
         std::count_if(cells.begin(), cells.end(), [&](const auto& cell) { return cell.likeness == likeness; }));
 }
 
-RunComparison compare_runs(const Store& first, const Store& second) {
-    RunComparison out{analyse(first), analyse(second), {}, {}, {}, {}, 0, 0.95, 0.9};
+Lead RunComparison::lead() const {
+    Lead found;
+    for (const CellComparison& cell : cells) {
+        for (const RmseRatio& ratio : cell.ratios) {
+            if (!ratio.interval) continue;
+            ++found.compared;
+            widen(found.ratios, ratio.interval->low, ratio.interval->high, level);
+            if (ratio.interval->low <= 1 && ratio.interval->high >= 1) continue;
+            const bool first_leads = ratio.interval->low > 1;
+            ++(first_leads ? found.first : found.second);
+            widen(found.decided, first_leads ? ratio.interval->low : 1 / ratio.interval->high,
+                  first_leads ? ratio.interval->high : 1 / ratio.interval->low, level);
+        }
+    }
+    return found;
+}
+
+RunComparison compare_runs(const Store& first, const Store& second, std::array<std::string, 2> names) {
+    RunComparison out{std::move(names), analyse(first), analyse(second), {}, {}, {}, {}, 0, 0.95, 0.9};
     const StudyPlan& a = first.plan();
     const StudyPlan& b = second.plan();
     out.level = a.spec.level;
@@ -216,7 +250,7 @@ RunComparison compare_runs(const Store& first, const Store& second) {
         compared.first = i;
         compared.second = *other;
         compared.basis = basis_of(cell, b.cells[*other]);
-        compared.ratios = ratios_of(out.first.cells[i], out.second.cells[*other], compared.basis, out.level);
+        compared.ratios = ratios_of(out.first.cells[i], out.second.cells[*other], compared.basis);
         const auto in_a = load_estimates(first, i);
         const auto in_b = load_estimates(second, *other);
         const auto pairs = pairs_of(in_a, a, cell, b, b.cells[*other]);
@@ -246,6 +280,7 @@ RunComparison compare_runs(const Store& first, const Store& second) {
             scenes_of(a), scenes_of(b)));
     }
     judge(tests, out);
+    add_simultaneous_intervals(out);
     return out;
 }
 

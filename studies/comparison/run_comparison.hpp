@@ -5,6 +5,7 @@
 #include "studies/analysis/analysis.hpp"
 #include "studies/spec/spec_differences.hpp"
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -27,7 +28,7 @@ struct RmseRatio {
     double second = 0;
     std::optional<double> ratio;              ///< second / first; empty where one is rounding
     std::optional<LogRatio> logarithm;        ///< of the ratio; independent runs only
-    std::optional<stats::Interval> interval;  ///< of the ratio by itself; independent runs only
+    std::optional<stats::Interval> interval;  ///< of the ratio; those of a comparison hold together
     double adjusted_p = 1;                    ///< of equal errors, Holm over all tests of the comparison
 };
 
@@ -60,8 +61,18 @@ struct CellComparison {
     Quantity largest_pair;
 };
 
+/// Which run has the smaller RMSEs, where they differ.
+struct Lead {
+    std::size_t compared = 0;  ///< RMSEs of a method, size and class of pairs that were tested
+    std::size_t first = 0;     ///< of these, those where the first run's is smaller beyond doubt
+    std::size_t second = 0;
+    std::optional<stats::Interval> ratios;   ///< second / first, from the least limit of all to the largest
+    std::optional<stats::Interval> decided;  ///< the same of those beyond doubt, larger / smaller
+};
+
 /// Two runs side by side.
 struct RunComparison {
+    std::array<std::string, 2> names;  ///< of the runs, as their reader knows them
     Findings first;
     Findings second;
     std::vector<CellComparison> cells;    ///< in the order of the first run
@@ -73,12 +84,14 @@ struct RunComparison {
     double power = 0.9;
 
     [[nodiscard]] std::size_t count(Likeness likeness) const;
+    [[nodiscard]] Lead lead() const;
 };
 
 /// Compares what two runs have in common, matched by the names of scene and method and by size. Where two independent
 /// runs do the same, the chance that any of their cells is said to be different is at most 1 - level. Level and power
 /// are those of the first study. Pure.
+/// @param names of the runs
 /// @throws UserError where they have nothing in common
-RunComparison compare_runs(const Store& first, const Store& second);
+RunComparison compare_runs(const Store& first, const Store& second, std::array<std::string, 2> names = {"A", "B"});
 
 }  // namespace ff::studies

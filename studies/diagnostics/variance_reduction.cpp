@@ -1,23 +1,23 @@
 #include "studies/diagnostics/variance_reduction.hpp"
 
+#include "samplers/sampler.hpp"
+
 #include <algorithm>
 #include <cmath>
 
 namespace ff::studies {
 namespace {
 
-constexpr std::string_view reference_sampler = "random";
-
 /// The cell of random points that differs from this one in the sampler and the allocation of its points only.
 std::optional<std::size_t> counterpart(const StudyPlan& plan, const Cell& cell) {
     const Method& method = plan.spec.methods[cell.method];
     const auto found = std::find_if(plan.cells.begin(), plan.cells.end(), [&](const Cell& other) {
         const Method& candidate = plan.spec.methods[other.method];
-        return candidate.sampler == reference_sampler && other.scene == cell.scene &&
+        return candidate.sampler == samplers::yardstick().name && other.scene == cell.scene &&
                candidate.estimator == method.estimator && candidate.completion == method.completion &&
                other.subdivision.m == cell.subdivision.m && other.samples == cell.samples;
     });
-    if (method.sampler == reference_sampler || found == plan.cells.end()) return std::nullopt;
+    if (method.sampler == samplers::yardstick().name || found == plan.cells.end()) return std::nullopt;
     return static_cast<std::size_t>(found - plan.cells.begin());
 }
 

@@ -17,7 +17,8 @@ constexpr std::array estimators{
         "shirley1991"},
     Description{
         "area_kernel", "cos·cos/(pi r^2) at pairs of points on two patches (with gauss_legendre: the paper's PDM)",
-        "A 4-D point gives a point on each patch of an ordered pair; samples_per_patch counts points per pair. Unbiased "
+        "A 4-D point gives a point on each patch of an ordered pair; samples_per_patch counts points per pair. "
+        "Unbiased "
         "with\n"
         "random points, but where patches share an edge or a vertex the kernel is unbounded: the tail index is 3/2 or "
         "2, the\n"

@@ -60,7 +60,7 @@ PointSums PointSampling::run(StreamKey key, std::uint32_t randomisation, std::ui
     block->dimension = 2;
     // Points on the whole source, and more in rough cells: a place counts by the sum of both densities.
     const auto visit = [&](std::uint32_t trial, std::uint64_t size, const auto& at) {
-        const auto sampler = samplers::find("sobol").make({.points = size, .dimension = 2});
+        const auto sampler = samplers::house_sampler().make({.points = size, .dimension = 2});
         const Stream stream{.key = key, .trial = trial, .source = source_, .target = target_ + 1};
         for (std::uint64_t first = 0; first < size; first += block->size) {
             expect_more_time(stop);

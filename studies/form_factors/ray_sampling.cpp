@@ -44,7 +44,7 @@ RaySampling::RaySampling(const Scene& scene, const FacePairs& pairs, std::size_t
 
 RaySampling::Hits RaySampling::run(const Tracer& tracer, StreamKey key, std::uint32_t randomisation, std::uint64_t rays,
                                    const std::atomic<bool>* stop) const {
-    const auto sampler = samplers::find("sobol").make({.points = rays, .dimension = 4});
+    const auto sampler = samplers::house_sampler().make({.points = rays, .dimension = 4});
     const Stream stream{.key = key, .trial = randomisation, .source = static_cast<std::uint32_t>(from_)};
     const auto block = std::make_unique<PointBlock>();
     const auto part = std::make_unique<PointBlock>();

@@ -84,7 +84,7 @@ void expect_possible(const Gate& gate, const StudyPlan& plan) {
         refuse(gate.place, "lost_rays (this estimator shoots none). Take estimator = \"ray_shooting\".");
     if (gate.kind == GateKind::lost_rays && !plan.scenes.front().closed)
         refuse(gate.place, "lost_rays (in an open scene rays may leave). Take a closed scene.");
-    const bool independent = shoots && samplers::find(method.sampler).info.independent;
+    const bool independent = shoots && samplers::find(method.sampler).info.independent();
     if (gate.kind == GateKind::lost_rays && gate.band.high > 0 && !independent)
         refuse(gate.place, "band above 0 (the exact interval wants independent rays). Take band = 0.");
     if (gate.kind == GateKind::coverage && is_binomial(gate.interval) && !independent)
@@ -117,7 +117,7 @@ void expect_finite(const Gate& gate, const Scene& scene, Quantity quantity) {
 std::optional<SrDistribution> known_distribution(const Gate& gate, const Scene& scene, const Cell& cell) {
     const bool known = gate.method.estimator == Estimator::ray_shooting && scene.empty_box &&
                        gate.method.tracer != TracerChoice::leaky &&
-                       samplers::find(gate.method.sampler).info.independent;
+                       samplers::find(gate.method.sampler).info.independent();
     if (!known) return std::nullopt;
     return sr_distribution(scene, cell.subdivision, static_cast<double>(cell.samples), gate.method.completion);
 }

@@ -38,15 +38,6 @@ constexpr double embree_nanoseconds = 60.0;
 constexpr double kernel_nanoseconds = 1.5;
 constexpr double polygons_nanoseconds = 60.0;  // of all faces of a box
 
-double sampling_nanoseconds(std::string_view sampler) {
-    constexpr std::array<std::string_view, 6> slow{"random_mt", "halton",       "faure",
-                                                   "sobol_raw", "niederreiter", "latin_hypercube"};
-    if (std::find(slow.begin(), slow.end(), sampler) != slow.end()) return 15.0;
-    if (sampler == "sobol_nus") return 2000.0;
-    if (sampler == "faure_7" || sampler == "faure_11" || sampler == "faure_13") return 100.0;
-    return 1.5;
-}
-
 std::uint64_t sample_count(const Method& method, const Size& size) {
     if (method.nodes) {
         const std::uint64_t source = method.nodes->source;
@@ -207,18 +198,18 @@ double expected_seconds_per_trial(const StudyPlan& plan, const Cell& cell) {
         case Estimator::closed_form:
             return 1e-3;
         case Estimator::area_kernel: {
-            const double sampling = cell.deterministic ? 0.0 : sampling_nanoseconds(method.sampler);
+            const double sampling = cell.deterministic ? 0.0 : samplers::find(method.sampler).info.nanoseconds;
             return 1e-9 * evaluations * (kernel_nanoseconds + sampling);
         }
         case Estimator::point_to_polygon:
-            return 1e-9 * evaluations * (polygons_nanoseconds + sampling_nanoseconds(method.sampler));
+            return 1e-9 * evaluations * (polygons_nanoseconds + samplers::find(method.sampler).info.nanoseconds);
         case Estimator::ray_shooting: {
             const Scene& scene = plan.scenes[cell.scene];
             const bool one_by_one = method.tracer == TracerChoice::embree || method.tracer == TracerChoice::leaky ||
                                     !mirrors(scene).empty();
             const bool analytic = scene.empty_box && !one_by_one;
             const double tracing = analytic ? tracing_nanoseconds : embree_nanoseconds;
-            return 1e-9 * evaluations * (tracing + sampling_nanoseconds(method.sampler));
+            return 1e-9 * evaluations * (tracing + samplers::find(method.sampler).info.nanoseconds);
         }
     }
     return 1e-3;

@@ -106,13 +106,20 @@ std::optional<FileKind> kind_of(std::string_view bytes) {
     return static_cast<FileKind>(found - marks.begin());
 }
 
+std::string_view name_of(FileKind kind) {
+    return words_of(kind).name;
+}
+
+std::string command_for(FileKind kind, const std::filesystem::path& file) {
+    return fmt::format(fmt::runtime(words_of(kind).command), file.string());
+}
+
 void expect_kind(FileKind wanted, std::string_view bytes, const std::filesystem::path& file) {
     if (marks_of(bytes).at(static_cast<std::size_t>(wanted))) return;
     const auto kind = kind_of(bytes);
     if (!kind) return;
-    throw UserError(fmt::format("{}: {} ({} is wanted here). Run '{}'.", file.string(), words_of(*kind).name,
-                                words_of(wanted).name,
-                                fmt::format(fmt::runtime(words_of(*kind).command), file.string())));
+    throw UserError(fmt::format("{}: {} ({} is wanted here). Run '{}'.", file.string(), name_of(*kind), name_of(wanted),
+                                command_for(*kind, file)));
 }
 
 }  // namespace ff::studies

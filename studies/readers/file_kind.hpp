@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
 #include <string_view>
 
 namespace ff::studies {
@@ -11,6 +12,12 @@ enum class FileKind { study, bands, scene, tables, baseline, estimates, result_s
 
 /// What kind of file these bytes are, by the lines that only that kind has; empty where no line tells.
 std::optional<FileKind> kind_of(std::string_view bytes);
+
+/// "a scene file"
+std::string_view name_of(FileKind kind);
+
+/// The command that takes the file: "ffstudy form_factors FILE"
+std::string command_for(FileKind kind, const std::filesystem::path& file);
 
 /// @throws UserError where the bytes are of another kind than is wanted, with the command that takes them. What has
 ///   no mark of any kind is left to the parser of the kind that is wanted.

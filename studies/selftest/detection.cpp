@@ -3,6 +3,7 @@
 #include "core/configurations/built_in_scene.hpp"
 #include "core/exact/exact.hpp"
 #include "core/support/error.hpp"
+#include "samplers/sampler.hpp"
 #include "studies/gates/estimate_gates.hpp"
 #include "studies/gates/gate_run.hpp"
 #include "studies/run/parallel.hpp"
@@ -10,7 +11,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <map>
 #include <tuple>
 
 namespace ff::studies {
@@ -44,12 +44,7 @@ struct Laboratory {
 
 /// What the control would be if it were not broken.
 Method mend(Method method) {
-    static const std::map<std::string, std::string> sound{{"patch_centres", "random"},
-                                                          {"same_seed", "random"},
-                                                          {"sobol_first_dropped", "sobol"},
-                                                          {"sobol_digits_reversed", "sobol"}};
-    const auto found = sound.find(method.sampler);
-    if (found != sound.end()) method.sampler = found->second;
+    if (const auto& info = samplers::find(method.sampler).info; info.control) method.sampler = info.unbroken_name;
     if (method.tracer == TracerChoice::leaky) method.tracer = TracerChoice::automatic;
     return method;
 }
@@ -90,7 +85,7 @@ GatesSpec edge_gate(double alpha, double bias, double band) {
     gate.scenes = {"cube"};
     gate.pairs = {"1-6"};
     gate.method.name = gate.name;
-    gate.method.sampler = "random";
+    gate.method.sampler = samplers::yardstick().name;
     gate.method.sizes = {{.patches_per_face = 1, .samples_per_patch = 1000, .trials = {}}};
     gate.trials = 50;
     gate.against = Against::number;

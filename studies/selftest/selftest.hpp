@@ -13,7 +13,7 @@ namespace ff::studies {
 
 /// Listed and explained beside the studies that are files.
 inline constexpr Description selftest_description{
-    "gates_selftest", "The gates and intervals checked: is what is broken caught, and what is sound not?",
+    "gates_selftest", "Check the gates and intervals themselves: what is broken is caught, what is sound is not",
     "Runs every control ('ffstudy list controls') through its gate with many seeds, and its sound counterpart beside "
     "it;\nmeasures false alarms at the ends of the band and at a point null, p-values, power, the coverage of every "
     "interval\nmethod, and what becomes of estimates that are skewed, correlated, repeated or of infinite variance. "

@@ -116,8 +116,9 @@ std::optional<Nodes> read_nodes(const TomlReader& reader, const samplers::Sample
     const bool wanted = sampler != nullptr && sampler->sizes == samplers::Sizes::nodes;
     if (!wanted) {
         if (reader.has("nodes"))
-            reader.fail("nodes",
-                        "(only quadrature rules have nodes). Remove the key, or set sampler = \"gauss_legendre\".");
+            reader.fail(
+                "nodes",
+                "(only quadrature rules have nodes; see 'ffstudy list samplers'). Remove the key, or choose one.");
         return std::nullopt;
     }
     const auto nodes = reader.counts("nodes");

@@ -2,12 +2,12 @@
 
 #include "samplers/sampler.hpp"
 
-#include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace ff::studies {
 namespace {
+
+using samplers::Spread;
 
 /// What a sampler integrates, as theories tell integrands apart.
 enum class Integrand {
@@ -17,35 +17,6 @@ enum class Integrand {
     rough,      ///< of finite variance, but no theory of smooth or of jumping functions holds
     unbounded,  ///< with tail index 3/2
 };
-
-/// How a sampler spreads its points, as theories tell samplers apart.
-enum class Spread { independent, grid, latin, net, padded_nets, halton, lattice, other };
-
-struct Known {
-    std::string_view sampler;
-    Spread spread;
-};
-
-constexpr std::array spreads{
-    Known{"random", Spread::independent},
-    Known{"random_mt", Spread::independent},
-    Known{"antithetic", Spread::independent},
-    Known{"stratified", Spread::grid},
-    Known{"latin_hypercube", Spread::latin},
-    Known{"sobol", Spread::net},
-    Known{"sobol_lms", Spread::net},
-    Known{"sobol_nus", Spread::net},
-    Known{"faure", Spread::net},
-    Known{"padded", Spread::padded_nets},
-    Known{"halton", Spread::halton},
-    Known{"lattice", Spread::lattice},
-};
-
-Spread spread_of(std::string_view sampler) {
-    const auto* const known =
-        std::find_if(spreads.begin(), spreads.end(), [&](const Known& k) { return k.sampler == sampler; });
-    return known == spreads.end() ? Spread::other : known->spread;
-}
 
 std::optional<Integrand> integrand_of(const Method& method, PairClass pair_class, Hiding hiding) {
     if (pair_class == PairClass::other) return std::nullopt;
@@ -115,9 +86,9 @@ std::optional<ExpectedRate> expected_rate(const Method& method, PairClass pair_c
     const double d = static_cast<double>(dimension(method.estimator));
     const auto integrand = integrand_of(method, pair_class, hiding);
     if (!integrand) return std::nullopt;
-    const Spread spread = spread_of(method.sampler);
+    const Spread spread = samplers::find(method.sampler).info.spread;
     if (*integrand == Integrand::unbounded) {
-        if (spread != Spread::independent || method.sampler == "antithetic") return std::nullopt;
+        if (spread != Spread::independent) return std::nullopt;
         // The mean of values with tail index a < 2 is off by about N^(1/a - 1).
         return ExpectedRate{.rate = -1.0 / 3,
                             .of_median = true,
@@ -126,6 +97,7 @@ std::optional<ExpectedRate> expected_rate(const Method& method, PairClass pair_c
     }
     switch (spread) {
         case Spread::independent:
+        case Spread::mirrored:
             return root_of_size("owen2013", "independent points");
         case Spread::latin:
             return root_of_size("stein1987", "only sums of functions of one coordinate gain");

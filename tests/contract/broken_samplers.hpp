@@ -78,7 +78,7 @@ struct FalselyIndependent : samplers::Sobol {
                                                 .details = "",
                                                 .reference = "",
                                                 .sizes = samplers::Sizes::powers,
-                                                .independent = true};
+                                                .spread = samplers::Spread::independent};
     using Sobol::Sobol;
 };
 

@@ -34,7 +34,7 @@ std::vector<CatalogueEntry> samplers_where(Predicate predicate) {
 
 const auto every = samplers_where([](const auto&) { return true; });
 const auto randomised = samplers_where([](const auto& info) { return info.randomised; });
-const auto independent = samplers_where([](const auto& info) { return info.independent; });
+const auto independent = samplers_where([](const auto& info) { return info.independent(); });
 const auto name_of = [](const auto& parameter) { return std::string(parameter.param.info.name); };
 
 class EverySampler : public testing::TestWithParam<CatalogueEntry> {};

@@ -47,8 +47,8 @@ struct Aim {
     double delta;
 };
 
-/// 4096 = 2^12 = 8^4 points per patch, sizes that every sampler can do, and a margin of 1 % of a form factor of the cube;
-/// 256 = 2^8 = 4^4 and 2.5 % for a sampler that is slow by the plan's cost table.
+/// 4096 = 2^12 = 8^4 points per patch, sizes that every sampler can do, and a margin of 1 % of a form factor of the
+/// cube; 256 = 2^8 = 4^4 and 2.5 % for a sampler that is slow by the plan's cost table.
 constexpr Aim fast{4096, 2e-3};
 constexpr Aim slow{256, 5e-3};
 

@@ -61,11 +61,17 @@ refuse factors form_factors --load {}
 refuse obj form_factors {}
 refuse obj explain {}
 
+# A file where a command is wanted.
+for kind in study bands toml_scene obj vs3 tables baseline estimates store factors; do
+    ffstudy "$files/$kind"
+    expect_refused 2 "'$files/$kind' is $(what $kind), not a command. Run 'ffstudy $(taken_by $kind "$files/$kind")'."
+done
+
 # What has no ending of a scene, and what is no file at all.
 ffstudy form_factors "$files/study"
 expect_refused 2 "a study file (a scene file is wanted here). Run 'ffstudy run $files/study'."
 ffstudy form_factors "$files/obj"
-expect_refused 2 "its ending tells no format of scenes. Rename it to .obj, .toml or .vs3."
+expect_refused 2 "its extension names no scene format. Rename it to .obj, .toml or .vs3."
 mkfifo "$folder/fifo"
 ffstudy report "$folder/fifo"
 expect_refused 3 "fifo: a FIFO, not a file."

@@ -3,8 +3,34 @@ source "$(dirname "$0")/../harness.sh"
 
 ffstudy --help
 expect_status 0
-expect_stdout sr_vs_pdm
-expect_stdout run
-expect_stdout audit
+for words in Everyday Laboratory Checks "Built-in studies" sr_vs_pdm run audit; do expect_stdout "$words"; done
 expect_no_stderr
+cp "$folder/stdout" "$folder/help"
+
+# The same without a word, and by name; that of a command too.
+for words in "" help; do
+    ffstudy $words
+    expect_status 0
+    diff "$folder/help" "$folder/stdout" >&2 || fail "expected the help of the program"
+done
+ffstudy check --help
+cp "$folder/stdout" "$folder/help"
+ffstudy help check
+diff "$folder/help" "$folder/stdout" >&2 || fail "expected the help of check"
+
+# What there is, for a reader and for a program.
+for command in list explain; do
+    ffstudy $command
+    expect_status 0
+    expect_stdout "samplers"
+    expect_stdout "'ffstudy explain sobol'"
+done
+# json EXPRESSION: true of what was printed.
+json() { python3 -c "import json, sys; value = json.load(open(sys.argv[1])); sys.exit(not ($1))" "$folder/stdout" || fail "expected $1"; }
+ffstudy list --json
+json "'sobol' in value['samplers'] and 'cube' in value['scenes']"
+ffstudy list samplers --json
+json "{'name', 'summary'} == set(value[0]) and 'sobol' in [row['name'] for row in value]"
+ffstudy explain sobol --json
+json "value[0]['kind'] == 'sampler' and 'net' in value[0]['details'] and value[0]['reference']"
 expect_nothing_written

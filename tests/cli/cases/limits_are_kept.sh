@@ -56,7 +56,19 @@ for value in 0 -1 x 5x 5mm 1e3 "" nan inf 1e-400; do
 done
 
 # A store that no disk has room for is refused before the run; a run that may end earlier is begun, with a note.
-sed 's/^trials = 20/trials = 4000000000000/' "$folder/study.toml" >"$folder/vast.toml"
+cat >"$folder/vast.toml" <<'END'
+[study]
+name = "vast"
+scene = "cube"
+trials = 2000000000
+seed = 1
+
+[[method]]
+name = "SR"
+sampler = "random"
+estimator = "ray_shooting"
+samples_per_patch = [1, 2, 3, 4]
+END
 ffstudy run "$folder/vast.toml" --out vast
 expect_refused 2 "will be written, and "
 ffstudy run "$folder/vast.toml" --max-time 0.5 --threads 1 --out begun

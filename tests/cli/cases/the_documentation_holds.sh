@@ -5,24 +5,25 @@ source "$(dirname "$0")/../harness.sh"
 
 # The README's study runs, and prints what the README says it prints.
 blocks toml "$root/README.md" >shallow_box.toml
-promised_after() { blocks "" "$root/README.md" | sed "1,/^\\$ $1\$/d" | sed '/^\$ /,$d'; }
+promised_after() { blocks "" "$root/README.md" | sed "0,/^\\$ $1\$/d" | sed '/^\$ /,$d'; }
 promised_after "ffstudy run shallow_box.toml" >"$folder/promised"
 ffstudy run shallow_box.toml
 expect_status 0
 expect_equal_files "$folder/promised" "$folder/stdout"
 sed 's/"sobol"/"halton"/' shallow_box.toml >halton.toml
 ffstudy run halton.toml --out results/halton --quiet
-promised_after "ffstudy compare results\/halton results\/shallow_box" >"$folder/promised"
+promised_in_manual() { blocks "" "$root/docs/command-line.md" | sed "0,/^\\$ $1\$/d" | sed '/^\$ /,$d'; }
+promised_in_manual "ffstudy compare results\/halton results\/shallow_box" >"$folder/promised"
 ffstudy compare results/halton results/shallow_box
 expect_status 1
 expect_equal_files "$folder/promised" "$folder/stdout"
 
-# So does the study that it begins with: with two trials all lines but the verdicts of sampled methods and claims are the
+# So does the study of the paper: with two trials all lines but the verdicts of sampled methods and claims are the
 # same, and these begin as they do with a thousand.
 ffstudy sr_vs_pdm --trials 2 --out two_trials
 expect_status 0
-blocks "" "$root/README.md" | sed -n '/^sr_vs_pdm:/,/^\$ /p' | sed '$d' >"$folder/promised"
-[ "$(wc -l <"$folder/promised")" -gt 30 ] || fail "README.md does not show the study"
+blocks "" "$root/docs/sr-vs-pdm.md" | sed -n '/^sr_vs_pdm:/,/^\$ /p' | sed '$d' >"$folder/promised"
+[ "$(wc -l <"$folder/promised")" -gt 30 ] || fail "docs/sr-vs-pdm.md does not show the study"
 while IFS= read -r line; do
     [[ ! $line =~ (none found|supported,|of sampled methods) ]] || line=${line:0:20}
     expect_stdout "$line"

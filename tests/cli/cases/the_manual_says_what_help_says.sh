@@ -18,7 +18,7 @@ expect_offered() { grep -Fqxe "$1" "$folder/offered" || fail "expected to be off
 expect_as_many_as() { [ "$(grep -vc '^:' "$folder/offered")" -eq "$(wc -l <"$1")" ] || fail "expected no more than in $1"; }
 
 ffstudy --help
-sed '1,/^Subcommands:/d' "$folder/stdout" | sed -nE 's/^  ([a-z_0-9]+) .*/\1/p' >"$folder/commands"
+sed '1,/^Everyday:/d' "$folder/stdout" | sed -nE 's/^  ([a-z_0-9]+) .*/\1/p' >"$folder/commands"
 [ "$(wc -l <"$folder/commands")" -ge 20 ] || fail "expected the commands"
 ! grep -Eq '^(complete|man_pages)$' "$folder/commands" || fail "expected no hidden command"
 offered ""
@@ -30,13 +30,13 @@ while read -r command; do
     page ffstudy | grep -Fq "ffstudy-$command" || fail "expected in ffstudy.1: $command"
     ffstudy "$command" --help
     ! grep -Ew TEXT "$folder/stdout" || fail "expected every value to have a name"
-    grep -oE '^  (-h,)?--[a-z-]+' "$folder/stdout" | grep -oE -e '--.*' >"$folder/options"
+    grep -oE '^  (-[a-zA-Z],)?--[a-z-]+' "$folder/stdout" | grep -oE -e '--.*' >"$folder/options"
     sed -nE '/^Positionals:/,/^$/s/^  ([A-Z]+).*/\1/p' "$folder/stdout" >"$folder/arguments"
     offered "$command" --
     expect_as_many_as "$folder/options"
     while read -r option; do
         expect_offered "$option"
-        page "ffstudy-$command" | grep -Eq "^\.BR \"(-h,)?$option\"" || fail "expected in ffstudy-$command.1: $option"
+        page "ffstudy-$command" | grep -Eq "^\.BR \"(-[a-zA-Z],)?$option\"" || fail "expected in ffstudy-$command.1: $option"
     done <"$folder/options"
     while read -r argument; do
         page "ffstudy-$command" | grep -Fq ".BR \"$argument\"" || fail "expected in ffstudy-$command.1: $argument"
@@ -44,7 +44,7 @@ while read -r command; do
 done <"$folder/commands"
 
 # The kinds are those that can be listed; help and completion name all of them, and every name of each.
-kinds=$("$program" list --help | sed -nE 's/^  KIND REQUIRED +//p; s/^ {30,}//p' | tr -d , | tr '\n' ' ')
+kinds=$("$program" list --help | sed -nE 's/^  KIND +//p; s/^ {30,}//p' | tr -d , | tr '\n' ' ')
 for kind in $kinds; do
     ffstudy list "$kind"
     expect_status 0

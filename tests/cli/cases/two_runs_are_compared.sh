@@ -38,9 +38,11 @@ run other_scene random 1 box:2x1x0.5
 # Sound: another seed makes no difference. The chance of one by accident is 5 %, and the seeds are fixed.
 ffstudy compare a other_seed
 expect_status 0
-expect_stdout "A: s (seed 1), B: s (seed 2)"
+expect_stdout "a: study s, seed 1"
+expect_stdout "Neither run is better: the RMSE of other_seed is "
 expect_stdout "no difference found (would detect"
-expect_stdout "Of 2 methods and sizes in both runs 0 differ. (62 tests, 5 % together)"
+expect_stdout "Of 2 methods and sizes in both runs 0 differ."
+expect_stdout "62 tests, 5 % together"
 ! grep -q $'\033' "$folder/stdout" || fail "expected no colour where there is no terminal"
 
 # The same random numbers have to give the same hits.
@@ -54,6 +56,7 @@ for out in one two; do
     expect_status 1
     expect_stdout "DIFFERENT: mean of F"
     expect_stdout '"patch_centres"'
+    expect_stdout "is better: its RMSE is "
 done
 expect_equal_files one/comparison.html two/comparison.html
 expect_equal_files one/comparison.md two/comparison.md
@@ -61,6 +64,20 @@ expect_in_file one/comparison.md "Of 2 methods and sizes in both runs 1 differ"
 ffstudy compare a/results.sqlite broken --quiet
 expect_status 1
 expect_no_stdout
+ffstudy compare a broken --json
+expect_status 1
+python3 -c "import json, sys
+value = json.load(open(sys.argv[1]))
+assert value['runs'] == ['a', 'broken'] and 'is better' in value['verdict']
+assert any(cell['differs'] and cell['rmse'][0]['interval']['low'] > 0 for cell in value['cells'])" "$folder/stdout" ||
+    fail "expected the same as JSON"
+
+# Folders of one name are told apart by those above them.
+mkdir -p old new
+cp -r a old/run
+cp -r other_seed new/run
+ffstudy compare old/run new/run
+expect_stdout "new/run: study s, seed 2"
 
 # On a terminal verdicts have colours, unless NO_COLOR says otherwise.
 on_a_terminal() { /usr/bin/python3 -c 'import pty, sys; pty.spawn(sys.argv[1:])' "$program" compare a broken >"$folder/stdout"; }

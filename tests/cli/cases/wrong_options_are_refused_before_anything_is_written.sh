@@ -35,8 +35,8 @@ ffstudy run
 expect_refused 2 "ffstudy: STUDY is missing. See 'ffstudy run --help'."
 ffstudy run sr_vs_pdm another
 expect_refused 2 "ffstudy: 'another' is one argument too many. See 'ffstudy run --help'."
-ffstudy
-expect_refused 2 "ffstudy: A command is missing. See 'ffstudy --help'."
+ffstudy help sr_vs_pmd
+expect_refused 2 "ffstudy: unknown command 'sr_vs_pmd'. Did you mean 'sr_vs_pdm'? See 'ffstudy --help'."
 ffstudy list sampler
 expect_refused 2 "Did you mean 'samplers'?"
 ffstudy explain sobool

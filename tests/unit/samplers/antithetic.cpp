@@ -46,7 +46,7 @@ TEST(Antithetic, DeclaresTwiceTheSizes) {
     EXPECT_EQ(Antithetic<Sobol>::info.multiple, 2u);
     EXPECT_EQ(Antithetic<Random>::info.name, "antithetic");
     EXPECT_EQ(Antithetic<Random>::info.sizes, Sizes::any);
-    EXPECT_FALSE(Antithetic<Random>::info.independent);
+    EXPECT_FALSE(Antithetic<Random>::info.independent());
 }
 
 }  // namespace

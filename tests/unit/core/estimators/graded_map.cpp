@@ -90,8 +90,9 @@ TEST(GradedMap, MeasuredTailIndexIsThatOfTheory) {
     }
 }
 
-// A z test at alpha = 1e-6 (4.9) over 2000 trials of 256 points per pair of patches; a bias of 3 % (6e-3) goes unnoticed
-// with probability below .01 as long as the standard error is below 6e-3 / (4.9 + 2.4), which is checked as well.
+// A z test at alpha = 1e-6 (4.9) over 2000 trials of 256 points per pair of patches; a bias of 3 % (6e-3) goes
+// unnoticed with probability below .01 as long as the standard error is below 6e-3 / (4.9 + 2.4), which is checked as
+// well.
 TEST(GradedMap, LeavesTheEstimateUnbiased) {
     for (const double shift : {0.0, 1.0}) {
         const Scene scene = two_squares(shift);

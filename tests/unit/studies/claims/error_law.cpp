@@ -25,8 +25,8 @@ ErrorLaw law(std::string_view nodes) {
     return laws.at(0);
 }
 
-// Expected: an independent program's row sums for 36 and 81 patches per face, 1.051365 and 1.034243, and the constants of
-// c/m that follow, to their printed digits (tests/unit/core/estimators/pdm.py makes such sums).
+// Expected: an independent program's row sums for 36 and 81 patches per face, 1.051365 and 1.034243, and the constants
+// of c/m that follow, to their printed digits (tests/unit/core/estimators/pdm.py makes such sums).
 TEST(ErrorLaw, OfPdmIsThirtyOneHundredthsOverM) {
     const ErrorLaw pdm = law("5");
     ASSERT_THAT(pdm.m, testing::ElementsAre(6.0, 9.0));

@@ -1,0 +1,118 @@
+#include "app/commands/definitions.hpp"
+
+#include "app/command_line/command_model.hpp"
+#include "app/command_line/listings.hpp"
+#include "app/commands/commands.hpp"
+#include "app/folders/result_files.hpp"
+
+#include "studies/selftest/selftest.hpp"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+namespace ff::app {
+
+CLI::App* add_command(CLI::App& app, const char* group, std::string name, std::string summary) {
+    return app.add_subcommand(std::move(name), std::move(summary))->group(group);
+}
+
+void add_report(CLI::App& app, ReportCommand& command, Action& action) {
+    CLI::App* sub = add_command(app, everyday, "report", "Write the reports of a finished study again");
+    sub->add_option("RESULTS", command.results, "Folder of a study, or its results.sqlite")->required();
+    sub->add_option("--format", command.formats,
+                    fmt::format("{} (default: {})", names_in_words("formats"), fmt::join(usual_formats(), ", ")))
+        ->type_name("FORMAT")
+        ->delimiter(',');
+    sub->add_option("--out", command.out, "Folder for the files (default: where the results lie)")->type_name("DIR");
+    sub->add_option("--templates", command.templates, "Folder of own templates for report.html")->type_name("DIR");
+    sub->add_flag("-q,--quiet", command.quiet, "Print errors only");
+    sub->callback([&] { action = [&] { return report(command); }; });
+}
+
+void add_compare(CLI::App& app, CompareCommand& command, Action& action) {
+    CLI::App* sub =
+        add_command(app, everyday, "compare", "Show two runs side by side: what differs, and how sure that is");
+    sub->add_option("A", command.first, "Folder of a study, or its results.sqlite")->type_name("RESULTS")->required();
+    sub->add_option("B", command.second, "The other")->type_name("RESULTS")->required();
+    sub->add_option("--out", command.out, "Folder for comparison.md and comparison.html (default: none is written)")
+        ->type_name("DIR");
+    sub->add_option("--templates", command.templates, "Folder of own templates for comparison.html")->type_name("DIR");
+    sub->add_flag("--json", command.json, "Print JSON");
+    sub->add_flag("-q,--quiet", command.quiet, "Print errors only");
+    sub->callback([&] { action = [&] { return compare(command); }; });
+}
+
+void add_merge(CLI::App& app, MergeCommand& command, Action& action) {
+    CLI::App* sub = add_command(app, laboratory, "merge", "Bring the results of shards together");
+    sub->add_option("RESULTS", command.sources, "Folders of the shards, or their results.sqlite")->required();
+    sub->add_option("--out", command.out, "Folder for the merged results")->type_name("DIR")->required();
+    sub->add_flag("-q,--quiet", command.quiet, "Print errors only");
+    sub->callback([&] { action = [&] { return merge(command); }; });
+}
+
+void add_audit(CLI::App& app, AuditCommand& command, Action& action) {
+    CLI::App* sub = add_command(app, laboratory, "audit", "Find contradictions in published tables");
+    sub->add_option("TABLES", command.tables, "Tables file (.json)")->required();
+    sub->add_option("--out", command.out, "Folder for audit.md (default: none is written)")->type_name("DIR");
+    sub->add_flag("-q,--quiet", command.quiet, "Print errors only");
+    sub->callback([&] { action = [&] { return audit(command); }; });
+}
+
+void add_selftest(CLI::App& app, SelftestCommand& command, Action& action) {
+    constexpr auto& description = studies::selftest_description;
+    CLI::App* sub = add_command(app, checks, std::string(description.name), std::string(description.summary));
+    sub->add_option("--seeds", command.seeds, "Seeds that every control is run with (default: 200)")
+        ->check(CLI::PositiveNumber);
+    sub->add_option("--repetitions", command.repetitions, "Repetitions on made-up trials (default: 20000)")
+        ->check(CLI::PositiveNumber);
+    sub->add_option("--seed", command.seed, "Seed of all random numbers (default: 1)")->check(CLI::NonNegativeNumber);
+    sub->add_option("--threads", command.threads, "Threads; results do not depend on them (default: all cores)");
+    sub->add_option("--out", command.out, "Folder for selftest.md (default: none is written)")->type_name("DIR");
+    sub->add_flag("-q,--quiet", command.quiet, "Print errors only");
+    sub->callback([&] { action = [&] { return gates_selftest(command); }; });
+}
+
+void add_form_factors_selftest(CLI::App& app, SelftestCommand& command, Action& action) {
+    CLI::App* sub = add_command(app, checks, "form_factors_selftest",
+                                "How often the intervals of 'form_factors' hold the values of the catalogue");
+    sub->add_option("--seeds", command.seeds, "Seeds that every scene is computed with (default: 200)")
+        ->check(CLI::PositiveNumber);
+    sub->add_option("--tolerance", command.tolerance, "Of the form factors (default: 0.004)")
+        ->check(CLI::PositiveNumber);
+    sub->add_option("--scene", command.scenes, "Scenes, separated by commas (default: the catalogue)")
+        ->type_name("SCENE")
+        ->delimiter(',');
+    sub->add_option("--seed", command.seed, "The first seed (default: 1)")->check(CLI::NonNegativeNumber);
+    sub->add_option("--threads", command.threads, "Threads; results do not depend on them (default: all cores)");
+    sub->add_option("--out", command.out, "Folder for selftest.md (default: none is written)")->type_name("DIR");
+    sub->add_flag("-q,--quiet", command.quiet, "Print errors only");
+    sub->callback([&] { action = [&] { return form_factors_selftest(command); }; });
+}
+
+void add_list(CLI::App& app, ListCommand& command, Action& action) {
+    CLI::App* sub = add_command(app, everyday, "list", "List samplers, estimators, scenes, studies and so on");
+    sub->add_option("KIND", command.name, listed_kinds_in_words());
+    sub->add_flag("--json", command.json, "Print JSON");
+    sub->callback([&] { action = [&] { return list(command); }; });
+}
+
+void add_explain(CLI::App& app, ListCommand& command, Action& action) {
+    CLI::App* sub = add_command(app, everyday, "explain", "Say what something is, its source, its limits");
+    sub->add_option("NAME", command.name, "A name that 'list' shows, or a scene file");
+    sub->add_flag("--json", command.json, "Print JSON");
+    sub->callback([&] { action = [&] { return explain(command); }; });
+}
+
+void add_help(CLI::App& app, std::string& name, Action& action) {
+    CLI::App* sub = add_command(app, everyday, "help", "Show this help, or that of a command");
+    sub->add_option("COMMAND", name, "A command");
+    sub->callback([&] {
+        action = [&] {
+            fmt::print("{}", help_of_command(app, name));
+            return ExitCode::passed;
+        };
+    });
+}
+
+}  // namespace ff::app
