@@ -17,6 +17,7 @@
 #include "studies/gates/bands_file.hpp"
 #include "studies/gates/estimate_gates.hpp"
 #include "studies/gates/gate_run.hpp"
+#include "studies/gates/reported_gates.hpp"
 #include "studies/gates/seed_sweep.hpp"
 #include "studies/readers/text_file.hpp"
 #include "studies/run/parallel.hpp"
@@ -27,6 +28,7 @@
 #include <chrono>
 #include <cstdio>
 #include <numeric>
+#include <string>
 #include <utility>
 
 namespace ff::app {
@@ -120,18 +122,46 @@ ExitCode exit_code(studies::Verdict verdict) {
     return ExitCode::inconclusive;
 }
 
-/// What `make` makes of each gate on estimates of another program; nothing is run for them.
-template <class Result>
-std::vector<Result> each_on_estimates(const Check& check, Result (*make)(const GatesSpec&, const studies::Gate&,
-                                                                         const studies::EstimatesFile&)) {
-    std::vector<Result> results;
-    if (check.command.estimates.empty()) return results;
-    const auto file = studies::load_estimates_file(check.command.estimates);
+/// What `make` makes of each gate on what another program gave; nothing is run for them.
+template <class Make>
+auto each_on_estimates(const Check& check, const Make& make) {
+    std::vector<decltype(make(check.spec.gates.front()))> results;
     for (const studies::Gate& gate : check.spec.gates) {
-        if (!gate.from_estimates()) continue;
-        results.push_back(studies::at_gate(gate, [&] { return make(check.spec, gate, file); }));
+        if (gate.from_estimates()) results.push_back(studies::at_gate(gate, [&] { return make(gate); }));
     }
     return results;
+}
+
+/// Gates on the file of --estimates, be it of trials or of means with their errors.
+std::vector<studies::GateResult> judge_file(const Check& check) {
+    if (check.command.estimates.empty()) return {};
+    const std::string origin = check.command.estimates.string();
+    std::string text = studies::read_text_file(check.command.estimates, studies::FileKind::estimates);
+    if (!studies::reports_means(text)) {
+        if (!check.command.against.empty())
+            throw UserError(
+                fmt::format("--against {} ({} has trials; two files are compared by means with their errors). "
+                            "Give files with the columns quantity,mean,standard_error.",
+                            check.command.against.string(), origin));
+        const auto file = studies::parse_estimates(text, origin);
+        return each_on_estimates(check,
+                                 [&](const studies::Gate& gate) { return judge_estimates(check.spec, gate, file); });
+    }
+    const auto file = studies::parse_reported(text, origin, studies::Errors::required);
+    text = {};  // a hundred megabytes, with a million bins
+    std::optional<studies::ReportedFile> against;
+    if (!check.command.against.empty())
+        against = studies::load_reported(check.command.against, studies::Errors::optional);
+    return each_on_estimates(check, [&](const studies::Gate& gate) {
+        return judge_reported(check.spec, gate, file, against ? &*against : nullptr);
+    });
+}
+
+/// Trials that each gate on a file needs.
+std::vector<studies::EstimatesPlan> plan_file(const Check& check) {
+    if (check.command.estimates.empty()) return {};
+    const auto file = studies::load_estimates_file(check.command.estimates);
+    return each_on_estimates(check, [&](const studies::Gate& gate) { return plan_estimates(check.spec, gate, file); });
 }
 
 /// The folder for these files, once it is certain that they may be written.
@@ -142,7 +172,7 @@ OutputFolder open_folder(const std::filesystem::path& out, const std::vector<std
 
 ExitCode show_plan(Check& check) {
     auto plans = prepare(check, check.command.save_baseline.empty() ? GatePurpose::check : GatePurpose::save_baseline);
-    const auto files = each_on_estimates(check, studies::plan_estimates);
+    const auto files = plan_file(check);
     for (GatePlan& gate : plans) plan(check, gate);
     fmt::print("{}", reports::gates_plan(check.spec, files, plans, check.options.threads));
     return ExitCode::passed;
@@ -190,6 +220,8 @@ void expect_estimates(const Check& check) {
             fmt::format("--estimates {} (no gate of {} has a quantity, so none would be judged). Add a gate "
                         "with quantity = \"...\", or leave the option out.",
                         check.command.estimates.string(), check.command.bands.string()));
+    if (!given && !check.command.against.empty())
+        throw UserError("--against (it is what --estimates FILE is compared with, and there is none). Add it.");
     if (given && (check.command.seed_sweep > 0 || !check.command.save_baseline.empty()))
         throw UserError(
             "--estimates (the file has one set of random numbers; --seed-sweep and --save-baseline run "
@@ -198,7 +230,7 @@ void expect_estimates(const Check& check) {
 
 ExitCode check_once(Check& check, const std::filesystem::path& out) {
     auto plans = prepare(check, GatePurpose::check);
-    auto judged = each_on_estimates(check, studies::judge_estimates);
+    auto judged = judge_file(check);
     const auto start = Clock::now();
     std::vector<std::uint64_t> pilots;
     for (GatePlan& gate : plans) pilots.push_back(plan(check, gate));

@@ -75,7 +75,8 @@ std::string gate_in_words(const studies::GateResult& result) {
     }
     text += fmt::format("; {} trial{}", c.trials, c.trials == 1 ? "" : "s");
     if (result.looks > 1) text += fmt::format(" in {} looks", result.looks);
-    if (result.comparisons.size() > 1) text += fmt::format(", worst of {}", result.comparisons.size());
+    const std::size_t compared = std::max(result.compared, result.comparisons.size());
+    if (compared > 1) text += fmt::format(", worst of {}", compared);
     if (!result.note.empty()) text += fmt::format(". {}", result.note);
     return text;
 }
