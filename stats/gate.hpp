@@ -109,7 +109,7 @@ inline const char* fault_of(const Options& o) {
     return o.comparisons < 1 ? "comparisons (at least 1)" : "";
 }
 
-/// By the usual formula, with what Student's t adds [guenther1981].
+/// By the usual formula, with what Student's t adds.
 inline double trials_for(double sigma, const Options& options) {
     const double z = normal_critical(options.pass_alpha);
     const double ratio = (z + normal_critical((1 - options.power) / 2)) * sigma;

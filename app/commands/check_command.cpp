@@ -1,6 +1,8 @@
 #include "app/commands/commands.hpp"
 
 #include "app/command_line/common_options.hpp"
+#include "app/commands/check_estimates.hpp"
+#include "app/commands/look_ledger.hpp"
 #include "app/commands/run_context.hpp"
 #include "app/folders/check_files.hpp"
 #include "app/folders/output_folder.hpp"
@@ -17,7 +19,6 @@
 #include "studies/gates/bands_file.hpp"
 #include "studies/gates/estimate_gates.hpp"
 #include "studies/gates/gate_run.hpp"
-#include "studies/gates/reported_gates.hpp"
 #include "studies/gates/seed_sweep.hpp"
 #include "studies/readers/text_file.hpp"
 #include "studies/run/parallel.hpp"
@@ -122,48 +123,6 @@ ExitCode exit_code(studies::Verdict verdict) {
     return ExitCode::inconclusive;
 }
 
-/// What `make` makes of each gate on what another program gave; nothing is run for them.
-template <class Make>
-auto each_on_estimates(const Check& check, const Make& make) {
-    std::vector<decltype(make(check.spec.gates.front()))> results;
-    for (const studies::Gate& gate : check.spec.gates) {
-        if (gate.from_estimates()) results.push_back(studies::at_gate(gate, [&] { return make(gate); }));
-    }
-    return results;
-}
-
-/// Gates on the file of --estimates, be it of trials or of means with their errors.
-std::vector<studies::GateResult> judge_file(const Check& check) {
-    if (check.command.estimates.empty()) return {};
-    const std::string origin = check.command.estimates.string();
-    std::string text = studies::read_text_file(check.command.estimates, studies::FileKind::estimates);
-    if (!studies::reports_means(text)) {
-        if (!check.command.against.empty())
-            throw UserError(
-                fmt::format("--against {} ({} has trials; two files are compared by means with their errors). "
-                            "Give files with the columns quantity,mean,standard_error.",
-                            check.command.against.string(), origin));
-        const auto file = studies::parse_estimates(text, origin);
-        return each_on_estimates(check,
-                                 [&](const studies::Gate& gate) { return judge_estimates(check.spec, gate, file); });
-    }
-    const auto file = studies::parse_reported(text, origin, studies::Errors::required);
-    text = {};  // a hundred megabytes, with a million bins
-    std::optional<studies::ReportedFile> against;
-    if (!check.command.against.empty())
-        against = studies::load_reported(check.command.against, studies::Errors::optional);
-    return each_on_estimates(check, [&](const studies::Gate& gate) {
-        return judge_reported(check.spec, gate, file, against ? &*against : nullptr);
-    });
-}
-
-/// Trials that each gate on a file needs.
-std::vector<studies::EstimatesPlan> plan_file(const Check& check) {
-    if (check.command.estimates.empty()) return {};
-    const auto file = studies::load_estimates_file(check.command.estimates);
-    return each_on_estimates(check, [&](const studies::Gate& gate) { return plan_estimates(check.spec, gate, file); });
-}
-
 /// The folder for these files, once it is certain that they may be written.
 OutputFolder open_folder(const std::filesystem::path& out, const std::vector<std::string>& files) {
     end_on_signals(fmt::format("\nstopped early; the gates that were done are in {}.\n", out.string()));
@@ -172,7 +131,7 @@ OutputFolder open_folder(const std::filesystem::path& out, const std::vector<std
 
 ExitCode show_plan(Check& check) {
     auto plans = prepare(check, check.command.save_baseline.empty() ? GatePurpose::check : GatePurpose::save_baseline);
-    const auto files = plan_file(check);
+    const auto files = plan_file(check.command, check.spec);
     for (GatePlan& gate : plans) plan(check, gate);
     fmt::print("{}", reports::gates_plan(check.spec, files, plans, check.options.threads));
     return ExitCode::passed;
@@ -230,7 +189,7 @@ void expect_estimates(const Check& check) {
 
 ExitCode check_once(Check& check, const std::filesystem::path& out) {
     auto plans = prepare(check, GatePurpose::check);
-    auto judged = judge_file(check);
+    auto judged = judge_file(check.command, check.spec);
     const auto start = Clock::now();
     std::vector<std::uint64_t> pilots;
     for (GatePlan& gate : plans) pilots.push_back(plan(check, gate));
@@ -266,6 +225,41 @@ ExitCode check_once(Check& check, const std::filesystem::path& out) {
     check.print(reports::gates_summary(results));
     check.print(fmt::format("Results: {}\n", out.string()));
     return exit_code(results.verdict());
+}
+
+studies::Verdict verdict_of(ExitCode code) {
+    return code == ExitCode::passed   ? studies::Verdict::pass
+           : code == ExitCode::failed ? studies::Verdict::fail
+                                      : studies::Verdict::inconclusive;
+}
+
+/// One more look at a commit, with what earlier ones have left of alpha.
+ExitCode check_again(Check& check, const std::filesystem::path& out) {
+    const auto look = describe_look(check.command, check.spec.seed.value);
+    const auto file = ledger_file(check.command);
+    const auto next = begin_look(file, look, check.spec);
+    if (next.failed) {
+        check.print(fmt::format("{}: failed at an earlier look ({}); a rerun does not take that back.\n", look.commit,
+                                file.string()));
+        return ExitCode::failed;
+    }
+    if (next.repeated) {
+        check.print(fmt::format("{}: the same data were judged before ({}): {}. Another look needs other data.\n",
+                                look.commit, file.string(), name(next.earlier)));
+        return exit_code(next.earlier);
+    }
+    const double alpha = check.spec.alpha;
+    check.spec = studies::at_look(check.spec, next.number);
+    check.print(
+        fmt::format("look {} at {}: alpha {:.3g} of {:.3g}\n", next.number, look.commit, check.spec.alpha, alpha));
+    try {
+        const ExitCode code = check_once(check, out);
+        end_look(file, look, verdict_of(code));
+        return code;
+    } catch (const UserError&) {
+        end_look(file, look, std::nullopt);  // nothing was judged
+        throw;
+    }
 }
 
 /// Verdicts of all gates.
@@ -318,9 +312,11 @@ ExitCode check(const CheckCommand& command) {
     const auto out = command.out.empty() ? std::filesystem::path("results") / check.spec.name : command.out;
     if (command.fresh_seed)
         check.print(fmt::format("fresh seed {}; again with --seed {}\n", check.spec.seed.value, check.spec.seed.value));
+    if (!command.again.empty()) static_cast<void>(describe_look(command, check.spec.seed.value));
     if (command.dry_run) return show_plan(check);
     if (!command.save_baseline.empty()) return save_baseline(check);
-    return command.seed_sweep > 0 ? sweep(check, out) : check_once(check, out);
+    if (command.seed_sweep > 0) return sweep(check, out);
+    return command.again.empty() ? check_once(check, out) : check_again(check, out);
 }
 
 }  // namespace ff::app

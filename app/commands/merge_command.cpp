@@ -43,7 +43,8 @@ std::string units_in_words(const std::vector<std::size_t>& units, std::size_t al
 
 ExitCode merge(const MergeCommand& command) {
     end_on_signals(
-        "\nstopped while stores were merged. Those that were given are as they were: run the same command again to resume.\n");
+        "\nstopped while stores were merged. Those that were given are as they were: run the same command again to "
+        "resume.\n");
     const auto templates = find_templates({});
     const auto target = command.out / "results.sqlite";
     const auto sources = stores_of(command, target);

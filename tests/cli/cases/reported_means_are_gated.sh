@@ -149,3 +149,17 @@ expect_status 2
 expect_stderr "Add --against FILE.csv"
 ffstudy check bands.toml --against old.csv
 expect_status 2
+# Trials are another kind of file.
+python3 -c 'import random
+print("trial,quantity,estimate")
+for i in range(50): print(f"{i},flux,{random.Random(i).gauss(1, 0.1)!r}")' >trials.csv
+ffstudy check bands.toml --estimates trials.csv
+expect_status 2
+expect_stderr "is of trials, which are gated on bias and std"
+ffstudy check bands.toml --estimates trials.csv --against old.csv
+expect_status 2
+ffstudy check bands.toml --estimates trials.csv --dry-run
+expect_status 2
+# The picture of many bins.
+ffstudy check bands.toml --estimates new.csv --against old.csv
+expect_stdout "differences in standard errors, counts as logarithms: -7.5 or less |"
