@@ -171,8 +171,16 @@ void add_check(CLI::App& app, CheckCommand& command, Action& action) {
     sub->add_flag("--fresh-seed", command.fresh_seed, "A new seed, printed")->excludes(seed);
     sub->add_option("--seed-sweep", command.seed_sweep, "Check with N seeds; report failure rates against alpha")
         ->check(CLI::PositiveNumber);
-    sub->add_option("--estimates", command.estimates, "CSV of another program's estimates: trial,quantity,estimate")
+    sub->add_option("--estimates", command.estimates,
+                    "CSV of another program: trial,quantity,estimate, or quantity,mean,standard_error")
         ->type_name("FILE");
+    sub->add_option("--against", command.against, "Second CSV of means and errors, to compare with")->type_name("FILE");
+    CLI::Option* again =
+        sub->add_option("--again", command.again, "Look at this commit, perhaps again: looks share alpha")
+            ->type_name("COMMIT");
+    sub->add_option("--ledger", command.ledger, "File of the looks at commits (default: <bands>.ledger.csv)")
+        ->type_name("FILE")
+        ->needs(again);
     CLI::Option* baseline =
         sub->add_option("--baseline", command.baseline, "Baseline file to compare with")->type_name("FILE");
     sub->add_option("--save-baseline", command.save_baseline, "Run the gates that compare with a baseline; save it")

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "stats/skewed_reach.hpp"
+
 #include <span>
 
 namespace ff::stats {
@@ -11,15 +13,7 @@ namespace ff::stats {
 /// transformation [hall1992] and, at least, by the first term of its expansion [johnson1978]. The skewness is the
 /// sample's plus three of its standard errors towards the side in question, since few values hardly show it. Neither
 /// limit is ever nearer than Student's.
-struct SkewedReach {
-    double below = 0;  ///< of the lower limit; long lower tails widen it
-    double above = 0;  ///< of the upper limit
-    /// The sample is so skewed for its size that the transformation has left its range at one of the limits: a mean
-    /// beyond it shows nothing at so small a tail. Below 30 values, which hardly show symmetry, so is every sample at
-    /// tails as small as 1e-4.
-    bool below_is_open = false;
-    bool above_is_open = false;
-};
+using gate::SkewedReach;
 
 /// @param effective  values that are independent: all of them, or fewer of a correlated series; at least 2
 /// @param freedom    of the standard error       @param tail  beyond each limit, in (0, 0.5)

@@ -98,6 +98,9 @@ struct CheckCommand {
     bool fresh_seed = false;
     std::uint64_t seed_sweep = 0;     ///< number of seeds; 0: one check
     std::filesystem::path estimates;  ///< CSV of another program; empty: none
+    std::filesystem::path against;    ///< a second one; empty: none
+    std::string again;                ///< commit whose looks share alpha; empty: one look by itself
+    std::filesystem::path ledger;     ///< of looks; empty: <bands>.ledger.csv
     std::filesystem::path baseline;
     std::filesystem::path save_baseline;
     std::optional<unsigned> threads;

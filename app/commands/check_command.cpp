@@ -1,6 +1,8 @@
 #include "app/commands/commands.hpp"
 
 #include "app/command_line/common_options.hpp"
+#include "app/commands/check_estimates.hpp"
+#include "app/commands/look_ledger.hpp"
 #include "app/commands/run_context.hpp"
 #include "app/folders/check_files.hpp"
 #include "app/folders/output_folder.hpp"
@@ -27,6 +29,7 @@
 #include <chrono>
 #include <cstdio>
 #include <numeric>
+#include <string>
 #include <utility>
 
 namespace ff::app {
@@ -120,20 +123,6 @@ ExitCode exit_code(studies::Verdict verdict) {
     return ExitCode::inconclusive;
 }
 
-/// What `make` makes of each gate on estimates of another program; nothing is run for them.
-template <class Result>
-std::vector<Result> each_on_estimates(const Check& check, Result (*make)(const GatesSpec&, const studies::Gate&,
-                                                                         const studies::EstimatesFile&)) {
-    std::vector<Result> results;
-    if (check.command.estimates.empty()) return results;
-    const auto file = studies::load_estimates_file(check.command.estimates);
-    for (const studies::Gate& gate : check.spec.gates) {
-        if (!gate.from_estimates()) continue;
-        results.push_back(studies::at_gate(gate, [&] { return make(check.spec, gate, file); }));
-    }
-    return results;
-}
-
 /// The folder for these files, once it is certain that they may be written.
 OutputFolder open_folder(const std::filesystem::path& out, const std::vector<std::string>& files) {
     end_on_signals(fmt::format("\nstopped early; the gates that were done are in {}.\n", out.string()));
@@ -142,7 +131,7 @@ OutputFolder open_folder(const std::filesystem::path& out, const std::vector<std
 
 ExitCode show_plan(Check& check) {
     auto plans = prepare(check, check.command.save_baseline.empty() ? GatePurpose::check : GatePurpose::save_baseline);
-    const auto files = each_on_estimates(check, studies::plan_estimates);
+    const auto files = plan_file(check.command, check.spec);
     for (GatePlan& gate : plans) plan(check, gate);
     fmt::print("{}", reports::gates_plan(check.spec, files, plans, check.options.threads));
     return ExitCode::passed;
@@ -190,6 +179,8 @@ void expect_estimates(const Check& check) {
             fmt::format("--estimates {} (no gate of {} has a quantity, so none would be judged). Add a gate "
                         "with quantity = \"...\", or leave the option out.",
                         check.command.estimates.string(), check.command.bands.string()));
+    if (!given && !check.command.against.empty())
+        throw UserError("--against (it is what --estimates FILE is compared with, and there is none). Add it.");
     if (given && (check.command.seed_sweep > 0 || !check.command.save_baseline.empty()))
         throw UserError(
             "--estimates (the file has one set of random numbers; --seed-sweep and --save-baseline run "
@@ -198,7 +189,7 @@ void expect_estimates(const Check& check) {
 
 ExitCode check_once(Check& check, const std::filesystem::path& out) {
     auto plans = prepare(check, GatePurpose::check);
-    auto judged = each_on_estimates(check, studies::judge_estimates);
+    auto judged = judge_file(check.command, check.spec);
     const auto start = Clock::now();
     std::vector<std::uint64_t> pilots;
     for (GatePlan& gate : plans) pilots.push_back(plan(check, gate));
@@ -234,6 +225,41 @@ ExitCode check_once(Check& check, const std::filesystem::path& out) {
     check.print(reports::gates_summary(results));
     check.print(fmt::format("Results: {}\n", out.string()));
     return exit_code(results.verdict());
+}
+
+studies::Verdict verdict_of(ExitCode code) {
+    return code == ExitCode::passed   ? studies::Verdict::pass
+           : code == ExitCode::failed ? studies::Verdict::fail
+                                      : studies::Verdict::inconclusive;
+}
+
+/// One more look at a commit, with what earlier ones have left of alpha.
+ExitCode check_again(Check& check, const std::filesystem::path& out) {
+    const auto look = describe_look(check.command, check.spec.seed.value);
+    const auto file = ledger_file(check.command);
+    const auto next = begin_look(file, look, check.spec);
+    if (next.failed) {
+        check.print(fmt::format("{}: failed at an earlier look ({}); a rerun does not take that back.\n", look.commit,
+                                file.string()));
+        return ExitCode::failed;
+    }
+    if (next.repeated) {
+        check.print(fmt::format("{}: the same data were judged before ({}): {}. Another look needs other data.\n",
+                                look.commit, file.string(), name(next.earlier)));
+        return exit_code(next.earlier);
+    }
+    const double alpha = check.spec.alpha;
+    check.spec = studies::at_look(check.spec, next.number);
+    check.print(
+        fmt::format("look {} at {}: alpha {:.3g} of {:.3g}\n", next.number, look.commit, check.spec.alpha, alpha));
+    try {
+        const ExitCode code = check_once(check, out);
+        end_look(file, look, verdict_of(code));
+        return code;
+    } catch (const UserError&) {
+        end_look(file, look, std::nullopt);  // nothing was judged
+        throw;
+    }
 }
 
 /// Verdicts of all gates.
@@ -286,9 +312,11 @@ ExitCode check(const CheckCommand& command) {
     const auto out = command.out.empty() ? std::filesystem::path("results") / check.spec.name : command.out;
     if (command.fresh_seed)
         check.print(fmt::format("fresh seed {}; again with --seed {}\n", check.spec.seed.value, check.spec.seed.value));
+    if (!command.again.empty()) static_cast<void>(describe_look(command, check.spec.seed.value));
     if (command.dry_run) return show_plan(check);
     if (!command.save_baseline.empty()) return save_baseline(check);
-    return command.seed_sweep > 0 ? sweep(check, out) : check_once(check, out);
+    if (command.seed_sweep > 0) return sweep(check, out);
+    return command.again.empty() ? check_once(check, out) : check_again(check, out);
 }
 
 }  // namespace ff::app

@@ -1,10 +1,12 @@
 #include "reports/terminal/gates_terminal.hpp"
 
 #include "reports/text/numbers.hpp"
+#include "studies/gates/reported_bins.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace ff::reports {
@@ -53,6 +55,24 @@ std::string trials_in_words(const studies::GatePlan& plan) {
     return plan.wanted_trials > 0 ? text + "!" : text;
 }
 
+/// How the bins of an array differ, for people; empty for few.
+std::string score_picture(const studies::GateResult& result) {
+    constexpr std::size_t fewest = 20;  // bins that have a shape
+    if (result.scores.empty() || result.compared < fewest) return {};
+    static constexpr std::array<std::string_view, 8> bars{"▁", "▂", "▃", "▄", "▅", "▆", "▇", "█"};
+    const double most = static_cast<double>(*std::max_element(result.scores.begin(), result.scores.end()));
+    constexpr double end = studies::largest_score - studies::score_step;
+    std::string picture;
+    for (const std::uint64_t count : result.scores) {
+        // Logarithmic: a bin that lies far off is one among a million.
+        const double height = std::log1p(static_cast<double>(count)) / std::log1p(most);
+        picture += count == 0 ? " " : bars.at(static_cast<std::size_t>(std::ceil(height * 8)) - 1);
+    }
+    return fmt::format(
+        "{:<12}  differences in standard errors, counts as logarithms: -{:g} or less |{}| {:g} or more\n", "", end,
+        picture, end);
+}
+
 }  // namespace
 
 std::string gates_heading(const studies::GatesSpec& spec) {
@@ -75,15 +95,16 @@ std::string gate_in_words(const studies::GateResult& result) {
     }
     text += fmt::format("; {} trial{}", c.trials, c.trials == 1 ? "" : "s");
     if (result.looks > 1) text += fmt::format(" in {} looks", result.looks);
-    if (result.comparisons.size() > 1) text += fmt::format(", worst of {}", result.comparisons.size());
+    const std::size_t compared = std::max(result.compared, result.comparisons.size());
+    if (compared > 1) text += fmt::format(", worst of {}", compared);
     if (!result.note.empty()) text += fmt::format(". {}", result.note);
     return text;
 }
 
 std::string gate_line(const studies::GateResult& result, Colour colour) {
     const std::string verdict = fmt::format("{:<12}", name(result.verdict));
-    return fmt::format("{}  {:<28}  {}\n", painted(verdict, mark_of(result.verdict), colour), result.gate,
-                       gate_in_words(result));
+    return fmt::format("{}  {:<28}  {}\n{}", painted(verdict, mark_of(result.verdict), colour), result.gate,
+                       gate_in_words(result), score_picture(result));
 }
 
 std::string gates_summary(const studies::CheckResults& check) {

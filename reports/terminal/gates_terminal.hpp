@@ -14,7 +14,7 @@ namespace ff::reports {
 /// What is checked, at which risks.
 std::string gates_heading(const studies::GatesSpec& spec);
 
-/// One line: verdict, gate, and the comparison that decided.
+/// One line: verdict, gate, and the comparison that decided; another with a picture where there are many bins.
 std::string gate_line(const studies::GateResult& result, Colour colour);
 
 /// The same without verdict and name: for messages elsewhere.

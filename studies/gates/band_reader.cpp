@@ -68,12 +68,14 @@ Band read_band(const TomlReader& reader, const Gate& gate) {
     switch (gate.kind) {
         case GateKind::bias:
         case GateKind::closure:
-        case GateKind::reciprocity: {
+        case GateKind::reciprocity:
+        case GateKind::equal: {
             const double width = read_width(reader, numbers, "1e-4");
             return {-width, width};
         }
         case GateKind::std:
         case GateKind::rmse:
+        case GateKind::std_error:
             return read_ratio(reader, numbers, false);
         case GateKind::efficiency:
             return read_ratio(reader, numbers, true);

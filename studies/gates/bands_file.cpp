@@ -17,8 +17,10 @@
 namespace ff::studies {
 namespace {
 
-constexpr std::array<std::string_view, 9> kind_names{"bias",      "std",      "rmse",  "closure",   "reciprocity",
-                                                     "lost_rays", "coverage", "slope", "efficiency"};
+constexpr std::array<std::string_view, 11> kind_names{"bias",        "std",       "rmse",     "closure",
+                                                      "reciprocity", "lost_rays", "coverage", "slope",
+                                                      "efficiency",  "equal",     "std_error"};
+constexpr std::array<std::string_view, 3> combination_names{"holm", "simes", "cauchy"};
 constexpr std::array<std::string_view, 6> interval_names{"student_t", "normal",          "percentile_bootstrap",
                                                          "wilson",    "clopper_pearson", "wald"};
 
@@ -95,6 +97,29 @@ void read_coverage(const TomlReader& reader, Gate& gate) {
         reader.fail("replicates", "(an interval is made from 2 to 100000 trials). Try 10.");
 }
 
+/// What a gate on another program's quantity may have.
+void read_reported(const TomlReader& reader, Gate& gate) {
+    static constexpr std::array<std::string_view, 8> known{"name",         "kind", "quantity", "reference",
+                                                           "reference_se", "band", "combine",  "relative"};
+    reader.expect_only(known);
+    static constexpr std::array kinds{GateKind::bias, GateKind::std, GateKind::equal, GateKind::std_error,
+                                      GateKind::efficiency};
+    if (std::find(kinds.begin(), kinds.end(), gate.kind) == kinds.end())
+        reader.fail("kind",
+                    "(what another program reports can be gated on bias, std, equal, std_error and "
+                    "efficiency). Choose one of them.");
+    if (gate.kind == GateKind::std && !reader.has("reference"))
+        reader.fail("reference", "missing (nothing is known about another program's quantity). Add the number.");
+    const auto combine = reader.optional_choice("combine", combination_names, combination_names.size());
+    if (combine) gate.combine = static_cast<Combination>(*combine);
+    if (const auto* node = reader.find("relative")) {
+        if (!node->is_boolean()) reader.fail("relative", "(true or false). Write true.");
+        gate.relative = node->value_or(false);
+    }
+    if (gate.relative && gate.kind != GateKind::bias && gate.kind != GateKind::equal)
+        reader.fail("relative", "(the band of this kind is of a ratio already). Remove the key.");
+}
+
 Gate read_gate(const TomlReader& reader) {
     Gate gate;
     if (!reader.has("kind"))
@@ -102,13 +127,7 @@ Gate read_gate(const TomlReader& reader) {
     gate.kind = static_cast<GateKind>(*reader.optional_choice("kind", kind_names, kind_names.size()));
     gate.quantity = reader.optional_text("quantity").value_or("");
     if (gate.from_estimates()) {
-        static constexpr std::array<std::string_view, 6> known{"name",      "kind",         "quantity",
-                                                               "reference", "reference_se", "band"};
-        reader.expect_only(known);
-        if (gate.kind != GateKind::bias && gate.kind != GateKind::std)
-            reader.fail("kind", "(estimates of another program can be gated on bias and std). Choose one of them.");
-        if (!reader.has("reference"))
-            reader.fail("reference", "missing (nothing is known about another program's quantity). Add the number.");
+        read_reported(reader, gate);
     } else {
         gate.method = read_method(reader, gate_keys);
         gate.scenes = read_scenes(reader);
@@ -120,8 +139,13 @@ Gate read_gate(const TomlReader& reader) {
     }
     expect_own_keys(reader, gate.kind);
     read_reference(reader, gate);
-    if (gate.from_estimates() && gate.against == Against::baseline)
-        reader.fail("reference", "(a baseline holds our own trials only). Give a number.");
+    if (gate.from_estimates() && gate.against == Against::baseline && reader.has("reference"))
+        reader.fail("reference", "(a baseline holds our own trials only). Give a number, or a file with --against.");
+    if (gate.from_estimates() && gate.against != Against::number) gate.against = Against::file;
+    if (!gate.from_estimates() && (gate.kind == GateKind::equal || gate.kind == GateKind::std_error))
+        reader.fail("quantity", fmt::format("missing (a gate of kind \"{}\" is on what another program reports). Add "
+                                            "the key.",
+                                            name(gate.kind)));
     if (gate.kind == GateKind::coverage) read_coverage(reader, gate);
     if (gate.kind == GateKind::lost_rays) {
         gate.detects = reader.optional_number("detects").value_or(gate.detects);
@@ -161,6 +185,10 @@ void read_options(const TomlReader& reader, GatesSpec& spec) {
 
 std::string_view name(GateKind kind) {
     return kind_names.at(static_cast<std::size_t>(kind));
+}
+
+std::string_view name(Combination combination) {
+    return combination_names.at(static_cast<std::size_t>(combination));
 }
 
 std::string_view name(IntervalMethod method) {

@@ -32,15 +32,29 @@ enum class GateKind {
     coverage,     ///< share of confidence intervals that hold the exact value
     slope,        ///< rate of the RMSE along a ladder of sizes
     efficiency,   ///< 1 / (variance * evaluations) over the baseline's
+
+    // Of what another program reports.
+    equal,      ///< mean minus that of a second file
+    std_error,  ///< spread of means between runs over the standard errors that they state
 };
 
 std::string_view name(GateKind kind);
+
+/// How the bins of an array answer to one alpha.
+enum class Combination {
+    holm,    ///< each bin at its share: names the bins
+    simes,   ///< all together, for bins that are independent or vary in the same direction
+    cauchy,  ///< all together, for bins that are correlated in any way
+};
+
+std::string_view name(Combination combination);
 
 /// What the effect is measured from.
 enum class Against {
     exact,     ///< computed from the scene
     number,    ///< `reference` in the bands file
     baseline,  ///< the same gate in a file that --save-baseline wrote
+    file,      ///< the same quantity in a second file of another program
 };
 
 /// Intervals whose coverage can be gated.
@@ -73,6 +87,8 @@ struct Gate {
     IntervalMethod interval = IntervalMethod::student_t;  ///< coverage
     double interval_level = 0.95;                         ///< coverage
     std::uint64_t replicates = 10;                        ///< coverage: trials behind one interval
+    Combination combine = Combination::holm;              ///< bins of a quantity
+    bool relative = false;                                ///< the band is a share of each bin's reference
     double detects = 1e-6;  ///< lost_rays with a band of zero: share of lost rays that has to be noticed
 
     [[nodiscard]] bool from_estimates() const { return !quantity.empty(); }

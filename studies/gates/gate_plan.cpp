@@ -165,6 +165,8 @@ std::optional<std::uint64_t> needed(const Gate& gate, const GatePlan& plan, std:
             return intervals ? std::optional(*intervals * gate.replicates) : std::nullopt;
         }
         case GateKind::slope:
+        case GateKind::equal:
+        case GateKind::std_error:
             break;
     }
     std::vector<double> sizes;

@@ -36,6 +36,8 @@ struct GateResult {
     std::uint64_t looks = 1;        ///< at which it was decided
     std::uint64_t evaluations = 0;  ///< rays and kernel values, those of the pilot included
     std::string note;               ///< in words, what decided or what is missing
+    std::size_t compared = 0;       ///< bins behind the verdict, where only the worst are among the comparisons
+    std::vector<std::uint64_t> scores = {};  ///< of bins by standardised difference (standardised_bins.hpp)
 };
 
 /// The verdict of its comparisons together; a gate without any is inconclusive.

@@ -13,7 +13,7 @@ CsvReader::CsvReader(std::string_view text, std::string_view origin) : text_(tex
 }
 
 bool CsvReader::at_line_end() const {
-    return text_[place_] == '\n' || text_.substr(place_).starts_with("\r\n");
+    return text_[place_] == '\n' || (text_[place_] == '\r' && place_ + 1 < text_.size() && text_[place_ + 1] == '\n');
 }
 
 void CsvReader::step() {
@@ -30,28 +30,32 @@ void CsvReader::end_line() {
 bool CsvReader::next(std::vector<CsvField>& record) {
     while (!at_end() && at_line_end()) end_line();
     if (at_end()) return false;
-    record.clear();
-    record.push_back(field());
+    // Fields are filled again rather than made anew: files of millions of records are common.
+    std::size_t fields = 0;
+    const auto read_field = [&] {
+        if (record.size() == fields) record.emplace_back();
+        read(record[fields++]);
+    };
+    read_field();
     while (!at_end() && text_[place_] == ',') {
         step();
-        record.push_back(field());
+        read_field();
     }
+    record.resize(fields);
     if (!at_end()) end_line();
     return true;
 }
 
 /// Ends before a comma, a line end or the end of the text.
-CsvField CsvReader::field() {
-    CsvField result{.text = {}, .line = line_, .column = column_};
-    if (!at_end() && text_[place_] == '"') {
-        quoted(result);
-        return result;
-    }
-    while (!at_end() && text_[place_] != ',' && !at_line_end()) {
-        result.text += text_[place_];
-        step();
-    }
-    return result;
+void CsvReader::read(CsvField& field) {
+    field.line = line_;
+    field.column = column_;
+    field.text.clear();
+    if (!at_end() && text_[place_] == '"') return quoted(field);
+    const std::size_t begin = place_;
+    while (!at_end() && text_[place_] != ',' && !at_line_end()) ++place_;
+    field.text.assign(text_.substr(begin, place_ - begin));
+    column_ += place_ - begin;
 }
 
 void CsvReader::quoted(CsvField& field) {

@@ -32,7 +32,7 @@ class CsvReader {
     [[nodiscard]] bool at_line_end() const;
     void step();
     void end_line();
-    CsvField field();
+    void read(CsvField& field);
     void quoted(CsvField& field);
 
     std::string_view text_;

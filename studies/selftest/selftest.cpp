@@ -3,6 +3,7 @@
 #include "stats/multiplicity.hpp"
 #include "studies/selftest/coverage.hpp"
 #include "studies/selftest/estimate_checks.hpp"
+#include "studies/selftest/reported_checks.hpp"
 
 #include <algorithm>
 
@@ -48,6 +49,8 @@ Selftest run_selftest(const GatesSpec& controls, const SelftestOptions& options)
     selftest.detection = measure_detection(controls, repetitions, options.seeds);
     selftest.calibration = measure_calibration(repetitions, options.repetitions);
     selftest.estimates = measure_estimate_checks(repetitions, options.repetitions);
+    const auto reported = measure_reported_checks(repetitions, options.repetitions);
+    selftest.estimates.insert(selftest.estimates.end(), reported.begin(), reported.end());
     selftest.coverage = measure_coverage(repetitions, options.repetitions);
     const std::size_t claims = count_claims(selftest.tables()) + selftest.calibration.p_values.size();
     selftest.level = 1 - stats::bonferroni_level(family_alpha, claims);

@@ -4,7 +4,8 @@ root=$(cd "$(dirname "$0")/../../.." && pwd)
 source "$(dirname "$0")/../harness.sh"
 
 document=$root/docs/gating-your-code.md
-blocks toml "$document" >bands.toml
+# The last gate of the page is on means with errors (reported_means_are_gated.sh).
+blocks toml "$document" | awk '/^\[\[gate\]\]$/ {gate = $0; next} gate != "" {if (/flux/) exit; print gate; gate = ""} 1' >bands.toml
 blocks python "$document" >example.py
 blocks cpp "$document" >example.cpp
 

@@ -190,13 +190,17 @@ TEST(BandsFile, RefusesOptionsOutOfRange) {
     EXPECT_THAT(refusal("[[gate]\n"), HasSubstr("bands.toml:1:"));
 }
 
-TEST(BandsFile, TakesEstimatesOfOtherProgramsOnlyWithAReference) {
+TEST(BandsFile, TakesWhatOtherProgramsReportWithItsOwnKeysOnly) {
     const auto foreign = [](std::string_view lines) {
         return fmt::format("[[gate]]\nname = \"g\"\nquantity = \"F16\"\n{}\n", lines);
     };
     EXPECT_EQ(refusal(foreign("kind = \"bias\"\nreference = 0.2\nband = 1e-3")), "accepted");
-    EXPECT_THAT(refusal(foreign("kind = \"bias\"\nband = 1e-3")), HasSubstr("reference: missing"));
-    EXPECT_THAT(refusal(foreign("kind = \"closure\"\nreference = 1\nband = 1e-3")), HasSubstr("bias and std"));
+    EXPECT_THAT(refusal(foreign("kind = \"std\"\nband = 0.5")), HasSubstr("reference: missing"));
+    EXPECT_EQ(refusal(foreign("kind = \"equal\"\nband = 1e-3\ncombine = \"cauchy\"\nrelative = true")), "accepted");
+    EXPECT_THAT(refusal(foreign("kind = \"equal\"\nband = 1e-3\ncombine = \"fisher\"")), HasSubstr("combine"));
+    EXPECT_THAT(refusal(foreign("kind = \"std_error\"\nband = 0.5\nrelative = true")), HasSubstr("relative"));
+    EXPECT_THAT(refusal(gate("equal", "band = 1")), HasSubstr("quantity"));
+    EXPECT_THAT(refusal(foreign("kind = \"closure\"\nreference = 1\nband = 1e-3")), HasSubstr("bias, std, equal"));
     EXPECT_THAT(refusal(foreign("kind = \"bias\"\nreference = \"baseline\"\nband = 1e-3")), HasSubstr("Give a number"));
     EXPECT_THAT(refusal(foreign("kind = \"bias\"\nscene = \"cube\"\nreference = 1\nband = 1")),
                 HasSubstr("unknown key"));

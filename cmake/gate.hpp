@@ -1,0 +1,6 @@
+#pragma once
+
+// Gates on Monte Carlo trials in unit tests. GATE_MEAN and GATE_STD are there where GoogleTest, Catch2 or doctest was
+// included before.
+#include <ffstudy/stats/gate.hpp>
+#include <ffstudy/stats/gate_macros.hpp>

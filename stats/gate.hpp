@@ -1,0 +1,214 @@
+#pragma once
+
+// Gates on means and spreads of Monte Carlo trials, for unit tests: headers only, C++17, the standard library alone.
+// Installed as <ffstudy/gate.hpp>; stats/gate_macros.hpp makes them assertions. docs/gates-in-practice.md shows how.
+//
+// The rule is that of `ffstudy check` (docs/gates.md). Pass: the interval of level 1 - 2 pass_alpha lies in the band.
+// Fail: that of level 1 - alpha lies wholly outside. Otherwise inconclusive, which is no pass either.
+
+#include "stats/gate_quantiles.hpp"
+#include "stats/skewed_reach.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <sstream>
+#include <string>
+
+namespace ff::gate {
+
+/// What is tolerated, and both risks.
+struct Options {
+    double band = 0;      ///< of a mean: |mean - reference| <= band; of a spread: a ratio from 1/(1+band) to 1+band
+    double alpha = 1e-4;  ///< of failing although the effect lies in the band
+    double power = 0.9;   ///< of passing where there is no effect, with the trials that the message asks for
+    double pass_alpha = 0.05;     ///< of passing although the effect lies at an end of the band or beyond
+    double reference_error = 0;   ///< standard error of the reference
+    std::size_t comparisons = 1;  ///< gates that share alpha
+};
+
+enum class Verdict { pass, fail, inconclusive };
+
+/// A mean with its standard error, as codes report them, where single trials are not at hand.
+struct Estimate {
+    double mean = 0;
+    double standard_error = 0;
+    double n = std::numeric_limits<double>::infinity();  ///< values behind it
+};
+
+/// What a gate found.
+struct Result {
+    Verdict verdict = Verdict::inconclusive;
+    double effect = 0;  ///< mean - reference, or spread / reference
+    double low = 0;     ///< of the interval that has to lie in the band
+    double high = 0;
+    double band_low = 0;
+    double band_high = 0;
+    double n = 0;                 ///< trials
+    double trials_to_decide = 0;  ///< to pass with the power where there is no effect; 0 where not known
+    Options options;
+    const char* note = "";   ///< what limits the verdict
+    const char* fault = "";  ///< why there is none
+
+    explicit operator bool() const { return verdict == Verdict::pass; }
+};
+
+/// Effect, interval, band, both risks, and how many trials would decide.
+inline std::string message(const Result& result) {
+    std::ostringstream out;
+    out.precision(4);
+    out << (result.verdict == Verdict::pass   ? "pass: "
+            : result.verdict == Verdict::fail ? "FAIL: "
+                                              : "INCONCLUSIVE (no pass): ");
+    if (*result.fault != 0) {
+        out << result.fault;
+        return out.str();
+    }
+    out << "effect " << result.effect << ", interval " << result.low << " to " << result.high << ", band "
+        << result.band_low << " to " << result.band_high << "; alpha " << result.options.alpha;
+    if (result.options.comparisons > 1) out << " over " << result.options.comparisons << " gates";
+    out << ", power " << result.options.power << "; " << result.n << " trials";
+    if (result.verdict == Verdict::inconclusive && result.trials_to_decide > result.n)
+        out << ", about " << static_cast<long long>(std::min(1e18, std::ceil(result.trials_to_decide)))
+            << " pass with that power if there is no effect";
+    if (*result.note != 0) out << ". " << result.note;
+    return out.str();
+}
+
+namespace detail {
+
+inline Result within(double low, double high, const Options& options) {
+    Result result;
+    result.band_low = low;
+    result.band_high = high;
+    result.options = options;
+    return result;
+}
+
+inline Result judged(Result result, double fail_low, double fail_high) {
+    if (fail_low > result.band_high || fail_high < result.band_low) result.verdict = Verdict::fail;
+    if (result.low > result.band_low && result.high < result.band_high) result.verdict = Verdict::pass;
+    return result;
+}
+
+inline Result undecided(double n, const char* why) {
+    Result result;
+    result.n = n;
+    result.fault = why;
+    return result;
+}
+
+/// Why these options are none; empty where they are some.
+inline const char* fault_of(const Options& o) {
+    if (!(o.band > 0)) return "band (no number of trials shows an effect of exactly nothing; give a positive one)";
+    if (!(o.alpha > 0 && o.alpha < 0.5)) return "alpha (give one above 0 and below 0.5)";
+    if (!(o.pass_alpha > 0 && o.pass_alpha < 0.5)) return "pass_alpha (give one above 0 and below 0.5)";
+    if (!(o.power >= 0.5 && o.power < 1)) return "power (give one from 0.5 to below 1)";
+    if (!(o.reference_error >= 0)) return "reference_error (a standard error is not negative)";
+    return o.comparisons < 1 ? "comparisons (at least 1)" : "";
+}
+
+/// By the usual formula, with what Student's t adds.
+inline double trials_for(double sigma, const Options& options) {
+    const double z = normal_critical(options.pass_alpha);
+    const double ratio = (z + normal_critical((1 - options.power) / 2)) * sigma;
+    const double room = options.band * options.band - std::pow((ratio / sigma) * options.reference_error, 2);
+    return room > 0 ? ratio * ratio / room + z * z / 2 : 0;
+}
+
+}  // namespace detail
+
+/// The mean of trials, each a whole run with random numbers of its own; at least 10.
+template <class Values>
+Result mean(const Values& values, double reference, const Options& options) {
+    double n = 0;
+    double centre = 0;
+    double squares = 0;
+    for (const double value : values) {
+        const double delta = value - centre;
+        centre += delta / ++n;
+        squares += delta * (value - centre);
+    }
+    if (const char* fault = detail::fault_of(options); *fault != 0) return detail::undecided(n, fault);
+    if (!std::isfinite(squares) || !std::isfinite(reference)) return detail::undecided(n, "a value is not finite");
+    if (n < 10) return detail::undecided(n, "fewer than 10 trials; 50 to 200 are usual");
+    if (squares == 0) return detail::undecided(n, "every trial gave the same value: was each seeded alike?");
+    const double sigma = std::sqrt(squares / (n - 1));
+    const double own = sigma / std::sqrt(n);
+    const double error = std::hypot(own, options.reference_error);
+    const double freedom = (n - 1) * std::pow(error / own, 4);  // Welch; the reference has infinite freedom
+    const double alpha = options.alpha / static_cast<double>(options.comparisons);
+    const Skewness skewness = skewness_of(values, n);
+    const auto passing = skewed_reach(skewness, n, student_critical(freedom, options.pass_alpha));
+    const auto failing = skewed_reach(skewness, n, student_critical(freedom, alpha / 2));
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    const bool open = passing.below_is_open || passing.above_is_open;
+    Result result = detail::within(-options.band, options.band, options);
+    result.effect = centre - reference;
+    result.low = open ? -infinity : result.effect - passing.below * error;
+    result.high = open ? infinity : result.effect + passing.above * error;
+    result.n = n;
+    result.trials_to_decide = detail::trials_for(sigma, options);
+    const double fail_low = failing.below_is_open ? -infinity : result.effect - failing.below * error;
+    const double fail_high = failing.above_is_open ? infinity : result.effect + failing.above * error;
+    if (open || failing.below_is_open || failing.above_is_open)
+        result.note = "Too skewed, or too few trials, for an interval at one of these levels.";
+    return detail::judged(result, fail_low, fail_high);
+}
+
+/// A mean with the standard error that a code states, which is believed.
+inline Result mean(const Estimate& estimate, double reference, const Options& options) {
+    if (const char* fault = detail::fault_of(options); *fault != 0) return detail::undecided(estimate.n, fault);
+    if (!(estimate.standard_error > 0) || !std::isfinite(estimate.mean) || !(estimate.n >= 2))
+        return detail::undecided(estimate.n, "a standard error has to be positive, of at least 2 values");
+    const double error = std::hypot(estimate.standard_error, options.reference_error);
+    const double freedom = (estimate.n - 1) * std::pow(error / estimate.standard_error, 4);
+    const double inner = student_critical(freedom, options.pass_alpha) * error;
+    const double outer =
+        student_critical(freedom, options.alpha / static_cast<double>(options.comparisons) / 2) * error;
+    Result result = detail::within(-options.band, options.band, options);
+    result.effect = estimate.mean - reference;
+    result.low = result.effect - inner;
+    result.high = result.effect + inner;
+    result.n = estimate.n;
+    if (std::isfinite(estimate.n))
+        result.trials_to_decide = detail::trials_for(estimate.standard_error * std::sqrt(estimate.n), options);
+    result.note = "The standard error is believed as it is stated.";
+    return detail::judged(result, result.effect - outer, result.effect + outer);
+}
+
+/// The standard deviation of a trial over a reference, by chi-squared with degrees of freedom reduced for kurtosis
+/// [box1953]; at least 10 trials.
+template <class Values>
+Result spread(const Values& values, double reference, const Options& options) {
+    double n = 0;
+    double centre = 0;
+    for (const double value : values) centre += (value - centre) / ++n;
+    double squares = 0;
+    double fourth = 0;
+    for (const double value : values) {
+        const double square = (value - centre) * (value - centre);
+        squares += square;
+        fourth += square * square;
+    }
+    if (const char* fault = detail::fault_of(options); *fault != 0) return detail::undecided(n, fault);
+    if (!std::isfinite(fourth)) return detail::undecided(n, "a value is not finite, or too large");
+    if (!(reference > 0)) return detail::undecided(n, "a ratio to the reference is taken; give a positive one");
+    if (n < 10) return detail::undecided(n, "fewer than 10 trials; 50 to 200 are usual");
+    if (squares == 0) return detail::undecided(n, "every trial gave the same value: was each seeded alike?");
+    const double kurtosis = n * fourth / (squares * squares) - 3;
+    const double freedom = (n - 1) / (1 + (kurtosis > 0 ? kurtosis : 0) / 2);
+    Result result = detail::within(1 / (1 + options.band), 1 + options.band, options);
+    result.effect = std::sqrt(squares / (n - 1)) / reference;
+    result.n = n;
+    const auto limit = [&](double tail) {
+        return result.effect * std::sqrt(freedom / chi_squared_critical(freedom, tail));
+    };
+    result.low = limit(options.pass_alpha);
+    result.high = limit(1 - options.pass_alpha);
+    const double alpha = options.alpha / static_cast<double>(options.comparisons);
+    return detail::judged(result, limit(alpha / 2), limit(1 - alpha / 2));
+}
+
+}  // namespace ff::gate

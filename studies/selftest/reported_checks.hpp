@@ -1,0 +1,16 @@
+#pragma once
+
+#include "studies/selftest/measured_rate.hpp"
+#include "studies/selftest/repetitions.hpp"
+
+#include <cstdint>
+#include <vector>
+
+namespace ff::studies {
+
+/// What becomes of means with standard errors: arrays of bins under each combination, stated errors that are right and
+/// wrong, and, beside our rule, rules that other projects have reported to use.
+/// @param times  repetitions of a row; those on many bins are repeated less often
+std::vector<RateTable> measure_reported_checks(const Repetitions& repetitions, std::uint64_t times);
+
+}  // namespace ff::studies
