@@ -169,6 +169,8 @@ std::optional<ConvergenceRate> fit_rate(std::span<const Rung> ladder, std::span<
                       .n = slopes.size()};
     rate.standard_error = moments_of(slopes).standard_deviation().value_or(0.0);
     rate.lack_of_fit_p = line->lack_of_fit_p;
+    if (line->freedom > 0)
+        rate.misfit = std::sqrt(std::max(1.0, line->chi_squared / static_cast<double>(line->freedom)));
     rate.variance_factor = factor;
     rate.points = ladder.size();
     return rate;
@@ -211,6 +213,7 @@ std::optional<ConvergenceRate> fit_median_rate(std::span<const Rung> ladder, dou
     // The weights are right up to a common factor, so the line is; its interval and lack of fit are not.
     rate->interval = rate->bootstrap;
     rate->lack_of_fit_p.reset();
+    rate->misfit = 1;
     return rate;
 }
 

@@ -28,6 +28,7 @@ struct ConvergenceRate {
     Interval bootstrap;                   ///< "percentile_bootstrap" over replicates within each size
     double standard_error = 0;            ///< the larger of those behind the two intervals
     std::optional<double> lack_of_fit_p;  ///< of a straight line; empty for two sizes and for medians
+    double misfit = 1;                    ///< sqrt(chi-squared / degrees of freedom) of the line, at least 1
     double variance_factor = 1;           ///< by which the variances of one normal error a replicate were multiplied
     std::size_t points = 0;
 };

@@ -26,7 +26,7 @@ constexpr std::string_view summary_header =
     "std_ci_low,"
     "std_ci_high,rmse,median_abs_error,relative_error_percent,skewness,excess_kurtosis,min,q05,median,q95,max,"
     "normality_p,vov,"
-    "tail_index,efficiency_samples,lost_rays,std_interval_method\n";
+    "tail_index,efficiency_samples,lost_rays,std_interval_method,mean_ci_low,mean_ci_high\n";
 
 /// Columns that are the same for all rows of a cell: study .. trials.
 std::string cell_fields(const studies::StudyPlan& plan, const studies::CellFindings& found) {
@@ -58,8 +58,8 @@ std::string summary_fields(const Scene& scene, const studies::Summary& s, const 
                                           exact(s.bias_se),
                                           low(s.bias_interval),
                                           high(s.bias_interval),
-                                          s.bias_interval ? std::string(s.bias_interval->method) : std::string(),
-                                          s.bias_interval || s.std_interval ? exact(level) : std::string(),
+                                          s.mean_interval ? std::string(s.mean_interval->method) : std::string(),
+                                          s.mean_interval || s.std_interval ? exact(level) : std::string(),
                                           exact(s.minimum_detectable_bias),
                                           exact(s.std),
                                           low(s.std_interval),
@@ -79,7 +79,9 @@ std::string summary_fields(const Scene& scene, const studies::Summary& s, const 
                                           exact(s.tail_index),
                                           exact(s.efficiency_samples),
                                           std::to_string(found.lost_rays),
-                                          s.std_interval ? std::string(s.std_interval->method) : std::string()};
+                                          s.std_interval ? std::string(s.std_interval->method) : std::string(),
+                                          low(s.mean_interval),
+                                          high(s.mean_interval)};
     return fmt::format("{}", fmt::join(fields, ","));
 }
 

@@ -23,12 +23,14 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json published_view(const studies::PublishedResults& published, double alpha, const std::vector<std::string>& wrong) {
+Json published_view(const studies::PublishedResults& published, double alpha, const Headline& top) {
     Json tables = Json::array();
     for (std::size_t i = 0; i < published.tables.tables.size(); ++i)
         tables.push_back(table_view(published_table(published, i, alpha)));
     return {{"source", published.tables.source},
-            {"wrong", texts_view(wrong)},
+            {"wrong", texts_view(top.published)},
+            {"contradictory", !top.published.empty()},
+            {"unlikely", top.unlikely},
             {"tables", std::move(tables)},
             {"has_claims", !published.claims.empty()},
             {"claims", table_view(claims_table(published))},
@@ -101,9 +103,16 @@ Json kinds_view(const std::vector<Picture>& pictures, const std::vector<PictureG
 
 void add_pictures(const studies::StudyResults& results, const Templates& templates, Json& view) {
     const bool drawn = templates.has("vega.js");
-    const auto pictures = pictures_by_size(results);
-    const auto groups = picture_groups(results);
+    const auto lead = lead_picture(results);
+    auto pictures = pictures_by_size(results);
+    auto groups = picture_groups(results);
+    // What is beside the answer is not shown again.
+    const auto is_lead = [&](const Picture& picture) { return lead && picture.id == lead->id; };
+    std::erase_if(pictures, is_lead);
+    for (PictureGroup& group : groups) std::erase_if(group.pictures, is_lead);
+    std::erase_if(groups, [](const PictureGroup& group) { return group.pictures.empty(); });
     view["drawn"] = drawn;
+    view["lead"] = lead ? picture_view(*lead, drawn) : Json();
     view["pictured"] = !pictures.empty() || !groups.empty();
     view["pictures"] = pictures_view(pictures, drawn);
     view["groups"] = Json::array();
@@ -113,6 +122,7 @@ void add_pictures(const studies::StudyResults& results, const Templates& templat
     }
     if (!drawn) return;
     view["runtime"] = templates.text("vega.js");
+    if (lead) pictures.push_back(*lead);
     view["kinds"] = kinds_view(pictures, groups, templates);
 }
 
@@ -124,7 +134,7 @@ std::string html_report(const studies::StudyResults& results, const Templates& t
     Json view = headline_view(top);
     view["title"] = spec.title;
     view["partial"] = !results.findings.complete;
-    view["published"] = results.published ? published_view(*results.published, 1 - spec.level, top.published) : Json();
+    view["published"] = results.published ? published_view(*results.published, 1 - spec.level, top) : Json();
     view["brief"] = texts_view(results_in_brief(results));
     view["has_brief"] = !view["brief"].empty();
     view["radiosity"] = results.radiosity ? radiosity_view(results) : Json();

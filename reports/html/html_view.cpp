@@ -64,7 +64,7 @@ Json headline_view(const Headline& headline) {
     Json numbers = Json::array();
     for (const KeyNumber& number : headline.numbers)
         numbers.push_back({{"value", number.value}, {"label", number.label}, {"detail", number.detail}});
-    return {{"verdict", headline.verdict}, {"numbers", std::move(numbers)}};
+    return {{"question", headline.question}, {"verdict", headline.verdict}, {"numbers", std::move(numbers)}};
 }
 
 Json table_view(const Table& table) {

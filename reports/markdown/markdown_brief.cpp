@@ -2,6 +2,7 @@
 #include "reports/markdown/markdown_text.hpp"
 #include "reports/text/labels.hpp"
 #include "reports/text/numbers.hpp"
+#include "reports/words/answer.hpp"
 #include "reports/words/in_brief.hpp"
 #include "reports/words/published_summary.hpp"
 #include "reports/words/radiosity_words.hpp"
@@ -100,7 +101,9 @@ std::string bias_line(const studies::Findings& findings) {
 }  // namespace
 
 std::string brief_section(const studies::StudyResults& results) {
-    std::string out = "## In brief\n\n";
+    const Answer said = answer(results);
+    std::string out = said.question.empty() ? std::string() : fmt::format("*{}*\n\n", markdown_text(said.question));
+    out += fmt::format("**{}**\n\n## In brief\n\n", markdown_text(said.text));
     for (std::size_t scene = 0; scene < results.findings.plan.scenes.size(); ++scene) {
         for (const PairClass pair_class : {PairClass::parallel, PairClass::adjacent}) {
             out += accuracy_line(results.findings, scene, pair_class);

@@ -15,6 +15,8 @@ std::string drawing_request(const studies::StudyResults& results, const Template
             pictures.push_back({{"id", picture.id}, {"kind", picture.kind}, {"values", Json::parse(picture.values)}});
         }
     };
+    const auto lead = lead_picture(results);
+    if (lead && lead->kind == "ranking") add({*lead});  // others are among those below
     add(pictures_by_size(results));
     for (const PictureGroup& group : picture_groups(results)) add(group.pictures);
     return Json{{"kinds", std::move(kinds)}, {"pictures", std::move(pictures)}}.dump();

@@ -1,3 +1,4 @@
+#include "reports/pictures/method_styles.hpp"
 #include "reports/pictures/picture_values.hpp"
 #include "reports/pictures/pictures.hpp"
 #include "reports/text/labels.hpp"
@@ -31,6 +32,7 @@ Picture picture_of(const studies::StudyResults& results, const studies::Occlusio
         if (any) names.push_back(plan.spec.methods[method].name);
     }
     values.set("isolate", std::move(names));
+    values.set("scales", style_scales(method_styles(results)));
     const std::string pair = quantity_label(plan.scenes[series.scenes.front().scene], series.pair);
     Picture picture;
     picture.id = slug(fmt::format("occlusion-{}-{}", series.family, pair));

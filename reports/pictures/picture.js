@@ -1,10 +1,26 @@
 // How a picture's values become a view; shared by report.html and draw_svg.mjs.
 
+/** What the values say about scales and axes: domains and ranges by the name of a scale, titles, a logarithmic x axis. */
+function fit(specification, {log, titles = {}, scales = {}}) {
+  for (const scale of specification.scales ?? []) {
+    if (log && scale.name === 'x') {
+      scale.type = 'log';
+      delete scale.zero;
+    }
+    Object.assign(scale, scales[scale.name]);
+  }
+  for (const axis of specification.axes ?? []) {
+    if (axis.title && titles[axis.scale]) axis.title = titles[axis.scale];
+  }
+}
+
 /** The specification with the picture's values as its table. */
-export function prepare(specification, {columns, rows}) {
+export function prepare(specification, values) {
+  const {columns, rows} = values;
   const prepared = structuredClone(specification);
   const table = prepared.data.find(({name}) => name === 'table');
-  table.values = rows.map(row => Object.fromEntries(columns.map((column, i) => [column, row[i]])));
+  table.values = [...rows, ...(values.labels ?? [])].map(row => Object.fromEntries(columns.map((column, i) => [column, row[i]])));
+  fit(prepared, values);
   return prepared;
 }
 

@@ -16,7 +16,9 @@ struct Picture {
     std::string finding;      ///< one sentence, computed from the results
     std::string description;  ///< for those who cannot see it: what is drawn, and the finding
     /// JSON: `columns`, `rows`; optionally `isolate` (series that can be shown alone), `choose` (`signal`, `label`,
-    /// `values`: what can be chosen, the first at the start), `signals` (values of others), `aspect` (height / width).
+    /// `values`: what can be chosen, the first at the start), `signals` (values of others), `aspect` (height / width),
+    /// `log` (x axis), `labels` (rows that are drawn and are no data), `titles` (of axes, by scale), `scales` (domain
+    /// and range, by scale).
     std::string values;
 };
 
@@ -26,6 +28,9 @@ struct PictureGroup {
     bool open = false;  ///< whether they are shown at once
     std::vector<Picture> pictures;
 };
+
+/// The one beside the answer; empty where there is nothing to compare. It may be one of the others too.
+std::optional<Picture> lead_picture(const studies::StudyResults& results);
 
 /// Error and efficiency against evaluations, over all methods, for each class of pairs.
 std::vector<Picture> pictures_of_scene(const studies::StudyResults& results, std::size_t scene);

@@ -1,28 +1,78 @@
+#include "reports/pictures/method_styles.hpp"
 #include "reports/pictures/picture_values.hpp"
 #include "reports/pictures/pictures.hpp"
 #include "reports/text/labels.hpp"
 #include "reports/text/numbers.hpp"
 #include "reports/words/size_series.hpp"
-#include "reports/words/slope_words.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 #include <vector>
 
 namespace ff::reports {
 namespace {
 
-/// The method, with its slope where it has one ladder.
-std::string legend_of(const SizeSeries& series) {
-    if (series.ladders.size() != 1) return series.method;
-    const studies::Slope& slope = series.ladders.front()->judged();
-    if (!slope.slope) return series.method;
-    const std::string theory = slope.expected ? fmt::format(" (theory {})", expected_text(slope)) : "";
-    return fmt::format("{}: {}{}{}", series.method, series.points.front().is_median ? "median, " : "",
-                       slope_text(slope), theory);
+/// A label at the end of a line, and how high it stands.
+struct Label {
+    std::string method;
+    double log_error = 0;
+};
+
+/// Range of ln(error) that is drawn.
+struct Span {
+    double low = 0;
+    double high = 0;
+};
+
+/// Everything that is drawn of measured errors, and some room.
+Span span_of(const std::vector<SizeSeries>& all, PairClass pair_class) {
+    double low = std::numeric_limits<double>::infinity();
+    double high = -low;
+    for (const SizeSeries& series : all) {
+        for (const SizePoint& point : series.points) {
+            const auto& interval = point.found->class_error(pair_class)->interval;
+            const bool drawn_interval = interval && !point.is_median && interval->low > 0;
+            low = std::min(low, std::log(drawn_interval ? interval->low : point.error));
+            high = std::max(high, std::log(drawn_interval ? interval->high : point.error));
+        }
+    }
+    const double room = std::max(0.06 * (high - low), 0.05);
+    return {low - room, high + room};
+}
+
+/// Moves labels apart until none is over another, and back into the span. @pre there is room for all
+void move_apart(std::vector<Label>& labels, Span span) {
+    constexpr double rows = 20;  // of text, in the height of the picture
+    const double least = (span.high - span.low) / rows;
+    std::stable_sort(labels.begin(), labels.end(),
+                     [](const Label& a, const Label& b) { return a.log_error < b.log_error; });
+    for (std::size_t i = 1; i < labels.size(); ++i)
+        labels[i].log_error = std::max(labels[i].log_error, labels[i - 1].log_error + least);
+    double ceiling = span.high;
+    for (std::size_t i = labels.size(); i-- > 0; ceiling -= least) {
+        labels[i].log_error = std::min(labels[i].log_error, ceiling);
+        ceiling = std::min(ceiling, labels[i].log_error);
+    }
+}
+
+/// Of the methods in colour: those in grey have their names on the buttons below.
+void add_labels(const std::vector<SizeSeries>& all, const std::vector<MethodStyle>& styles, Span span,
+                PictureValues& values) {
+    std::vector<Label> labels;
+    for (const SizeSeries& series : all) {
+        const auto style = std::find_if(styles.begin(), styles.end(),
+                                        [&](const MethodStyle& each) { return each.method == series.method; });
+        if (style->in_colour) labels.push_back({series.method, std::log(series.points.back().error)});
+    }
+    move_apart(labels, span);
+    auto rows = nlohmann::ordered_json::array();
+    for (const Label& label : labels)
+        rows.push_back({label.method, "label", "", nullptr, drawn(std::exp(label.log_error), 4), nullptr, nullptr});
+    values.set("labels", std::move(rows));
 }
 
 std::string where(const studies::StudyPlan& plan, std::size_t scene, PairClass pair_class) {
@@ -111,33 +161,36 @@ std::string least_errors_in_words(const studies::StudyPlan& plan, const std::vec
 }
 
 Picture convergence_picture(const studies::Findings& findings, std::size_t scene, PairClass pair_class,
-                            const std::vector<SizeSeries>& all) {
+                            const std::vector<SizeSeries>& all, const std::vector<MethodStyle>& styles) {
     PictureValues values({"method", "role", "size", "evaluations", "error", "low", "high"});
-    auto labels = nlohmann::ordered_json::object();
     for (const SizeSeries& series : all) {
-        labels[series.method] = legend_of(series);
         add_measured(findings.plan, pair_class, series, values);
         for (const studies::ClassSlopes* slopes : series.ladders) add_expected(series, *slopes, values);
     }
     values.set("isolate", names_of(all));
-    values.set("signals", {{"labels", std::move(labels)}});
+    const Span span = span_of(all, pair_class);
+    add_labels(all, styles, span, values);
+    auto scales = style_scales(styles);
+    scales["y"] = {{"domain", {drawn(std::exp(span.low), 4), drawn(std::exp(span.high), 4)}}};
+    values.set("scales", std::move(scales));
     const std::string place = where(findings.plan, scene, pair_class);
     Picture picture;
     picture.id = slug(fmt::format("convergence-{}", place));
     picture.kind = "convergence";
     picture.title = fmt::format("Error against evaluations, {}.", place);
-    picture.finding = least_errors_in_words(findings.plan, all);
+    picture.finding = fmt::format("{} Bands and bars: {:g} % intervals; dashed: the slope that theory expects.",
+                                  least_errors_in_words(findings.plan, all), 100 * findings.plan.spec.level);
     picture.description = fmt::format(
-        "RMSE of a run on {} against evaluations for a face, both logarithmic, with {:g} % intervals, a line for each "
+        "RMSE of a run on {} against evaluations per face, both logarithmic, with {:g} % intervals, a line for each "
         "method; where the variance is infinite, the median of the absolute error. Thin dashed lines have the slope "
-        "that theory expects; the legend has the measured slopes, ± half of their intervals. {}",
-        place, 100 * findings.plan.spec.level, picture.finding);
+        "that theory expects. {}",
+        place, 100 * findings.plan.spec.level, least_errors_in_words(findings.plan, all));
     picture.values = values.text();
     return picture;
 }
 
 std::optional<Picture> efficiency_picture(const studies::Findings& findings, std::size_t scene, PairClass pair_class,
-                                          const std::vector<SizeSeries>& all) {
+                                          const std::vector<SizeSeries>& all, const std::vector<MethodStyle>& styles) {
     PictureValues values({"method", "size", "evaluations", "efficiency", "low", "high"});
     auto names = nlohmann::ordered_json::array();
     const studies::CellFindings* best = nullptr;
@@ -161,8 +214,9 @@ std::optional<Picture> efficiency_picture(const studies::Findings& findings, std
         }
         if (any) names.push_back(series.method);
     }
-    if (best == nullptr) return std::nullopt;
+    if (best == nullptr || best == least) return std::nullopt;  // one point is no picture
     values.set("isolate", std::move(names));
+    values.set("scales", style_scales(styles));
     const std::string place = where(findings.plan, scene, pair_class);
     Picture picture;
     picture.id = slug(fmt::format("efficiency-{}", place));
@@ -172,7 +226,6 @@ std::optional<Picture> efficiency_picture(const studies::Findings& findings, std
                                   cell_label(findings.plan, findings.plan.cells[best->cell]),
                                   brief(*efficiency(*best) / *efficiency(*least)),
                                   cell_label(findings.plan, findings.plan.cells[least->cell]));
-    if (best == least) picture.finding = fmt::format("The efficiency is {}.", brief(*efficiency(*best)));
     picture.description = fmt::format(
         "1 / (RMSE² N) of the sampled methods on {} against N, the evaluations for a face, "
         "with {:g} % intervals. {}",
@@ -186,11 +239,12 @@ std::optional<Picture> efficiency_picture(const studies::Findings& findings, std
 std::vector<Picture> pictures_of_scene(const studies::StudyResults& results, std::size_t scene) {
     const studies::Findings& findings = results.findings;
     std::vector<Picture> pictures;
+    const auto styles = method_styles(results);
     for (const PairClass pair_class : {PairClass::parallel, PairClass::adjacent, PairClass::other}) {
         const auto all = size_series(results, scene, pair_class);
-        if (all.empty()) continue;
-        pictures.push_back(convergence_picture(findings, scene, pair_class, all));
-        if (auto efficiency = efficiency_picture(findings, scene, pair_class, all))
+        if (all.empty() || (all.size() == 1 && all.front().points.size() == 1)) continue;  // one point is no picture
+        pictures.push_back(convergence_picture(findings, scene, pair_class, all, styles));
+        if (auto efficiency = efficiency_picture(findings, scene, pair_class, all, styles))
             pictures.push_back(std::move(*efficiency));
     }
     return pictures;

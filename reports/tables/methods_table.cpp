@@ -28,6 +28,14 @@ std::string sum_error_text(const studies::CellFindings& found) {
     return "–";
 }
 
+/// With ± half its interval where no exact value says how far it is off.
+std::string mean_text(const studies::Summary& s) {
+    if (!s.mean) return "–";
+    if (s.reference || !s.mean_interval) return to_error(*s.mean, s.bias_se.value_or(0.0));
+    const double reach = s.mean_interval->width() / 2;
+    return fmt::format("{} ± {:.1g}", to_error(*s.mean, reach), reach);
+}
+
 }  // namespace
 
 Table methods_table(const studies::StudyResults& results) {
@@ -42,16 +50,16 @@ Table methods_table(const studies::StudyResults& results) {
                             "together (Student t, Holm over pairs, Šidák over methods and sizes, {:g} % over the whole "
                             "study); in parentheses what is detected with power {:g}.",
                             100 * plan.spec.level, 100 * (1 - plan.spec.level), plan.spec.power),
-                {{"method", false, ""}, {"size (patches per face)", false, ""}, {"trials", true, ""}},
+                {{"method", false, ""}, {"size (patches per face)", false, ""}, {"bias", false, ""}},
                 {},
                 plan.warnings};
     std::vector<PairClass> classes{PairClass::parallel, PairClass::adjacent};
     if (others) classes.push_back(PairClass::other);
-    for (const PairClass each : classes) table.columns.push_back({std::string(name(each)), true, "RMSE of a run"});
-    table.columns.push_back({"Σ r.e. (%)", true, ""});
-    table.columns.push_back({"bias", false, ""});
     const bool margin = plan.spec.equivalence_margin.has_value();
     if (margin) table.columns.push_back({"equivalence", false, ""});
+    for (const PairClass each : classes) table.columns.push_back({std::string(name(each)), true, "RMSE of a run"});
+    table.columns.push_back({"Σ r.e. (%)", true, ""});
+    table.columns.push_back({"trials", true, ""});
     const auto hidden = cells_in_between(results);
     for (const studies::CellFindings& found : results.findings.cells) {
         if (hidden.contains(found.cell)) continue;
@@ -59,11 +67,11 @@ Table methods_table(const studies::StudyResults& results) {
         const std::string scene = plan.scenes.size() == 1 ? std::string() : plan.scenes[cell.scene].name + ": ";
         std::vector<TableCell> row{{scene + plan.spec.methods[cell.method].name, Mark::none},
                                    {size_label(plan, cell), Mark::none},
-                                   {std::to_string(found.trials), Mark::none}};
+                                   {bias_in_words(found), bias_mark(found)}};
+        if (margin) row.push_back({equivalence_in_words(found), equivalence_mark(found.equivalence)});
         for (const PairClass each : classes) row.push_back({rmse_text(found, each), Mark::none});
         row.push_back({sum_error_text(found), Mark::none});
-        row.push_back({bias_in_words(found), bias_mark(found)});
-        if (margin) row.push_back({equivalence_in_words(found), equivalence_mark(found.equivalence)});
+        row.push_back({std::to_string(found.trials), Mark::none});
         table.rows.push_back(std::move(row));
     }
     if (!hidden.empty()) {
@@ -103,7 +111,7 @@ Table pairs_table(const studies::StudyResults& results, std::size_t cell_index) 
         };
         std::vector<TableCell> row{{quantity_label(scene, s.quantity), Mark::none}};
         row.push_back({number(s.reference, "{:.9f}"), Mark::none});
-        row.push_back({s.mean ? to_error(*s.mean, s.bias_se.value_or(0.0)) : "–", Mark::none});
+        row.push_back({mean_text(s), Mark::none});
         row.push_back({number(s.bias, "{:+.2e}"), Mark::none});
         row.push_back({s.bias && s.bias_se ? fmt::format("{:+.2f}", *s.bias / *s.bias_se) : "–", Mark::none});
         row.push_back(

@@ -63,15 +63,15 @@ Table published_table(const studies::PublishedResults& published, std::size_t in
 Table claims_table(const studies::PublishedResults& published) {
     Table table{
         "claims", "The publication's claims, judged",
-        "",       {{"claim", false, ""}, {"section", false, ""}, {"verdict", false, ""}, {"evidence", false, ""}},
+        "",       {{"claim", false, ""}, {"verdict", false, ""}, {"section", false, ""}, {"evidence", false, ""}},
         {},       {}};
     for (const studies::JudgedClaim& claim : published.claims) {
         const Mark mark = claim.verdict == studies::ClaimVerdict::supported ? Mark::good
                           : claim.verdict == studies::ClaimVerdict::refuted ? Mark::bad
                                                                             : Mark::open;
         table.rows.push_back({{claim.claim.statement, Mark::none},
-                              {claim.claim.section, Mark::none},
                               {std::string(studies::name(claim.verdict)), mark},
+                              {claim.claim.section, Mark::none},
                               {claim.evidence, Mark::none}});
     }
     return table;

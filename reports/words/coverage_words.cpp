@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 namespace ff::reports {
 namespace {
@@ -24,7 +25,35 @@ std::string range_in_words(const std::vector<const Coverage*>& rows) {
                        (*most)->share(), short_of, rows.size());
 }
 
+constexpr std::array all_rules{IntervalRule::student_t, IntervalRule::normal, IntervalRule::percentile_bootstrap,
+                               IntervalRule::two_stage, IntervalRule::look_short};
+
 }  // namespace
+
+std::vector<std::string> coverage_clauses(const studies::StudyResults& results) {
+    std::vector<std::string> clauses;
+    for (const IntervalRule rule : all_rules) {
+        std::size_t rows = 0;
+        std::size_t short_of = 0;
+        double least = 1;
+        double most = 0;
+        for (const Coverage& row : results.coverage) {
+            if (row.rule != rule || infinite(results, row)) continue;
+            ++rows;
+            short_of += row.short_of_nominal ? 1 : 0;
+            least = std::min(least, row.share());
+            most = std::max(most, row.share());
+        }
+        if (rows == 0) continue;
+        clauses.push_back(fmt::format("{} {:.1f} to {:.1f} % (significantly short in {} of {} rows)",
+                                      rule_in_words(rule), 100 * least, 100 * most, short_of, rows));
+    }
+    if (!clauses.empty()) {
+        clauses.front() = fmt::format("intervals that promise {:g} % contain the exact value in: {}",
+                                      100 * results.findings.plan.spec.level, clauses.front());
+    }
+    return clauses;
+}
 
 std::string_view rule_in_words(IntervalRule rule) {
     switch (rule) {
@@ -44,8 +73,7 @@ std::string_view rule_in_words(IntervalRule rule) {
 
 std::vector<std::string> coverage_in_brief(const studies::StudyResults& results) {
     std::vector<std::string> lines;
-    for (const IntervalRule rule : {IntervalRule::student_t, IntervalRule::normal, IntervalRule::percentile_bootstrap,
-                                    IntervalRule::two_stage, IntervalRule::look_short}) {
+    for (const IntervalRule rule : all_rules) {
         for (const std::uint64_t replicates : results.findings.plan.spec.coverage) {
             std::vector<const Coverage*> finite;
             for (const Coverage& row : results.coverage) {

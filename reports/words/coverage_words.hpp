@@ -15,4 +15,7 @@ std::string_view rule_in_words(studies::IntervalRule rule);
 /// that have a variance, and how often it is significantly short of what it promises; a line about those without.
 std::vector<std::string> coverage_in_brief(const studies::StudyResults& results);
 
+/// A clause for each rule: whether it keeps what it promises, by the rows whose variance is finite.
+std::vector<std::string> coverage_clauses(const studies::StudyResults& results);
+
 }  // namespace ff::reports

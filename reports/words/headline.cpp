@@ -2,7 +2,7 @@
 
 #include "reports/text/labels.hpp"
 #include "reports/text/numbers.hpp"
-#include "reports/words/occlusion_words.hpp"
+#include "reports/words/answer.hpp"
 #include "reports/words/published_summary.hpp"
 #include "reports/words/radiosity_words.hpp"
 
@@ -54,19 +54,6 @@ std::string interval_text(const stats::Interval& interval) {
                        100 * interval.level);
 }
 
-std::string clause(const Rivalry& rivalry, const Contest& c) {
-    if (!rivalry.worse) return fmt::format("{} a run of {} has an RMSE of {}", c.where, c.better, brief(c.better_rmse));
-    if (!rivalry.ratio) {
-        if (c.worse_rmse < studies::rounding_error)
-            return fmt::format("{} {} and {} are both exact to rounding", c.where, c.better, c.worse);
-        return fmt::format("{} {} is better: exact to rounding, where {} has an error of {}", c.where, c.better,
-                           c.worse, brief(c.worse_rmse));
-    }
-    if (!rivalry.decided()) return fmt::format("{} {} and {} cannot be told apart", c.where, c.better, c.worse);
-    return fmt::format("{} {} is better: its error is {} times smaller than that of {}", c.where, c.better,
-                       ratio_text(rivalry), c.worse);
-}
-
 KeyNumber contest_number(const Rivalry& rivalry, const Contest& c) {
     KeyNumber number;
     number.label = c.where;
@@ -84,7 +71,7 @@ KeyNumber contest_number(const Rivalry& rivalry, const Contest& c) {
         number.value = fmt::format("{}: {} × better", c.better, ratio_text(rivalry));
         number.detail = rivalry.interval ? fmt::format("{}. {}", interval_text(*rivalry.interval), errors) : errors;
     } else {
-        number.value = "undecided";
+        number.value = "cannot be told apart";
         number.detail = rivalry.interval
                             ? fmt::format("The ratio of errors is {}. {}", interval_text(*rivalry.interval), errors)
                             : fmt::format("The variance of one is infinite, or its trials are too few. {}", errors);
@@ -124,7 +111,7 @@ KeyNumber bias_number(const studies::Findings& findings) {
 }
 
 /// Contradictions first, those with a correction before the rest.
-std::vector<std::string> wrong_in_print(const studies::PublishedResults& published, double alpha) {
+std::vector<std::string> wrong_in_print(const studies::PublishedResults& published) {
     std::vector<std::string> lines;
     for (const bool corrected : {true, false}) {
         for (const studies::Finding& finding : published.audit.findings) {
@@ -132,7 +119,6 @@ std::vector<std::string> wrong_in_print(const studies::PublishedResults& publish
                 lines.push_back(finding.statement);
         }
     }
-    lines.push_back(published_in_brief(published, alpha).front());
     return lines;
 }
 
@@ -140,39 +126,26 @@ std::vector<std::string> wrong_in_print(const studies::PublishedResults& publish
 
 Headline headline(const studies::StudyResults& results) {
     Headline out;
-    std::vector<std::string> clauses;
+    const Answer said = answer(results);
+    out.question = said.question;
+    out.verdict = said.text;
     if (const auto light = light_in_brief(results)) {
-        clauses.push_back(light->clause);
-        out.numbers.push_back({light->value, fmt::format("error of the light at reflectance {}", light->reflectance),
+        out.numbers.push_back({light->value, fmt::format("exitance error at reflectance {}", light->reflectance),
                                "Root mean square over runs and faces, of the mean exitance: with each method as it is "
                                "completed, before repairs."});
     }
-    if (const std::string clause = occlusion_clause(results); !clause.empty()) clauses.push_back(clause);
     for (const Rivalry& rivalry : results.rivals) {
-        if (!results.occlusion.empty()) break;  // that clause compares them, over all scenes
-        const Contest contest = describe(results.findings, rivalry);
-        clauses.push_back(clause(rivalry, contest));
-        if (out.numbers.size() < 4) out.numbers.push_back(contest_number(rivalry, contest));
+        if (!results.occlusion.empty() || out.numbers.size() >= 4) break;  // the answer compares them, over all scenes
+        out.numbers.push_back(contest_number(rivalry, describe(results.findings, rivalry)));
     }
     if (KeyNumber bias = bias_number(results.findings); !bias.value.empty()) out.numbers.push_back(std::move(bias));
     if (results.published) {
         const studies::AuditReport& audit = results.published->audit;
-        const std::size_t count = audit.contradictions();
-        clauses.push_back(fmt::format("the publication's {} printed figures contain {} contradiction{}", audit.figures,
-                                      count, count == 1 ? "" : "s"));
-        out.published = wrong_in_print(*results.published, 1 - results.findings.plan.spec.level);
-        out.numbers.push_back({std::to_string(count), "contradictions in print",
+        out.published = wrong_in_print(*results.published);
+        out.unlikely = published_in_brief(*results.published, 1 - results.findings.plan.spec.level).front();
+        out.numbers.push_back({std::to_string(audit.contradictions()), "contradictions in print",
                                fmt::format("among {} printed figures, found from the figures alone.", audit.figures)});
     }
-    if (clauses.empty()) clauses.emplace_back("no method of this study can be compared with exact values");
-    if (clauses.size() > 4) {
-        const std::size_t more = clauses.size() - 4;
-        clauses.resize(4);
-        clauses.back() += fmt::format(" (and {} more, below)", more);
-    }
-    out.verdict = fmt::format("{}.", fmt::join(clauses, "; "));
-    if (out.verdict.front() >= 'a' && out.verdict.front() <= 'z')
-        out.verdict.front() = static_cast<char>(out.verdict.front() - 'a' + 'A');
     return out;
 }
 

@@ -16,9 +16,12 @@ struct KeyNumber {
 
 /// The result of a study for someone with a minute.
 struct Headline {
-    std::string verdict;  ///< one sentence
+    std::string question;  ///< empty where the title asks it
+    std::string verdict;   ///< the answer
     std::vector<KeyNumber> numbers;
-    std::vector<std::string> published;  ///< what the publication got wrong, a sentence each, worst first
+    std::vector<std::string>
+        published;         ///< the contradictions in a publication's figures, a sentence each, worst first
+    std::string unlikely;  ///< which of its figures a run as described does not give
 };
 
 Headline headline(const studies::StudyResults& results);

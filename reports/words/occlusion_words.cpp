@@ -136,9 +136,9 @@ std::string occlusion_clause(const StudyResults& results) {
     const auto open = scenes_where(results, is_open);
     const auto hidden = scenes_where(results, is_partly_hidden);
     if (hidden.empty()) return {};
-    return fmt::format("at about as many evaluations, the least error is, {}where something hides a part, that of {}",
-                       open.empty() ? "" : fmt::format("with nothing in between, that of {}; ", tell(open)),
-                       tell(hidden));
+    return fmt::format(
+        "at about as many evaluations, the smallest error where something occludes a part is that of {}{}",
+        tell(hidden), open.empty() ? "" : fmt::format("; with nothing in between, that of {}", tell(open)));
 }
 
 }  // namespace ff::reports

@@ -35,18 +35,14 @@ std::vector<std::string> published_in_brief(const studies::PublishedResults& pub
                              [&](const auto& claim) { return claim.verdict == verdict; });
     };
     if (!published.claims.empty()) {
-        lines.push_back(fmt::format("Of the publication's {} claims {} are supported, {} refuted, {} inconclusive.",
-                                    published.claims.size(), count(studies::ClaimVerdict::supported),
-                                    count(studies::ClaimVerdict::refuted), count(studies::ClaimVerdict::inconclusive)));
-        const auto printed_only = std::count_if(published.claims.begin(), published.claims.end(),
-                                                [](const auto& claim) { return claim.as_printed_only; });
-        if (printed_only > 0) {
-            lines.back() += fmt::format(
-                " {} of these verdicts rest on printed errors that the methods as described do not give; with ours "
-                "they "
-                "would be others.",
-                printed_only);
-        }
+        const auto printed_only = count(studies::ClaimVerdict::as_printed_only);
+        lines.push_back(fmt::format(
+            "Of the publication's {} claims {} are supported, {}{} refuted, {} inconclusive.", published.claims.size(),
+            count(studies::ClaimVerdict::supported),
+            printed_only == 0
+                ? std::string()
+                : fmt::format("{} only by printed figures that the methods as described do not give, ", printed_only),
+            count(studies::ClaimVerdict::refuted), count(studies::ClaimVerdict::inconclusive)));
     }
     return lines;
 }

@@ -78,6 +78,7 @@ void fit(std::span<const stats::Rung> rungs, double level, const stats::LadderDr
     slope.interval = rate->bootstrap;
     if (slope.error == ErrorSize::rmse) slope.from_fit = rate->interval;
     slope.lack_of_fit_p = rate->lack_of_fit_p;
+    slope.misfit = rate->misfit;
     if (slope.expected) {
         const double middle = std::sqrt(rungs.front().size * rungs.back().size);
         slope.slowest_expected = slope.expected->slowest(middle);

@@ -29,6 +29,7 @@ struct Slope {
     std::optional<stats::Interval> interval;  ///< bootstrap over whole trials; empty for deterministic methods
     std::optional<stats::Interval> from_fit;  ///< from the weights of the fit; rmse only
     std::optional<double> lack_of_fit_p;      ///< of a straight line; rmse only
+    double misfit = 1;                        ///< sqrt(chi-squared / degrees of freedom) of a straight line, at least 1
     std::optional<ExpectedRate> expected;
     double slowest_expected = 0;  ///< ExpectedRate::slowest at the middle of the ladder
     std::optional<double> p;      ///< of the slope being as expected

@@ -55,10 +55,16 @@ void add_spread(std::span<const double> values, const stats::Moments& moments, c
         summary.efficiency_samples =
             1.0 / (*summary.std * *summary.std * static_cast<double>(request.evaluations_per_face));
     }
-    if (!request.reference) return;
     const auto pilot = request.pilot ? stats::pilot_of(values, *request.pilot) : std::nullopt;
-    summary.bias_interval = pilot ? stats::bias_interval_two_stage(moments, *pilot, request.level)
-                                  : stats::bias_interval_t(moments, request.level);
+    const auto about_centre = pilot ? stats::bias_interval_two_stage(moments, *pilot, request.level)
+                                    : stats::bias_interval_t(moments, request.level);
+    if ((summary.mean_interval = about_centre)) {
+        const double centre = request.reference.value_or(values.front());
+        summary.mean_interval->low += centre;
+        summary.mean_interval->high += centre;
+    }
+    if (!request.reference) return;
+    summary.bias_interval = about_centre;
     const double spread = pilot ? pilot->standard_deviation : *summary.std;
     summary.bias_se = pilot ? spread / std::sqrt(static_cast<double>(values.size())) : moments.standard_error();
     const double detectable = request.detectable_bias * spread;

@@ -23,6 +23,7 @@ struct Summary {
     std::optional<double> reference;
     std::optional<double> mean;
     std::optional<double> bias;
+    std::optional<stats::Interval> mean_interval;  ///< as bias_interval, with or without an exact value
     std::optional<double> bias_se;
     std::optional<stats::Interval> bias_interval;
     std::optional<double> minimum_detectable_bias;  ///< at the family-wise level and the power of the study; empty

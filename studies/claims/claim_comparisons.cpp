@@ -159,6 +159,8 @@ std::string_view right_or_wrong(ClaimVerdict verdict) {
     switch (verdict) {
         case ClaimVerdict::supported:
             return "right";
+        case ClaimVerdict::as_printed_only:
+            return "right by the printed figures only";
         case ClaimVerdict::refuted:
             return "wrong";
         case ClaimVerdict::inconclusive:

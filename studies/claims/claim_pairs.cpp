@@ -55,6 +55,7 @@ Judgement against_each(const std::vector<Opponent>& rivals, const Judge& judge) 
         all.evidence += fmt::format("{}Against {}: {}.", first ? "" : " ", rival.name, one.evidence);
         if (one.verdict != all.verdict) {
             all.as_printed_only = true;
+            if (all.verdict == ClaimVerdict::supported) all.verdict = ClaimVerdict::as_printed_only;
             all.evidence += fmt::format(" Against these the claim is {}.", name(one.verdict));
         }
     }

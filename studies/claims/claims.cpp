@@ -58,6 +58,8 @@ std::string_view name(ClaimVerdict verdict) {
     switch (verdict) {
         case ClaimVerdict::supported:
             return "supported";
+        case ClaimVerdict::as_printed_only:
+            return "only as printed";
         case ClaimVerdict::refuted:
             return "refuted";
         case ClaimVerdict::inconclusive:

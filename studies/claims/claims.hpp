@@ -9,7 +9,12 @@
 
 namespace ff::studies {
 
-enum class ClaimVerdict { supported, refuted, inconclusive };
+enum class ClaimVerdict {
+    supported,
+    as_printed_only,  ///< by the printed figures; by this study's own for the same method it is not
+    refuted,
+    inconclusive,
+};
 
 std::string_view name(ClaimVerdict verdict);
 
@@ -17,7 +22,7 @@ std::string_view name(ClaimVerdict verdict);
 struct JudgedClaim {
     PublishedClaim claim;
     ClaimVerdict verdict = ClaimVerdict::inconclusive;
-    bool as_printed_only = false;  ///< the verdict rests on printed figures; with this study's own it would be another
+    bool as_printed_only = false;  ///< the verdict rests on printed figures; with this study's own it is another
     std::string evidence;          ///< the numbers behind the verdict, with their uncertainty, in sentences
 };
 

@@ -15,13 +15,17 @@ bool known_spread(const Findings& findings, std::size_t cell, const ClassError& 
     return findings.plan.cells[findings.cells[cell].cell].deterministic || error.interval;
 }
 
-void add_ratio(const Findings& findings, const ClassError& better, const ClassError& worse, Rivalry& rivalry) {
+void add_ratio(const Findings& findings, const ClassError& better, const ClassError& worse, std::size_t methods,
+               Rivalry& rivalry) {
     if (better.rmse < rounding_error) return;
     rivalry.ratio = worse.rmse / better.rmse;
     rivalry.doubtful =
         !known_spread(findings, rivalry.better, better) || !known_spread(findings, *rivalry.worse, worse);
     if (rivalry.doubtful) return;
-    rivalry.interval = rmse_ratio_interval(better, worse, findings.plan.spec.level);
+    const double level = findings.plan.spec.level;
+    const auto pairs = static_cast<double>(methods * (methods - 1)) / 2;
+    rivalry.interval = rmse_ratio_interval(better, worse, 1 - (1 - level) / pairs);
+    if (rivalry.interval) rivalry.interval->level = level;
 }
 
 /// Cells of the last table that shows two methods for the same scene.
@@ -90,11 +94,18 @@ std::optional<Rivalry> best_two(const Findings& findings, std::size_t scene, Pai
     rivalry.better = ranking[0].second;
     if (ranking.size() == 1) return rivalry;
     rivalry.worse = ranking[1].second;
-    add_ratio(findings, *ranking[0].first, *ranking[1].first, rivalry);
+    add_ratio(findings, *ranking[0].first, *ranking[1].first, ranking.size(), rivalry);
     return rivalry;
 }
 
 }  // namespace
+
+std::vector<std::size_t> compared_cells(const Findings& findings, std::size_t scene,
+                                        const std::vector<TableComparison>& published) {
+    const auto printed = published_rivals(findings, published);
+    if (!printed.empty() && findings.plan.cells[printed.front()].scene == scene) return printed;
+    return comparable_cells(findings, scene);
+}
 
 bool Rivalry::decided() const {
     if (!worse) return false;
@@ -103,10 +114,8 @@ bool Rivalry::decided() const {
 
 std::vector<Rivalry> find_rivals(const Findings& findings, const std::vector<TableComparison>& published) {
     std::vector<Rivalry> rivals;
-    const auto printed = published_rivals(findings, published);
     for (std::size_t scene = 0; scene < findings.plan.scenes.size(); ++scene) {
-        const bool of_publication = !printed.empty() && findings.plan.cells[printed.front()].scene == scene;
-        const auto cells = of_publication ? printed : comparable_cells(findings, scene);
+        const auto cells = compared_cells(findings, scene, published);
         for (const PairClass pair_class : {PairClass::parallel, PairClass::adjacent, PairClass::other}) {
             if (const auto rivalry = best_two(findings, scene, pair_class, cells)) rivals.push_back(*rivalry);
         }

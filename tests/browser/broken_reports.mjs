@@ -29,6 +29,13 @@ const faults = [
    made: text => replaced(text, '"type":"fit-x"', '"type":"none"')},
   {fault: 'no text alternative', only: ['pictures'], finds: 'has no text alternative',
    made: text => text.replaceAll(/(<div class="canvas" role="img") aria-label="[^"]*"/g, '$1')},
+  {fault: 'a table before the picture', only: ['answer'], finds: 'a table comes before the picture',
+   made: text => replaced(text, '<h1>', '<table><tr><td>1</td></tr></table><h1>')},
+  {fault: 'an answer below the first screen', only: ['answer'], finds: 'the answer is below',
+   made: text => changed(text, '.verdict { ', '.verdict { margin-top: 60rem !important; ')},
+  {fault: 'names of rows that scroll away', only: ['pictures', 'names'], finds: 'names of rows',
+   made: text => changed(text, 'position: sticky; left: 0;', '')
+     .replace('max-width: 75rem', 'max-width: 24rem')},
   {fault: 'no tooltips', only: ['pictures', 'tooltips'], finds: 'no tooltip',
    made: text => changed(text, '.tooltip(showTip)', '')},
   {fault: 'a legend that isolates nothing', only: ['pictures', 'isolation'], finds: 'isolating a series changes nothing',

@@ -7,13 +7,13 @@ import {pathToFileURL} from 'node:url';
 import * as checks from './checks.mjs';
 import {open, withChromium} from './page.mjs';
 
-const {pictures, tooltips, isolation, choices, keyboard, saving, tables, accessibility} = checks;
+const {answer, names, pictures, tooltips, isolation, choices, keyboard, saving, tables, accessibility} = checks;
 
 /** How it is looked at, and what is asked then. */
 const views = [
-  {name: 'wide', width: 1280, asked: {pictures, tooltips, isolation, choices, saving, tables, keyboard, accessibility}},
+  {name: 'wide', width: 1280, asked: {answer, names, pictures, tooltips, isolation, choices, saving, tables, keyboard, accessibility}},
   {name: 'dark', width: 1280, dark: true, asked: {pictures, accessibility}},
-  {name: 'phone', width: 390, height: 844, asked: {pictures, tooltips, accessibility}},
+  {name: 'phone', width: 390, height: 844, asked: {answer, names, pictures, tooltips, accessibility}},
 ];
 
 /** What of `report` is wrong; `only` names the checks of the first view that are made, all where it is not given. */

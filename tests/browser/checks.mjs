@@ -179,3 +179,36 @@ export async function accessibility(page) {
   const [wide, room] = await page.evaluate(() => [document.documentElement.scrollWidth, window.innerWidth]);
   return wide > room ? [...violations, `the page is ${wide} wide, the window ${room}`] : violations;
 }
+
+/** The first screen has the title, the answer and the beginning of a picture, in this order and before any table. */
+export async function answer(page) {
+  await page.evaluate(() => window.scrollTo(0, 0));
+  return page.evaluate(() => {
+    const parts = {title: 'h1', answer: '.verdict', picture: 'header figure.picture'};
+    const problems = [];
+    let above = 0;
+    for (const [name, selector] of Object.entries(parts)) {
+      const node = document.querySelector(selector);
+      if (!node) return [...problems, `no ${name} on the first screen`];
+      const box = node.getBoundingClientRect();
+      if (box.top < above - 1) problems.push(`the ${name} is out of order`);
+      if ((name === 'picture' ? box.top + 150 : box.bottom) > window.innerHeight) problems.push(`the ${name} is below the first screen`);
+      above = box.bottom;
+    }
+    const table = document.querySelector('table');
+    if (table && table.getBoundingClientRect().top < above) problems.push('a table comes before the picture');
+    return problems;
+  });
+}
+
+/** The column that names a row stays in sight while the others are scrolled. */
+export async function names(page) {
+  return page.evaluate(() => [...document.querySelectorAll('main .scroll')].filter(place => place.scrollWidth > place.clientWidth + 1)
+    .flatMap(place => {
+      place.scrollLeft = 200;
+      const name = place.querySelector('tbody th');
+      const lost = name && name.getBoundingClientRect().left < place.getBoundingClientRect().left - 1;
+      place.scrollLeft = 0;
+      return lost ? [`${place.getAttribute('aria-labelledby')}: names of rows are scrolled out of sight`] : [];
+    }));
+}

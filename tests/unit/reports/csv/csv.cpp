@@ -59,7 +59,7 @@ TEST(SummaryCsv, HasTheDocumentedColumnsInOrder) {
               "trials,from_face,to_face,pair_class,reference,mean,bias,bias_se,bias_ci_low,bias_ci_high,"
               "interval_method,level,minimum_detectable_bias,std,std_ci_low,std_ci_high,rmse,median_abs_error,"
               "relative_error_percent,skewness,excess_kurtosis,min,q05,median,q95,max,normality_p,vov,tail_index,"
-              "efficiency_samples,lost_rays,std_interval_method");
+              "efficiency_samples,lost_rays,std_interval_method,mean_ci_low,mean_ci_high");
 }
 
 TEST(SlopesCsv, HasTheDocumentedColumnsInOrder) {
@@ -133,6 +133,21 @@ TEST(SummaryCsv, LeavesIntervalsUnderInfiniteVarianceEmptyAndKeepsQuantiles) {
         }
     }
     EXPECT_EQ(infinite, 2u * 24);
+}
+
+TEST(SummaryCsv, GivesTheMeanAnIntervalWithoutAnExactValueToo) {
+    std::size_t without = 0;
+    for (const auto& row : summary().rows) {
+        if (row.at("method") != "direct" || row.at("mean_ci_low").empty()) continue;
+        EXPECT_LT(std::stod(row.at("mean_ci_low")), std::stod(row.at("mean")));
+        EXPECT_LT(std::stod(row.at("mean")), std::stod(row.at("mean_ci_high")));
+        if (row.at("reference").empty())
+            ++without;
+        else
+            EXPECT_NEAR(std::stod(row.at("mean_ci_low")) - std::stod(row.at("reference")),
+                        std::stod(row.at("bias_ci_low")), 1e-12);
+    }
+    EXPECT_GT(without, 0u);
 }
 
 TEST(SummaryCsv, NamesSumsAndTheirError) {

@@ -1,0 +1,102 @@
+#include "reports/pictures/method_styles.hpp"
+
+#include "studies/comparison/ranking.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <numeric>
+#include <set>
+
+namespace ff::reports {
+namespace {
+
+using studies::StudyResults;
+
+/// Okabe and Ito, without yellow and black; the rest of the palette tells more apart on both grounds.
+constexpr std::array colours{"#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#8a6d3b"};
+constexpr std::array symbols{"circle", "square", "triangle-up", "cross", "diamond", "triangle-right", "triangle-down"};
+constexpr const char* grey = "#8b8f94";
+constexpr std::size_t leaders = 3;
+
+/// Ranks of each method among slopes or, without any, among errors, added up over classes of pairs and scenes.
+std::map<std::size_t, double> mean_ranks(const StudyResults& results) {
+    const studies::StudyPlan& plan = results.findings.plan;
+    std::map<std::size_t, std::pair<double, int>> sums;
+    for (std::size_t scene = 0; scene < plan.scenes.size(); ++scene) {
+        const auto tables =
+            results.published ? results.published->comparisons : std::vector<studies::TableComparison>();
+        const auto cells = studies::compared_cells(results.findings, scene, tables);
+        for (const PairClass pair_class : {PairClass::parallel, PairClass::adjacent, PairClass::other}) {
+            const auto slopes = studies::rank_slopes(results.slopes, scene, pair_class, plan.spec.level).slopes;
+            const auto ranked = slopes.empty() ? studies::rank_errors(results.findings, cells, pair_class) : slopes;
+            for (std::size_t rank = 0; rank < ranked.size(); ++rank) {
+                const std::size_t index = ranked[rank].index;
+                auto& [sum, count] =
+                    sums[slopes.empty() ? plan.cells[index].method : results.slopes[index].ladder.method];
+                sum += static_cast<double>(rank);
+                ++count;
+            }
+        }
+    }
+    std::map<std::size_t, double> means;
+    for (const auto& [method, sum] : sums) means[method] = sum.first / sum.second;
+    return means;
+}
+
+std::set<std::size_t> coloured(const StudyResults& results) {
+    const auto& methods = results.findings.plan.spec.methods;
+    std::set<std::size_t> chosen;
+    if (methods.size() <= colours.size()) {
+        for (std::size_t i = 0; i < methods.size(); ++i) chosen.insert(i);
+        return chosen;
+    }
+    for (std::size_t scene = 0; results.published && scene < results.findings.plan.scenes.size(); ++scene) {
+        for (const std::size_t cell :
+             studies::compared_cells(results.findings, scene, results.published->comparisons)) {
+            if (chosen.size() < leaders) chosen.insert(results.findings.plan.cells[cell].method);
+        }
+    }
+    const auto ranks = mean_ranks(results);
+    std::vector<std::size_t> order;
+    for (const auto& [method, rank] : ranks) order.push_back(method);
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return ranks.at(a) < ranks.at(b); });
+    order.resize(std::min(order.size(), leaders));
+    chosen.insert(order.begin(), order.end());
+    const auto random = std::find_if(methods.begin(), methods.end(),
+                                     [](const studies::Method& method) { return method.sampler == "random"; });
+    if (random != methods.end()) chosen.insert(static_cast<std::size_t>(random - methods.begin()));
+    return chosen;
+}
+
+}  // namespace
+
+std::vector<MethodStyle> method_styles(const StudyResults& results) {
+    const auto& methods = results.findings.plan.spec.methods;
+    const auto chosen = coloured(results);
+    std::vector<MethodStyle> styles;
+    std::size_t next = 0;
+    for (std::size_t i = 0; i < methods.size(); ++i) {
+        const bool in_colour = chosen.contains(i);
+        styles.push_back({methods[i].name, in_colour ? colours[next++] : grey, symbols[i % symbols.size()], in_colour});
+    }
+    return styles;
+}
+
+nlohmann::ordered_json style_scales(const std::vector<MethodStyle>& styles) {
+    auto methods = nlohmann::ordered_json::array();
+    auto colour = nlohmann::ordered_json::array();
+    auto symbol = nlohmann::ordered_json::array();
+    for (const MethodStyle& style : styles) {
+        methods.push_back(style.method);
+        colour.push_back(style.colour);
+        symbol.push_back(style.symbol);
+    }
+    return {{"color", {{"domain", methods}, {"range", std::move(colour)}}},
+            {"shape", {{"domain", methods}, {"range", std::move(symbol)}}}};
+}
+
+}  // namespace ff::reports

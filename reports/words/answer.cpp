@@ -1,0 +1,299 @@
+#include "reports/words/answer.hpp"
+
+#include "reports/text/labels.hpp"
+#include "reports/text/numbers.hpp"
+#include "reports/words/coverage_words.hpp"
+#include "reports/words/occlusion_words.hpp"
+#include "reports/words/premise.hpp"
+#include "reports/words/radiosity_words.hpp"
+#include "studies/analysis/configuration_estimates.hpp"
+#include "studies/comparison/ranking.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <set>
+
+namespace ff::reports {
+namespace {
+
+using studies::Ranked;
+using studies::StudyResults;
+
+constexpr std::array all_classes{PairClass::parallel, PairClass::adjacent, PairClass::other};
+constexpr std::size_t most_clauses = 4;
+
+const std::string& method_of(const studies::StudyPlan& plan, std::size_t cell) {
+    return plan.spec.methods[plan.cells[cell].method].name;
+}
+
+/// Those that cannot be told apart from the best.
+std::vector<Ranked> leaders(const std::vector<Ranked>& ranked) {
+    std::vector<Ranked> best;
+    std::copy_if(ranked.begin(), ranked.end(), std::back_inserter(best),
+                 [](const Ranked& each) { return each.group == 0; });
+    return best;
+}
+
+/// "-0.98 to -0.94", ends once where they are alike.
+std::string from_to(const std::string& first, const std::string& last) {
+    return first == last ? first : fmt::format("{} to {}", first, last);
+}
+
+std::string slope_and_reach(const Ranked& slope) {
+    return fmt::format("{:.2f} ± {:.2f}", slope.value, slope.interval->width() / 2);
+}
+
+std::string rate_clause(const StudyResults& results, std::size_t scene, PairClass pair_class) {
+    const studies::StudyPlan& plan = results.findings.plan;
+    const auto ranked = studies::rank_slopes(results.slopes, scene, pair_class, plan.spec.level);
+    if (ranked.slopes.empty()) return {};
+    const std::string where = on_pairs(plan, scene, pair_class);
+    const std::string slope = ranked.of_median ? "slope of the median error" : "slope";
+    const auto label = [&](const Ranked& each) { return results.slopes[each.index].ladder.label; };
+    const Ranked& first = ranked.slopes.front();
+    const Ranked& last = ranked.slopes.back();
+    if (ranked.slopes.size() == 1)
+        return fmt::format("{} the error of {} falls with {} {}", where, label(first), slope, slope_and_reach(first));
+    const auto best = leaders(ranked.slopes);
+    std::string text;
+    if (best.size() == 1) {
+        text = fmt::format("{} {} converges fastest ({} {})", where, label(first), slope, slope_and_reach(first));
+    } else {
+        std::vector<std::string> names;
+        for (const Ranked& each : best) names.push_back(label(each));
+        text = fmt::format("{} {} cannot be told apart ({} {})", where,
+                           best.size() == ranked.slopes.size() ? fmt::format("all {} methods", best.size())
+                                                               : listed(names) + " converge fastest and",
+                           ranked.of_median ? "slopes of the median error" : "slopes",
+                           from_to(fmt::format("{:.2f}", first.value), fmt::format("{:.2f}", best.back().value)));
+    }
+    if (last.group > 0) text += fmt::format("; {} slowest ({})", label(last), slope_and_reach(last));
+    return text;
+}
+
+std::string error_clause(const StudyResults& results, std::size_t scene, PairClass pair_class) {
+    const studies::Findings& findings = results.findings;
+    const studies::StudyPlan& plan = findings.plan;
+    const auto tables = results.published ? results.published->comparisons : std::vector<studies::TableComparison>();
+    const auto ranked = studies::rank_errors(findings, studies::compared_cells(findings, scene, tables), pair_class);
+    if (ranked.empty()) return {};
+    const std::string where = on_pairs(plan, scene, pair_class);
+    const auto best = leaders(ranked);
+    const Ranked& first = ranked.front();
+    const std::string size = size_label(plan, plan.cells[first.index]);
+    std::vector<std::string> names;
+    for (const Ranked& each : best) names.push_back(method_of(plan, each.index));
+    if (first.value < studies::rounding_error)
+        return fmt::format("{} {} {} exact to rounding", where, listed(names), names.size() == 1 ? "is" : "are");
+    if (ranked.size() == 1)
+        return fmt::format("{} {} has an RMSE of {} at {}", where, names.front(), brief(first.value), size);
+    if (best.size() > 1) {
+        return fmt::format("{} {} cannot be told apart (RMSE {}, {})", where,
+                           best.size() == ranked.size() ? fmt::format("all {} methods", best.size())
+                                                        : listed(names) + " have the smallest errors and",
+                           from_to(brief(first.value), brief(best.back().value)), size);
+    }
+    const Ranked& next = ranked[1];
+    const auto& better = *findings.cells[first.index].class_error(pair_class);
+    const auto& worse = *findings.cells[next.index].class_error(pair_class);
+    const auto pairs = static_cast<double>(ranked.size() * (ranked.size() - 1)) / 2;
+    const auto ratio = studies::rmse_ratio_interval(better, worse, 1 - (1 - plan.spec.level) / pairs);
+    const std::string times = ratio ? from_to(brief(ratio->low), brief(ratio->high)) : brief(next.value / first.value);
+    return fmt::format("{} {} has the smallest error, {} times smaller than {} (RMSE {}, {})", where, names.front(),
+                       times, method_of(plan, next.index), brief(first.value), size);
+}
+
+/// The largest size of each ladder stands for the others.
+std::vector<std::string> variance_clauses(const StudyResults& results) {
+    const studies::Findings& findings = results.findings;
+    std::vector<std::string> clauses;
+    std::set<std::pair<std::size_t, PairClass>> seen;
+    for (const studies::VarianceReduction& each : results.reductions) {
+        if (!seen.emplace(each.random_cell, each.pair_class).second) continue;
+        const auto ranked = studies::rank_reductions(findings, results.reductions, each.random_cell, each.pair_class);
+        const auto best = leaders(ranked);
+        std::vector<std::string> names;
+        for (const Ranked& leader : best) names.push_back(method_of(findings.plan, leader.index));
+        const studies::Cell& cell = findings.plan.cells[each.random_cell];
+        const std::string place = fmt::format("{} with {}", on_pairs(findings.plan, cell.scene, each.pair_class),
+                                              size_label(findings.plan, cell));
+        const bool all = best.size() == ranked.size();
+        const auto& interval = best.front().interval;
+        const std::string much =
+            best.size() > 1 || !interval
+                ? from_to(fmt::format("{:.3g}", best.back().value), fmt::format("{:.3g}", best.front().value))
+                : fmt::format("{:.3g} ({:.3g} to {:.3g})", best.front().value, interval->low, interval->high);
+        clauses.push_back(
+            all ? fmt::format("{} the variances of all {} methods cannot be told apart", place, best.size())
+                : fmt::format("{} {} {} the least variance, {} times less than random points", place, listed(names),
+                              best.size() == 1 ? "has" : "have", much));
+    }
+    return clauses;
+}
+
+std::vector<std::string> configuration_clauses(const StudyResults& results) {
+    std::size_t agree = 0;
+    std::size_t biased = 0;
+    std::size_t untested = 0;
+    std::size_t deterministic = 0;
+    double largest = 0;
+    for (const studies::ConfigurationEstimate& row : studies::configuration_estimates(results.findings)) {
+        if (!row.found->bias) {
+            ++deterministic;
+            largest = std::max(largest, std::abs(row.bias));
+        } else if (row.found->bias_finding == studies::BiasFinding::biased) {
+            ++biased;
+        } else if (row.found->bias_finding == studies::BiasFinding::untestable || !row.interval) {
+            ++untested;
+        } else {
+            ++agree;
+        }
+    }
+    std::vector<std::string> clauses;
+    const std::size_t sampled = agree + biased + untested;
+    if (sampled > 0) {
+        clauses.push_back(
+            fmt::format("{} of {} sampled estimates agree with the exact value, {} {} biased (a false alarm "
+                        "anywhere: {:g} %) and {} cannot be tested",
+                        agree, sampled, biased, biased == 1 ? "is" : "are",
+                        100 * (1 - results.findings.plan.spec.level), untested));
+    }
+    if (deterministic > 0) {
+        clauses.push_back(
+            fmt::format("the {} deterministic ones are off by at most {}", deterministic, brief(largest, 2)));
+    }
+    return clauses;
+}
+
+/// A clause for each class of pairs of each scene.
+template <class Clause>
+std::vector<std::string> by_class(const StudyResults& results, const Clause& clause) {
+    std::vector<std::string> clauses;
+    for (std::size_t scene = 0; scene < results.findings.plan.scenes.size(); ++scene) {
+        for (const PairClass pair_class : all_classes) {
+            if (std::string text = clause(results, scene, pair_class); !text.empty())
+                clauses.push_back(std::move(text));
+        }
+    }
+    return clauses;
+}
+
+bool has_ranked_slopes(const StudyResults& results) {
+    return !by_class(results, rate_clause).empty();
+}
+
+std::vector<std::string> clauses_of(const StudyResults& results, Subject subject) {
+    switch (subject) {
+        case Subject::light:
+            return {light_in_brief(results)->clause};
+        case Subject::occlusion:
+            return {occlusion_clause(results)};
+        case Subject::coverage:
+            return coverage_clauses(results);
+        case Subject::publication:
+        case Subject::errors:
+            break;
+        case Subject::configurations:
+            return configuration_clauses(results);
+        case Subject::rates:
+            return by_class(results, rate_clause);
+        case Subject::variances:
+            return variance_clauses(results);
+    }
+    return by_class(results, error_clause);
+}
+
+std::string question_of(Subject subject) {
+    switch (subject) {
+        case Subject::light:
+            return "What do form-factor errors do to the light?";
+        case Subject::occlusion:
+            return "Which method has the smallest error, with and without occlusion?";
+        case Subject::coverage:
+            return "How often do intervals contain the exact value?";
+        case Subject::publication:
+            return "Which method is more accurate, and do the published figures hold?";
+        case Subject::configurations:
+            return "Do the estimates agree with the exact values?";
+        case Subject::rates:
+            return "How fast does the error fall with the number of evaluations?";
+        case Subject::variances:
+            return "How much less variance than random points?";
+        case Subject::errors:
+            break;
+    }
+    return "Which method has the smallest error?";
+}
+
+/// Clauses as one sentence, or as sentences where they have parts themselves.
+std::string sentence(std::vector<std::string> clauses) {
+    if (clauses.empty()) return {};
+    const std::size_t all = clauses.size();
+    clauses.resize(std::min(all, most_clauses));
+    if (all > most_clauses) clauses.back() += fmt::format(" ({} more below)", all - most_clauses);
+    const bool compound = std::any_of(clauses.begin(), clauses.end(),
+                                      [](const std::string& clause) { return clause.find(';') != std::string::npos; });
+    for (std::string& clause : clauses) {
+        if ((compound || &clause == &clauses.front()) && clause.front() >= 'a' && clause.front() <= 'z')
+            clause.front() = static_cast<char>(clause.front() - 'a' + 'A');
+    }
+    return fmt::format("{}.", fmt::join(clauses, compound ? ". " : "; "));
+}
+
+}  // namespace
+
+std::string listed(std::vector<std::string> names, std::size_t most) {
+    for (std::string& name : names) {
+        if (name.find(',') != std::string::npos) name = fmt::format("“{}”", name);
+    }
+    if (names.empty()) return {};
+    if (names.size() == 1) return names.front();
+    if (names.size() > most) {
+        const std::size_t more = names.size() - most + 1;
+        names.resize(most - 1);
+        return fmt::format("{} and {} more", fmt::join(names, ", "), more);
+    }
+    const std::string last = names.back();
+    names.pop_back();
+    return fmt::format("{} and {}", fmt::join(names, ", "), last);
+}
+
+std::string on_pairs(const studies::StudyPlan& plan, std::size_t scene, PairClass pair_class) {
+    const std::string where = fmt::format("on {} pairs", name(pair_class));
+    return plan.scenes.size() == 1 ? where : fmt::format("{} of {}", where, plan.scenes[scene].name);
+}
+
+Subject subject_of(const StudyResults& results) {
+    if (light_in_brief(results)) return Subject::light;
+    if (!occlusion_clause(results).empty()) return Subject::occlusion;
+    if (!results.coverage.empty()) return Subject::coverage;
+    if (results.published) return Subject::publication;
+    if (results.findings.plan.scenes.size() > 1 && !studies::configuration_estimates(results.findings).empty())
+        return Subject::configurations;
+    if (has_ranked_slopes(results)) return Subject::rates;
+    if (!results.reductions.empty()) return Subject::variances;
+    return Subject::errors;
+}
+
+Answer answer(const StudyResults& results) {
+    const Subject subject = subject_of(results);
+    Answer out;
+    if (!results.findings.plan.spec.title.ends_with('?')) out.question = question_of(subject);
+    std::vector<std::string> sentences;
+    if (results.published) {
+        if (std::string text = premise(results); !text.empty()) sentences.push_back(std::move(text));
+    }
+    if (std::string text = sentence(clauses_of(results, subject)); !text.empty()) sentences.push_back(std::move(text));
+    if (results.published) {
+        const studies::AuditReport& audit = results.published->audit;
+        sentences.push_back(fmt::format("The publication's {} printed figures contain {} contradiction{}.",
+                                        audit.figures, audit.contradictions(), audit.contradictions() == 1 ? "" : "s"));
+    }
+    if (sentences.empty()) sentences.emplace_back("No method of this study can be compared with exact values.");
+    out.text = fmt::format("{}", fmt::join(sentences, " "));
+    return out;
+}
+
+}  // namespace ff::reports

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "studies/results/results.hpp"
+
+#include <string>
+#include <vector>
+
+namespace ff::reports {
+
+/// What a study is about, by what it found: the first that applies.
+enum class Subject {
+    light,           ///< errors of radiosity solutions
+    occlusion,       ///< error against the occluded share
+    coverage,        ///< how often intervals contain the exact value
+    publication,     ///< methods against the figures of a publication
+    configurations,  ///< estimates against the exact values of the catalogue
+    rates,           ///< how fast errors fall
+    variances,       ///< variances against those of random points
+    errors,          ///< errors of methods at the same size
+};
+Subject subject_of(const studies::StudyResults& results);
+
+/// Question and answer for someone with a minute.
+struct Answer {
+    std::string question;  ///< empty where the study's title asks it
+    std::string text;      ///< a sentence or a few; begins with a capital, and ends with a full stop
+};
+Answer answer(const studies::StudyResults& results);
+
+/// "a, b and c"; of more than `most` names the first, and how many more there are. Names with commas are quoted.
+std::string listed(std::vector<std::string> names, std::size_t most = 4);
+
+/// Where the pairs of a class are: "on parallel pairs", "on parallel pairs of cube".
+std::string on_pairs(const studies::StudyPlan& plan, std::size_t scene, PairClass pair_class);
+
+}  // namespace ff::reports

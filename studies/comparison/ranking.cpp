@@ -1,0 +1,135 @@
+#include "studies/comparison/ranking.hpp"
+
+#include "stats/distributions.hpp"
+#include "studies/comparison/rivals.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace ff::studies {
+namespace {
+
+constexpr std::size_t certain = std::numeric_limits<std::size_t>::max();
+
+bool differ(const Measured& a, const Measured& b, double alpha) {
+    return p_of_equal({b.value - a.value, std::hypot(a.standard_error, b.standard_error),
+                       std::min(a.trials, b.trials)}) < alpha;
+}
+
+/// Groups of what has been measured, and the whole in their order, best first.
+void put_in_order(std::vector<Ranked>& ranked, const std::vector<Measured>& measured, double level) {
+    const auto groups = groups_apart(measured, level);
+    std::vector<std::size_t> order(ranked.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return measured[a].value < measured[b].value; });
+    std::vector<Ranked> sorted;
+    for (const std::size_t i : order) {
+        sorted.push_back(ranked[i]);
+        sorted.back().group = groups[i];
+    }
+    ranked = std::move(sorted);
+}
+
+std::size_t fewest_trials(const ClassSlopes& found) {
+    std::size_t fewest = certain;
+    for (const ClassError& size : found.sizes) fewest = std::min(fewest, size.trials);
+    return fewest;
+}
+
+Measured log_variance_of(const ClassError& error) {
+    const double critical =
+        stats::student_critical(static_cast<double>(error.trials - 1), (1 - error.variance_interval->level) / 2);
+    return {std::log(*error.variance), std::log(error.variance_interval->high / *error.variance) / critical,
+            error.trials};
+}
+
+}  // namespace
+
+std::vector<std::size_t> groups_apart(std::span<const Measured> values, double level) {
+    std::vector<std::size_t> order(values.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return values[a].value < values[b].value; });
+    const auto pairs = static_cast<double>(values.size() * (values.size() - std::min<std::size_t>(values.size(), 1)));
+    const double alpha = (1 - level) / std::max(1.0, pairs / 2);
+    std::vector<std::size_t> groups(values.size());
+    for (std::size_t begun = 0, group = 0; !order.empty(); ++group) {
+        begun = order.front();
+        std::vector<std::size_t> others;
+        for (const std::size_t i : order) {
+            if (i != begun && differ(values[begun], values[i], alpha))
+                others.push_back(i);
+            else
+                groups[i] = group;
+        }
+        order = std::move(others);
+    }
+    return groups;
+}
+
+RankedSlopes rank_slopes(std::span<const LadderSlopes> ladders, std::size_t scene, PairClass pair_class, double level) {
+    RankedSlopes out;
+    const auto for_each = [&](const auto& use) {
+        for (std::size_t i = 0; i < ladders.size(); ++i) {
+            for (const ClassSlopes& found : ladders[i].classes) {
+                if (ladders[i].ladder.scene == scene && found.pair_class == pair_class) use(i, found);
+            }
+        }
+    };
+    for_each([&](std::size_t, const ClassSlopes& found) {
+        out.of_median |= found.rmse.variance == VarianceStatus::infinite && found.median.interval;
+    });
+    std::vector<Measured> measured;
+    for_each([&](std::size_t i, const ClassSlopes& found) {
+        const Slope& slope = out.of_median ? found.median : found.rmse;
+        if (!slope.slope || !slope.interval) return;
+        const double widening = found.bent ? slope.misfit : 1;
+        Ranked ranked{i, *slope.slope, slope.interval, 0};
+        ranked.interval->low = *slope.slope - widening * (*slope.slope - slope.interval->low);
+        ranked.interval->high = *slope.slope + widening * (slope.interval->high - *slope.slope);
+        const double critical = stats::normal_critical((1 - slope.interval->level) / 2);
+        measured.push_back({*slope.slope, ranked.interval->width() / (2 * critical), fewest_trials(found)});
+        out.slopes.push_back(ranked);
+    });
+    put_in_order(out.slopes, measured, level);
+    return out;
+}
+
+std::vector<Ranked> rank_errors(const Findings& findings, std::span<const std::size_t> cells, PairClass pair_class) {
+    std::vector<Ranked> ranked;
+    std::vector<Measured> measured;
+    for (const std::size_t cell : cells) {
+        const ClassError* error = findings.cells[cell].class_error(pair_class);
+        const bool deterministic = findings.plan.cells[cell].deterministic;
+        if (error == nullptr || findings.cells[cell].has_infinite_variance(pair_class)) continue;
+        if (!deterministic && !error->interval) continue;
+        const double size = std::log(std::max(error->rmse, rounding_error));
+        const double spread = deterministic ? 0 : error->mean_square_se / (2 * error->rmse * error->rmse);
+        measured.push_back({size, spread, deterministic ? certain : error->trials});
+        ranked.push_back({cell, error->rmse, deterministic ? std::nullopt : error->interval, 0});
+    }
+    put_in_order(ranked, measured, findings.plan.spec.level);
+    return ranked;
+}
+
+std::vector<Ranked> rank_reductions(const Findings& findings, std::span<const VarianceReduction> reductions,
+                                    std::size_t random_cell, PairClass pair_class) {
+    std::vector<Ranked> ranked;
+    std::vector<Measured> measured;
+    const auto add = [&](const Ranked& one) {
+        ranked.push_back(one);
+        measured.push_back(log_variance_of(*findings.cells[one.index].class_error(pair_class)));
+    };
+    for (const VarianceReduction& reduction : reductions) {
+        if (reduction.random_cell != random_cell || reduction.pair_class != pair_class) continue;
+        if (ranked.empty()) add({random_cell, 1, std::nullopt, 0});
+        add({reduction.cell, reduction.factor, reduction.interval, 0});
+    }
+    put_in_order(ranked, measured, findings.plan.spec.level);
+    return ranked;
+}
+
+}  // namespace ff::studies
