@@ -145,6 +145,9 @@ void add_form_factors(CLI::App& app, FormFactorsCommand& command, Action& action
     const auto of_a_run = [load](CLI::Option* option) { return option->excludes(load); };
     of_a_run(sub->add_option("SCENE", command.scene,
                              "cube, box:AxBxC, another built-in scene, or a file (.obj, .toml, .vs3)"));
+    of_a_run(sub->add_option("--faces", command.faces, "What a face of an OBJ file is: its groups, or every polygon"))
+        ->check(CLI::IsMember({"group", "polygon"}))
+        ->capture_default_str();
     of_a_run(sub->add_option("--tolerance", request.tolerance, "Largest half width of an interval"))
         ->capture_default_str();
     of_a_run(sub->add_option("--level", request.level, "Level of the intervals"))->capture_default_str();

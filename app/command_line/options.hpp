@@ -54,6 +54,7 @@ struct EnclosureCommand {
 struct FormFactorsCommand {
     std::string scene;                   ///< built-in name, or a file; empty: a matrix is loaded
     std::filesystem::path load;          ///< folder or store of an earlier run; empty: none
+    std::string faces = "group";         ///< or "polygon": what a face of an OBJ file is
     studies::FormFactorRequest request;  ///< but for seed, threads and what level means
     std::uint64_t seed = 1;
     std::optional<unsigned> threads;

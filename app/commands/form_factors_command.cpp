@@ -39,11 +39,17 @@ const std::vector<std::string> files{store_file,        "matrix.csv",      "form
                                      "repaired.mtx",    "repaired.npy",    "form_factors.json", "context.json"};
 
 /// A built-in name, or name and text of a file.
-std::string read_source(const std::string& name) {
+std::string read_source(const FormFactorsCommand& command) {
+    const std::string& name = command.scene;
+    const bool by_polygon = command.faces == "polygon";
     if (name.empty()) throw UserError("SCENE is missing. See 'ffstudy form_factors --help'.");
     const bool names_file = studies::names_scene_file(name);
+    if (by_polygon && !name.ends_with(".obj"))
+        throw UserError(
+            fmt::format("--faces polygon: '{}' is no OBJ file (faces of others have names). Leave it out.", name));
     if (!names_file && !std::filesystem::is_regular_file(name)) return name;
-    const std::string text = studies::read_text_file(studies::scene_file(name), studies::FileKind::scene);
+    std::string text = studies::read_text_file(studies::scene_file(name), studies::FileKind::scene);
+    if (by_polygon) text = studies::with_faces_of_polygons(std::move(text));
     if (names_file) return studies::with_scene_text(name, text);
     throw UserError(fmt::format("{}: its extension names no scene format. Rename it to .obj, .toml or .vs3.", name));
 }
@@ -89,9 +95,10 @@ studies::FormFactorRequest request_of(const FormFactorsCommand& command) {
 }
 
 std::string in_words(const FormFactorsCommand& command) {
-    return fmt::format("ffstudy form_factors {} --tolerance {} --level {}{} --seed {}{}", command.scene,
-                       command.request.tolerance, command.request.level, command.whole_matrix ? " --simultaneous" : "",
-                       command.seed, command.request.repair ? " --repair" : "");
+    return fmt::format("ffstudy form_factors {}{} --tolerance {} --level {}{} --seed {}{}", command.scene,
+                       command.faces == "polygon" ? " --faces polygon" : "", command.request.tolerance,
+                       command.request.level, command.whole_matrix ? " --simultaneous" : "", command.seed,
+                       command.request.repair ? " --repair" : "");
 }
 
 /// Prints and writes what was found or loaded.
@@ -139,7 +146,7 @@ ExitCode form_factors(const FormFactorsCommand& command) {
     kept.request = request_of(command);
     std::optional<std::chrono::duration<double>> max_time;
     if (command.max_time) max_time = parse_duration(*command.max_time);
-    kept.source = read_source(command.scene);
+    kept.source = read_source(command);
     kept.scene = make_scene(kept.source);
     studies::SceneDoubts doubts = studies::examine_scene(kept.scene);
     if (!command.quiet) {

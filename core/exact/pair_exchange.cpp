@@ -15,9 +15,6 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Looking at all pairs takes the cube of the number of surfaces.
-constexpr std::size_t most_examined = 512;
-
 /// Each is cut out of every piece of a polygon; of more, rays cost less.
 constexpr std::size_t most_blockers = 64;
 
@@ -103,6 +100,8 @@ std::string_view name(ExchangeMethod method) {
             return "contour";
         case ExchangeMethod::quadrature:
             return "quadrature";
+        case ExchangeMethod::bounds:
+            return "bounds";
         case ExchangeMethod::points:
             return "points";
         case ExchangeMethod::rays:
@@ -121,6 +120,8 @@ std::string_view in_words(ExchangeReason reason) {
             return "polygons far apart with nothing in between";
         case ExchangeReason::polygons:
             return "polygons with nothing in between";
+        case ExchangeReason::small:
+            return "less than the tolerance, whatever stands in between";
         case ExchangeReason::blocked:
             return "polygons, something may stand in between";
         case ExchangeReason::curved:
@@ -134,16 +135,19 @@ std::string_view in_words(ExchangeReason reason) {
 }
 
 SceneSight sight_of(const Scene& scene) {
-    if (scene.empty_box || is_convex(scene)) return {.all_clear = true, .examined = true};
-    return {.all_clear = false, .examined = scene.surfaces.size() <= most_examined};
+    if (scene.empty_box || is_convex(scene)) return {.all_clear = true, .occluders = nullptr};
+    return {.all_clear = false, .occluders = std::make_shared<const Occluders>(scene)};
 }
 
-PairExchange pair_exchange(const Scene& scene, SceneSight sight, const Surface& from, const Surface& to,
+PairExchange pair_exchange(const Scene& scene, const SceneSight& sight, std::size_t from_index, std::size_t to_index,
                            double wanted) {
+    const Surface& from = scene.surfaces[from_index];
+    const Surface& to = scene.surfaces[to_index];
     if (!face_each_other(from, to)) return {};
     if (sight.all_clear) return clear_exchange(from, to, wanted);
-    if (!sight.examined) return {ExchangeMethod::rays, ExchangeReason::many_surfaces, std::nullopt, {}};
-    std::vector<const Surface*> blockers = possible_blockers(scene, from, to);
+    Occluders::Between between = sight.occluders->between(from_index, to_index);
+    if (between.all_hidden) return {};
+    std::vector<const Surface*>& blockers = between.occluders;
     PairExchange result = clear_exchange(from, to, wanted);
     const auto is_flat_sided = [](const Surface* surface) { return is_polygon(*surface); };
     const bool cut_out = std::all_of(blockers.begin(), blockers.end(), is_flat_sided);

@@ -2,8 +2,10 @@
 
 #include "core/formulas/edge_integral.hpp"
 #include "core/geometry/scene.hpp"
+#include "core/visibility/occluders.hpp"
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -16,6 +18,7 @@ enum class ExchangeMethod : std::uint8_t {
     closed_form,  ///< elementary formulas (core/exact/exact.hpp)
     contour,      ///< contour integrals with a bound (core/formulas/polygon_exchange.hpp)
     quadrature,   ///< Gauss's rule with a bound, of pairs far apart (core/formulas/far_exchange.hpp)
+    bounds,       ///< not at all: 0 and what passes with nothing in between are near enough to each other
     points,       ///< sampled places on one, exact factors to what they see of the other
                   ///< (core/visibility/visible_polygon.hpp)
     rays,         ///< sampled rays; always possible
@@ -29,6 +32,7 @@ enum class ExchangeReason : std::uint8_t {
     aligned,        ///< rectangles along the axes that nothing can stand between
     polygons,       ///< polygons that nothing can stand between
     far,            ///< polygons that nothing can stand between, small beside their distance
+    small,          ///< little passes, whatever stands in between
     blocked,        ///< polygons past polygons that may stand in between
     curved,         ///< a surface is curved, or something curved may stand in between
     many_blockers,  ///< more may stand in between than are cut out of a polygon
@@ -43,19 +47,21 @@ struct PairExchange {
     ExchangeReason reason = ExchangeReason::turned_away;
     /// The exchange area; of sampled pairs as if nothing stood in between, where that is known: no more passes.
     std::optional<BoundedValue<double>> area = BoundedValue<double>{};
-    std::vector<const Surface*> blockers;  ///< for ExchangeMethod::points
+    std::vector<const Surface*> blockers;  ///< for ExchangeMethod::points; of the occluders of SceneSight
 };
 
 /// What is known of a scene as a whole, so that it need not be found for every pair.
 struct SceneSight {
-    bool all_clear = false;  ///< nothing stands between any two surfaces
-    bool examined = false;   ///< few enough surfaces to look for what stands between two of them
+    bool all_clear = false;                      ///< nothing stands between any two surfaces
+    std::shared_ptr<const Occluders> occluders;  ///< null where all is clear
 };
 
 SceneSight sight_of(const Scene& scene);
 
 /// The cheapest method for two surfaces of a scene (which may be one and the same).
-/// @param wanted  exchange area that errors are to stay below: extended precision is used where double does not do
-PairExchange pair_exchange(const Scene& scene, SceneSight sight, const Surface& from, const Surface& to, double wanted);
+/// @param from, to  indices of the surfaces
+/// @param wanted    exchange area that errors are to stay below: extended precision is used where double does not do
+PairExchange pair_exchange(const Scene& scene, const SceneSight& sight, std::size_t from, std::size_t to,
+                           double wanted);
 
 }  // namespace ff

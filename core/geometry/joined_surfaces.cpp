@@ -61,10 +61,11 @@ class Joiner {
     void join_triangles();
     /// Parallelograms in rows, then rows side by side, until nothing changes.
     void join_parallelograms();
-    [[nodiscard]] std::vector<Surface> surfaces() const;
+    [[nodiscard]] JoinedSurfaces result(const Scene& scene) const;
 
   private:
     std::vector<std::optional<Surface>> pieces_;
+    std::vector<std::size_t> joined_to_;  ///< the piece that holds another, or is on its way there; itself at the end
     PlaceNumbers number_;
     std::unordered_map<Edge, std::vector<std::size_t>, EdgeHash> at_edge_;  ///< pieces, those that are no more too
 
@@ -81,6 +82,10 @@ class Joiner {
     template <class Accept>
     [[nodiscard]] std::optional<std::size_t> neighbour(std::size_t piece, const Edge& edge, Accept accept) const;
     bool extend(std::size_t piece, bool first_direction);
+    void swallow(std::size_t piece, std::size_t other) {
+        pieces_[other].reset();
+        joined_to_[other] = piece;
+    }
 };
 
 double largest_coordinate_of(const Scene& scene) {
@@ -93,7 +98,10 @@ double largest_coordinate_of(const Scene& scene) {
 
 Joiner::Joiner(const Scene& scene)
     : pieces_(scene.surfaces.begin(), scene.surfaces.end()), number_(largest_coordinate_of(scene)) {
-    for (std::size_t i = 0; i < pieces_.size(); ++i) index_edges(i);
+    for (std::size_t i = 0; i < pieces_.size(); ++i) {
+        joined_to_.push_back(i);
+        index_edges(i);
+    }
 }
 
 void Joiner::index_edges(std::size_t piece) {
@@ -140,7 +148,7 @@ void Joiner::join_triangles() {
         });
         if (!other) continue;
         pieces_[i]->shape = Parallelogram{apex, b - apex, c - apex};
-        pieces_[*other].reset();
+        swallow(i, *other);
         index_edges(i);
     }
 }
@@ -185,7 +193,7 @@ bool Joiner::extend(std::size_t piece, bool first_direction) {
         const Vector3d start = at_end ? corner : Vector3d(corner + more);
         const Vector3d longer = at_end ? Vector3d(along + more) : Vector3d(along - more);
         pieces_[piece]->shape = along_u ? Parallelogram{start, longer, across} : Parallelogram{start, across, longer};
-        pieces_[*other].reset();
+        swallow(piece, *other);
         index_edges(piece);
         return true;
     }
@@ -206,23 +214,34 @@ void Joiner::join_parallelograms() {
     }
 }
 
-std::vector<Surface> Joiner::surfaces() const {
-    std::vector<Surface> result;
-    for (const auto& piece : pieces_) {
-        if (piece) result.push_back(*piece);
+JoinedSurfaces Joiner::result(const Scene& scene) const {
+    JoinedSurfaces result{scene, {}};
+    result.scene.surfaces.clear();
+    std::vector<std::size_t> index(pieces_.size());
+    for (std::size_t i = 0; i < pieces_.size(); ++i) {
+        if (!pieces_[i]) continue;
+        index[i] = result.scene.surfaces.size();
+        result.scene.surfaces.push_back(*pieces_[i]);
+    }
+    for (std::size_t i = 0; i < pieces_.size(); ++i) {
+        std::size_t holder = i;
+        while (joined_to_[holder] != holder) holder = joined_to_[holder];
+        result.of.push_back(index[holder]);
     }
     return result;
 }
 
 }  // namespace
 
-Scene with_joined_surfaces(const Scene& scene) {
+JoinedSurfaces join_level_surfaces(const Scene& scene) {
     Joiner joiner(scene);
     joiner.join_triangles();
     joiner.join_parallelograms();
-    Scene result = scene;
-    result.surfaces = joiner.surfaces();
-    return result;
+    return joiner.result(scene);
+}
+
+Scene with_joined_surfaces(const Scene& scene) {
+    return join_level_surfaces(scene).scene;
 }
 
 }  // namespace ff

@@ -44,11 +44,20 @@ Vector3d twice_area(const ConvexPolygon& polygon) {
 
 }  // namespace
 
+Shaft::Shaft(const std::vector<Vector3d>& from, const ConvexPolygon& to) : from_(from), to_(to) {
+    for (const ConvexPolygon* ends : {&from_, &to_}) {
+        for (const Vector3d& end : *ends) size_ = std::max(size_, 2 * (end - from_.front()).lpNorm<1>());
+    }
+}
+
 bool Shaft::is_parted(const ConvexPolygon& polygon, const Vector3d& axis) const {
     Range own;
     own.include(polygon, axis);
     Range lines;
     lines.include(from_, axis);
+    // Most planes part nothing, and the beginnings of lines often show it.
+    const double most_room = tolerance * std::max(size_ * axis.lpNorm<1>(), own.high - own.low);
+    if (own.low < lines.high - most_room && own.high > lines.low + most_room) return false;
     lines.include(to_, axis);
     const double room = tolerance * std::max(lines.high - lines.low, own.high - own.low);
     return own.low >= lines.high - room || own.high <= lines.low + room;

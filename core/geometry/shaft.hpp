@@ -14,7 +14,7 @@ using ConvexPolygon = std::vector<Eigen::Vector3d>;
 class Shaft {
   public:
     /// @param from, to  corners of convex sets; `from` needs no order
-    Shaft(const std::vector<Eigen::Vector3d>& from, const ConvexPolygon& to) : from_(from), to_(to) {}
+    Shaft(const std::vector<Eigen::Vector3d>& from, const ConvexPolygon& to);
 
     /// Whether a plane parts the polygon from all lines: it hides nothing. Planes through an edge of one of the three
     /// and a corner of another are tried; a gap of 0 is a gap.
@@ -27,6 +27,7 @@ class Shaft {
   private:
     const std::vector<Eigen::Vector3d>& from_;
     const ConvexPolygon& to_;
+    double size_ = 0;  ///< the lines are nowhere longer along an axis
 
     [[nodiscard]] bool is_parted(const ConvexPolygon& polygon, const Eigen::Vector3d& axis) const;
     /// By a plane along both.

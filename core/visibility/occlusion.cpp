@@ -58,7 +58,10 @@ bool is_behind(const Surface& surface, const Surface& flat, const Pair& pair) {
     return own.high <= plane.high + room;
 }
 
-bool keeps_clear(const Surface& surface, const Pair& pair) {
+}  // namespace
+
+bool keeps_clear(const Surface& surface, const Surface& from, const Surface& to) {
+    const Pair pair{from, to};
     if (is_behind(surface, pair.from, pair) || is_behind(surface, pair.to, pair)) return true;
     for (Eigen::Index axis = 0; axis < 3; ++axis) {
         if (is_parted(surface, pair, Vector3d::Unit(axis))) return true;
@@ -69,15 +72,12 @@ bool keeps_clear(const Surface& surface, const Pair& pair) {
     return false;
 }
 
-}  // namespace
-
 std::vector<const Surface*> possible_blockers(const Scene& scene, const Surface& from, const Surface& to) {
     std::vector<const Surface*> blockers;
-    const Pair pair{from, to};
     for (const Surface& surface : scene.surfaces) {
         const bool is_end = &surface == &from || &surface == &to;
         const bool in_the_way =
-            is_end ? &from != &to && face_each_other(surface, surface) : !keeps_clear(surface, pair);
+            is_end ? &from != &to && face_each_other(surface, surface) : !keeps_clear(surface, from, to);
         if (in_the_way) blockers.push_back(&surface);
     }
     return blockers;

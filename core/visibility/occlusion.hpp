@@ -8,9 +8,12 @@
 
 namespace ff {
 
-/// What may stand between two surfaces: those that are not shown to keep clear. A surface keeps clear that lies behind
-/// one of the two, whose plane has both on one side, or that a plane across a coordinate axis or one of the normals
-/// parts from both. Of the two themselves a hollow one may stand in its own way. Conservative: of two convex faces that
+/// Whether a third surface is shown to stand nowhere between two: it lies behind one of them, its plane has both on one
+/// side, or a plane across a coordinate axis or one of the normals parts it from both.
+bool keeps_clear(const Surface& surface, const Surface& from, const Surface& to);
+
+/// What may stand between two surfaces: those that are not shown to keep clear. Of the two themselves a hollow one may
+/// stand in its own way. Conservative: of two convex faces that
 /// see all of each other the list is empty, and tracing nothing is right.
 std::vector<const Surface*> possible_blockers(const Scene& scene, const Surface& from, const Surface& to);
 

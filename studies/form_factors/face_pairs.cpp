@@ -24,6 +24,9 @@ constexpr std::size_t most_surfaces = 4096;
 /// Points are sampled for each pair of surfaces; of more pairs, rays serve all at once.
 constexpr std::size_t most_pairs_by_points = 256;
 
+/// Pairs whose bounds are this near to each other, in tolerances, are not sampled.
+constexpr double near_enough = 0.5;
+
 /// A surface pair adds to the pair of its faces.
 void add(FacePair& pair, std::uint32_t from, std::uint32_t to, double times, PairExchange exchange, double largest) {
     ++pair.methods[static_cast<std::size_t>(exchange.method)];
@@ -42,7 +45,7 @@ void add(FacePair& pair, std::uint32_t from, std::uint32_t to, double times, Pai
 }
 
 /// Pairs of one surface with those after it.
-std::vector<PairExchange> exchanges_of(const Scene& scene, SceneSight sight, std::size_t first, double wanted,
+std::vector<PairExchange> exchanges_of(const Scene& scene, const SceneSight& sight, std::size_t first, double wanted,
                                        const std::atomic<bool>* stop) {
     const PairExchange unknown{ExchangeMethod::rays, ExchangeReason::many_surfaces, std::nullopt, {}};
     std::vector<PairExchange> result;
@@ -53,9 +56,22 @@ std::vector<PairExchange> exchanges_of(const Scene& scene, SceneSight sight, std
         if (!counts)
             result.emplace_back();
         else
-            result.push_back(stop != nullptr && *stop ? unknown : pair_exchange(scene, sight, from, to, wanted));
+            result.push_back(stop != nullptr && *stop ? unknown : pair_exchange(scene, sight, first, j, wanted));
     }
     return result;
+}
+
+/// Takes the middle of what geometry bounds where that is all that is asked for.
+void settle(FacePair& pair, double wanted) {
+    if (!pair.is_sampled() || !pair.all_unblocked_known) return;
+    const double least = std::max(0.0, pair.known - pair.bound);
+    if (pair.most - least > 2 * near_enough * wanted) return;
+    pair.known = (least + pair.most) / 2;
+    pair.bound = (pair.most - least) / 2;
+    pair.sampled.clear();
+    pair.methods = {};
+    pair.methods[static_cast<std::size_t>(ExchangeMethod::bounds)] = 1;
+    pair.reason = ExchangeReason::small;
 }
 
 /// Coordinates of the scene are rounded like the largest of them. That shows where faces are small beside it.
@@ -111,7 +127,7 @@ FacePairs examine_pairs(const Scene& scene, const FormFactorRequest& request) {
         add_resolution(scene, result);
         return result;
     }
-    const SceneSight sight = sight_of(scene);
+    result.sight = sight_of(scene);
     const double smallest = *std::min_element(result.areas.begin(), result.areas.end());
     std::vector<std::vector<PairExchange>> rows(n);
     // Errors of all pairs of surfaces add up.
@@ -119,7 +135,7 @@ FacePairs examine_pairs(const Scene& scene, const FormFactorRequest& request) {
     std::mutex reporting;
     std::size_t looked_at = 0;
     for_each_index(n, request.threads, [&](std::uint64_t i) {
-        rows[i] = exchanges_of(scene, sight, i, wanted, request.stop);
+        rows[i] = exchanges_of(scene, result.sight, i, wanted, request.stop);
         if (!request.report) return;
         const std::lock_guard lock(reporting);
         looked_at += n - i;
@@ -144,6 +160,7 @@ FacePairs examine_pairs(const Scene& scene, const FormFactorRequest& request) {
     }
     for (FacePair& pair : result.pairs) {
         at_most_all(pair);
+        settle(pair, request.tolerance * std::min(result.areas[pair.from], result.areas[pair.to]));
         pair.by_points = !pair.sampled.empty() && pair.sampled.size() <= most_pairs_by_points &&
                          std::all_of(pair.sampled.begin(), pair.sampled.end(), [](const SampledPair& sampled) {
                              return sampled.exchange.method == ExchangeMethod::points;

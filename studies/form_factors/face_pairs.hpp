@@ -10,7 +10,7 @@
 
 namespace ff::studies {
 
-inline constexpr std::size_t exchange_methods = 6;
+inline constexpr std::size_t exchange_methods = 7;
 
 /// Two surfaces whose exchange has to be sampled, and how often it counts.
 struct SampledPair {
@@ -44,6 +44,7 @@ struct FacePair {
 struct FacePairs {
     std::vector<FacePair> pairs;  ///< (0,0), (0,1), .., (1,1), ..
     std::vector<double> areas;    ///< of the faces
+    SceneSight sight;             ///< owns the blockers of sampled pairs
     /// Whether rays between two surfaces count, [from * surfaces + to]; empty where all do.
     std::vector<std::uint8_t> shot;
 

@@ -1,14 +1,16 @@
 #include "studies/form_factors/jobs.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 namespace ff::studies {
 namespace {
 
-constexpr std::uint64_t least_points = 256;
+/// Points of the first round: half as many as an exchange area has tolerances, in all randomisations, but of a large
+/// one, or one that is not known, no fewer than most_first_points each.
+constexpr std::uint64_t least_first_points = 4;
+constexpr std::uint64_t most_first_points = 256;
 constexpr std::uint64_t least_rays = 4096;
 
 /// How fast half widths fall, at least: slower than measured on whole scenes (docs/convergence.md), so that a round
@@ -25,6 +27,14 @@ constexpr double most_points = 0x1p31;
 
 /// Of fewer hits.
 constexpr std::uint64_t few = 100;
+
+std::uint64_t first_points(const SampledPair& pair, double wanted) {
+    std::uint64_t points = most_first_points;
+    if (!pair.exchange.area || !(wanted > 0)) return points;
+    const double enough = pair.exchange.area->value * pair.times / wanted / 2 / randomisations;
+    while (points > least_first_points && static_cast<double>(points / 2) >= enough) points /= 2;
+    return points;
+}
 
 double rate_of_hits(const SampledShare& share) {
     if (share.met == 0 || share.met == share.points) return 1;
@@ -45,11 +55,17 @@ Job::Job(const Scene& scene, const FacePairs& pairs, std::size_t pair, double wa
     for (const SampledPair& sampled : pairs.pairs[pair].sampled)
         points_.emplace_back(scene, sampled, wanted / sampled.times);
     hidden_.assign(points_.size(), false);
-    sizes_.assign(points_.size(), least_points);
+    for (const SampledPair& sampled : pairs.pairs[pair].sampled) sizes_.push_back(first_points(sampled, wanted));
+    least_sizes_ = sizes_;
 }
 
 Job::Job(const Scene& scene, const FacePairs& pairs, std::size_t from, std::vector<std::size_t> row)
-    : scene_(&scene), geometry_(&pairs), pairs_(std::move(row)), sizes_{least_rays}, ray_hits_(randomisations) {
+    : scene_(&scene),
+      geometry_(&pairs),
+      pairs_(std::move(row)),
+      sizes_{least_rays},
+      least_sizes_{least_rays},
+      ray_hits_(randomisations) {
     std::vector<std::size_t> targets;
     for (const std::size_t pair : pairs_) {
         const FacePair& faces = pairs.pairs[pair];
@@ -75,19 +91,14 @@ double Job::cost(const std::vector<std::uint64_t>& sizes) const {
 }
 
 void Job::halve() {
-    const std::uint64_t least = rays_ ? least_rays : least_points;
-    for (std::uint64_t& size : sizes_) size = std::max(least, size / 2);
+    for (std::size_t k = 0; k < sizes_.size(); ++k) sizes_[k] = std::max(least_sizes_[k], sizes_[k] / 2);
 }
 
 bool Job::is_least() const {
-    const std::uint64_t least = rays_ ? least_rays : least_points;
-    return std::all_of(sizes_.begin(), sizes_.end(), [&](std::uint64_t size) { return size <= least; });
+    return std::equal(sizes_.begin(), sizes_.end(), least_sizes_.begin(), std::less_equal<>());
 }
 
-void Job::run(const Tracer* tracer, Seed seed, const std::string& round, std::uint32_t randomisation,
-              const std::atomic<bool>* stop) {
-    const StreamKey key = derive_key(
-        seed, fmt::format("form factors of {}, {}, {}", scene_->canonical, rays_ ? "rays" : "points", round));
+void Job::run(const Tracer* tracer, StreamKey key, std::uint32_t randomisation, const std::atomic<bool>* stop) {
     if (rays_) {
         ray_hits_[randomisation] = rays_->run(*tracer, key, randomisation, sizes_.front(), stop);
         return;

@@ -6,7 +6,6 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
-#include <string>
 #include <vector>
 
 namespace ff::studies {
@@ -32,9 +31,8 @@ class Job {
 
     void set_sizes(std::vector<std::uint64_t> sizes) { sizes_ = std::move(sizes); }
 
-    /// One randomisation of a round; others may run on other threads. @param round  names its random numbers
-    void run(const Tracer* tracer, Seed seed, const std::string& round, std::uint32_t randomisation,
-             const std::atomic<bool>* stop);
+    /// One randomisation of a round; others may run on other threads. @param key  of its random numbers
+    void run(const Tracer* tracer, StreamKey key, std::uint32_t randomisation, const std::atomic<bool>* stop);
 
     /// Chooses what is less uncertain by the last round: what is seen, or what is hidden of a known whole.
     void choose_sides();
@@ -61,6 +59,7 @@ class Job {
     std::vector<PointSampling> points_;
     std::vector<bool> hidden_;  ///< of each pair of surfaces: the hidden part is taken
     std::vector<std::uint64_t> sizes_;
+    std::vector<std::uint64_t> least_sizes_;
     std::vector<std::vector<PointSums>> point_sums_;  ///< [randomisation][pair of surfaces]
     std::vector<RaySampling::Hits> ray_hits_;         ///< [randomisation]
 

@@ -21,7 +21,8 @@ PointSampling::PointSampling(const Scene& scene, const SampledPair& pair, double
     const auto area_of = [&](std::uint32_t surface) { return area(scene.surfaces[surface].shape); };
     const bool either_way = is_polygon(source_) && is_polygon(target_);
     if (either_way ? area_of(target_) < area_of(source_) : !is_polygon(target_)) std::swap(source_, target_);
-    cells_ = divide(scene.surfaces[source_], scene.surfaces[target_], pair.exchange.blockers, wanted);
+    cells_ =
+        divide(scene.surfaces[source_], scene.surfaces[target_], pair.exchange.blockers, pair.exchange.area, wanted);
 }
 
 PointSampling::Side PointSampling::side(bool hidden) const {
@@ -56,11 +57,12 @@ PointSums PointSampling::run(StreamKey key, std::uint32_t randomisation, std::ui
         sums.visible += weight * std::max(0.0, factors.visible);
         sums.hidden += weight * std::max(0.0, factors.whole - factors.visible);
     };
-    const auto block = std::make_unique<WeightedBlock>();
+    const auto block = std::make_unique_for_overwrite<WeightedBlock>();
     block->dimension = 2;
+    const samplers::CatalogueEntry& sobol = samplers::house_sampler();
     // Points on the whole source, and more in rough cells: a place counts by the sum of both densities.
     const auto visit = [&](std::uint32_t trial, std::uint64_t size, const auto& at) {
-        const auto sampler = samplers::house_sampler().make({.points = size, .dimension = 2});
+        const auto sampler = sobol.make({.points = size, .dimension = 2});
         const Stream stream{.key = key, .trial = trial, .source = source_, .target = target_ + 1};
         for (std::uint64_t first = 0; first < size; first += block->size) {
             expect_more_time(stop);

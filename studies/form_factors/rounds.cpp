@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <map>
 #include <memory>
@@ -83,15 +84,45 @@ class Rounds {
         for (const auto& [from, pairs] : rows) work_.push_back({Job(scene_, geometry_, from, pairs)});
     }
 
+    /// Rays that the pairs of a row are likely to take: of none of them less than none may hit.
+    [[nodiscard]] double expected_rays(std::size_t pair) const {
+        constexpr double gain = 10;  // over independent rays, measured: docs/convergence.md
+        const FacePair& faces = geometry_.pairs[pair];
+        const double area = geometry_.areas[aim_.owner(pair)];
+        const double width = aim_.wanted(pair) / area;
+        return std::max(std::log(2 / (1 - aim_.level)) / width, faces.most / area / (width * width) / gain);
+    }
+
+    /// Both for pairs that both can do, unless points are certain to be cheaper for the whole row.
     void make_pilots(bool rays_are_exact_enough) {
-        std::map<std::size_t, std::vector<std::size_t>> rows;
+        struct Row {
+            std::vector<std::size_t> pairs;
+            bool needs_rays = false;
+            double rays = 0;
+            double points = 0;
+        };
+        constexpr double rounds_of_points = 8;  // the later ones are larger than the first
+        std::map<std::size_t, Row> rows;
         for (std::size_t pair = 0; pair < geometry_.pairs.size(); ++pair) {
             const FacePair& faces = geometry_.pairs[pair];
             if (!faces.is_sampled()) continue;
-            if (faces.by_points) work_.push_back({Job(scene_, geometry_, pair, aim_.wanted(pair))});
-            if (!faces.by_points || rays_are_exact_enough) rows[aim_.owner(pair)].push_back(pair);
+            Row& row = rows[aim_.owner(pair)];
+            row.needs_rays = row.needs_rays || !faces.by_points;
+            if (faces.by_points) {
+                expect_more_time(request_.stop);
+                work_.push_back({Job(scene_, geometry_, pair, aim_.wanted(pair))});
+                row.points += rounds_of_points * work_.back().job.cost();
+            }
+            if (!faces.by_points || rays_are_exact_enough) {
+                row.pairs.push_back(pair);
+                row.rays = std::max(row.rays, expected_rays(pair));
+            }
         }
-        add_rays(rows);
+        std::map<std::size_t, std::vector<std::size_t>> shot;
+        for (auto& [from, row] : rows) {
+            if (!row.pairs.empty() && (row.needs_rays || row.rays < row.points)) shot[from] = std::move(row.pairs);
+        }
+        add_rays(shot);
     }
 
     [[nodiscard]] std::uint64_t planned() const {
@@ -124,11 +155,18 @@ class Rounds {
         begin_reporting();
         const std::uint64_t all = planned();
         std::uint64_t done = 0;
-        const std::string round = fmt::format("round {}", round_++);
+        const auto key_of = [&](const char* samples) {
+            return derive_key(request_.seed,
+                              fmt::format("form factors of {}, {}, round {}", scene_.canonical, samples, round_));
+        };
+        const StreamKey of_points = key_of("points");
+        const StreamKey of_rays = key_of("rays");
+        ++round_;
         const std::size_t jobs = work_.size();
         for_each_index(jobs * randomisations, request_.threads, [&](std::uint64_t i) {
             Job& job = work_[i % jobs].job;
-            job.run(tracer_.get(), request_.seed, round, static_cast<std::uint32_t>(i / jobs), request_.stop);
+            job.run(tracer_.get(), job.by_points() ? of_points : of_rays, static_cast<std::uint32_t>(i / jobs),
+                    request_.stop);
             const std::lock_guard lock(reporting_);
             done += job.samples() / randomisations;
             report(done, all);

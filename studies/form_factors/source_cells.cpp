@@ -22,6 +22,9 @@ using Eigen::Vector3d;
 /// Points in all that a tolerance of so much of the source is worth; fewer are never taken.
 constexpr double least_points = 4096;
 constexpr double at_tolerance = 2e-4;
+/// Points in all that an exchange area of so many tolerances is worth; of small ones it takes fewer.
+constexpr double points_per_tolerance = 4;
+constexpr double least_points_of_small = 64;
 constexpr double most_points = 0x1p24;
 
 /// Of none of n points, Clopper and Pearson's upper bound is about this over n.
@@ -33,8 +36,9 @@ constexpr double unmet_points = 3.7;
 constexpr double fine_share = 0.05;
 constexpr double smooth_share = 0.25;
 constexpr double wanted_share = 0.1;
-constexpr double points_per_test = 4;
-constexpr std::size_t least_tests = 6144;
+constexpr double points_per_test = 16;
+constexpr double least_tests = 6144;
+constexpr double tests_per_point = 0.125;  ///< but no more than those
 constexpr std::size_t most_cells = 4096;
 
 /// Points for cells that are not smooth, beside those on the whole source.
@@ -61,11 +65,15 @@ double smooth_unmet(const SourceCell& cell, double share, bool curved) {
 
 class Division {
   public:
-    Division(const Surface& source, const Surface& target, const std::vector<const Surface*>& blockers, double wanted)
+    Division(const Surface& source, const Surface& target, const std::vector<const Surface*>& blockers,
+             const std::optional<BoundedValue<double>>& whole, double wanted)
         : source_(source), is_polygon_(!corners(source.shape).empty()), origin_(middle(source)), wanted_(wanted) {
         const double area = ff::area(source.shape);
         points_ = std::clamp(least_points * at_tolerance * area / wanted, least_points, most_points);
-        tests_left_ = least_tests + static_cast<std::size_t>(points_ / points_per_test);
+        if (whole)
+            points_ = std::min(points_, std::max(points_per_tolerance * whole->value / wanted, least_points_of_small));
+        tests_left_ =
+            static_cast<std::size_t>(std::min(tests_per_point * points_, least_tests) + points_ / points_per_test);
         target_ = in_front(moved(target));
         if (target_.empty()) return;
         target_normal_ = target.normal;
@@ -293,8 +301,8 @@ class Division {
 }  // namespace
 
 SourceCells divide(const Surface& source, const Surface& target, const std::vector<const Surface*>& blockers,
-                   double wanted) {
-    return Division(source, target, blockers, wanted).run();
+                   const std::optional<BoundedValue<double>>& whole, double wanted) {
+    return Division(source, target, blockers, whole, wanted).run();
 }
 
 const SourceCell* SourceCells::at(double s, double t) const {

@@ -5,6 +5,7 @@
 #include "studies/form_factors/sampled_share.hpp"
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace ff::studies {
@@ -51,9 +52,10 @@ struct SourceCells {
 
 /// @param source    any surface; a curved one has no parts that are known
 /// @param target    a polygon, like all blockers
+/// @param whole     exchange area with nothing in between, where it is known
 /// @param wanted    exchange area that matters
 SourceCells divide(const Surface& source, const Surface& target, const std::vector<const Surface*>& blockers,
-                   double wanted);
+                   const std::optional<BoundedValue<double>>& whole, double wanted);
 
 /// What points may have missed of an exchange area.
 /// @param hidden  whether the hidden part is sampled, not what is seen

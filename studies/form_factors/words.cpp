@@ -5,21 +5,22 @@
 namespace ff::studies {
 namespace {
 
-constexpr std::string_view bounds = "bounds";
 constexpr std::string_view no_time = "no time to sample it";
 constexpr std::string_view rays_of_row = "the rays of its row do as well";
 
 constexpr std::array every_method{ExchangeMethod::none,       ExchangeMethod::closed_form, ExchangeMethod::contour,
-                                  ExchangeMethod::quadrature, ExchangeMethod::points,      ExchangeMethod::rays};
-constexpr std::array every_reason{ExchangeReason::turned_away,   ExchangeReason::aligned,      ExchangeReason::polygons,
-                                  ExchangeReason::far,           ExchangeReason::blocked,      ExchangeReason::curved,
-                                  ExchangeReason::many_blockers, ExchangeReason::many_surfaces};
+                                  ExchangeMethod::quadrature, ExchangeMethod::bounds,      ExchangeMethod::points,
+                                  ExchangeMethod::rays};
+constexpr std::array every_reason{
+    ExchangeReason::turned_away, ExchangeReason::aligned,       ExchangeReason::polygons,
+    ExchangeReason::far,         ExchangeReason::small,         ExchangeReason::blocked,
+    ExchangeReason::curved,      ExchangeReason::many_blockers, ExchangeReason::many_surfaces};
 static_assert(every_method.size() == exchange_methods);
 
 }  // namespace
 
 std::string_view method_of(const FaceExchange& exchange) {
-    return exchange.method ? name(*exchange.method) : bounds;
+    return name(exchange.method.value_or(ExchangeMethod::bounds));
 }
 
 std::string_view reason_of(const FaceExchange& exchange) {
@@ -29,11 +30,12 @@ std::string_view reason_of(const FaceExchange& exchange) {
 
 bool set_method(FaceExchange& exchange, std::string_view method, std::string_view reason) {
     exchange.method.reset();
+    if (reason == no_time) return method == name(ExchangeMethod::bounds);
     for (const ExchangeMethod known : every_method) {
         if (method == name(known)) exchange.method = known;
     }
     exchange.by_rays_of_row = reason == rays_of_row;
-    if (!exchange.method) return method == bounds && reason == no_time;
+    if (!exchange.method) return false;
     if (exchange.by_rays_of_row) return exchange.method == ExchangeMethod::rays;
     for (const ExchangeReason known : every_reason) {
         exchange.reason = known;

@@ -1,6 +1,7 @@
 #include "studies/readers/words.hpp"
 #include "studies/scene_files/builder.hpp"
 #include "studies/scene_files/formats.hpp"
+#include "studies/scene_files/scene_file.hpp"
 
 #include "core/support/error.hpp"
 #include "core/support/excerpt.hpp"
@@ -22,6 +23,7 @@
 #include <array>
 #include <string>
 #include <string_view>
+#include <unordered_map>
 #include <vector>
 
 namespace ff::studies {
@@ -36,6 +38,9 @@ constexpr std::size_t most_corners = 255;
 /// A comment that says that every ray hits something.
 constexpr std::string_view closed_comment = "closed";
 
+/// A comment that says that every polygon is a face of its own.
+constexpr std::array<std::string_view, 2> polygons_comment{"faces", "polygon"};
+
 /// Lines that the loader gets. It computes with what stands in others, and not always with care.
 constexpr std::array<std::string_view, 6> shape_keywords{"v", "vt", "vn", "f", "g", "o"};
 
@@ -44,6 +49,7 @@ struct Lines {
     std::string of_shapes;
     std::vector<std::uint64_t> of_polygon;
     bool closed = false;
+    bool faces_of_polygons = false;
 };
 
 /// The loader reads what begins like a number, and wraps what does not fit.
@@ -99,6 +105,9 @@ Lines read_lines(const SceneBuilder& builder, std::string_view text) {
             group_line = number;
         } else if (words.size() == 2 && words[0] == "#" && words[1] == closed_comment) {
             lines.closed = true;
+        } else if (words.size() == 3 && words[0] == "#" &&
+                   std::equal(words.begin() + 1, words.end(), polygons_comment.begin())) {
+            lines.faces_of_polygons = true;
         }
     });
     expect_polygons();
@@ -106,6 +115,10 @@ Lines read_lines(const SceneBuilder& builder, std::string_view text) {
 }
 
 }  // namespace
+
+std::string with_faces_of_polygons(std::string text) {
+    return text + fmt::format("\n# {}\n", fmt::join(polygons_comment, " "));
+}
 
 Scene read_obj_scene(std::string_view name, std::string_view text) {
     SceneBuilder builder(name);
@@ -119,10 +132,13 @@ Scene read_obj_scene(std::string_view name, std::string_view text) {
     }
     const auto& vertices = reader.GetAttrib().vertices;
     std::size_t polygon = 0;
+    std::unordered_map<std::string, std::size_t> polygons_of;  // a group
     for (const tinyobj::shape_t& shape : reader.GetShapes()) {
         const std::string label = shape.name.empty() ? "1" : shape.name;
         const std::uint64_t first_line = polygon < lines.of_polygon.size() ? lines.of_polygon[polygon] : 1;
-        const int face = label == occluder_group ? no_face : builder.face(label, first_line);
+        const bool divided = lines.faces_of_polygons && label != occluder_group;
+        int face = no_face;
+        if (label != occluder_group && !divided) face = builder.face(label, first_line);
         std::size_t first = 0;
         for (const auto corners_of_polygon : shape.mesh.num_face_vertices) {
             if (polygon >= lines.of_polygon.size()) break;
@@ -138,6 +154,7 @@ Scene read_obj_scene(std::string_view name, std::string_view text) {
                 corners.emplace_back(place[0], place[1], place[2]);
             }
             first += corners_of_polygon;
+            if (divided) face = builder.face(fmt::format("{}.{}", label, ++polygons_of[label]), line);
             builder.add_polygon(corners, face, line);
         }
     }

@@ -22,6 +22,9 @@ bool has_scene_text(std::string_view scene);
 /// Name and text as one. @pre the name has no line break
 std::string with_scene_text(std::string_view name, std::string_view text);
 
+/// The text of an OBJ file with the comment that makes every polygon a face of its own.
+std::string with_faces_of_polygons(std::string text);
+
 /// The file of a scene that is one, without the mirrors behind it.
 std::string scene_file(std::string_view scene);
 

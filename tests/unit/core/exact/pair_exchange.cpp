@@ -16,7 +16,7 @@ PairExchange between(const char* scene_name, std::size_t from, std::size_t to) {
     scenes.reserve(64);
     scenes.push_back(built_in_scene(scene_name));
     const Scene& scene = scenes.back();
-    return pair_exchange(scene, sight_of(scene), scene.surfaces[from], scene.surfaces[to], 1e-12);
+    return pair_exchange(scene, sight_of(scene), from, to, 1e-12);
 }
 
 TEST(PairExchange, TakesTheCheapestMethodThatGeometryAllows) {
@@ -45,24 +45,26 @@ TEST(PairExchange, TakesMoreDigitsWhereDoubleHasTooFew) {
     const Surface from{Parallelogram{{0, 0, 0}, {1, 0.5, 0}, {0, 1, 0}}, {0, 0, 1}, 0};
     const Surface to{Parallelogram{{0, 0, 1000}, {0, 1, 0}, {1, 0.5, 0}}, {0, 0, -1}, 1};
     scene.surfaces = {from, to};
-    const PairExchange brief = pair_exchange(scene, sight_of(scene), scene.surfaces[0], scene.surfaces[1], 1);
-    const PairExchange exact = pair_exchange(scene, sight_of(scene), scene.surfaces[0], scene.surfaces[1], 1e-11);
+    const PairExchange brief = pair_exchange(scene, sight_of(scene), 0, 1, 1);
+    const PairExchange exact = pair_exchange(scene, sight_of(scene), 0, 1, 1e-11);
     EXPECT_LT(exact.area->error, brief.area->error / 100);
     EXPECT_NEAR(exact.area->value, 1e-6 / std::numbers::pi, exact.area->error + 1e-12);
 }
 
-TEST(PairExchange, LeavesScenesOfManySurfacesToRays) {
-    // A convex ring would be clear whatever its size; two plates that face away from a third are not.
+TEST(PairExchange, LooksAtWhatStandsBetweenInScenesOfManySurfaces) {
+    // Plates one above the other that face each other in twos, and a small one between the first two.
     Scene scene;
     scene.faces = {"1"};
     for (int i = 0; i < 600; ++i) {
         const double z = i % 2 == 0 ? i : i + 0.5;
         scene.surfaces.push_back({Parallelogram{{0, 0, z}, {1, 0, 0}, {0, 1, 0}}, {0, 0, i % 2 == 0 ? 1.0 : -1.0}, 0});
     }
+    scene.surfaces.push_back({Parallelogram{{0.5, 0.5, 0.5}, {0.1, 0, 0}, {0, 0.1, 0}}, {0, 0, 1}, no_face});
     const SceneSight sight = sight_of(scene);
     EXPECT_FALSE(sight.all_clear);
-    EXPECT_FALSE(sight.examined);
-    EXPECT_EQ(pair_exchange(scene, sight, scene.surfaces[0], scene.surfaces[1], 1e-9).method, ExchangeMethod::rays);
+    EXPECT_EQ(pair_exchange(scene, sight, 0, 1, 1e-9).blockers.size(), 1u);
+    EXPECT_EQ(pair_exchange(scene, sight, 2, 3, 1e-9).method, ExchangeMethod::closed_form);
+    EXPECT_EQ(pair_exchange(scene, sight, 0, 3, 1e-9).method, ExchangeMethod::none) << "a plate hides all";
 }
 
 }  // namespace
