@@ -3,6 +3,7 @@
 #include "app/command_line/usage_errors.hpp"
 #include "app/commands/commands.hpp"
 #include "app/commands/hidden_commands.hpp"
+#include "app/commands/point_commands.hpp"
 #include "app/folders/result_files.hpp"
 #include "app/folders/study_files.hpp"
 #include "app/process/guard.hpp"
@@ -252,6 +253,28 @@ void add_form_factors_selftest(CLI::App& app, SelftestCommand& command, Action& 
     sub->callback([&] { action = [&] { return form_factors_selftest(command); }; });
 }
 
+void add_points(CLI::App& app, PointsCommand& command, Action& action) {
+    CLI::App* sub = app.add_subcommand("points", "Write a point set, or say how evenly it is spread");
+    sub->add_option("SAMPLER", command.sampler, "A sampler, or file:PATH")->required();
+    sub->add_option("--n", command.points, "Points")->capture_default_str();
+    sub->add_option("--d", command.dimension, "Coordinates of a point")->capture_default_str();
+    sub->add_option("--seed", command.seed, "Seed of all random numbers")->capture_default_str();
+    sub->add_option("--trial", command.trial, "Which of the trials, from 0")->capture_default_str();
+    sub->add_option("--out", command.out, "File: .npy, .csv, .dat or .svg (default: none is written)")
+        ->type_name("FILE");
+    sub->callback([&] { action = [&] { return points(command); }; });
+}
+
+void add_check_sampler(CLI::App& app, CheckSamplerCommand& command, Action& action) {
+    CLI::App* sub = app.add_subcommand("check-sampler", "Check what any sampler has to keep: pass, fail, inconclusive");
+    sub->add_option("SAMPLER", command.sampler, "A sampler, or file:PATH#RANDOMISE")->required();
+    sub->add_option("--n", command.points, "Points (default: about 256, or those of the largest file)");
+    sub->add_option("--d", command.dimension, "Coordinates of a point (default: all, at most 4)");
+    sub->add_option("--trials", command.trials, "Trials (default: about a second's)")->check(CLI::PositiveNumber);
+    sub->add_option("--seed", command.seed, "Seed of all random numbers")->capture_default_str();
+    sub->callback([&] { action = [&] { return check_sampler(command); }; });
+}
+
 void add_catalogue(CLI::App& app, std::string& name, Action& action) {
     CLI::App* listing = app.add_subcommand("list", "List samplers, estimators, scenes, studies and so on");
     listing->add_option("KIND", name, listed_kinds_in_words())->required();
@@ -280,6 +303,8 @@ ExitCode parse_and_act(int argc, char** argv) {
     RadiosityOptions radiosity_options;
     EnclosureCommand enclosure_command;
     FormFactorsCommand form_factors_command;
+    PointsCommand points_command;
+    CheckSamplerCommand check_sampler_command;
     std::string name;
     add_run(app, run_command, action);
     add_convergence(app, convergence_request, run_command, action);
@@ -293,6 +318,8 @@ ExitCode parse_and_act(int argc, char** argv) {
     add_selftest(app, selftest_command, action);
     add_form_factors_selftest(app, selftest_command, action);
     add_audit(app, audit_command, action);
+    add_points(app, points_command, action);
+    add_check_sampler(app, check_sampler_command, action);
     add_catalogue(app, name, action);
     add_hidden_commands(app, action);
     name_types_of_arguments(app);

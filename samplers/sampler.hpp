@@ -11,6 +11,9 @@
 
 namespace ff::samplers {
 
+/// Most points in one set: an index has 32 bits.
+inline constexpr std::uint64_t max_points = std::uint64_t{1} << 32;
+
 /// Sizes that a sampler is made for.
 enum class Sizes {
     any,           ///< every number of points
@@ -32,6 +35,9 @@ struct SamplerInfo {
     bool equal_weights = true;   ///< points can be tallied as hits
     bool independent = false;    ///< points are independent draws, so binomial intervals hold within one set
     bool control = false;        ///< broken on purpose, so that checks can be checked
+    std::span<const std::uint64_t> at_hand = {};  ///< sizes of the sets that there are; empty: as `sizes` says
+    std::size_t most_dimension = max_dimension;   ///< coordinates of a point
+    std::uint64_t most_trials = 0;                ///< different trials that there are; 0: any number
 };
 
 /// What a point set is made from.
@@ -42,11 +48,16 @@ struct PointSetSpec {
     std::uint32_t target_nodes = 0;  ///< nodes a side on the target patch (coordinates 2 and 3)
 };
 
+class AddedSampler;
+
 /// A sampler in the catalogue: its declaration and how to make a point set of it.
 struct CatalogueEntry {
     SamplerInfo info;
+    std::unique_ptr<PointSource> (*maker)(const CatalogueEntry& self, const PointSetSpec& spec);
+    const AddedSampler* added = nullptr;  ///< of samplers that are not built in, see samplers/added.hpp
+
     /// @throws UserError where the size cannot be done
-    std::unique_ptr<PointSource> (*make)(const PointSetSpec& spec);
+    [[nodiscard]] std::unique_ptr<PointSource> make(const PointSetSpec& spec) const { return maker(*this, spec); }
 };
 
 /// All samplers, in the order in which they are listed.
@@ -56,11 +67,8 @@ std::span<const CatalogueEntry> catalogue();
 /// that checks can be shown to catch them, and are not in the catalogue.
 std::span<const CatalogueEntry> controls();
 
-/// A sampler of the catalogue, or a control. @throws UserError with the nearest name of the catalogue
+/// A sampler of the catalogue, a control, or an added one. @throws UserError with the nearest name of the catalogue
 const CatalogueEntry& find(std::string_view name);
-
-/// Most points in one set: an index has 32 bits.
-inline constexpr std::uint64_t max_points = std::uint64_t{1} << 32;
 
 /// The sizes that a sampler is made for: "powers of 5".
 std::string sizes_in_words(const SamplerInfo& info);

@@ -13,6 +13,7 @@
 #include "studies/explain/controls.hpp"
 #include "studies/explain/descriptions.hpp"
 #include "studies/explain/scene_explanation.hpp"
+#include "studies/point_files/file_sampler.hpp"
 #include "studies/readers/text_file.hpp"
 #include "studies/scene_files/scene_file.hpp"
 #include "studies/selftest/selftest.hpp"
@@ -124,6 +125,10 @@ ExitCode list(const std::string& kind) {
 }
 
 ExitCode explain(const std::string& name) {
+    if (studies::names_point_file(name)) {
+        print_sampler(studies::load_point_file(name, "", {}).info);
+        return ExitCode::passed;
+    }
     std::vector<std::string> names;
     for (const auto& entry : samplers::catalogue()) {
         names.emplace_back(entry.info.name);
