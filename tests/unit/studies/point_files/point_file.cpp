@@ -76,9 +76,9 @@ TEST(PointFile, MakesLattices) {
 
 // Unit matrices: van der Corput's sequence; anti-diagonal ones: i / n.
 TEST(PointFile, MakesDigitalNetsWithAnyNumberOfDigits) {
-    for (const std::string& text : {"# dnet\n2\n2\n3\n3\n4 2 1\n1 2 4\n",
-                                    "# dnet\n2\n2\n3\n40\n549755813888 274877906944 137438953472\n137438953472 "
-                                    "274877906944 549755813888\n"}) {
+    for (const char* const text : {"# dnet\n2\n2\n3\n3\n4 2 1\n1 2 4\n",
+                                   "# dnet\n2\n2\n3\n40\n549755813888 274877906944 137438953472\n137438953472 "
+                                   "274877906944 549755813888\n"}) {
         const auto set = parse_points(text, "net.txt");
         EXPECT_EQ(set.points, 8u);
         EXPECT_EQ(set.row(0, 0)[1], 1u << 31);
