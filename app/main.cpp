@@ -4,6 +4,7 @@
 #include "app/commands/commands.hpp"
 #include "app/commands/definitions.hpp"
 #include "app/commands/hidden_commands.hpp"
+#include "app/commands/point_commands.hpp"
 #include "app/folders/result_files.hpp"
 #include "app/folders/study_files.hpp"
 #include "app/process/guard.hpp"
@@ -196,6 +197,28 @@ void add_check(CLI::App& app, CheckCommand& command, Action& action) {
     sub->callback([&] { action = [&] { return check(command); }; });
 }
 
+void add_points(CLI::App& app, PointsCommand& command, Action& action) {
+    CLI::App* sub = add_command(app, laboratory, "points", "Write a point set, or say how evenly it is spread");
+    sub->add_option("SAMPLER", command.sampler, "A sampler, or file:PATH")->required();
+    sub->add_option("--n", command.points, "Points")->capture_default_str();
+    sub->add_option("--d", command.dimension, "Coordinates of a point")->capture_default_str();
+    sub->add_option("--seed", command.seed, "Seed of all random numbers")->capture_default_str();
+    sub->add_option("--trial", command.trial, "Which of the trials, from 0")->capture_default_str();
+    sub->add_option("--out", command.out, "File: .npy, .csv, .dat or .svg (default: none is written)")
+        ->type_name("FILE");
+    sub->callback([&] { action = [&] { return points(command); }; });
+}
+
+void add_check_sampler(CLI::App& app, CheckSamplerCommand& command, Action& action) {
+    CLI::App* sub = add_command(app, checks, "check-sampler", "Check what any sampler has to keep: pass, fail, inconclusive");
+    sub->add_option("SAMPLER", command.sampler, "A sampler, or file:PATH#RANDOMISE")->required();
+    sub->add_option("--n", command.points, "Points (default: about 256, or those of the largest file)");
+    sub->add_option("--d", command.dimension, "Coordinates of a point (default: all, at most 4)");
+    sub->add_option("--trials", command.trials, "Trials (default: about a second's)")->check(CLI::PositiveNumber);
+    sub->add_option("--seed", command.seed, "Seed of all random numbers")->capture_default_str();
+    sub->callback([&] { action = [&] { return check_sampler(command); }; });
+}
+
 ExitCode parse_and_act(int argc, char** argv) {
     CLI::App app("Form-factor methods under honest statistics.", "ffstudy");
     app.set_version_flag("-V,--version", fmt::format("ffstudy {} ({})", build_info::version, build_info::revision));
@@ -215,6 +238,8 @@ ExitCode parse_and_act(int argc, char** argv) {
     RadiosityOptions radiosity_options;
     EnclosureCommand enclosure_command;
     FormFactorsCommand form_factors_command;
+    PointsCommand points_command;
+    CheckSamplerCommand check_sampler_command;
     ListCommand list_command;
     std::string helped;
     add_form_factors(app, form_factors_command, action);
@@ -232,6 +257,8 @@ ExitCode parse_and_act(int argc, char** argv) {
     add_check(app, check_command, action);
     add_selftest(app, selftest_command, action);
     add_form_factors_selftest(app, selftest_command, action);
+    add_points(app, points_command, action);
+    add_check_sampler(app, check_sampler_command, action);
     add_built_in_studies(app, run_command, action);
     add_hidden_commands(app, action);
     name_types_of_arguments(app);

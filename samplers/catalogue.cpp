@@ -1,6 +1,7 @@
 #include "core/support/error.hpp"
 #include "core/support/excerpt.hpp"
 #include "core/support/nearest_name.hpp"
+#include "samplers/added.hpp"
 #include "samplers/antithetic.hpp"
 #include "samplers/entry.hpp"
 #include "samplers/faure.hpp"
@@ -79,6 +80,7 @@ const CatalogueEntry& find(std::string_view name) {
             if (sampler.info.name == name) return sampler;
         }
     }
+    if (const AddedSampler* added = find_added(name)) return added->entry();
     const std::string near = nearest_name(name, all_names);
     const std::string suggestion = near.empty() ? "" : fmt::format("Did you mean \"{}\"? ", near);
     throw UserError(fmt::format("sampler \"{}\" (there is none of this name). {}Known samplers: {}.", excerpt(name),

@@ -70,7 +70,7 @@ void require_size(const SamplerInfo& info, const PointSetSpec& spec);
 /// The catalogue's line for sampler T.
 template <class T>
 constexpr CatalogueEntry entry() {
-    return {T::info, [](const PointSetSpec& spec) -> std::unique_ptr<PointSource> {
+    return {T::info, [](const CatalogueEntry& /*self*/, const PointSetSpec& spec) -> std::unique_ptr<PointSource> {
                 require_size(T::info, spec);
                 return std::make_unique<ErasedSampler<T>>(spec);
             }};

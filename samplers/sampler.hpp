@@ -11,6 +11,9 @@
 
 namespace ff::samplers {
 
+/// Most points in one set: an index has 32 bits.
+inline constexpr std::uint64_t max_points = std::uint64_t{1} << 32;
+
 /// Sizes that a sampler is made for.
 enum class Sizes {
     any,           ///< every number of points
@@ -47,6 +50,9 @@ struct SamplerInfo {
     double nanoseconds = 1.5;             ///< of processor time for a point in 4-D, roughly; only ratios matter
     bool control = false;                 ///< broken on purpose, so that checks can be checked
     std::string_view unbroken_name = {};  ///< of a control: what it would be if it were not broken
+    std::span<const std::uint64_t> at_hand = {};  ///< sizes of the sets that there are; empty: as `sizes` says
+    std::size_t most_dimension = max_dimension;   ///< coordinates of a point
+    std::uint64_t most_trials = 0;                ///< different trials that there are; 0: any number
 
     [[nodiscard]] constexpr bool independent() const { return spread == Spread::independent; }
 };
@@ -59,11 +65,16 @@ struct PointSetSpec {
     std::uint32_t target_nodes = 0;  ///< nodes a side on the target patch (coordinates 2 and 3)
 };
 
+class AddedSampler;
+
 /// A sampler in the catalogue: its declaration and how to make a point set of it.
 struct CatalogueEntry {
     SamplerInfo info;
+    std::unique_ptr<PointSource> (*maker)(const CatalogueEntry& self, const PointSetSpec& spec);
+    const AddedSampler* added = nullptr;  ///< of samplers that are not built in, see samplers/added.hpp
+
     /// @throws UserError where the size cannot be done
-    std::unique_ptr<PointSource> (*make)(const PointSetSpec& spec);
+    [[nodiscard]] std::unique_ptr<PointSource> make(const PointSetSpec& spec) const { return maker(*this, spec); }
 };
 
 /// All samplers, in the order in which they are listed.
@@ -73,7 +84,7 @@ std::span<const CatalogueEntry> catalogue();
 /// that checks can be shown to catch them, and are not in the catalogue.
 std::span<const CatalogueEntry> controls();
 
-/// A sampler of the catalogue, or a control. @throws UserError with the nearest name of the catalogue
+/// A sampler of the catalogue, a control, or an added one. @throws UserError with the nearest name of the catalogue
 const CatalogueEntry& find(std::string_view name);
 
 /// Independent random points, the yardstick for all others.
@@ -81,9 +92,6 @@ const SamplerInfo& yardstick();
 
 /// What the program itself integrates with.
 const CatalogueEntry& house_sampler();
-
-/// Most points in one set: an index has 32 bits.
-inline constexpr std::uint64_t max_points = std::uint64_t{1} << 32;
 
 /// The sizes that a sampler is made for: "powers of 5".
 std::string sizes_in_words(const SamplerInfo& info);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <iterator>
 
 namespace ff::samplers {
 namespace {
@@ -32,6 +33,11 @@ std::vector<std::uint64_t> size_ladder(const SamplerInfo& info, std::uint64_t lo
                                        std::size_t dimension) {
     FF_EXPECT(1 <= low && low <= high && high <= max_points && info.sizes != Sizes::nodes);
     std::vector<std::uint64_t> sizes;
+    if (!info.at_hand.empty()) {
+        std::copy_if(info.at_hand.begin(), info.at_hand.end(), std::back_inserter(sizes),
+                     [&](std::uint64_t size) { return low <= size && size <= high; });
+        return sizes;
+    }
     for (std::uint64_t octave = std::bit_floor(low); octave <= high; octave *= 2) {
         const std::uint64_t size = next_size(info, std::max(octave, low), dimension);
         if (size < 2 * octave && size <= high) sizes.push_back(size);

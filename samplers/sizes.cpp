@@ -45,6 +45,22 @@ SizeProblem check_powers(const SamplerInfo& info, std::uint64_t points) {
             false};
 }
 
+/// A set is used from its first point on: any size up to the largest.
+SizeProblem check_at_hand(const SamplerInfo& info, std::uint64_t points, std::size_t dimension) {
+    if (dimension > info.most_dimension)
+        return {fmt::format("points of {} coordinates ({} has {}). Use another estimator, or more columns.", dimension,
+                            info.name, info.most_dimension),
+                true};
+    const auto set = std::lower_bound(info.at_hand.begin(), info.at_hand.end(), points);
+    if (set == info.at_hand.end())
+        return {fmt::format("{} points ({} has {}). Take fewer samples.", points, info.name, sizes_in_words(info)),
+                true};
+    if (*set == points) return {};
+    return {fmt::format("{} points (the first of {} of {}, which need not be spread as well). Nearest: {}.", points,
+                        *set, info.name, *set),
+            false};
+}
+
 }  // namespace
 
 std::uint32_t count_digits(std::uint64_t points, std::uint32_t base) {
@@ -67,6 +83,7 @@ std::uint64_t floor_root(std::uint64_t points, std::size_t dimension) {
 }
 
 std::string sizes_in_words(const SamplerInfo& info) {
+    if (!info.at_hand.empty()) return fmt::format("sets of {} points", fmt::join(info.at_hand, ", "));
     switch (info.sizes) {
         case Sizes::any:
             return "any number of points";
@@ -87,6 +104,7 @@ SizeProblem check_size(const SamplerInfo& info, std::uint64_t points, std::size_
         return {fmt::format("{} points (the index of a point has 32 bits). Use at most {} = 2^32, and more trials.",
                             points, max_points),
                 true};
+    if (!info.at_hand.empty()) return check_at_hand(info, points, dimension);
     switch (info.sizes) {
         case Sizes::any:
         case Sizes::nodes:

@@ -3,6 +3,8 @@
 #include "core/support/contract.hpp"
 #include "stats/distributions.hpp"
 
+#include <boost/math/distributions/chi_squared.hpp>
+#include <boost/math/distributions/non_central_chi_squared.hpp>
 #include <boost/math/quadrature/gauss_kronrod.hpp>
 #include <boost/math/special_functions/gamma.hpp>
 #include <boost/math/tools/roots.hpp>
@@ -136,6 +138,15 @@ double minimum_detectable_shift(double probability, std::size_t trials, Risks ri
     expect_valid(risks);
     const double sd = std::sqrt(probability * (1 - probability) / static_cast<double>(trials));
     return (normal_critical(risks.alpha / 2) + normal_critical(1 - risks.power)) * sd;
+}
+
+double detectable_deviation(std::size_t cells, std::uint64_t draws, Risks risks) {
+    FF_EXPECT(cells >= 2 && draws >= 1);
+    namespace math = boost::math;
+    const auto freedom = static_cast<double>(cells - 1);
+    const double critical = quantile(complement(math::chi_squared(freedom), risks.alpha));
+    const double noncentrality = math::non_central_chi_squared::find_non_centrality(freedom, critical, 1 - risks.power);
+    return std::sqrt(noncentrality / static_cast<double>(draws));
 }
 
 }  // namespace ff::stats

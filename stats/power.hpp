@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 
 namespace ff::stats {
 
@@ -34,5 +35,9 @@ std::size_t trials_for_equivalence(double margin, double sigma, Risks risks, std
 /// Shift of a hit probability that the exact two-sided binomial test finds with the given power (normal approximation
 /// with the variance of the null). @pre 0 < probability < 1
 double minimum_detectable_shift(double probability, std::size_t trials, Risks risks);
+
+/// Root mean square relative deviation of the probabilities of `cells` equally likely cells that Pearson's test finds
+/// with the given power (noncentral chi-squared). @pre cells >= 2, draws >= 1
+double detectable_deviation(std::size_t cells, std::uint64_t draws, Risks risks);
 
 }  // namespace ff::stats

@@ -13,6 +13,7 @@
 #include "studies/explain/controls.hpp"
 #include "studies/explain/descriptions.hpp"
 #include "studies/explain/scene_explanation.hpp"
+#include "studies/point_files/file_sampler.hpp"
 #include "studies/readers/text_file.hpp"
 #include "studies/scene_files/scene_file.hpp"
 #include "studies/selftest/selftest.hpp"
@@ -123,6 +124,7 @@ std::optional<Scene> find_scene(const std::string& name) {
 
 /// Everything of that name. @throws UserError where there is nothing
 std::vector<Explanation> explanations_of(const std::string& name, const std::optional<Scene>& scene) {
+    if (studies::names_point_file(name)) return {explanation(studies::load_point_file(name, "", {}).info)};
     std::vector<Explanation> found;
     std::vector<std::string> names;
     const auto add_if_named = [&](Explanation explained, bool named) {

@@ -95,6 +95,17 @@ class Warnings {
     std::unordered_set<std::string> seen_;
 };
 
+/// @throws UserError where trials would repeat others
+void expect_trials_at_hand(const Method& method, const Cell& cell) {
+    if (method.sampler.empty() || cell.deterministic) return;
+    const std::uint64_t most = samplers::find(method.sampler).info.most_trials;
+    if (most == 0 || cell.trials <= most) return;
+    throw UserError(
+        fmt::format("method '{}': {} trials ({} has {} sets of points, and each serves one trial). Take "
+                    "trials = {}, or randomise = \"owen\" for any number.",
+                    method.name, cell.trials, method.sampler, most, most));
+}
+
 /// Patches, or ordered pairs of patches of different surfaces with kernels.
 double evaluated_patches(const Method& method, const Scene& scene, Subdivision subdivision) {
     const auto all = static_cast<double>(subdivision.patches(scene));
@@ -245,6 +256,7 @@ StudyPlan plan_study(StudySpec spec) {
                 cell.key = derive_key(plan.spec.seed, cell.canonical);
                 warnings.add_control(method);
                 warnings.add_size(method, cell);
+                expect_trials_at_hand(method, cell);
                 warnings.add_trials(cell);
                 plan.cells.push_back(std::move(cell));
                 if (has_patch_systems(plan, plan.cells.size() - 1)) expect_few_patches(plan, plan.cells.size() - 1);

@@ -45,6 +45,9 @@ class TomlReader {
     [[nodiscard]] std::vector<TomlReader> tables(std::string_view key) const;
     [[nodiscard]] std::optional<TomlReader> optional_table(std::string_view key) const;
 
+    /// The file, as it was given.
+    [[nodiscard]] std::string_view origin() const { return origin_; }
+
     /// Where the table begins.
     [[nodiscard]] std::uint64_t line() const { return table_->source().begin.line; }
 

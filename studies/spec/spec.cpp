@@ -4,6 +4,7 @@
 #include "core/support/nearest_name.hpp"
 #include "samplers/sampler.hpp"
 #include "stats/interval.hpp"
+#include "studies/point_files/file_sampler.hpp"
 #include "studies/published/published.hpp"
 #include "studies/readers/printable.hpp"
 #include "studies/readers/text_file.hpp"
@@ -19,6 +20,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <filesystem>
 #include <set>
 #include <span>
 #include <utility>
@@ -26,7 +28,7 @@
 namespace ff::studies {
 namespace {
 
-using Keys = std::array<std::string_view, 12>;
+using Keys = std::array<std::string_view, 13>;
 
 constexpr std::uint64_t max_samples = 1ULL << 32;  // a stream addresses points with 32 bits
 constexpr std::uint32_t max_patches_per_face = 1u << 20;
@@ -137,16 +139,28 @@ std::optional<Nodes> read_nodes(const TomlReader& reader, const samplers::Sample
     return Nodes{source, static_cast<std::uint32_t>(nodes.back())};
 }
 
+/// A name that the catalogue or an added sampler has; files of points are read.
+const samplers::SamplerInfo& find_sampler(const TomlReader& reader) {
+    const std::string name = reader.text("sampler");
+    const auto randomise = reader.optional_text("randomise");
+    if (names_point_file(name)) {
+        const auto folder = std::filesystem::path(reader.origin()).parent_path();
+        return load_point_file(name, randomise.value_or(""), folder).info;
+    }
+    if (randomise) reader.fail("randomise", "(only points of a file have it: \"file:points.npy\"). Remove the key.");
+    return samplers::find(name).info;
+}
+
 const samplers::SamplerInfo* read_sampler(const TomlReader& reader, Estimator estimator) {
     if (estimator == Estimator::closed_form) {
         if (reader.has("sampler"))
             reader.fail("sampler", "(closed_form evaluates a formula at no points). Remove the key.");
         return nullptr;
     }
-    const std::string name = reader.text("sampler");
+    static_cast<void>(reader.text("sampler"));  // missing or no text: said without "is refused"
     const samplers::SamplerInfo* info = nullptr;
     try {
-        info = &samplers::find(name).info;
+        info = &find_sampler(reader);
     } catch (const UserError& error) {
         reader.fail("sampler", fmt::format("is refused: {}", error.what()));
     }
@@ -173,8 +187,9 @@ void expect_unique_sizes(const TomlReader& reader, const Method& method) {
 }  // namespace
 
 Method read_method(const TomlReader& reader, std::span<const std::string_view> other_keys) {
-    static constexpr Keys own_keys{"name", "sampler", "estimator", "completion",       "allocation",        "tracer",
-                                   "map",  "nodes",   "sizes",     "patches_per_face", "samples_per_patch", "trials"};
+    static constexpr Keys own_keys{
+        "name", "sampler", "randomise", "estimator",        "completion",        "allocation", "tracer",
+        "map",  "nodes",   "sizes",     "patches_per_face", "samples_per_patch", "trials"};
     std::vector<std::string_view> known(own_keys.begin(), own_keys.end());
     known.insert(known.end(), other_keys.begin(), other_keys.end());
     reader.expect_only(known);

@@ -18,7 +18,7 @@ expect_offered() { grep -Fqxe "$1" "$folder/offered" || fail "expected to be off
 expect_as_many_as() { [ "$(grep -vc '^:' "$folder/offered")" -eq "$(wc -l <"$1")" ] || fail "expected no more than in $1"; }
 
 ffstudy --help
-sed '1,/^Everyday:/d' "$folder/stdout" | sed -nE 's/^  ([a-z_0-9]+) .*/\1/p' >"$folder/commands"
+sed '1,/^Everyday:/d' "$folder/stdout" | sed -nE 's/^  ([a-z_0-9-]+) .*/\1/p' >"$folder/commands"
 [ "$(wc -l <"$folder/commands")" -ge 20 ] || fail "expected the commands"
 ! grep -Eq '^(complete|man_pages)$' "$folder/commands" || fail "expected no hidden command"
 offered ""

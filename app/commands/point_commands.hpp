@@ -1,0 +1,37 @@
+#pragma once
+
+#include "app/process/exit_code.hpp"
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+
+namespace ff::app {
+
+/// Of `ffstudy points`.
+struct PointsCommand {
+    std::string sampler;
+    std::uint64_t points = 1024;
+    std::size_t dimension = 4;
+    std::uint64_t seed = 1;
+    std::uint32_t trial = 0;
+    std::filesystem::path out;  ///< empty: what is known of the set is printed
+};
+
+/// Of `ffstudy check-sampler`.
+struct CheckSamplerCommand {
+    std::string sampler;
+    std::optional<std::uint64_t> points;
+    std::optional<std::size_t> dimension;
+    std::optional<std::uint64_t> trials;
+    std::uint64_t seed = 1;
+};
+
+/// Writes a point set as .npy, .csv, .dat or .svg, or says how evenly it is spread.
+ExitCode points(const PointsCommand& command);
+
+/// Asks of a sampler what the contract asks: failed where it breaks it, else inconclusive where trials are too few.
+ExitCode check_sampler(const CheckSamplerCommand& command);
+
+}  // namespace ff::app

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "samplers/point_set.hpp"
+
+#include <filesystem>
+#include <functional>
+#include <ostream>
+
+namespace ff::reports {
+
+using WritePointSet = std::function<void(std::ostream&, const samplers::PointSet&)>;
+
+/// How the first set is written, by the extension: .npy (n, d) of float64; .csv and .dat, a point a line with every
+/// digit; .svg, a square for each pair of coordinates. What the first three hold reads back as the same points.
+/// @throws UserError for another extension
+WritePointSet point_set_format(const std::filesystem::path& file);
+
+}  // namespace ff::reports

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace ff::stats {
+
+/// Coordinates in [0, 1), [dimension][point]; as many points in each dimension.
+using Coordinates = std::vector<std::vector<double>>;
+
+/// Star discrepancy in the L2 norm, by Warnock's formula, in O(n^2 d) [niederreiter1992]. @pre at least one point
+double l2_star_discrepancy(const Coordinates& points);
+
+/// Centred L2 discrepancy, which no reflection of a coordinate changes, in O(n^2 d) [hickernell1998].
+double centred_discrepancy(const Coordinates& points);
+
+/// The longest interval of an axis without a point's coordinate; from the last to the first, through 1, also.
+double largest_gap(std::span<const double> coordinates);
+
+}  // namespace ff::stats

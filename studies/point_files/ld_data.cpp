@@ -1,0 +1,124 @@
+#include "core/support/error.hpp"
+#include "core/support/excerpt.hpp"
+#include "studies/point_files/point_file.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+#include <charconv>
+#include <vector>
+
+// The format: https://github.com/QMCSoftware/LDData, as LatNet Builder, SSJ and QMCPy read and write it.
+
+namespace ff::studies {
+namespace {
+
+constexpr std::uint64_t most_points = std::uint64_t{1} << 26;
+
+/// The numbers of the file in order; what follows # in a line is a comment.
+class Numbers {
+  public:
+    Numbers(std::string_view text, const std::string& origin) : origin_(origin) {
+        for (std::size_t at = 0; at < text.size();) {
+            const std::size_t end = std::min(text.find('\n', at), text.size());
+            read_line(text.substr(at, end - at));
+            at = end + 1;
+        }
+    }
+
+    std::uint64_t next(std::string_view what) {
+        if (at_ == numbers_.size())
+            throw UserError(
+                fmt::format("{}: {} missing (the file ends before it). See docs/study-files.md for what an "
+                            "LDData file holds.",
+                            origin_, what));
+        return numbers_[at_++];
+    }
+
+  private:
+    void read_line(std::string_view line) {
+        ++line_;
+        line = line.substr(0, line.find('#'));
+        constexpr std::string_view separators = " \t\r";
+        for (std::size_t at = line.find_first_not_of(separators); at != std::string_view::npos;
+             at = line.find_first_not_of(separators, at)) {
+            const std::size_t end = std::min(line.find_first_of(separators, at), line.size());
+            std::uint64_t value = 0;
+            const auto [rest, error] = std::from_chars(line.data() + at, line.data() + end, value);
+            if (error != std::errc() || rest != line.data() + end)
+                throw UserError(fmt::format("{}:{}: \"{}\" (a whole number is wanted here). Mark comments with #.",
+                                            origin_, line_, excerpt(line.substr(at, end - at))));
+            numbers_.push_back(value);
+            at = end;
+        }
+    }
+
+    std::string origin_;
+    std::vector<std::uint64_t> numbers_;
+    std::size_t at_ = 0;
+    std::size_t line_ = 0;
+};
+
+void expect_range(const std::string& origin, std::string_view what, std::uint64_t value, std::uint64_t least,
+                  std::uint64_t most) {
+    if (value >= least && value <= most) return;
+    throw UserError(
+        fmt::format("{}: {} = {} ({} to {} are read). Take another file.", origin, what, value, least, most));
+}
+
+/// Point i is the fractional part of i * vector / n.
+samplers::PointSet lattice(Numbers numbers, const std::string& origin) {
+    const std::uint64_t dimension = numbers.next("the dimension");
+    expect_range(origin, "dimension", dimension, 1, 1u << 20);
+    const std::uint64_t n = numbers.next("the number of points");
+    expect_range(origin, "points", n, 1, most_points);
+    samplers::PointSet result{n, std::min<std::size_t>(dimension, max_dimension), 1, {}};
+    result.coordinate.resize(result.dimension * n);
+    for (std::size_t d = 0; d < result.dimension; ++d) {
+        const std::uint64_t factor = numbers.next(fmt::format("component {} of the generating vector", d)) % n;
+        for (std::uint64_t i = 0; i < n; ++i)
+            result.coordinate[d * n + i] = static_cast<std::uint32_t>((i * factor % n << 32) / n);
+    }
+    return result;
+}
+
+/// Point i is the exclusive or of the columns of the set bits of i.
+samplers::PointSet digital_net(Numbers numbers, const std::string& origin) {
+    const std::uint64_t base = numbers.next("the base");
+    expect_range(origin, "base", base, 2, 2);
+    const std::uint64_t dimension = numbers.next("the dimension");
+    expect_range(origin, "dimension", dimension, 1, 1u << 20);
+    const std::uint64_t columns = numbers.next("the number of columns");
+    expect_range(origin, "columns", columns, 1, 26);
+    const std::uint64_t digits = numbers.next("the number of digits");
+    expect_range(origin, "digits", digits, 1, 63);
+    const std::uint64_t n = std::uint64_t{1} << columns;
+    samplers::PointSet result{n, std::min<std::size_t>(dimension, max_dimension), 1, {}};
+    result.coordinate.resize(result.dimension * n);
+    for (std::size_t d = 0; d < result.dimension; ++d) {
+        std::uint32_t* const row = &result.coordinate[d * n];
+        for (std::uint64_t c = 0; c < columns; ++c) {
+            const std::uint64_t column = numbers.next(fmt::format("column {} of coordinate {}", c, d));
+            expect_range(origin, "a column", column, 0, (std::uint64_t{1} << digits) - 1);
+            const auto word =
+                static_cast<std::uint32_t>(digits > 32 ? column >> (digits - 32) : column << (32 - digits));
+            for (std::uint64_t i = 0; i < std::uint64_t{1} << c; ++i) row[(std::uint64_t{1} << c) + i] = row[i] ^ word;
+        }
+    }
+    return result;
+}
+
+}  // namespace
+
+bool is_ld_data(std::string_view text) {
+    return text.starts_with("# lattice") || text.starts_with("# dnet");
+}
+
+samplers::PointSet parse_ld_data(std::string_view text, const std::string& origin) {
+    Numbers numbers(text, origin);
+    return text.starts_with("# lattice") ? lattice(std::move(numbers), origin)
+                                         : digital_net(std::move(numbers), origin);
+}
+
+}  // namespace ff::studies

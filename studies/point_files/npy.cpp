@@ -1,0 +1,119 @@
+#include "core/support/error.hpp"
+#include "core/support/excerpt.hpp"
+#include "studies/point_files/point_file.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cstring>
+#include <vector>
+
+// The format: https://numpy.org/doc/stable/reference/generated/numpy.lib.format.html
+
+namespace ff::studies {
+namespace {
+
+constexpr std::string_view magic = "\x93NUMPY";
+
+struct Header {
+    std::string_view type;
+    bool by_columns = false;
+    std::vector<std::uint64_t> shape;
+    std::size_t data = 0;  ///< where the numbers begin
+};
+
+[[noreturn]] void refuse(const std::string& origin, std::string_view what, std::string_view why) {
+    throw UserError(fmt::format("{}: {} ({}). Write it with numpy.save.", origin, what, why));
+}
+
+/// What stands between `before` and `after` in the header.
+std::string_view between(std::string_view text, std::string_view before, std::string_view after,
+                         const std::string& origin) {
+    const std::size_t begin = text.find(before);
+    const std::size_t end = begin == std::string_view::npos ? begin : text.find(after, begin + before.size());
+    if (end == std::string_view::npos) refuse(origin, "its header is damaged", fmt::format("no {}", before));
+    return text.substr(begin + before.size(), end - begin - before.size());
+}
+
+Header parse_header(std::string_view bytes, const std::string& origin) {
+    const auto byte = [&](std::size_t at) -> std::size_t { return static_cast<unsigned char>(bytes[at]); };
+    if (bytes.size() < 12) refuse(origin, "its header is cut off", "12 bytes at least");
+    const std::size_t begin = byte(6) == 1 ? 10 : 12;
+    std::size_t length = byte(8) | byte(9) << 8;
+    if (begin == 12) length |= byte(10) << 16 | byte(11) << 24;
+    if (bytes.size() - begin < length) refuse(origin, "its header is cut off", "the file is shorter");
+    const std::string_view text = bytes.substr(begin, length);
+    Header header;
+    header.data = begin + length;
+    header.type = between(text, "'descr': '", "'", origin);
+    header.by_columns = between(text, "'fortran_order': ", ",", origin) == "True";
+    std::string_view shape = between(text, "'shape': (", ")", origin);
+    while (!shape.empty()) {
+        std::uint64_t size = 0;
+        const auto [rest, error] = std::from_chars(shape.data(), shape.data() + shape.size(), size);
+        if (error != std::errc()) refuse(origin, "its shape is damaged", excerpt(shape));
+        header.shape.push_back(size);
+        shape.remove_prefix(static_cast<std::size_t>(rest - shape.data()));
+        shape.remove_prefix(std::min(shape.find_first_not_of(", "), shape.size()));
+    }
+    return header;
+}
+
+template <class Number>
+Number number_at(std::string_view bytes, std::size_t at) {
+    Number value;
+    std::memcpy(&value, bytes.data() + at, sizeof value);
+    return value;
+}
+
+}  // namespace
+
+bool is_npy(std::string_view bytes) {
+    return bytes.starts_with(magic);
+}
+
+samplers::PointSet parse_npy(std::string_view bytes, const std::string& origin) {
+    const Header header = parse_header(bytes, origin);
+    constexpr std::array<std::string_view, 3> types{"<f8", "<f4", "<u4"};
+    if (std::find(types.begin(), types.end(), header.type) == types.end())
+        refuse(origin, fmt::format("numbers of type '{}'", excerpt(header.type)),
+               "float64, float32 or uint32 are read");
+    if (header.shape.size() != 2 && header.shape.size() != 3)
+        refuse(origin, fmt::format("shape ({})", fmt::join(header.shape, ", ")), "(n, d) or (trials, n, d) are read");
+    const std::uint64_t width = header.shape.back();
+    const std::uint64_t points = header.shape[header.shape.size() - 2];
+    const std::uint64_t sets = header.shape.size() == 3 ? header.shape[0] : 1;
+    expect_size(origin, sets, points, width);
+    const std::size_t bytes_each = header.type == "<f8" ? 8 : 4;
+    const std::uint64_t there = (bytes.size() - header.data) / bytes_each;
+    if (width > there || points > there / width || sets > there / width / points || sets * points * width != there) {
+        throw UserError(
+            fmt::format("{}: {} numbers (its header says {} x {} x {}). It was cut off or is still being written; "
+                        "write it again.",
+                        origin, there, sets, points, width));
+    }
+    samplers::PointSet result{points, std::min<std::size_t>(width, max_dimension), sets, {}};
+    result.coordinate.resize(sets * result.dimension * points);
+    for (std::uint64_t set = 0; set < sets; ++set) {
+        for (std::size_t d = 0; d < result.dimension; ++d) {
+            std::uint32_t* const row = &result.coordinate[(set * result.dimension + d) * points];
+            for (std::uint64_t i = 0; i < points; ++i) {
+                const std::uint64_t index =
+                    header.by_columns ? (d * points + i) * sets + set : (set * points + i) * width + d;
+                const std::size_t at = header.data + index * bytes_each;
+                if (header.type == "<u4") {
+                    row[i] = number_at<std::uint32_t>(bytes, at);
+                } else {
+                    const double x = bytes_each == 8 ? number_at<double>(bytes, at)
+                                                     : static_cast<double>(number_at<float>(bytes, at));
+                    row[i] = fixed_point(x, origin, set, i, d);
+                }
+            }
+        }
+    }
+    return result;
+}
+
+}  // namespace ff::studies

@@ -1,0 +1,72 @@
+#include "studies/sampler_checks/drawn_trials.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ff::studies {
+namespace {
+
+constexpr double share = 0.475;  // of the dimension: where the plane lies
+
+/// Volume of the part of the unit cube where the coordinates sum to less than s (Irwin and Hall).
+double volume_below(double s, std::size_t dimension) {
+    double sum = 0;
+    double choose = 1;
+    for (std::size_t k = 0; static_cast<double>(k) < s; ++k) {
+        sum += (k % 2 == 0 ? choose : -choose) * std::pow(s - static_cast<double>(k), dimension);
+        choose *= static_cast<double>(dimension - k) / static_cast<double>(k + 1);
+    }
+    return sum / std::tgamma(static_cast<double>(dimension) + 1);
+}
+
+struct Integrands {
+    std::size_t dimension;
+    double volume = volume_below(share * static_cast<double>(dimension), dimension);
+
+    [[nodiscard]] std::array<double, 3> at(const std::array<double, max_dimension>& x) const {
+        double product = 1;
+        double sum = 0;
+        for (std::size_t d = 0; d < dimension; ++d) {
+            product *= 1 + (x[d] - 0.5) / static_cast<double>(d + 1);
+            sum += x[d];
+        }
+        const bool low = x[0] < 1.0 / 3;
+        const double steps = dimension == 1 ? (low ? 3.0 : 0.0) : (low != (x[dimension - 1] < 0.75) ? 12.0 / 7 : 0.0);
+        return {product, sum < share * static_cast<double>(dimension) ? 1 / volume : 0.0, steps};
+    }
+};
+
+}  // namespace
+
+DrawnTrials draw_trials(const PointSource& source, std::size_t dimension, StreamKey key, std::uint64_t trials) {
+    const Integrands integrands{dimension};
+    const std::uint64_t points = source.points();
+    DrawnTrials drawn;
+    PointBlock block;
+    block.dimension = dimension;
+    for (std::uint64_t trial = 0; trial < trials; ++trial) {
+        const Stream stream{.key = key, .trial = static_cast<std::uint32_t>(trial)};
+        // Of another key, so independent of what the sampler does with its own.
+        const Stream picks{.key = {key.word1, ~key.word0}, .trial = stream.trial};
+        const std::uint64_t pick = philox(picks, 0, Purpose::coordinates)[0] * points >> 32;
+        std::array<double, 3> sums{};
+        for (PointIndex first = 0; first < points; first += block.size) {
+            block.size = std::min<std::uint64_t>(block_capacity, points - first);
+            source.fill(stream, first, block);
+            for (std::size_t i = 0; i < block.size; ++i) {
+                std::array<double, max_dimension> x{};
+                for (std::size_t d = 0; d < dimension; ++d) x[d] = (block.coordinate[d][i] + 0.5) * 0x1p-32;
+                const auto values = integrands.at(x);
+                for (std::size_t f = 0; f < sums.size(); ++f) sums[f] += values[f];
+            }
+            if (first <= pick && pick < first + block.size) {
+                auto& picked = drawn.picked.emplace_back();
+                for (std::size_t d = 0; d < dimension; ++d) picked[d] = block.coordinate[d][pick - first];
+            }
+        }
+        for (std::size_t f = 0; f < sums.size(); ++f) drawn.means[f].push_back(sums[f] / static_cast<double>(points));
+    }
+    return drawn;
+}
+
+}  // namespace ff::studies

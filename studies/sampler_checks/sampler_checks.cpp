@@ -1,0 +1,196 @@
+#include "studies/sampler_checks/sampler_checks.hpp"
+
+#include "core/support/error.hpp"
+#include "samplers/net_parameter.hpp"
+#include "stats/bias_test.hpp"
+#include "stats/chi_squared.hpp"
+#include "stats/moments.hpp"
+#include "stats/multiplicity.hpp"
+#include "stats/power.hpp"
+#include "stats/serial_correlation.hpp"
+#include "studies/sampler_checks/drawn_trials.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+#include <functional>
+#include <memory>
+
+namespace ff::studies {
+namespace {
+
+using samplers::SamplerInfo;
+
+// Effects that must not be missed.
+constexpr double worst_deviation = 0.1;    // of the cells' probabilities, root mean square, relative
+constexpr double worst_bias = 0.03;        // of an integral
+constexpr double worst_correlation = 0.5;  // of successive trials
+
+std::vector<std::uint32_t> row_of(const PointSource& source, std::size_t dimension, const Stream& stream,
+                                  std::size_t part) {
+    const std::uint64_t points = source.points();
+    std::vector<std::uint32_t> rows(points * dimension);
+    PointBlock block;
+    block.dimension = dimension;
+    for (PointIndex first = 0; first < points; first += block.size) {
+        block.size = std::min<std::uint64_t>(part, points - first);
+        source.fill(stream, first, block);
+        for (std::size_t d = 0; d < dimension; ++d)
+            std::copy_n(block.coordinate[d].begin(), block.size,
+                        rows.begin() + static_cast<std::ptrdiff_t>(d * points + first));
+    }
+    return rows;
+}
+
+SamplerCheck same_bits(const samplers::CatalogueEntry& sampler, const samplers::PointSetSpec& spec, StreamKey key) {
+    const auto once = sampler.make(spec);
+    const auto again = sampler.make(spec);
+    for (std::uint32_t trial = 0; trial < 3; ++trial) {
+        const Stream stream{.key = key, .trial = trial};
+        const auto whole = row_of(*once, spec.dimension, stream, block_capacity);
+        for (const std::size_t part : {std::size_t{1000}, std::size_t{37}, std::size_t{1}}) {
+            if (whole.size() > 1u << 16 && part == 1) continue;
+            const auto other = row_of(*again, spec.dimension, stream, part);
+            const auto [a, b] = std::mismatch(whole.begin(), whole.end(), other.begin());
+            if (a == whole.end()) continue;
+            const auto at = static_cast<std::uint64_t>(a - whole.begin());
+            return {"same bits for the same seed", SamplerVerdict::fail,
+                    fmt::format("trial {}, point {}, coordinate {}: {} and, asked again {} at a time, {}", trial,
+                                at % spec.points, at / spec.points, *a * 0x1p-32, part, *b * 0x1p-32)};
+        }
+    }
+    return {"same bits for the same seed", SamplerVerdict::pass,
+            "3 trials, asked for in parts of 1024, 1000, 37 and 1"};
+}
+
+/// What `Sizes` promises: points stratified on every axis, or in the cells of a grid.
+std::optional<SamplerCheck> keeps_sizes(const samplers::CatalogueEntry& sampler, const samplers::PointSetSpec& spec,
+                                        StreamKey key) {
+    const SamplerInfo& info = sampler.info;
+    const bool powers = info.sizes == samplers::Sizes::powers && info.multiple == 1;
+    if (!powers || !samplers::check_size(info, spec.points, spec.dimension).message.empty()) return std::nullopt;
+    const auto source = sampler.make(spec);
+    samplers::PointSet set{spec.points, 1, 1, {}};
+    for (std::uint32_t trial = 0; trial < 10; ++trial) {
+        const auto rows = row_of(*source, spec.dimension, {.key = key, .trial = trial}, block_capacity);
+        for (std::size_t d = 0; d < spec.dimension; ++d) {
+            const auto begin = rows.begin() + static_cast<std::ptrdiff_t>(d * spec.points);
+            set.coordinate.assign(begin, begin + static_cast<std::ptrdiff_t>(spec.points));
+            if (samplers::net_parameter(set, 0, info.base) == 0u) continue;
+            return SamplerCheck{"what its sizes promise", SamplerVerdict::fail,
+                                fmt::format("trial {}: coordinate {} has not one point in each of {} intervals", trial,
+                                            d, spec.points)};
+        }
+    }
+    return SamplerCheck{"what its sizes promise", SamplerVerdict::pass,
+                        fmt::format("one point in each of {} intervals of every axis, in 10 trials", spec.points)};
+}
+
+/// A test with its p-value, and the effect that it finds with the power asked for.
+struct Tested {
+    std::string name;
+    double p = 1;
+    double detectable = 0;
+    double worst = 0;  ///< that must not be missed
+    std::string what;
+};
+
+Tested equally_likely(std::string name, const std::vector<std::uint64_t>& counts, std::uint64_t draws,
+                      stats::Risks risks) {
+    const std::vector<double> probabilities(counts.size(), 1.0 / static_cast<double>(counts.size()));
+    const auto fit = stats::test_goodness_of_fit(counts, probabilities);
+    return {std::move(name), fit ? fit->chi_squared.p : 1.0,
+            fit && fit->cells == counts.size() ? stats::detectable_deviation(counts.size(), draws, risks) : 1.0,
+            worst_deviation, "uneven by"};
+}
+
+std::vector<Tested> test_all(const DrawnTrials& drawn, std::size_t dimension, stats::Risks risks) {
+    std::vector<Tested> tests;
+    const std::uint64_t draws = drawn.picked.size();
+    for (std::size_t a = 0; a < dimension; ++a) {
+        std::vector<std::uint64_t> counts(16, 0);
+        for (const auto& point : drawn.picked) ++counts[point[a] >> 28];
+        tests.push_back(equally_likely(fmt::format("coordinate {} uniform", a), counts, draws, risks));
+    }
+    for (std::size_t a = 0; a < dimension; ++a) {
+        for (std::size_t b = a + 1; b < dimension; ++b) {
+            std::vector<std::uint64_t> counts(16, 0);
+            for (const auto& point : drawn.picked) ++counts[(point[a] >> 30) * 4 + (point[b] >> 30)];
+            tests.push_back(equally_likely(fmt::format("coordinates {} and {} uniform", a, b), counts, draws, risks));
+        }
+    }
+    for (std::size_t f = 0; f < integrand_names.size(); ++f) {
+        const auto& means = drawn.means[f];
+        const auto moments = stats::moments_of(means, 1.0);
+        const auto bias = stats::test_bias(moments);
+        const double sigma = moments.standard_deviation().value_or(0);
+        // Without spread there is no test; what rounding leaves of the integral is then the whole error.
+        tests.push_back({fmt::format("mean of {}", integrand_names[f]), bias ? bias->p : 1.0,
+                         bias ? stats::minimum_detectable_bias(sigma, means.size(), risks) : 1.0, worst_bias,
+                         "biased by"});
+        const auto serial = stats::test_serial_correlation(means);
+        // Of the two tests under this p each has half of alpha; a correlation's standard error is 1 / sqrt(n).
+        const stats::Risks half{risks.alpha / 2, risks.power};
+        tests.push_back({fmt::format("trials independent, {}", integrand_names[f]), serial ? serial->p : 1.0,
+                         serial ? stats::minimum_detectable_bias(1, means.size(), half) : 1.0, worst_correlation,
+                         "correlated by"});
+    }
+    return tests;
+}
+
+}  // namespace
+
+std::uint64_t usual_trials(const SamplerInfo& info, std::uint64_t points) {
+    const std::uint64_t affordable = std::clamp<std::uint64_t>((std::uint64_t{1} << 25) / points, 1000, 20000);
+    return info.most_trials == 0 ? affordable : std::min(affordable, info.most_trials);
+}
+
+SamplerChecks check_sampler(const samplers::CatalogueEntry& sampler, const SamplerCheckRequest& request) {
+    const SamplerInfo& info = sampler.info;
+    if (!info.equal_weights)
+        throw UserError(
+            fmt::format("{} (its points have weights: a rule, not a sampler). Run a study with it.", info.name));
+    const samplers::PointSetSpec spec{.points = request.points, .dimension = request.dimension};
+    const auto source = sampler.make(spec);
+    const StreamKey key =
+        derive_key(Seed{request.seed}, fmt::format("check-sampler|{}|n={}", info.name, request.points));
+    SamplerChecks result;
+    result.trials = request.trials == 0 ? usual_trials(info, request.points) : request.trials;
+    if (info.most_trials != 0 && result.trials > info.most_trials)
+        throw UserError(
+            fmt::format("--trials {} ({} has {}). Take fewer.", result.trials, info.name, info.most_trials));
+    result.checks.push_back(same_bits(sampler, spec, key));
+    if (auto check = keeps_sizes(sampler, spec, key)) {
+        result.checks.push_back(std::move(*check));
+    } else {
+        result.not_asked.emplace_back("what its sizes promise: this size promises nothing");
+    }
+    if (!source->randomised()) {
+        result.not_asked.emplace_back("uniform points, unbiased means, independent trials: it is not randomised");
+        return result;
+    }
+    const DrawnTrials drawn = draw_trials(*source, request.dimension, key, result.trials);
+    const std::size_t family = request.dimension * (request.dimension + 1) / 2 + 2 * integrand_names.size();
+    const stats::Risks risks{stats::bonferroni_level(request.alpha, family), request.power};
+    const auto tests = test_all(drawn, request.dimension, risks);
+    std::vector<double> p;
+    std::transform(tests.begin(), tests.end(), std::back_inserter(p), [](const Tested& test) { return test.p; });
+    const auto adjusted = stats::holm(p);
+    for (std::size_t i = 0; i < tests.size(); ++i) {
+        const Tested& test = tests[i];
+        const bool failed = adjusted[i] <= request.alpha;
+        const bool sharp = test.detectable <= test.worst;
+        result.checks.push_back(
+            {test.name,
+             failed  ? SamplerVerdict::fail
+             : sharp ? SamplerVerdict::pass
+                     : SamplerVerdict::inconclusive,
+             failed ? fmt::format("p = {:.2g} after Holm", adjusted[i])
+                    : fmt::format("would be seen if {} {:.2g}{}", test.what, test.detectable,
+                                  sharp ? "" : fmt::format("; {} is wanted, take more trials", test.worst))});
+    }
+    return result;
+}
+
+}  // namespace ff::studies

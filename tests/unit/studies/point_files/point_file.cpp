@@ -1,0 +1,91 @@
+#include "studies/point_files/point_file.hpp"
+
+#include "core/support/error.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <string>
+#include <vector>
+
+namespace ff::studies {
+namespace {
+
+template <class Number>
+std::string npy(const std::string& type, const std::string& shape, const std::vector<Number>& numbers,
+                const std::string& by_columns = "False") {
+    std::string header = "{'descr': '" + type + "', 'fortran_order': " + by_columns + ", 'shape': (" + shape + "), }";
+    header.resize(118, ' ');
+    std::string bytes = std::string("\x93NUMPY\x01\x00", 8) + std::string("\x76\x00", 2) + header;
+    bytes.resize(bytes.size() + numbers.size() * sizeof(Number));
+    std::memcpy(bytes.data() + 128, numbers.data(), numbers.size() * sizeof(Number));
+    return bytes;
+}
+
+constexpr std::uint32_t quarter = 1u << 30;
+
+TEST(PointFile, ReadsArraysOfEveryType) {
+    for (const std::string& bytes :
+         {npy<double>("<f8", "2, 2", {0.25, 0.5, 0, 0.75}), npy<float>("<f4", "2, 2", {0.25F, 0.5F, 0, 0.75F}),
+          npy<std::uint32_t>("<u4", "2, 2", {quarter, 2 * quarter, 0, 3 * quarter}),
+          npy<double>("<f8", "2, 2", {0.25, 0, 0.5, 0.75}, "True")}) {
+        const auto set = parse_points(bytes, "points.npy");
+        EXPECT_EQ(set.points, 2u);
+        EXPECT_EQ(set.dimension, 2u);
+        EXPECT_EQ(set.sets, 1u);
+        EXPECT_EQ(set.coordinate, (std::vector<std::uint32_t>{quarter, 0, 2 * quarter, 3 * quarter}));
+    }
+}
+
+TEST(PointFile, ReadsArraysOfSeveralTrialsAndLeavesOutMoreThanFourCoordinates) {
+    std::vector<double> numbers(2 * 3 * 6);
+    for (std::size_t i = 0; i < numbers.size(); ++i) numbers[i] = static_cast<double>(i) / 64;
+    const auto set = parse_points(npy<double>("<f8", "2, 3, 6", numbers), "points.npy");
+    EXPECT_EQ(set.dimension, 4u);
+    EXPECT_EQ(set.sets, 2u);
+    EXPECT_EQ(set.row(1, 3)[2], (1u * 18 + 2 * 6 + 3) << 26);
+}
+
+TEST(PointFile, RefusesDamagedArrays) {
+    const std::string whole = npy<double>("<f8", "2, 2", {0.25, 0.5, 0, 0.75});
+    for (std::size_t length = 1; length < whole.size(); ++length)
+        EXPECT_THROW(parse_points(whole.substr(0, length), "points.npy"), UserError) << length;
+    EXPECT_THROW(parse_points(whole + "12345678", "points.npy"), UserError);
+    EXPECT_THROW(parse_points(npy<double>("<f8", "4", {0, 0, 0, 0}), "points.npy"), UserError);
+    EXPECT_THROW(parse_points(npy<double>("<i8", "2, 2", {0, 0, 0, 0}), "points.npy"), UserError);
+    EXPECT_THROW(parse_points(npy<double>("<f8", "0, 2", {}), "points.npy"), UserError);
+    EXPECT_THROW(parse_points(npy<double>("<f8", "4294967296, 4294967296", {0}), "points.npy"), UserError);
+    EXPECT_THROW(parse_points(npy<double>("<f8", "2, 2, 4611686018427387905", {0, 0, 0, 0}), "points.npy"), UserError);
+}
+
+TEST(PointFile, ReadsTextWithSetsBetweenMarks) {
+    const auto set = parse_points("# made by hand\n0.25 0.5\n\n0,0.75\r\n#\n0.5;0\n0.5\t0\n", "points.txt");
+    EXPECT_EQ(set.sets, 2u);
+    EXPECT_EQ(set.coordinate,
+              (std::vector<std::uint32_t>{quarter, 0, 2 * quarter, 3 * quarter, 2 * quarter, 2 * quarter, 0, 0}));
+}
+
+// Point i of a lattice of 8 points with the vector (1, 3): (i / 8, 3 i / 8 mod 1).
+TEST(PointFile, MakesLattices) {
+    const auto set = parse_points("# lattice\n2 # dimension\n8\n1\n3\n", "lattice.txt");
+    for (std::uint32_t i = 0; i < 8; ++i) {
+        EXPECT_EQ(set.row(0, 0)[i], i << 29);
+        EXPECT_EQ(set.row(0, 1)[i], 3 * i % 8 << 29);
+    }
+}
+
+// Unit matrices: van der Corput's sequence; anti-diagonal ones: i / n.
+TEST(PointFile, MakesDigitalNetsWithAnyNumberOfDigits) {
+    for (const char* const text : {"# dnet\n2\n2\n3\n3\n4 2 1\n1 2 4\n",
+                                   "# dnet\n2\n2\n3\n40\n549755813888 274877906944 137438953472\n137438953472 "
+                                   "274877906944 549755813888\n"}) {
+        const auto set = parse_points(text, "net.txt");
+        EXPECT_EQ(set.points, 8u);
+        EXPECT_EQ(set.row(0, 0)[1], 1u << 31);
+        EXPECT_EQ(set.row(0, 0)[6], 3u << 29);
+        for (std::uint32_t i = 0; i < 8; ++i) EXPECT_EQ(set.row(0, 1)[i], i << 29);
+    }
+}
+
+}  // namespace
+}  // namespace ff::studies
