@@ -185,6 +185,32 @@ void add_check(CLI::App& app, CheckCommand& command, Action& action) {
     sub->callback([&] { action = [&] { return check(command); }; });
 }
 
+void add_heat(CLI::App& app, HeatCommand& command, Action& action) {
+    CLI::App* sub = add_command(app, everyday, "heat", "Heat or light between the faces of a scene, with intervals");
+    auto& factors = command.factors;
+    factors.whole_matrix = true;
+    factors.request.tolerance = 1e-4;
+    sub->add_option("SCENE", factors.scene, "A built-in scene, or a file (.obj, .toml, .vs3)")->required();
+    sub->add_option("--materials", command.materials, "Materials file (.toml): emissivities and temperatures or fluxes")
+        ->type_name("FILE")
+        ->required();
+    sub->add_option("--scale", command.scale, "Metres of a unit of length of the scene")->capture_default_str();
+    sub->add_option("--flow-tolerance", command.flow_tolerance,
+                    "Of every power, as a share of what the sources give off")
+        ->capture_default_str();
+    sub->add_option("--tolerance", factors.request.tolerance, "Largest half width of a form factor")
+        ->capture_default_str();
+    sub->add_option("--level", factors.request.level, "Level of all intervals at once")->capture_default_str();
+    sub->add_option("--seed", factors.seed, "Seed of all random numbers")->capture_default_str();
+    sub->add_option("--threads", factors.threads, "Threads; results do not depend on them (default: all cores)");
+    sub->add_option("--max-time", factors.max_time, "Time limit: 90 (seconds), 15m, 2.5h, 1d; stops gracefully")
+        ->type_name("TIME");
+    sub->add_option("--max-samples", factors.request.max_samples, "Rays and points in all")->capture_default_str();
+    sub->add_option("--out", factors.out, "Folder for heat.csv (default: none is written)")->type_name("DIR");
+    sub->add_flag("-q,--quiet", factors.quiet, "Print errors and warnings only");
+    sub->callback([&] { action = [&] { return heat(command); }; });
+}
+
 ExitCode parse_and_act(int argc, char** argv) {
     CLI::App app("Form-factor methods under honest statistics.", "ffstudy");
     app.set_version_flag("-V,--version", fmt::format("ffstudy {} ({})", build_info::version, build_info::revision));
@@ -204,9 +230,11 @@ ExitCode parse_and_act(int argc, char** argv) {
     RadiosityOptions radiosity_options;
     EnclosureCommand enclosure_command;
     FormFactorsCommand form_factors_command;
+    HeatCommand heat_command;
     ListCommand list_command;
     std::string helped;
     add_form_factors(app, form_factors_command, action);
+    add_heat(app, heat_command, action);
     add_run(app, run_command, action);
     add_report(app, report_command, action);
     add_compare(app, compare_command, action);

@@ -45,6 +45,9 @@ class TomlReader {
     [[nodiscard]] std::vector<TomlReader> tables(std::string_view key) const;
     [[nodiscard]] std::optional<TomlReader> optional_table(std::string_view key) const;
 
+    /// All keys, in alphabetical order.
+    [[nodiscard]] std::vector<std::string> keys() const;
+
     /// Where the table begins.
     [[nodiscard]] std::uint64_t line() const { return table_->source().begin.line; }
 
