@@ -4,7 +4,6 @@
 #include "app/commands/commands.hpp"
 #include "app/commands/definitions.hpp"
 #include "app/commands/hidden_commands.hpp"
-#include "app/commands/point_commands.hpp"
 #include "app/folders/result_files.hpp"
 #include "app/folders/study_files.hpp"
 #include "app/process/guard.hpp"
@@ -197,26 +196,30 @@ void add_check(CLI::App& app, CheckCommand& command, Action& action) {
     sub->callback([&] { action = [&] { return check(command); }; });
 }
 
-void add_points(CLI::App& app, PointsCommand& command, Action& action) {
-    CLI::App* sub = add_command(app, laboratory, "points", "Write a point set, or say how evenly it is spread");
-    sub->add_option("SAMPLER", command.sampler, "A sampler, or file:PATH")->required();
-    sub->add_option("--n", command.points, "Points")->capture_default_str();
-    sub->add_option("--d", command.dimension, "Coordinates of a point")->capture_default_str();
-    sub->add_option("--seed", command.seed, "Seed of all random numbers")->capture_default_str();
-    sub->add_option("--trial", command.trial, "Which of the trials, from 0")->capture_default_str();
-    sub->add_option("--out", command.out, "File: .npy, .csv, .dat or .svg (default: none is written)")
-        ->type_name("FILE");
-    sub->callback([&] { action = [&] { return points(command); }; });
-}
-
-void add_check_sampler(CLI::App& app, CheckSamplerCommand& command, Action& action) {
-    CLI::App* sub = add_command(app, checks, "check-sampler", "Check what any sampler has to keep: pass, fail, inconclusive");
-    sub->add_option("SAMPLER", command.sampler, "A sampler, or file:PATH#RANDOMISE")->required();
-    sub->add_option("--n", command.points, "Points (default: about 256, or those of the largest file)");
-    sub->add_option("--d", command.dimension, "Coordinates of a point (default: all, at most 4)");
-    sub->add_option("--trials", command.trials, "Trials (default: about a second's)")->check(CLI::PositiveNumber);
-    sub->add_option("--seed", command.seed, "Seed of all random numbers")->capture_default_str();
-    sub->callback([&] { action = [&] { return check_sampler(command); }; });
+void add_heat(CLI::App& app, HeatCommand& command, Action& action) {
+    CLI::App* sub = add_command(app, everyday, "heat", "Heat or light between the faces of a scene, with intervals");
+    auto& factors = command.factors;
+    factors.whole_matrix = true;
+    factors.request.tolerance = 1e-4;
+    sub->add_option("SCENE", factors.scene, "A built-in scene, or a file (.obj, .toml, .vs3)")->required();
+    sub->add_option("--materials", command.materials, "Materials file (.toml): emissivities and temperatures or fluxes")
+        ->type_name("FILE")
+        ->required();
+    sub->add_option("--scale", command.scale, "Metres of a unit of length of the scene")->capture_default_str();
+    sub->add_option("--flow-tolerance", command.flow_tolerance,
+                    "Of every power, as a share of what the sources give off")
+        ->capture_default_str();
+    sub->add_option("--tolerance", factors.request.tolerance, "Largest half width of a form factor")
+        ->capture_default_str();
+    sub->add_option("--level", factors.request.level, "Level of all intervals at once")->capture_default_str();
+    sub->add_option("--seed", factors.seed, "Seed of all random numbers")->capture_default_str();
+    sub->add_option("--threads", factors.threads, "Threads; results do not depend on them (default: all cores)");
+    sub->add_option("--max-time", factors.max_time, "Time limit: 90 (seconds), 15m, 2.5h, 1d; stops gracefully")
+        ->type_name("TIME");
+    sub->add_option("--max-samples", factors.request.max_samples, "Rays and points in all")->capture_default_str();
+    sub->add_option("--out", factors.out, "Folder for heat.csv (default: none is written)")->type_name("DIR");
+    sub->add_flag("-q,--quiet", factors.quiet, "Print errors and warnings only");
+    sub->callback([&] { action = [&] { return heat(command); }; });
 }
 
 ExitCode parse_and_act(int argc, char** argv) {
@@ -240,9 +243,11 @@ ExitCode parse_and_act(int argc, char** argv) {
     FormFactorsCommand form_factors_command;
     PointsCommand points_command;
     CheckSamplerCommand check_sampler_command;
+    HeatCommand heat_command;
     ListCommand list_command;
     std::string helped;
     add_form_factors(app, form_factors_command, action);
+    add_heat(app, heat_command, action);
     add_run(app, run_command, action);
     add_report(app, report_command, action);
     add_compare(app, compare_command, action);

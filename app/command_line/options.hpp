@@ -64,6 +64,14 @@ struct FormFactorsCommand {
     bool quiet = false;
 };
 
+/// Of `ffstudy heat`.
+struct HeatCommand {
+    FormFactorsCommand factors;  ///< their level is that of all at once
+    std::filesystem::path materials;
+    double scale = 1;              ///< metres of a unit of length of the scene
+    double flow_tolerance = 1e-3;  ///< of powers, as a share of what the sources give off
+};
+
 struct ReportCommand {
     std::filesystem::path results;  ///< folder or store
     std::filesystem::path out;      ///< empty: where the store lies

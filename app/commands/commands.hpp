@@ -16,6 +16,9 @@ ExitCode enclosure(const EnclosureCommand& command);
 /// All form factors between the faces of a scene, each with an interval; inconclusive where one misses the tolerance.
 ExitCode form_factors(const FormFactorsCommand& command);
 
+/// Flows of heat or light between the faces of a scene; inconclusive where one is not within the tolerance.
+ExitCode heat(const HeatCommand& command);
+
 /// Writes reports from a store.
 ExitCode report(const ReportCommand& command);
 

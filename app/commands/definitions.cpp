@@ -115,4 +115,26 @@ void add_help(CLI::App& app, std::string& name, Action& action) {
     });
 }
 
+void add_points(CLI::App& app, PointsCommand& command, Action& action) {
+    CLI::App* sub = add_command(app, laboratory, "points", "Write a point set, or say how evenly it is spread");
+    sub->add_option("SAMPLER", command.sampler, "A sampler, or file:PATH")->required();
+    sub->add_option("--n", command.points, "Points")->capture_default_str();
+    sub->add_option("--d", command.dimension, "Coordinates of a point")->capture_default_str();
+    sub->add_option("--seed", command.seed, "Seed of all random numbers")->capture_default_str();
+    sub->add_option("--trial", command.trial, "Which of the trials, from 0")->capture_default_str();
+    sub->add_option("--out", command.out, "File: .npy, .csv, .dat or .svg (default: none is written)")
+        ->type_name("FILE");
+    sub->callback([&] { action = [&] { return points(command); }; });
+}
+
+void add_check_sampler(CLI::App& app, CheckSamplerCommand& command, Action& action) {
+    CLI::App* sub = add_command(app, checks, "check-sampler", "Check what any sampler has to keep: pass, fail, inconclusive");
+    sub->add_option("SAMPLER", command.sampler, "A sampler, or file:PATH#RANDOMISE")->required();
+    sub->add_option("--n", command.points, "Points (default: about 256, or those of the largest file)");
+    sub->add_option("--d", command.dimension, "Coordinates of a point (default: all, at most 4)");
+    sub->add_option("--trials", command.trials, "Trials (default: about a second's)")->check(CLI::PositiveNumber);
+    sub->add_option("--seed", command.seed, "Seed of all random numbers")->capture_default_str();
+    sub->callback([&] { action = [&] { return check_sampler(command); }; });
+}
+
 }  // namespace ff::app

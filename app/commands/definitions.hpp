@@ -2,6 +2,7 @@
 
 #include "app/command_line/options.hpp"
 #include "app/commands/hidden_commands.hpp"
+#include "app/commands/point_commands.hpp"
 
 #include <string>
 
@@ -24,6 +25,8 @@ void add_selftest(CLI::App& app, SelftestCommand& command, Action& action);
 void add_form_factors_selftest(CLI::App& app, SelftestCommand& command, Action& action);
 void add_list(CLI::App& app, ListCommand& command, Action& action);
 void add_explain(CLI::App& app, ListCommand& command, Action& action);
+void add_points(CLI::App& app, PointsCommand& command, Action& action);
+void add_check_sampler(CLI::App& app, CheckSamplerCommand& command, Action& action);
 void add_help(CLI::App& app, std::string& name, Action& action);
 
 }  // namespace ff::app

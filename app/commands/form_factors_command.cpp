@@ -1,4 +1,5 @@
 #include "app/commands/commands.hpp"
+#include "app/commands/form_factor_run.hpp"
 
 #include "app/command_line/common_options.hpp"
 #include "app/commands/run_context.hpp"
@@ -140,19 +141,21 @@ ExitCode load(const FormFactorsCommand& command) {
 
 }  // namespace
 
-ExitCode form_factors(const FormFactorsCommand& command) {
-    if (!command.load.empty()) return load(command);
+studies::KeptFormFactors prepare_form_factors(const FormFactorsCommand& command) {
     studies::KeptFormFactors kept;
     kept.request = request_of(command);
-    std::optional<std::chrono::duration<double>> max_time;
-    if (command.max_time) max_time = parse_duration(*command.max_time);
     kept.source = read_source(command);
     kept.scene = make_scene(kept.source);
+    return kept;
+}
+
+bool compute_form_factors(const FormFactorsCommand& command, studies::KeptFormFactors& kept) {
+    std::optional<std::chrono::duration<double>> max_time;
+    if (command.max_time) max_time = parse_duration(*command.max_time);
     studies::SceneDoubts doubts = studies::examine_scene(kept.scene);
     if (!command.quiet) {
         for (const std::string& note : doubts.notes) say("note: {}\n", note);
     }
-    auto out = open_folder(command);
     stop_in_order_on_signals();
     const auto start = std::chrono::steady_clock::now();
     const auto seconds = [&] {
@@ -167,11 +170,17 @@ ExitCode form_factors(const FormFactorsCommand& command) {
     kept.matrix.faults = std::move(doubts.faults);
     display.finish();
     limit.reset();
-    const bool out_of_time = max_time && seconds() >= max_time->count();
     kept.context = describe_run(in_words(command), kept.request.threads, seconds());
+    return kept.matrix.interrupted && !(max_time && seconds() >= max_time->count());
+}
+
+ExitCode form_factors(const FormFactorsCommand& command) {
+    if (!command.load.empty()) return load(command);
+    auto kept = prepare_form_factors(command);
+    const auto out = open_folder(command);
+    const bool by_signal = compute_form_factors(command, kept);
     show(kept, command, out.get());
-    if (kept.matrix.interrupted && !out_of_time) return ExitCode::interrupted;
-    return exit_code_of(kept);
+    return by_signal ? ExitCode::interrupted : exit_code_of(kept);
 }
 
 }  // namespace ff::app

@@ -14,7 +14,7 @@
 namespace ff::studies {
 namespace {
 
-constexpr std::size_t kinds = 8;
+constexpr std::size_t kinds = 9;
 
 struct Words {
     std::string_view name;
@@ -29,6 +29,7 @@ constexpr std::array<Words, kinds> words_of_kinds{
     Words{"a file of estimates", "ffstudy check BANDS.toml --estimates {}"},
     Words{"a result store", "ffstudy report {}"},
     Words{"a store of form factors", "ffstudy form_factors --load {}"},
+    Words{"a materials file", "ffstudy heat SCENE --materials {}"},
 };
 
 const Words& words_of(FileKind kind) {
@@ -42,11 +43,12 @@ void mark(Marks& marks, FileKind kind) {
     marks.at(static_cast<std::size_t>(kind)) = true;
 }
 
-constexpr std::array<std::pair<std::string_view, FileKind>, 5> headings{{{"[study]", FileKind::study},
+constexpr std::array<std::pair<std::string_view, FileKind>, 6> headings{{{"[study]", FileKind::study},
                                                                          {"[[method]]", FileKind::study},
                                                                          {"[gates]", FileKind::bands},
                                                                          {"[[gate]]", FileKind::bands},
-                                                                         {"[[surface]]", FileKind::scene}}};
+                                                                         {"[[surface]]", FileKind::scene},
+                                                                         {"[materials]", FileKind::materials}}};
 
 /// A vertex, a face or a surface of OBJ and View3D.
 bool begins_geometry(const std::vector<std::string_view>& words) {

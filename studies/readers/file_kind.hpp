@@ -8,7 +8,7 @@
 namespace ff::studies {
 
 /// Files that commands take.
-enum class FileKind { study, bands, scene, tables, baseline, estimates, result_store, form_factor_store };
+enum class FileKind { study, bands, scene, tables, baseline, estimates, result_store, form_factor_store, materials };
 
 /// What kind of file these bytes are, by the lines that only that kind has; empty where no line tells.
 std::optional<FileKind> kind_of(std::string_view bytes);

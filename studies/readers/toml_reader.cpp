@@ -215,6 +215,12 @@ std::vector<TomlReader> TomlReader::tables(std::string_view key) const {
     return readers;
 }
 
+std::vector<std::string> TomlReader::keys() const {
+    std::vector<std::string> keys;
+    for (const auto& [key, node] : *table_) keys.emplace_back(key.str());
+    return keys;
+}
+
 std::optional<TomlReader> TomlReader::optional_table(std::string_view key) const {
     const toml::node* node = find(key);
     if (node == nullptr) return std::nullopt;

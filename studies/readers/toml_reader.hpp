@@ -47,6 +47,8 @@ class TomlReader {
 
     /// The file, as it was given.
     [[nodiscard]] std::string_view origin() const { return origin_; }
+    /// All keys, in alphabetical order.
+    [[nodiscard]] std::vector<std::string> keys() const;
 
     /// Where the table begins.
     [[nodiscard]] std::uint64_t line() const { return table_->source().begin.line; }

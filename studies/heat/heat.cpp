@@ -1,0 +1,155 @@
+#include "studies/heat/heat.hpp"
+
+#include "core/radiosity/flow_bounds.hpp"
+#include "core/support/error.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace ff::studies {
+namespace {
+
+using Eigen::Index;
+
+double power_of_black_body(double kelvin) {
+    return stefan_boltzmann * kelvin * kelvin * kelvin * kelvin;
+}
+
+double temperature_of_black_body(double power) {
+    return std::pow(power / stefan_boltzmann, 0.25);
+}
+
+bool has_bare_surfaces(const Scene& scene) {
+    return std::any_of(scene.surfaces.begin(), scene.surfaces.end(),
+                       [](const Surface& surface) { return surface.face == no_face; });
+}
+
+/// Intervals of the factors, and of what they leave. Every row of a closed scene whose surfaces all belong to faces
+/// adds up to 1; otherwise what is left is seen through openings, or lies on surfaces of no face.
+FactorBounds factor_bounds(const Scene& scene, const FormFactorMatrix& matrix) {
+    const auto n = static_cast<Index>(matrix.faces());
+    FactorBounds bounds{Eigen::MatrixXd::Zero(n, n + 1), Eigen::MatrixXd::Zero(n, n + 1)};
+    for (Index i = 0; i < n; ++i) {
+        const auto row = static_cast<std::size_t>(i);
+        for (Index j = 0; j < n; ++j) {
+            const FaceExchange& exchange = matrix.exchange(row, static_cast<std::size_t>(j));
+            bounds.low(i, j) = std::max(0.0, exchange.low / matrix.areas[row]);
+            bounds.high(i, j) = std::min(1.0, exchange.high / matrix.areas[row]);
+        }
+        if (scene.closed && !has_bare_surfaces(scene)) continue;
+        bounds.low(i, n) = std::clamp(1 - matrix.rows[row].high, 0.0, 1.0);
+        bounds.high(i, n) = std::clamp(1 - matrix.rows[row].low, 0.0, 1.0);
+    }
+    return bounds;
+}
+
+FaceLaws laws_of(const Materials& materials) {
+    const auto n = static_cast<Index>(materials.faces.size());
+    FaceLaws laws{Eigen::VectorXd(n), Eigen::VectorXd(n), 0};
+    for (Index i = 0; i < n; ++i) {
+        const Material& material = materials.faces[static_cast<std::size_t>(i)];
+        if (material.is_light()) {
+            laws.emitted[i] = material.emission.value_or(0);
+            laws.reflected[i] = *material.reflectance;
+        } else if (material.temperature) {
+            laws.emitted[i] = *material.emissivity * power_of_black_body(*material.temperature);
+            laws.reflected[i] = 1 - *material.emissivity;
+        } else {
+            laws.emitted[i] = *material.flux;
+            laws.reflected[i] = 1;
+        }
+    }
+    if (materials.surroundings)
+        laws.surroundings =
+            materials.are_light() ? *materials.surroundings : power_of_black_body(*materials.surroundings);
+    return laws;
+}
+
+void expect_solvable(const Scene& scene, const FactorBounds& factors, const FaceLaws& laws,
+                     const Materials& materials) {
+    const auto face = [&](Index i) { return scene.faces[static_cast<std::size_t>(i)]; };
+    const Index n = factors.low.rows();
+    for (Index i = 0; i < n; ++i) {
+        if (!can_add_up(factors, i))
+            throw UserError(
+                fmt::format("scene '{}': the form factors of face '{}' cannot add up to 1 (between {:.6g} and "
+                            "{:.6g}). See the warnings of 'ffstudy form_factors' on this scene.",
+                            scene.name, face(i), factors.low.row(i).sum(), factors.high.row(i).sum()));
+        if (!materials.surroundings && !materials.are_light() && factors.high(i, n) > 0)
+            throw UserError(
+                fmt::format("scene '{}': face '{}' sees out of the scene, or a surface of no face, with {:.3g} "
+                            "of its radiation. Give surroundings = a temperature in the materials file.",
+                            scene.name, face(i), factors.high(i, n)));
+    }
+    const auto [absorption, cut_off] = find_absorption(factors, laws);
+    if (absorption == Absorption::not_reached)
+        throw UserError(
+            fmt::format("scene '{}': face '{}' and all that it sees have a flux and no temperature (so no "
+                        "temperatures are determined). Give one of them a temperature.",
+                        scene.name, face(cut_off)));
+    if (absorption == Absorption::unresolved)
+        throw UserError(
+            fmt::format("scene '{}': whether face '{}' sees any face with a temperature is not certain (the "
+                        "intervals of its form factors begin at 0). Take a smaller --tolerance.",
+                        scene.name, face(cut_off)));
+}
+
+FaceFlow flow_of(const Material& material, double area, Bounds irradiation, const std::string& face) {
+    FaceFlow flow;
+    flow.area = area;
+    flow.irradiation = irradiation;
+    const double reflected = material.is_light() ? *material.reflectance : 1 - *material.emissivity;
+    if (material.is_light() || material.temperature) {
+        flow.given = true;
+        const double black = material.is_light() ? 0 : power_of_black_body(*material.temperature);
+        const double emitted = material.is_light() ? material.emission.value_or(0) : *material.emissivity * black;
+        flow.radiosity = {emitted + reflected * irradiation.low, emitted + reflected * irradiation.high};
+        flow.net = {emitted - (1 - reflected) * irradiation.high, emitted - (1 - reflected) * irradiation.low};
+        if (material.temperature) flow.temperature = {*material.temperature, *material.temperature};
+    } else {
+        const double flux = *material.flux;
+        flow.net = {flux, flux};
+        flow.radiosity = {irradiation.low + flux, irradiation.high + flux};
+        const double more = flux / *material.emissivity;
+        if (irradiation.low + more < 0)
+            throw UserError(
+                fmt::format("face '{}': flux = {:g} W/m² (it cannot absorb that much: {:.4g} W/m² arrive). "
+                            "Give a flux nearer to 0, or a temperature.",
+                            face, flux, irradiation.low));
+        flow.temperature = {temperature_of_black_body(irradiation.low + more),
+                            temperature_of_black_body(irradiation.high + more)};
+    }
+    flow.power = {flow.net.low * area, flow.net.high * area};
+    return flow;
+}
+
+}  // namespace
+
+HeatFlows find_heat_flows(const Scene& scene, const FormFactorMatrix& matrix, const Materials& materials,
+                          double scale) {
+    const FactorBounds factors = factor_bounds(scene, matrix);
+    const FaceLaws laws = laws_of(materials);
+    expect_solvable(scene, factors, laws, materials);
+    const IrradiationBounds irradiation = bound_irradiation(factors, laws);
+    HeatFlows found;
+    Bounds sum;
+    for (std::size_t i = 0; i < matrix.faces(); ++i) {
+        const auto row = static_cast<Index>(i);
+        const double area = matrix.areas[i] * scale * scale;
+        const FaceFlow& flow = found.faces.emplace_back(
+            flow_of(materials.faces[i], area, {irradiation.low[row], irradiation.high[row]}, scene.faces[i]));
+        sum.low += flow.power.low;
+        sum.high += flow.power.high;
+        found.throughput += std::max(0.0, flow.power.middle());
+    }
+    if (factors.high.col(factors.high.cols() - 1).maxCoeff() > 0) found.to_surroundings = sum;
+    if (sum.middle() < 0) found.throughput += -sum.middle();  // what the surroundings give off
+    for (const FaceFlow& flow : found.faces) {
+        if (found.throughput > 0) found.worst = std::max(found.worst, flow.power.half_width() / found.throughput);
+    }
+    return found;
+}
+
+}  // namespace ff::studies

@@ -1,0 +1,165 @@
+#include "studies/heat/heat.hpp"
+
+#include "core/support/error.hpp"
+#include "studies/scene_files/scene_file.hpp"
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace ff::studies {
+namespace {
+
+FormFactorMatrix factors_of(const Scene& scene, double tolerance = 1e-5, std::uint64_t seed = 1) {
+    FormFactorRequest request;
+    request.tolerance = tolerance;
+    request.level_of = LevelOf::matrix;
+    request.seed = Seed{seed};
+    return find_form_factors(scene, request);
+}
+
+HeatFlows flows_of(const Scene& scene, std::string_view materials, double tolerance = 1e-5, double scale = 1,
+                   std::uint64_t seed = 1) {
+    return find_heat_flows(scene, factors_of(scene, tolerance, seed), read_materials(materials, "m.toml", scene.faces),
+                           scale);
+}
+
+void expect_within(const Bounds& bounds, double value) {
+    EXPECT_LE(bounds.low, value);
+    EXPECT_GE(bounds.high, value);
+}
+
+double black(double kelvin) {
+    return stefan_boltzmann * std::pow(kelvin, 4);
+}
+
+/// Net power from surface 1 to 2 of a two-surface enclosure in which 1 sees only 2. @see [howell]
+double two_surfaces(double area1, double emissivity1, double kelvin1, double area2, double emissivity2,
+                    double kelvin2) {
+    return (black(kelvin1) - black(kelvin2)) /
+           ((1 - emissivity1) / (emissivity1 * area1) + 1 / area1 + (1 - emissivity2) / (emissivity2 * area2));
+}
+
+TEST(HeatFlows, OfAClosedSceneAddUpToNothing) {
+    const auto flows = flows_of(make_scene("cube"), R"(
+[materials]
+"*" = { emissivity = 0.6, temperature = 300 }
+6 = { emissivity = 0.8, temperature = 800 }
+)");
+    double low = 0;
+    double high = 0;
+    for (const FaceFlow& flow : flows.faces) {
+        low += flow.power.low;
+        high += flow.power.high;
+    }
+    EXPECT_LE(low, 0);
+    EXPECT_GE(high, 0);
+    EXPECT_FALSE(flows.to_surroundings);
+    EXPECT_LT(flows.worst, 1e-8) << "exact factors";
+}
+
+const char* const spheres = R"(
+closed = true
+[[surface]]
+face = "inner"
+shape = "sphere"
+centre = [0, 0, 0]
+radius = 1
+facing = "outward"
+[[surface]]
+face = "outer"
+shape = "sphere"
+centre = [0, 0, 0]
+radius = 2
+facing = "inward"
+)";
+
+TEST(HeatFlows, BetweenSpheresHoldTheExactOne) {
+    const Scene scene = make_scene(with_scene_text("spheres.toml", spheres));
+    const double exact = two_surfaces(4 * std::numbers::pi, 0.8, 600, 16 * std::numbers::pi, 0.5, 300);
+    for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+        const auto flows = flows_of(scene, R"(
+[materials]
+inner = { emissivity = 0.8, temperature = 600 }
+outer = { emissivity = 0.5, temperature = 300 }
+)",
+                                    1e-3, 1, seed);
+        expect_within(flows.faces[0].power, exact);
+        expect_within(flows.faces[1].power, -exact);
+        EXPECT_LT(flows.worst, 0.01);
+    }
+}
+
+TEST(HeatFlows, GiveTheTemperatureThatAFluxWasFoundWith) {
+    const Scene scene = make_scene(with_scene_text("spheres.toml", spheres));
+    const double exact = two_surfaces(4 * std::numbers::pi, 0.8, 600, 16 * std::numbers::pi, 0.5, 300);
+    const auto flows = flows_of(scene, fmt::format(R"(
+[materials]
+inner = {{ emissivity = 0.8, flux = {:.17g} }}
+outer = {{ emissivity = 0.5, temperature = 300 }}
+)",
+                                                   exact / (4 * std::numbers::pi)));
+    expect_within(flows.faces[0].temperature, 600);
+    expect_within(flows.faces[1].power, -exact);
+}
+
+TEST(HeatFlows, ScaleWithTheSquareOfTheUnit) {
+    const Scene scene = make_scene("cube");
+    const char* const materials =
+        "[materials]\n\"*\" = { emissivity = 0.9, temperature = 300 }\n1 = { emissivity = 0.9, temperature = 400 }\n";
+    const auto metres = flows_of(scene, materials);
+    const auto millimetres = flows_of(scene, materials, 1e-5, 1e-3);
+    EXPECT_NEAR(millimetres.faces[0].power.middle() / metres.faces[0].power.middle(), 1e-6, 1e-15);
+    EXPECT_DOUBLE_EQ(millimetres.faces[0].net.middle(), metres.faces[0].net.middle());
+}
+
+const char* const plate = R"(
+[[surface]]
+face = "plate"
+shape = "disc"
+centre = [0, 0, 0]
+normal = [0, 0, 1]
+radius = 1
+)";
+
+TEST(HeatFlows, LeaveAnOpenScene) {
+    const Scene scene = make_scene(with_scene_text("plate.toml", plate));
+    const auto flows =
+        flows_of(scene, "surroundings = 300\n[materials]\nplate = { emissivity = 0.7, temperature = 500 }\n");
+    const double exact = std::numbers::pi * 0.7 * (black(500) - black(300));
+    expect_within(flows.faces[0].power, exact);
+    ASSERT_TRUE(flows.to_surroundings);
+    expect_within(*flows.to_surroundings, exact);
+    EXPECT_THROW(flows_of(scene, "[materials]\nplate = { emissivity = 0.7, temperature = 500 }\n"), UserError);
+}
+
+TEST(HeatFlows, OfLightAreThoseOfTheRadiositySystem) {
+    const auto flows = flows_of(
+        make_scene("cube"), "[materials]\n\"*\" = { reflectance = 0.5 }\n6 = { reflectance = 0.5, emission = 1 }\n");
+    // All light is absorbed: half of what arrives at each face.
+    double absorbed = 0;
+    for (const FaceFlow& flow : flows.faces) absorbed += 0.5 * flow.irradiation.middle() * flow.area;
+    EXPECT_NEAR(absorbed, 36, 1e-6);
+}
+
+TEST(HeatFlows, OfAnAdiabaticEnclosureAreRefused) {
+    const auto refusal = [](const char* materials) {
+        try {
+            flows_of(make_scene("cube"), materials);
+        } catch (const UserError& error) {
+            return std::string(error.what());
+        }
+        return std::string("accepted");
+    };
+    EXPECT_THAT(refusal("[materials]\n\"*\" = { emissivity = 0.5, flux = 0 }\n"), testing::HasSubstr("no temperature"));
+    EXPECT_THAT(
+        refusal(
+            "[materials]\n\"*\" = { emissivity = 0.5, temperature = 300 }\n1 = { emissivity = 0.5, flux = -1e4 }\n"),
+        testing::HasSubstr("cannot absorb that much"));
+}
+
+}  // namespace
+}  // namespace ff::studies
