@@ -47,9 +47,9 @@ struct SamplerInfo {
     bool randomised = true;      ///< trials differ
     bool equal_weights = true;   ///< points can be tallied as hits
     Spread spread = Spread::other;
-    double nanoseconds = 1.5;             ///< of processor time for a point in 4-D, roughly; only ratios matter
-    bool control = false;                 ///< broken on purpose, so that checks can be checked
-    std::string_view unbroken_name = {};  ///< of a control: what it would be if it were not broken
+    double nanoseconds = 1.5;                     ///< of processor time for a point in 4-D, roughly; only ratios matter
+    bool control = false;                         ///< broken on purpose, so that checks can be checked
+    std::string_view unbroken_name = {};          ///< of a control: what it would be if it were not broken
     std::span<const std::uint64_t> at_hand = {};  ///< sizes of the sets that there are; empty: as `sizes` says
     std::size_t most_dimension = max_dimension;   ///< coordinates of a point
     std::uint64_t most_trials = 0;                ///< different trials that there are; 0: any number

@@ -128,7 +128,8 @@ void add_points(CLI::App& app, PointsCommand& command, Action& action) {
 }
 
 void add_check_sampler(CLI::App& app, CheckSamplerCommand& command, Action& action) {
-    CLI::App* sub = add_command(app, checks, "check-sampler", "Check what any sampler has to keep: pass, fail, inconclusive");
+    CLI::App* sub =
+        add_command(app, checks, "check-sampler", "Check what any sampler has to keep: pass, fail, inconclusive");
     sub->add_option("SAMPLER", command.sampler, "A sampler, or file:PATH#RANDOMISE")->required();
     sub->add_option("--n", command.points, "Points (default: about 256, or those of the largest file)");
     sub->add_option("--d", command.dimension, "Coordinates of a point (default: all, at most 4)");

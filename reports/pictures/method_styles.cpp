@@ -1,5 +1,7 @@
 #include "reports/pictures/method_styles.hpp"
 
+#include "samplers/sampler.hpp"
+
 #include "studies/comparison/ranking.hpp"
 
 #include <nlohmann/json.hpp>
@@ -66,8 +68,9 @@ std::set<std::size_t> coloured(const StudyResults& results) {
                      [&](std::size_t a, std::size_t b) { return ranks.at(a) < ranks.at(b); });
     order.resize(std::min(order.size(), leaders));
     chosen.insert(order.begin(), order.end());
-    const auto random = std::find_if(methods.begin(), methods.end(),
-                                     [](const studies::Method& method) { return method.sampler == "random"; });
+    const auto random = std::find_if(methods.begin(), methods.end(), [](const studies::Method& method) {
+        return method.sampler == samplers::yardstick().name;
+    });
     if (random != methods.end()) chosen.insert(static_cast<std::size_t>(random - methods.begin()));
     return chosen;
 }
