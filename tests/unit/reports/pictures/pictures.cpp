@@ -75,10 +75,10 @@ TEST(ConvergencePicture, ShowsMediansWhereTheVarianceIsInfinite) {
     EXPECT_EQ(points(values, "rays", "RMSE").size(), 3u);
 }
 
-TEST(ConvergencePicture, HasSlopesInItsLegend) {
-    const json labels = convergence("adjacent-pairs")["signals"]["labels"];
-    EXPECT_THAT(std::string(labels["rays"]), testing::MatchesRegex("rays: -0\\..* .theory -0.50."));
-    EXPECT_THAT(std::string(labels["kernel"]), testing::MatchesRegex("kernel: median, .* .theory -0.33."));
+TEST(ConvergencePicture, NamesEachLineAtItsEnd) {
+    std::vector<std::string> names;
+    for (const json& label : convergence("adjacent-pairs")["labels"]) names.push_back(label[0]);
+    EXPECT_THAT(names, testing::IsSupersetOf({"rays", "kernel"}));
 }
 
 TEST(UnfoldedPicture, IsThereForQuadratures) {
