@@ -1,7 +1,6 @@
 #include "reports/pictures/method_styles.hpp"
 
 #include "samplers/sampler.hpp"
-
 #include "studies/comparison/ranking.hpp"
 
 #include <nlohmann/json.hpp>

@@ -24,6 +24,9 @@ constexpr std::size_t most_surfaces = 4096;
 /// Points are sampled for each pair of surfaces; of more pairs, rays serve all at once.
 constexpr std::size_t most_pairs_by_points = 256;
 
+/// Of more pairs of faces to sample each is given points by what can pass.
+constexpr std::size_t most_of_full_effort = 512;
+
 /// Pairs whose bounds are this near to each other, in tolerances, are not sampled.
 constexpr double near_enough = 0.5;
 
@@ -166,6 +169,9 @@ FacePairs examine_pairs(const Scene& scene, const FormFactorRequest& request) {
                              return sampled.exchange.method == ExchangeMethod::points;
                          });
     }
+    const auto sampled =
+        std::count_if(result.pairs.begin(), result.pairs.end(), [](const FacePair& pair) { return pair.is_sampled(); });
+    if (static_cast<std::size_t>(sampled) > most_of_full_effort) result.effort = PointEffort::sized;
     add_resolution(scene, result);
     return result;
 }

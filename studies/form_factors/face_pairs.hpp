@@ -41,10 +41,17 @@ struct FacePair {
     [[nodiscard]] bool is_sampled() const { return everything || !sampled.empty(); }
 };
 
+/// How much is spent on a pair before anything is known of it by points.
+enum class PointEffort : std::uint8_t {
+    full,   ///< what its tolerance alone may be worth: intervals are sharp from the first round on
+    sized,  ///< by what can pass, in tolerances: for scenes of so many pairs that most of the time would go there
+};
+
 struct FacePairs {
     std::vector<FacePair> pairs;  ///< (0,0), (0,1), .., (1,1), ..
     std::vector<double> areas;    ///< of the faces
-    SceneSight sight;             ///< owns the blockers of sampled pairs
+    PointEffort effort = PointEffort::full;
+    SceneSight sight;  ///< owns the blockers of sampled pairs
     /// Whether rays between two surfaces count, [from * surfaces + to]; empty where all do.
     std::vector<std::uint8_t> shot;
 

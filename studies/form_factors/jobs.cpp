@@ -53,9 +53,10 @@ std::uint64_t size_for(std::uint64_t points, double now, double wanted, double r
 Job::Job(const Scene& scene, const FacePairs& pairs, std::size_t pair, double wanted)
     : scene_(&scene), geometry_(&pairs), pairs_{pair}, point_sums_(randomisations) {
     for (const SampledPair& sampled : pairs.pairs[pair].sampled)
-        points_.emplace_back(scene, sampled, wanted / sampled.times);
+        points_.emplace_back(scene, sampled, wanted / sampled.times, pairs.effort);
     hidden_.assign(points_.size(), false);
-    for (const SampledPair& sampled : pairs.pairs[pair].sampled) sizes_.push_back(first_points(sampled, wanted));
+    for (const SampledPair& sampled : pairs.pairs[pair].sampled)
+        sizes_.push_back(pairs.effort == PointEffort::sized ? first_points(sampled, wanted) : most_first_points);
     least_sizes_ = sizes_;
 }
 

@@ -14,15 +14,15 @@ void expect_more_time(const std::atomic<bool>* stop) {
     if (stop != nullptr && *stop) throw Stopped();
 }
 
-PointSampling::PointSampling(const Scene& scene, const SampledPair& pair, double wanted)
+PointSampling::PointSampling(const Scene& scene, const SampledPair& pair, double wanted, PointEffort effort)
     : scene_(&scene), pair_(&pair), source_(pair.from), target_(pair.to) {
     FF_EXPECT(pair.exchange.method == ExchangeMethod::points);
     const auto is_polygon = [&](std::uint32_t surface) { return !corners(scene.surfaces[surface].shape).empty(); };
     const auto area_of = [&](std::uint32_t surface) { return area(scene.surfaces[surface].shape); };
     const bool either_way = is_polygon(source_) && is_polygon(target_);
     if (either_way ? area_of(target_) < area_of(source_) : !is_polygon(target_)) std::swap(source_, target_);
-    cells_ =
-        divide(scene.surfaces[source_], scene.surfaces[target_], pair.exchange.blockers, pair.exchange.area, wanted);
+    cells_ = divide(scene.surfaces[source_], scene.surfaces[target_], pair.exchange.blockers,
+                    effort == PointEffort::sized ? pair.exchange.area : std::nullopt, wanted);
 }
 
 PointSampling::Side PointSampling::side(bool hidden) const {

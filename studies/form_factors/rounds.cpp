@@ -93,7 +93,7 @@ class Rounds {
         return std::max(std::log(2 / (1 - aim_.level)) / width, faces.most / area / (width * width) / gain);
     }
 
-    /// Both for pairs that both can do, unless points are certain to be cheaper for the whole row.
+    /// Both for pairs that both can do; of many pairs not where points are expected to be cheaper for a whole row.
     void make_pilots(bool rays_are_exact_enough) {
         struct Row {
             std::vector<std::size_t> pairs;
@@ -120,7 +120,8 @@ class Rounds {
         }
         std::map<std::size_t, std::vector<std::size_t>> shot;
         for (auto& [from, row] : rows) {
-            if (!row.pairs.empty() && (row.needs_rays || row.rays < row.points)) shot[from] = std::move(row.pairs);
+            const bool tried = row.needs_rays || geometry_.effort == PointEffort::full || row.rays < row.points;
+            if (!row.pairs.empty() && tried) shot[from] = std::move(row.pairs);
         }
         add_rays(shot);
     }

@@ -29,7 +29,7 @@ struct PointSums {
 class PointSampling {
   public:
     /// @param wanted  exchange area that matters: parts where points could miss more are divided
-    PointSampling(const Scene& scene, const SampledPair& pair, double wanted);
+    PointSampling(const Scene& scene, const SampledPair& pair, double wanted, PointEffort effort = PointEffort::full);
 
     [[nodiscard]] PointSums run(StreamKey key, std::uint32_t randomisation, std::uint64_t points,
                                 const std::atomic<bool>* stop) const;

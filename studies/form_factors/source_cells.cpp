@@ -36,9 +36,9 @@ constexpr double unmet_points = 3.7;
 constexpr double fine_share = 0.05;
 constexpr double smooth_share = 0.25;
 constexpr double wanted_share = 0.1;
-constexpr double points_per_test = 16;
+constexpr double points_per_test = 4;
 constexpr double least_tests = 6144;
-constexpr double tests_per_point = 0.125;  ///< but no more than those
+constexpr double tests_per_point = 0.1875;  ///< instead, where points are sized by what can pass
 constexpr std::size_t most_cells = 4096;
 
 /// Points for cells that are not smooth, beside those on the whole source.
@@ -70,10 +70,11 @@ class Division {
         : source_(source), is_polygon_(!corners(source.shape).empty()), origin_(middle(source)), wanted_(wanted) {
         const double area = ff::area(source.shape);
         points_ = std::clamp(least_points * at_tolerance * area / wanted, least_points, most_points);
-        if (whole)
+        tests_left_ = static_cast<std::size_t>(least_tests + points_ / points_per_test);
+        if (whole) {
             points_ = std::min(points_, std::max(points_per_tolerance * whole->value / wanted, least_points_of_small));
-        tests_left_ =
-            static_cast<std::size_t>(std::min(tests_per_point * points_, least_tests) + points_ / points_per_test);
+            tests_left_ = static_cast<std::size_t>(tests_per_point * points_);
+        }
         target_ = in_front(moved(target));
         if (target_.empty()) return;
         target_normal_ = target.normal;

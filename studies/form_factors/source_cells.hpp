@@ -52,7 +52,7 @@ struct SourceCells {
 
 /// @param source    any surface; a curved one has no parts that are known
 /// @param target    a polygon, like all blockers
-/// @param whole     exchange area with nothing in between, where it is known
+/// @param whole     exchange area with nothing in between, where points are sized by it (PointEffort)
 /// @param wanted    exchange area that matters
 SourceCells divide(const Surface& source, const Surface& target, const std::vector<const Surface*>& blockers,
                    const std::optional<BoundedValue<double>>& whole, double wanted);
