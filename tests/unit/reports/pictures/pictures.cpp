@@ -77,7 +77,8 @@ TEST(ConvergencePicture, ShowsMediansWhereTheVarianceIsInfinite) {
 
 TEST(ConvergencePicture, NamesEachLineAtItsEnd) {
     std::vector<std::string> names;
-    for (const json& label : convergence("adjacent-pairs")["labels"]) names.push_back(label[0]);
+    const json values = convergence("adjacent-pairs");
+    for (const json& label : values["labels"]) names.push_back(label[0]);
     EXPECT_THAT(names, testing::IsSupersetOf({"rays", "kernel"}));
 }
 
