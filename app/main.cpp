@@ -146,6 +146,7 @@ void add_form_factors(CLI::App& app, FormFactorsCommand& command, Action& action
     of_a_run(sub->add_option("SCENE", command.scene,
                              "cube, box:AxBxC, another built-in scene, or a file (.obj, .toml, .vs3)"));
     of_a_run(sub->add_option("--faces", command.faces, "What a face of an OBJ file is: its groups, or every polygon"))
+        ->type_name("FACES")
         ->check(CLI::IsMember({"group", "polygon"}))
         ->capture_default_str();
     of_a_run(sub->add_option("--tolerance", request.tolerance, "Largest half width of an interval"))

@@ -26,7 +26,7 @@ class AddedSampler {
 
     /// @param traits  all of SamplerInfo but its texts and `at_hand`
     /// @param at_hand  sizes, ascending; empty: as `traits.sizes` says
-    /// @param content  that a store keeps, to resume without the files; may be empty
+    /// @param content  that a store keeps, so that reports need no files; may be empty
     AddedSampler(Texts texts, SamplerInfo traits, std::vector<std::uint64_t> at_hand, Make make, Content content = {});
     AddedSampler(const AddedSampler&) = delete;
     AddedSampler& operator=(const AddedSampler&) = delete;

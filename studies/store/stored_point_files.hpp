@@ -5,7 +5,7 @@
 
 namespace ff::studies {
 
-/// Keeps the files of points that a study names, so that it can be resumed and reported without them.
+/// Keeps the files of points that a study names, so that reports and merging need only the store.
 void write_point_files(Database& database, const StudySpec& spec);
 
 /// Adds the samplers that a stored study names. @throws UserError where what was kept is damaged

@@ -23,15 +23,16 @@ sed 's/temperature = [0-9.]*/temperature = 20/' materials.toml >celsius.toml
 ffstudy heat furnace.obj --materials celsius.toml --scale 0.001
 expect_stderr "20 °C would be 293.15 K"
 
+mv furnace.obj "$folder" && rm -r ./*
 refused() {
-    printf '%b' "$1" >wrong.toml
-    ffstudy heat cube --materials wrong.toml --out refused
+    printf '%b' "$1" >"$folder/wrong.toml"
+    ffstudy heat cube --materials "$folder/wrong.toml" --out refused
     expect_refused 2 "$2"
 }
 refused '[materials]\n"*" = { emissivity = 0.5, flux = 0 }\n' "have a flux and no temperature"
 refused '[materials]\n7 = { emissivity = 0.5, flux = 0 }\n' "the scene has no face '7'"
 refused '[materials]\n"*" = { emissivity = 2, flux = 0 }\n' "wrong.toml:2:"
-ffstudy heat cube --materials furnace.obj
+ffstudy heat cube --materials "$folder/furnace.obj"
 expect_refused 2 "a scene file (a materials file is wanted here)"
 ffstudy heat cube --materials missing.toml
 expect_refused 3 "missing.toml"
