@@ -1,8 +1,5 @@
-#include "samplers/sampler.hpp"
+#include "benchmarks/fill_sets.hpp"
 
-#include <benchmark/benchmark.h>
-
-#include <algorithm>
 #include <string>
 
 // Time per 4-D point of every sampler, in the sizes that matter: one short stream a patch, or one long stream a face.
@@ -10,25 +7,6 @@
 namespace {
 
 using namespace ff;
-
-/// Fills a whole set block by block, with a new stream (and so a new randomisation) every time.
-template <class Block>
-void fill_sets(benchmark::State& state, const PointSource& source) {
-    Stream stream{.key = {1, 2}};
-    Block block;
-    for (auto _ : state) {
-        ++stream.source;
-        for (PointIndex first = 0; first < source.points(); first += block.size) {
-            block.size = std::min<std::size_t>(block_capacity, source.points() - first);
-            source.fill(stream, first, block);
-            benchmark::DoNotOptimize(block.coordinate[0][0]);
-            benchmark::ClobberMemory();
-        }
-    }
-    state.counters["per_point"] =
-        benchmark::Counter(static_cast<double>(source.points()),
-                           benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
-}
 
 void register_sampler(const samplers::CatalogueEntry& sampler, std::uint64_t points) {
     [[maybe_unused]] const samplers::PointSetSpec spec{.points = points, .source_nodes = 5, .target_nodes = 5};

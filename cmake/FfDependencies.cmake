@@ -21,6 +21,26 @@ find_package(SQLite3 3.40 REQUIRED)
 find_package(tomlplusplus 3.3 REQUIRED)
 find_package(OpenSSL 3 REQUIRED COMPONENTS Crypto)   # SHA-256 of what a report runs
 
+if(FFSTUDY_PYTHON)
+  # The system's Python, whose NumPy is the one that is packaged with it, unless another is asked for.
+  if(NOT Python_EXECUTABLE AND EXISTS /usr/bin/python3)
+    set(Python_EXECUTABLE /usr/bin/python3 CACHE FILEPATH "Python that the module is for")
+  endif()
+  set(PYBIND11_FINDPYTHON ON)
+  if(FFSTUDY_PYTHON STREQUAL "AUTO")
+    find_package(Python 3.9 QUIET COMPONENTS Interpreter Development.Module)
+    if(Python_FOUND)
+      find_package(pybind11 2.10 QUIET CONFIG)
+    endif()
+  else()
+    find_package(Python 3.9 REQUIRED COMPONENTS Interpreter Development.Module)
+    find_package(pybind11 2.10 REQUIRED CONFIG)
+  endif()
+  if(pybind11_FOUND)
+    set(CMAKE_POSITION_INDEPENDENT_CODE ON)  # the libraries become part of a module
+  endif()
+endif()
+
 if(FFSTUDY_MPI)
   enable_language(C)  # of MPI only the C interface is used, and CMake looks for it with a C compiler
   find_package(MPI 3 REQUIRED COMPONENTS C)

@@ -35,9 +35,9 @@ else()
 endif()
 target_compile_options(ff_settings INTERFACE
   $<${hardened}:-U_FORTIFY_SOURCE> $<${hardened}:-D_FORTIFY_SOURCE=2> $<${hardened}:-fstack-protector-strong>
-  $<${hardened}:-fPIE>)
+  $<$<AND:${hardened},$<NOT:$<BOOL:$<TARGET_PROPERTY:POSITION_INDEPENDENT_CODE>>>>:-fPIE>)
 target_link_options(ff_settings INTERFACE
-  $<${hardened}:-pie> $<${hardened}:LINKER:-z,relro> $<${hardened}:LINKER:-z,now>)
+  $<$<AND:${hardened},$<STREQUAL:$<TARGET_PROPERTY:TYPE>,EXECUTABLE>>:-pie> $<${hardened}:LINKER:-z,relro> $<${hardened}:LINKER:-z,now>)
 
 # ff_library(core SOURCES a.cpp b.cpp LINKS fmt::fmt PRIVATE_LINKS embree)
 #

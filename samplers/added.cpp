@@ -71,16 +71,16 @@ void AddedSampler::learn_from(AddedSampler& other) {
     if (!make_) make_ = std::move(other.make_);
 }
 
-const CatalogueEntry& add(std::unique_ptr<AddedSampler> sampler, const std::string& short_name) {
+const CatalogueEntry& add(std::unique_ptr<AddedSampler> sampler, const std::string& short_name, ShortName taken) {
     const std::string name(sampler->entry().info.name);
     expect_free(name);
     expect_free(short_name);
     Registry& all = registry();
     const std::lock_guard lock(all.mutex);
-    const auto taken = all.short_names.find(short_name);
-    if (taken != all.short_names.end() && taken->second->entry().info.name != name)
+    const auto other = all.short_names.find(short_name);
+    if (taken == ShortName::stays && other != all.short_names.end() && other->second->entry().info.name != name)
         throw UserError(fmt::format("sampler \"{}\" (there are two of this name, {} and {}). Leave one out.",
-                                    short_name, taken->second->entry().info.name, name));
+                                    short_name, other->second->entry().info.name, name));
     const auto [at, is_new] = all.samplers.try_emplace(name);
     if (is_new)
         at->second = std::move(sampler);

@@ -50,11 +50,18 @@ class AddedSampler {
     CatalogueEntry entry_;
 };
 
+/// What becomes of a short name that another sampler has.
+enum class ShortName {
+    stays,  ///< the name is refused
+    moves,  ///< the new sampler has it from now on
+};
+
 /// Adds a sampler for the rest of the process. A name stands for the same points for ever, so one that has been added
 /// already stays as it is. Safe from any thread.
 /// @param short_name  by which it is found as well; empty: none
-/// @throws UserError where the name, or the short name, is another sampler's
-const CatalogueEntry& add(std::unique_ptr<AddedSampler> sampler, const std::string& short_name = {});
+/// @throws UserError where the name is one of the catalogue, or the short name is taken and stays
+const CatalogueEntry& add(std::unique_ptr<AddedSampler> sampler, const std::string& short_name = {},
+                          ShortName taken = ShortName::stays);
 
 /// By name or short name. Null where there is none.
 const AddedSampler* find_added(std::string_view name);

@@ -3,6 +3,7 @@
 #include "core/support/error.hpp"
 #include "reports/files/output_file.hpp"
 #include "reports/files/point_set_files.hpp"
+#include "samplers/draw_set.hpp"
 #include "samplers/net_parameter.hpp"
 #include "stats/discrepancy.hpp"
 #include "studies/sampler_checks/sampler_checks.hpp"
@@ -21,29 +22,8 @@ const samplers::CatalogueEntry& sampler_of(const std::string& name, const Outsid
     return studies::sampler_of_user(name, deadline_of(outside));
 }
 
-/// One set, as a study with this seed and these points could use it.
 samplers::PointSet draw(const samplers::CatalogueEntry& sampler, const PointsCommand& command) {
-    if (!sampler.info.equal_weights)
-        throw UserError(fmt::format(
-            "{} (its points have weights, which these files do not hold). Choose another sampler.", sampler.info.name));
-    if (sampler.info.most_trials != 0 && command.trial >= sampler.info.most_trials)
-        throw UserError(fmt::format("--trial {} ({} has {}, counted from 0). Take a smaller number.", command.trial,
-                                    sampler.info.name, sampler.info.most_trials));
-    const auto source = sampler.make({.points = command.points, .dimension = command.dimension});
-    const Stream stream{.key = derive_key(Seed{command.seed}, fmt::format("points|{}|d={}|n={}", sampler.info.name,
-                                                                          command.dimension, command.points)),
-                        .trial = command.trial};
-    samplers::PointSet set{command.points, command.dimension, 1, {}};
-    set.coordinate.resize(command.points * command.dimension);
-    PointBlock block;
-    block.dimension = command.dimension;
-    for (PointIndex first = 0; first < command.points; first += block.size) {
-        block.size = std::min<std::uint64_t>(block_capacity, command.points - first);
-        source->fill(stream, first, block);
-        for (std::size_t d = 0; d < command.dimension; ++d)
-            std::copy_n(block.coordinate[d].begin(), block.size, &set.coordinate[d * command.points + first]);
-    }
-    return set;
+    return samplers::draw_set(sampler, {command.points, command.dimension, command.seed, command.trial});
 }
 
 void describe(const samplers::PointSet& set, std::uint32_t base) {

@@ -10,6 +10,7 @@
 #include "studies/readers/toml_reader.hpp"
 #include "studies/scene_files/scene_file.hpp"
 #include "studies/spec/coverage_request.hpp"
+#include "studies/spec/named_files.hpp"
 #include "studies/spec/sample_sizes.hpp"
 #include "studies/spec/spec_names.hpp"
 #include "studies/spec/spec_sampler.hpp"
@@ -294,18 +295,22 @@ StudySpec parse_study(std::string_view text, std::string_view origin) {
     return spec;
 }
 
-StudySpec load_study(const std::filesystem::path& file) {
-    StudySpec spec = parse_study(read_text_file(file, FileKind::study), file.string());
+void read_named_files(StudySpec& spec, const std::filesystem::path& folder) {
     for (std::string& scene : spec.scenes) {
         if (!names_scene_file(scene) || has_scene_text(scene)) continue;
-        scene = with_scene_text(scene, read_text_file(file.parent_path() / scene_file(scene), FileKind::scene));
+        scene = with_scene_text(scene, read_text_file(folder / scene_file(scene), FileKind::scene));
         static_cast<void>(make_scene(scene));  // refused before it is run
     }
     if (spec.published) {
-        const auto tables = file.parent_path() / spec.published->file;
+        const auto tables = folder / spec.published->file;
         spec.published->text = read_text_file(tables, FileKind::tables);
         static_cast<void>(parse_published_tables(spec.published->text, tables.string()));  // refused before it is run
     }
+}
+
+StudySpec load_study(const std::filesystem::path& file) {
+    StudySpec spec = parse_study(read_text_file(file, FileKind::study), file.string());
+    read_named_files(spec, file.parent_path());
     return spec;
 }
 

@@ -58,6 +58,21 @@ TEST(PointFile, RefusesDamagedArrays) {
     EXPECT_THROW(parse_points(npy<double>("<f8", "2, 2, 4611686018427387905", {0, 0, 0, 0}), "points.npy"), UserError);
 }
 
+TEST(PointFile, ReadsRawNumbersAndRefusesDamagedOnes) {
+    const std::vector<std::uint64_t> sizes{2, 2};
+    const std::vector<double> numbers{0.25, 0.5, 0, 0.75};
+    std::string bytes = "FFPOINTS";
+    bytes.append(reinterpret_cast<const char*>(sizes.data()), 16);
+    bytes.append(reinterpret_cast<const char*>(numbers.data()), 32);
+    EXPECT_EQ(parse_points(bytes, "points.bin").coordinate,
+              (std::vector<std::uint32_t>{quarter, 0, 2 * quarter, 3 * quarter}));
+    for (std::size_t length = 1; length < bytes.size(); ++length)
+        EXPECT_THROW(parse_points(bytes.substr(0, length), "points.bin"), UserError) << length;
+    EXPECT_THROW(parse_points(bytes + "12345678", "points.bin"), UserError);
+    bytes.replace(16, 8, std::string(8, '\xff'));
+    EXPECT_THROW(parse_points(bytes, "points.bin"), UserError);
+}
+
 TEST(PointFile, ReadsTextWithSetsBetweenMarks) {
     const auto set = parse_points("# made by hand\n0.25 0.5\n\n0,0.75\r\n#\n0.5;0\n0.5\t0\n", "points.txt");
     EXPECT_EQ(set.sets, 2u);

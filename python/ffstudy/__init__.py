@@ -1,0 +1,136 @@
+"""Form-factor methods under honest statistics, from Python.
+
+    import ffstudy
+    found = ffstudy.form_factors("room.obj", tolerance=1e-4)
+    found.factors, found.half_widths          # numpy arrays (faces, faces), dimensionless
+    ffstudy.points("sobol", 1024, 4, seed=1)  # (1024, 4) in [0, 1)
+    ffstudy.Study.from_toml("study.toml").run().summary["rmse"]
+
+Results are those of the program `ffstudy` to the bit: the same study and seed give the same numbers. Errors are
+`ffstudy.InputError` and `ffstudy.FileError`; Ctrl-C stops a computation in order. docs/python.md has more.
+"""
+
+import os
+from dataclasses import dataclass
+from pathlib import Path
+from typing import List, Optional, Sequence, Union
+
+import numpy
+
+from . import _core
+from .errors import Error, FileError, InputError
+from .study import Results, Study
+
+__all__ = ["Error", "FileError", "FormFactors", "InputError", "Results", "Study", "exact", "form_factors",
+           "load_plugin", "points"]
+
+Scene = Union[str, os.PathLike]
+
+
+@dataclass(frozen=True)
+class FormFactors:
+    """All form factors between the faces of a scene, each with an interval."""
+
+    factors: numpy.ndarray  #: (faces, faces), dimensionless: row i is what leaves face i
+    half_widths: numpy.ndarray  #: (faces, faces): the larger half of each interval
+    areas: numpy.ndarray  #: (faces,), in squared units of length of the scene
+    names: List[str]  #: of the faces
+    missed: int  #: pairs of faces whose interval is wider than the tolerance
+    trusted: bool  #: whether nothing speaks against the scene and the matrix as a whole
+    samples: int  #: rays and points that were spent
+    faults: List[str]  #: what is wrong with the scene
+    notes: List[str]  #: what may be meant by it, with what is assumed
+
+    def sparse(self):
+        """The factors as scipy.sparse.csr_matrix; needs scipy."""
+        from scipy.sparse import csr_matrix
+
+        return csr_matrix(self.factors)
+
+    def _repr_html_(self):
+        head = "".join(f"<th>{_escape(name)}</th>" for name in self.names)
+        rows = "".join(
+            f"<tr><th>{_escape(name)}</th>"
+            + "".join(f"<td title='± {half:.1e}'>{value:.6g}</td>" for value, half in zip(row, halves)) + "</tr>"
+            for name, row, halves in zip(self.names, self.factors, self.half_widths))
+        return f"<table><tr><th></th>{head}</tr>{rows}</table>"
+
+
+def _escape(text):
+    return text.replace("&", "&amp;").replace("<", "&lt;")
+
+
+def _threads(threads):
+    return threads if threads is not None else len(os.sched_getaffinity(0))
+
+
+def _scene(scene):
+    """Name and text of a scene; no text for a built-in one."""
+    if isinstance(scene, str) and Path(scene).suffix not in (".obj", ".toml", ".vs3"):
+        return scene, None
+    return os.path.basename(os.fspath(scene)), _core.read_scene_file(scene)
+
+
+def _obj(vertices, faces, names):
+    """The text of an OBJ file; numbers are written so that they read back to the same bits."""
+    vertices = numpy.asarray(vertices, dtype=float)
+    if vertices.ndim != 2 or vertices.shape[1] != 3:
+        raise InputError(f"vertices: an array of shape {vertices.shape} ((vertices, 3) is wanted). Give x, y, z.")
+    if names is not None and len(names) != len(faces):
+        raise InputError(f"names: {len(names)} (there are {len(faces)} faces). Give one for each.")
+    lines = [f"v {x!r} {y!r} {z!r}" for x, y, z in vertices.tolist()]
+    for number, face in enumerate(faces):
+        corners = [int(corner) for corner in face]
+        if any(corner < 0 or corner >= len(vertices) for corner in corners):
+            raise InputError(f"faces[{number}]: {corners} (vertices are counted from 0 to {len(vertices) - 1}). "
+                             "Correct the corner.")
+        if names is not None:
+            if not str(names[number]).strip() or len(str(names[number]).split()) != 1:
+                raise InputError(f"names[{number}]: {names[number]!r} (a name is one word). Use _ for a space.")
+            lines.append(f"g {names[number]}")
+        lines.append("f " + " ".join(str(corner + 1) for corner in corners))
+    text = "\n".join(lines) + "\n"
+    return text if names is not None else _core.with_faces_of_polygons(text)
+
+
+def form_factors(scene: Optional[Scene] = None, *, vertices=None, faces: Optional[Sequence[Sequence[int]]] = None,
+                 names: Optional[Sequence[str]] = None, tolerance: float = 1e-5, level: float = 0.95,
+                 simultaneous: bool = False, seed: int = 0, threads: Optional[int] = None,
+                 max_samples: int = 1_000_000_000) -> FormFactors:
+    """All form factors of a scene, exactly where geometry allows it and by sampling elsewhere.
+
+    scene: a built-in scene ("cube", "box:2x1x0.5") or a file (.obj, .toml, .vs3).
+    vertices, faces: instead of it, an array (vertices, 3) and the corners of each polygon, counted from 0 and
+        counter-clockwise as seen from the side that radiates. `names` gives faces names; faces of one name are one.
+    tolerance: largest half width of an interval.   level: of the intervals, above 0.5.
+    simultaneous: the level is that of all entries and row sums at once.   max_samples: rays and points in all.
+
+    Raises InputError, FileError; KeyboardInterrupt on Ctrl-C.
+    """
+    if (scene is None) == (vertices is None or faces is None):
+        raise InputError("form_factors: a scene, or vertices and faces (one of both is wanted). Give one.")
+    name, text = _scene(scene) if scene is not None else ("polygons.obj", _obj(vertices, faces, names))
+    found = _core.form_factors(name, text, tolerance, level, simultaneous, seed, _threads(threads), max_samples)
+    return FormFactors(found.factors, found.half_widths, numpy.array(found.areas), found.names, found.missed,
+                       found.trusted, found.samples, found.faults, found.notes)
+
+
+def points(name: str, n: int, d: int = 4, seed: int = 1, trial: int = 0, *, deadline: float = 60) -> numpy.ndarray:
+    """The points of a sampler, an array (n, d) in [0, 1): those of `ffstudy points`.
+
+    name: a sampler of `ffstudy list samplers` or of a plug-in that is loaded, "file:points.npy#owen" or
+        "command:./mine --n {n} --d {d} --seed {seed}", which runs the program.   d: 1 to 4.
+    deadline: seconds that a program may take.
+    """
+    return _core.points(name, n, d, seed, trial, deadline)
+
+
+def exact(scene: Scene, i: int, j: int) -> Optional[float]:
+    """The exact form factor from face i to face j, counted from 1 as the program's faces are; None where none is known."""
+    name, text = _scene(scene)
+    return _core.exact(name, text, i, j)
+
+
+def load_plugin(file: Scene) -> List[str]:
+    """Loads a plug-in with samplers (docs/adding-a-sampler.md) and returns their full names. It runs its code."""
+    return _core.load_plugin(os.fspath(file))

@@ -1,0 +1,77 @@
+import os
+from typing import Any, Callable, Dict, List, Mapping, Optional, Sequence, Tuple, Union
+
+import numpy
+import numpy.typing
+
+Scene = Union[str, os.PathLike[str]]
+Fill = Callable[[int, int, int, int], numpy.typing.ArrayLike]
+
+class Error(Exception): ...
+
+class InputError(Error, ValueError):
+    file: Optional[str]
+    line: Optional[int]
+    column: Optional[int]
+
+class FileError(Error, OSError): ...
+
+class FormFactors:
+    factors: numpy.ndarray
+    half_widths: numpy.ndarray
+    areas: numpy.ndarray
+    names: List[str]
+    missed: int
+    trusted: bool
+    samples: int
+    faults: List[str]
+    notes: List[str]
+    def sparse(self) -> Any: ...
+
+class Results:
+    summary: numpy.ndarray
+    slopes: numpy.ndarray
+    trials: numpy.ndarray
+    report: str
+    warnings: List[str]
+    complete: bool
+    def frame(self, name: str = "summary") -> Any: ...
+
+class Study:
+    text: str
+    origin: str
+    def __init__(self, text: str, origin: str = "study") -> None: ...
+    @classmethod
+    def from_toml(cls, study: Scene) -> Study: ...
+    def wants(self) -> List[Tuple[str, str]]: ...
+    def run(
+        self,
+        *,
+        samplers: Optional[Mapping[str, Union[Fill, Tuple[Fill, Dict[str, Any]]]]] = None,
+        trials: Optional[int] = None,
+        seed: Optional[int] = None,
+        threads: Optional[int] = None,
+        out: Optional[Scene] = None,
+        commands: bool = False,
+        deadline: float = 60,
+        progress: Optional[Callable[[int, int], object]] = None,
+    ) -> Results: ...
+
+def form_factors(
+    scene: Optional[Scene] = None,
+    *,
+    vertices: Optional[numpy.typing.ArrayLike] = None,
+    faces: Optional[Sequence[Sequence[int]]] = None,
+    names: Optional[Sequence[str]] = None,
+    tolerance: float = 1e-5,
+    level: float = 0.95,
+    simultaneous: bool = False,
+    seed: int = 0,
+    threads: Optional[int] = None,
+    max_samples: int = 1_000_000_000,
+) -> FormFactors: ...
+def points(
+    name: str, n: int, d: int = 4, seed: int = 1, trial: int = 0, *, deadline: float = 60
+) -> numpy.ndarray: ...
+def exact(scene: Scene, i: int, j: int) -> Optional[float]: ...
+def load_plugin(file: Scene) -> List[str]: ...

@@ -1,0 +1,66 @@
+#include "function_sampler.hpp"
+
+#include "core/support/error.hpp"
+#include "samplers/added.hpp"
+#include "samplers/outside_points.hpp"
+
+#include <fmt/format.h>
+#include <pybind11/numpy.h>
+
+#include <memory>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace py = pybind11;
+
+namespace ff::python {
+namespace {
+
+using Rows = py::array_t<double, py::array::c_style | py::array::forcecast>;
+
+/// Calls the function with the interpreter's lock; what it raises becomes an error of ours.
+samplers::PointSet call(PyObject* fill, const std::string& name, const samplers::SetRequest& request) {
+    const std::string origin = fmt::format("{} ({})", name, in_words(request));
+    const py::gil_scoped_acquire held;
+    try {
+        const Rows rows(py::handle(fill)(request.points, request.dimension, request.seed, request.trial).cast<Rows>());
+        if (rows.ndim() != 2 || static_cast<std::uint64_t>(rows.shape(0)) != request.points ||
+            static_cast<std::size_t>(rows.shape(1)) != request.dimension)
+            throw UserError(
+                fmt::format("{}: returned an array of shape {} (({}, {}) is wanted). Return one row per point.", origin,
+                            py::str(rows.attr("shape")).cast<std::string>(), request.points, request.dimension));
+        return samplers::set_of_rows(std::span(rows.data(), static_cast<std::size_t>(rows.size())), request.points,
+                                     request.dimension, origin);
+    } catch (const py::error_already_set& error) {
+        throw UserError(fmt::format("{}: raised {}", origin, error.what()));
+    } catch (const py::cast_error&) {
+        throw UserError(fmt::format("{}: returned no array of numbers (n, d). Return numpy.ndarray.", origin));
+    }
+}
+
+}  // namespace
+
+std::string add_function(const std::string& name, const std::string& hash, py::function fill,
+                         std::size_t most_dimension, bool randomised) {
+    samplers::SamplerInfo traits;
+    traits.randomised = randomised;
+    traits.most_dimension = most_dimension;
+    traits.nanoseconds = 200;
+    // Kept for ever, as samplers are: no lock of the interpreter would be there to give it back at the end.
+    PyObject* const function = fill.release().ptr();
+    const auto part = samplers::parts_of(
+        [function, name](const samplers::SetRequest& request) { return call(function, name, request); });
+    const auto& entry = samplers::add(
+        std::make_unique<samplers::AddedSampler>(
+            samplers::AddedSampler::Texts{fmt::format("{}#{}", name, hash), "points that a Python function makes",
+                                          "A function of the Python session. What it promises is its author's affair."},
+            traits, std::vector<std::uint64_t>{},
+            [part, randomised](const samplers::PointSetSpec& spec) {
+                return samplers::outside_points(spec.points, randomised, part);
+            }),
+        name, samplers::ShortName::moves);
+    return std::string(entry.info.name);
+}
+
+}  // namespace ff::python

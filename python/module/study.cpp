@@ -1,0 +1,153 @@
+#include "study.hpp"
+
+#include "interruptible.hpp"
+
+#include "app/folders/folder_lock.hpp"
+
+#include "core/support/error.hpp"
+#include "reports/csv/csv.hpp"
+#include "reports/markdown/markdown.hpp"
+#include "studies/outside/outside_code.hpp"
+#include "studies/outside/plugin.hpp"
+#include "studies/readers/text_file.hpp"
+#include "studies/results/results.hpp"
+#include "studies/run/run.hpp"
+#include "studies/spec/named_files.hpp"
+#include "studies/spec/spec_trials.hpp"
+
+#include <fmt/format.h>
+#include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
+
+#include <filesystem>
+#include <optional>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace py = pybind11;
+
+namespace ff::python {
+namespace {
+
+/// What a study file says, and what the caller wants instead.
+struct StudyRequest {
+    std::string text;
+    std::string origin;  ///< the file, for messages and for the folder of other files
+    std::optional<std::uint64_t> trials;
+    std::optional<std::uint64_t> seed;
+};
+
+struct StudyTables {
+    std::string summary;  ///< as summary.csv
+    std::string slopes;
+    std::string trials;
+    std::string report;  ///< as report.md
+    std::vector<std::string> warnings;
+    bool complete = false;
+};
+
+studies::StudyPlan plan_of(const StudyRequest& request) {
+    studies::StudySpec spec = studies::parse_study(request.text, request.origin);
+    studies::read_named_files(spec, std::filesystem::path(request.origin).parent_path());
+    if (request.trials) studies::set_trials(spec, *request.trials);
+    if (request.seed) spec.seed = Seed{*request.seed};
+    return studies::plan_study(std::move(spec));
+}
+
+template <class Write>
+std::string text_of(Write write) {
+    std::ostringstream out;
+    write(out);
+    return std::move(out).str();
+}
+
+StudyTables tables_of(const studies::Store& store, const std::atomic<bool>& stop) {
+    const auto results = studies::evaluate(store, &stop);
+    StudyTables tables;
+    tables.summary = text_of([&](std::ostream& out) { reports::write_summary_csv(out, results.findings); });
+    tables.slopes = text_of([&](std::ostream& out) { reports::write_slopes_csv(out, results); });
+    tables.trials = text_of([&](std::ostream& out) { reports::write_trials_csv(out, store); });
+    tables.report = reports::markdown_report(results);
+    tables.warnings = results.findings.plan.warnings;
+    tables.complete = store.is_complete();
+    return tables;
+}
+
+StudyTables run(const StudyRequest& request, const std::filesystem::path& folder, unsigned threads,
+                const std::optional<py::function>& progress) {
+    StudyTables tables;
+    run_interruptibly([&](const std::atomic<bool>& stop) {
+        const studies::StudyPlan plan = plan_of(request);
+        std::filesystem::create_directories(folder);
+        const app::FolderLock lock(folder);
+        studies::Store store = studies::Store::create_or_resume(folder / "results.sqlite", plan);
+        studies::RunOptions options;
+        options.threads = threads;
+        options.stop = &stop;
+        options.drop = &stop;
+        if (progress) {
+            options.report = [&](const studies::Progress& state) {
+                const py::gil_scoped_acquire held;
+                try {
+                    (*progress)(state.units_done, state.units);
+                } catch (const py::error_already_set& error) {
+                    throw UserError(fmt::format("progress: raised {}", error.what()));
+                }
+            };
+        }
+        const bool complete = studies::run_study(store, options) == studies::RunOutcome::complete;
+        static_cast<void>(store.seal());
+        if (complete) tables = tables_of(store, stop);
+        lock.remove_file();
+    });
+    return tables;
+}
+
+/// What a study wants run, each with its place.
+std::vector<std::pair<std::string, std::string>> wants(const std::string& text, const std::string& origin) {
+    std::vector<std::pair<std::string, std::string>> found;
+    for (const auto& code : studies::outside_code(text, origin)) found.emplace_back(code.place, code.text);
+    return found;
+}
+
+void admit(const std::string& text, const std::string& origin, double deadline) {
+    for (const auto& code : studies::outside_code(text, origin))
+        studies::admit(code, std::filesystem::path(origin).parent_path(), deadline);
+}
+
+}  // namespace
+
+void bind_study(py::module_& module) {
+    py::class_<StudyRequest>(module, "StudyRequest")
+        .def(py::init([](std::string text, std::string origin, std::optional<std::uint64_t> trials,
+                         std::optional<std::uint64_t> seed) {
+                 return StudyRequest{std::move(text), std::move(origin), trials, seed};
+             }),
+             py::arg("text"), py::arg("origin"), py::arg("trials") = py::none(), py::arg("seed") = py::none());
+    py::class_<StudyTables>(module, "StudyTables")
+        .def_readonly("summary", &StudyTables::summary)
+        .def_readonly("slopes", &StudyTables::slopes)
+        .def_readonly("trials", &StudyTables::trials)
+        .def_readonly("report", &StudyTables::report)
+        .def_readonly("warnings", &StudyTables::warnings)
+        .def_readonly("complete", &StudyTables::complete);
+    module.def("run_study", &run, py::arg("request"), py::arg("folder"), py::arg("threads"), py::arg("progress"));
+    module.def(
+        "read_study_file",
+        [](const std::filesystem::path& file) { return studies::read_text_file(file, studies::FileKind::study); },
+        py::arg("file"));
+    module.def("wants", &wants, py::arg("text"), py::arg("origin"));
+    module.def("admit", &admit, py::arg("text"), py::arg("origin"), py::arg("deadline"));
+    module.def(
+        "load_plugin",
+        [](const std::filesystem::path& file) {
+            std::vector<std::string> names;
+            for (const auto* sampler : studies::load_plugin(file)) names.emplace_back(sampler->info.name);
+            return names;
+        },
+        py::arg("file"));
+}
+
+}  // namespace ff::python

@@ -1,0 +1,90 @@
+import os
+import signal
+import subprocess
+import threading
+
+import numpy
+import pytest
+
+import ffstudy
+from conftest import study_text
+
+
+def test_results_are_those_of_the_program(program):
+    with open("s.toml", "w") as out:
+        out.write(study_text())
+    subprocess.run([program, "run", "s.toml", "--quiet"], check=True)
+    seen = []
+    found = ffstudy.Study.from_toml("s.toml").run(progress=lambda done, units: seen.append((done, units)))
+    assert seen and seen[-1][0] == seen[-1][1]
+    with open("results/s/summary.csv") as table:
+        columns = table.readline().strip().split(",")
+        rows = [line for line in table]
+    assert list(found.summary.dtype.names) == columns
+    assert len(found.summary) == len(rows)
+    rmse = columns.index("rmse")
+    assert [repr(float(row.split(",")[rmse])) for row in rows] == [repr(float(value)) for value in found.summary["rmse"]]
+    assert found.summary["method"][0] == "m" and found.summary["samples_per_patch"].dtype == float
+    assert found.summary["from_face"].dtype.kind == "U"
+    with open("results/s/report.md") as report:
+        assert report.read() == found.report
+    assert "<table>" in found._repr_html_()
+
+
+def test_tables_are_frames():
+    frame = ffstudy.Study.from_toml(study_text(sizes="16")).run().frame("trials")
+    assert list(frame.columns)[:3] == ["study", "scene", "method"]
+
+
+def test_errors_have_places():
+    with pytest.raises(ffstudy.InputError) as error:
+        ffstudy.Study(study_text().replace("trials = 20", "trials = 1"), "mine.toml").run()
+    assert (error.value.file, error.value.line, error.value.column) == ("mine.toml", 4, 10)
+    assert isinstance(error.value, ValueError) and isinstance(error.value, ffstudy.Error)
+    with pytest.raises(ffstudy.FileError, match="missing.toml"):
+        ffstudy.Study.from_toml("missing.toml")
+    with open("file", "w"):
+        pass
+    with pytest.raises(ffstudy.FileError):
+        ffstudy.Study.from_toml(study_text()).run(out="file/folder")
+
+
+def test_other_code_runs_only_where_it_is_allowed():
+    text = study_text("command:touch ran {n}")
+    study = ffstudy.Study.from_toml(text)
+    assert study.wants() == [("study:9:11", "command:touch ran {n}")]
+    with pytest.raises(ffstudy.InputError, match="commands=True"):
+        study.run()
+    assert not os.path.exists("ran")
+    with pytest.raises(ffstudy.InputError):  # it prints no points
+        study.run(commands=True)
+    assert os.path.exists("ran")
+    with pytest.raises(ffstudy.FileError, match="did not end within 0.2 s"):
+        ffstudy.Study.from_toml(study_text("command:sleep 1000")).run(commands=True, deadline=0.2)
+
+
+def interrupt_after(seconds):
+    threading.Timer(seconds, os.kill, (os.getpid(), signal.SIGINT)).start()
+
+
+def test_ctrl_c_saves_and_the_study_resumes():
+    study = ffstudy.Study.from_toml(study_text(trials=20000, sizes="[65536]"))
+    interrupt_after(1)
+    with pytest.raises(KeyboardInterrupt):
+        study.run(out="kept", threads=1)
+    small = ffstudy.Study.from_toml(study_text(trials=20))
+    assert small.run().complete  # the session goes on
+    assert os.path.exists("kept/results.sqlite")
+
+
+def test_ctrl_c_stops_form_factors():
+    interrupt_after(1)
+    with pytest.raises(KeyboardInterrupt):
+        ffstudy.form_factors("squares_blocked", tolerance=1e-12, max_samples=10**13, threads=1)
+
+
+def test_trials_and_seed_can_be_others():
+    study = ffstudy.Study.from_toml(study_text(sizes="16"))
+    other = study.run(trials=30, seed=2)
+    assert set(other.summary["trials"]) == {30}
+    assert not numpy.array_equal(other.summary["mean"], study.run(trials=30).summary["mean"])
