@@ -1,5 +1,7 @@
 #pragma once
 
+#include "app/command_line/check_options.hpp"
+
 #include "studies/form_factors/form_factors.hpp"
 #include "studies/spec/convergence_study.hpp"
 
@@ -99,23 +101,6 @@ struct AuditCommand {
     std::filesystem::path tables;
     std::filesystem::path out;  ///< empty: nothing is written
     bool quiet = false;
-};
-
-struct CheckCommand {
-    std::filesystem::path bands;
-    std::optional<std::uint64_t> seed;
-    bool fresh_seed = false;
-    std::uint64_t seed_sweep = 0;     ///< number of seeds; 0: one check
-    std::filesystem::path estimates;  ///< CSV of another program; empty: none
-    std::filesystem::path against;    ///< a second one; empty: none
-    std::string again;                ///< commit whose looks share alpha; empty: one look by itself
-    std::filesystem::path ledger;     ///< of looks; empty: <bands>.ledger.csv
-    std::filesystem::path baseline;
-    std::filesystem::path save_baseline;
-    std::optional<unsigned> threads;
-    std::filesystem::path out;  ///< empty: results/<bands>
-    bool quiet = false;
-    bool dry_run = false;
 };
 
 /// Of `ffstudy list` and `ffstudy explain`.

@@ -14,6 +14,7 @@
 #include "core/visibility/mirrors.hpp"
 #include "reports/csv/form_factors_csv.hpp"
 #include "reports/files/matrix_files.hpp"
+#include "reports/json/context_json.hpp"
 #include "reports/json/form_factors_json.hpp"
 #include "reports/json/json.hpp"
 #include "reports/terminal/form_factors_text.hpp"

@@ -11,6 +11,7 @@
 #include "reports/csv/csv_radiosity.hpp"
 #include "reports/files/matrix_files.hpp"
 #include "reports/html/html.hpp"
+#include "reports/json/context_json.hpp"
 #include "reports/json/json.hpp"
 #include "reports/latex/latex.hpp"
 #include "reports/markdown/audit_markdown.hpp"

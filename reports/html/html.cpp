@@ -5,6 +5,7 @@
 #include "reports/html/security_policy.hpp"
 #include "reports/pictures/pictures.hpp"
 #include "reports/tables/radiosity_tables.hpp"
+#include "reports/tables/tables.hpp"
 #include "reports/templates/mustache.hpp"
 #include "reports/text/labels.hpp"
 #include "reports/words/cells_in_between.hpp"

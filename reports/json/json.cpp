@@ -249,9 +249,4 @@ std::string results_json(const studies::StudyResults& results) {
     return json.dump(2) + "\n";
 }
 
-std::string context_json(const studies::Context& context) {
-    // File names of the command need not be UTF-8, as JSON has to be.
-    return Json(context).dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
-}
-
 }  // namespace ff::reports

@@ -1,6 +1,6 @@
+#include "reports/tables/tables.hpp"
 #include "reports/text/labels.hpp"
 #include "reports/text/numbers.hpp"
-#include "reports/text/table.hpp"
 #include "reports/words/coverage_words.hpp"
 #include "reports/words/reduction_words.hpp"
 

@@ -1,9 +1,9 @@
 #include "reports/terminal/terminal.hpp"
 
+#include "reports/tables/tables.hpp"
 #include "reports/terminal/terminal_sections.hpp"
 #include "reports/text/labels.hpp"
 #include "reports/text/numbers.hpp"
-#include "reports/text/table.hpp"
 #include "reports/text/text_table.hpp"
 #include "reports/words/audit_summary.hpp"
 #include "reports/words/cells_in_between.hpp"

@@ -1,5 +1,5 @@
+#include "reports/tables/tables.hpp"
 #include "reports/terminal/terminal_sections.hpp"
-#include "reports/text/table.hpp"
 #include "reports/text/text_table.hpp"
 
 #include <fmt/format.h>

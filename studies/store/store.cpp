@@ -2,7 +2,7 @@
 
 #include "core/support/error.hpp"
 #include "studies/spec/study_difference.hpp"
-#include "studies/store/digest.hpp"
+#include "studies/store/row_digest.hpp"
 #include "studies/store/store_checks.hpp"
 #include "studies/store/store_format.hpp"
 #include "studies/store/stored_context.hpp"

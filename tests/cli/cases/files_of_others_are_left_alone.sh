@@ -46,7 +46,7 @@ estimator = "ray_shooting"
 samples_per_patch = 64
 band = 0.05
 END
-for file in verdicts.csv verdicts.json junit.xml context.json; do
+for file in verdicts.csv verdicts.json junit.xml summary.md summary.html context.json; do
     refused $file check "$folder/bands.toml" --out mine
 done
 
