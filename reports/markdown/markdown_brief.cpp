@@ -34,7 +34,7 @@ const CellFindings* best(const studies::Findings& findings, std::size_t scene, P
         const studies::Cell& cell = findings.plan.cells[found.cell];
         const auto value = rank(findings, found, pair_class);
         if (!value || cell.scene != scene || cell.deterministic != deterministic) continue;
-        if (findings.plan.spec.methods[cell.method].estimator == studies::Estimator::closed_form) continue;
+        if (estimator_info(findings.plan.spec.methods[cell.method]).exact) continue;
         if (best == nullptr || *value < *rank(findings, *best, pair_class)) best = &found;
     }
     return best;
@@ -47,7 +47,7 @@ std::string exact_methods(const studies::Findings& findings, std::size_t scene, 
         const studies::Cell& cell = findings.plan.cells[found.cell];
         const studies::Method& method = findings.plan.spec.methods[cell.method];
         const auto rmse = found.class_rmse(pair_class);
-        const bool computed = cell.deterministic && method.estimator != studies::Estimator::closed_form;
+        const bool computed = cell.deterministic && !estimator_info(method).exact;
         if (cell.scene != scene || !computed || !rmse || *rmse >= studies::rounding_error) continue;
         if (std::find(names.begin(), names.end(), method.name) == names.end()) names.push_back(method.name);
     }

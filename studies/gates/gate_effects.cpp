@@ -72,7 +72,7 @@ bool needs_spread(GateKind kind) {
 void expect_possible(const Gate& gate, const StudyPlan& plan) {
     const Method& method = gate.method;
     const bool deterministic = plan.cells.front().deterministic;
-    const bool shoots = method.estimator == Estimator::ray_shooting;
+    const bool shoots = estimator_info(method).observes == Observes::hits;
     if (deterministic && needs_spread(gate.kind))
         refuse(gate.place, fmt::format("a gate of kind \"{}\" needs trials that differ (this method is deterministic). "
                                        "Take a randomised sampler, or kind = \"bias\".",
@@ -115,7 +115,7 @@ void expect_finite(const Gate& gate, const Scene& scene, Quantity quantity) {
 
 /// Exact moments of one trial of ray shooting with independent rays.
 std::optional<SrDistribution> known_distribution(const Gate& gate, const Scene& scene, const Cell& cell) {
-    const bool known = gate.method.estimator == Estimator::ray_shooting && scene.empty_box &&
+    const bool known = estimator_info(gate.method).observes == Observes::hits && scene.empty_box &&
                        gate.method.tracer != TracerChoice::leaky &&
                        samplers::find(gate.method.sampler).info.independent();
     if (!known) return std::nullopt;
@@ -188,8 +188,8 @@ Comparison labelled(const Gate& gate, const Effect& effect, const StudyPlan& pla
     const Scene& scene = plan.scenes[cell.scene];
     Comparison row;
     row.scene = scene.name;
-    row.method = gate.method.sampler.empty() ? std::string(name(gate.method.estimator))
-                                             : fmt::format("{} {}", gate.method.sampler, name(gate.method.estimator));
+    row.method = gate.method.sampler.empty() ? gate.method.estimator
+                                             : fmt::format("{} {}", gate.method.sampler, gate.method.estimator);
     const auto same = [&](auto value_of) {
         return std::all_of(effect.cells.begin(), effect.cells.end(),
                            [&](std::size_t other) { return value_of(plan.cells[other]) == value_of(cell); });

@@ -133,7 +133,7 @@ void measure_refusals(Detection& detection) {
     gate.name = gate.place = "adjacent_kernel";
     gate.against = Against::exact;
     gate.pairs = {"adjacent"};
-    gate.method.estimator = Estimator::area_kernel;
+    gate.method.estimator = "area_kernel";
     try {
         static_cast<void>(prepare_gate(spec, 0, GatePurpose::check, nullptr));
     } catch (const UserError& error) {

@@ -77,7 +77,7 @@ void write_cells(const Database& database, const StudyPlan& plan) {
             .bind(1, std::string_view(plan.scenes[cell.scene].name))
             .bind(2, std::string_view(method.name))
             .bind(3, std::string_view(method.sampler))
-            .bind(4, name(method.estimator))
+            .bind(4, method.estimator)
             .bind(5, static_cast<std::int64_t>(cell.subdivision.per_part()))
             .bind(6, static_cast<std::int64_t>(cell.samples))
             .bind(7, static_cast<std::int64_t>(cell.trials))
