@@ -30,6 +30,7 @@ struct RunCommand {
     std::filesystem::path out;              ///< empty: results/<study>
     std::filesystem::path templates;        ///< folder of own templates; empty: none
     bool quiet = false;
+    bool replace = false;  ///< another study that is in the folder
     bool dry_run = false;
     std::optional<studies::ConvergenceRequest> convergence;  ///< instead of `study`
     std::optional<RadiosityOptions> radiosity;

@@ -8,7 +8,7 @@
 #include "app/folders/output_folder.hpp"
 #include "app/process/signals.hpp"
 #include "app/terminal/messages.hpp"
-#include "app/terminal/terminal_colour.hpp"
+#include "app/terminal/terminal_style.hpp"
 
 #include "core/support/error.hpp"
 #include "reports/csv/gates_csv.hpp"
@@ -126,7 +126,7 @@ ExitCode exit_code(studies::Verdict verdict) {
 /// The folder for these files, once it is certain that they may be written.
 OutputFolder open_folder(const std::filesystem::path& out, const std::vector<std::string>& files) {
     end_on_signals(fmt::format("\nstopped early; the gates that were done are in {}.\n", out.string()));
-    return OutputFolder(out, "check", files);
+    return {out, "check", files};
 }
 
 ExitCode show_plan(Check& check) {
@@ -201,7 +201,7 @@ ExitCode check_once(Check& check, const std::filesystem::path& out) {
     studies::CheckResults results{check.spec, {}};
     write_verdicts(folder, results, junit);
     check.print(reports::gates_heading(check.spec));
-    const auto colour = colour_of_stdout();
+    const auto colour = style_of_stdout().colour;
     for (studies::GateResult& result : judged) {
         check.print(reports::gate_line(result, colour));
         results.results.push_back(std::move(result));

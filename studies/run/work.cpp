@@ -65,6 +65,13 @@ void add_tally(const RayTally& tally, const Observed& with_itself, std::uint64_t
     }
 }
 
+/// Records hold words: of doubles, their bits.
+std::vector<double> as_doubles(const std::vector<std::uint64_t>& words) {
+    std::vector<double> doubles;
+    for (const std::uint64_t word : words) doubles.push_back(std::bit_cast<double>(word));
+    return doubles;
+}
+
 }  // namespace
 
 std::unique_ptr<PointSource> make_points(const Method& method, const Cell& cell) {
@@ -105,15 +112,22 @@ Worker::Worker(const StudyPlan& plan, const std::atomic<bool>* stop) : plan_(pla
 
 Worker::~Worker() = default;
 
-UnitRecord Worker::carry_out(const WorkUnit& unit) const {
+UnitRecord Worker::carry_out(const WorkUnit& unit, BegunUnit begun) const {
     const Cell& cell = plan_.cells[unit.cell];
     const Tools& tools = *tools_[unit.cell];
-    UnitRecord record;
+    UnitRecord record = std::move(begun.record);
     record.unit = unit.index;
     PatchSums sums;
     PatchFactorSums factor_sums;
+    if (tools.method->estimator == Estimator::ray_shooting) {
+        sums = {std::move(record.patch_hits), std::move(record.patch_hits_squared)};
+    } else {
+        factor_sums = {as_doubles(record.patch_hits), as_doubles(record.patch_hits_squared)};
+        record.patch_hits.clear();
+        record.patch_hits_squared.clear();
+    }
     RayTally tally;
-    for (std::uint64_t trial = unit.first_trial; trial < unit.first_trial + unit.trials; ++trial) {
+    for (std::uint64_t trial = unit.first_trial + begun.trials; trial < unit.first_trial + unit.trials; ++trial) {
         const auto stream_trial = static_cast<std::uint32_t>(trial);
         switch (tools.method->estimator) {
             case Estimator::closed_form: {
@@ -151,7 +165,6 @@ UnitRecord Worker::carry_out(const WorkUnit& unit) const {
     }
     record.patch_hits = std::move(sums.hits);
     record.patch_hits_squared = std::move(sums.hits_squared);
-    // Records hold words: of doubles, their bits.
     for (const double sum : factor_sums.factors) record.patch_hits.push_back(std::bit_cast<std::uint64_t>(sum));
     for (const double sum : factor_sums.factors_squared)
         record.patch_hits_squared.push_back(std::bit_cast<std::uint64_t>(sum));
