@@ -41,6 +41,7 @@ void add_run_options(CLI::App& app, RunCommand& command) {
     app.add_option("--out", command.out, "Folder for the results (default: results/<study>)")->type_name("DIR");
     app.add_option("--templates", command.templates, "Folder of own templates for report.html")->type_name("DIR");
     app.add_flag("--replace", command.replace, "Replace another study in the folder; its store is kept aside");
+    add_outside_options(app, command.outside, OutsideCodeFrom::files_too);
     app.add_flag("-q,--quiet", command.quiet, "Print errors only");
     app.add_flag("--dry-run", command.dry_run, "Show work units, expected time and memory, run nothing");
 }
@@ -192,6 +193,7 @@ void add_check(CLI::App& app, CheckCommand& command, Action& action) {
     sub->add_option("--save-baseline", command.save_baseline, "Run the gates that compare with a baseline; save it")
         ->type_name("FILE")
         ->excludes(baseline);
+    add_outside_options(*sub, command.outside, OutsideCodeFrom::files_too);
     sub->add_option("--threads", command.threads, "Threads; verdicts do not depend on them (default: all cores)");
     sub->add_option("--out", command.out, "Folder for the results (default: results/<bands>)")->type_name("DIR");
     sub->add_flag("-q,--quiet", command.quiet, "Print errors only");

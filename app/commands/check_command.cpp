@@ -63,6 +63,7 @@ double seconds_since(Clock::time_point start) {
 }
 
 Check begin(const CheckCommand& command) {
+    admit_code_of(command.bands, studies::FileKind::bands, command.outside);
     Check check{command, studies::load_bands(command.bands), std::nullopt, {}};
     if (command.seed) check.spec.seed = checked_seed(*command.seed);
     if (command.fresh_seed) check.spec.seed = fresh_seed();

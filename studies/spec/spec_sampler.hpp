@@ -1,0 +1,12 @@
+#pragma once
+
+#include "samplers/sampler.hpp"
+#include "studies/spec/spec.hpp"
+
+namespace ff::studies {
+
+/// The sampler of a [[method]] table, found or read; null where its estimator takes none.
+/// @throws UserError with the place
+const samplers::SamplerInfo* read_sampler(const TomlReader& reader, Estimator estimator);
+
+}  // namespace ff::studies
