@@ -31,6 +31,8 @@ void write_markdown(OutputFolder& folder, const ResultSources& sources) {
     folder.write("report.md", reports::markdown_report(results));
     if (const auto lead = reports::lead_picture(results); lead && lead->kind == "ranking")
         folder.write("answer.svg", reports::ranking_svg(*lead));
+    else
+        folder.remove("answer.svg");  // an earlier run may have had one
     if (!results.published) return;
     folder.write("audit.md", reports::audit_markdown(results.published->tables, results.published->audit));
 }

@@ -145,8 +145,8 @@ std::string ranking_svg(const Picture& picture) {
         const auto name = each.get<std::string>();
         const auto divider = name.find('|');
         const bool heading = divider == std::string::npos;
-        out += text(left - 8, y + 4, heading ? " text-anchor=\"end\" font-weight=\"bold\"" : " text-anchor=\"end\"",
-                    heading ? name : name.substr(divider + 1));
+        out += heading ? text(8, y + 4, " font-weight=\"bold\"", name)
+                       : text(left - 8, y + 4, " text-anchor=\"end\"", name.substr(divider + 1));
         if (const auto row = rows.find(name); row != rows.end())
             out += row_svg(row->second, axis, y, colours[row->second["method"].get<std::string>()]);
         y += step;
