@@ -41,7 +41,9 @@ MarkView view(Mark mark) {
 
 std::size_t count_minor(const Table& table, std::size_t begin, std::size_t end) {
     std::size_t count = 0;
-    for (std::size_t i = begin; i < end; ++i) count += table.columns[i].minor ? 1 : 0;
+    for (std::size_t i = begin; i < end; ++i) {
+        if (table.columns[i].minor) ++count;
+    }
     return count;
 }
 
