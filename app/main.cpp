@@ -3,6 +3,7 @@
 #include "app/command_line/usage_errors.hpp"
 #include "app/commands/commands.hpp"
 #include "app/commands/definitions.hpp"
+#include "app/commands/figure_command.hpp"
 #include "app/commands/hidden_commands.hpp"
 #include "app/folders/result_files.hpp"
 #include "app/folders/study_files.hpp"
@@ -39,6 +40,8 @@ void add_run_options(CLI::App& app, RunCommand& command) {
         ->type_name("SIZE");
     app.add_option("--out", command.out, "Folder for the results (default: results/<study>)")->type_name("DIR");
     app.add_option("--templates", command.templates, "Folder of own templates for report.html")->type_name("DIR");
+    app.add_flag("--replace", command.replace, "Replace another study in the folder; its store is kept aside");
+    add_outside_options(app, command.outside, OutsideCodeFrom::files_too);
     app.add_flag("-q,--quiet", command.quiet, "Print errors only");
     app.add_flag("--dry-run", command.dry_run, "Show work units, expected time and memory, run nothing");
 }
@@ -190,6 +193,7 @@ void add_check(CLI::App& app, CheckCommand& command, Action& action) {
     sub->add_option("--save-baseline", command.save_baseline, "Run the gates that compare with a baseline; save it")
         ->type_name("FILE")
         ->excludes(baseline);
+    add_outside_options(*sub, command.outside, OutsideCodeFrom::files_too);
     sub->add_option("--threads", command.threads, "Threads; verdicts do not depend on them (default: all cores)");
     sub->add_option("--out", command.out, "Folder for the results (default: results/<bands>)")->type_name("DIR");
     sub->add_flag("-q,--quiet", command.quiet, "Print errors only");
@@ -233,6 +237,7 @@ ExitCode parse_and_act(int argc, char** argv) {
     Action action;
     RunCommand run_command;
     ReportCommand report_command;
+    FigureCommand figure_command;
     MergeCommand merge_command;
     CompareCommand compare_command;
     AuditCommand audit_command;
@@ -251,6 +256,7 @@ ExitCode parse_and_act(int argc, char** argv) {
     add_heat(app, heat_command, action);
     add_run(app, run_command, action);
     add_report(app, report_command, action);
+    add_figure(app, figure_command, action);
     add_compare(app, compare_command, action);
     add_list(app, list_command, action);
     add_explain(app, list_command, action);

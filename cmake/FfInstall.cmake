@@ -43,6 +43,7 @@ configure_package_config_file(cmake/ffstudyConfig.cmake.in ${PROJECT_BINARY_DIR}
   INSTALL_DESTINATION ${package_dir} PATH_VARS CMAKE_INSTALL_INCLUDEDIR)
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/ffstudyConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES cmake/ffstudyGates.cmake cmake/ffstudyRunGate.cmake DESTINATION ${package_dir} COMPONENT library)
+install(FILES include/ffstudy/plugin.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/ffstudy COMPONENT library)
 install(FILES cmake/gate.hpp DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/ffstudy COMPONENT library)
 install(FILES ${PROJECT_BINARY_DIR}/ffstudyConfig.cmake ${PROJECT_BINARY_DIR}/ffstudyConfigVersion.cmake
   DESTINATION ${package_dir} COMPONENT library)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/command_line/outside_options.hpp"
 #include "studies/form_factors/form_factors.hpp"
 #include "studies/spec/convergence_study.hpp"
 
@@ -30,11 +31,13 @@ struct RunCommand {
     std::filesystem::path out;              ///< empty: results/<study>
     std::filesystem::path templates;        ///< folder of own templates; empty: none
     bool quiet = false;
+    bool replace = false;  ///< another study that is in the folder
     bool dry_run = false;
     std::optional<studies::ConvergenceRequest> convergence;  ///< instead of `study`
     std::optional<RadiosityOptions> radiosity;
     std::optional<std::string> until;  ///< "rmse=1e-5" or "ci=1e-5"
     std::optional<double> level;
+    OutsideOptions outside;
     std::filesystem::path study_file;  ///< to write the study to; empty: nowhere
 };
 
@@ -112,6 +115,7 @@ struct CheckCommand {
     std::filesystem::path ledger;     ///< of looks; empty: <bands>.ledger.csv
     std::filesystem::path baseline;
     std::filesystem::path save_baseline;
+    OutsideOptions outside;
     std::optional<unsigned> threads;
     std::filesystem::path out;  ///< empty: results/<bands>
     bool quiet = false;
@@ -121,6 +125,7 @@ struct CheckCommand {
 /// Of `ffstudy list` and `ffstudy explain`.
 struct ListCommand {
     std::string name;  ///< kind, or what is explained; empty: what there is
+    OutsideOptions outside;
     bool json = false;
 };
 

@@ -8,7 +8,7 @@
 #include "app/folders/output_folder.hpp"
 #include "app/process/signals.hpp"
 #include "app/terminal/messages.hpp"
-#include "app/terminal/terminal_colour.hpp"
+#include "app/terminal/terminal_style.hpp"
 
 #include "core/support/error.hpp"
 #include "reports/csv/gates_csv.hpp"
@@ -63,6 +63,7 @@ double seconds_since(Clock::time_point start) {
 }
 
 Check begin(const CheckCommand& command) {
+    admit_code_of(command.bands, studies::FileKind::bands, command.outside);
     Check check{command, studies::load_bands(command.bands), std::nullopt, {}};
     if (command.seed) check.spec.seed = checked_seed(*command.seed);
     if (command.fresh_seed) check.spec.seed = fresh_seed();
@@ -126,7 +127,7 @@ ExitCode exit_code(studies::Verdict verdict) {
 /// The folder for these files, once it is certain that they may be written.
 OutputFolder open_folder(const std::filesystem::path& out, const std::vector<std::string>& files) {
     end_on_signals(fmt::format("\nstopped early; the gates that were done are in {}.\n", out.string()));
-    return OutputFolder(out, "check", files);
+    return {out, "check", files};
 }
 
 ExitCode show_plan(Check& check) {
@@ -201,7 +202,7 @@ ExitCode check_once(Check& check, const std::filesystem::path& out) {
     studies::CheckResults results{check.spec, {}};
     write_verdicts(folder, results, junit);
     check.print(reports::gates_heading(check.spec));
-    const auto colour = colour_of_stdout();
+    const auto colour = style_of_stdout().colour;
     for (studies::GateResult& result : judged) {
         check.print(reports::gate_line(result, colour));
         results.results.push_back(std::move(result));

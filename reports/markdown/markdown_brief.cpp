@@ -1,5 +1,6 @@
 #include "reports/markdown/markdown_sections.hpp"
 #include "reports/markdown/markdown_text.hpp"
+#include "reports/pictures/pictures.hpp"
 #include "reports/text/labels.hpp"
 #include "reports/text/numbers.hpp"
 #include "reports/words/answer.hpp"
@@ -103,7 +104,10 @@ std::string bias_line(const studies::Findings& findings) {
 std::string brief_section(const studies::StudyResults& results) {
     const Answer said = answer(results);
     std::string out = said.question.empty() ? std::string() : fmt::format("*{}*\n\n", markdown_text(said.question));
-    out += fmt::format("**{}**\n\n## In brief\n\n", markdown_text(said.text));
+    out += fmt::format("**{}**\n\n", markdown_text(said.text));
+    if (const auto lead = lead_picture(results); lead && lead->kind == "ranking")
+        out += fmt::format("![{}](answer.svg)\n\n{}\n\n", markdown_text(lead->title), markdown_text(lead->finding));
+    out += "## In brief\n\n";
     for (std::size_t scene = 0; scene < results.findings.plan.scenes.size(); ++scene) {
         for (const PairClass pair_class : {PairClass::parallel, PairClass::adjacent}) {
             out += accuracy_line(results.findings, scene, pair_class);

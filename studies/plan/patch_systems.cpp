@@ -2,6 +2,7 @@
 
 #include "core/radiosity/patch_factors.hpp"
 #include "core/support/error.hpp"
+#include "samplers/added.hpp"
 
 #include <fmt/format.h>
 
@@ -36,6 +37,12 @@ void expect_few_patches(const StudyPlan& plan, std::size_t index) {
             "[radiosity]: patch_trials in scene '{}' (patches have exact factors where all surfaces are parallelograms "
             "that nothing can stand between). Leave patch_trials out.",
             scene.name));
+    }
+    if (const auto* const added = samplers::find_added(method.sampler); added != nullptr && added->content().empty()) {
+        throw UserError(
+            fmt::format("[radiosity]: patch_trials with method '{}' (reports compute these trials again, and the store "
+                        "does not hold what makes the points of {}). Leave patch_trials out.",
+                        method.name, method.sampler));
     }
     if (patches <= most) return;
     throw UserError(fmt::format(

@@ -54,6 +54,26 @@ void add_tally(const RayTally& tally, const Observed& with_itself, std::uint64_t
     }
 }
 
+/// Records hold words: of doubles, their bits.
+std::vector<double> as_doubles(const std::vector<std::uint64_t>& words) {
+    std::vector<double> doubles;
+    for (const std::uint64_t word : words) doubles.push_back(std::bit_cast<double>(word));
+    return doubles;
+}
+
+/// What the trials of a unit that has been begun have added up, moved out of their record.
+PatchTotals begun_totals(UnitRecord& record, PatchFactors patch_factors) {
+    PatchTotals totals;
+    if (patch_factors == PatchFactors::rays) {
+        totals.hits = {std::move(record.patch_hits), std::move(record.patch_hits_squared)};
+    } else {
+        totals.factors = {as_doubles(record.patch_hits), as_doubles(record.patch_hits_squared)};
+        record.patch_hits.clear();
+        record.patch_hits_squared.clear();
+    }
+    return totals;
+}
+
 }  // namespace
 
 std::unique_ptr<PointSource> make_points(const Method& method, const Cell& cell) {
@@ -69,6 +89,7 @@ struct Worker::Tools {
     std::shared_ptr<const Estimator> estimator;
     std::unique_ptr<PointSource> points;
     Observed with_itself;
+    PatchFactors patch_factors = PatchFactors::none;
     bool counts_hits = false;
 };
 
@@ -85,6 +106,7 @@ Worker::Worker(const StudyPlan& plan, const std::atomic<bool>* stop) : plan_(pla
         auto& estimator = estimators[{cell.scene, entry.info.name, tools->method->tracer}];
         if (!estimator) estimator = entry.make(*tools->scene, tools->method->tracer);
         tools->estimator = estimator;
+        tools->patch_factors = entry.info.patch_factors;
         tools->counts_hits = entry.info.observes == Observes::hits && has_one_surface_a_face(*tools->scene);
         for (int face = 0; face < static_cast<int>(tools->scene->faces.size()); ++face)
             tools->with_itself.push_back(sees_itself(*tools->scene, face));
@@ -94,19 +116,19 @@ Worker::Worker(const StudyPlan& plan, const std::atomic<bool>* stop) : plan_(pla
 
 Worker::~Worker() = default;
 
-UnitRecord Worker::carry_out(const WorkUnit& unit) const {
+UnitRecord Worker::carry_out(const WorkUnit& unit, BegunUnit begun) const {
     const Cell& cell = plan_.cells[unit.cell];
     const Tools& tools = *tools_[unit.cell];
-    UnitRecord record;
+    UnitRecord record = std::move(begun.record);
     record.unit = unit.index;
-    PatchTotals totals;
+    PatchTotals totals = begun_totals(record, tools.patch_factors);
     Outcome outcome;
     EstimatorTask task{.subdivision = cell.subdivision,
                        .points = tools.points.get(),
                        .samples = cell.samples,
                        .options = estimator_options(*tools.method),
                        .key = cell.key};
-    for (std::uint64_t trial = unit.first_trial; trial < unit.first_trial + unit.trials; ++trial) {
+    for (std::uint64_t trial = unit.first_trial + begun.trials; trial < unit.first_trial + unit.trials; ++trial) {
         task.trial = static_cast<std::uint32_t>(trial);
         tools.estimator->observe(task, outcome, totals);
         if (tools.counts_hits) {
@@ -118,7 +140,6 @@ UnitRecord Worker::carry_out(const WorkUnit& unit) const {
     }
     record.patch_hits = std::move(totals.hits.hits);
     record.patch_hits_squared = std::move(totals.hits.hits_squared);
-    // Records hold words: of doubles, their bits.
     for (const double sum : totals.factors.factors) record.patch_hits.push_back(std::bit_cast<std::uint64_t>(sum));
     for (const double sum : totals.factors.factors_squared)
         record.patch_hits_squared.push_back(std::bit_cast<std::uint64_t>(sum));

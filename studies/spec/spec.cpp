@@ -4,7 +4,6 @@
 #include "core/support/nearest_name.hpp"
 #include "samplers/sampler.hpp"
 #include "stats/interval.hpp"
-#include "studies/point_files/file_sampler.hpp"
 #include "studies/published/published.hpp"
 #include "studies/readers/printable.hpp"
 #include "studies/readers/text_file.hpp"
@@ -14,6 +13,7 @@
 #include "studies/spec/estimator_keys.hpp"
 #include "studies/spec/sample_sizes.hpp"
 #include "studies/spec/spec_names.hpp"
+#include "studies/spec/spec_sampler.hpp"
 #include "studies/spec/spec_trials.hpp"
 
 #include <fmt/format.h>
@@ -140,40 +140,6 @@ std::optional<Nodes> read_nodes(const TomlReader& reader, const samplers::Sample
     return Nodes{source, static_cast<std::uint32_t>(nodes.back())};
 }
 
-/// A name that the catalogue or an added sampler has; files of points are read.
-const samplers::SamplerInfo& find_sampler(const TomlReader& reader) {
-    const std::string name = reader.text("sampler");
-    const auto randomise = reader.optional_text("randomise");
-    if (names_point_file(name)) {
-        const auto folder = std::filesystem::path(reader.origin()).parent_path();
-        return load_point_file(name, randomise.value_or(""), folder).info;
-    }
-    if (randomise) reader.fail("randomise", "(only points of a file have it: \"file:points.npy\"). Remove the key.");
-    return samplers::find(name).info;
-}
-
-const samplers::SamplerInfo* read_sampler(const TomlReader& reader, const EstimatorInfo& estimator) {
-    if (!estimator.takes_points()) {
-        if (reader.has("sampler"))
-            reader.fail("sampler",
-                        fmt::format("({} evaluates a formula at no points). Remove the key.", estimator.name));
-        return nullptr;
-    }
-    static_cast<void>(reader.text("sampler"));  // missing or no text: said without "is refused"
-    const samplers::SamplerInfo* info = nullptr;
-    try {
-        info = &find_sampler(reader);
-    } catch (const UserError& error) {
-        reader.fail("sampler", fmt::format("is refused: {}", error.what()));
-    }
-    if (estimator.observes == Observes::hits && !info->equal_weights) {
-        reader.fail("sampler",
-                    "cannot shoot rays (its points have unequal weights and hits are counted). Use estimator = "
-                    "\"area_kernel\" or \"point_to_polygon\".");
-    }
-    return info;
-}
-
 void expect_none(std::string_view problem, const TomlReader& reader, std::string_view key) {
     if (!problem.empty()) reader.fail(key, problem);
 }
@@ -267,8 +233,9 @@ StudySpec parse_study(std::string_view text, std::string_view origin) {
     file.expect_only(sections);
     const auto study = file.optional_table("study");
     if (!study) file.fail("study", "missing. Begin the file with [study].");
-    static constexpr std::array<std::string_view, 10> known{
-        "name", "title", "scene", "mirrors", "trials", "seed", "level", "power", "equivalence_margin", "inapplicable"};
+    static constexpr std::array<std::string_view, 11> known{
+        "name",         "title",  "scene", "mirrors", "trials", "seed", "level", "power", "equivalence_margin",
+        "inapplicable", "plugins"};
     study->expect_only(known);
 
     StudySpec spec;

@@ -72,8 +72,8 @@ TEST(DirectionIn, KeepsSharesOfArea) {
     }
 }
 
-// The mean direction of an octant, by the integral of its coordinates over it: 1/2 each. Near b the map goes as the root of
-// t, so that midpoints leave an error of about n^-1.5, 9e-5.
+// The mean direction of an octant, by the integral of its coordinates over it: 1/2 each. Near b the map goes as the
+// root of t, so that midpoints leave an error of about n^-1.5, 9e-5.
 TEST(DirectionIn, HasTheMeanDirectionOfAnOctant) {
     const auto octant = seen({1, 0, 0}, {0, 1, 0}, {0, 0, 1});
     Vector3d sum = Vector3d::Zero();
