@@ -2,6 +2,7 @@
 #include "app/command_line/program.hpp"
 #include "app/commands/commands.hpp"
 #include "app/commands/definitions.hpp"
+#include "app/commands/figure_command.hpp"
 #include "app/commands/hidden_commands.hpp"
 #include "app/folders/result_files.hpp"
 #include "app/folders/study_files.hpp"
@@ -32,6 +33,8 @@ void add_run_options(CLI::App& app, RunCommand& command) {
         ->type_name("SIZE");
     app.add_option("--out", command.out, "Folder for the results (default: results/<study>)")->type_name("DIR");
     app.add_option("--templates", command.templates, "Folder of own templates for report.html")->type_name("DIR");
+    app.add_flag("--replace", command.replace, "Replace another study in the folder; its store is kept aside");
+    add_outside_options(app, command.outside, OutsideCodeFrom::files_too);
     app.add_flag("-q,--quiet", command.quiet, "Print errors only");
     app.add_flag("--dry-run", command.dry_run, "Show work units, expected time and memory, run nothing");
 }
@@ -190,10 +193,12 @@ void add_heat(CLI::App& app, HeatCommand& command, Action& action) {
 struct Commands {
     RunCommand run_command;
     ReportCommand report_command;
+    FigureCommand figure_command;
     MergeCommand merge_command;
     CompareCommand compare_command;
     AuditCommand audit_command;
     CheckCommand check_command;
+    OutsideOptions check_outside;
     TrendCommand trend_command;
     SelftestCommand selftest_command;
     ff::studies::ConvergenceRequest convergence_request;
@@ -217,6 +222,7 @@ void add_commands(CLI::App& app, Commands& all, Action& action) {
     add_heat(app, all.heat_command, action);
     add_run(app, all.run_command, action);
     add_report(app, all.report_command, action);
+    add_figure(app, all.figure_command, action);
     add_compare(app, all.compare_command, action);
     add_list(app, all.list_command, action);
     add_explain(app, all.list_command, action);
@@ -226,7 +232,7 @@ void add_commands(CLI::App& app, Commands& all, Action& action) {
     add_enclosure(app, all.enclosure_command, action);
     add_merge(app, all.merge_command, action);
     add_audit(app, all.audit_command, action);
-    add_check(app, all.check_command, action);
+    add_check(app, all.check_command, all.check_outside, action);
     add_trend(app, all.trend_command, action);
     add_selftest(app, all.selftest_command, action);
     add_form_factors_selftest(app, all.selftest_command, action);

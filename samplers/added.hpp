@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <memory>
+#include <mutex>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -26,18 +27,24 @@ class AddedSampler {
 
     /// @param traits  all of SamplerInfo but its texts and `at_hand`
     /// @param at_hand  sizes, ascending; empty: as `traits.sizes` says
-    /// @param content  that a store keeps, so that reports need no files; may be empty
+    /// @param make  null where only the description is known, as to those who read results
+    /// @param content  that a store keeps, so that reports need no files; empty where `make` needs more than bytes
     AddedSampler(Texts texts, SamplerInfo traits, std::vector<std::uint64_t> at_hand, Make make, Content content = {});
     AddedSampler(const AddedSampler&) = delete;
     AddedSampler& operator=(const AddedSampler&) = delete;
 
     [[nodiscard]] const CatalogueEntry& entry() const { return entry_; }
     [[nodiscard]] const Content& content() const { return content_; }
-    [[nodiscard]] std::unique_ptr<PointSource> make(const PointSetSpec& spec) const { return make_(spec); }
+    /// @throws UserError where only the description is known
+    [[nodiscard]] std::unique_ptr<PointSource> make(const PointSetSpec& spec) const;
+
+    /// Makes points as `other` does from now on, where nothing has made them so far.
+    void learn_from(AddedSampler& other);
 
   private:
     Texts texts_;
     std::vector<std::uint64_t> at_hand_;
+    mutable std::mutex mutex_;
     Make make_;
     Content content_;
     CatalogueEntry entry_;
@@ -45,10 +52,14 @@ class AddedSampler {
 
 /// Adds a sampler for the rest of the process. A name stands for the same points for ever, so one that has been added
 /// already stays as it is. Safe from any thread.
-/// @throws UserError for the name of a sampler of the catalogue
-const CatalogueEntry& add(std::unique_ptr<AddedSampler> sampler);
+/// @param short_name  by which it is found as well; empty: none
+/// @throws UserError where the name, or the short name, is another sampler's
+const CatalogueEntry& add(std::unique_ptr<AddedSampler> sampler, const std::string& short_name = {});
 
-/// Null where there is none of this name.
+/// By name or short name. Null where there is none.
 const AddedSampler* find_added(std::string_view name);
+
+/// All that have a short name, by it.
+std::vector<std::pair<std::string, const AddedSampler*>> added_with_short_names();
 
 }  // namespace ff::samplers

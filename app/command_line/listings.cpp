@@ -6,7 +6,7 @@
 #include "core/configurations/families.hpp"
 #include "core/support/error.hpp"
 #include "core/support/nearest_name.hpp"
-#include "samplers/sampler.hpp"
+#include "samplers/added.hpp"
 #include "studies/explain/controls.hpp"
 #include "studies/explain/descriptions.hpp"
 #include "studies/selftest/selftest.hpp"
@@ -83,6 +83,7 @@ std::vector<Listed> listed(std::string_view plural) {
     }
     if (plural == "samplers") {
         for (const auto& entry : samplers::catalogue()) add(entry.info.name, entry.info.summary);
+        for (const auto& [name, sampler] : samplers::added_with_short_names()) add(name, sampler->entry().info.summary);
     } else if (plural == "configurations") {
         for (const Configuration& configuration : configurations())
             add(configuration.name, fmt::format("{} {}", exact_digits(configuration), configuration.summary));

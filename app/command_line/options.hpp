@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/command_line/check_options.hpp"
+#include "app/command_line/outside_options.hpp"
 
 #include "studies/form_factors/form_factors.hpp"
 #include "studies/spec/convergence_study.hpp"
@@ -32,11 +33,13 @@ struct RunCommand {
     std::filesystem::path out;              ///< empty: results/<study>
     std::filesystem::path templates;        ///< folder of own templates; empty: none
     bool quiet = false;
+    bool replace = false;  ///< another study that is in the folder
     bool dry_run = false;
     std::optional<studies::ConvergenceRequest> convergence;  ///< instead of `study`
     std::optional<RadiosityOptions> radiosity;
     std::optional<std::string> until;  ///< "rmse=1e-5" or "ci=1e-5"
     std::optional<double> level;
+    OutsideOptions outside;
     std::filesystem::path study_file;  ///< to write the study to; empty: nowhere
 };
 
@@ -106,6 +109,7 @@ struct AuditCommand {
 /// Of `ffstudy list` and `ffstudy explain`.
 struct ListCommand {
     std::string name;  ///< kind, or what is explained; empty: what there is
+    OutsideOptions outside;
     bool json = false;
 };
 

@@ -59,7 +59,8 @@ double seconds_since(Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-Check begin(const CheckCommand& command) {
+Check begin(const CheckCommand& command, const OutsideOptions& outside) {
+    admit_code_of(command.bands, studies::FileKind::bands, outside);
     Check check{command, studies::load_bands(command.bands, studies::read_experiment), std::nullopt, {}};
     if (command.seed) check.spec.seed = checked_seed(*command.seed);
     if (command.fresh_seed) check.spec.seed = fresh_seed();
@@ -203,8 +204,8 @@ ExitCode sweep(Check& check, const CheckSession& session) {
 
 }  // namespace
 
-ExitCode check(const CheckCommand& command) {
-    Check check = begin(command);
+ExitCode check(const CheckCommand& command, const OutsideOptions& outside) {
+    Check check = begin(command, outside);
     expect_estimates(command, check.spec);
     expect_history(command);
     if (!command.save_baseline.empty() && !command.estimates.empty()) {

@@ -5,7 +5,7 @@
 #include "app/commands/look_ledger.hpp"
 #include "app/folders/check_files.hpp"
 #include "app/process/signals.hpp"
-#include "app/terminal/terminal_colour.hpp"
+#include "app/terminal/terminal_style.hpp"
 
 #include "core/support/error.hpp"
 #include "reports/json/context_json.hpp"
@@ -52,7 +52,7 @@ ExitCode judge_once(const CheckSession& session) {
         results.results.push_back(std::move(result));
         junit.seconds.push_back(seconds);
         junit.notes.push_back(note);
-        session.print(reports::gate_line(results.results.back(), colour_of_stdout()));
+        session.print(reports::gate_line(results.results.back(), style_of_stdout().colour));
         if (!note.empty()) session.print(fmt::format("{:<12}  {}\n", "", note));
     };
     for (studies::GateResult& result : judged) add(std::move(result), 0, {});

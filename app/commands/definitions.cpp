@@ -54,7 +54,7 @@ void add_audit(CLI::App& app, AuditCommand& command, Action& action) {
     sub->callback([&] { action = [&] { return audit(command); }; });
 }
 
-void add_check(CLI::App& app, CheckCommand& command, Action& action) {
+void add_check(CLI::App& app, CheckCommand& command, OutsideOptions& outside, Action& action) {
     CLI::App* sub = add_check_of_files(app, command);
     CLI::Option* seed = sub->add_option("--seed", command.seed, "Seed of all random numbers (default: the file's)")
                             ->check(CLI::NonNegativeNumber);
@@ -64,8 +64,9 @@ void add_check(CLI::App& app, CheckCommand& command, Action& action) {
     sub->add_option("--baseline", command.baseline, "Baseline file to compare with")
         ->type_name("FILE")
         ->excludes(sub->get_option("--save-baseline"));
+    add_outside_options(*sub, outside, OutsideCodeFrom::files_too);
     sub->add_option("--threads", command.threads, "Threads; verdicts do not depend on them (default: all cores)");
-    sub->callback([&] { action = [&] { return check(command); }; });
+    sub->callback([&] { action = [&] { return check(command, outside); }; });
 }
 
 void add_selftest(CLI::App& app, SelftestCommand& command, Action& action) {
@@ -103,6 +104,7 @@ void add_list(CLI::App& app, ListCommand& command, Action& action) {
     CLI::App* sub = add_command(app, everyday, "list", "List samplers, estimators, scenes, studies and so on");
     sub->add_option("KIND", command.name, listed_kinds_in_words());
     sub->add_flag("--json", command.json, "Print JSON");
+    add_outside_options(*sub, command.outside, OutsideCodeFrom::plugins);
     sub->callback([&] { action = [&] { return list(command); }; });
 }
 
@@ -110,16 +112,18 @@ void add_explain(CLI::App& app, ListCommand& command, Action& action) {
     CLI::App* sub = add_command(app, everyday, "explain", "Say what something is, its source, its limits");
     sub->add_option("NAME", command.name, "A name that 'list' shows, or a scene file");
     sub->add_flag("--json", command.json, "Print JSON");
+    add_outside_options(*sub, command.outside, OutsideCodeFrom::plugins);
     sub->callback([&] { action = [&] { return explain(command); }; });
 }
 
 void add_points(CLI::App& app, PointsCommand& command, Action& action) {
     CLI::App* sub = add_command(app, laboratory, "points", "Write a point set, or say how evenly it is spread");
-    sub->add_option("SAMPLER", command.sampler, "A sampler, or file:PATH")->required();
+    sub->add_option("SAMPLER", command.sampler, "A sampler, file:PATH or command:PROGRAM")->required();
     sub->add_option("--n", command.points, "Points")->capture_default_str();
     sub->add_option("--d", command.dimension, "Coordinates of a point")->capture_default_str();
     sub->add_option("--seed", command.seed, "Seed of all random numbers")->capture_default_str();
     sub->add_option("--trial", command.trial, "Which of the trials, from 0")->capture_default_str();
+    add_outside_options(*sub, command.outside, OutsideCodeFrom::command_line);
     sub->add_option("--out", command.out, "File: .npy, .csv, .dat or .svg (default: none is written)")
         ->type_name("FILE");
     sub->callback([&] { action = [&] { return points(command); }; });
@@ -128,11 +132,12 @@ void add_points(CLI::App& app, PointsCommand& command, Action& action) {
 void add_check_sampler(CLI::App& app, CheckSamplerCommand& command, Action& action) {
     CLI::App* sub =
         add_command(app, checks, "check-sampler", "Check what any sampler has to keep: pass, fail, inconclusive");
-    sub->add_option("SAMPLER", command.sampler, "A sampler, or file:PATH#RANDOMISE")->required();
+    sub->add_option("SAMPLER", command.sampler, "A sampler, file:PATH#RANDOMISE or command:PROGRAM")->required();
     sub->add_option("--n", command.points, "Points (default: about 256, or those of the largest file)");
     sub->add_option("--d", command.dimension, "Coordinates of a point (default: all, at most 4)");
     sub->add_option("--trials", command.trials, "Trials (default: about a second's)")->check(CLI::PositiveNumber);
     sub->add_option("--seed", command.seed, "Seed of all random numbers")->capture_default_str();
+    add_outside_options(*sub, command.outside, OutsideCodeFrom::command_line);
     sub->callback([&] { action = [&] { return check_sampler(command); }; });
 }
 

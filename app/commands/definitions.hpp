@@ -13,7 +13,7 @@ void add_report(CLI::App& app, ReportCommand& command, Action& action);
 void add_compare(CLI::App& app, CompareCommand& command, Action& action);
 void add_merge(CLI::App& app, MergeCommand& command, Action& action);
 void add_audit(CLI::App& app, AuditCommand& command, Action& action);
-void add_check(CLI::App& app, CheckCommand& command, Action& action);
+void add_check(CLI::App& app, CheckCommand& command, OutsideOptions& outside, Action& action);
 void add_selftest(CLI::App& app, SelftestCommand& command, Action& action);
 void add_form_factors_selftest(CLI::App& app, SelftestCommand& command, Action& action);
 void add_list(CLI::App& app, ListCommand& command, Action& action);

@@ -9,6 +9,7 @@
 #include "app/process/signals.hpp"
 #include "app/terminal/messages.hpp"
 #include "app/terminal/progress.hpp"
+#include "app/terminal/terminal_style.hpp"
 
 #include "core/support/error.hpp"
 #include "core/visibility/mirrors.hpp"
@@ -109,7 +110,7 @@ void show(studies::KeptFormFactors& kept, const FormFactorsCommand& command, Out
     kept.warnings = reports::form_factor_warnings(report);
     for (const std::string& warning : kept.warnings) say("warning: {}\n", warning);
     // Before anything can fail that would lose it.
-    if (!command.quiet) fmt::print("{}", reports::form_factors_text(report));
+    if (!command.quiet) fmt::print("{}", reports::form_factors_text(report, style_of_stdout()));
     if (out != nullptr) write_files(*out, kept);
 }
 
@@ -164,7 +165,7 @@ bool compute_form_factors(const FormFactorsCommand& command, studies::KeptFormFa
     };
     std::optional<TimeLimit> limit(max_time);
     FormFactorDisplay display(kept.request.tolerance);
-    if (!command.quiet && display.is_seen()) {
+    if (!command.quiet && FormFactorDisplay::is_seen()) {
         kept.request.report = [&](const studies::FormFactorProgress& progress) { display.show(progress); };
     }
     kept.matrix = studies::find_form_factors(kept.scene, kept.request);

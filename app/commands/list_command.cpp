@@ -9,10 +9,11 @@
 #include "core/support/error.hpp"
 #include "core/support/nearest_name.hpp"
 #include "reports/text/scene_text.hpp"
-#include "samplers/sampler.hpp"
+#include "samplers/added.hpp"
 #include "studies/explain/controls.hpp"
 #include "studies/explain/descriptions.hpp"
 #include "studies/explain/scene_explanation.hpp"
+#include "studies/outside/outside_code.hpp"
 #include "studies/point_files/file_sampler.hpp"
 #include "studies/readers/text_file.hpp"
 #include "studies/scene_files/scene_file.hpp"
@@ -124,7 +125,8 @@ std::optional<Scene> find_scene(const std::string& name) {
 
 /// Everything of that name. @throws UserError where there is nothing
 std::vector<Explanation> explanations_of(const std::string& name, const std::optional<Scene>& scene) {
-    if (studies::names_point_file(name)) return {explanation(studies::load_point_file(name, "", {}).info)};
+    if (studies::names_point_file(name) || studies::names_command(name) || samplers::find_added(name) != nullptr)
+        return {explanation(studies::sampler_of_user(name).info)};
     std::vector<Explanation> found;
     std::vector<std::string> names;
     const auto add_if_named = [&](Explanation explained, bool named) {
@@ -179,6 +181,7 @@ void print_kinds_as_json() {
 }  // namespace
 
 ExitCode list(const ListCommand& command) {
+    load_plugins(command.outside);
     if (command.name.empty()) {
         if (command.json) {
             print_kinds_as_json();
@@ -203,6 +206,7 @@ ExitCode list(const ListCommand& command) {
 
 ExitCode explain(const ListCommand& command) {
     if (command.name.empty()) return list(command);
+    load_plugins(command.outside);
     const auto scene = find_scene(command.name);
     const auto found = explanations_of(command.name, scene);
     if (command.json) {

@@ -5,7 +5,6 @@
 #include "reports/files/point_set_files.hpp"
 #include "samplers/net_parameter.hpp"
 #include "stats/discrepancy.hpp"
-#include "studies/point_files/file_sampler.hpp"
 #include "studies/sampler_checks/sampler_checks.hpp"
 
 #include <fmt/format.h>
@@ -17,8 +16,9 @@
 namespace ff::app {
 namespace {
 
-const samplers::CatalogueEntry& sampler_of(const std::string& name) {
-    return studies::names_point_file(name) ? studies::load_point_file(name, "", {}) : samplers::find(name);
+const samplers::CatalogueEntry& sampler_of(const std::string& name, const OutsideOptions& outside) {
+    load_plugins(outside);
+    return studies::sampler_of_user(name, deadline_of(outside));
 }
 
 /// One set, as a study with this seed and these points could use it.
@@ -84,7 +84,7 @@ std::string_view word(studies::SamplerVerdict verdict) {
 }  // namespace
 
 ExitCode points(const PointsCommand& command) {
-    const auto& sampler = sampler_of(command.sampler);
+    const auto& sampler = sampler_of(command.sampler, command.outside);
     if (command.out.empty()) {
         describe(draw(sampler, command), sampler.info.sizes == samplers::Sizes::powers ? sampler.info.base : 2);
         return ExitCode::passed;
@@ -96,7 +96,7 @@ ExitCode points(const PointsCommand& command) {
 }
 
 ExitCode check_sampler(const CheckSamplerCommand& command) {
-    const auto& sampler = sampler_of(command.sampler);
+    const auto& sampler = sampler_of(command.sampler, command.outside);
     studies::SamplerCheckRequest request;
     request.points = command.points.value_or(sampler.info.at_hand.empty() ? 256 : sampler.info.at_hand.back());
     if (!command.points && sampler.info.sizes == samplers::Sizes::powers && sampler.info.at_hand.empty()) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/command_line/outside_options.hpp"
 #include "app/process/exit_code.hpp"
 
 #include <cstdint>
@@ -16,6 +17,7 @@ struct PointsCommand {
     std::size_t dimension = 4;
     std::uint64_t seed = 1;
     std::uint32_t trial = 0;
+    OutsideOptions outside;
     std::filesystem::path out;  ///< empty: what is known of the set is printed
 };
 
@@ -26,6 +28,7 @@ struct CheckSamplerCommand {
     std::optional<std::size_t> dimension;
     std::optional<std::uint64_t> trials;
     std::uint64_t seed = 1;
+    OutsideOptions outside;
 };
 
 /// Writes a point set as .npy, .csv, .dat or .svg, or says how evenly it is spread.

@@ -14,9 +14,21 @@
 namespace ff::app {
 namespace {
 
-studies::StudyPlan make_plan(const RunCommand& command) {
-    studies::StudySpec spec =
-        command.convergence ? studies::make_convergence_study(*command.convergence) : find_study(command.study);
+studies::StudySpec make_spec(const RunCommand& command, const Processes& processes) {
+    if (!command.convergence) {
+        const auto file = find_study(command.study);
+        admit_code_of(file, studies::FileKind::study, command.outside,
+                      processes.leads() ? Announcement::said : Announcement::silent);
+        return studies::load_study(file);
+    }
+    load_plugins(command.outside);
+    for (const std::string& sampler : command.convergence->samplers)
+        studies::sampler_of_user(sampler, deadline_of(command.outside));
+    return studies::make_convergence_study(*command.convergence);
+}
+
+studies::StudyPlan make_plan(const RunCommand& command, const Processes& processes) {
+    studies::StudySpec spec = make_spec(command, processes);
     if (command.trials) studies::set_trials(spec, *command.trials);
     if (command.seed) spec.seed = checked_seed(*command.seed);
     if (command.level) {
@@ -65,7 +77,7 @@ void set_light(studies::RadiosityRequest& light, const RadiosityOptions& options
 
 RunRequest check(const RunCommand& command, const Processes& processes) {
     RunRequest request;
-    request.plan = make_plan(command);
+    request.plan = make_plan(command, processes);
     request.threads = threads_of(command, processes);
     if (command.shard) request.shard = studies::parse_shard(*command.shard);
     if (request.plan.spec.until && (command.shard || !processes.alone())) {

@@ -35,15 +35,15 @@ std::vector<BuiltInStudy> built_in_studies() {
     return list;
 }
 
-studies::StudySpec find_study(const std::string& name_or_file) {
+std::filesystem::path find_study(const std::string& name_or_file) {
     const auto list = built_in_studies();
     for (const BuiltInStudy& study : list) {
-        if (study.name == name_or_file) return studies::load_study(study.file);
+        if (study.name == name_or_file) return study.file;
     }
     if (name_or_file == studies::selftest_description.name)
         throw UserError(fmt::format("'{0}' has options of its own. Run 'ffstudy {0}'.", name_or_file));
     const std::filesystem::path file(name_or_file);
-    if (std::filesystem::exists(file) || file.extension() == ".toml") return studies::load_study(file);
+    if (std::filesystem::exists(file) || file.extension() == ".toml") return file;
     std::vector<std::string_view> names;
     for (const BuiltInStudy& study : list) names.push_back(study.name);
     throw UserError(fmt::format("'{}' is neither a study file nor a built-in study. {}See 'ffstudy list studies'.",

@@ -21,8 +21,8 @@ std::filesystem::path studies_folder();
 /// Built-in studies, by name.
 std::vector<BuiltInStudy> built_in_studies();
 
-/// A built-in study by name, or a file by path.
-/// @throws UserError where there is neither, with the nearest name; IoError
-studies::StudySpec find_study(const std::string& name_or_file);
+/// The file of a built-in study by name, or a file by path.
+/// @throws UserError where there is neither, with the nearest name
+std::filesystem::path find_study(const std::string& name_or_file);
 
 }  // namespace ff::app

@@ -24,6 +24,7 @@ struct TableColumn {
     std::string title;
     bool number = false;  ///< set flush right
     std::string group;    ///< equal neighbours share a title above theirs; may be empty
+    bool minor = false;   ///< left out where there is little room; with all of its group
 };
 
 /// A table as readers see it, whatever the format: texts, the first column naming the row.

@@ -74,7 +74,7 @@ bool needs_spread(GateKind kind) {
 void expect_possible(const Gate& gate, const StudyPlan& plan) {
     const Method& method = experiment_of(gate).method;
     const bool deterministic = plan.cells.front().deterministic;
-    const bool shoots = method.estimator == Estimator::ray_shooting;
+    const bool shoots = estimator_info(method).observes == Observes::hits;
     if (deterministic && needs_spread(gate.kind))
         refuse(gate.place, fmt::format("a gate of kind \"{}\" needs trials that differ (this method is deterministic). "
                                        "Take a randomised sampler, or kind = \"bias\".",
@@ -118,7 +118,7 @@ void expect_finite(const Gate& gate, const Scene& scene, Quantity quantity) {
 /// Exact moments of one trial of ray shooting with independent rays.
 std::optional<SrDistribution> known_distribution(const Gate& gate, const Scene& scene, const Cell& cell) {
     const Method& method = experiment_of(gate).method;
-    const bool known = method.estimator == Estimator::ray_shooting && scene.empty_box &&
+    const bool known = estimator_info(method).observes == Observes::hits && scene.empty_box &&
                        method.tracer != TracerChoice::leaky && samplers::find(method.sampler).info.independent();
     if (!known) return std::nullopt;
     return sr_distribution(scene, cell.subdivision, static_cast<double>(cell.samples), method.completion);
@@ -191,8 +191,7 @@ Comparison labelled(const Gate& gate, const Effect& effect, const StudyPlan& pla
     Comparison row;
     row.scene = scene.name;
     const Method& method = experiment_of(gate).method;
-    row.method = method.sampler.empty() ? std::string(name(method.estimator))
-                                        : fmt::format("{} {}", method.sampler, name(method.estimator));
+    row.method = method.sampler.empty() ? method.estimator : fmt::format("{} {}", method.sampler, method.estimator);
     const auto same = [&](auto value_of) {
         return std::all_of(effect.cells.begin(), effect.cells.end(),
                            [&](std::size_t other) { return value_of(plan.cells[other]) == value_of(cell); });

@@ -1,18 +1,15 @@
 #include "studies/point_files/file_sampler.hpp"
 
-#include "core/points/stream.hpp"
 #include "core/support/error.hpp"
+#include "studies/point_files/content.hpp"
 #include "studies/point_files/point_file.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <charconv>
-#include <fstream>
 #include <map>
 #include <memory>
-#include <sstream>
 #include <system_error>
 
 namespace ff::studies {
@@ -43,28 +40,10 @@ std::string take_last(std::string& text, Predicate fits) {
 
 Name parse_name(std::string_view sampler) {
     Name name{std::string(sampler.substr(prefix.size())), {}, {}};
-    name.hash = take_last(name.path, [](std::string_view text) {
-        return text.size() == 16 && text.find_first_not_of("0123456789abcdef") == std::string_view::npos;
-    });
+    name.hash = take_last(name.path, is_hash);
     name.randomise =
         take_last(name.path, [](std::string_view text) { return samplers::find_randomisation(text).has_value(); });
     return name;
-}
-
-std::string read_bytes(const std::filesystem::path& file) {
-    std::error_code status;
-    if (std::filesystem::exists(file, status) && !std::filesystem::is_regular_file(file, status))
-        throw IoError(fmt::format("{}: not a file (points are read from files). Check the name.", file.string()));
-    errno = 0;
-    std::ifstream in(file, std::ios::binary);
-    std::ostringstream bytes;
-    if (in.peek() != std::ifstream::traits_type::eof()) bytes << in.rdbuf();
-    if (in.fail() || !bytes) {
-        const int error = errno;
-        throw IoError(fmt::format("{}: cannot be read ({}). Check the name and the permissions.", file.string(),
-                                  error == 0 ? "input error" : std::generic_category().message(error)));
-    }
-    return std::move(bytes).str();
 }
 
 /// The files that a pattern with {n} stands for, by n.
@@ -105,18 +84,6 @@ AddedSampler::Content read_content(const std::string& path, const std::filesyste
             content.emplace_back(step.lexically_relative(folder.empty() ? "." : folder).string(), read_bytes(step));
     }
     return content;
-}
-
-/// Of the bytes alone: a file may be renamed within a ladder's pattern.
-std::string hash_of(const AddedSampler::Content& content) {
-    std::string all;
-    for (const auto& [name, bytes] : content) {
-        const StreamKey part = derive_key(Seed{bytes.size()}, bytes);
-        all += fmt::format("{:08x}{:08x}", part.word0, part.word1);
-    }
-    if (content.size() == 1) return all;
-    const StreamKey whole = derive_key(Seed{content.size()}, all);
-    return fmt::format("{:08x}{:08x}", whole.word0, whole.word1);
 }
 
 std::string_view what_it_keeps(Randomisation how) {

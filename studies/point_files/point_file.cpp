@@ -104,6 +104,7 @@ void expect_size(const std::string& origin, std::uint64_t sets, std::uint64_t po
 
 samplers::PointSet parse_points(std::string_view bytes, const std::string& origin) {
     if (is_npy(bytes)) return parse_npy(bytes, origin);
+    if (is_raw(bytes)) return parse_raw(bytes, origin);
     if (is_ld_data(bytes)) return parse_ld_data(bytes, origin);
     return parse_text(bytes, origin);
 }

@@ -7,9 +7,10 @@
 
 namespace ff::studies {
 
-/// Reads sets of points in one of three forms:
+/// Reads sets of points in one of four forms:
 ///
 /// - NumPy (.npy): (n, d) or (trials, n, d) of float32 or float64 in [0, 1), or of uint32, which count 2^-32;
+/// - raw: the 8 bytes FFPOINTS, n and d as 64-bit integers, n * d float64 point by point; all little-endian;
 /// - text: a point a line, numbers in [0, 1) separated by spaces, tabs or commas; a line that begins with # ends a set;
 /// - LDData text of a rank-1 lattice (`# lattice`) or of a digital net in base 2 (`# dnet`).
 ///
@@ -21,6 +22,8 @@ samplers::PointSet parse_points(std::string_view bytes, const std::string& origi
 // One form each.
 bool is_npy(std::string_view bytes);
 samplers::PointSet parse_npy(std::string_view bytes, const std::string& origin);
+bool is_raw(std::string_view bytes);
+samplers::PointSet parse_raw(std::string_view bytes, const std::string& origin);
 bool is_ld_data(std::string_view text);
 samplers::PointSet parse_ld_data(std::string_view text, const std::string& origin);
 

@@ -2,7 +2,7 @@
 
 #include "core/support/error.hpp"
 #include "samplers/sampler.hpp"
-#include "studies/point_files/file_sampler.hpp"
+#include "studies/outside/outside_code.hpp"
 
 #include <fmt/format.h>
 
@@ -47,7 +47,7 @@ std::string study_text(const ConvergenceRequest& request) {
 
 StudySpec make_convergence_study(const ConvergenceRequest& request) {
     for (const std::string& sampler : request.samplers) {
-        if (names_point_file(sampler) || samplers::find(sampler).info.sizes != samplers::Sizes::nodes) continue;
+        if (sampler_of_user(sampler).info.sizes != samplers::Sizes::nodes) continue;
         throw UserError(
             fmt::format("sampler {} (it has nodes instead of sizes, and runs once). "
                         "Write a study file with patches_per_face = [4, 16, 64].",

@@ -4,15 +4,16 @@
 #include "core/support/nearest_name.hpp"
 #include "samplers/sampler.hpp"
 #include "stats/interval.hpp"
-#include "studies/point_files/file_sampler.hpp"
 #include "studies/published/published.hpp"
 #include "studies/readers/printable.hpp"
 #include "studies/readers/text_file.hpp"
 #include "studies/readers/toml_reader.hpp"
 #include "studies/scene_files/scene_file.hpp"
 #include "studies/spec/coverage_request.hpp"
+#include "studies/spec/estimator_keys.hpp"
 #include "studies/spec/sample_sizes.hpp"
 #include "studies/spec/spec_names.hpp"
+#include "studies/spec/spec_sampler.hpp"
 #include "studies/spec/spec_trials.hpp"
 
 #include <fmt/format.h>
@@ -103,18 +104,19 @@ std::vector<Size> read_sizes(const TomlReader& reader, const samplers::SamplerIn
     }
     std::vector<Size> sizes;
     const std::vector<std::uint64_t> none{0};
-    const auto samples = sampled ? read_samples(reader, *sampler, dimension(method.estimator)) : none;
+    const auto samples = sampled ? read_samples(reader, *sampler, estimator_info(method).dimension) : none;
     for (const std::uint32_t patches : read_patches_per_face(reader)) {
         for (const std::uint64_t count : samples) {
             const std::uint64_t sharing = method.allocation == Allocation::face ? patches : 1;
-            if (sampled) check_samples(reader, *sampler, count, sharing, dimension(method.estimator));
+            if (sampled) check_samples(reader, *sampler, count, sharing, estimator_info(method).dimension);
             sizes.push_back({patches, sampled ? std::optional(count) : std::nullopt, trials});
         }
     }
     return sizes;
 }
 
-std::optional<Nodes> read_nodes(const TomlReader& reader, const samplers::SamplerInfo* sampler, Estimator estimator) {
+std::optional<Nodes> read_nodes(const TomlReader& reader, const samplers::SamplerInfo* sampler,
+                                const EstimatorInfo& estimator) {
     const bool wanted = sampler != nullptr && sampler->sizes == samplers::Sizes::nodes;
     if (!wanted) {
         if (reader.has("nodes"))
@@ -129,47 +131,13 @@ std::optional<Nodes> read_nodes(const TomlReader& reader, const samplers::Sample
         if (n == 0 || n > 64) reader.fail("nodes", "(1 to 64 nodes a side are possible). Try 5.");
     }
     const auto source = static_cast<std::uint32_t>(nodes.front());
-    if (dimension(estimator) == 2) {
+    if (estimator.dimension == 2) {
         if (nodes.size() > 1) {
-            reader.fail("nodes", fmt::format("({} has points on the source patch only). Give one number.",
-                                             estimator_names.at(static_cast<std::size_t>(estimator))));
+            reader.fail("nodes", fmt::format("({} has points of two coordinates). Give one number.", estimator.name));
         }
         return Nodes{source, 0};
     }
     return Nodes{source, static_cast<std::uint32_t>(nodes.back())};
-}
-
-/// A name that the catalogue or an added sampler has; files of points are read.
-const samplers::SamplerInfo& find_sampler(const TomlReader& reader) {
-    const std::string name = reader.text("sampler");
-    const auto randomise = reader.optional_text("randomise");
-    if (names_point_file(name)) {
-        const auto folder = std::filesystem::path(reader.origin()).parent_path();
-        return load_point_file(name, randomise.value_or(""), folder).info;
-    }
-    if (randomise) reader.fail("randomise", "(only points of a file have it: \"file:points.npy\"). Remove the key.");
-    return samplers::find(name).info;
-}
-
-const samplers::SamplerInfo* read_sampler(const TomlReader& reader, Estimator estimator) {
-    if (estimator == Estimator::closed_form) {
-        if (reader.has("sampler"))
-            reader.fail("sampler", "(closed_form evaluates a formula at no points). Remove the key.");
-        return nullptr;
-    }
-    static_cast<void>(reader.text("sampler"));  // missing or no text: said without "is refused"
-    const samplers::SamplerInfo* info = nullptr;
-    try {
-        info = &find_sampler(reader);
-    } catch (const UserError& error) {
-        reader.fail("sampler", fmt::format("is refused: {}", error.what()));
-    }
-    if (estimator == Estimator::ray_shooting && !info->equal_weights) {
-        reader.fail("sampler",
-                    "cannot shoot rays (its points have unequal weights and hits are counted). Use estimator = "
-                    "\"area_kernel\" or \"point_to_polygon\".");
-    }
-    return info;
 }
 
 void expect_none(std::string_view problem, const TomlReader& reader, std::string_view key) {
@@ -196,16 +164,13 @@ Method read_method(const TomlReader& reader, std::span<const std::string_view> o
     Method method;
     method.name = reader.text("name");
     expect_none(problem_with_name(method.name), reader, "name");
-    if (!reader.has("estimator"))
-        reader.fail("estimator", fmt::format("missing. Choose one of {}.", fmt::join(estimator_names, ", ")));
-    method.estimator = choice(reader, "estimator", estimator_names, Estimator::ray_shooting);
-    const samplers::SamplerInfo* sampler = read_sampler(reader, method.estimator);
+    const EstimatorInfo& estimator = read_estimator(reader);
+    method.estimator = estimator.name;
+    refuse_keys_of_others(reader, estimator);
+    const samplers::SamplerInfo* sampler = read_sampler(reader, estimator);
     method.sampler = sampler == nullptr ? std::string() : std::string(sampler->name);
     method.completion = choice(reader, "completion", completion_names, Completion::direct);
     method.allocation = choice(reader, "allocation", allocation_names, Allocation::patch);
-    if (reader.has("allocation") && !has_allocation(method.estimator)) {
-        reader.fail("allocation", "(only ray_shooting and point_to_polygon have it). Remove the key.");
-    }
     const bool one_cell_a_point = sampler != nullptr && sampler->sizes == samplers::Sizes::fourth_power;
     if (method.allocation == Allocation::face && one_cell_a_point) {
         reader.fail("allocation",
@@ -216,14 +181,8 @@ Method read_method(const TomlReader& reader, std::span<const std::string_view> o
         reader.fail("allocation", "(the nodes of a rule belong to one patch). Use allocation = \"patch\".");
     }
     method.tracer = choice(reader, "tracer", tracer_names, TracerChoice::automatic, sound_tracers);
-    if (reader.has("tracer") && method.estimator != Estimator::ray_shooting) {
-        reader.fail("tracer", "(only ray_shooting has it). Remove the key.");
-    }
     method.map = choice(reader, "map", map_names, PointMap::uniform);
-    if (reader.has("map") && method.estimator != Estimator::area_kernel) {
-        reader.fail("map", "(only area_kernel has points on both patches of a pair). Remove the key.");
-    }
-    method.nodes = read_nodes(reader, sampler, method.estimator);
+    method.nodes = read_nodes(reader, sampler, estimator);
 
     const auto own_trials = [](const TomlReader& table) {
         const auto trials = table.optional_count("trials");
@@ -274,8 +233,9 @@ StudySpec parse_study(std::string_view text, std::string_view origin) {
     file.expect_only(sections);
     const auto study = file.optional_table("study");
     if (!study) file.fail("study", "missing. Begin the file with [study].");
-    static constexpr std::array<std::string_view, 10> known{
-        "name", "title", "scene", "mirrors", "trials", "seed", "level", "power", "equivalence_margin", "inapplicable"};
+    static constexpr std::array<std::string_view, 11> known{
+        "name",         "title",  "scene", "mirrors", "trials", "seed", "level", "power", "equivalence_margin",
+        "inapplicable", "plugins"};
     study->expect_only(known);
 
     StudySpec spec;

@@ -174,7 +174,8 @@ Gate read_gate(const TomlReader& reader, const ReadExperiment& read_experiment) 
 }
 
 void read_options(const TomlReader& reader, GatesSpec& spec) {
-    static constexpr std::array<std::string_view, 6> known{"alpha", "power", "seed", "looks", "spending", "max_trials"};
+    static constexpr std::array<std::string_view, 7> known{"alpha",    "power",      "seed",   "looks",
+                                                           "spending", "max_trials", "plugins"};
     reader.expect_only(known);
     spec.alpha = reader.optional_number("alpha").value_or(spec.alpha);
     if (spec.alpha < smallest_alpha || spec.alpha >= 0.5)

@@ -1,0 +1,54 @@
+#include "app/command_line/outside_options.hpp"
+
+#include "app/process/limits.hpp"
+#include "app/terminal/messages.hpp"
+
+#include "core/support/error.hpp"
+#include "studies/outside/plugin.hpp"
+#include "studies/readers/text_file.hpp"
+
+#include <fmt/format.h>
+
+#include <string_view>
+
+namespace ff::app {
+
+void add_outside_options(CLI::App& command, OutsideOptions& options, OutsideCodeFrom from) {
+    command.add_option("--plugin", options.plugins, "Plug-in with samplers (.so); may be given several times")
+        ->type_name("FILE")
+        ->allow_extra_args(false);
+    if (from == OutsideCodeFrom::plugins) return;
+    command
+        .add_option("--deadline", options.deadline,
+                    "Time for a program to print a set of points: 90 (seconds), 15m (default: 60)")
+        ->type_name("TIME");
+    if (from == OutsideCodeFrom::files_too)
+        command.add_flag("--no-commands", options.no_commands, "Refuse programs and plug-ins that the file names");
+}
+
+double deadline_of(const OutsideOptions& options) {
+    return options.deadline ? parse_duration(*options.deadline).count() : studies::usual_deadline;
+}
+
+void load_plugins(const OutsideOptions& options) {
+    for (const auto& plugin : options.plugins) studies::load_plugin(plugin);
+}
+
+void admit_code_of(const std::filesystem::path& file, studies::FileKind kind, const OutsideOptions& options,
+                   Announcement announcement) {
+    load_plugins(options);
+    const double deadline = deadline_of(options);
+    for (const auto& code : studies::outside_code(studies::read_text_file(file, kind), file.string())) {
+        const bool plugin = code.kind == studies::OutsideCode::Kind::plugin;
+        const std::string_view what = plugin ? "loads the plug-in" : "runs";
+        if (options.no_commands)
+            throw UserError(
+                fmt::format("{}: {} {} (--no-commands refuses it). Leave the option out where you trust "
+                            "the file.",
+                            code.place, what, code.text));
+        if (announcement == Announcement::said) say("note: {} {} {}\n", code.place, what, code.text);
+        studies::admit(code, file.parent_path(), deadline);
+    }
+}
+
+}  // namespace ff::app

@@ -1,0 +1,190 @@
+#include "core/support/child_process.hpp"
+
+#include "core/support/error.hpp"
+
+#include <fmt/format.h>
+
+#include <fcntl.h>
+#include <poll.h>
+#include <sys/prctl.h>
+#include <sys/syscall.h>
+#include <sys/timerfd.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cmath>
+#include <csignal>
+#include <system_error>
+#include <utility>
+
+namespace ff {
+namespace {
+
+constexpr std::size_t kept_of_errors = 2000;
+constexpr int milliseconds_between_looks = 5;
+
+/// A file descriptor of this process.
+class Descriptor {
+  public:
+    explicit Descriptor(int number = -1) : number_(number) {}
+    ~Descriptor() { close(); }
+    Descriptor(const Descriptor&) = delete;
+    Descriptor& operator=(const Descriptor&) = delete;
+    Descriptor(Descriptor&& other) noexcept : number_(std::exchange(other.number_, -1)) {}
+    Descriptor& operator=(Descriptor&&) = delete;
+
+    [[nodiscard]] int number() const { return number_; }
+    [[nodiscard]] bool is_open() const { return number_ >= 0; }
+    void close() {
+        if (number_ >= 0) ::close(number_);
+        number_ = -1;
+    }
+
+  private:
+    int number_;
+};
+
+[[noreturn]] void fail_to_start(const std::string& program, int error) {
+    throw IoError(fmt::format("{}: cannot be started ({}). Check its name and its installation.", program,
+                              std::generic_category().message(error)));
+}
+
+struct Pipe {
+    Descriptor read;
+    Descriptor write;
+};
+
+Pipe make_pipe(const std::string& program) {
+    std::array<int, 2> ends{};
+    if (::pipe2(ends.data(), O_CLOEXEC) != 0) fail_to_start(program, errno);
+    return {Descriptor(ends[0]), Descriptor(ends[1])};
+}
+
+/// Between fork and exec only what a signal handler may do as well.
+[[noreturn]] void become(char* const* argv, const char* folder, ChildStreams streams, ChildSignals signals,
+                         pid_t parent, int report) {
+    sigset_t none;
+    sigemptyset(&none);
+    ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+    if (::getppid() == parent && (signals == ChildSignals::as_usual || ::setpgid(0, 0) == 0) &&
+        (folder == nullptr || ::chdir(folder) == 0) && ::dup2(streams.input, STDIN_FILENO) >= 0 &&
+        ::dup2(streams.output, STDOUT_FILENO) >= 0 && ::dup2(streams.errors, STDERR_FILENO) >= 0 &&
+        ::sigprocmask(SIG_SETMASK, &none, nullptr) == 0) {
+        std::signal(SIGPIPE, SIG_DFL);
+        std::signal(SIGXFSZ, SIG_DFL);
+        ::execvp(argv[0], argv);
+    }
+    const int error = errno;
+    [[maybe_unused]] const auto written = ::write(report, &error, sizeof error);
+    ::_exit(127);
+}
+
+/// Appends what there is to read; closes the descriptor at the end.
+void read_some(Descriptor& from, std::string& to) {
+    std::array<char, 1 << 16> buffer;  // NOLINT(cppcoreguidelines-pro-type-member-init): read fills it
+    const ssize_t got = ::read(from.number(), buffer.data(), buffer.size());
+    if (got > 0)
+        to.append(buffer.data(), static_cast<std::size_t>(got));
+    else if (got == 0 || (errno != EINTR && errno != EAGAIN))
+        from.close();
+}
+
+Descriptor timer(double seconds, const std::string& program) {
+    Descriptor timer(::timerfd_create(CLOCK_MONOTONIC, TFD_CLOEXEC | TFD_NONBLOCK));
+    itimerspec when{};
+    double whole = 0;
+    when.it_value.tv_nsec = static_cast<long>(std::modf(seconds, &whole) * 1e9);
+    when.it_value.tv_sec = static_cast<time_t>(whole);
+    if (!timer.is_open() || ::timerfd_settime(timer.number(), 0, &when, nullptr) != 0) fail_to_start(program, errno);
+    return timer;
+}
+
+/// Waits for the end of a process, or for the timer. @return false where that came first
+bool ends_before(const Descriptor& timer, pid_t child, int& status) {
+    // Kernels before 5.3 have no descriptors of processes; poll leaves out what is negative.
+    const Descriptor process(static_cast<int>(::syscall(SYS_pidfd_open, child, 0)));
+    while (::waitpid(child, &status, WNOHANG) == 0) {
+        std::array<pollfd, 2> wait{pollfd{timer.number(), POLLIN, 0}, pollfd{process.number(), POLLIN, 0}};
+        if (::poll(wait.data(), wait.size(), process.is_open() ? -1 : milliseconds_between_looks) > 0 &&
+            wait[0].revents != 0)
+            return false;
+    }
+    return true;
+}
+
+}  // namespace
+
+pid_t start_child(const ChildCommand& command, ChildStreams streams, ChildSignals signals) {
+    std::vector<std::string> words = command.words;
+    std::vector<char*> argv;
+    for (std::string& word : words) argv.push_back(word.data());
+    argv.push_back(nullptr);
+    const std::string folder = command.folder.string();
+    Pipe report = make_pipe(command.words.front());
+    const pid_t parent = ::getpid();
+    const pid_t child = ::fork();
+    if (child == 0)
+        become(argv.data(), folder.empty() ? nullptr : folder.c_str(), streams, signals, parent, report.write.number());
+    if (child < 0) fail_to_start(command.words.front(), errno);
+    report.write.close();
+    int error = 0;  // the pipe closes without one where the program has started
+    if (::read(report.read.number(), &error, sizeof error) == static_cast<ssize_t>(sizeof error)) {
+        wait_for_child(child);
+        fail_to_start(command.words.front(), error);
+    }
+    return child;
+}
+
+int wait_for_child(pid_t child) {
+    int status = 0;
+    while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
+    }
+    return status;
+}
+
+ChildOutput read_from_child(const ChildCommand& command, std::uint64_t most_output, double deadline) {
+    const std::string& program = command.words.front();
+    const Descriptor nothing(::open("/dev/null", O_RDONLY | O_CLOEXEC));
+    if (!nothing.is_open()) fail_to_start(program, errno);
+    Pipe output = make_pipe(program);
+    Pipe errors = make_pipe(program);
+    const Descriptor end = timer(deadline, program);
+    const pid_t child =
+        start_child(command, {nothing.number(), output.write.number(), errors.write.number()}, ChildSignals::none);
+    output.write.close();
+    errors.write.close();
+
+    ChildOutput result;
+    bool kill = false;
+    while (!kill && (output.read.is_open() || errors.read.is_open())) {
+        std::array<pollfd, 3> wait{pollfd{end.number(), POLLIN, 0}, pollfd{output.read.number(), POLLIN, 0},
+                                   pollfd{errors.read.number(), POLLIN, 0}};
+        if (::poll(wait.data(), wait.size(), -1) < 0) continue;
+        if (wait[1].revents != 0) read_some(output.read, result.output);
+        if (wait[2].revents != 0) read_some(errors.read, result.errors);
+        if (result.errors.size() > 2 * kept_of_errors) result.errors.erase(0, result.errors.size() - kept_of_errors);
+        if (result.output.size() > most_output) result.end = ChildOutput::End::too_large;
+        if (wait[0].revents != 0) result.end = ChildOutput::End::too_slow;
+        kill = result.end != ChildOutput::End::exited;
+    }
+    int status = 0;
+    if (!kill && !ends_before(end, child, status)) {  // it may print no more and still run
+        result.end = ChildOutput::End::too_slow;
+        kill = true;
+    }
+    if (kill) {
+        ::kill(-child, SIGKILL);
+        wait_for_child(child);
+    } else if (WIFSIGNALED(status)) {
+        result.end = ChildOutput::End::killed;
+        result.code = WTERMSIG(status);
+    } else {
+        result.code = WEXITSTATUS(status);
+    }
+    return result;
+}
+
+}  // namespace ff

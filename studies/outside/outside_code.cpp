@@ -1,0 +1,53 @@
+#include "studies/outside/outside_code.hpp"
+
+#include "studies/outside/plugin.hpp"
+#include "studies/point_files/file_sampler.hpp"
+#include "studies/readers/toml_reader.hpp"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace ff::studies {
+
+std::vector<OutsideCode> outside_code(std::string_view text, std::string_view origin) {
+    const toml::table root = parse_toml(text, origin);
+    const TomlReader file(root, origin);
+    std::vector<OutsideCode> all;
+    const auto add = [&](OutsideCode code) {
+        const bool known = std::any_of(all.begin(), all.end(), [&](const OutsideCode& other) {
+            return other.kind == code.kind && other.text == code.text;
+        });
+        if (!known) all.push_back(std::move(code));
+    };
+    constexpr std::array<std::pair<std::string_view, std::string_view>, 2> files{{{"study", "method"},  //
+                                                                                  {"gates", "gate"}}};
+    for (const auto& [options, methods] : files) {
+        const auto table = file.optional_table(options);
+        if (table && table->has("plugins")) {
+            for (std::string& path : table->texts("plugins"))
+                add({OutsideCode::Kind::plugin, std::move(path), table->place("plugins")});
+        }
+        for (const TomlReader& method : file.tables(methods)) {
+            const auto sampler = method.optional_text("sampler");
+            if (sampler && names_command(*sampler))
+                add({OutsideCode::Kind::command, *sampler, method.place("sampler")});
+        }
+    }
+    return all;
+}
+
+void admit(const OutsideCode& code, const std::filesystem::path& folder, double deadline) {
+    if (code.kind == OutsideCode::Kind::plugin)
+        load_plugin(code.text, folder);
+    else
+        load_command(code.text, folder, deadline);
+}
+
+const samplers::CatalogueEntry& sampler_of_user(std::string_view name, double deadline) {
+    if (names_point_file(name)) return load_point_file(name, "", {});
+    if (names_command(name)) return load_command(name, {}, deadline);
+    return samplers::find(name);
+}
+
+}  // namespace ff::studies

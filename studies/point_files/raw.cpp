@@ -1,0 +1,50 @@
+#include "core/support/error.hpp"
+#include "studies/point_files/point_file.hpp"
+
+#include <fmt/format.h>
+
+#include <bit>
+#include <cstring>
+
+namespace ff::studies {
+namespace {
+
+constexpr std::string_view magic = "FFPOINTS";
+constexpr std::size_t header = 24;
+
+template <class Number>
+Number number_at(std::string_view bytes, std::size_t at) {
+    static_assert(std::endian::native == std::endian::little);
+    Number value;
+    std::memcpy(&value, bytes.data() + at, sizeof value);
+    return value;
+}
+
+}  // namespace
+
+bool is_raw(std::string_view bytes) {
+    return bytes.starts_with(magic);
+}
+
+samplers::PointSet parse_raw(std::string_view bytes, const std::string& origin) {
+    if (bytes.size() < header)
+        throw UserError(fmt::format("{}: its header is cut off (24 bytes: FFPOINTS, n, d). Write it again.", origin));
+    const auto points = number_at<std::uint64_t>(bytes, 8);
+    const auto width = number_at<std::uint64_t>(bytes, 16);
+    expect_size(origin, 1, points, width);
+    const std::uint64_t there = (bytes.size() - header) / sizeof(double);
+    if (width > there || points > there / width || points * width != there ||
+        (bytes.size() - header) % sizeof(double) != 0)
+        throw UserError(fmt::format("{}: {} bytes of numbers (its header says {} x {} of 8 bytes). Write them all.",
+                                    origin, bytes.size() - header, points, width));
+    samplers::PointSet result{points, std::min<std::size_t>(width, max_dimension), 1, {}};
+    result.coordinate.resize(result.dimension * points);
+    for (std::uint64_t i = 0; i < points; ++i) {
+        for (std::size_t d = 0; d < result.dimension; ++d)
+            result.coordinate[d * points + i] =
+                fixed_point(number_at<double>(bytes, header + (i * width + d) * sizeof(double)), origin, 0, i, d);
+    }
+    return result;
+}
+
+}  // namespace ff::studies

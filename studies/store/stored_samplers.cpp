@@ -1,0 +1,115 @@
+#include "studies/store/stored_samplers.hpp"
+
+#include "samplers/added.hpp"
+#include "studies/point_files/file_sampler.hpp"
+
+#include <algorithm>
+#include <cstring>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace ff::studies {
+namespace {
+
+/// Made only where a study has points of files, which a study without could not read anyway.
+constexpr const char* point_files_table =
+    "CREATE TABLE IF NOT EXISTS point_files(sampler TEXT NOT NULL, part INTEGER NOT NULL, file TEXT NOT NULL, "
+    "bytes INTEGER NOT NULL, content BLOB NOT NULL, PRIMARY KEY(sampler, part)) WITHOUT ROWID";
+
+/// What samplers declare that code from outside makes, likewise.
+constexpr const char* outside_samplers_table =
+    "CREATE TABLE IF NOT EXISTS outside_samplers(sampler TEXT PRIMARY KEY, summary TEXT NOT NULL, details TEXT NOT "
+    "NULL, base INTEGER NOT NULL, randomised INTEGER NOT NULL, most_dimension INTEGER NOT NULL) WITHOUT ROWID";
+
+/// Bytes in words, the last filled up with zeros.
+std::vector<std::uint64_t> in_words(std::string_view bytes) {
+    std::vector<std::uint64_t> words((bytes.size() + 7) / 8);
+    if (!words.empty()) std::memcpy(words.data(), bytes.data(), bytes.size());
+    return words;
+}
+
+void write_file(Database& database, const samplers::AddedSampler& added) {
+    database.execute(point_files_table);
+    Statement insert(database.handle(), "INSERT OR IGNORE INTO point_files VALUES(?, ?, ?, ?, ?)");
+    std::int64_t part = 0;
+    for (const auto& [file, bytes] : added.content()) {
+        const auto words = in_words(bytes);
+        insert.bind(0, added.entry().info.name)
+            .bind(1, part++)
+            .bind(2, std::string_view(file))
+            .bind(3, static_cast<std::int64_t>(bytes.size()))
+            .bind(4, std::span<const std::uint64_t>(words))
+            .run();
+    }
+}
+
+void write_declaration(Database& database, const samplers::SamplerInfo& info) {
+    database.execute(outside_samplers_table);
+    Statement(database.handle(), "INSERT OR IGNORE INTO outside_samplers VALUES(?, ?, ?, ?, ?, ?)")
+        .bind(0, info.name)
+        .bind(1, info.summary)
+        .bind(2, info.details)
+        .bind(3, std::int64_t{info.sizes == samplers::Sizes::powers ? info.base : 0})
+        .bind(4, std::int64_t{info.randomised})
+        .bind(5, static_cast<std::int64_t>(info.most_dimension))
+        .run();
+}
+
+bool has_table(const Database& database, std::string_view name) {
+    Statement table(database.handle(), "SELECT 1 FROM sqlite_master WHERE type = 'table' AND name = ?");
+    return table.bind(0, name).step();
+}
+
+void restore_files(const Database& database) {
+    std::map<std::string, samplers::AddedSampler::Content> contents;
+    Statement rows(database.handle(), "SELECT sampler, file, bytes, content FROM point_files ORDER BY sampler, part");
+    while (rows.step()) {
+        const auto words = rows.integers(3);
+        std::string bytes(words.size() * 8, '\0');
+        if (!words.empty()) std::memcpy(bytes.data(), words.data(), bytes.size());
+        bytes.resize(std::min(bytes.size(), static_cast<std::size_t>(std::max<std::int64_t>(rows.integer(2), 0))));
+        contents[rows.text(0)].emplace_back(rows.text(1), std::move(bytes));
+    }
+    for (auto& [sampler, content] : contents) restore_point_file(sampler, std::move(content));
+}
+
+/// Of a sampler that is loaded already nothing changes.
+void restore_declarations(const Database& database) {
+    Statement rows(database.handle(),
+                   "SELECT sampler, summary, details, base, randomised, most_dimension FROM outside_samplers");
+    while (rows.step()) {
+        samplers::SamplerInfo traits;
+        if (const std::int64_t base = rows.integer(3); base >= 2) {
+            traits.sizes = samplers::Sizes::powers;
+            traits.base = static_cast<std::uint32_t>(base);
+        }
+        traits.randomised = rows.integer(4) != 0;
+        traits.most_dimension =
+            static_cast<std::size_t>(std::clamp<std::int64_t>(rows.integer(5), 1, std::int64_t{max_dimension}));
+        samplers::add(std::make_unique<samplers::AddedSampler>(
+            samplers::AddedSampler::Texts{rows.text(0), rows.text(1), rows.text(2)}, traits,
+            std::vector<std::uint64_t>{}, nullptr));
+    }
+}
+
+}  // namespace
+
+void write_added_samplers(Database& database, const StudySpec& spec) {
+    for (const Method& method : spec.methods) {
+        const auto* const added = samplers::find_added(method.sampler);
+        if (added == nullptr) continue;
+        if (added->content().empty())
+            write_declaration(database, added->entry().info);
+        else
+            write_file(database, *added);
+    }
+}
+
+void restore_added_samplers(const Database& database) {
+    if (has_table(database, "point_files")) restore_files(database);
+    if (has_table(database, "outside_samplers")) restore_declarations(database);
+}
+
+}  // namespace ff::studies
