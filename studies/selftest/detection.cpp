@@ -80,14 +80,14 @@ void measure_controls(const Laboratory& laboratory, const GatesSpec& controls, D
 }
 
 /// Random rays on one pair of faces; bias is exactly `bias`, since the reference is moved by it.
-GatesSpec edge_gate(double alpha, double bias, double band, Estimator estimator = Estimator::ray_shooting) {
+GatesSpec edge_gate(double alpha, double bias, double band, std::string estimator = "ray_shooting") {
     GatesSpec spec;
     spec.alpha = alpha;
     spec.looks = 1;
     Experiment experiment{.scenes = {"cube"}, .method = {}};
     experiment.method.name = "edge";
     experiment.method.sampler = samplers::yardstick().name;
-    experiment.method.estimator = estimator;
+    experiment.method.estimator = std::move(estimator);
     experiment.method.sizes = {{.patches_per_face = 1, .samples_per_patch = 1000, .trials = {}}};
     Gate gate;
     gate.name = "edge";
@@ -135,7 +135,7 @@ void measure_edges(const Repetitions& repetitions, std::uint64_t seeds, Detectio
 }
 
 void measure_refusals(Detection& detection) {
-    GatesSpec spec = edge_gate(0.05, 0, 1e-3, Estimator::area_kernel);
+    GatesSpec spec = edge_gate(0.05, 0, 1e-3, "area_kernel");
     Gate& gate = spec.gates.front();
     gate.name = gate.place = "adjacent_kernel";
     gate.against = Against::exact;
