@@ -1,24 +1,18 @@
-#include "app/command_line/command_model.hpp"
 #include "app/command_line/listings.hpp"
-#include "app/command_line/usage_errors.hpp"
+#include "app/command_line/program.hpp"
 #include "app/commands/commands.hpp"
 #include "app/commands/definitions.hpp"
+#include "app/commands/figure_command.hpp"
 #include "app/commands/hidden_commands.hpp"
 #include "app/folders/result_files.hpp"
 #include "app/folders/study_files.hpp"
-#include "app/process/guard.hpp"
-#include "app/process/signals.hpp"
-
-#include "core/support/error.hpp"
-
-#include "app/build_info.hpp"
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
-#include <functional>
-#include <span>
-#include <sstream>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 namespace {
 
@@ -39,6 +33,7 @@ void add_run_options(CLI::App& app, RunCommand& command) {
         ->type_name("SIZE");
     app.add_option("--out", command.out, "Folder for the results (default: results/<study>)")->type_name("DIR");
     app.add_option("--templates", command.templates, "Folder of own templates for report.html")->type_name("DIR");
+    app.add_flag("--replace", command.replace, "Replace another study in the folder; its store is kept aside");
     add_outside_options(app, command.outside, OutsideCodeFrom::files_too);
     app.add_flag("-q,--quiet", command.quiet, "Print errors only");
     app.add_flag("--dry-run", command.dry_run, "Show work units, expected time and memory, run nothing");
@@ -168,37 +163,6 @@ void add_form_factors(CLI::App& app, FormFactorsCommand& command, Action& action
     sub->callback([&] { action = [&] { return form_factors(command); }; });
 }
 
-void add_check(CLI::App& app, CheckCommand& command, Action& action) {
-    CLI::App* sub = add_command(app, checks, "check", "Check the gates of a bands file: pass, fail or inconclusive");
-    sub->add_option("BANDS", command.bands, "Bands file (.toml)")->required();
-    CLI::Option* seed = sub->add_option("--seed", command.seed, "Seed of all random numbers (default: the file's)")
-                            ->check(CLI::NonNegativeNumber);
-    sub->add_flag("--fresh-seed", command.fresh_seed, "A new seed, printed")->excludes(seed);
-    sub->add_option("--seed-sweep", command.seed_sweep, "Check with N seeds; report failure rates against alpha")
-        ->check(CLI::PositiveNumber);
-    sub->add_option("--estimates", command.estimates,
-                    "CSV of another program: trial,quantity,estimate, or quantity,mean,standard_error")
-        ->type_name("FILE");
-    sub->add_option("--against", command.against, "Second CSV of means and errors, to compare with")->type_name("FILE");
-    CLI::Option* again =
-        sub->add_option("--again", command.again, "Look at this commit, perhaps again: looks share alpha")
-            ->type_name("COMMIT");
-    sub->add_option("--ledger", command.ledger, "File of the looks at commits (default: <bands>.ledger.csv)")
-        ->type_name("FILE")
-        ->needs(again);
-    CLI::Option* baseline =
-        sub->add_option("--baseline", command.baseline, "Baseline file to compare with")->type_name("FILE");
-    sub->add_option("--save-baseline", command.save_baseline, "Run the gates that compare with a baseline; save it")
-        ->type_name("FILE")
-        ->excludes(baseline);
-    add_outside_options(*sub, command.outside, OutsideCodeFrom::files_too);
-    sub->add_option("--threads", command.threads, "Threads; verdicts do not depend on them (default: all cores)");
-    sub->add_option("--out", command.out, "Folder for the results (default: results/<bands>)")->type_name("DIR");
-    sub->add_flag("-q,--quiet", command.quiet, "Print errors only");
-    sub->add_flag("--dry-run", command.dry_run, "Show trials and expected time of each gate; runs pilots only");
-    sub->callback([&] { action = [&] { return check(command); }; });
-}
-
 void add_heat(CLI::App& app, HeatCommand& command, Action& action) {
     CLI::App* sub = add_command(app, everyday, "heat", "Heat or light between the faces of a scene, with intervals");
     auto& factors = command.factors;
@@ -225,20 +189,17 @@ void add_heat(CLI::App& app, HeatCommand& command, Action& action) {
     sub->callback([&] { action = [&] { return heat(command); }; });
 }
 
-ExitCode parse_and_act(int argc, char** argv) {
-    CLI::App app("Form-factor methods under honest statistics.", "ffstudy");
-    app.set_version_flag("-V,--version", fmt::format("ffstudy {} ({})", build_info::version, build_info::revision));
-    app.require_subcommand(0, 1);  // an unknown option is named first; that a command is missing, below
-    app.footer(
-        "Exit codes: 0 passed, 1 out of tolerance or a contradiction, 2 usage or input, 3 input/output,\n4 "
-        "inconclusive, 130 interrupted (what was done is saved).");
-    Action action;
+/// What all commands fill in; they are called after everything is parsed.
+struct Commands {
     RunCommand run_command;
     ReportCommand report_command;
+    FigureCommand figure_command;
     MergeCommand merge_command;
     CompareCommand compare_command;
     AuditCommand audit_command;
     CheckCommand check_command;
+    OutsideOptions check_outside;
+    TrendCommand trend_command;
     SelftestCommand selftest_command;
     ff::studies::ConvergenceRequest convergence_request;
     RadiosityOptions radiosity_options;
@@ -248,41 +209,37 @@ ExitCode parse_and_act(int argc, char** argv) {
     CheckSamplerCommand check_sampler_command;
     HeatCommand heat_command;
     ListCommand list_command;
-    std::string helped;
-    add_form_factors(app, form_factors_command, action);
-    add_heat(app, heat_command, action);
-    add_run(app, run_command, action);
-    add_report(app, report_command, action);
-    add_compare(app, compare_command, action);
-    add_list(app, list_command, action);
-    add_explain(app, list_command, action);
-    add_help(app, helped, action);
-    add_convergence(app, convergence_request, run_command, action);
-    add_radiosity(app, radiosity_options, run_command, action);
-    add_enclosure(app, enclosure_command, action);
-    add_merge(app, merge_command, action);
-    add_audit(app, audit_command, action);
-    add_check(app, check_command, action);
-    add_selftest(app, selftest_command, action);
-    add_form_factors_selftest(app, selftest_command, action);
-    add_points(app, points_command, action);
-    add_check_sampler(app, check_sampler_command, action);
-    add_built_in_studies(app, run_command, action);
-    add_hidden_commands(app, action);
-    name_types_of_arguments(app);
-    try {
-        app.parse(argc, argv);
-    } catch (const CLI::ParseError& error) {
-        if (error.get_exit_code() != 0) throw ff::UserError(usage_problem(app, error));
-        std::ostringstream text;
-        app.exit(error, text);  // --help, --version
-        fmt::print("{}", text.str());
-        return ExitCode::passed;
-    }
-    refuse_unmeant_values(app);
-    if (action) return action();
-    fmt::print("{}", app.help());
-    return ExitCode::passed;
+};
+
+std::vector<Completions::Word> words_of_type(std::string_view type) {
+    std::vector<Completions::Word> words;
+    for (auto& [name, summary] : listed_for_type(type)) words.push_back({std::move(name), std::move(summary)});
+    return words;
+}
+
+void add_commands(CLI::App& app, Commands& all, Action& action) {
+    add_form_factors(app, all.form_factors_command, action);
+    add_heat(app, all.heat_command, action);
+    add_run(app, all.run_command, action);
+    add_report(app, all.report_command, action);
+    add_figure(app, all.figure_command, action);
+    add_compare(app, all.compare_command, action);
+    add_list(app, all.list_command, action);
+    add_explain(app, all.list_command, action);
+    add_help(app, action);
+    add_convergence(app, all.convergence_request, all.run_command, action);
+    add_radiosity(app, all.radiosity_options, all.run_command, action);
+    add_enclosure(app, all.enclosure_command, action);
+    add_merge(app, all.merge_command, action);
+    add_audit(app, all.audit_command, action);
+    add_check(app, all.check_command, all.check_outside, action);
+    add_trend(app, all.trend_command, action);
+    add_selftest(app, all.selftest_command, action);
+    add_form_factors_selftest(app, all.selftest_command, action);
+    add_points(app, all.points_command, action);
+    add_check_sampler(app, all.check_sampler_command, action);
+    add_built_in_studies(app, all.run_command, action);
+    add_hidden_commands(app, words_of_type, action);
 }
 
 }  // namespace
@@ -290,9 +247,7 @@ ExitCode parse_and_act(int argc, char** argv) {
 // What goes wrong while an error is told ends in the handler that `guarded` sets.
 // NOLINTNEXTLINE(bugprone-exception-escape)
 int main(int argc, char** argv) {
-    receive_signals();
-    turn_output_signals_into_errors();
-    const ExitCode code = guarded({argv, static_cast<std::size_t>(argc)}, [&] { return parse_and_act(argc, argv); });
-    close_to_signals();
-    return static_cast<int>(code);
+    Commands commands;
+    return run_program({argv, static_cast<std::size_t>(argc)}, "Form-factor methods under honest statistics.",
+                       [&](CLI::App& app, Action& action) { add_commands(app, commands, action); });
 }

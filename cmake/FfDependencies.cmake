@@ -3,6 +3,21 @@
 
 find_package(Threads REQUIRED)
 find_package(Boost 1.74 REQUIRED CONFIG)   # Random, Math: headers only
+find_package(fmt 9 REQUIRED)
+find_package(CLI11 2 REQUIRED)
+find_package(nlohmann_json 3.11 REQUIRED)
+find_package(pugixml 1.13 REQUIRED)
+find_package(tomlplusplus 3.3 REQUIRED)
+
+find_path(RANDOM123_INCLUDE_DIR Random123/philox.h REQUIRED)
+add_library(ff_random123 INTERFACE)
+target_include_directories(ff_random123 SYSTEM INTERFACE $<BUILD_INTERFACE:${RANDOM123_INCLUDE_DIR}>)
+
+# The smaller program needs no more.
+if(FFSTUDY_GATES_ONLY)
+  return()
+endif()
+
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)
 find_package(embree REQUIRED)             # 3 or 4
 if(embree_VERSION VERSION_LESS 3.13 OR embree_VERSION VERSION_GREATER_EQUAL 5)
@@ -12,13 +27,8 @@ string(REGEX MATCH "^[0-9]+" FFSTUDY_EMBREE_MAJOR ${embree_VERSION})
 add_library(ff_embree INTERFACE)
 target_link_libraries(ff_embree INTERFACE embree)
 target_compile_definitions(ff_embree INTERFACE FF_EMBREE_MAJOR=${FFSTUDY_EMBREE_MAJOR})
-find_package(fmt 9 REQUIRED)
 find_package(hwy 1.0 REQUIRED)
-find_package(CLI11 2 REQUIRED)
-find_package(nlohmann_json 3.11 REQUIRED)
-find_package(pugixml 1.13 REQUIRED)
 find_package(SQLite3 3.40 REQUIRED)
-find_package(tomlplusplus 3.3 REQUIRED)
 find_package(OpenSSL 3 REQUIRED COMPONENTS Crypto)   # SHA-256 of what a report runs
 
 if(FFSTUDY_PYTHON)
@@ -47,10 +57,6 @@ if(FFSTUDY_MPI)
 endif()
 
 find_path(TINYOBJLOADER_INCLUDE_DIR tiny_obj_loader.h REQUIRED)  # the header alone, for double precision
-
-find_path(RANDOM123_INCLUDE_DIR Random123/philox.h REQUIRED)
-add_library(ff_random123 INTERFACE)
-target_include_directories(ff_random123 SYSTEM INTERFACE $<BUILD_INTERFACE:${RANDOM123_INCLUDE_DIR}>)
 
 find_path(MUSTACHE_INCLUDE_DIR kainjow/mustache.hpp REQUIRED)
 add_library(ff_mustache INTERFACE)

@@ -1,4 +1,4 @@
-# cpack -G DEB, by scripts/package: ffstudy (the program), libffstudy-dev (static libraries, headers, CMake package,
+# cpack -G DEB, by scripts/package: ffstudy (the program), ffstudy-gates (the smaller one), libffstudy-dev (static libraries, headers, CMake package,
 # pkg-config file), and libffstudy where the libraries are shared.
 
 set(CPACK_GENERATOR DEB)
@@ -6,7 +6,10 @@ set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS
   OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
-set(CPACK_COMPONENTS_ALL program library)
+set(CPACK_COMPONENTS_ALL program)
+if(NOT FFSTUDY_GATES_ONLY)
+  list(APPEND CPACK_COMPONENTS_ALL library)
+endif()
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_DEBIAN_PACKAGE_RELEASE 1)
 set(CPACK_PRE_BUILD_SCRIPTS ${PROJECT_SOURCE_DIR}/cmake/CompressManPages.cmake)
@@ -22,6 +25,15 @@ set(CPACK_DEBIAN_PROGRAM_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS "nodejs, librsvg2-bin")
 set(CPACK_COMPONENT_PROGRAM_DESCRIPTION "Repeats computations of form factors (view factors) with seeded trials, and
 says how large bias and spread are against exact values, and how sure that is.")
+
+if(FFSTUDY_GATES_ONLY)
+  set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME ffstudy-gates)
+  set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS "")
+  set(CPACK_DEBIAN_PROGRAM_PACKAGE_CONFLICTS "ffstudy, libffstudy-dev")  # which have all of it, under the same names
+  set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "statistical gates on what Monte Carlo codes report")
+  set(CPACK_COMPONENT_PROGRAM_DESCRIPTION "Judges means with their errors, or trials, against bands: pass, fail or
+inconclusive, with both risks stated. With headers for unit tests, and a function for CTest.")
+endif()
 
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_NAME libffstudy-dev)
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_SECTION libdevel)

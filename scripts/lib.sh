@@ -27,7 +27,7 @@ jobs_at_once() {
 packages_of() {
     local group
     for group in "$@"; do
-        awk -v group="$group" '$1 == group {print $2}' scripts/packages.txt
+        awk -v group="$group" '$1 == group || (group == "build" && $1 == "gates") {print $2}' scripts/packages.txt
     done
 }
 

@@ -135,9 +135,4 @@ std::optional<KolmogorovTest> test_uniformity(std::span<const double> values) {
     return KolmogorovTest{.distance = distance, .p = kolmogorov_tail(ascending.size(), distance)};
 }
 
-double dkw_half_width(std::size_t n, double level) {
-    FF_EXPECT(n >= 1 && 0 < level && level < 1);
-    return std::sqrt(std::log(2 / (1 - level)) / (2 * static_cast<double>(n)));
-}
-
 }  // namespace ff::stats

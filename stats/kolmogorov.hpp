@@ -21,8 +21,4 @@ struct KolmogorovTest {
 /// Test of uniformity on [0, 1], e.g. of the p-values of another test. Empty without values.
 std::optional<KolmogorovTest> test_uniformity(std::span<const double> values);
 
-/// Half-width of the Dvoretzky-Kiefer-Wolfowitz band around an ECDF of n values: sqrt(ln(2/(1-level)) / (2n)).
-/// Coverage >= level for every distribution, discrete ones included. @see [massart1990]
-double dkw_half_width(std::size_t n, double level);
-
 }  // namespace ff::stats

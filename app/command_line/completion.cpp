@@ -1,7 +1,6 @@
 #include "app/command_line/completion.hpp"
 
 #include "app/command_line/command_model.hpp"
-#include "app/command_line/listings.hpp"
 
 #include <fmt/format.h>
 
@@ -16,13 +15,8 @@ using Words = std::span<const std::string>;
 
 constexpr std::array<std::string_view, 6> of_files{"FILE", "RESULTS", "BANDS", "TABLES", "STUDY", "SCENE"};
 
-void add_values(Completions& completions, std::string_view type) {
-    for (const ListedKind& kind : listed_kinds()) {
-        if (type == "KIND")
-            completions.words.push_back({std::string(kind.plural), fmt::format("list {}", kind.plural)});
-        if (type != "NAME" && CLI::detail::to_lower(std::string(type)) != kind.name) continue;
-        for (auto& [name, summary] : listed(kind.plural)) completions.words.push_back({name, summary});
-    }
+void add_values(Completions& completions, std::string_view type, const NamesOfType& names) {
+    completions.words = names(type);
     if (type == "DIR") completions.paths = Completions::Paths::folders;
     if (std::find(of_files.begin(), of_files.end(), type) != of_files.end())
         completions.paths = Completions::Paths::files;
@@ -36,11 +30,12 @@ Completions commands(const CLI::App& app) {
 }
 
 /// What an option or argument takes, each behind `before`: "--format=csv," where a list has been begun.
-Completions values(const CLI::Option& option, const std::string& before, std::string_view begun) {
+Completions values(const CLI::Option& option, const std::string& before, std::string_view begun,
+                   const NamesOfType& names) {
     const auto comma = option.get_delimiter() == '\0' ? std::string_view::npos : begun.rfind(option.get_delimiter());
     const std::string kept = before + std::string(begun.substr(0, comma == std::string_view::npos ? 0 : comma + 1));
     Completions completions;
-    add_values(completions, value_type(option));
+    add_values(completions, value_type(option), names);
     for (auto& word : completions.words) word.text.insert(0, kept);
     return completions;
 }
@@ -69,7 +64,8 @@ Completions options(const CLI::App& command, Words given) {
 }
 
 /// What stands behind a command. @param given words between it and the last one
-Completions of_command(const CLI::App& app, const CLI::App& command, Words given, std::string_view last) {
+Completions of_command(const CLI::App& app, const CLI::App& command, Words given, std::string_view last,
+                       const NamesOfType& names) {
     const CLI::Option* pending = nullptr;
     std::size_t place = 0;
     for (const std::string& word : given) {
@@ -82,12 +78,12 @@ Completions of_command(const CLI::App& app, const CLI::App& command, Words given
             ++place;
         }
     }
-    if (pending != nullptr) return values(*pending, "", last);
+    if (pending != nullptr) return values(*pending, "", last, names);
     const auto equals = last.find('=');
     if (last.starts_with('-') && equals != std::string_view::npos) {
         const CLI::Option* option = find_option(command, last.substr(0, equals));
         if (!takes_value(option)) return {};
-        return values(*option, std::string(last.substr(0, equals + 1)), last.substr(equals + 1));
+        return values(*option, std::string(last.substr(0, equals + 1)), last.substr(equals + 1), names);
     }
     if (last.starts_with('-')) return options(command, given);
     const auto arguments = shown_arguments(command);
@@ -95,12 +91,12 @@ Completions of_command(const CLI::App& app, const CLI::App& command, Words given
     const CLI::Option& argument = *arguments[std::min(place, arguments.size() - 1)];
     if (place >= arguments.size() && !takes_many(argument)) return options(command, given);
     if (value_type(argument) == "COMMAND") return commands(app);
-    return values(argument, "", last);
+    return values(argument, "", last, names);
 }
 
 }  // namespace
 
-Completions complete(const CLI::App& app, Words words) {
+Completions complete(const CLI::App& app, Words words, const NamesOfType& names) {
     if (words.size() < 2) return {};
     const std::string& last = words.back();
     const Words given = words.subspan(1, words.size() - 2);
@@ -111,7 +107,7 @@ Completions complete(const CLI::App& app, Words words) {
         completions = last.starts_with('-') ? options(app, given) : commands(app);
     } else if (const CLI::App* command = find_command(app, *named)) {
         completions =
-            of_command(app, *command, given.subspan(static_cast<std::size_t>(named - given.begin()) + 1), last);
+            of_command(app, *command, given.subspan(static_cast<std::size_t>(named - given.begin()) + 1), last, names);
     }
     std::erase_if(completions.words, [&](const auto& word) { return !word.text.starts_with(last); });
     return completions;

@@ -14,6 +14,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
+#include <utility>
 
 namespace ff::app {
 namespace {
@@ -29,6 +31,12 @@ void add_scenes(std::vector<Listed>& scenes) {
             std::find_if(all.begin(), all.end(), [&](const Configuration& c) { return c.scene_name == name; });
         scenes.push_back({std::string(name), std::string(first->summary)});
     }
+}
+
+/// "SAMPLER" for "sampler".
+bool is_in_capitals(std::string_view type, std::string_view name) {
+    return std::equal(type.begin(), type.end(), name.begin(), name.end(),
+                      [](unsigned char a, unsigned char b) { return a == std::toupper(b); });
 }
 
 std::vector<std::string_view> plurals() {
@@ -92,6 +100,16 @@ std::vector<Listed> listed(std::string_view plural) {
                                     listed_kinds_in_words()));
     }
     return rows;
+}
+
+std::vector<Listed> listed_for_type(std::string_view type) {
+    std::vector<Listed> words;
+    for (const ListedKind& kind : listed_kinds()) {
+        if (type == "KIND") words.push_back({std::string(kind.plural), fmt::format("list {}", kind.plural)});
+        if (type != "NAME" && !is_in_capitals(type, kind.name)) continue;
+        for (Listed& entry : listed(kind.plural)) words.push_back(std::move(entry));
+    }
+    return words;
 }
 
 }  // namespace ff::app

@@ -27,6 +27,9 @@ struct Listed {
 /// @param plural of a kind @throws UserError where nothing of that kind can be listed
 std::vector<Listed> listed(std::string_view plural);
 
+/// What may stand where options take something of this type: names for "SAMPLER", all for "NAME", kinds for "KIND".
+std::vector<Listed> listed_for_type(std::string_view type);
+
 /// "patch, face", for help.
 std::string names_in_words(std::string_view plural);
 

@@ -1,6 +1,8 @@
 #pragma once
 
+#include "app/command_line/check_options.hpp"
 #include "app/command_line/outside_options.hpp"
+
 #include "studies/form_factors/form_factors.hpp"
 #include "studies/spec/convergence_study.hpp"
 
@@ -31,6 +33,7 @@ struct RunCommand {
     std::filesystem::path out;              ///< empty: results/<study>
     std::filesystem::path templates;        ///< folder of own templates; empty: none
     bool quiet = false;
+    bool replace = false;  ///< another study that is in the folder
     bool dry_run = false;
     std::optional<studies::ConvergenceRequest> convergence;  ///< instead of `study`
     std::optional<RadiosityOptions> radiosity;
@@ -101,24 +104,6 @@ struct AuditCommand {
     std::filesystem::path tables;
     std::filesystem::path out;  ///< empty: nothing is written
     bool quiet = false;
-};
-
-struct CheckCommand {
-    std::filesystem::path bands;
-    std::optional<std::uint64_t> seed;
-    bool fresh_seed = false;
-    std::uint64_t seed_sweep = 0;     ///< number of seeds; 0: one check
-    std::filesystem::path estimates;  ///< CSV of another program; empty: none
-    std::filesystem::path against;    ///< a second one; empty: none
-    std::string again;                ///< commit whose looks share alpha; empty: one look by itself
-    std::filesystem::path ledger;     ///< of looks; empty: <bands>.ledger.csv
-    std::filesystem::path baseline;
-    std::filesystem::path save_baseline;
-    OutsideOptions outside;
-    std::optional<unsigned> threads;
-    std::filesystem::path out;  ///< empty: results/<bands>
-    bool quiet = false;
-    bool dry_run = false;
 };
 
 /// Of `ffstudy list` and `ffstudy explain`.

@@ -1,12 +1,15 @@
 #pragma once
 
-#include "app/command_line/options.hpp"
-#include "studies/gates/estimate_gates.hpp"
-#include "studies/gates/gate.hpp"
+#include "app/command_line/check_options.hpp"
+#include "studies/verdicts/estimate_gates.hpp"
+#include "studies/verdicts/gate.hpp"
 
 #include <vector>
 
 namespace ff::app {
+
+/// @throws UserError where the bands file and the files of estimates do not go together
+void expect_estimates(const CheckCommand& command, const studies::GatesSpec& spec);
 
 /// Gates on the file of --estimates, be it of trials or of means with their errors; none where there is no file.
 /// @throws UserError, IoError

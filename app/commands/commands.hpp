@@ -32,7 +32,7 @@ ExitCode compare(const CompareCommand& command);
 ExitCode audit(const AuditCommand& command);
 
 /// Checks the gates of a bands file: failed where one fails, else inconclusive where one is undecided.
-ExitCode check(const CheckCommand& command);
+ExitCode check(const CheckCommand& command, const OutsideOptions& outside);
 
 /// Measures what gates and intervals promise; failed where a claim does not hold.
 ExitCode gates_selftest(const SelftestCommand& command);

@@ -2,7 +2,7 @@
 
 #include "app/folders/result_files.hpp"
 #include "app/folders/template_files.hpp"
-#include "app/terminal/terminal_colour.hpp"
+#include "app/terminal/terminal_style.hpp"
 
 #include "core/support/error.hpp"
 #include "reports/comparison/run_comparison.hpp"
@@ -57,7 +57,7 @@ ExitCode compare(const CompareCommand& command) {
     if (command.json) {
         fmt::print("{}\n", reports::comparison_json(comparison));
     } else if (!command.quiet) {
-        fmt::print("{}", reports::comparison_text(comparison, colour_of_stdout()));
+        fmt::print("{}", reports::comparison_text(comparison, style_of_stdout()));
     }
     if (!command.quiet && !command.json && !command.out.empty())
         fmt::print("\nResults: {}\n", (command.out / "comparison.html").string());

@@ -1,6 +1,5 @@
 #include "app/commands/definitions.hpp"
 
-#include "app/command_line/command_model.hpp"
 #include "app/command_line/listings.hpp"
 #include "app/commands/commands.hpp"
 #include "app/folders/result_files.hpp"
@@ -12,10 +11,6 @@
 #include <utility>
 
 namespace ff::app {
-
-CLI::App* add_command(CLI::App& app, const char* group, std::string name, std::string summary) {
-    return app.add_subcommand(std::move(name), std::move(summary))->group(group);
-}
 
 void add_report(CLI::App& app, ReportCommand& command, Action& action) {
     CLI::App* sub = add_command(app, everyday, "report", "Write the reports of a finished study again");
@@ -57,6 +52,21 @@ void add_audit(CLI::App& app, AuditCommand& command, Action& action) {
     sub->add_option("--out", command.out, "Folder for audit.md (default: none is written)")->type_name("DIR");
     sub->add_flag("-q,--quiet", command.quiet, "Print errors only");
     sub->callback([&] { action = [&] { return audit(command); }; });
+}
+
+void add_check(CLI::App& app, CheckCommand& command, OutsideOptions& outside, Action& action) {
+    CLI::App* sub = add_check_of_files(app, command);
+    CLI::Option* seed = sub->add_option("--seed", command.seed, "Seed of all random numbers (default: the file's)")
+                            ->check(CLI::NonNegativeNumber);
+    sub->add_flag("--fresh-seed", command.fresh_seed, "A new seed, printed")->excludes(seed);
+    sub->add_option("--seed-sweep", command.seed_sweep, "Check with N seeds; report failure rates against alpha")
+        ->check(CLI::PositiveNumber);
+    sub->add_option("--baseline", command.baseline, "Baseline file to compare with")
+        ->type_name("FILE")
+        ->excludes(sub->get_option("--save-baseline"));
+    add_outside_options(*sub, outside, OutsideCodeFrom::files_too);
+    sub->add_option("--threads", command.threads, "Threads; verdicts do not depend on them (default: all cores)");
+    sub->callback([&] { action = [&] { return check(command, outside); }; });
 }
 
 void add_selftest(CLI::App& app, SelftestCommand& command, Action& action) {
@@ -104,17 +114,6 @@ void add_explain(CLI::App& app, ListCommand& command, Action& action) {
     sub->add_flag("--json", command.json, "Print JSON");
     add_outside_options(*sub, command.outside, OutsideCodeFrom::plugins);
     sub->callback([&] { action = [&] { return explain(command); }; });
-}
-
-void add_help(CLI::App& app, std::string& name, Action& action) {
-    CLI::App* sub = add_command(app, everyday, "help", "Show this help, or that of a command");
-    sub->add_option("COMMAND", name, "A command");
-    sub->callback([&] {
-        action = [&] {
-            fmt::print("{}", help_of_command(app, name));
-            return ExitCode::passed;
-        };
-    });
 }
 
 void add_points(CLI::App& app, PointsCommand& command, Action& action) {

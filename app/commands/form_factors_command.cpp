@@ -9,11 +9,13 @@
 #include "app/process/signals.hpp"
 #include "app/terminal/messages.hpp"
 #include "app/terminal/progress.hpp"
+#include "app/terminal/terminal_style.hpp"
 
 #include "core/support/error.hpp"
 #include "core/visibility/mirrors.hpp"
 #include "reports/csv/form_factors_csv.hpp"
 #include "reports/files/matrix_files.hpp"
+#include "reports/json/context_json.hpp"
 #include "reports/json/form_factors_json.hpp"
 #include "reports/json/json.hpp"
 #include "reports/terminal/form_factors_text.hpp"
@@ -108,7 +110,7 @@ void show(studies::KeptFormFactors& kept, const FormFactorsCommand& command, Out
     kept.warnings = reports::form_factor_warnings(report);
     for (const std::string& warning : kept.warnings) say("warning: {}\n", warning);
     // Before anything can fail that would lose it.
-    if (!command.quiet) fmt::print("{}", reports::form_factors_text(report));
+    if (!command.quiet) fmt::print("{}", reports::form_factors_text(report, style_of_stdout()));
     if (out != nullptr) write_files(*out, kept);
 }
 
@@ -163,7 +165,7 @@ bool compute_form_factors(const FormFactorsCommand& command, studies::KeptFormFa
     };
     std::optional<TimeLimit> limit(max_time);
     FormFactorDisplay display(kept.request.tolerance);
-    if (!command.quiet && display.is_seen()) {
+    if (!command.quiet && FormFactorDisplay::is_seen()) {
         kept.request.report = [&](const studies::FormFactorProgress& progress) { display.show(progress); };
     }
     kept.matrix = studies::find_form_factors(kept.scene, kept.request);

@@ -2,6 +2,7 @@
 #include "app/commands/form_factor_run.hpp"
 #include "app/folders/output_folder.hpp"
 #include "app/terminal/messages.hpp"
+#include "app/terminal/terminal_style.hpp"
 
 #include "core/support/error.hpp"
 #include "reports/csv/heat_csv.hpp"
@@ -29,7 +30,7 @@ ExitCode heat(const HeatCommand& command) {
         say("warning: {}\n", warning);
     const auto flows = studies::find_heat_flows(kept.scene, kept.matrix, materials, command.scale);
     const reports::HeatReport report{kept.scene, kept.request, materials, flows};
-    if (!command.factors.quiet) fmt::print("{}", reports::heat_text(report));
+    if (!command.factors.quiet) fmt::print("{}", reports::heat_text(report, style_of_stdout()));
     if (out) out->write("heat.csv", [&](std::ostream& file) { reports::write_heat_csv(file, report); });
     if (by_signal) return ExitCode::interrupted;
     const bool trusted = studies::is_trusted(kept.scene, kept.matrix, kept.request.tolerance);

@@ -1,6 +1,5 @@
 #include "app/commands/hidden_commands.hpp"
 
-#include "app/command_line/completion.hpp"
 #include "app/command_line/man_pages.hpp"
 
 #include "reports/files/output_file.hpp"
@@ -14,13 +13,13 @@
 namespace ff::app {
 namespace {
 
-void add_complete(CLI::App& app, Action& action) {
+void add_complete(CLI::App& app, const NamesOfType& names, Action& action) {
     CLI::App* sub = app.add_subcommand("complete", "Say what may stand in place of the last word of a command line");
     sub->group("")->set_help_flag();
     sub->prefix_command();
-    sub->callback([&app, sub, &action] {
-        action = [&app, sub] {
-            fmt::print("{}", in_lines(complete(app, sub->remaining())));
+    sub->callback([&app, sub, names, &action] {
+        action = [&app, sub, names] {
+            fmt::print("{}", in_lines(complete(app, sub->remaining(), names)));
             return ExitCode::passed;
         };
     });
@@ -42,8 +41,8 @@ void add_man_pages(CLI::App& app, Action& action) {
 
 }  // namespace
 
-void add_hidden_commands(CLI::App& app, Action& action) {
-    add_complete(app, action);
+void add_hidden_commands(CLI::App& app, const NamesOfType& names, Action& action) {
+    add_complete(app, names, action);
     add_man_pages(app, action);
 }
 

@@ -1,17 +1,14 @@
 #pragma once
 
-#include "app/process/exit_code.hpp"
+#include "app/command_line/action.hpp"
+#include "app/command_line/completion.hpp"
 
 #include <CLI/CLI.hpp>
 
-#include <functional>
-
 namespace ff::app {
 
-/// What main does once the command line is understood.
-using Action = std::function<ExitCode()>;
-
 /// Commands that the build and the shells give, hidden from help: `complete` and `man_pages`.
-void add_hidden_commands(CLI::App& app, Action& action);
+/// @param names  for `complete`
+void add_hidden_commands(CLI::App& app, const NamesOfType& names, Action& action);
 
 }  // namespace ff::app

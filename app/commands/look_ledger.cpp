@@ -4,8 +4,8 @@
 
 #include "core/support/error.hpp"
 #include "reports/files/output_file.hpp"
+#include "studies/readers/digest.hpp"
 #include "studies/readers/text_file.hpp"
-#include "studies/store/digest.hpp"
 
 #include <algorithm>
 #include <string>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "app/command_line/options.hpp"
-#include "studies/gates/ledger.hpp"
+#include "app/command_line/check_options.hpp"
+#include "studies/verdicts/ledger.hpp"
 
 #include <cstdint>
 #include <filesystem>

@@ -4,7 +4,7 @@
 #include "app/folders/template_files.hpp"
 #include "app/process/signals.hpp"
 #include "app/terminal/messages.hpp"
-#include "app/terminal/terminal_colour.hpp"
+#include "app/terminal/terminal_style.hpp"
 
 #include "core/support/error.hpp"
 #include "reports/terminal/terminal.hpp"
@@ -61,7 +61,7 @@ ExitCode merge(const MergeCommand& command) {
     const auto [results, to_the_end] = evaluate_until_stopped(store);
     write_results(out, {store, results, templates}, usual_formats());
     if (!command.quiet) {
-        fmt::print("{}\nResults: {}\n", reports::terminal_summary(results, colour_of_stdout()),
+        fmt::print("{}\nResults: {}\n", reports::terminal_summary(results, style_of_stdout()),
                    (command.out / "report.html").string());
     }
     if (outcome.missing.empty()) return to_the_end ? ExitCode::passed : ExitCode::interrupted;

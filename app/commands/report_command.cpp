@@ -2,13 +2,17 @@
 
 #include "app/folders/result_files.hpp"
 #include "app/folders/template_files.hpp"
-#include "app/terminal/terminal_colour.hpp"
+#include "app/terminal/messages.hpp"
+#include "app/terminal/terminal_style.hpp"
 
+#include "reports/pictures/drawing_request.hpp"
 #include "reports/terminal/terminal.hpp"
 #include "studies/results/results.hpp"
 #include "studies/store/store.hpp"
 
 #include <fmt/format.h>
+
+#include <algorithm>
 
 namespace ff::app {
 
@@ -25,9 +29,13 @@ ExitCode report(const ReportCommand& command) {
     const auto [results, to_the_end] = evaluate_until_stopped(store);
     OutputFolder folder(out.empty() ? "." : out, owner_of(store.plan().spec));
     if (std::filesystem::equivalent(file, folder.path() / "results.sqlite", missing)) folder.inherit("study ");
+    const bool draws = std::any_of(formats.begin(), formats.end(),
+                                   [](std::string_view format) { return format == "svg" || format == "pdf"; });
+    if (draws && !command.quiet)
+        say("drawing all {} pictures; 'ffstudy figure' draws one\n", reports::all_pictures(results).size());
     write_results(folder, {store, results, templates}, formats);
     if (!command.quiet)
-        fmt::print("{}\nResults: {}\n", reports::terminal_summary(results, colour_of_stdout()), out.string());
+        fmt::print("{}\nResults: {}\n", reports::terminal_summary(results, style_of_stdout()), out.string());
     return to_the_end ? ExitCode::passed : ExitCode::interrupted;
 }
 

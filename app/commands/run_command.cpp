@@ -2,6 +2,7 @@
 
 #include "app/commands/run_context.hpp"
 #include "app/commands/run_request.hpp"
+#include "app/folders/grown_study.hpp"
 #include "app/folders/result_files.hpp"
 #include "app/folders/template_files.hpp"
 #include "app/process/limits.hpp"
@@ -9,7 +10,7 @@
 #include "app/process/signals.hpp"
 #include "app/terminal/messages.hpp"
 #include "app/terminal/progress.hpp"
-#include "app/terminal/terminal_colour.hpp"
+#include "app/terminal/terminal_style.hpp"
 
 #include "core/support/error.hpp"
 #include "reports/files/output_file.hpp"
@@ -104,8 +105,10 @@ void save_study(const std::filesystem::path& file, const studies::StudySpec& spe
     reports::write_file(file, studies::to_toml(spec));
 }
 
-ExitCode describe_plan(const RunRequest& request) {
-    fmt::print("{}about {} of memory, {} on the disk\n", reports::terminal_plan(request.plan, request.threads),
+ExitCode describe_plan(const RunRequest& request, const std::filesystem::path& out) {
+    if (const std::string text = describe_growth(out, request.plan); !text.empty()) fmt::print("{}\n\n", text);
+    fmt::print("{}about {} of memory, {} on the disk\n",
+               reports::terminal_plan(request.plan, request.threads, style_of_stdout()),
                size_in_words(studies::expected_memory(request.plan, request.threads)),
                size_in_words(studies::expected_store_size(request.plan)));
     return ExitCode::passed;
@@ -138,14 +141,16 @@ ExitCode run(const RunCommand& command) {
     const RunRequest request = check(command, processes);
     const studies::StudyPlan& plan = request.plan;
     if (!command.study_file.empty()) save_study(command.study_file, plan.spec);
-    if (command.dry_run) return describe_plan(request);
+    const auto folder = command.out.empty() ? std::filesystem::path("results") / plan.spec.name : command.out;
+    if (command.dry_run) return describe_plan(request, folder);
     if (!command.quiet) {
         for (const std::string& warning : plan.warnings) say("note: {}\n", warning);
     }
     const auto templates = find_templates(command.templates);
-    OutputFolder out(command.out.empty() ? std::filesystem::path("results") / plan.spec.name : command.out,
-                     owner_of(plan.spec));
+    OutputFolder out(folder, owner_of(plan.spec));
     expect_room_on_disk(request, out.path(), command.quiet);
+    const std::string reused = grow_study(out, plan, command.replace, request.threads);
+    if (!reused.empty() && !command.quiet) say("note: {}.\n", reused);
     studies::Store store = open_or_create(out, plan);
 
     const auto start = std::chrono::steady_clock::now();
@@ -172,7 +177,7 @@ ExitCode run(const RunCommand& command) {
     limit.reset();
     progress.finish();
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    if (outcome == studies::RunOutcome::complete && (worked || store.context().empty())) {
+    if (outcome == studies::RunOutcome::complete && (worked || !store.context().contains("command"))) {
         studies::Context context = store.context();
         studies::add_context(context, describe_run(reproduce(command, plan.spec), request.threads, seconds));
         store.set_context(context);
@@ -183,7 +188,7 @@ ExitCode run(const RunCommand& command) {
         return finish_shard(request.shard, out, command.quiet);
     const auto [results, to_the_end] = evaluate_until_stopped(store);
     write_results(out, {store, results, templates}, usual_formats());
-    if (!command.quiet) fmt::print("{}", reports::terminal_summary(results, colour_of_stdout()));
+    if (!command.quiet) fmt::print("{}", reports::terminal_summary(results, style_of_stdout()));
     if (!command.quiet) fmt::print("\nResults: {}\n", (out.path() / "report.html").string());
     if (outcome == studies::RunOutcome::complete && !to_the_end) return ExitCode::interrupted;
     if (outcome == studies::RunOutcome::complete)

@@ -7,8 +7,9 @@
 #include "core/support/error.hpp"
 #include "reports/markdown/selftest_markdown.hpp"
 #include "studies/form_factors/coverage.hpp"
-#include "studies/gates/bands_file.hpp"
+#include "studies/gates/experiment.hpp"
 #include "studies/selftest/selftest.hpp"
+#include "studies/verdicts/bands_file.hpp"
 
 #include <fmt/format.h>
 
@@ -43,7 +44,8 @@ ExitCode gates_selftest(const SelftestCommand& command) {
     if (command.repetitions)
         options.repetitions = checked_count("--repetitions", *command.repetitions, most_repetitions);
     if (command.seeds) options.seeds = checked_count("--seeds", *command.seeds, most_seeds);
-    const auto selftest = studies::run_selftest(studies::load_bands(studies_folder() / "gates/controls.toml"), options);
+    const auto selftest = studies::run_selftest(
+        studies::load_bands(studies_folder() / "gates/controls.toml", studies::read_experiment), options);
     const std::string text = reports::selftest_markdown(selftest);
     return conclude(command, text, selftest.contradictions());
 }

@@ -3,11 +3,12 @@
 #include "app/folders/output_folder.hpp"
 
 #include "reports/json/gates_junit.hpp"
-#include "studies/gates/check_results.hpp"
+#include "studies/verdicts/check_results.hpp"
 
 namespace ff::app {
 
-/// Writes verdicts.csv, verdicts.json and junit.xml of the gates that are done, each whole or not at all.
+/// Writes verdicts.csv, verdicts.json, junit.xml, summary.md and summary.html of the gates that are done, each whole
+/// or not at all.
 /// @throws IoError
 void write_verdicts(OutputFolder& folder, const studies::CheckResults& check, const reports::JunitContext& context);
 

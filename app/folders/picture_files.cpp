@@ -21,29 +21,56 @@ namespace {
 constexpr std::string_view script_name = "draw_svg.mjs";
 
 /// @throws UserError where there is no such program
-std::filesystem::path expect_program(std::string_view name, std::string_view package, std::string_view format) {
+std::filesystem::path expect_program(std::string_view name, std::string_view package) {
     auto program = find_program(name);
     if (program.empty()) {
-        throw UserError(fmt::format(
-            "--format {}: needs {} (it is not on PATH). Install it (Debian: apt install {}), or save pictures "
-            "from report.html.",
-            format, name, package));
+        throw UserError(
+            fmt::format("Drawing pictures: needs {} (it is not on PATH). Install it (Debian: apt install {}), or save "
+                        "pictures from "
+                        "report.html.",
+                        name, package));
     }
     return program;
 }
 
-/// Draws all pictures into a folder. @return the files, by name
-std::vector<std::filesystem::path> draw(const ResultSources& sources, const std::filesystem::path& workshop) {
-    const auto request = workshop / "pictures.json";
-    reports::write_file(request, reports::drawing_request(sources.results, sources.templates));
-    run_program(expect_program("node", "nodejs", "svg"),
-                {find_template_file(script_name).string(), request.string(), workshop.string()});
+/// Draws pictures into a folder.
+void draw(const std::string& request, const std::filesystem::path& workshop) {
+    const auto file = workshop / "pictures.json";
+    reports::write_file(file, request);
+    run_program(expect_program("node", "nodejs"),
+                {find_template_file(script_name).string(), file.string(), workshop.string()});
+}
+
+/// All pictures of a report. @return the files, by name
+std::vector<std::filesystem::path> draw_all(const ResultSources& sources, const std::filesystem::path& workshop) {
+    draw(reports::drawing_request(reports::all_pictures(sources.results), sources.templates), workshop);
     std::vector<std::filesystem::path> drawn;
     for (const auto& entry : std::filesystem::directory_iterator(workshop)) {
         if (entry.path().extension() == ".svg") drawn.push_back(entry.path());
     }
     std::sort(drawn.begin(), drawn.end());
     return drawn;
+}
+
+/// Makes an SVG another format. @param format  of rsvg-convert
+void convert(const std::filesystem::path& drawing, std::string_view format, const std::filesystem::path& file) {
+    // The date that stands in a PDF. NOLINTNEXTLINE(concurrency-mt-unsafe): there is one thread
+    ::setenv("SOURCE_DATE_EPOCH", "0", 1);
+    run_program(expect_program("rsvg-convert", "librsvg2-bin"),
+                {"--format", std::string(format), "--dpi-x", "300", "--dpi-y", "300", "--output", file.string(),
+                 drawing.string()});
+}
+
+/// @throws UserError where it cannot be drawn in this size or format
+void expect_drawable(const reports::Picture& picture, const reports::Templates& templates,
+                     const reports::FigureStyle& style, const std::filesystem::path& file) {
+    const std::string kind = templates.text(picture.kind + ".json");
+    if (file.extension() == ".pgf" && kind.find("gradient") != std::string::npos)
+        throw UserError(fmt::format("{} (a scale of colours has no PGF). Write it as .pdf instead.", file.string()));
+    const bool follows =
+        kind.find("\"y_step\"") != std::string::npos || picture.values.find("\"aspect\"") != std::string::npos;
+    if (style.height && follows)
+        throw UserError(fmt::format("--height (that of {} follows from what it shows). Leave it out.", picture.id));
 }
 
 /// Copies what was made to its place, whole or not at all.
@@ -55,35 +82,51 @@ void deliver(const std::filesystem::path& file, OutputFolder& folder) {
 }  // namespace
 
 void expect_svg_programs() {
-    expect_program("node", "nodejs", "svg");
+    expect_program("node", "nodejs");
     if (find_template_file(script_name).empty()) {
         throw UserError(
-            "--format svg, pdf: this program was built without pictures (Node.js, npm or its registry were missing). "
+            "Pictures as files: this program was built without pictures (Node.js, npm or its registry were missing). "
             "Install nodejs and node-registry-url, configure and build again.");
     }
 }
 
 void expect_pdf_programs() {
     expect_svg_programs();
-    expect_program("rsvg-convert", "librsvg2-bin", "pdf");
+    expect_program("rsvg-convert", "librsvg2-bin");
 }
 
 void write_svg(OutputFolder& folder, const ResultSources& sources) {
     const auto workshop = folder.make_workshop();
-    for (const auto& file : draw(sources, workshop)) deliver(file, folder);
+    for (const auto& file : draw_all(sources, workshop)) deliver(file, folder);
 }
 
 void write_pdf(OutputFolder& folder, const ResultSources& sources) {
     const auto workshop = folder.make_workshop();
-    const auto convert = expect_program("rsvg-convert", "librsvg2-bin", "pdf");
-    // The date that stands in the file. NOLINTNEXTLINE(concurrency-mt-unsafe): there is one thread
-    ::setenv("SOURCE_DATE_EPOCH", "0", 1);
-    for (auto file : draw(sources, workshop)) {
-        const std::string drawing = file.string();
-        file.replace_extension(".pdf");
-        run_program(convert, {"--format", "pdf", "--output", file.string(), drawing});
+    for (const auto& drawing : draw_all(sources, workshop)) {
+        const auto file = std::filesystem::path(drawing).replace_extension(".pdf");
+        convert(drawing, "pdf", file);
         deliver(file, folder);
     }
+}
+
+void write_figure(const std::filesystem::path& file, const reports::Picture& picture,
+                  const reports::Templates& templates, const reports::FigureStyle& style) {
+    const std::string format = file.extension().string();
+    const bool converted = format == ".pdf" || format == ".png";
+    if (!converted && format != ".svg" && format != ".pgf")
+        throw UserError(
+            fmt::format("--out {} (a figure ends in .pdf, .svg, .png or .pgf). Name it so.", file.string()));
+    converted ? expect_pdf_programs() : expect_svg_programs();
+    expect_drawable(picture, templates, style, file);
+    const auto parent = file.parent_path();
+    const OutputFolder folder(parent.empty() ? "." : parent, "figure");
+    const auto workshop = folder.make_workshop();
+    draw(reports::drawing_request({picture}, templates, style), workshop);
+    const auto drawing = workshop / (picture.id + (format == ".pgf" ? ".pgf" : ".svg"));
+    reports::replace_file(file, [&](const std::filesystem::path& place) {
+        if (converted) return convert(drawing, format.substr(1), place);
+        std::filesystem::copy_file(drawing, place, std::filesystem::copy_options::overwrite_existing);
+    });
 }
 
 }  // namespace ff::app

@@ -2,6 +2,8 @@
 
 #include "app/folders/result_files.hpp"
 
+#include "reports/pictures/drawing_request.hpp"
+
 namespace ff::app {
 
 /// Pictures of a report as files of FOLDER/pictures, drawn without a browser: Vega under Node.js makes SVG of them, and
@@ -14,5 +16,10 @@ void expect_pdf_programs();
 /// @throws IoError
 void write_svg(OutputFolder& folder, const ResultSources& sources);
 void write_pdf(OutputFolder& folder, const ResultSources& sources);
+
+/// Draws one picture into a file: .svg, .pdf, .png (at 300 dots per inch) or .pgf.
+/// @throws IoError; UserError for another ending, and for a picture that cannot be drawn so
+void write_figure(const std::filesystem::path& file, const reports::Picture& picture,
+                  const reports::Templates& templates, const reports::FigureStyle& style);
 
 }  // namespace ff::app

@@ -11,10 +11,12 @@
 #include "reports/csv/csv_radiosity.hpp"
 #include "reports/files/matrix_files.hpp"
 #include "reports/html/html.hpp"
+#include "reports/json/context_json.hpp"
 #include "reports/json/json.hpp"
 #include "reports/latex/latex.hpp"
 #include "reports/markdown/audit_markdown.hpp"
 #include "reports/markdown/markdown.hpp"
+#include "reports/pictures/ranking_svg.hpp"
 #include "studies/results/results.hpp"
 
 #include <fmt/format.h>
@@ -28,6 +30,10 @@ namespace {
 void write_markdown(OutputFolder& folder, const ResultSources& sources) {
     const studies::StudyResults& results = sources.results;
     folder.write("report.md", reports::markdown_report(results));
+    if (const auto lead = reports::lead_picture(results); lead && lead->kind == "ranking")
+        folder.write("answer.svg", reports::ranking_svg(*lead));
+    else
+        folder.remove("answer.svg");  // an earlier run may have had one
     if (!results.published) return;
     folder.write("audit.md", reports::audit_markdown(results.published->tables, results.published->audit));
 }
@@ -100,7 +106,7 @@ struct KnownFormat {
 
 constexpr std::array known{
     KnownFormat{{"html", "report.html"}, needs_nothing, write_html},
-    KnownFormat{{"markdown", "report.md, audit.md"}, needs_nothing, write_markdown},
+    KnownFormat{{"markdown", "report.md, answer.svg, audit.md"}, needs_nothing, write_markdown},
     KnownFormat{{"csv", "summary.csv, slopes.csv, coverage.csv, trials.csv"}, needs_nothing, write_csv},
     KnownFormat{{"json", "results.json, context.json"}, needs_nothing, write_json},
     KnownFormat{{"matrices", "matrices/*/*.mtx, matrices/*/*.npy"}, needs_nothing, write_matrices},
@@ -145,8 +151,8 @@ std::filesystem::path store_of(const std::filesystem::path& results) {
 }
 
 std::vector<std::string> usual_files() {
-    std::vector<std::string> files{"report.html",  "report.md",  "audit.md",     "summary.csv", "slopes.csv",
-                                   "coverage.csv", "trials.csv", "results.json", "context.json"};
+    std::vector<std::string> files{"report.html", "report.md",    "answer.svg", "audit.md",     "summary.csv",
+                                   "slopes.csv",  "coverage.csv", "trials.csv", "results.json", "context.json"};
     for (const RadiosityTable& table : tables_of_radiosity) files.emplace_back(table.file);
     return files;
 }

@@ -1,6 +1,7 @@
 #include "app/terminal/progress.hpp"
 
 #include "app/terminal/messages.hpp"
+#include "app/terminal/terminal_style.hpp"
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -20,12 +21,17 @@ std::string duration(double seconds) {
     return whole < 100 ? fmt::format("{} s", whole) : fmt::format("{}:{:02} min", whole / 60, whole % 60);
 }
 
-std::string bar(double share) {
-    constexpr int width = 30;
-    const int full = static_cast<int>(share * width);
-    std::string text;
-    for (int i = 0; i < width; ++i) text += i < full ? "█" : "·";
-    return text;
+/// Replaces the line of the terminal by a bar, as long as there is room, and a text.
+void rewrite_line(double share, const std::string& text) {
+    constexpr std::size_t longest = 30;
+    const std::size_t room = width_of(STDERR_FILENO) - 1;  // the last column stays free: terminals differ there
+    const std::size_t width = std::min(longest, room - std::min(room, text.size() + 1));
+    const auto full = static_cast<std::size_t>(share * static_cast<double>(width));
+    std::string bar;
+    for (std::size_t i = 0; i < width; ++i) bar += i < full ? "█" : "·";
+    if (width > 0) bar += ' ';
+    say("\r{}{}\033[K", bar, text.substr(0, room));
+    std::fflush(stderr);
 }
 
 }  // namespace
@@ -54,11 +60,10 @@ void ProgressDisplay::show(const studies::Progress& progress) {
     const double rate = static_cast<double>(progress.evaluations) / std::max(elapsed, 1e-9) / 1e6;
     const std::string text = fmt::format("{:5.1f} %  {:.0f} M samples/s  {} left", 100 * share, rate, left);
     if (style_ == Style::bar) {
-        say("\r{} {}   ", bar(share), text);
+        rewrite_line(share, text);
     } else {
         say("{}\n", text);
     }
-    std::fflush(stderr);
 }
 
 bool FormFactorDisplay::is_seen() {
@@ -74,10 +79,9 @@ void FormFactorDisplay::show(const studies::FormFactorProgress& progress) {
     const std::string stage = progress.stage == Stage::looking  ? "looking at pairs"
                               : progress.stage == Stage::pilots ? "pilot samples"
                                                                 : fmt::format("round {}", progress.round);
-    say("\r{} {:5.1f} % of {}  {:.1f} M samples  {} of {} pairs within {:g}   ", bar(progress.share),
-        100 * progress.share, stage, static_cast<double>(progress.samples) / 1e6, progress.within, progress.pairs,
-        tolerance_);
-    std::fflush(stderr);
+    rewrite_line(progress.share, fmt::format("{:5.1f} % of {}  {:.1f} M samples  {} of {} pairs within {:g}",
+                                             100 * progress.share, stage, static_cast<double>(progress.samples) / 1e6,
+                                             progress.within, progress.pairs, tolerance_));
 }
 
 void FormFactorDisplay::finish() {

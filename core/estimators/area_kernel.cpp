@@ -309,4 +309,24 @@ Eigen::MatrixXd area_kernel(const Scene& scene, Subdivision subdivision, const P
     return result;
 }
 
+double AreaKernel::nanoseconds(const EstimatorOptions& /*options*/, const Scene& /*scene*/) {
+    return 1.5;
+}
+
+std::optional<Integrand> AreaKernel::integrand(const EstimatorOptions& options, PairClass pair_class, Hiding hiding) {
+    if (pair_class == PairClass::adjacent) {
+        return options.map == PointMap::graded && hiding == Hiding::none ? Integrand::rough : Integrand::unbounded;
+    }
+    return hiding == Hiding::possible ? Integrand::jumping : Integrand::smooth;
+}
+
+bool AreaKernel::finite_variance(const EstimatorOptions& options, const Scene& scene, int from, int to) {
+    return kernel_has_variance(scene, from, to, options.map);
+}
+
+void AreaKernel::observe(const EstimatorTask& task, Outcome& outcome, PatchTotals& totals) const {
+    outcome.estimates =
+        area_kernel(*scene_, task.subdivision, *task.points, task.options.map, task.key, task.trial, &totals.factors);
+}
+
 }  // namespace ff

@@ -1,21 +1,13 @@
 #pragma once
 
-#include "core/estimators/graded_map.hpp"
-#include "core/geometry/scene.hpp"
-#include "core/points/points.hpp"
+#include "core/estimators/estimator.hpp"
 
 #include <Eigen/Core>
 
 #include <cstdint>
-#include <vector>
+#include <optional>
 
 namespace ff {
-
-/// Sums over trials of patch-to-face factors and of their squares, [patch * faces + face].
-struct PatchFactorSums {
-    std::vector<double> factors;
-    std::vector<double> factors_squared;
-};
 
 /// One trial of the area-to-area estimator: the integral over both patches of cos_i cos_j V / (pi r^2), divided by the
 /// source area, with the 4-D points (2 on the source, 2 on the target patch) and weights of `points`; patch factors are
@@ -34,5 +26,43 @@ struct PatchFactorSums {
 /// not see itself
 Eigen::MatrixXd area_kernel(const Scene& scene, Subdivision subdivision, const PointSource& points, PointMap map,
                             StreamKey key, std::uint32_t trial, PatchFactorSums* sums = nullptr);
+
+/// The paper's PDM, and its random relatives, as an estimator.
+class AreaKernel {
+  public:
+    static constexpr EstimatorInfo info{
+        .name = "area_kernel",
+        .summary = "cos·cos/(pi r^2) at pairs of points on two patches (with gauss_legendre: the paper's PDM)",
+        .details =
+            "A 4-D point gives a point on each patch of an ordered pair; samples_per_patch counts points per pair. "
+            "Unbiased "
+            "with\nrandom points, but where patches share an edge or a vertex the kernel is unbounded: the tail index "
+            "is 3/2 or "
+            "2, the\nvariance infinite, and no interval is shown. With Gauss-Legendre nodes on both patches it is the "
+            "parametric\ndifferential method (PDM); its error near common edges falls as 1/m only. map = \"graded\" "
+            "lays points s^3 "
+            "from a "
+            "common\nedge (s^2 from a common vertex): tail index 5/2, finite variance. What may stand between two "
+            "surfaces is "
+            "looked at\npoint by point.",
+        .reference = "baranoski1992",
+        .dimension = 4,
+        .points = PointsServe::pairs,
+        .patch_factors = PatchFactors::kernels,
+        .has_map = true,
+        .sees_occluders = true,
+        .evaluations = "kernel values",
+    };
+
+    static double nanoseconds(const EstimatorOptions& options, const Scene& scene);
+    static std::optional<Integrand> integrand(const EstimatorOptions& options, PairClass pair_class, Hiding hiding);
+    static bool finite_variance(const EstimatorOptions& options, const Scene& scene, int from, int to);
+
+    AreaKernel(const Scene& scene, TracerChoice /*tracer*/) : scene_(&scene) {}
+    void observe(const EstimatorTask& task, Outcome& outcome, PatchTotals& totals) const;
+
+  private:
+    const Scene* scene_;
+};
 
 }  // namespace ff

@@ -1,7 +1,9 @@
 #include "core/estimators/graded_map.hpp"
 
 #include "core/support/contract.hpp"
+#include "core/visibility/occlusion.hpp"
 
+#include <algorithm>
 #include <cstddef>
 
 namespace ff {
@@ -20,6 +22,16 @@ void turn_v(Parallelogram& patch) {
     patch.edge_v = -patch.edge_v;
 }
 
+bool is_of_parallelograms(const Scene& scene, int face) {
+    return std::all_of(scene.surfaces.begin(), scene.surfaces.end(), [face](const Surface& surface) {
+        return surface.face != face || std::holds_alternative<Parallelogram>(surface.shape);
+    });
+}
+
+bool are_graded(const Scene& scene, int from, int to) {
+    return is_of_parallelograms(scene, from) && is_of_parallelograms(scene, to) && !may_be_occluded(scene, from, to);
+}
+
 }  // namespace
 
 std::optional<double> kernel_tail_index(Contact contact, PointMap map) {
@@ -35,6 +47,13 @@ std::optional<double> kernel_tail_index(Contact contact, PointMap map) {
             return graded ? (edge_power + 2) / 2.0 : 1.5;
     }
     return std::nullopt;
+}
+
+bool kernel_has_variance(const Scene& scene, int from, int to, PointMap map) {
+    const Contact contact = closest_contact(scene, from, to);
+    if (contact == Contact::none) return true;
+    const auto index = kernel_tail_index(contact, are_graded(scene, from, to) ? map : PointMap::uniform);
+    return !index || *index > 2;
 }
 
 std::optional<GradedPair> grade_pair(const Parallelogram& from, const Parallelogram& to) {

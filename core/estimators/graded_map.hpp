@@ -27,6 +27,11 @@ enum class PointMap {
 /// above 2.
 std::optional<double> kernel_tail_index(Contact contact, PointMap map);
 
+/// Whether the kernel at random points on two faces, from 0, has a variance: not where any two of their patches touch
+/// so that the tail index is 2 or less. Points are graded between parallelograms, and not where they are looked at one
+/// by one.
+bool kernel_has_variance(const Scene& scene, int from, int to, PointMap map);
+
 /// Two patches with the contact at 0 of the graded coordinates, so that small distances keep their digits.
 struct GradedPair {
     Parallelogram from;

@@ -4,6 +4,7 @@
 #include "core/support/contract.hpp"
 #include "core/visibility/facing.hpp"
 
+#include <fmt/format.h>
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -106,6 +107,28 @@ Eigen::MatrixXd point_to_polygon(const Scene& scene, Subdivision subdivision, co
         for (const Target& target : targets) result(source.face, target.face) += share * target.sum;
     }
     return result;
+}
+
+std::string PointToPolygon::refusal(const EstimatorOptions& /*options*/, const Scene& scene) {
+    if (has_only_parallelograms(scene)) return {};
+    return fmt::format(
+        "{} cannot be used in scene '{}' (not all of its surfaces are parallelograms). Use estimator = "
+        "\"ray_shooting\" or \"area_kernel\".",
+        info.name, scene.name);
+}
+
+double PointToPolygon::nanoseconds(const EstimatorOptions& /*options*/, const Scene& /*scene*/) {
+    return 60.0;  // of all faces of a box
+}
+
+std::optional<Integrand> PointToPolygon::integrand(const EstimatorOptions& /*options*/, PairClass pair_class,
+                                                   Hiding /*hiding*/) {
+    return pair_class == PairClass::adjacent ? Integrand::rough : Integrand::smooth;
+}
+
+void PointToPolygon::observe(const EstimatorTask& task, Outcome& outcome, PatchTotals& /*totals*/) const {
+    outcome.estimates = point_to_polygon(*scene_, task.subdivision, *task.points, task.samples, task.options.allocation,
+                                         task.key, task.trial);
 }
 
 }  // namespace ff

@@ -1,12 +1,12 @@
 #pragma once
 
-#include "core/geometry/scene.hpp"
-#include "core/patches/allocation.hpp"
-#include "core/points/points.hpp"
+#include "core/estimators/estimator.hpp"
 
 #include <Eigen/Core>
 
 #include <cstdint>
+#include <optional>
+#include <string>
 
 namespace ff {
 
@@ -25,5 +25,38 @@ namespace ff {
 Eigen::MatrixXd point_to_polygon(const Scene& scene, Subdivision subdivision, const PointSource& points,
                                  std::uint64_t samples_per_patch, Allocation allocation, StreamKey key,
                                  std::uint32_t trial);
+
+/// The same as an estimator.
+class PointToPolygon {
+  public:
+    static constexpr EstimatorInfo info{
+        .name = "point_to_polygon",
+        .summary = "exact factors from points of the source to each face (Lambert's formula)",
+        .details =
+            "A 2-D point lies on the source patch; from there the form factor to every visible face is exact: a sum "
+            "over "
+            "the edges\nof the face, each the angle under which it is seen times a cosine. Points are shared by all "
+            "targets, and "
+            "subdivision\ndivides the source only. Unbiased with random points, of values between 0 and 1; smooth "
+            "between parallel "
+            "faces, with a\njump at the corners where three faces meet. Works with every sampler in two dimensions "
+            "(so stratified takes "
+            "k^2 points)\nand, deterministically, with Gauss-Legendre nodes. Unoccluded convex scenes only.",
+        .reference = "baum1989",
+        .dimension = 2,
+        .points = PointsServe::patches,
+    };
+
+    /// All surfaces have to be parallelograms.
+    static std::string refusal(const EstimatorOptions& options, const Scene& scene);
+    static double nanoseconds(const EstimatorOptions& options, const Scene& scene);
+    static std::optional<Integrand> integrand(const EstimatorOptions& options, PairClass pair_class, Hiding hiding);
+
+    PointToPolygon(const Scene& scene, TracerChoice /*tracer*/) : scene_(&scene) {}
+    void observe(const EstimatorTask& task, Outcome& outcome, PatchTotals& totals) const;
+
+  private:
+    const Scene* scene_;
+};
 
 }  // namespace ff

@@ -1,13 +1,26 @@
 #include "core/estimators/ray_shooting.hpp"
 
+#include "core/patches/face_averages.hpp"
 #include "core/support/contract.hpp"
+#include "core/tracing/traceable.hpp"
 #include "core/visibility/mirrors.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <functional>
 
 namespace ff {
 namespace {
+
+constexpr double analytic_nanoseconds = 1.0;
+constexpr double embree_nanoseconds = 60.0;
+
+/// Whether sums of every patch are kept: of more numbers than this a unit of work would be too large to save.
+bool keeps_patches(const Scene& scene, Subdivision subdivision) {
+    constexpr std::uint64_t most = 1u << 22;
+    return subdivision.patches(scene) * scene.faces.size() <= most;
+}
 
 /// Adds the hits of one patch to the sums over trials.
 void collect(const FaceHits& patch_hits, std::size_t patch, PatchSums& sums) {
@@ -77,6 +90,32 @@ void ray_shooting(const Scene& scene, Subdivision subdivision, const Tracer& tra
         collect(surface_hits, scene.surfaces[surface], tally);
         tally.rays[from_face] += grid.parts() * samples_per_patch;
     }
+}
+
+std::string RayShooting::refusal(const EstimatorOptions& options, const Scene& scene) {
+    if (options.tracer == TracerChoice::box && !scene.empty_box) {
+        return fmt::format(
+            "the box tracer cannot be used in scene '{}' (it is not an empty box). Use tracer = \"embree\".",
+            scene.name);
+    }
+    return why_not_traceable(scene);
+}
+
+double RayShooting::nanoseconds(const EstimatorOptions& options, const Scene& scene) {
+    const bool one_by_one =
+        options.tracer == TracerChoice::embree || options.tracer == TracerChoice::leaky || !mirrors(scene).empty();
+    return scene.empty_box && !one_by_one ? analytic_nanoseconds : embree_nanoseconds;
+}
+
+std::optional<Integrand> RayShooting::integrand(const EstimatorOptions& /*options*/, PairClass /*pair_class*/,
+                                                Hiding /*hiding*/) {
+    return Integrand::jumping;
+}
+
+void RayShooting::observe(const EstimatorTask& task, Outcome& outcome, PatchTotals& totals) const {
+    ray_shooting(*scene_, task.subdivision, *tracer_, *task.points, task.samples, task.options.allocation, task.key,
+                 task.trial, outcome.rays, keeps_patches(*scene_, task.subdivision) ? &totals.hits : nullptr);
+    outcome.estimates = face_averages(*scene_, outcome.rays.weighted, task.subdivision.per_part() * task.samples);
 }
 
 }  // namespace ff

@@ -1,30 +1,12 @@
 #pragma once
 
-#include "core/geometry/scene.hpp"
-#include "core/patches/allocation.hpp"
-#include "core/points/points.hpp"
-#include "core/tracing/tracer.hpp"
+#include "core/estimators/estimator.hpp"
 
 #include <cstdint>
-#include <vector>
+#include <memory>
+#include <string>
 
 namespace ff {
-
-/// Integer outcome of one trial of ray shooting.
-struct RayTally {
-    std::vector<std::uint64_t> hits;  ///< [from_face * faces + to_face]
-    std::vector<std::uint64_t> rays;  ///< [from_face]
-    std::vector<std::uint64_t> lost;  ///< [from_face]
-    /// [from_face * faces + to_face], the hits of each surface times the area of a part of its grid, summed in the
-    /// order of surfaces: faces of several surfaces are averages by area.
-    std::vector<double> weighted;
-};
-
-/// Sums over trials of patch-to-face hits and of their squares, [patch * faces + face]; exact integers.
-struct PatchSums {
-    std::vector<std::uint64_t> hits;
-    std::vector<std::uint64_t> hits_squared;
-};
 
 /// One trial of ray shooting (the paper's SR): `samples_per_patch` cosine-distributed rays from every patch.
 /// `tally` is replaced by this trial's outcome, `sums` (empty, or from earlier trials of the same size) added to; null
@@ -33,5 +15,42 @@ struct PatchSums {
 void ray_shooting(const Scene& scene, Subdivision subdivision, const Tracer& tracer, const PointSource& points,
                   std::uint64_t samples_per_patch, Allocation allocation, StreamKey key, std::uint32_t trial,
                   RayTally& tally, PatchSums* sums);
+
+/// The paper's SR, as an estimator.
+class RayShooting {
+  public:
+    static constexpr EstimatorInfo info{
+        .name = "ray_shooting",
+        .summary = "rays from every patch, cosine distributed; counts what they hit (the paper's SR)",
+        .details =
+            "A 4-D point gives the origin on the source patch (2) and the direction (2). The estimate of F(i, j) is "
+            "the "
+            "share\nof the rays from face i that hit face j: integer counts, unbiased, and nothing is chosen about the "
+            "target.\nWorks with every sampler of equal weights. allocation = \"face\" runs one sequence over all "
+            "patches of a "
+            "face.\nRays that leave a closed scene are lost rays; they are counted and reported.",
+        .reference = "shirley1991",
+        .dimension = 4,
+        .points = PointsServe::patches,
+        .observes = Observes::hits,
+        .patch_factors = PatchFactors::rays,
+        .has_tracer = true,
+        .sees_occluders = true,
+        .sees_reflections = true,
+        .evaluations = "rays",
+    };
+
+    /// The box tracer is for empty boxes; rays have single precision.
+    static std::string refusal(const EstimatorOptions& options, const Scene& scene);
+    static double nanoseconds(const EstimatorOptions& options, const Scene& scene);
+    static std::optional<Integrand> integrand(const EstimatorOptions& options, PairClass pair_class, Hiding hiding);
+
+    RayShooting(const Scene& scene, TracerChoice tracer) : scene_(&scene), tracer_(make_tracer(scene, tracer)) {}
+    void observe(const EstimatorTask& task, Outcome& outcome, PatchTotals& totals) const;
+
+  private:
+    const Scene* scene_;
+    std::unique_ptr<const Tracer> tracer_;
+};
 
 }  // namespace ff

@@ -1,5 +1,6 @@
 #include "core/formulas/polygon_factor.hpp"
 
+#include "core/geometry/unit_circle.hpp"
 #include "core/support/contract.hpp"
 
 #include <algorithm>
@@ -16,15 +17,12 @@ namespace ff {
 namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// atan(x) for |x| <= tan(pi/8): x + x^3 P(x^2), P interpolated at Chebyshev nodes; relative error 7e-18 before
-/// rounding.
+/// atan(x) for |x| <= tan(pi/8).
 HWY_INLINE Doubles small_arc_tangent(Doubles x) {
-    constexpr std::array<double, 10> coefficients{
-        0.03923165829558719,  -0.0508544973794026, 0.0585814891280221,   -0.06664511447381948, 0.07692183190826087,
-        -0.09090904578123903, 0.11111111015256361, -0.14285714284666542, 0.1999999999999552,   -1.0 / 3};
     const Doubles y = hn::Mul(x, x);
-    Doubles p = constant(-0.01917688711906226);
-    for (const double c : coefficients) p = hn::Add(hn::Mul(p, y), constant(c));
+    Doubles p = constant(arc_tangent_series[0]);
+    for (std::size_t k = 1; k < arc_tangent_series.size(); ++k)
+        p = hn::Add(hn::Mul(p, y), constant(arc_tangent_series[k]));
     return hn::Add(x, hn::Mul(hn::Mul(x, y), p));
 }
 

@@ -1,5 +1,6 @@
 #include "core/geometry/unit_circle.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -32,6 +33,21 @@ CirclePoint unit_circle(double turns) {
         default:
             return {sine, -cosine};
     }
+}
+
+double angle_of(double sine, double cosine) {
+    constexpr double tan_pi_8 = std::numbers::sqrt2 - 1;
+    const double low = std::min(sine, std::abs(cosine));
+    const double high = std::max(sine, std::abs(cosine));
+    if (!(high > 0)) return 0;
+    const bool middle = low > high * tan_pi_8;  // beyond pi/8, measure from pi/4
+    const double x = middle ? (low - high) / (low + high) : low / high;
+    double p = 0;
+    for (const double c : arc_tangent_series) p = p * (x * x) + c;
+    double angle = x + x * (x * x) * p;
+    if (middle) angle += std::numbers::pi / 4;
+    if (sine > std::abs(cosine)) angle = std::numbers::pi / 2 - angle;
+    return cosine < 0 ? std::numbers::pi - angle : angle;
 }
 
 }  // namespace ff

@@ -252,14 +252,14 @@ TableCell likeness_in_words(const RunComparison& comparison, const CellCompariso
     return {"no test: only one of them is random", mark};
 }
 
-std::string comparison_text(const RunComparison& comparison, Colour colour) {
+std::string comparison_text(const RunComparison& comparison, const TextStyle& style) {
     std::string out =
         fmt::format("{}\n{}\n\n{}\n\n", description(comparison, 0), description(comparison, 1), verdict(comparison));
     if (const std::string plot = forest(comparison); !plot.empty()) out += plot + '\n';
-    out += text_table(cells_table(comparison), colour);
+    out += text_table(cells_table(comparison), style);
     if (!comparison.differences.empty()) {
         const Table differences = differences_table(comparison);
-        out += fmt::format("\n{}\n{}", differences.title, text_table(differences, colour));
+        out += fmt::format("\n{}\n{}", differences.title, text_table(differences, style));
     }
     const auto lines = remarks(comparison);
     if (!lines.empty()) out += fmt::format("\n{}\n", fmt::join(lines, "\n"));

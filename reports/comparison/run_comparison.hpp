@@ -1,8 +1,8 @@
 #pragma once
 
 #include "reports/templates/templates.hpp"
-#include "reports/text/colour.hpp"
 #include "reports/text/table.hpp"
+#include "reports/text/text_style.hpp"
 #include "studies/comparison/run_comparison.hpp"
 
 #include <string>
@@ -13,7 +13,7 @@ namespace ff::reports {
 
 /// For the terminal: which run is better, the ratios of errors as a forest plot, a row for each method, size and class
 /// of pairs, what differs in the study files, and what only one has.
-std::string comparison_text(const studies::RunComparison& comparison, Colour colour);
+std::string comparison_text(const studies::RunComparison& comparison, const TextStyle& style);
 
 /// comparison.md
 std::string comparison_markdown(const studies::RunComparison& comparison);

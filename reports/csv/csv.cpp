@@ -35,8 +35,8 @@ std::string cell_fields(const studies::StudyPlan& plan, const studies::CellFindi
     const std::string samples = cell.samples == 0 ? std::string() : std::to_string(cell.samples);
     return fmt::format("{},{},{},{},{},{},{},{},{},{},{}", csv_field(plan.spec.name),
                        csv_field(plan.scenes[cell.scene].name), csv_field(method.name), csv_field(method.sampler),
-                       name(method.estimator), name(method.completion), nodes_field(method),
-                       has_allocation(method.estimator) ? studies::name(method.allocation) : "",
+                       method.estimator, name(method.completion), nodes_field(method),
+                       estimator_info(method).has_allocation() ? studies::name(method.allocation) : "",
                        cell.subdivision.per_part(), samples, found.trials);
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "studies/gates/check_results.hpp"
-#include "studies/gates/seed_sweep.hpp"
+#include "studies/verdicts/check_results.hpp"
+#include "studies/verdicts/seed_sweep.hpp"
 
 #include <ostream>
 #include <span>

@@ -5,6 +5,7 @@
 #include "reports/html/security_policy.hpp"
 #include "reports/pictures/pictures.hpp"
 #include "reports/tables/radiosity_tables.hpp"
+#include "reports/tables/tables.hpp"
 #include "reports/templates/mustache.hpp"
 #include "reports/text/labels.hpp"
 #include "reports/words/cells_in_between.hpp"
@@ -101,6 +102,28 @@ Json kinds_view(const std::vector<Picture>& pictures, const std::vector<PictureG
     return list;
 }
 
+/// Distributions and patches of methods are most of a report's bytes. Beyond what a page holds, those of the last
+/// methods are left to files. @return how many pictures are left out
+std::size_t leave_out(std::vector<PictureGroup>& groups) {
+    constexpr std::size_t most_bytes = 530'000;
+    std::size_t bytes = 0;
+    for (const PictureGroup& group : groups) {
+        for (const Picture& picture : group.pictures) bytes += picture.values.size();
+    }
+    const auto is_large = [](const Picture& picture) {
+        return picture.kind == "qq" || picture.kind == "histogram" || picture.kind == "cube";
+    };
+    std::size_t left_out = 0;
+    for (auto group = groups.rbegin(); group != groups.rend() && bytes > most_bytes; ++group) {
+        if (group->open) continue;
+        for (const Picture& picture : group->pictures) {
+            if (is_large(picture)) bytes -= picture.values.size();
+        }
+        left_out += std::erase_if(group->pictures, is_large);
+    }
+    return left_out;
+}
+
 void add_pictures(const studies::StudyResults& results, const Templates& templates, Json& view) {
     const bool drawn = templates.has("vega.js");
     const auto lead = lead_picture(results);
@@ -110,7 +133,12 @@ void add_pictures(const studies::StudyResults& results, const Templates& templat
     const auto is_lead = [&](const Picture& picture) { return lead && picture.id == lead->id; };
     std::erase_if(pictures, is_lead);
     for (PictureGroup& group : groups) std::erase_if(group.pictures, is_lead);
+    const std::size_t left_out = leave_out(groups);
     std::erase_if(groups, [](const PictureGroup& group) { return group.pictures.empty(); });
+    view["left_out"] = left_out > 0 ? Json(fmt::format("{} pictures of the distributions and patches of single methods "
+                                                       "are not on this page: ffstudy figure draws them.",
+                                                       left_out))
+                                    : Json();
     view["drawn"] = drawn;
     view["lead"] = lead ? picture_view(*lead, drawn) : Json();
     view["pictured"] = !pictures.empty() || !groups.empty();

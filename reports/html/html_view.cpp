@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <cstddef>
+#include <string>
 #include <string_view>
 
 namespace ff::reports {
@@ -37,6 +39,19 @@ MarkView view(Mark mark) {
     return {};
 }
 
+std::size_t count_minor(const Table& table, std::size_t begin, std::size_t end) {
+    std::size_t count = 0;
+    for (std::size_t i = begin; i < end; ++i) {
+        if (table.columns[i].minor) ++count;
+    }
+    return count;
+}
+
+std::string style_of(const TableColumn& column) {
+    if (column.number && column.minor) return "number minor";
+    return column.number ? "number" : column.minor ? "minor" : "";
+}
+
 /// Column titles of the upper row, with how many columns each covers; empty where no column has one.
 Json groups_of(const Table& table) {
     Json groups = Json::array();
@@ -46,7 +61,13 @@ Json groups_of(const Table& table) {
         const std::string& title = table.columns[i].group;
         while (end < table.columns.size() && table.columns[end].group == title) ++end;
         any |= !title.empty();
-        groups.push_back({{"title", title}, {"span", std::to_string(end - i)}, {"named", !title.empty()}});
+        const std::size_t minor = count_minor(table, i, end);
+        if (minor < end - i)
+            groups.push_back({{"title", title}, {"span", std::to_string(end - i - minor)}, {"named", !title.empty()}});
+        if (minor > 0) {
+            const bool named = minor == end - i && !title.empty();
+            groups.push_back({{"title", title}, {"span", std::to_string(minor)}, {"named", named}, {"minor", true}});
+        }
         i = end;
     }
     return any ? groups : Json::array();
@@ -70,7 +91,7 @@ Json headline_view(const Headline& headline) {
 Json table_view(const Table& table) {
     Json columns = Json::array();
     for (const TableColumn& column : table.columns)
-        columns.push_back({{"title", column.title}, {"number", column.number}});
+        columns.push_back({{"title", column.title}, {"number", column.number}, {"style", style_of(column)}});
     Json rows = Json::array();
     for (const auto& row : table.rows) {
         Json cells = Json::array();
@@ -78,6 +99,7 @@ Json table_view(const Table& table) {
             const MarkView mark = view(row[i].mark);
             cells.push_back({{"text", row[i].text},
                              {"number", table.columns[i].number},
+                             {"style", style_of(table.columns[i])},
                              {"mark", std::string(mark.style)},
                              {"says", std::string(mark.says)}});
         }
@@ -89,6 +111,7 @@ Json table_view(const Table& table) {
             {"title", table.title},
             {"note", table.note},
             {"grouped", grouped},
+            {"has_minor", count_minor(table, 0, table.columns.size()) > 0},
             {"groups", std::move(groups)},
             {"columns", std::move(columns)},
             {"rows", std::move(rows)},

@@ -2,6 +2,7 @@
 
 #include "reports/text/table.hpp"
 #include "reports/words/headline.hpp"
+#include "studies/results/results.hpp"
 
 #include <nlohmann/json_fwd.hpp>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "studies/gates/check_results.hpp"
+#include "studies/verdicts/check_results.hpp"
 
 #include <string>
 #include <vector>

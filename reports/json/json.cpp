@@ -122,16 +122,15 @@ Json nodes_json(const studies::Method& method) {
 Json cell_json(const studies::StudyPlan& plan, const studies::CellFindings& found) {
     const studies::Cell& cell = plan.cells[found.cell];
     const studies::Method& method = plan.spec.methods[cell.method];
-    const bool shoots = method.estimator == studies::Estimator::ray_shooting;
-    const bool kernel = method.estimator == studies::Estimator::area_kernel;
+    const EstimatorInfo& estimator = estimator_info(method);
     Json json{{"scene", plan.scenes[cell.scene].name},
               {"method", method.name},
               {"sampler", method.sampler.empty() ? Json(nullptr) : Json(method.sampler)},
-              {"estimator", studies::name(method.estimator)},
+              {"estimator", method.estimator},
               {"completion", studies::name(method.completion)},
-              {"allocation", has_allocation(method.estimator) ? Json(studies::name(method.allocation)) : Json(nullptr)},
-              {"tracer", shoots ? Json(studies::name(method.tracer)) : Json(nullptr)},
-              {"map", kernel ? Json(studies::name(method.map)) : Json(nullptr)},
+              {"allocation", estimator.has_allocation() ? Json(studies::name(method.allocation)) : Json(nullptr)},
+              {"tracer", estimator.has_tracer ? Json(studies::name(method.tracer)) : Json(nullptr)},
+              {"map", estimator.has_map ? Json(studies::name(method.map)) : Json(nullptr)},
               {"nodes", nodes_json(method)},
               {"patches_per_face", cell.subdivision.per_part()},
               {"samples_per_patch", cell.samples == 0 ? Json(nullptr) : Json(cell.samples)},
@@ -247,11 +246,6 @@ std::string results_json(const studies::StudyResults& results) {
     json["radiosity"] = radiosity_json(results);
     json["published"] = results.published ? published_json(*results.published) : Json(nullptr);
     return json.dump(2) + "\n";
-}
-
-std::string context_json(const studies::Context& context) {
-    // File names of the command need not be UTF-8, as JSON has to be.
-    return Json(context).dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace ff::reports

@@ -13,7 +13,4 @@ inline constexpr int results_json_version = 1;
 /// not exist.
 std::string results_json(const studies::StudyResults& results);
 
-/// Host, compiler, dates and timings: what may differ between equal runs.
-std::string context_json(const studies::Context& context);
-
 }  // namespace ff::reports

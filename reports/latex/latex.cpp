@@ -2,6 +2,7 @@
 
 #include "reports/latex/latex_text.hpp"
 #include "reports/pictures/picture_values.hpp"
+#include "reports/tables/tables.hpp"
 #include "reports/templates/mustache.hpp"
 #include "reports/text/text_table.hpp"
 

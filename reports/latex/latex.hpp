@@ -2,6 +2,7 @@
 
 #include "reports/templates/templates.hpp"
 #include "reports/text/table.hpp"
+#include "studies/results/results.hpp"
 
 #include <string>
 #include <vector>

@@ -3,6 +3,7 @@
 #include "reports/markdown/markdown_sections.hpp"
 #include "reports/markdown/markdown_table.hpp"
 #include "reports/markdown/markdown_text.hpp"
+#include "reports/tables/tables.hpp"
 
 #include <fmt/format.h>
 

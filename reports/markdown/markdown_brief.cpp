@@ -1,5 +1,6 @@
 #include "reports/markdown/markdown_sections.hpp"
 #include "reports/markdown/markdown_text.hpp"
+#include "reports/pictures/pictures.hpp"
 #include "reports/text/labels.hpp"
 #include "reports/text/numbers.hpp"
 #include "reports/words/answer.hpp"
@@ -34,7 +35,7 @@ const CellFindings* best(const studies::Findings& findings, std::size_t scene, P
         const studies::Cell& cell = findings.plan.cells[found.cell];
         const auto value = rank(findings, found, pair_class);
         if (!value || cell.scene != scene || cell.deterministic != deterministic) continue;
-        if (findings.plan.spec.methods[cell.method].estimator == studies::Estimator::closed_form) continue;
+        if (estimator_info(findings.plan.spec.methods[cell.method]).exact) continue;
         if (best == nullptr || *value < *rank(findings, *best, pair_class)) best = &found;
     }
     return best;
@@ -47,7 +48,7 @@ std::string exact_methods(const studies::Findings& findings, std::size_t scene, 
         const studies::Cell& cell = findings.plan.cells[found.cell];
         const studies::Method& method = findings.plan.spec.methods[cell.method];
         const auto rmse = found.class_rmse(pair_class);
-        const bool computed = cell.deterministic && method.estimator != studies::Estimator::closed_form;
+        const bool computed = cell.deterministic && !estimator_info(method).exact;
         if (cell.scene != scene || !computed || !rmse || *rmse >= studies::rounding_error) continue;
         if (std::find(names.begin(), names.end(), method.name) == names.end()) names.push_back(method.name);
     }
@@ -103,7 +104,10 @@ std::string bias_line(const studies::Findings& findings) {
 std::string brief_section(const studies::StudyResults& results) {
     const Answer said = answer(results);
     std::string out = said.question.empty() ? std::string() : fmt::format("*{}*\n\n", markdown_text(said.question));
-    out += fmt::format("**{}**\n\n## In brief\n\n", markdown_text(said.text));
+    out += fmt::format("**{}**\n\n", markdown_text(said.text));
+    if (const auto lead = lead_picture(results); lead && lead->kind == "ranking")
+        out += fmt::format("![{}](answer.svg)\n\n{}\n\n", markdown_text(lead->title), markdown_text(lead->finding));
+    out += "## In brief\n\n";
     for (std::size_t scene = 0; scene < results.findings.plan.scenes.size(); ++scene) {
         for (const PairClass pair_class : {PairClass::parallel, PairClass::adjacent}) {
             out += accuracy_line(results.findings, scene, pair_class);

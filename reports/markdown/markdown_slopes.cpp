@@ -1,6 +1,7 @@
 #include "reports/markdown/markdown_sections.hpp"
 #include "reports/markdown/markdown_table.hpp"
 #include "reports/markdown/markdown_text.hpp"
+#include "reports/tables/tables.hpp"
 #include "reports/templates/mustache.hpp"
 #include "reports/text/labels.hpp"
 #include "reports/text/numbers.hpp"

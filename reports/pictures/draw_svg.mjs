@@ -1,12 +1,16 @@
-// draw_svg.mjs PICTURES.json OUT: draws every picture of the file into OUT/ID.svg, without a browser.
+// draw_svg.mjs PICTURES.json OUT: draws every picture of the file into OUT/ID.svg, without a browser; with `style`, as a
+// figure of that size for a paper, into OUT/ID.pgf too.
 
 import {readFileSync, writeFileSync} from 'node:fs';
 import {join} from 'node:path';
+import {pgf} from './pgf.js';
 import {View, expressionInterpreter, parse, prepare, settle} from './runtime.js';
 
 // The colours of the light theme: for paper.
 const colours = {ground: '#ffffff', ink: '#1b1b1b', quiet: '#595959', rule: '#d0d0d0'};
-const width = 640;
+const widthOfReports = 640;
+const letters = 12;  // px, of every specification
+const pxOfMm = 96 / 25.4, pxOfPoint = 96 / 72;
 
 /** Says what is shown where readers of report.html can choose. */
 function titled(specification, {choose}) {
@@ -14,11 +18,34 @@ function titled(specification, {choose}) {
   return {...specification, title: {text: `${choose.label}: ${choose.values[0]}`, anchor: 'start', fontWeight: 'normal'}};
 }
 
-const [file, out] = process.argv.slice(2);
-const {kinds, pictures} = JSON.parse(readFileSync(file, 'utf8'));
-for (const {id, kind, values} of pictures) {
-  const view = new View(parse(titled(prepare(kinds[kind], values), values), null, {ast: true}),
+async function draw(kind, values, width, height) {
+  const view = new View(parse(titled(prepare(kind, values), values), null, {ast: true}),
                         {expr: expressionInterpreter, renderer: 'none'});
-  const svg = await settle(view, values, width).toSVG();
-  writeFileSync(join(out, `${id}.svg`), svg.replaceAll(/var\(--(\w+)\)/g, (_, name) => colours[name]));
+  settle(view, values, width);
+  if (height) {
+    const drawn = Number(/ height="([\d.]+)"/.exec(await view.toSVG())[1]);
+    view.height(view.height() + height - drawn);  // axes and titles keep theirs
+  }
+  return (await view.toSVG()).replaceAll(/var\(--(\w+)\)/g, (_, name) => colours[name]);
+}
+
+/** A figure is drawn with the letters of all pictures on paper of another size, and scaled: all its parts stay in proportion. */
+async function figure(kind, values, style) {
+  const scale = style.fontSize * pxOfPoint / letters;
+  const px = mm => mm * pxOfMm / scale;
+  const svg = await draw(kind, values, px(style.width), style.height && px(style.height));
+  const [, width, height] = / width="([\d.]+)" height="([\d.]+)"/.exec(svg);
+  const mm = length => `${(length * scale / pxOfMm).toFixed(3)}mm`;
+  return {
+    svg: svg.replace(/ width="[\d.]+" height="[\d.]+"/, ` width="${mm(width)}" height="${mm(height)}"`)
+            .replaceAll(/font-family="[^"]*"/g, given => style.font ? `font-family="${style.font}"` : given),
+    ...(!svg.includes('<linearGradient') && {pgf: pgf(svg, {width, height, scale: scale / pxOfPoint})}),
+  };
+}
+
+const [file, out] = process.argv.slice(2);
+const {kinds, pictures, style} = JSON.parse(readFileSync(file, 'utf8'));
+for (const {id, kind, values} of pictures) {
+  const drawn = style ? await figure(kinds[kind], values, style) : {svg: await draw(kinds[kind], values, widthOfReports)};
+  for (const [format, text] of Object.entries(drawn)) writeFileSync(join(out, `${id}.${format}`), text);
 }

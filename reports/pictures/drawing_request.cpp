@@ -2,24 +2,37 @@
 
 #include <nlohmann/json.hpp>
 
+#include <iterator>
+#include <utility>
+
 namespace ff::reports {
 
-std::string drawing_request(const studies::StudyResults& results, const Templates& templates) {
+std::vector<Picture> all_pictures(const studies::StudyResults& results, const MethodChoice& methods) {
+    std::vector<Picture> all;
+    const auto add = [&](std::vector<Picture> more) { std::move(more.begin(), more.end(), std::back_inserter(all)); };
+    auto lead = lead_picture(results, methods);
+    if (lead && lead->kind == "ranking") add({std::move(*lead)});  // others are among those below
+    add(pictures_by_size(results, methods));
+    if (!methods.names.empty()) return all;  // the others are of one method, or of the scene
+    for (PictureGroup& group : picture_groups(results)) add(std::move(group.pictures));
+    return all;
+}
+
+std::string drawing_request(const std::vector<Picture>& pictures, const Templates& templates,
+                            const std::optional<FigureStyle>& style) {
     using Json = nlohmann::ordered_json;
-    Json kinds = Json::object();
-    Json pictures = Json::array();
-    const auto add = [&](const std::vector<Picture>& more) {
-        for (const Picture& picture : more) {
-            if (!kinds.contains(picture.kind))
-                kinds[picture.kind] = Json::parse(templates.text(picture.kind + ".json"));
-            pictures.push_back({{"id", picture.id}, {"kind", picture.kind}, {"values", Json::parse(picture.values)}});
-        }
-    };
-    const auto lead = lead_picture(results);
-    if (lead && lead->kind == "ranking") add({*lead});  // others are among those below
-    add(pictures_by_size(results));
-    for (const PictureGroup& group : picture_groups(results)) add(group.pictures);
-    return Json{{"kinds", std::move(kinds)}, {"pictures", std::move(pictures)}}.dump();
+    Json request{{"kinds", Json::object()}, {"pictures", Json::array()}};
+    Json& kinds = request["kinds"];
+    for (const Picture& picture : pictures) {
+        if (!kinds.contains(picture.kind)) kinds[picture.kind] = Json::parse(templates.text(picture.kind + ".json"));
+        request["pictures"].push_back(
+            {{"id", picture.id}, {"kind", picture.kind}, {"values", Json::parse(picture.values)}});
+    }
+    if (style) {
+        request["style"] = {{"width", style->width}, {"fontSize", style->font_size}, {"font", style->font}};
+        if (style->height) request["style"]["height"] = *style->height;
+    }
+    return request.dump();
 }
 
 }  // namespace ff::reports

@@ -3,12 +3,26 @@
 #include "reports/pictures/pictures.hpp"
 #include "reports/templates/templates.hpp"
 
+#include <optional>
 #include <string>
+#include <vector>
 
 namespace ff::reports {
 
-/// What draw_svg.mjs reads to draw every picture of a report: JSON of `kinds` (specifications by name) and `pictures`
-/// (`id`, `kind`, `values`).
-std::string drawing_request(const studies::StudyResults& results, const Templates& templates);
+/// How a figure is drawn on paper. Lines and symbols follow the size of its letters.
+struct FigureStyle {
+    double width = 0;              ///< mm
+    std::optional<double> height;  ///< mm; otherwise as its kind has it
+    double font_size = 8;          ///< points
+    std::string font;              ///< a font family; empty: that of reports
+};
+
+/// Every picture of a report, each once.
+std::vector<Picture> all_pictures(const studies::StudyResults& results, const MethodChoice& methods = {});
+
+/// What draw_svg.mjs reads to draw these pictures: JSON of `kinds` (specifications by name), `pictures` (`id`, `kind`,
+/// `values`) and, of figures, `style`.
+std::string drawing_request(const std::vector<Picture>& pictures, const Templates& templates,
+                            const std::optional<FigureStyle>& style = std::nullopt);
 
 }  // namespace ff::reports

@@ -27,6 +27,8 @@ constexpr std::size_t most_blocks = 4;
 /// Rows of a ranking, in blocks with a heading each.
 class Rows {
   public:
+    explicit Rows(const MethodChoice& methods) : chosen_(methods) {}
+
     struct Row {
         std::string label;
         std::string method;
@@ -40,9 +42,11 @@ class Rows {
     void heading(const std::string& text) {
         ++blocks_;
         block_ = text;
-        order_.push_back(text);
+        begun_ = false;
     }
     void add(const Row& row) {
+        if (!chosen_.has(row.method)) return;
+        if (!std::exchange(begun_, true)) order_.push_back(block_);
         ++rows_;
         if (!row.method.empty()) methods_.insert(row.method);
         order_.push_back(fmt::format("{}|{}", block_, row.label));
@@ -58,6 +62,8 @@ class Rows {
     [[nodiscard]] const std::set<std::string>& methods() const { return methods_; }
 
   private:
+    const MethodChoice& chosen_;
+    bool begun_ = false;  ///< whether the heading of this block stands
     PictureValues values_{{"row", "method", "size", "value", "low", "high", "end", "expected", "group"}};
     std::string block_;
     Json order_ = Json::array();
@@ -221,9 +227,9 @@ Told told(Subject subject, double level) {
     return {"Error of each method, smallest first.", "RMSE of a run", bars + groups, true};
 }
 
-Picture ranking_picture(const StudyResults& results, Subject subject, Rows& rows) {
+Picture ranking_picture(const StudyResults& results, Subject subject, const MethodChoice& methods, Rows& rows) {
     const Told text = told(subject, results.findings.plan.spec.level);
-    const auto styles = method_styles(results);
+    const auto styles = method_styles(results, methods);
     auto names = Json::array();
     for (const MethodStyle& style : styles) {
         if (rows.methods().contains(style.method)) names.push_back(style.method);
@@ -247,21 +253,20 @@ Picture ranking_picture(const StudyResults& results, Subject subject, Rows& rows
 
 }  // namespace
 
-std::optional<Picture> lead_picture(const StudyResults& results) {
+std::optional<Picture> lead_picture(const StudyResults& results, const MethodChoice& methods) {
     const Subject subject = subject_of(results);
-    Rows rows;
+    Rows rows(methods);
     switch (subject) {
         case Subject::light:
             if (const auto group = radiosity_pictures(results); group && !group->pictures.empty())
                 return group->pictures.front();
             return std::nullopt;
         case Subject::occlusion:
-            return occlusion_pictures(results).front();
+            return occlusion_pictures(results, methods).front();
         case Subject::coverage:
-            add_coverage(results, rows);
-            break;
         case Subject::configurations:
-            add_configurations(results, rows);
+            if (!methods.names.empty()) return std::nullopt;  // its rows are about all of them
+            subject == Subject::coverage ? add_coverage(results, rows) : add_configurations(results, rows);
             break;
         case Subject::rates:
             add_slopes(results, rows);
@@ -275,7 +280,7 @@ std::optional<Picture> lead_picture(const StudyResults& results) {
             break;
     }
     if (rows.rows() < 2) return std::nullopt;  // one number needs no picture
-    return ranking_picture(results, subject, rows);
+    return ranking_picture(results, subject, methods, rows);
 }
 
 }  // namespace ff::reports

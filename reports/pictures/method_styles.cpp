@@ -47,13 +47,14 @@ std::map<std::size_t, double> mean_ranks(const StudyResults& results) {
     return means;
 }
 
-std::set<std::size_t> coloured(const StudyResults& results) {
+std::set<std::size_t> coloured(const StudyResults& results, const MethodChoice& choice) {
     const auto& methods = results.findings.plan.spec.methods;
     std::set<std::size_t> chosen;
-    if (methods.size() <= colours.size()) {
-        for (std::size_t i = 0; i < methods.size(); ++i) chosen.insert(i);
-        return chosen;
+    for (std::size_t i = 0; i < methods.size(); ++i) {
+        if (choice.has(methods[i].name)) chosen.insert(i);
     }
+    if (chosen.size() <= colours.size()) return chosen;
+    chosen.clear();
     for (std::size_t scene = 0; results.published && scene < results.findings.plan.scenes.size(); ++scene) {
         for (const std::size_t cell :
              studies::compared_cells(results.findings, scene, results.published->comparisons)) {
@@ -76,9 +77,9 @@ std::set<std::size_t> coloured(const StudyResults& results) {
 
 }  // namespace
 
-std::vector<MethodStyle> method_styles(const StudyResults& results) {
+std::vector<MethodStyle> method_styles(const StudyResults& results, const MethodChoice& choice) {
     const auto& methods = results.findings.plan.spec.methods;
-    const auto chosen = coloured(results);
+    const auto chosen = coloured(results, choice);
     std::vector<MethodStyle> styles;
     std::size_t next = 0;
     for (std::size_t i = 0; i < methods.size(); ++i) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "reports/pictures/method_choice.hpp"
 #include "studies/results/results.hpp"
 
 #include <nlohmann/json_fwd.hpp>
@@ -18,8 +19,8 @@ struct MethodStyle {
 };
 
 /// One for each method, in the order of the study. Of more than seven only the random reference, the three with the
-/// best ranks and those that a publication compares are in colour.
-std::vector<MethodStyle> method_styles(const studies::StudyResults& results);
+/// best ranks and those that a publication compares are in colour; of chosen methods all are, as far as colours go.
+std::vector<MethodStyle> method_styles(const studies::StudyResults& results, const MethodChoice& methods = {});
 
 /// The scales "color" and "shape" of a picture, for Picture::values.
 nlohmann::ordered_json style_scales(const std::vector<MethodStyle>& styles);

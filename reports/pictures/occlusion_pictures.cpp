@@ -13,11 +13,13 @@ nlohmann::ordered_json end_of(const stats::Interval* interval, double stats::Int
     return interval ? drawn(interval->*end) : nlohmann::ordered_json();
 }
 
-Picture picture_of(const studies::StudyResults& results, const studies::OcclusionSeries& series) {
+Picture picture_of(const studies::StudyResults& results, const studies::OcclusionSeries& series,
+                   const MethodChoice& methods) {
     const studies::StudyPlan& plan = results.findings.plan;
     PictureValues values({"method", "scene", "hidden", "size", "error", "low", "high"});
     auto names = nlohmann::ordered_json::array();
     for (std::size_t method = 0; method < plan.spec.methods.size(); ++method) {
+        if (!methods.has(plan.spec.methods[method].name)) continue;
         bool any = false;
         for (const studies::HiddenPair& scene : series.scenes) {
             const auto& found = scene.methods[method];
@@ -32,7 +34,7 @@ Picture picture_of(const studies::StudyResults& results, const studies::Occlusio
         if (any) names.push_back(plan.spec.methods[method].name);
     }
     values.set("isolate", std::move(names));
-    values.set("scales", style_scales(method_styles(results)));
+    values.set("scales", style_scales(method_styles(results, methods)));
     const std::string pair = quantity_label(plan.scenes[series.scenes.front().scene], series.pair);
     Picture picture;
     picture.id = slug(fmt::format("occlusion-{}-{}", series.family, pair));
@@ -49,9 +51,10 @@ Picture picture_of(const studies::StudyResults& results, const studies::Occlusio
 
 }  // namespace
 
-std::vector<Picture> occlusion_pictures(const studies::StudyResults& results) {
+std::vector<Picture> occlusion_pictures(const studies::StudyResults& results, const MethodChoice& methods) {
     std::vector<Picture> pictures;
-    for (const studies::OcclusionSeries& series : results.occlusion) pictures.push_back(picture_of(results, series));
+    for (const studies::OcclusionSeries& series : results.occlusion)
+        pictures.push_back(picture_of(results, series, methods));
     return pictures;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "reports/pictures/method_choice.hpp"
 #include "studies/results/results.hpp"
 
 #include <optional>
@@ -30,19 +31,20 @@ struct PictureGroup {
 };
 
 /// The one beside the answer; empty where there is nothing to compare. It may be one of the others too.
-std::optional<Picture> lead_picture(const studies::StudyResults& results);
+std::optional<Picture> lead_picture(const studies::StudyResults& results, const MethodChoice& methods = {});
 
-/// Error and efficiency against evaluations, over all methods, for each class of pairs.
-std::vector<Picture> pictures_of_scene(const studies::StudyResults& results, std::size_t scene);
+/// Error and efficiency against evaluations, over these methods, for each class of pairs.
+std::vector<Picture> pictures_of_scene(const studies::StudyResults& results, std::size_t scene,
+                                       const MethodChoice& methods = {});
 
 /// Those of all scenes; in a study of occlusion error against the occluded share instead.
-std::vector<Picture> pictures_by_size(const studies::StudyResults& results);
+std::vector<Picture> pictures_by_size(const studies::StudyResults& results, const MethodChoice& methods = {});
 
 /// Of one cell: the unfolded faces, estimates, bias, and the distribution of errors, as far as it has them.
 std::vector<Picture> pictures_of_cell(const studies::StudyResults& results, std::size_t cell);
 
 /// Error against the occluded share at the common number of evaluations, for each family of scenes.
-std::vector<Picture> occlusion_pictures(const studies::StudyResults& results);
+std::vector<Picture> occlusion_pictures(const studies::StudyResults& results, const MethodChoice& methods = {});
 
 /// All groups of a report; that of the methods which the verdict compares are open.
 std::vector<PictureGroup> picture_groups(const studies::StudyResults& results);

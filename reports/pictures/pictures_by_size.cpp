@@ -236,12 +236,14 @@ std::optional<Picture> efficiency_picture(const studies::Findings& findings, std
 
 }  // namespace
 
-std::vector<Picture> pictures_of_scene(const studies::StudyResults& results, std::size_t scene) {
+std::vector<Picture> pictures_of_scene(const studies::StudyResults& results, std::size_t scene,
+                                       const MethodChoice& methods) {
     const studies::Findings& findings = results.findings;
     std::vector<Picture> pictures;
-    const auto styles = method_styles(results);
+    const auto styles = method_styles(results, methods);
     for (const PairClass pair_class : {PairClass::parallel, PairClass::adjacent, PairClass::other}) {
-        const auto all = size_series(results, scene, pair_class);
+        auto all = size_series(results, scene, pair_class);
+        std::erase_if(all, [&](const SizeSeries& series) { return !methods.has(series.method); });
         if (all.empty() || (all.size() == 1 && all.front().points.size() == 1)) continue;  // one point is no picture
         pictures.push_back(convergence_picture(findings, scene, pair_class, all, styles));
         if (auto efficiency = efficiency_picture(findings, scene, pair_class, all, styles))
@@ -250,11 +252,11 @@ std::vector<Picture> pictures_of_scene(const studies::StudyResults& results, std
     return pictures;
 }
 
-std::vector<Picture> pictures_by_size(const studies::StudyResults& results) {
-    if (!results.occlusion.empty()) return occlusion_pictures(results);
+std::vector<Picture> pictures_by_size(const studies::StudyResults& results, const MethodChoice& methods) {
+    if (!results.occlusion.empty()) return occlusion_pictures(results, methods);
     std::vector<Picture> pictures;
     for (std::size_t scene = 0; scene < results.findings.plan.scenes.size(); ++scene) {
-        for (Picture& picture : pictures_of_scene(results, scene)) pictures.push_back(std::move(picture));
+        for (Picture& picture : pictures_of_scene(results, scene, methods)) pictures.push_back(std::move(picture));
     }
     return pictures;
 }

@@ -1,6 +1,6 @@
+#include "reports/tables/tables.hpp"
 #include "reports/text/labels.hpp"
 #include "reports/text/numbers.hpp"
-#include "reports/text/table.hpp"
 #include "reports/words/verdicts.hpp"
 
 #include "studies/analysis/configuration_estimates.hpp"

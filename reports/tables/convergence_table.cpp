@@ -1,5 +1,5 @@
+#include "reports/tables/tables.hpp"
 #include "reports/text/numbers.hpp"
-#include "reports/text/table.hpp"
 #include "reports/words/slope_words.hpp"
 
 #include <fmt/format.h>
@@ -52,12 +52,12 @@ Table convergence_table(const studies::StudyResults& results) {
         {{"method", false, ""},
          {"pairs", false, ""},
          {"RMSE slope", true, ""},
-         {"bootstrap", true, ""},
-         {"from the fit", true, ""},
-         {"lack of fit p", true, ""},
-         {"median slope", true, ""},
-         {"bootstrap", true, ""},
-         {"theory", false, ""},
+         {"bootstrap", true, "", true},
+         {"from the fit", true, "", true},
+         {"lack of fit p", true, "", true},
+         {"median slope", true, "", true},
+         {"bootstrap", true, "", true},
+         {"theory", false, "", true},
          {"verdict", false, ""}},
         {},
         {}};

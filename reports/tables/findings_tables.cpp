@@ -1,6 +1,6 @@
+#include "reports/tables/tables.hpp"
 #include "reports/text/labels.hpp"
 #include "reports/text/numbers.hpp"
-#include "reports/text/table.hpp"
 #include "reports/words/coverage_words.hpp"
 #include "reports/words/reduction_words.hpp"
 
@@ -77,7 +77,7 @@ Table reductions_table(const studies::StudyResults& results) {
     for (const studies::VarianceReduction& reduction : results.reductions) {
         const studies::Cell& cell = plan.cells[reduction.cell];
         const studies::Method& method = plan.spec.methods[cell.method];
-        const bool shoots = method.estimator == studies::Estimator::ray_shooting;
+        const bool shoots = estimator_info(method).observes == Observes::hits;
         table.rows.push_back({{method_label(plan, cell)},
                               {shoots ? std::string(studies::name(method.allocation)) : "–"},
                               {size_label(plan, cell)},

@@ -1,6 +1,6 @@
+#include "reports/tables/tables.hpp"
 #include "reports/text/labels.hpp"
 #include "reports/text/numbers.hpp"
-#include "reports/text/table.hpp"
 #include "reports/words/cells_in_between.hpp"
 #include "reports/words/verdicts.hpp"
 
@@ -56,10 +56,11 @@ Table methods_table(const studies::StudyResults& results) {
     std::vector<PairClass> classes{PairClass::parallel, PairClass::adjacent};
     if (others) classes.push_back(PairClass::other);
     const bool margin = plan.spec.equivalence_margin.has_value();
-    if (margin) table.columns.push_back({"equivalence", false, ""});
-    for (const PairClass each : classes) table.columns.push_back({std::string(name(each)), true, "RMSE of a run"});
-    table.columns.push_back({"Σ r.e. (%)", true, ""});
-    table.columns.push_back({"trials", true, ""});
+    if (margin) table.columns.push_back({"equivalence", false, "", true});
+    for (const PairClass each : classes)
+        table.columns.push_back({std::string(name(each)), true, "RMSE of a run", true});
+    table.columns.push_back({"Σ r.e. (%)", true, "", true});
+    table.columns.push_back({"trials", true, "", true});
     const auto hidden = cells_in_between(results);
     for (const studies::CellFindings& found : results.findings.cells) {
         if (hidden.contains(found.cell)) continue;
@@ -92,13 +93,13 @@ Table pairs_table(const studies::StudyResults& results, std::size_t cell_index) 
                                    : fmt::format("Intervals: Student t over {} trials, level {:g}, each row by itself.",
                                                  found.trials, plan.spec.level),
                 {{"", false, ""},
-                 {"exact", true, ""},
+                 {"exact", true, "", true},
                  {"mean", true, ""},
                  {"bias", true, ""},
-                 {"z", true, ""},
-                 {"interval of the bias", true, ""},
-                 {"detectable", true, ""},
-                 {"std of a run", true, ""}},
+                 {"z", true, "", true},
+                 {"interval of the bias", true, "", true},
+                 {"detectable", true, "", true},
+                 {"std of a run", true, "", true}},
                 {},
                 {}};
     const bool reciprocal = plan.spec.methods[cell.method].completion == studies::Completion::reciprocal;

@@ -1,6 +1,6 @@
+#include "reports/tables/tables.hpp"
 #include "reports/text/labels.hpp"
 #include "reports/text/numbers.hpp"
-#include "reports/text/table.hpp"
 #include "reports/words/occlusion_words.hpp"
 #include "reports/words/slope_words.hpp"
 

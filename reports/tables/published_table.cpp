@@ -1,5 +1,5 @@
+#include "reports/tables/tables.hpp"
 #include "reports/text/numbers.hpp"
-#include "reports/text/table.hpp"
 #include "reports/words/published_cells.hpp"
 
 #include <fmt/format.h>

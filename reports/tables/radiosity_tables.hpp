@@ -1,6 +1,7 @@
 #pragma once
 
 #include "reports/text/table.hpp"
+#include "studies/results/results.hpp"
 
 #include <vector>
 

@@ -1,4 +1,4 @@
-#include "reports/text/table.hpp"
+#include "reports/tables/tables.hpp"
 #include "reports/words/slope_words.hpp"
 
 #include <fmt/format.h>

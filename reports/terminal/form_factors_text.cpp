@@ -37,7 +37,7 @@ struct MethodRow {
     std::uint64_t samples = 0;
 };
 
-std::string methods(const FormFactorReport& report) {
+std::string methods(const FormFactorReport& report, const TextStyle& style) {
     std::map<std::pair<std::string_view, std::string_view>, MethodRow> rows;
     for (const FaceExchange& exchange : report.matrix.exchanges) {
         MethodRow& row = rows[{method_of(exchange), reason_of(exchange)}];
@@ -51,10 +51,10 @@ std::string methods(const FormFactorReport& report) {
         table.rows.push_back({cell(std::string(key.first)), cell(std::to_string(row.pairs)),
                               cell(key.first == "none" ? "" : brief(row.worst, 2)), cell(std::string(key.second))});
     }
-    return text_table(table, Colour::none);
+    return text_table(table, style);
 }
 
-std::string factors(const FormFactorReport& report) {
+std::string factors(const FormFactorReport& report, const TextStyle& style) {
     const Eigen::MatrixXd values = report.matrix.factors();
     const Eigen::MatrixXd widths = report.matrix.half_widths();
     const auto n = static_cast<Eigen::Index>(report.scene.faces.size());
@@ -73,7 +73,7 @@ std::string factors(const FormFactorReport& report) {
         row.push_back(cell(fmt::format("[{}, {}]", to_error(sum.low, width), to_error(sum.high, width))));
         table.rows.push_back(std::move(row));
     }
-    return text_table(table, Colour::none);
+    return text_table(table, style);
 }
 
 std::string many_row_sums(const FormFactorReport& report) {
@@ -132,7 +132,7 @@ std::string repair_text(const FormFactorReport& report) {
 
 }  // namespace
 
-std::string form_factors_text(const FormFactorReport& report) {
+std::string form_factors_text(const FormFactorReport& report, const TextStyle& style) {
     const auto& [scene, request, matrix] = report;
     const std::string joined =
         matrix.surfaces < scene.surfaces.size() ? fmt::format(", joined to {}", matrix.surfaces) : "";
@@ -140,8 +140,8 @@ std::string form_factors_text(const FormFactorReport& report) {
         "{}: {} of {}{}\ntolerance {}, level {} {}, seed {}\n\n", scene.name, counted(scene.faces.size(), "face"),
         counted(scene.surfaces.size(), "surface"), joined, brief(request.tolerance), brief(request.level, 10),
         request.level_of == studies::LevelOf::entry ? "of each entry" : "of the whole matrix", request.seed.value);
-    text += methods(report) + "\n";
-    text += scene.faces.size() <= most_shown ? factors(report) : many_row_sums(report);
+    text += methods(report, style) + "\n";
+    text += scene.faces.size() <= most_shown ? factors(report, style) : many_row_sums(report);
     text += "\n" + verdict(report);
     if (matrix.interrupted) text += "Stopped before the sampling was done; pairs by `bounds` have none.\n";
     return text + repair_text(report);

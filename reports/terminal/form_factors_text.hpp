@@ -1,5 +1,6 @@
 #pragma once
 
+#include "reports/text/text_style.hpp"
 #include "reports/words/form_factor_warnings.hpp"
 
 #include <string>
@@ -7,6 +8,6 @@
 namespace ff::reports {
 
 /// For the terminal: methods and why, the matrix where it is small, row sums, what misses the tolerance.
-std::string form_factors_text(const FormFactorReport& report);
+std::string form_factors_text(const FormFactorReport& report, const TextStyle& style = {});
 
 }  // namespace ff::reports

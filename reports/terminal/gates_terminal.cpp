@@ -1,7 +1,7 @@
 #include "reports/terminal/gates_terminal.hpp"
 
 #include "reports/text/numbers.hpp"
-#include "studies/gates/reported_bins.hpp"
+#include "studies/verdicts/reported_bins.hpp"
 
 #include <fmt/format.h>
 
@@ -38,23 +38,6 @@ std::string faces_in_words(const studies::Comparison& c) {
     return c.to_face == "sum" ? fmt::format(" Σ{}", c.from_face) : fmt::format(" {}-{}", c.from_face, c.to_face);
 }
 
-std::string seconds_in_words(double seconds) {
-    return seconds < 100 ? fmt::format("{:.1f} s", seconds) : fmt::format("{:.1f} min", seconds / 60);
-}
-
-/// Of the column of names.
-std::size_t name_width(const studies::GatesSpec& spec) {
-    std::size_t width = 4;
-    for (const studies::Gate& gate : spec.gates) width = std::max(width, gate.name.size());
-    return width;
-}
-
-std::string trials_in_words(const studies::GatePlan& plan) {
-    const auto [least, most] = std::minmax_element(plan.trials.begin(), plan.trials.end());
-    const std::string text = *least == *most ? fmt::format("{}", *most) : fmt::format("{}-{}", *least, *most);
-    return plan.wanted_trials > 0 ? text + "!" : text;
-}
-
 /// How the bins of an array differ, for people; empty for few.
 std::string score_picture(const studies::GateResult& result) {
     constexpr std::size_t fewest = 20;  // bins that have a shape
@@ -74,6 +57,12 @@ std::string score_picture(const studies::GateResult& result) {
 }
 
 }  // namespace
+
+std::size_t name_width(const studies::GatesSpec& spec) {
+    std::size_t width = 4;
+    for (const studies::Gate& gate : spec.gates) width = std::max(width, gate.name.size());
+    return width;
+}
 
 std::string gates_heading(const studies::GatesSpec& spec) {
     return fmt::format("{}: {} gate{}, false alarm at most {} in all, power {}, seed {}\n\n", spec.name,
@@ -114,8 +103,7 @@ std::string gates_summary(const studies::CheckResults& check) {
                        missing > 0 ? fmt::format(", {} not run", missing) : "");
 }
 
-std::string gates_plan(const studies::GatesSpec& spec, std::span<const studies::EstimatesPlan> files,
-                       std::span<const studies::GatePlan> plans, unsigned threads) {
+std::string estimates_plan(const studies::GatesSpec& spec, std::span<const studies::EstimatesPlan> files) {
     std::string out = gates_heading(spec);
     const std::size_t width = name_width(spec);
     out += fmt::format("{:<{}}  {:<11}  {:>11}  {:>10}  {:>10}  {}\n", "gate", width, "kind", "comparisons", "trials",
@@ -123,23 +111,7 @@ std::string gates_plan(const studies::GatesSpec& spec, std::span<const studies::
     for (const studies::EstimatesPlan& file : files)
         out += fmt::format("{:<{}}  {:<11}  {:>11}  {:>10}  {:>10}  {} in the file\n", file.gate, width,
                            name(file.kind), 1, file.needed, "", file.series.values.size());
-    double total = 0;
-    double most = 0;
-    bool capped = false;
-    for (const studies::GatePlan& plan : plans) {
-        const studies::Gate& gate = spec.gates[plan.gate];
-        const double seconds = expected_seconds(plan);
-        const double looks = plan.deterministic ? 1 : static_cast<double>(spec.looks);
-        total += seconds;
-        most += seconds * looks;
-        capped = capped || plan.wanted_trials > 0;
-        out += fmt::format("{:<{}}  {:<11}  {:>11}  {:>10}  {:>10}  {}\n", gate.name, width, name(gate.kind),
-                           plan.effects.size(), trials_in_words(plan), seconds_in_words(seconds),
-                           seconds_in_words(seconds * looks));
-    }
-    if (capped) out += fmt::format("! more are needed; max_trials allows {} a look\n", spec.max_trials);
-    return out + fmt::format("\nabout {} on {} thread{}, at most {} ({} looks)\n", seconds_in_words(total / threads),
-                             threads, threads == 1 ? "" : "s", seconds_in_words(most / threads), spec.looks);
+    return out;
 }
 
 std::string seed_sweep_table(const studies::GatesSpec& spec, std::span<const studies::SeedSweep> sweeps) {

@@ -1,11 +1,11 @@
 #pragma once
 
 #include "reports/text/colour.hpp"
-#include "studies/gates/check_results.hpp"
-#include "studies/gates/estimate_gates.hpp"
-#include "studies/gates/gate_plan.hpp"
-#include "studies/gates/seed_sweep.hpp"
+#include "studies/verdicts/check_results.hpp"
+#include "studies/verdicts/estimate_gates.hpp"
+#include "studies/verdicts/seed_sweep.hpp"
 
+#include <cstddef>
 #include <span>
 #include <string>
 
@@ -23,9 +23,11 @@ std::string gate_in_words(const studies::GateResult& result);
 /// How many passed, failed and are undecided.
 std::string gates_summary(const studies::CheckResults& check);
 
-/// Trials and time of each gate, and of all; of gates on a file of estimates, trials that are needed and there.
-std::string gates_plan(const studies::GatesSpec& spec, std::span<const studies::EstimatesPlan> files,
-                       std::span<const studies::GatePlan> plans, unsigned threads);
+/// Of gates on a file of estimates: trials that are needed, and those that are there.
+std::string estimates_plan(const studies::GatesSpec& spec, std::span<const studies::EstimatesPlan> files);
+
+/// Characters of the longest name of a gate, for the first column of tables.
+std::size_t name_width(const studies::GatesSpec& spec);
 
 /// Failure rates over many seeds.
 std::string seed_sweep_table(const studies::GatesSpec& spec, std::span<const studies::SeedSweep> sweeps);

@@ -24,7 +24,7 @@ TableCell cell(std::string text) {
 
 }  // namespace
 
-std::string heat_text(const HeatReport& report) {
+std::string heat_text(const HeatReport& report, const TextStyle& style) {
     const auto& [scene, request, materials, flows] = report;
     const bool light = materials.are_light();
     Table table{"heat",
@@ -46,7 +46,7 @@ std::string heat_text(const HeatReport& report) {
                               cell(with_error(flow.power))});
         if (!light) table.rows.back().push_back(cell(with_error(flow.temperature)));
     }
-    std::string out = text_table(table, Colour::none);
+    std::string out = text_table(table, style);
     if (flows.to_surroundings)
         out += fmt::format("\nTo the surroundings: {}{}\n", with_error(*flows.to_surroundings), light ? "" : " W");
     out +=

@@ -1,9 +1,9 @@
 #include "reports/terminal/terminal.hpp"
 
+#include "reports/tables/tables.hpp"
 #include "reports/terminal/terminal_sections.hpp"
 #include "reports/text/labels.hpp"
 #include "reports/text/numbers.hpp"
-#include "reports/text/table.hpp"
 #include "reports/text/text_table.hpp"
 #include "reports/words/audit_summary.hpp"
 #include "reports/words/cells_in_between.hpp"
@@ -18,16 +18,16 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <string_view>
+#include <set>
+#include <utility>
 #include <vector>
 
 namespace ff::reports {
 namespace {
 
 /// Nothing for a table without rows.
-std::string titled(const Table& table, Colour colour) {
-    return table.rows.empty() ? "" : fmt::format("\n{}\n{}", table.title, text_table(table, colour));
+std::string titled(const Table& table, const TextStyle& style) {
+    return table.rows.empty() ? "" : fmt::format("\n{}\n{}", table.title, text_table(table, style));
 }
 
 /// Two significant digits where nothing is known about the error of the third.
@@ -45,48 +45,55 @@ std::string method_of(const studies::StudyPlan& plan, const studies::CellFinding
     return scene + plan.spec.methods[cell.method].name;
 }
 
-}  // namespace
-
-std::string terminal_summary(const studies::StudyResults& results, Colour colour) {
+/// A row for each method and size that is not hidden.
+Table summary_table(const studies::StudyResults& results, const std::set<std::size_t>& hidden) {
     const studies::StudyPlan& plan = results.findings.plan;
-    const std::string title = plan.spec.title == plan.spec.name ? "" : fmt::format(": {}", plan.spec.title);
-    std::string out = fmt::format("{}{}\nseed {}{}\n\n", plan.spec.name, title, plan.spec.seed.value,
-                                  results.findings.complete ? "" : "  (PARTIAL: stopped early)");
-    const auto hidden = cells_in_between(results);
-    std::vector<const studies::CellFindings*> shown;
-    std::size_t names = 15;
-    std::size_t sizes = 20;
+    const bool equivalence = plan.spec.equivalence_margin.has_value();
+    Table table{"summary",
+                "",
+                "",
+                {{"method", false, ""},
+                 {"size (patches per face)", false, ""},
+                 {"trials", true, ""},
+                 {"parallel", true, "RMSE of a run"},
+                 {"adjacent", true, "RMSE of a run"},
+                 {"bias, all pairs together", false, ""}},
+                {},
+                {}};
+    if (equivalence) table.columns.push_back({"equivalence", false, ""});
     for (const studies::CellFindings& found : results.findings.cells) {
         if (hidden.contains(found.cell)) continue;
-        shown.push_back(&found);
-        names = std::max(names, visible_length(method_of(plan, found)));
-        sizes = std::max(sizes, visible_length(size_label(plan, plan.cells[found.cell])));
+        std::vector<TableCell> row{{method_of(plan, found), Mark::none},
+                                   {size_label(plan, plan.cells[found.cell]), Mark::none},
+                                   {std::to_string(found.trials), Mark::none},
+                                   {rmse(plan, found, PairClass::parallel), Mark::none},
+                                   {rmse(plan, found, PairClass::adjacent), Mark::none},
+                                   {bias_in_words(found), bias_mark(found)}};
+        if (found.lost_rays > 0)
+            row.back() = {fmt::format("{} rays LOST; {}", found.lost_rays, row.back().text), Mark::bad};
+        if (equivalence) row.push_back({equivalence_in_words(found), equivalence_mark(found.equivalence)});
+        table.rows.push_back(std::move(row));
     }
-    const auto add_row = [&](std::string_view method, std::string_view size, std::string_view trials,
-                             std::string_view parallel, std::string_view adjacent, const std::string& verdict) {
-        out += fmt::format("{:<{}} {:<{}} {:>6}  {:>8}  {:>8}  {}\n", method, names, size, sizes, trials, parallel,
-                           adjacent, verdict);
-    };
-    add_row("method", "size", "trials", "RMSE", "RMSE", "bias");
-    add_row("", "patches per face × …", "", "parallel", "adjacent", "(all pairs together)");
-    for (const studies::CellFindings* found : shown) {
-        const std::string margin = equivalence_in_words(*found);
-        add_row(method_of(plan, *found), size_label(plan, plan.cells[found->cell]), std::to_string(found->trials),
-                rmse(plan, *found, PairClass::parallel), rmse(plan, *found, PairClass::adjacent),
-                painted(bias_in_words(*found), bias_mark(*found), colour) + (margin.empty() ? "" : "; ") +
-                    painted(margin, equivalence_mark(found->equivalence), colour));
-        if (found->lost_rays > 0)
-            out += fmt::format("{:<{}} {}\n", "", names,
-                               painted(fmt::format("{} rays LOST", found->lost_rays), Mark::bad, colour));
-    }
+    return table;
+}
+
+}  // namespace
+
+std::string terminal_summary(const studies::StudyResults& results, const TextStyle& style) {
+    const studies::StudyPlan& plan = results.findings.plan;
+    const std::string title = plan.spec.title == plan.spec.name ? "" : fmt::format(": {}", plan.spec.title);
+    const auto hidden = cells_in_between(results);
+    std::string out = fmt::format("{}{}\nseed {}{}\n\n{}", plan.spec.name, title, plan.spec.seed.value,
+                                  results.findings.complete ? "" : "  (PARTIAL: stopped early)",
+                                  text_table(summary_table(results, hidden), style));
     if (!hidden.empty())
         out += fmt::format("({} sizes{}: summary.csv)\n", hidden.size(),
                            results.occlusion.empty() ? " in between" : " of scenes below");
-    out += titled(occlusion_table(results), colour);
+    out += titled(occlusion_table(results), style);
     if (results.occlusion.empty()) {
-        out += titled(configurations_table(results), colour);
-        out += terminal_slopes(results, colour);
-        out += terminal_plots(results);
+        out += titled(configurations_table(results), style);
+        out += terminal_slopes(results, style);
+        out += terminal_plots(results, style);
     }
     for (const auto& lines : {occlusion_in_brief(results), heavy_tails_in_brief(results), reductions_in_brief(results),
                               coverage_in_brief(results), radiosity_in_brief(results), until_in_brief(results)}) {

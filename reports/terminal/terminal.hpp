@@ -1,6 +1,6 @@
 #pragma once
 
-#include "reports/text/colour.hpp"
+#include "reports/text/text_style.hpp"
 #include "studies/plan/plan.hpp"
 #include "studies/results/results.hpp"
 
@@ -9,9 +9,9 @@
 namespace ff::reports {
 
 /// The result in a dozen lines: a row for each method and size, then what the publication comes to.
-std::string terminal_summary(const studies::StudyResults& results, Colour colour = Colour::none);
+std::string terminal_summary(const studies::StudyResults& results, const TextStyle& style = {});
 
 /// What a run would do: units, trials, evaluations and expected time.
-std::string terminal_plan(const studies::StudyPlan& plan, unsigned threads);
+std::string terminal_plan(const studies::StudyPlan& plan, unsigned threads, const TextStyle& style = {});
 
 }  // namespace ff::reports

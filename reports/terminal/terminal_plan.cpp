@@ -46,7 +46,7 @@ std::vector<PlanRow> plan_rows(const studies::StudyPlan& plan) {
 
 }  // namespace
 
-std::string terminal_plan(const studies::StudyPlan& plan, unsigned threads) {
+std::string terminal_plan(const studies::StudyPlan& plan, unsigned threads, const TextStyle& style) {
     const bool several_scenes = plan.scenes.size() > 1;
     Table table{"plan", "", "", {{"method", false, ""}, {"size", false, ""}}, {}, {}};
     if (several_scenes) table.columns.push_back({"scenes", true, ""});
@@ -64,7 +64,7 @@ std::string terminal_plan(const studies::StudyPlan& plan, unsigned threads) {
     }
     const double expected = total / threads + studies::expected_seconds_of_results(plan);
     return fmt::format("{}: {} work units\n\n{}\nabout {} on {} thread{}\n", plan.spec.name, plan.units.size(),
-                       text_table(table, Colour::none), seconds_in_words(expected), threads, threads == 1 ? "" : "s");
+                       text_table(table, style), seconds_in_words(expected), threads, threads == 1 ? "" : "s");
 }
 
 }  // namespace ff::reports

@@ -14,6 +14,10 @@ namespace {
 constexpr std::size_t at_most = 6;
 constexpr std::size_t best_of_many = 3;
 
+constexpr std::size_t widest = 56;
+constexpr std::size_t margin = 12;  // of a plot: the labels of its y axis
+constexpr std::size_t narrowest = margin + 20;
+
 bool is_ladder(const SizeSeries& series) {
     return !series.ladders.empty() && series.points.size() > 2;
 }
@@ -30,7 +34,7 @@ PlottedSeries plotted(const SizeSeries& series) {
 }
 
 std::string plot_of(const studies::StudyPlan& plan, std::size_t scene, PairClass pair_class,
-                    std::vector<SizeSeries> all) {
+                    std::vector<SizeSeries> all, const TextStyle& style) {
     std::string which;
     if (all.size() > at_most) {
         // The one error of a deterministic method may be small by luck.
@@ -45,7 +49,7 @@ std::string plot_of(const studies::StudyPlan& plan, std::size_t scene, PairClass
     }
     std::vector<PlottedSeries> letters;
     for (const SizeSeries& series : all) letters.push_back(plotted(series));
-    const std::string plot = text_plot(letters);
+    const std::string plot = text_plot(letters, std::min(widest, std::max(style.width, narrowest) - margin));
     if (plot.empty()) return {};
     const std::string of_scene = plan.scenes.size() == 1 ? "" : fmt::format(" of {}", plan.scenes[scene].name);
     return fmt::format("\nRMSE of a run against evaluations per face, {} pairs{}{}\n{}", name(pair_class), of_scene,
@@ -54,7 +58,7 @@ std::string plot_of(const studies::StudyPlan& plan, std::size_t scene, PairClass
 
 }  // namespace
 
-std::string terminal_plots(const studies::StudyResults& results) {
+std::string terminal_plots(const studies::StudyResults& results, const TextStyle& style) {
     if (results.slopes.empty()) return {};
     const studies::StudyPlan& plan = results.findings.plan;
     std::string out;
@@ -65,7 +69,7 @@ std::string terminal_plots(const studies::StudyResults& results) {
                 if (is_ladder(series)) ladders.push_back(std::move(series));
             }
             // A ladder alone is told by its slope.
-            if (ladders.size() > 1) out += plot_of(plan, scene, pair_class, std::move(ladders));
+            if (ladders.size() > 1) out += plot_of(plan, scene, pair_class, std::move(ladders), style);
         }
     }
     return out;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "reports/text/colour.hpp"
+#include "reports/text/text_style.hpp"
 #include "studies/results/results.hpp"
 
 #include <string>
@@ -8,9 +8,9 @@
 namespace ff::reports {
 
 /// Sections of what a run prints; empty where the study has nothing for them.
-std::string terminal_slopes(const studies::StudyResults& results, Colour colour);
+std::string terminal_slopes(const studies::StudyResults& results, const TextStyle& style);
 /// Error against evaluations, drawn with letters, where a class of pairs has two ladders or more; of more than six the
 /// best and the worst.
-std::string terminal_plots(const studies::StudyResults& results);
+std::string terminal_plots(const studies::StudyResults& results, const TextStyle& style);
 
 }  // namespace ff::reports

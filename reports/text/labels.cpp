@@ -42,16 +42,9 @@ std::string size_label(const studies::StudyPlan& plan, const studies::Cell& cell
         if (target == 0) return fmt::format("{} × {}² nodes", patches, source);
         return fmt::format("{} × {}²·{}² nodes", patches, source, target);
     }
-    switch (method.estimator) {
-        case studies::Estimator::ray_shooting:
-            return fmt::format("{} × {} rays", patches, cell.samples);
-        case studies::Estimator::area_kernel:
-        case studies::Estimator::point_to_polygon:
-            return fmt::format("{} × {} points", patches, cell.samples);
-        case studies::Estimator::closed_form:
-            break;
-    }
-    return "exact";
+    const EstimatorInfo& estimator = estimator_info(method);
+    if (!estimator.takes_points()) return "exact";
+    return fmt::format("{} × {} {}", patches, cell.samples, estimator.observes == Observes::hits ? "rays" : "points");
 }
 
 std::string cell_label(const studies::StudyPlan& plan, const studies::Cell& cell) {

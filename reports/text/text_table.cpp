@@ -7,28 +7,47 @@ namespace ff::reports {
 namespace {
 
 constexpr std::size_t gap = 2;
+constexpr std::size_t indent = 4;  // of lines that continue a row
 
-std::vector<std::size_t> widths_of(const Table& table) {
-    std::vector<std::size_t> widths;
-    for (std::size_t i = 0; i < table.columns.size(); ++i) {
-        const TableColumn& column = table.columns[i];
-        std::size_t width = visible_length(column.title);
-        const bool alone = (i == 0 || table.columns[i - 1].group != column.group) &&
-                           (i + 1 == table.columns.size() || table.columns[i + 1].group != column.group);
-        if (alone) width = std::max(width, visible_length(column.group));
-        for (const auto& row : table.rows) width = std::max(width, visible_length(row[i].text));
-        widths.push_back(width);
-    }
-    return widths;
+/// A column as it is set.
+struct SetColumn {
+    std::size_t width = 0;
+    bool begins_line = false;
+};
+
+std::size_t width_of(const Table& table, std::size_t i) {
+    const TableColumn& column = table.columns[i];
+    std::size_t width = visible_length(column.title);
+    const bool alone = (i == 0 || table.columns[i - 1].group != column.group) &&
+                       (i + 1 == table.columns.size() || table.columns[i + 1].group != column.group);
+    if (alone) width = std::max(width, visible_length(column.group));
+    for (const auto& row : table.rows) width = std::max(width, visible_length(row[i].text));
+    return width;
 }
 
-/// Without blanks at the end.
-std::string line_of(const Table& table, const std::vector<std::size_t>& widths, const std::vector<TableCell>& row,
-                    Colour colour) {
+std::vector<SetColumn> set_columns(const Table& table, std::size_t room) {
+    std::vector<SetColumn> columns;
+    std::size_t end = 0;  // of the line so far
+    for (std::size_t i = 0; i < table.columns.size(); ++i) {
+        const std::size_t width = width_of(table, i);
+        const bool begins_line = i > 0 && end + gap + width > room;
+        columns.push_back({width, begins_line});
+        end = (begins_line ? indent : i == 0 ? 0 : end + gap) + width;
+    }
+    return columns;
+}
+
+/// Without blanks at the end, and without continuing lines that would be blank.
+std::string row_text(const Table& table, const std::vector<SetColumn>& columns, const std::vector<TableCell>& row,
+                     Colour colour) {
     std::string out;
     std::size_t blanks = 0;
     for (std::size_t i = 0; i < row.size(); ++i) {
-        const std::size_t room = widths[i] - std::min(widths[i], visible_length(row[i].text));
+        const std::size_t room = columns[i].width - std::min(columns[i].width, visible_length(row[i].text));
+        if (columns[i].begins_line) {
+            if (!out.empty() && out.back() != '\n') out += '\n';
+            blanks = indent;
+        }
         if (table.columns[i].number) blanks += room;
         if (!row[i].text.empty()) {
             out += std::string(blanks, ' ') + painted(row[i].text, row[i].mark, colour);
@@ -37,7 +56,8 @@ std::string line_of(const Table& table, const std::vector<std::size_t>& widths, 
         if (!table.columns[i].number) blanks += room;
         blanks += gap;
     }
-    return out + "\n";
+    if (out.empty() || out.back() != '\n') out += '\n';
+    return out;
 }
 
 }  // namespace
@@ -47,21 +67,21 @@ std::size_t visible_length(std::string_view utf8) {
         std::count_if(utf8.begin(), utf8.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xc0) != 0x80; }));
 }
 
-std::string text_table(const Table& table, Colour colour) {
-    const auto widths = widths_of(table);
+std::string text_table(const Table& table, const TextStyle& style) {
+    const auto columns = set_columns(table, style.width);
     std::vector<TableCell> groups;
     std::vector<TableCell> titles;
     bool grouped = false;
     for (std::size_t i = 0; i < table.columns.size(); ++i) {
         const TableColumn& column = table.columns[i];
-        const bool first = i == 0 || table.columns[i - 1].group != column.group;
+        const bool first = i == 0 || table.columns[i - 1].group != column.group || columns[i].begins_line;
         groups.push_back({first ? column.group : "", Mark::none});
         titles.push_back({column.title, Mark::none});
         grouped |= !column.group.empty();
     }
-    std::string out = grouped ? line_of(table, widths, groups, colour) : std::string();
-    out += line_of(table, widths, titles, colour);
-    for (const auto& row : table.rows) out += line_of(table, widths, row, colour);
+    std::string out = grouped ? row_text(table, columns, groups, style.colour) : std::string();
+    out += row_text(table, columns, titles, style.colour);
+    for (const auto& row : table.rows) out += row_text(table, columns, row, style.colour);
     return out;
 }
 

@@ -1,8 +1,9 @@
 #pragma once
 
-#include "reports/text/colour.hpp"
 #include "reports/text/table.hpp"
+#include "reports/text/text_style.hpp"
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 
@@ -11,8 +12,9 @@ namespace ff::reports {
 /// How many characters a reader sees.
 std::size_t visible_length(std::string_view utf8);
 
-/// The columns of a table for a terminal, as wide as they have to be: titles of groups, titles, rows. Title, note and
-/// remarks are left to the caller.
-std::string text_table(const Table& table, Colour colour);
+/// The columns of a table for a terminal, as wide as they have to be: titles of groups, titles, rows. Where a row is
+/// wider than the terminal, the columns that find no room continue on lines below it, indented. Title, note and remarks
+/// are left to the caller.
+std::string text_table(const Table& table, const TextStyle& style);
 
 }  // namespace ff::reports

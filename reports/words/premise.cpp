@@ -52,10 +52,7 @@ PrintedErrors printed_errors(const studies::StudyResults& results, std::size_t c
 std::string cost(const studies::Findings& findings, std::size_t cell) {
     const studies::Method& method = findings.plan.spec.methods[findings.plan.cells[cell].method];
     const auto evaluations = static_cast<double>(findings.cells[cell].evaluations_per_face);
-    const char* unit = method.estimator == studies::Estimator::ray_shooting  ? "rays"
-                       : method.estimator == studies::Estimator::area_kernel ? "kernel values"
-                                                                             : "evaluations";
-    return fmt::format("{:.3g} million {}", evaluations / 1e6, unit);
+    return fmt::format("{:.3g} million {}", evaluations / 1e6, estimator_info(method).evaluations);
 }
 
 std::string in_words(const studies::StudyResults& results, const PrintedErrors& errors,

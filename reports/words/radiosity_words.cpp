@@ -149,8 +149,7 @@ std::vector<std::size_t> lit_cells(const studies::StudyPlan& plan, std::size_t s
     std::vector<std::size_t> all;
     for (std::size_t i = 0; i < plan.cells.size(); ++i) {
         const studies::Cell& cell = plan.cells[i];
-        if (cell.scene != scene || plan.spec.methods[cell.method].estimator == studies::Estimator::closed_form)
-            continue;
+        if (cell.scene != scene || estimator_info(plan.spec.methods[cell.method]).exact) continue;
         by_cost[studies::evaluations_per_trial(plan, cell)].push_back(i);
         all.push_back(i);
     }

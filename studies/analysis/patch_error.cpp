@@ -21,7 +21,7 @@ struct PatchTotals {
 
 PatchTotals patch_totals(const Store& store, std::size_t cell) {
     const Cell& planned = store.plan().cells.at(cell);
-    const bool counted = store.plan().spec.methods[planned.method].estimator == Estimator::ray_shooting;
+    const bool counted = estimator_info(store.plan().spec.methods[planned.method]).observes == Observes::hits;
     const auto rays = static_cast<double>(planned.samples);
     PatchTotals totals;
     Statement query(store.database().handle(),

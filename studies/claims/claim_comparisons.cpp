@@ -75,7 +75,7 @@ std::vector<std::size_t> contending_cells(const ClaimEvidence& evidence, const P
         if (cell.scene != evidence.scene()) continue;
         const bool same_size = names(claim.patches_per_face, cell.subdivision.per_part()) &&
                                (cell.deterministic || names(claim.samples_per_patch, cell.samples));
-        if (!same_size || method.estimator == Estimator::closed_form || findings.cells[i].trials == 0) continue;
+        if (!same_size || estimator_info(method).exact || findings.cells[i].trials == 0) continue;
         result.push_back(i);
     }
     return result;

@@ -42,7 +42,7 @@ std::vector<ErrorLaw> fit_error_laws(const Findings& findings, const PublishedTa
     for (std::size_t scene = 0; scene < plan.scenes.size(); ++scene) {
         if (!plan.scenes[scene].closed) continue;
         for (std::size_t method = 0; method < plan.spec.methods.size(); ++method) {
-            if (plan.spec.methods[method].estimator == Estimator::closed_form) continue;
+            if (estimator_info(plan.spec.methods[method]).exact) continue;
             ErrorsByM errors;
             for (std::size_t i = 0; i < plan.cells.size(); ++i) {
                 const Cell& cell = plan.cells[i];

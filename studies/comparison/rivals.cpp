@@ -68,7 +68,7 @@ std::vector<std::size_t> comparable_cells(const Findings& findings, std::size_t 
     std::map<std::size_t, std::size_t> chosen;  // cell by method
     for (std::size_t i = 0; i < plan.cells.size(); ++i) {
         const Cell& cell = plan.cells[i];
-        if (cell.scene != scene || plan.spec.methods[cell.method].estimator == Estimator::closed_form) continue;
+        if (cell.scene != scene || estimator_info(plan.spec.methods[cell.method]).exact) continue;
         if (may_be_luck(plan, cell)) continue;
         const bool fits =
             cell.deterministic ? cell.subdivision.m == size.first : std::pair(cell.subdivision.m, cell.samples) == size;

@@ -25,7 +25,8 @@ std::optional<VarianceCheck> check_cell(const Findings& findings, std::size_t ce
     const Cell& cell = findings.plan.cells[cell_index];
     const Method& method = findings.plan.spec.methods[cell.method];
     const CellFindings& found = findings.cells[cell_index];
-    const bool known = method.estimator == Estimator::ray_shooting && samplers::find(method.sampler).info.independent();
+    const bool known =
+        estimator_info(method).observes == Observes::hits && samplers::find(method.sampler).info.independent();
     if (!known || found.trials < 2) return std::nullopt;
     const Scene& scene = findings.plan.scenes[cell.scene];
     const auto exact = sr_distribution(scene, cell.subdivision, static_cast<double>(cell.samples), method.completion);

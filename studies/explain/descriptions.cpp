@@ -1,54 +1,21 @@
 #include "studies/explain/descriptions.hpp"
 
+#include "core/estimators/estimator.hpp"
+
 #include <array>
+#include <vector>
 
 namespace ff::studies {
 namespace {
 
-constexpr std::array estimators{
-    Description{
-        "ray_shooting", "rays from every patch, cosine distributed; counts what they hit (the paper's SR)",
-        "A 4-D point gives the origin on the source patch (2) and the direction (2). The estimate of F(i, j) is the "
-        "share\n"
-        "of the rays from face i that hit face j: integer counts, unbiased, and nothing is chosen about the target.\n"
-        "Works with every sampler of equal weights. allocation = \"face\" runs one sequence over all patches of a "
-        "face.\n"
-        "Rays that leave a closed scene are lost rays; they are counted and reported.",
-        "shirley1991"},
-    Description{
-        "area_kernel", "cos·cos/(pi r^2) at pairs of points on two patches (with gauss_legendre: the paper's PDM)",
-        "A 4-D point gives a point on each patch of an ordered pair; samples_per_patch counts points per pair. "
-        "Unbiased "
-        "with\n"
-        "random points, but where patches share an edge or a vertex the kernel is unbounded: the tail index is 3/2 or "
-        "2, the\n"
-        "variance infinite, and no interval is shown. With Gauss-Legendre nodes on both patches it is the parametric\n"
-        "differential method (PDM); its error near common edges falls as 1/m only. map = \"graded\" lays points s^3 "
-        "from a "
-        "common\n"
-        "edge (s^2 from a common vertex): tail index 5/2, finite variance. What may stand between two surfaces is "
-        "looked at\n"
-        "point by point.",
-        "baranoski1992"},
-    Description{
-        "point_to_polygon", "exact factors from points of the source to each face (Lambert's formula)",
-        "A 2-D point lies on the source patch; from there the form factor to every visible face is exact: a sum over "
-        "the edges\n"
-        "of the face, each the angle under which it is seen times a cosine. Points are shared by all targets, and "
-        "subdivision\n"
-        "divides the source only. Unbiased with random points, of values between 0 and 1; smooth between parallel "
-        "faces, with a\n"
-        "jump at the corners where three faces meet. Works with every sampler in two dimensions (so stratified takes "
-        "k^2 points)\n"
-        "and, deterministically, with Gauss-Legendre nodes. Unoccluded convex scenes only.",
-        "baum1989"},
-    Description{
-        "closed_form", "exact formulas for parallel and perpendicular rectangles",
-        "Takes no points and has no error but rounding (about 1e-15 of the squared extent). Axis-aligned rectangles "
-        "with\n"
-        "nothing in between. The reference that bias is measured from, and the baseline that others have to beat.",
-        "howell"},
-};
+std::vector<Description> describe_estimators() {
+    std::vector<Description> all;
+    for (const EstimatorEntry& estimator : ff::estimators()) {
+        const EstimatorInfo& info = estimator.info;
+        all.push_back({info.name, info.summary, info.details, info.reference});
+    }
+    return all;
+}
 
 constexpr std::array scenes{
     Description{
@@ -115,18 +82,18 @@ constexpr std::array tracers{
                 "wald2014"},
 };
 
-constexpr std::array choices{
-    Choices{"estimator", "estimators", estimators},
-    Choices{"scene", "scenes", scenes},
-    Choices{"completion", "completions", completions},
-    Choices{"allocation", "allocations", allocations},
-    Choices{"map", "maps", maps},
-    Choices{"tracer", "tracers", tracers},
-};
-
 }  // namespace
 
 std::span<const Choices> all_choices() {
+    static const std::vector<Description> estimators = describe_estimators();
+    static const std::array choices{
+        Choices{"estimator", "estimators", estimators},
+        Choices{"scene", "scenes", scenes},
+        Choices{"completion", "completions", completions},
+        Choices{"allocation", "allocations", allocations},
+        Choices{"map", "maps", maps},
+        Choices{"tracer", "tracers", tracers},
+    };
     return choices;
 }
 

@@ -2,15 +2,14 @@
 
 #include "core/configurations/catalogue.hpp"
 #include "core/configurations/families.hpp"
+#include "core/estimators/estimator.hpp"
 #include "core/exact/known_factors.hpp"
-#include "core/support/error.hpp"
 #include "core/visibility/facing.hpp"
 #include "core/visibility/mirrors.hpp"
-#include "studies/spec/spec_names.hpp"
-#include "studies/theory/applicability.hpp"
 
 #include <algorithm>
-#include <string_view>
+#include <optional>
+#include <utility>
 
 namespace ff::studies {
 namespace {
@@ -39,18 +38,9 @@ void add_origin(const Scene& scene, ExplainedPair& pair) {
     }
 }
 
-std::optional<std::string> why_not(const Scene& scene, Estimator estimator, std::string_view estimator_name) {
-    Method method;
-    method.name = estimator_name;
-    method.estimator = estimator;
-    try {
-        expect_applicable(method, scene);
-    } catch (const UserError& error) {
-        const std::string_view message = error.what();
-        const std::size_t colon = message.starts_with("method") ? message.find(": ") : std::string_view::npos;
-        return std::string(colon == std::string_view::npos ? message : message.substr(colon + 2));
-    }
-    return std::nullopt;
+std::optional<std::string> why_not(const Scene& scene, const EstimatorEntry& estimator) {
+    std::string refusal = estimator.refusal({}, scene);
+    return refusal.empty() ? std::nullopt : std::optional(std::move(refusal));
 }
 
 }  // namespace
@@ -89,10 +79,8 @@ SceneExplanation explain_scene(const Scene& scene) {
             }
         }
     }
-    for (std::size_t i = 0; i < estimator_names.size(); ++i) {
-        const std::string_view name = estimator_names.at(i);
-        explanation.estimators.push_back({std::string(name), why_not(scene, static_cast<Estimator>(i), name)});
-    }
+    for (const EstimatorEntry& estimator : estimators())
+        explanation.estimators.push_back({std::string(estimator.info.name), why_not(scene, estimator)});
     return explanation;
 }
 

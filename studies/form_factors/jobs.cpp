@@ -51,7 +51,7 @@ std::uint64_t size_for(std::uint64_t points, double now, double wanted, double r
 }
 
 Job::Job(const Scene& scene, const FacePairs& pairs, std::size_t pair, double wanted)
-    : scene_(&scene), geometry_(&pairs), pairs_{pair}, point_sums_(randomisations) {
+    : geometry_(&pairs), pairs_{pair}, point_sums_(randomisations) {
     for (const SampledPair& sampled : pairs.pairs[pair].sampled)
         points_.emplace_back(scene, sampled, wanted / sampled.times, pairs.effort);
     hidden_.assign(points_.size(), false);
@@ -61,8 +61,7 @@ Job::Job(const Scene& scene, const FacePairs& pairs, std::size_t pair, double wa
 }
 
 Job::Job(const Scene& scene, const FacePairs& pairs, std::size_t from, std::vector<std::size_t> row)
-    : scene_(&scene),
-      geometry_(&pairs),
+    : geometry_(&pairs),
       pairs_(std::move(row)),
       sizes_{least_rays},
       least_sizes_{least_rays},

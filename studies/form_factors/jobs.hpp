@@ -52,7 +52,6 @@ class Job {
     [[nodiscard]] std::uint64_t lost() const;  ///< rays of the last round
 
   private:
-    const Scene* scene_;
     const FacePairs* geometry_;
     std::vector<std::size_t> pairs_;
     std::optional<RaySampling> rays_;

@@ -4,7 +4,7 @@
 #include "studies/form_factors/repair.hpp"
 #include "studies/form_factors/words.hpp"
 #include "studies/scene_files/scene_file.hpp"
-#include "studies/store/digest.hpp"
+#include "studies/store/row_digest.hpp"
 #include "studies/store/store_format.hpp"
 #include "studies/store/stored_context.hpp"
 

@@ -1,7 +1,7 @@
 #include "studies/gates/baseline.hpp"
 
 #include "core/support/error.hpp"
-#include "studies/gates/gate.hpp"
+#include "studies/verdicts/gate.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

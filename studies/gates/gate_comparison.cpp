@@ -2,8 +2,8 @@
 
 #include "stats/mean_interval.hpp"
 #include "stats/repeats.hpp"
-#include "studies/gates/measurement.hpp"
-#include "studies/gates/needed_trials.hpp"
+#include "studies/verdicts/measurement.hpp"
+#include "studies/verdicts/needed_trials.hpp"
 
 #include <fmt/format.h>
 
@@ -225,6 +225,7 @@ std::vector<Comparison> compare(const Gate& gate, const GatePlan& plan, std::spa
             case GateKind::lost_rays:
             case GateKind::equal:
             case GateKind::std_error:
+            case GateKind::distribution:
                 break;
         }
         expect_replicates(plan, values, row);

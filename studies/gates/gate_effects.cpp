@@ -6,6 +6,7 @@
 #include "core/visibility/pair_class.hpp"
 #include "samplers/sampler.hpp"
 #include "studies/analysis/analysis.hpp"
+#include "studies/gates/experiment.hpp"
 #include "studies/theory/known_variance.hpp"
 #include "studies/theory/sr_distribution.hpp"
 
@@ -37,7 +38,8 @@ bool is_selected(const Gate& gate, const Scene& scene, Quantity pair, bool both_
 }
 
 std::vector<Quantity> selected_pairs(const Gate& gate, const Scene& scene) {
-    const bool both_ways = gate.kind == GateKind::reciprocity || gate.method.completion == Completion::reciprocal;
+    const bool both_ways =
+        gate.kind == GateKind::reciprocity || experiment_of(gate).method.completion == Completion::reciprocal;
     std::vector<Quantity> pairs;
     for (const Quantity pair :
          distinct_pairs(scene.faces.size(), both_ways ? Completion::reciprocal : Completion::direct)) {
@@ -70,9 +72,9 @@ bool needs_spread(GateKind kind) {
 }
 
 void expect_possible(const Gate& gate, const StudyPlan& plan) {
-    const Method& method = gate.method;
+    const Method& method = experiment_of(gate).method;
     const bool deterministic = plan.cells.front().deterministic;
-    const bool shoots = method.estimator == Estimator::ray_shooting;
+    const bool shoots = estimator_info(method).observes == Observes::hits;
     if (deterministic && needs_spread(gate.kind))
         refuse(gate.place, fmt::format("a gate of kind \"{}\" needs trials that differ (this method is deterministic). "
                                        "Take a randomised sampler, or kind = \"bias\".",
@@ -102,8 +104,8 @@ void expect_finite(const Gate& gate, const Scene& scene, Quantity quantity) {
     if (gate.kind == GateKind::lost_rays) return;
     Quantity back = quantity;  // that reciprocity is compared with
     if (gate.kind == GateKind::reciprocity) std::swap(back.from, back.to);
-    if (known_variance(gate.method, scene, quantity) != VarianceStatus::infinite &&
-        known_variance(gate.method, scene, back) != VarianceStatus::infinite)
+    if (known_variance(experiment_of(gate).method, scene, quantity) != VarianceStatus::infinite &&
+        known_variance(experiment_of(gate).method, scene, back) != VarianceStatus::infinite)
         return;
     const std::string what = quantity.kind == QuantityKind::form_factor
                                  ? "pair " + pair_text(scene, quantity)
@@ -115,11 +117,11 @@ void expect_finite(const Gate& gate, const Scene& scene, Quantity quantity) {
 
 /// Exact moments of one trial of ray shooting with independent rays.
 std::optional<SrDistribution> known_distribution(const Gate& gate, const Scene& scene, const Cell& cell) {
-    const bool known = gate.method.estimator == Estimator::ray_shooting && scene.empty_box &&
-                       gate.method.tracer != TracerChoice::leaky &&
-                       samplers::find(gate.method.sampler).info.independent();
+    const Method& method = experiment_of(gate).method;
+    const bool known = estimator_info(method).observes == Observes::hits && scene.empty_box &&
+                       method.tracer != TracerChoice::leaky && samplers::find(method.sampler).info.independent();
     if (!known) return std::nullopt;
-    return sr_distribution(scene, cell.subdivision, static_cast<double>(cell.samples), gate.method.completion);
+    return sr_distribution(scene, cell.subdivision, static_cast<double>(cell.samples), method.completion);
 }
 
 void expect_references(const Gate& gate, const Effect& effect) {
@@ -188,8 +190,8 @@ Comparison labelled(const Gate& gate, const Effect& effect, const StudyPlan& pla
     const Scene& scene = plan.scenes[cell.scene];
     Comparison row;
     row.scene = scene.name;
-    row.method = gate.method.sampler.empty() ? std::string(name(gate.method.estimator))
-                                             : fmt::format("{} {}", gate.method.sampler, name(gate.method.estimator));
+    const Method& method = experiment_of(gate).method;
+    row.method = method.sampler.empty() ? method.estimator : fmt::format("{} {}", method.sampler, method.estimator);
     const auto same = [&](auto value_of) {
         return std::all_of(effect.cells.begin(), effect.cells.end(),
                            [&](std::size_t other) { return value_of(plan.cells[other]) == value_of(cell); });

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "studies/gates/gate.hpp"
-#include "studies/gates/gate_result.hpp"
 #include "studies/plan/plan.hpp"
 #include "studies/trials/estimates.hpp"
+#include "studies/verdicts/gate.hpp"
+#include "studies/verdicts/gate_result.hpp"
 
 #include <optional>
 #include <string>

@@ -2,7 +2,8 @@
 
 #include "core/support/contract.hpp"
 #include "core/support/error.hpp"
-#include "studies/gates/needed_trials.hpp"
+#include "studies/gates/experiment.hpp"
+#include "studies/verdicts/needed_trials.hpp"
 
 #include <fmt/format.h>
 
@@ -167,6 +168,7 @@ std::optional<std::uint64_t> needed(const Gate& gate, const GatePlan& plan, std:
         case GateKind::slope:
         case GateKind::equal:
         case GateKind::std_error:
+        case GateKind::distribution:
             break;
     }
     std::vector<double> sizes;
@@ -196,10 +198,10 @@ GatePlan prepare_gate(const GatesSpec& spec, std::size_t index, GatePurpose purp
     FF_EXPECT(!gate.from_estimates());
     StudySpec study;
     study.name = spec.name;
-    study.scenes = gate.scenes;
+    study.scenes = experiment_of(gate).scenes;
     study.trials = 2;
     study.seed = spec.seed;
-    study.methods = {gate.method};
+    study.methods = {experiment_of(gate).method};
     GatePlan plan;
     plan.gate = index;
     plan.purpose = purpose;

@@ -1,10 +1,10 @@
 #pragma once
 
 #include "studies/gates/baseline.hpp"
-#include "studies/gates/gate.hpp"
 #include "studies/gates/gate_effects.hpp"
 #include "studies/gates/gate_trials.hpp"
 #include "studies/plan/plan.hpp"
+#include "studies/verdicts/gate.hpp"
 
 #include <cstdint>
 #include <optional>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "studies/gates/gate_plan.hpp"
-#include "studies/gates/gate_result.hpp"
+#include "studies/verdicts/gate_result.hpp"
 
 #include <optional>
 

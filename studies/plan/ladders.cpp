@@ -40,7 +40,7 @@ std::vector<Ladder> find_ladders(const StudyPlan& plan) {
     std::vector<Ladder> all;
     for (std::size_t scene = 0; scene < plan.scenes.size(); ++scene) {
         for (std::size_t method = 0; method < plan.spec.methods.size(); ++method) {
-            if (plan.spec.methods[method].estimator == Estimator::closed_form) continue;
+            if (estimator_info(plan.spec.methods[method]).exact) continue;
             auto ladders = ladders_of(plan, scene, method, Growth::samples);
             if (ladders.empty()) ladders = ladders_of(plan, scene, method, Growth::patches);
             all.insert(all.end(), ladders.begin(), ladders.end());

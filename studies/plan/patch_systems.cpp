@@ -11,10 +11,10 @@
 namespace ff::studies {
 
 bool tells_patches_apart(const StudyPlan& plan, std::size_t index) {
-    const Estimator estimator = plan.spec.methods[plan.cells[index].method].estimator;
+    const EstimatorInfo& estimator = estimator_info(plan.spec.methods[plan.cells[index].method]);
     const Scene& scene = plan.scenes[plan.cells[index].scene];
     return plan.cells[index].subdivision.patches(scene) > scene.surfaces.size() &&
-           (estimator == Estimator::ray_shooting || estimator == Estimator::area_kernel);
+           estimator.patch_factors != PatchFactors::none;
 }
 
 bool has_patch_systems(const StudyPlan& plan, std::size_t index) {
@@ -30,7 +30,8 @@ void expect_few_patches(const StudyPlan& plan, std::size_t index) {
     const Method& method = plan.spec.methods[cell.method];
     const Scene& scene = plan.scenes[cell.scene];
     const std::uint32_t patches = radiating_patches(scene, cell.subdivision);
-    const std::uint32_t most = method.estimator == Estimator::ray_shooting ? most_traced_patches : most_kernel_patches;
+    const std::uint32_t most =
+        estimator_info(method).patch_factors == PatchFactors::rays ? most_traced_patches : most_kernel_patches;
     if (!has_exact_patch_factors(scene)) {
         throw UserError(fmt::format(
             "[radiosity]: patch_trials in scene '{}' (patches have exact factors where all surfaces are parallelograms "
@@ -47,7 +48,7 @@ void expect_few_patches(const StudyPlan& plan, std::size_t index) {
     throw UserError(fmt::format(
         "[radiosity]: patch_trials with method '{}' and {} patches in all (every pair has a factor: at most {} patches "
         "with {}). Take fewer patches per face, or leave patch_trials out.",
-        method.name, patches, most, name(method.estimator)));
+        method.name, patches, most, method.estimator));
 }
 
 }  // namespace ff::studies

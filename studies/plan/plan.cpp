@@ -1,8 +1,6 @@
 #include "studies/plan/plan.hpp"
 
 #include "core/support/error.hpp"
-#include "core/tracing/tracer.hpp"
-#include "core/visibility/mirrors.hpp"
 #include "samplers/sampler.hpp"
 #include "stats/interval.hpp"
 #include "studies/plan/patch_systems.hpp"
@@ -32,12 +30,6 @@ constexpr std::uint64_t most_units = 10'000'000;
 constexpr double most_evaluations = 1e15;
 constexpr std::uint64_t most_patches = 1u << 31;  // of a scene
 
-/// Nanoseconds on one core of a current server; only their ratios matter, for units of about equal length.
-constexpr double tracing_nanoseconds = 1.0;
-constexpr double embree_nanoseconds = 60.0;
-constexpr double kernel_nanoseconds = 1.5;
-constexpr double polygons_nanoseconds = 60.0;  // of all faces of a box
-
 std::uint64_t sample_count(const Method& method, const Size& size) {
     if (method.nodes) {
         const std::uint64_t source = method.nodes->source;
@@ -48,14 +40,14 @@ std::uint64_t sample_count(const Method& method, const Size& size) {
 }
 
 bool is_deterministic(const Method& method) {
-    return method.estimator == Estimator::closed_form || !samplers::find(method.sampler).info.randomised;
+    return method.sampler.empty() || !samplers::find(method.sampler).info.randomised;
 }
 
 std::string canonical_text(const Scene& scene, const Method& method, const Cell& cell) {
-    std::string text = fmt::format("{}|{}|{}|m={}|n={}", scene.canonical, method.sampler, name(method.estimator),
+    std::string text = fmt::format("{}|{}|{}|m={}|n={}", scene.canonical, method.sampler, method.estimator,
                                    cell.subdivision.m, cell.samples);
     if (method.nodes) text += fmt::format("|nodes={},{}", method.nodes->source, method.nodes->target);
-    if (has_allocation(method.estimator)) text += fmt::format("|allocation={}", name(method.allocation));
+    if (estimator_info(method).has_allocation()) text += fmt::format("|allocation={}", name(method.allocation));
     if (method.map != PointMap::uniform) text += fmt::format("|map={}", name(method.map));
     return text;
 }
@@ -80,7 +72,7 @@ class Warnings {
         if (method.sampler.empty() || method.nodes) return;
         const auto problem = samplers::check_size(samplers::find(method.sampler).info,
                                                   points_per_sequence(method, cell.subdivision, cell.samples),
-                                                  dimension(method.estimator));
+                                                  estimator_info(method).dimension);
         if (problem.message.empty()) return;
         add(fmt::format("method '{}': {}", method.name, problem.message));
     }
@@ -109,7 +101,7 @@ void expect_trials_at_hand(const Method& method, const Cell& cell) {
 /// Patches, or ordered pairs of patches of different surfaces with kernels.
 double evaluated_patches(const Method& method, const Scene& scene, Subdivision subdivision) {
     const auto all = static_cast<double>(subdivision.patches(scene));
-    if (method.estimator != Estimator::area_kernel) return all;
+    if (estimator_info(method).points != PointsServe::pairs) return all;
     double pairs = all * all;
     for (const Surface& surface : scene.surfaces) {
         const double own = subdivision.of(surface).parts();
@@ -204,26 +196,13 @@ std::uint64_t evaluations_per_trial(const StudyPlan& plan, const Cell& cell) {
 
 double expected_seconds_per_trial(const StudyPlan& plan, const Cell& cell) {
     const Method& method = plan.spec.methods[cell.method];
-    const auto evaluations = static_cast<double>(evaluations_per_trial(plan, cell));
-    switch (method.estimator) {
-        case Estimator::closed_form:
-            return 1e-3;
-        case Estimator::area_kernel: {
-            const double sampling = cell.deterministic ? 0.0 : samplers::find(method.sampler).info.nanoseconds;
-            return 1e-9 * evaluations * (kernel_nanoseconds + sampling);
-        }
-        case Estimator::point_to_polygon:
-            return 1e-9 * evaluations * (polygons_nanoseconds + samplers::find(method.sampler).info.nanoseconds);
-        case Estimator::ray_shooting: {
-            const Scene& scene = plan.scenes[cell.scene];
-            const bool one_by_one = method.tracer == TracerChoice::embree || method.tracer == TracerChoice::leaky ||
-                                    !mirrors(scene).empty();
-            const bool analytic = scene.empty_box && !one_by_one;
-            const double tracing = analytic ? tracing_nanoseconds : embree_nanoseconds;
-            return 1e-9 * evaluations * (tracing + samplers::find(method.sampler).info.nanoseconds);
-        }
-    }
-    return 1e-3;
+    const EstimatorEntry& estimator = find_estimator(method.estimator);
+    const double each = estimator.nanoseconds(estimator_options(method), plan.scenes[cell.scene]);
+    if (!estimator.info.takes_points()) return 1e-9 * each;
+    // Points that are the same for all pairs of patches are made once.
+    const bool made_once = estimator.info.points == PointsServe::pairs && cell.deterministic;
+    const double sampling = made_once ? 0.0 : samplers::find(method.sampler).info.nanoseconds;
+    return 1e-9 * static_cast<double>(evaluations_per_trial(plan, cell)) * (each + sampling);
 }
 
 StudyPlan plan_study(StudySpec spec) {

@@ -97,7 +97,7 @@ void evaluate_between_patches(const Store& store, RadiosityResults& results, con
         const auto exitance = solve_with_exact_factors(plan, scene, m, lighting, results.exact);
         for (const std::size_t cell : cells) {
             if (stopped()) return;
-            const bool counted = plan.spec.methods[plan.cells[cell].method].estimator == Estimator::ray_shooting;
+            const bool counted = estimator_info(plan.spec.methods[plan.cells[cell].method]).observes == Observes::hits;
             Uncertainty errors;
             if (counted) {
                 errors.rays = Eigen::VectorXd::Constant(lighting.elements.areas.size(),

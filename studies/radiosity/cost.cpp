@@ -70,7 +70,7 @@ std::uint64_t memory_of_radiosity(const StudyPlan& plan) {
         std::uint64_t bytes = cell.trials * (2 * faces * faces * sizeof(double) + bytes_of_a_small_matrix + exitances);
         if (has_patch_systems(plan, index)) {
             const std::uint64_t n = radiating_patches(plan.scenes[cell.scene], cell.subdivision);
-            const bool kernels = plan.spec.methods[cell.method].estimator == Estimator::area_kernel;
+            const bool kernels = estimator_info(plan.spec.methods[cell.method]).patch_factors == PatchFactors::kernels;
             const std::uint64_t bytes_of_a_pair =
                 std::max(matrices * sizeof(double), kernels ? bytes_of_a_kernel_pair : 0);
             const std::uint64_t trials = patch_trials(plan, index);
@@ -96,7 +96,7 @@ double seconds_of_radiosity(const StudyPlan& plan) {
         const double n = radiating_patches(plan.scenes[cell.scene], cell.subdivision);
         const auto trials = static_cast<double>(patch_trials(plan, index));
         double trial = expected_seconds_per_trial(plan, cell);
-        if (plan.spec.methods[cell.method].estimator == Estimator::ray_shooting)
+        if (estimator_info(plan.spec.methods[cell.method]).patch_factors == PatchFactors::rays)
             trial += seconds_of_a_traced_ray * static_cast<double>(evaluations_per_trial(plan, cell));
         if (with_exact_factors.emplace(cell.scene, cell.subdivision.m).second)
             seconds += n * n / 2 * seconds_of_an_exact_factor + seconds_of_systems(plan, n, true);

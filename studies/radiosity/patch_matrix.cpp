@@ -22,7 +22,7 @@ Eigen::MatrixXd trace_patch_factors(const StudyPlan& plan, std::size_t index, st
     const auto number = static_cast<std::uint32_t>(trial);
     auto points = make_points(method, cell);
     if (stop != nullptr) points = interruptible(std::move(points), *stop);
-    if (method.estimator == Estimator::area_kernel)
+    if (estimator_info(method).patch_factors == PatchFactors::kernels)
         return kernel_patch_factors(scene, cell.subdivision, *points, method.map, cell.key, number);
     return shoot_patch_factors(scene, cell.subdivision, *make_tracer(scene, method.tracer), *points, cell.samples,
                                method.allocation, cell.key, number);

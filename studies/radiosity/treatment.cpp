@@ -31,7 +31,9 @@ Eigen::MatrixXd weighted(const Elements& elements, const Uncertainty& errors, co
 /// Kernels of points that are laid evenly have no variance where faces touch.
 bool has_covariances(const Method& method, const Cell& cell, const TrialMatrices& trials) {
     if (cell.deterministic || trials.direct.size() < least_trials_of_covariances) return false;
-    if (method.estimator == Estimator::area_kernel && method.map == PointMap::uniform) return false;
+    const auto touching =
+        find_estimator(method.estimator).integrand(estimator_options(method), PairClass::adjacent, Hiding::none);
+    if (touching == Integrand::unbounded) return false;
     return trials.direct.front().rows() <= most_correlated_patches;
 }
 
@@ -78,7 +80,7 @@ TrialMatrices load_matrices(const Store& store, std::size_t cell_index) {
     const auto faces = static_cast<Eigen::Index>(estimates.faces);
     TrialMatrices trials;
     trials.numbers = estimates.trial_numbers;
-    if (plan.spec.methods[cell.method].estimator == Estimator::ray_shooting)
+    if (estimator_info(plan.spec.methods[cell.method]).observes == Observes::hits)
         trials.errors.rays =
             static_cast<double>(estimates.evaluations_per_face) * parts_a_surface(plan.scenes[cell.scene]);
     trials.direct.assign(estimates.trials(), Eigen::MatrixXd::Zero(faces, faces));

@@ -88,7 +88,8 @@ void mark_lines(std::string_view text, Marks& marks) {
 
 bool is_table_header(std::string_view line) {
     const auto has = [&](std::string_view part) { return line.find(part) != std::string_view::npos; };
-    return line.find('=') == line.npos && has("quantity") && (has("estimate") || has("mean"));
+    return line.find('=') == line.npos && has("quantity") &&
+           (has("estimate") || has("mean") || has("count") || has("share"));
 }
 
 Marks marks_of(std::string_view bytes) {

@@ -45,8 +45,7 @@ std::uint64_t observations_per_trial(const StudyPlan& plan, const Cell& cell) {
 
 /// Sums and sums of squares of the hits, or factors, of each patch on each face.
 std::uint64_t patch_sums(const StudyPlan& plan, const Cell& cell) {
-    const Estimator estimator = plan.spec.methods[cell.method].estimator;
-    if (estimator != Estimator::ray_shooting && estimator != Estimator::area_kernel) return 0;
+    if (estimator_info(plan.spec.methods[cell.method]).patch_factors == PatchFactors::none) return 0;
     const std::uint64_t patches = cell.subdivision.patches(plan.scenes[cell.scene]);
     return 2 * sizeof(std::uint64_t) * patches * plan.scenes[cell.scene].faces.size();
 }

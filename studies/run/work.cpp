@@ -1,20 +1,15 @@
 #include "studies/run/work.hpp"
 
-#include "core/estimators/area_kernel.hpp"
-#include "core/estimators/point_to_polygon.hpp"
-#include "core/estimators/ray_shooting.hpp"
-#include "core/exact/exact.hpp"
+#include "core/estimators/estimator.hpp"
 #include "core/patches/face_averages.hpp"
-#include "core/support/error.hpp"
-#include "core/tracing/tracer.hpp"
 #include "core/visibility/facing.hpp"
 #include "samplers/sampler.hpp"
-
-#include <fmt/format.h>
 
 #include <bit>
 #include <map>
 #include <memory>
+#include <string_view>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -43,12 +38,6 @@ void add_rays(const RayTally& tally, std::uint64_t trial, UnitRecord& record) {
     }
 }
 
-/// Whether sums of every patch are kept: of more numbers than this a unit of work would be too large to save.
-bool keeps_patches(const Scene& scene, Subdivision subdivision) {
-    constexpr std::uint64_t most = 1u << 22;
-    return subdivision.patches(scene) * scene.faces.size() <= most;
-}
-
 void add_tally(const RayTally& tally, const Observed& with_itself, std::uint64_t trial, UnitRecord& record) {
     const std::size_t faces = tally.rays.size();
     for (std::size_t i = 0; i < faces; ++i) {
@@ -65,38 +54,60 @@ void add_tally(const RayTally& tally, const Observed& with_itself, std::uint64_t
     }
 }
 
+/// Records hold words: of doubles, their bits.
+std::vector<double> as_doubles(const std::vector<std::uint64_t>& words) {
+    std::vector<double> doubles;
+    for (const std::uint64_t word : words) doubles.push_back(std::bit_cast<double>(word));
+    return doubles;
+}
+
+/// What the trials of a unit that has been begun have added up, moved out of their record.
+PatchTotals begun_totals(UnitRecord& record, PatchFactors patch_factors) {
+    PatchTotals totals;
+    if (patch_factors == PatchFactors::rays) {
+        totals.hits = {std::move(record.patch_hits), std::move(record.patch_hits_squared)};
+    } else {
+        totals.factors = {as_doubles(record.patch_hits), as_doubles(record.patch_hits_squared)};
+        record.patch_hits.clear();
+        record.patch_hits_squared.clear();
+    }
+    return totals;
+}
+
 }  // namespace
 
 std::unique_ptr<PointSource> make_points(const Method& method, const Cell& cell) {
     if (method.sampler.empty()) return nullptr;
     const Nodes nodes = method.nodes.value_or(Nodes{});
     const std::uint64_t points = points_per_sequence(method, cell.subdivision, cell.samples);
-    return samplers::find(method.sampler).make({points, dimension(method.estimator), nodes.source, nodes.target});
+    return samplers::find(method.sampler).make({points, estimator_info(method).dimension, nodes.source, nodes.target});
 }
 
 struct Worker::Tools {
     const Scene* scene = nullptr;
     const Method* method = nullptr;
-    std::shared_ptr<const Tracer> tracer;
+    std::shared_ptr<const Estimator> estimator;
     std::unique_ptr<PointSource> points;
     Observed with_itself;
+    PatchFactors patch_factors = PatchFactors::none;
     bool counts_hits = false;
 };
 
 Worker::Worker(const StudyPlan& plan, const std::atomic<bool>* stop) : plan_(plan) {
-    std::map<std::pair<std::size_t, TracerChoice>, std::shared_ptr<const Tracer>> tracers;
+    // Made ready once for a scene: tracers may be large.
+    std::map<std::tuple<std::size_t, std::string_view, TracerChoice>, std::shared_ptr<const Estimator>> estimators;
     for (const Cell& cell : plan.cells) {
         auto tools = std::make_unique<Tools>();
         tools->scene = &plan.scenes[cell.scene];
         tools->method = &plan.spec.methods[cell.method];
         tools->points = make_points(*tools->method, cell);
         if (tools->points && stop != nullptr) tools->points = interruptible(std::move(tools->points), *stop);
-        if (tools->method->estimator == Estimator::ray_shooting) {
-            auto& tracer = tracers[{cell.scene, tools->method->tracer}];
-            if (!tracer) tracer = make_tracer(*tools->scene, tools->method->tracer);
-            tools->tracer = tracer;
-        }
-        tools->counts_hits = has_one_surface_a_face(*tools->scene);
+        const EstimatorEntry& entry = find_estimator(tools->method->estimator);
+        auto& estimator = estimators[{cell.scene, entry.info.name, tools->method->tracer}];
+        if (!estimator) estimator = entry.make(*tools->scene, tools->method->tracer);
+        tools->estimator = estimator;
+        tools->patch_factors = entry.info.patch_factors;
+        tools->counts_hits = entry.info.observes == Observes::hits && has_one_surface_a_face(*tools->scene);
         for (int face = 0; face < static_cast<int>(tools->scene->faces.size()); ++face)
             tools->with_itself.push_back(sees_itself(*tools->scene, face));
         tools_.push_back(std::move(tools));
@@ -105,55 +116,32 @@ Worker::Worker(const StudyPlan& plan, const std::atomic<bool>* stop) : plan_(pla
 
 Worker::~Worker() = default;
 
-UnitRecord Worker::carry_out(const WorkUnit& unit) const {
+UnitRecord Worker::carry_out(const WorkUnit& unit, BegunUnit begun) const {
     const Cell& cell = plan_.cells[unit.cell];
     const Tools& tools = *tools_[unit.cell];
-    UnitRecord record;
+    UnitRecord record = std::move(begun.record);
     record.unit = unit.index;
-    PatchSums sums;
-    PatchFactorSums factor_sums;
-    RayTally tally;
-    for (std::uint64_t trial = unit.first_trial; trial < unit.first_trial + unit.trials; ++trial) {
-        const auto stream_trial = static_cast<std::uint32_t>(trial);
-        switch (tools.method->estimator) {
-            case Estimator::closed_form: {
-                const auto factors = exact_form_factors(*tools.scene);
-                if (!factors) {
-                    throw UserError(fmt::format("method '{}': scene '{}' has no closed form. Use another estimator.",
-                                                tools.method->name, tools.scene->name));
-                }
-                add_matrix(*factors, tools.with_itself, trial, record);
-                break;
-            }
-            case Estimator::area_kernel:
-                add_matrix(area_kernel(*tools.scene, cell.subdivision, *tools.points, tools.method->map, cell.key,
-                                       stream_trial, &factor_sums),
-                           tools.with_itself, trial, record);
-                break;
-            case Estimator::point_to_polygon:
-                add_matrix(point_to_polygon(*tools.scene, cell.subdivision, *tools.points, cell.samples,
-                                            tools.method->allocation, cell.key, stream_trial),
-                           tools.with_itself, trial, record);
-                break;
-            case Estimator::ray_shooting:
-                ray_shooting(*tools.scene, cell.subdivision, *tools.tracer, *tools.points, cell.samples,
-                             tools.method->allocation, cell.key, stream_trial, tally,
-                             keeps_patches(*tools.scene, cell.subdivision) ? &sums : nullptr);
-                if (tools.counts_hits) {
-                    add_tally(tally, tools.with_itself, trial, record);
-                } else {
-                    add_rays(tally, trial, record);
-                    add_matrix(face_averages(*tools.scene, tally.weighted, cell.subdivision.per_part() * cell.samples),
-                               tools.with_itself, trial, record);
-                }
-                break;
+    PatchTotals totals = begun_totals(record, tools.patch_factors);
+    Outcome outcome;
+    EstimatorTask task{.subdivision = cell.subdivision,
+                       .points = tools.points.get(),
+                       .samples = cell.samples,
+                       .options = estimator_options(*tools.method),
+                       .key = cell.key};
+    for (std::uint64_t trial = unit.first_trial + begun.trials; trial < unit.first_trial + unit.trials; ++trial) {
+        task.trial = static_cast<std::uint32_t>(trial);
+        tools.estimator->observe(task, outcome, totals);
+        if (tools.counts_hits) {
+            add_tally(outcome.rays, tools.with_itself, trial, record);
+        } else {
+            add_rays(outcome.rays, trial, record);
+            add_matrix(outcome.estimates, tools.with_itself, trial, record);
         }
     }
-    record.patch_hits = std::move(sums.hits);
-    record.patch_hits_squared = std::move(sums.hits_squared);
-    // Records hold words: of doubles, their bits.
-    for (const double sum : factor_sums.factors) record.patch_hits.push_back(std::bit_cast<std::uint64_t>(sum));
-    for (const double sum : factor_sums.factors_squared)
+    record.patch_hits = std::move(totals.hits.hits);
+    record.patch_hits_squared = std::move(totals.hits.hits_squared);
+    for (const double sum : totals.factors.factors) record.patch_hits.push_back(std::bit_cast<std::uint64_t>(sum));
+    for (const double sum : totals.factors.factors_squared)
         record.patch_hits_squared.push_back(std::bit_cast<std::uint64_t>(sum));
     return record;
 }

@@ -5,12 +5,19 @@
 #include "studies/store/records.hpp"
 
 #include <atomic>
+#include <cstdint>
 #include <memory>
 
 namespace ff::studies {
 
 /// The points of a cell. Null where its method takes none.
 std::unique_ptr<PointSource> make_points(const Method& method, const Cell& cell);
+
+/// The first trials of a unit that an earlier study has carried out.
+struct BegunUnit {
+    std::uint64_t trials = 0;
+    UnitRecord record;
+};
 
 /// Carries out work units of a plan. Safe to use from several threads: nothing is changed after construction.
 class Worker {
@@ -21,8 +28,8 @@ class Worker {
     Worker(const Worker&) = delete;
     Worker& operator=(const Worker&) = delete;
 
-    /// A pure function of plan and unit. @throws Interrupted
-    [[nodiscard]] UnitRecord carry_out(const WorkUnit& unit) const;
+    /// A pure function of plan and unit, whether or not some of its trials are there. @throws Interrupted
+    [[nodiscard]] UnitRecord carry_out(const WorkUnit& unit, BegunUnit begun = {}) const;
 
   private:
     struct Tools;  // scene, tracer and points of one cell

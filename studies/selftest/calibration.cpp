@@ -4,7 +4,7 @@
 #include "stats/distributions.hpp"
 #include "stats/kolmogorov.hpp"
 #include "stats/power.hpp"
-#include "studies/gates/measurement.hpp"
+#include "studies/verdicts/measurement.hpp"
 
 #include <fmt/format.h>
 

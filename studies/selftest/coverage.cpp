@@ -1,6 +1,7 @@
 #include "studies/selftest/coverage.hpp"
 
 #include "stats/convergence.hpp"
+#include "stats/ecdf_band.hpp"
 #include "stats/kolmogorov.hpp"
 #include "stats/mean_interval.hpp"
 #include "stats/quantiles.hpp"
@@ -9,7 +10,7 @@
 #include "stats/variance_interval.hpp"
 #include "studies/comparison/rivals.hpp"
 #include "studies/diagnostics/variance_reduction.hpp"
-#include "studies/gates/measurement.hpp"
+#include "studies/verdicts/measurement.hpp"
 
 #include <fmt/format.h>
 

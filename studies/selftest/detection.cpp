@@ -4,14 +4,17 @@
 #include "core/exact/exact.hpp"
 #include "core/support/error.hpp"
 #include "samplers/sampler.hpp"
-#include "studies/gates/estimate_gates.hpp"
+#include "studies/gates/experiment.hpp"
 #include "studies/gates/gate_run.hpp"
 #include "studies/run/parallel.hpp"
+#include "studies/verdicts/estimate_gates.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <memory>
 #include <tuple>
+#include <utility>
 
 namespace ff::studies {
 namespace {
@@ -65,7 +68,9 @@ void measure_controls(const Laboratory& laboratory, const GatesSpec& controls, D
         detection.caught.rates.push_back(
             {what, laboratory.count(broken, Verdict::fail), RateClaim::at_least, controls.power});
         GatesSpec mended = controls;
-        mended.gates[i].method = mend(gate.method);
+        Experiment experiment = experiment_of(gate);
+        experiment.method = mend(experiment.method);
+        mended.gates[i].experiment = std::make_shared<const Experiment>(std::move(experiment));
         const auto sound = laboratory.verdicts(mended, i);
         detection.sound.rates.push_back(
             {"fails: " + what, laboratory.count(sound, Verdict::fail), RateClaim::at_most, controls.alpha});
@@ -75,18 +80,20 @@ void measure_controls(const Laboratory& laboratory, const GatesSpec& controls, D
 }
 
 /// Random rays on one pair of faces; bias is exactly `bias`, since the reference is moved by it.
-GatesSpec edge_gate(double alpha, double bias, double band) {
+GatesSpec edge_gate(double alpha, double bias, double band, std::string estimator = "ray_shooting") {
     GatesSpec spec;
     spec.alpha = alpha;
     spec.looks = 1;
+    Experiment experiment{.scenes = {"cube"}, .method = {}};
+    experiment.method.name = "edge";
+    experiment.method.sampler = samplers::yardstick().name;
+    experiment.method.estimator = std::move(estimator);
+    experiment.method.sizes = {{.patches_per_face = 1, .samples_per_patch = 1000, .trials = {}}};
     Gate gate;
     gate.name = "edge";
     gate.place = "edge";
-    gate.scenes = {"cube"};
+    gate.experiment = std::make_shared<const Experiment>(experiment);
     gate.pairs = {"1-6"};
-    gate.method.name = gate.name;
-    gate.method.sampler = samplers::yardstick().name;
-    gate.method.sizes = {{.patches_per_face = 1, .samples_per_patch = 1000, .trials = {}}};
     gate.trials = 50;
     gate.against = Against::number;
     gate.reference = *exact_form_factor(built_in_scene("cube"), 0, 5) - bias;
@@ -128,12 +135,11 @@ void measure_edges(const Repetitions& repetitions, std::uint64_t seeds, Detectio
 }
 
 void measure_refusals(Detection& detection) {
-    GatesSpec spec = edge_gate(0.05, 0, 1e-3);
+    GatesSpec spec = edge_gate(0.05, 0, 1e-3, "area_kernel");
     Gate& gate = spec.gates.front();
     gate.name = gate.place = "adjacent_kernel";
     gate.against = Against::exact;
     gate.pairs = {"adjacent"};
-    gate.method.estimator = Estimator::area_kernel;
     try {
         static_cast<void>(prepare_gate(spec, 0, GatePurpose::check, nullptr));
     } catch (const UserError& error) {

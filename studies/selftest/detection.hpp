@@ -1,8 +1,8 @@
 #pragma once
 
-#include "studies/gates/gate.hpp"
 #include "studies/selftest/measured_rate.hpp"
 #include "studies/selftest/repetitions.hpp"
+#include "studies/verdicts/gate.hpp"
 
 #include <cstdint>
 #include <string>

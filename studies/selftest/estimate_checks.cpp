@@ -3,9 +3,9 @@
 #include "core/support/error.hpp"
 #include "stats/multiplicity.hpp"
 #include "studies/analysis/analysis.hpp"
-#include "studies/gates/estimate_gates.hpp"
-#include "studies/gates/measurement.hpp"
 #include "studies/selftest/made_up_files.hpp"
+#include "studies/verdicts/estimate_gates.hpp"
+#include "studies/verdicts/measurement.hpp"
 
 #include <fmt/format.h>
 

@@ -2,29 +2,17 @@
 
 #include "stats/distributions.hpp"
 #include "stats/multiplicity.hpp"
-#include "studies/gates/ledger.hpp"
-#include "studies/gates/reported_gates.hpp"
+#include "studies/selftest/bench.hpp"
+#include "studies/verdicts/reported_gates.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace ff::studies {
 namespace {
-
-constexpr double narrow = 1e-4;  // a band that the noise does not see: a point null hypothesis
-
-struct Bench {
-    const Repetitions& repetitions;
-    std::uint64_t times;
-    RateTable& table;
-
-    template <class Event>
-    void add(const std::string& what, RateClaim claim, double claimed, const Event& event) const {
-        table.rates.push_back({what, repetitions.count(times, what, event), claim, claimed});
-    }
-};
 
 /// How means of bins are made up, all in true standard errors.
 struct Array {
@@ -72,19 +60,25 @@ ReportedFile draw_array(const Array& array, stats::Draws& draws) {
     return file;
 }
 
-Verdict judge_array(const ReportedFile& file, GateKind kind, const Band& band, double alpha,
-                    Combination combine = Combination::holm) {
+/// @param against  a second file; the reference is a number where there is none
+GateResult judge_files(const ReportedFile& file, const ReportedFile* against, GateKind kind, double reference,
+                       const Band& band, double alpha, Combination combine = Combination::holm) {
     GatesSpec spec;
     spec.alpha = alpha;
     Gate gate;
     gate.name = gate.quantity = "x";
     gate.kind = kind;
-    gate.against = Against::number;
-    gate.reference = 0;
+    gate.against = against == nullptr ? Against::number : Against::file;
+    gate.reference = reference;
     gate.band = band;
     gate.combine = combine;
     spec.gates = {gate};
-    return judge_reported(spec, gate, file, nullptr).verdict;
+    return judge_reported(spec, gate, file, against);
+}
+
+Verdict judge_array(const ReportedFile& file, GateKind kind, const Band& band, double alpha,
+                    Combination combine = Combination::holm) {
+    return judge_files(file, nullptr, kind, 0, band, alpha, combine).verdict;
 }
 
 RateTable measure_bins(const Repetitions& repetitions, std::uint64_t times) {
@@ -97,7 +91,7 @@ RateTable measure_bins(const Repetitions& repetitions, std::uint64_t times) {
         .rates = {}};
     const Bench bench{repetitions, times, table};
     constexpr double alpha = 0.01;
-    const Band point{-narrow, narrow};
+    const Band point{-narrow_band, narrow_band};
     for (const Combination combine : {Combination::holm, Combination::simes, Combination::cauchy}) {
         for (const double correlation : {0.0, 0.5, 0.99})
             bench.add(fmt::format("fails: {}, no bias, correlation {}, α = {}", name(combine), correlation, alpha),
@@ -166,7 +160,7 @@ RateTable measure_rules(const Repetitions& repetitions, std::uint64_t times) {
             "are in standard errors. Our rule is beside each, at α = 1e-4, and 0.0027 beside the last.",
         .rates = {}};
     const Bench bench{repetitions, times, table};
-    const Band point{-narrow, narrow};
+    const Band point{-narrow_band, narrow_band};
     const auto ours = [](const Array& array, const Band& band, double alpha, stats::Draws& draws) {
         return judge_array(draw_array(array, draws), GateKind::bias, band, alpha);
     };
@@ -196,42 +190,55 @@ RateTable measure_rules(const Repetitions& repetitions, std::uint64_t times) {
     return table;
 }
 
-/// Looks at new data until a verdict comes, at most 20; each with what the ledger leaves, or with all of alpha.
-Verdict look_until_decided(double bias, double band, double alpha, bool shared, stats::Draws& draws) {
-    constexpr std::size_t most = 20;
-    GatesSpec spec;
-    spec.alpha = alpha;
-    Gate gate;
-    gate.name = gate.quantity = "x";
-    gate.against = Against::number;
-    gate.reference = 0;
-    gate.band = {-band, band};
-    spec.gates = {gate};
-    for (std::size_t look = 1; look <= most; ++look) {
-        const auto file = draw_array({.bins = 1, .shift = bias, .shifted = 1}, draws);
-        const Verdict verdict = judge_reported(shared ? at_look(spec, look) : spec, gate, file, nullptr).verdict;
-        if (verdict != Verdict::inconclusive) return verdict;
-    }
-    return Verdict::inconclusive;
-}
-
-RateTable measure_looks(const Repetitions& repetitions, std::uint64_t times) {
-    RateTable table{.title = "Looking again",
-                    .text =
-                        "One value, looked at with new data until the gate passes or fails, at most 20 times: reruns "
-                        "that each have all of alpha, and those of `--again`, which share it. α = 0.01.",
-                    .rates = {}};
+/// One value of each kind that compares two files, or spreads: its effect at an end of the band, far off, and inside.
+RateTable measure_kinds(const Repetitions& repetitions, std::uint64_t times) {
+    RateTable table{
+        .title = "Spreads, efficiencies and two files",
+        .text =
+            "One value with the error of 50 normal batches, α = 0.01. Gates of kind `std` and `efficiency` have bands "
+            "that begin at 1/1.5; that of `equal` is 5 true standard errors wide. Intervals are those of 90 %.",
+        .rates = {}};
     const Bench bench{repetitions, times, table};
     constexpr double alpha = 0.01;
-    for (const bool shared : {false, true}) {
-        const std::string how = shared ? "--again" : "rerun until decided";
-        bench.add(how + ": fails without bias, a band that the noise does not see",
-                  shared ? RateClaim::at_most : RateClaim::none, alpha, [=](stats::Draws& draws) {
-                      return look_until_decided(0, narrow, alpha, shared, draws) == Verdict::fail;
-                  });
-        bench.add(how + ": passes at the end of a band of 3", shared ? RateClaim::at_most : RateClaim::none, 0.05,
-                  [=](stats::Draws& draws) { return look_until_decided(3, 3, alpha, shared, draws) == Verdict::pass; });
+    constexpr std::size_t batches = 50;
+    // The effect is made by the first file: a factor of its error, or a shift.
+    const auto judged = [](GateKind kind, double effect, stats::Draws& draws) {
+        const bool shifts = kind == GateKind::equal;
+        const double error = kind == GateKind::std ? effect : kind == GateKind::efficiency ? 1 / std::sqrt(effect) : 1;
+        const auto file = draw_array(
+            {.bins = 1, .shift = shifts ? effect : 0, .shifted = 1, .stated = error, .batches = batches}, draws);
+        const auto other = draw_array({.bins = 1, .batches = batches}, draws);
+        const Band band = shifts                  ? Band{-5, 5}
+                          : kind == GateKind::std ? Band{1 / 1.5, 1.5}
+                                                  : Band{1 / 1.5, std::numeric_limits<double>::infinity()};
+        return judge_files(file, kind == GateKind::std ? nullptr : &other, kind,
+                           std::sqrt(static_cast<double>(batches)), band, alpha);
+    };
+    struct Case {
+        GateKind kind;
+        double end;
+        double far;
+        double middle;
+    };
+    for (const Case& c : {Case{GateKind::std, 1.5, 2.2, 1}, Case{GateKind::efficiency, 1 / 1.5, 0.2, 1.5},
+                          Case{GateKind::equal, 5, 12, 0}}) {
+        const std::string kind(name(c.kind));
+        bench.add("fails: " + kind + " at the end of the band", RateClaim::at_most, alpha,
+                  [=](stats::Draws& draws) { return judged(c.kind, c.end, draws).verdict == Verdict::fail; });
+        bench.add("passes: " + kind + " at the end of the band", RateClaim::at_most, 0.05,
+                  [=](stats::Draws& draws) { return judged(c.kind, c.end, draws).verdict == Verdict::pass; });
+        bench.add(fmt::format("fails: {} of {:g}", kind, c.far), RateClaim::at_least, 0.9,
+                  [=](stats::Draws& draws) { return judged(c.kind, c.far, draws).verdict == Verdict::fail; });
+        bench.add("interval holds the effect: " + kind, RateClaim::at_least, 0.9, [=](stats::Draws& draws) {
+            return judged(c.kind, c.middle, draws).comparisons.front().measurement->passing.contains(c.middle);
+        });
     }
+    bench.add("interval holds the effect: std_error of 30 runs, known errors", RateClaim::at_least, 0.9,
+              [=](stats::Draws& draws) {
+                  const auto file = draw_array({.bins = 1, .runs = 30}, draws);
+                  const auto result = judge_files(file, nullptr, GateKind::std_error, 0, {0.8, 1.25}, alpha);
+                  return result.comparisons.front().measurement->passing.contains(1);
+              });
     return table;
 }
 
@@ -252,7 +259,7 @@ RateTable measure_pixels(const Repetitions& repetitions, std::uint64_t times) {
     };
     const auto ours = [](double shift, stats::Draws& draws) {
         const auto file = draw_array({.bins = pixels, .shift = shift, .shifted = 20}, draws);
-        return judge_array(file, GateKind::bias, {-narrow, narrow}, 1e-2) == Verdict::fail;
+        return judge_array(file, GateKind::bias, {-narrow_band, narrow_band}, 1e-2) == Verdict::fail;
     };
     bench.add("0.25 % allowed: passes with the region", RateClaim::none, 0,
               [=](stats::Draws& draws) { return theirs(10, draws); });
@@ -268,7 +275,7 @@ RateTable measure_pixels(const Repetitions& repetitions, std::uint64_t times) {
 std::vector<RateTable> measure_reported_checks(const Repetitions& repetitions, std::uint64_t times) {
     const auto share = [times](std::uint64_t divisor) { return std::max<std::uint64_t>(20, times / divisor); };
     return {measure_bins(repetitions, share(4)), measure_errors(repetitions, share(4)),
-            measure_looks(repetitions, share(2)), measure_rules(repetitions, times),
+            measure_kinds(repetitions, share(2)), measure_rules(repetitions, times),
             measure_pixels(repetitions, share(40))};
 }
 

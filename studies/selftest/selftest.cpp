@@ -2,7 +2,9 @@
 
 #include "stats/multiplicity.hpp"
 #include "studies/selftest/coverage.hpp"
+#include "studies/selftest/distribution_checks.hpp"
 #include "studies/selftest/estimate_checks.hpp"
+#include "studies/selftest/looking_checks.hpp"
 #include "studies/selftest/reported_checks.hpp"
 
 #include <algorithm>
@@ -49,8 +51,10 @@ Selftest run_selftest(const GatesSpec& controls, const SelftestOptions& options)
     selftest.detection = measure_detection(controls, repetitions, options.seeds);
     selftest.calibration = measure_calibration(repetitions, options.repetitions);
     selftest.estimates = measure_estimate_checks(repetitions, options.repetitions);
-    const auto reported = measure_reported_checks(repetitions, options.repetitions);
-    selftest.estimates.insert(selftest.estimates.end(), reported.begin(), reported.end());
+    for (const auto measure : {measure_reported_checks, measure_looking_checks, measure_distribution_checks}) {
+        const auto tables = measure(repetitions, options.repetitions);
+        selftest.estimates.insert(selftest.estimates.end(), tables.begin(), tables.end());
+    }
     selftest.coverage = measure_coverage(repetitions, options.repetitions);
     const std::size_t claims = count_claims(selftest.tables()) + selftest.calibration.p_values.size();
     selftest.level = 1 - stats::bonferroni_level(family_alpha, claims);

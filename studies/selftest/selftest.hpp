@@ -1,10 +1,10 @@
 #pragma once
 
 #include "studies/explain/descriptions.hpp"
-#include "studies/gates/gate.hpp"
 #include "studies/selftest/calibration.hpp"
 #include "studies/selftest/detection.hpp"
 #include "studies/selftest/measured_rate.hpp"
+#include "studies/verdicts/gate.hpp"
 
 #include <cstdint>
 #include <vector>

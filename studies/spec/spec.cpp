@@ -10,6 +10,7 @@
 #include "studies/readers/toml_reader.hpp"
 #include "studies/scene_files/scene_file.hpp"
 #include "studies/spec/coverage_request.hpp"
+#include "studies/spec/estimator_keys.hpp"
 #include "studies/spec/named_files.hpp"
 #include "studies/spec/sample_sizes.hpp"
 #include "studies/spec/spec_names.hpp"
@@ -104,18 +105,19 @@ std::vector<Size> read_sizes(const TomlReader& reader, const samplers::SamplerIn
     }
     std::vector<Size> sizes;
     const std::vector<std::uint64_t> none{0};
-    const auto samples = sampled ? read_samples(reader, *sampler, dimension(method.estimator)) : none;
+    const auto samples = sampled ? read_samples(reader, *sampler, estimator_info(method).dimension) : none;
     for (const std::uint32_t patches : read_patches_per_face(reader)) {
         for (const std::uint64_t count : samples) {
             const std::uint64_t sharing = method.allocation == Allocation::face ? patches : 1;
-            if (sampled) check_samples(reader, *sampler, count, sharing, dimension(method.estimator));
+            if (sampled) check_samples(reader, *sampler, count, sharing, estimator_info(method).dimension);
             sizes.push_back({patches, sampled ? std::optional(count) : std::nullopt, trials});
         }
     }
     return sizes;
 }
 
-std::optional<Nodes> read_nodes(const TomlReader& reader, const samplers::SamplerInfo* sampler, Estimator estimator) {
+std::optional<Nodes> read_nodes(const TomlReader& reader, const samplers::SamplerInfo* sampler,
+                                const EstimatorInfo& estimator) {
     const bool wanted = sampler != nullptr && sampler->sizes == samplers::Sizes::nodes;
     if (!wanted) {
         if (reader.has("nodes"))
@@ -130,10 +132,9 @@ std::optional<Nodes> read_nodes(const TomlReader& reader, const samplers::Sample
         if (n == 0 || n > 64) reader.fail("nodes", "(1 to 64 nodes a side are possible). Try 5.");
     }
     const auto source = static_cast<std::uint32_t>(nodes.front());
-    if (dimension(estimator) == 2) {
+    if (estimator.dimension == 2) {
         if (nodes.size() > 1) {
-            reader.fail("nodes", fmt::format("({} has points on the source patch only). Give one number.",
-                                             estimator_names.at(static_cast<std::size_t>(estimator))));
+            reader.fail("nodes", fmt::format("({} has points of two coordinates). Give one number.", estimator.name));
         }
         return Nodes{source, 0};
     }
@@ -164,16 +165,13 @@ Method read_method(const TomlReader& reader, std::span<const std::string_view> o
     Method method;
     method.name = reader.text("name");
     expect_none(problem_with_name(method.name), reader, "name");
-    if (!reader.has("estimator"))
-        reader.fail("estimator", fmt::format("missing. Choose one of {}.", fmt::join(estimator_names, ", ")));
-    method.estimator = choice(reader, "estimator", estimator_names, Estimator::ray_shooting);
-    const samplers::SamplerInfo* sampler = read_sampler(reader, method.estimator);
+    const EstimatorInfo& estimator = read_estimator(reader);
+    method.estimator = estimator.name;
+    refuse_keys_of_others(reader, estimator);
+    const samplers::SamplerInfo* sampler = read_sampler(reader, estimator);
     method.sampler = sampler == nullptr ? std::string() : std::string(sampler->name);
     method.completion = choice(reader, "completion", completion_names, Completion::direct);
     method.allocation = choice(reader, "allocation", allocation_names, Allocation::patch);
-    if (reader.has("allocation") && !has_allocation(method.estimator)) {
-        reader.fail("allocation", "(only ray_shooting and point_to_polygon have it). Remove the key.");
-    }
     const bool one_cell_a_point = sampler != nullptr && sampler->sizes == samplers::Sizes::fourth_power;
     if (method.allocation == Allocation::face && one_cell_a_point) {
         reader.fail("allocation",
@@ -184,14 +182,8 @@ Method read_method(const TomlReader& reader, std::span<const std::string_view> o
         reader.fail("allocation", "(the nodes of a rule belong to one patch). Use allocation = \"patch\".");
     }
     method.tracer = choice(reader, "tracer", tracer_names, TracerChoice::automatic, sound_tracers);
-    if (reader.has("tracer") && method.estimator != Estimator::ray_shooting) {
-        reader.fail("tracer", "(only ray_shooting has it). Remove the key.");
-    }
     method.map = choice(reader, "map", map_names, PointMap::uniform);
-    if (reader.has("map") && method.estimator != Estimator::area_kernel) {
-        reader.fail("map", "(only area_kernel has points on both patches of a pair). Remove the key.");
-    }
-    method.nodes = read_nodes(reader, sampler, method.estimator);
+    method.nodes = read_nodes(reader, sampler, estimator);
 
     const auto own_trials = [](const TomlReader& table) {
         const auto trials = table.optional_count("trials");

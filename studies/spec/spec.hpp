@@ -1,9 +1,7 @@
 #pragma once
 
-#include "core/estimators/graded_map.hpp"
-#include "core/estimators/ray_shooting.hpp"
+#include "core/estimators/estimator.hpp"
 #include "core/points/stream.hpp"
-#include "core/tracing/tracer.hpp"
 #include "studies/spec/request.hpp"
 #include "studies/spec/stopping_rule.hpp"
 
@@ -17,24 +15,16 @@
 
 namespace ff::studies {
 
-enum class Estimator { ray_shooting, area_kernel, point_to_polygon, closed_form };
-
 /// How the face-to-face matrix is filled from direct estimates.
 enum class Completion {
     direct,      ///< every row from its own samples
     reciprocal,  ///< (j, i) with j > i follows from (i, j): A_j F_ji = A_i F_ij; what the paper does
 };
 
-std::string_view name(Estimator estimator);
 std::string_view name(Completion completion);
 std::string_view name(Allocation allocation);
 std::string_view name(TracerChoice tracer);
 std::string_view name(PointMap map);
-
-/// Coordinates of a point, 0 where an estimator takes none.
-std::size_t dimension(Estimator estimator);
-/// Whether points belong to source patches, not to pairs of patches, so that one sequence can serve a whole face.
-bool has_allocation(Estimator estimator);
 
 /// Gauss-Legendre nodes a side on the source and on the target patch.
 struct Nodes {
@@ -54,8 +44,8 @@ struct Size {
 /// A method: sampler x estimator, with its sizes.
 struct Method {
     std::string name;
-    std::string sampler;  ///< empty for closed_form
-    Estimator estimator = Estimator::ray_shooting;
+    std::string sampler;                     ///< empty where the estimator takes no points
+    std::string estimator = "ray_shooting";  ///< of the catalogue, core/estimators/estimator.hpp
     Completion completion = Completion::direct;
     Allocation allocation = Allocation::patch;
     TracerChoice tracer = TracerChoice::automatic;
@@ -64,6 +54,11 @@ struct Method {
     std::vector<Size> sizes;
     auto operator<=>(const Method&) const = default;
 };
+
+/// What the estimator of a method declares.
+const EstimatorInfo& estimator_info(const Method& method);
+/// What the method chose of it.
+EstimatorOptions estimator_options(const Method& method);
 
 /// A tables file that a study is compared with; its text is kept with the results.
 struct Published {

@@ -4,9 +4,6 @@
 
 namespace ff::studies {
 
-std::string_view name(Estimator estimator) {
-    return estimator_names.at(static_cast<std::size_t>(estimator));
-}
 std::string_view name(Completion completion) {
     return completion_names.at(static_cast<std::size_t>(completion));
 }
@@ -21,21 +18,12 @@ std::string_view name(PointMap map) {
     return map_names.at(static_cast<std::size_t>(map));
 }
 
-std::size_t dimension(Estimator estimator) {
-    switch (estimator) {
-        case Estimator::ray_shooting:
-        case Estimator::area_kernel:
-            return 4;
-        case Estimator::point_to_polygon:
-            return 2;
-        case Estimator::closed_form:
-            break;
-    }
-    return 0;
+const EstimatorInfo& estimator_info(const Method& method) {
+    return find_estimator(method.estimator).info;
 }
 
-bool has_allocation(Estimator estimator) {
-    return estimator == Estimator::ray_shooting || estimator == Estimator::point_to_polygon;
+EstimatorOptions estimator_options(const Method& method) {
+    return {.allocation = method.allocation, .tracer = method.tracer, .map = method.map};
 }
 
 }  // namespace ff::studies

@@ -7,8 +7,6 @@
 namespace ff::studies {
 
 /// What study files call the choices of a method or a study, in the order of the enumerators.
-inline constexpr std::array<std::string_view, 4> estimator_names{"ray_shooting", "area_kernel", "point_to_polygon",
-                                                                 "closed_form"};
 inline constexpr std::array<std::string_view, 2> completion_names{"direct", "reciprocal"};
 inline constexpr std::array<std::string_view, 2> allocation_names{"patch", "face"};
 inline constexpr std::array<std::string_view, 2> map_names{"uniform", "graded"};

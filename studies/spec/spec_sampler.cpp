@@ -34,10 +34,11 @@ const samplers::SamplerInfo& find_sampler(const TomlReader& reader) {
 
 }  // namespace
 
-const samplers::SamplerInfo* read_sampler(const TomlReader& reader, Estimator estimator) {
-    if (estimator == Estimator::closed_form) {
+const samplers::SamplerInfo* read_sampler(const TomlReader& reader, const EstimatorInfo& estimator) {
+    if (!estimator.takes_points()) {
         if (reader.has("sampler"))
-            reader.fail("sampler", "(closed_form evaluates a formula at no points). Remove the key.");
+            reader.fail("sampler",
+                        fmt::format("({} evaluates a formula at no points). Remove the key.", estimator.name));
         return nullptr;
     }
     static_cast<void>(reader.text("sampler"));  // missing or no text: said without "is refused"
@@ -47,7 +48,7 @@ const samplers::SamplerInfo* read_sampler(const TomlReader& reader, Estimator es
     } catch (const UserError& error) {
         reader.fail("sampler", fmt::format("is refused: {}", error.what()));
     }
-    if (estimator == Estimator::ray_shooting && !info->equal_weights) {
+    if (estimator.observes == Observes::hits && !info->equal_weights) {
         reader.fail("sampler",
                     "cannot shoot rays (its points have unequal weights and hits are counted). Use estimator = "
                     "\"area_kernel\" or \"point_to_polygon\".");

@@ -28,12 +28,12 @@ std::string to_toml(const StudySpec& spec) {
     if (spec.equivalence_margin) out += fmt::format("equivalence_margin = {}\n", *spec.equivalence_margin);
     if (spec.inapplicable == Inapplicable::skip) out += "inapplicable = \"skip\"\n";
     for (const Method& method : spec.methods) {
+        const EstimatorInfo& estimator = estimator_info(method);
         out += fmt::format("\n[[method]]\nname = {}\n", toml_text(method.name));
         if (!method.sampler.empty()) out += fmt::format("sampler = {}\n", toml_text(method.sampler));
-        out +=
-            fmt::format("estimator = \"{}\"\ncompletion = \"{}\"\n", name(method.estimator), name(method.completion));
-        if (has_allocation(method.estimator)) out += fmt::format("allocation = \"{}\"\n", name(method.allocation));
-        if (method.estimator == Estimator::ray_shooting) out += fmt::format("tracer = \"{}\"\n", name(method.tracer));
+        out += fmt::format("estimator = \"{}\"\ncompletion = \"{}\"\n", method.estimator, name(method.completion));
+        if (estimator.has_allocation()) out += fmt::format("allocation = \"{}\"\n", name(method.allocation));
+        if (estimator.has_tracer) out += fmt::format("tracer = \"{}\"\n", name(method.tracer));
         if (method.map != PointMap::uniform) out += fmt::format("map = \"{}\"\n", name(method.map));
         if (method.nodes) {
             const auto [source, target] = *method.nodes;

@@ -2,7 +2,7 @@
 
 #include "core/support/error.hpp"
 #include "studies/spec/study_difference.hpp"
-#include "studies/store/digest.hpp"
+#include "studies/store/row_digest.hpp"
 #include "studies/store/store_checks.hpp"
 #include "studies/store/store_format.hpp"
 #include "studies/store/stored_context.hpp"
@@ -77,7 +77,7 @@ void write_cells(const Database& database, const StudyPlan& plan) {
             .bind(1, std::string_view(plan.scenes[cell.scene].name))
             .bind(2, std::string_view(method.name))
             .bind(3, std::string_view(method.sampler))
-            .bind(4, name(method.estimator))
+            .bind(4, method.estimator)
             .bind(5, static_cast<std::int64_t>(cell.subdivision.per_part()))
             .bind(6, static_cast<std::int64_t>(cell.samples))
             .bind(7, static_cast<std::int64_t>(cell.trials))
@@ -94,15 +94,17 @@ void bind_pair(Statement& query, std::size_t cell, std::string_view observable, 
         .bind(3, std::int64_t{to_face});
 }
 
-void expect_same_study(const Database& database, const std::filesystem::path& file, const StudySpec& wanted) {
+std::string difference_from(const Database& database, const StudySpec& wanted) {
     const std::string stored = read_meta(database, "study").value_or("");
     const std::string text = to_toml(wanted);
-    std::string difference;
-    if (stored != text) {
-        difference = first_difference(stored, text);
-    } else if (read_meta(database, "published").value_or("") != (wanted.published ? wanted.published->text : "")) {
-        difference = "the published tables";
-    }
+    if (stored != text) return first_difference(stored, text);
+    const bool same_tables =
+        read_meta(database, "published").value_or("") == (wanted.published ? wanted.published->text : "");
+    return same_tables ? "" : "the published tables";
+}
+
+void expect_same_study(const Database& database, const std::filesystem::path& file, const StudySpec& wanted) {
+    const std::string difference = difference_from(database, wanted);
     if (difference.empty()) return;
     throw UserError(fmt::format("{}: holds another study (differs in {}). Choose another --out, or remove the folder.",
                                 file.string(), difference));
@@ -310,6 +312,14 @@ std::int64_t Store::total(std::size_t cell, std::string_view observable, int fro
     bind_pair(query, cell, observable, from_face, to_face);
     query.step();
     return query.integer(0);
+}
+
+std::string difference_of_study(const std::filesystem::path& file, const StudySpec& wanted) {
+    expect_no_log_of_another(file);
+    const Database database(file, Database::Mode::read_only);
+    if (is_empty(database)) return {};  // what a run leaves that ended before it began
+    expect_readable(database, file, format);
+    return difference_from(database, wanted);
 }
 
 void expect_same_study(const Store& store, const std::filesystem::path& file, const StudySpec& wanted) {

@@ -76,6 +76,9 @@ class Store {
     bool was_checked_ = true;
 };
 
+/// What the study of a store differs in from another; empty where they are the same. @throws UserError, IoError
+std::string difference_of_study(const std::filesystem::path& file, const StudySpec& wanted);
+
 /// @throws UserError unless the store, read from `file`, is of this study, with what differs
 void expect_same_study(const Store& store, const std::filesystem::path& file, const StudySpec& wanted);
 

@@ -1,6 +1,6 @@
 #include "studies/store/store_checks.hpp"
 
-#include "studies/store/digest.hpp"
+#include "studies/store/row_digest.hpp"
 #include "studies/store/store_format.hpp"
 
 #include <fmt/format.h>

@@ -1,6 +1,6 @@
 #include "studies/store/stored_context.hpp"
 
-#include "studies/store/digest.hpp"
+#include "studies/store/row_digest.hpp"
 #include "studies/store/store_format.hpp"
 
 namespace ff::studies {

@@ -9,34 +9,6 @@ namespace {
 
 using samplers::Spread;
 
-/// What a sampler integrates, as theories tell integrands apart.
-enum class Integrand {
-    jumping,  ///< smooth but for jumps at curved boundaries that are parallel to no axis: the rays that hit, the kernel
-              ///< of points that see each other
-    smooth,
-    rough,      ///< of finite variance, but no theory of smooth or of jumping functions holds
-    unbounded,  ///< with tail index 3/2
-};
-
-std::optional<Integrand> integrand_of(const Method& method, PairClass pair_class, Hiding hiding) {
-    if (pair_class == PairClass::other) return std::nullopt;
-    const bool adjacent = pair_class == PairClass::adjacent;
-    switch (method.estimator) {
-        case Estimator::ray_shooting:
-            return Integrand::jumping;
-        case Estimator::area_kernel:
-            if (adjacent)
-                return method.map == PointMap::graded && hiding == Hiding::none ? Integrand::rough
-                                                                                : Integrand::unbounded;
-            return hiding == Hiding::possible ? Integrand::jumping : Integrand::smooth;
-        case Estimator::point_to_polygon:
-            return adjacent ? Integrand::rough : Integrand::smooth;
-        case Estimator::closed_form:
-            break;
-    }
-    return std::nullopt;
-}
-
 std::optional<ExpectedRate> rate_of_grid(Integrand integrand, double dimension) {
     switch (integrand) {
         case Integrand::jumping:
@@ -83,8 +55,10 @@ double ExpectedRate::slowest(double size) const {
 }
 
 std::optional<ExpectedRate> expected_rate(const Method& method, PairClass pair_class, Hiding hiding) {
-    const double d = static_cast<double>(dimension(method.estimator));
-    const auto integrand = integrand_of(method, pair_class, hiding);
+    const EstimatorEntry& estimator = find_estimator(method.estimator);
+    const double d = static_cast<double>(estimator.info.dimension);
+    if (pair_class == PairClass::other) return std::nullopt;
+    const auto integrand = estimator.integrand(estimator_options(method), pair_class, hiding);
     if (!integrand) return std::nullopt;
     const Spread spread = samplers::find(method.sampler).info.spread;
     if (*integrand == Integrand::unbounded) {
@@ -106,7 +80,7 @@ std::optional<ExpectedRate> expected_rate(const Method& method, PairClass pair_c
         case Spread::net:
             return rate_of_net(*integrand, d);
         case Spread::padded_nets:
-            if (dimension(method.estimator) == 2) return rate_of_net(*integrand, d);  // one net is all there is
+            if (estimator.info.dimension == 2) return rate_of_net(*integrand, d);  // one net is all there is
             return root_of_size("owen1998", "only sums of functions of one pair of coordinates gain");
         case Spread::halton:
         case Spread::lattice:

@@ -22,9 +22,6 @@ struct ExpectedRate {
     [[nodiscard]] double slowest(double size) const;
 };
 
-/// Whether something may stand between the faces of a pair.
-enum class Hiding { none, possible };
-
 /// The rate for one patch, or a fixed number of them, on each face. Empty where no theory is known.
 /// @see docs/convergence.md for the table
 std::optional<ExpectedRate> expected_rate(const Method& method, PairClass pair_class, Hiding hiding = Hiding::none);

@@ -107,7 +107,7 @@ CellEstimates load_estimates(const Store& store, std::size_t cell_index, Complet
     const StudyPlan& plan = store.plan();
     const Cell& cell = plan.cells[cell_index];
     const Scene& scene = plan.scenes[cell.scene];
-    const bool shoots = plan.spec.methods[cell.method].estimator == Estimator::ray_shooting;
+    const bool shoots = estimator_info(plan.spec.methods[cell.method]).observes == Observes::hits;
     const bool counted = shoots && has_one_surface_a_face(scene);
     const int faces = static_cast<int>(plan.scenes[cell.scene].faces.size());
     DirectEstimates direct;
@@ -134,8 +134,9 @@ CellEstimates complete(const StudyPlan& plan, std::size_t cell_index, Completion
     estimates.trial_numbers = std::move(direct.trial_numbers);
     estimates.factors = std::move(direct.values);
     estimates.evaluations_per_face = cell.subdivision.per_part() * cell.samples;
-    if (method.estimator == Estimator::area_kernel) estimates.evaluations_per_face *= cell.subdivision.per_part();
-    const bool shoots = method.estimator == Estimator::ray_shooting;
+    if (estimator_info(method).points == PointsServe::pairs)
+        estimates.evaluations_per_face *= cell.subdivision.per_part();
+    const bool shoots = estimator_info(method).observes == Observes::hits;
     const bool counted = shoots && has_one_surface_a_face(scene);
     if (shoots && scene.closed) estimates.lost_rays = direct.lost_rays;  // out of an open scene rays may go
     if (counted) estimates.rays = rays_of_pairs(estimates, scene, completion);

@@ -1,7 +1,8 @@
 // A bands file is gates that can be planned and, where that takes no time, judged to their end; or a UserError.
 
-#include "studies/gates/bands_file.hpp"
+#include "studies/verdicts/bands_file.hpp"
 #include "core/support/error.hpp"
+#include "studies/gates/experiment.hpp"
 #include "studies/gates/gate_plan.hpp"
 #include "studies/gates/gate_run.hpp"
 #include "tests/fuzz/one_input.hpp"
@@ -35,7 +36,7 @@ void check_to_the_end(GatesSpec spec, std::size_t gate) {
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     try {
-        const GatesSpec spec = parse_bands({reinterpret_cast<const char*>(data), size}, "bands.toml");
+        const GatesSpec spec = parse_bands({reinterpret_cast<const char*>(data), size}, "bands.toml", read_experiment);
         for (std::size_t gate = 0; gate < spec.gates.size(); ++gate) {
             if (!(spec.gates[gate].band.low <= spec.gates[gate].band.high)) std::abort();
             if (!spec.gates[gate].from_estimates()) check_to_the_end(spec, gate);

@@ -4,10 +4,11 @@
 #include "core/support/error.hpp"
 #include "reports/csv/gates_csv.hpp"
 #include "reports/json/gates_json.hpp"
-#include "studies/gates/bands_file.hpp"
-#include "studies/gates/check_results.hpp"
+#include "studies/gates/experiment.hpp"
 #include "studies/gates/gate_plan.hpp"
 #include "studies/gates/gate_run.hpp"
+#include "studies/verdicts/bands_file.hpp"
+#include "studies/verdicts/check_results.hpp"
 #include "tests/fuzz/no_number.hpp"
 #include "tests/fuzz/one_input.hpp"
 
@@ -60,7 +61,7 @@ band = 0.5
 }  // namespace
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-    static const GatesSpec spec = parse_bands(bands, "bands.toml");
+    static const GatesSpec spec = parse_bands(bands, "bands.toml", read_experiment);
     try {
         const Baseline baseline = parse_baseline({reinterpret_cast<const char*>(data), size}, "base.json");
         CheckResults check{spec, {}};

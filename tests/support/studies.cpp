@@ -17,7 +17,7 @@ using namespace studies;
 
 void add_estimate(const StudyPlan& plan, const Cell& cell, int from, int to, std::uint64_t trial, double value,
                   UnitRecord& record) {
-    if (plan.spec.methods[cell.method].estimator != Estimator::ray_shooting) {
+    if (plan.spec.methods[cell.method].estimator != "ray_shooting") {
         record.observations.push_back({observable::estimate, from, to, trial, value});
         return;
     }

@@ -19,7 +19,7 @@ ffstudy "${ladder[@]}" --until ci=5e-3 --level 0.99 --out ci
 expect_status 0
 expect_equal_files ci/results.json again/results.json
 
-# The rule is part of the study.
+# The rule is part of the study, and of another rule only the pilot is reused.
 ffstudy "${ladder[@]}" --until ci=4e-3 --level 0.99 --out ci
 expect_status 2
 expect_stderr "holds another study"

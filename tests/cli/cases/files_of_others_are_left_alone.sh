@@ -20,7 +20,7 @@ refused() {
     [ -z "$(find "$out" -name '.ffstudy*')" ] || fail "expected nothing else to be left in $out"
     rm -r "$out"
 }
-for file in report.html report.md audit.md summary.csv slopes.csv coverage.csv trials.csv results.json context.json \
+for file in report.html report.md answer.svg audit.md summary.csv slopes.csv coverage.csv trials.csv results.json context.json \
     matrices.csv systems.csv exitance.csv solvers.csv residuals.csv; do
     refused $file run "$folder/study.toml" --shard 1/2 --out mine
 done
@@ -46,7 +46,7 @@ estimator = "ray_shooting"
 samples_per_patch = 64
 band = 0.05
 END
-for file in verdicts.csv verdicts.json junit.xml context.json; do
+for file in verdicts.csv verdicts.json junit.xml summary.md summary.html context.json; do
     refused $file check "$folder/bands.toml" --out mine
 done
 

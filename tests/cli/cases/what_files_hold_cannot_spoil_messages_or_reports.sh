@@ -109,4 +109,4 @@ done
 sed -i 's/trials = 4/trials = 4\nequivalence_margin = 0.1/; s/samples_per_patch = 9/samples_per_patch = 10/' "$folder/study.toml"
 ffstudy run "$folder/study.toml" --out other
 expect_status 2
-expect_stderr "differs in [[method]] \"SR\": 'sizes = [{ patches_per_face = 1, samples_per_patch = 9 },]' there, 'sizes = [{ patches_per_face = 1, samples_per_patch = 10 },]' here, and in 1 more key). Choose another --out, or remove the folder."
+expect_stderr "differs in [[method]] \"SR\": 'sizes = [{ patches_per_face = 1, samples_per_patch = 9 },]' there, 'sizes = [{ patches_per_face = 1, samples_per_patch = 10 },]' here, and in 1 more key): 4 of its 4 trials are none of this one."

@@ -1,6 +1,8 @@
 #include "reports/csv/gates_csv.hpp"
+#include "reports/html/gates_html.hpp"
 #include "reports/json/gates_json.hpp"
 #include "reports/json/gates_junit.hpp"
+#include "reports/markdown/gates_markdown.hpp"
 #include "reports/terminal/gates_terminal.hpp"
 
 #include <gmock/gmock.h>
@@ -113,6 +115,22 @@ TEST(Junit, FindsResultsByNameWhateverTheirOrder) {
     EXPECT_EQ(std::string(first.attribute("time").value()), "0.250");
     EXPECT_FALSE(first.child("failure"));
     EXPECT_TRUE(first.next_sibling().child("failure"));
+}
+
+TEST(GatesMarkdown, ShowsWhatFailedFirstAndEscapesNames) {
+    const std::string text = gates_markdown(two_of_three());
+    EXPECT_THAT(text, HasSubstr("### Gates of push: 1 passed, 1 failed, 0 inconclusive, 1 not run"));
+    EXPECT_LT(text.find("| **fail** | wrong | closure |"), text.find("| pass | "));
+    EXPECT_THAT(text, Not(HasSubstr("<tagged>")));
+}
+
+TEST(GatesHtml, IsAPageWithAPictureForEachMeasuredGate) {
+    const std::string text = gates_html(two_of_three());
+    EXPECT_THAT(text, testing::StartsWith("<!doctype html>\n<html lang=\"en\">"));
+    EXPECT_THAT(text, HasSubstr("a \"quoted\", &lt;tagged&gt; &amp; named"));
+    EXPECT_THAT(text, HasSubstr("<td class=\"fail\">fail</td><td>wrong</td><td><svg"));
+    EXPECT_THAT(text, Not(HasSubstr("<script")));
+    EXPECT_THAT(text, Not(testing::ContainsRegex("nan|inf\"")));
 }
 
 TEST(GateLine, SaysWhatDecided) {

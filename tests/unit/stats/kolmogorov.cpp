@@ -1,5 +1,7 @@
 #include "stats/kolmogorov.hpp"
 
+#include "stats/ecdf_band.hpp"
+
 #include "tests/support/statistical_assertions.hpp"
 #include "tests/unit/stats/samples.hpp"
 

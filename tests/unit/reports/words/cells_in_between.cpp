@@ -2,8 +2,8 @@
 
 #include "reports/html/html.hpp"
 #include "reports/pictures/pictures.hpp"
+#include "reports/tables/tables.hpp"
 #include "reports/terminal/terminal.hpp"
-#include "reports/text/table.hpp"
 #include "tests/support/studies.hpp"
 #include "tests/unit/reports/small_study.hpp"
 

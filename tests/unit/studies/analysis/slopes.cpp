@@ -142,7 +142,7 @@ samples_per_patch = 10
 TEST(ExpectedRate, SlowsDownByItsLogarithms) {
     Method method;
     method.sampler = "sobol";
-    method.estimator = Estimator::area_kernel;
+    method.estimator = "area_kernel";
     const auto expected = expected_rate(method, PairClass::parallel);
     EXPECT_EQ(expected->rate, -1.5);
     // d ln(N^-3/2 (ln N)^3/2) / d ln N at N = e^10
@@ -153,7 +153,7 @@ TEST(ExpectedRate, SlowsDownByItsLogarithms) {
 TEST(ExpectedRate, OfTheKernelIsThatOfJumpsWhereSomethingMayStandInBetween) {
     Method method;
     method.sampler = "sobol";
-    method.estimator = Estimator::area_kernel;
+    method.estimator = "area_kernel";
     const auto net = expected_rate(method, PairClass::parallel, Hiding::possible);
     EXPECT_DOUBLE_EQ(net->rate, -0.5 - 1.0 / 14);
     EXPECT_TRUE(net->at_least);

@@ -1,8 +1,9 @@
 #include "studies/gates/gate_run.hpp"
+#include "studies/gates/experiment.hpp"
 
 #include "core/support/error.hpp"
-#include "studies/gates/bands_file.hpp"
-#include "studies/gates/seed_sweep.hpp"
+#include "studies/verdicts/bands_file.hpp"
+#include "studies/verdicts/seed_sweep.hpp"
 #include "tests/support/studies.hpp"
 
 #include <fmt/format.h>
@@ -22,7 +23,7 @@ GatesSpec one_gate(std::string_view kind, std::string_view lines, std::string_vi
     constexpr std::string_view rays = "sampler = \"random\"\nestimator = \"ray_shooting\"\nsamples_per_patch = 256\n";
     return parse_bands(fmt::format("[gates]\n{}\n[[gate]]\nname = \"g\"\nkind = \"{}\"\nscene = \"cube\"\n{}{}\n",
                                    options, kind, method.empty() ? rays : method, lines),
-                       "bands.toml");
+                       "bands.toml", read_experiment);
 }
 
 GateResult check(const GatesSpec& spec, const Baseline* baseline = nullptr, unsigned threads = 1) {
@@ -85,7 +86,8 @@ TEST(GateRun, FailsWhatIsWrong) {
                    "sampler = \"random\"\nestimator = \"ray_shooting\"\nsamples_per_patch = 16\n"),
           one_gate("bias", "band = 1e-4\npairs = \"adjacent\"", quadrature)}) {
         const GateResult result = check(spec);
-        EXPECT_EQ(result.verdict, Verdict::fail) << name(result.kind) << " " << spec.gates.front().method.sampler;
+        EXPECT_EQ(result.verdict, Verdict::fail)
+            << name(result.kind) << " " << experiment_of(spec.gates.front()).method.sampler;
     }
 }
 

@@ -60,30 +60,30 @@ std::vector<Size> any_sizes(bool sampled) {
 Method any_method(std::string name) {
     Method method;
     method.name = std::move(name);
-    method.estimator = *rc::gen::element(Estimator::ray_shooting, Estimator::area_kernel, Estimator::point_to_polygon,
-                                         Estimator::closed_form);
+    method.estimator = estimators()[*rc::gen::inRange<std::size_t>(0, estimators().size())].info.name;
+    const EstimatorInfo& estimator = estimator_info(method);
     method.completion = *rc::gen::element(Completion::direct, Completion::reciprocal);
-    if (method.estimator == Estimator::closed_form) {
+    if (!estimator.takes_points()) {
         method.sizes = any_sizes(false);
         return method;
     }
-    const bool quadrature = method.estimator != Estimator::ray_shooting && *rc::gen::arbitrary<bool>();
+    const bool quadrature = estimator.observes != Observes::hits && *rc::gen::arbitrary<bool>();
     for (const auto& entry : samplers::catalogue()) {
         const bool fits =
             quadrature ? entry.info.sizes == samplers::Sizes::nodes : entry.info.sizes == samplers::Sizes::any;
         if (fits) method.sampler = entry.info.name;
     }
     if (quadrature) {
-        const bool pairs = dimension(method.estimator) == 4;
+        const bool pairs = estimator.dimension == 4;
         method.nodes = Nodes{*rc::gen::inRange(1u, 65u), pairs ? *rc::gen::inRange(1u, 65u) : 0};
     }
-    if (has_allocation(method.estimator) && !quadrature)
+    if (estimator.has_allocation() && !quadrature)
         method.allocation = *rc::gen::element(Allocation::patch, Allocation::face);
-    if (method.estimator == Estimator::ray_shooting) {
+    if (estimator.has_tracer) {
         method.tracer =
             *rc::gen::element(TracerChoice::automatic, TracerChoice::box, TracerChoice::embree, TracerChoice::leaky);
     }
-    if (method.estimator == Estimator::area_kernel) method.map = *rc::gen::element(PointMap::uniform, PointMap::graded);
+    if (estimator.has_map) method.map = *rc::gen::element(PointMap::uniform, PointMap::graded);
     method.sizes = any_sizes(!quadrature);
     return method;
 }

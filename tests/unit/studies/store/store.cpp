@@ -87,7 +87,7 @@ TEST_F(StoreFile, OfAnotherStudyIsRefusedWithWhatDiffers) {
     StudySpec longer = plan().spec;
     Method& exact = longer.methods.emplace_back();
     exact.name = "exact";
-    exact.estimator = Estimator::closed_form;
+    exact.estimator = "closed_form";
     exact.sizes.emplace_back();
     EXPECT_THAT(refusal_to_resume(plan_study(longer)), HasSubstr("[[method]] \"exact\": no 'name' there"));
     EXPECT_THAT(refusal_to_resume(plan_study(longer)), HasSubstr("Choose another --out"));

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+
+namespace ff::app {
+
+/// Of `ffstudy check`.
+struct CheckCommand {
+    std::filesystem::path bands;
+    std::optional<std::uint64_t> seed;
+    bool fresh_seed = false;
+    std::uint64_t seed_sweep = 0;     ///< number of seeds; 0: one check
+    std::filesystem::path estimates;  ///< CSV of another program; empty: none
+    std::filesystem::path against;    ///< a second one; empty: none
+    std::string again;                ///< commit whose looks share alpha; empty: one look by itself
+    std::filesystem::path ledger;     ///< of looks; empty: <bands>.ledger.csv
+    std::filesystem::path history;    ///< that this run is added to; empty: none
+    std::string commit;               ///< its name there
+    std::filesystem::path baseline;
+    std::filesystem::path save_baseline;
+    std::optional<unsigned> threads;
+    std::filesystem::path out;  ///< empty: results/<bands>
+    bool quiet = false;
+    bool dry_run = false;
+};
+
+/// Of `ffstudy trend`.
+struct TrendCommand {
+    std::filesystem::path history;
+    double alpha = 0.01;
+    std::uint64_t seed = 1;
+    std::filesystem::path out;  ///< empty: nothing is written
+    bool quiet = false;
+};
+
+}  // namespace ff::app

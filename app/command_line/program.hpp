@@ -1,0 +1,31 @@
+#pragma once
+
+#include "app/command_line/action.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <functional>
+#include <span>
+#include <string>
+
+namespace ff::app {
+
+/// The groups of commands in --help.
+inline constexpr const char* everyday = "Everyday";
+inline constexpr const char* laboratory = "Laboratory";
+inline constexpr const char* checks = "Checks";
+inline constexpr const char* built_in = "Built-in studies";
+
+CLI::App* add_command(CLI::App& app, const char* group, std::string name, std::string summary);
+
+CLI::App* add_command(CLI::App& app, const char* group, std::string name, std::string summary);
+
+/// `ffstudy help COMMAND`
+void add_help(CLI::App& app, Action& action);
+
+/// The whole of main: signals, the command line, the command that it asks for, the exit code.
+/// @param add  adds all commands, which set the action
+int run_program(std::span<char*> arguments, const std::string& summary,
+                const std::function<void(CLI::App& app, Action& action)>& add);
+
+}  // namespace ff::app

@@ -1,0 +1,153 @@
+#include "app/commands/figure_command.hpp"
+
+#include "app/commands/definitions.hpp"
+#include "app/folders/picture_files.hpp"
+#include "app/folders/result_files.hpp"
+#include "app/folders/template_files.hpp"
+#include "app/terminal/terminal_style.hpp"
+
+#include "core/support/error.hpp"
+#include "core/support/nearest_name.hpp"
+#include "reports/pictures/drawing_request.hpp"
+#include "reports/text/text_table.hpp"
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <string_view>
+#include <utility>
+
+namespace ff::app {
+namespace {
+
+struct Unit {
+    std::string_view name;
+    double mm;
+};
+constexpr std::array units{Unit{"mm", 1}, Unit{"cm", 10}, Unit{"in", 25.4}, Unit{"pt", 25.4 / 72}};
+
+/// Of figures that can be read and printed.
+constexpr double least_mm = 20;
+constexpr double most_mm = 2000;
+
+double length_in_mm(const std::string& option, const std::string& text) {
+    for (const Unit& unit : units) {
+        if (!text.ends_with(unit.name)) continue;
+        const char* const end = text.data() + text.size() - unit.name.size();
+        double number = 0;
+        const auto [rest, error] = std::from_chars(text.data(), end, number);
+        const double mm = number * unit.mm;
+        if (error == std::errc() && rest == end && mm >= least_mm && mm <= most_mm) return mm;
+    }
+    throw UserError(
+        fmt::format("{} {} (a length from {:g} to {:g} mm, in mm, cm, in or pt). Write it like \"84mm\" or \"3.3in\".",
+                    option, text, least_mm, most_mm));
+}
+
+reports::FigureStyle style_of(const FigureCommand& command) {
+    reports::FigureStyle style{length_in_mm("--width", command.width), std::nullopt, command.font_size, command.font};
+    if (!command.height.empty()) style.height = length_in_mm("--height", command.height);
+    if (!(style.font_size >= 4 && style.font_size <= 40))
+        throw UserError(fmt::format("--font-size {:g} (from 4 to 40 points). Take another.", style.font_size));
+    if (command.font.find_first_of("\"<>&") != std::string::npos)
+        throw UserError(fmt::format("--font {} (no font has such a name). Name a family, like \"Latin Modern Roman\".",
+                                    command.font));
+    return style;
+}
+
+void expect_methods(const std::vector<std::string>& wanted, const studies::StudyPlan& plan) {
+    std::vector<std::string_view> known;
+    for (const studies::Method& method : plan.spec.methods) known.push_back(method.name);
+    for (const std::string& name : wanted) {
+        if (std::find(known.begin(), known.end(), name) == known.end())
+            throw UserError(fmt::format("--methods {} (the study has none of this name). {}Its methods: {}.", name,
+                                        did_you_mean(name, known), fmt::join(known, ", ")));
+    }
+}
+
+std::string names_of(const std::vector<reports::Picture>& pictures) {
+    std::vector<std::string> names;
+    for (const reports::Picture& picture : pictures) names.push_back(picture.id);
+    constexpr std::size_t most = 12;
+    const std::string more = names.size() > most ? fmt::format(" and {} more", names.size() - most) : "";
+    names.resize(std::min(names.size(), most));
+    return fmt::format("{}{}", fmt::join(names, ", "), more);
+}
+
+bool is_named(const reports::Picture& picture, const FigureCommand& command) {
+    const bool begins = picture.id == command.picture || picture.id.starts_with(command.picture + "-");
+    return begins && (command.pairs.empty() || picture.id.find("-" + command.pairs + "-pairs") != std::string::npos);
+}
+
+/// The one picture that is meant. @throws UserError where it is none or several
+reports::Picture find_picture(const std::vector<reports::Picture>& all, const FigureCommand& command) {
+    std::vector<reports::Picture> found;
+    std::copy_if(all.begin(), all.end(), std::back_inserter(found),
+                 [&](const reports::Picture& picture) { return is_named(picture, command); });
+    const auto exact = std::find_if(found.begin(), found.end(),
+                                    [&](const reports::Picture& picture) { return picture.id == command.picture; });
+    if (exact != found.end()) return *exact;
+    if (found.size() == 1) return found.front();
+    const std::string what =
+        command.pairs.empty() ? command.picture : fmt::format("{} --pairs {}", command.picture, command.pairs);
+    if (found.empty())
+        throw UserError(
+            fmt::format("{} (there is no such picture). There are: {}; 'ffstudy figure {}' says what they show.", what,
+                        names_of(all), command.results.string()));
+    throw UserError(fmt::format("{} (that can be {} pictures: {}). Name one, or its class with --pairs.", what,
+                                found.size(), names_of(found)));
+}
+
+void list_pictures(const std::vector<reports::Picture>& all) {
+    reports::Table table{"pictures", "", "", {{"picture", false, ""}, {"what it shows", false, ""}}, {}, {}};
+    for (const reports::Picture& picture : all)
+        table.rows.push_back({{picture.id, reports::Mark::none}, {picture.title, reports::Mark::none}});
+    fmt::print("{}", reports::text_table(table, style_of_stdout()));
+}
+
+}  // namespace
+
+ExitCode figure(const FigureCommand& command) {
+    const auto templates = find_templates(command.templates);
+    const auto style = style_of(command);
+    const auto file = store_of(command.results);
+    const auto store = studies::Store::open(file);
+    if (!store.was_checked()) note_unchecked(file);
+    expect_methods(command.methods, store.plan());
+    const auto evaluated = evaluate_until_stopped(store);
+    const auto all = reports::all_pictures(evaluated.results, {command.methods});
+    if (command.picture.empty()) {
+        list_pictures(all);
+        return ExitCode::passed;
+    }
+    const auto picture = find_picture(all, command);
+    const auto out = command.out.empty() ? std::filesystem::path(picture.id + ".pdf") : command.out;
+    write_figure(out, picture, templates, style);
+    fmt::print("{}\n{}\n{}\n", picture.title, picture.finding, out.string());
+    return evaluated.to_the_end ? ExitCode::passed : ExitCode::interrupted;
+}
+
+void add_figure(CLI::App& app, FigureCommand& command, Action& action) {
+    CLI::App* sub = add_command(app, everyday, "figure", "Draw one picture of a study for a paper");
+    sub->add_option("RESULTS", command.results, "Folder of a study, or its results.sqlite")->required();
+    sub->add_option("PICTURE", command.picture, "Its name, or how that begins (default: list them)");
+    sub->add_option("--methods", command.methods, "Methods, separated by commas (default: all)")
+        ->type_name("METHOD")
+        ->delimiter(',');
+    sub->add_option("--pairs", command.pairs, "Class of pairs of faces")
+        ->type_name("CLASS")
+        ->check(CLI::IsMember({"parallel", "adjacent", "other"}));
+    sub->add_option("--width", command.width, "Width, in mm, cm, in or pt")->type_name("LENGTH")->capture_default_str();
+    sub->add_option("--height", command.height, "Height (default: as the picture has it)")->type_name("LENGTH");
+    sub->add_option("--font-size", command.font_size, "Size of letters, in points")->capture_default_str();
+    sub->add_option("--font", command.font, "Family of letters (default: that of reports; .pgf takes the document's)")
+        ->type_name("FONT");
+    sub->add_option("--out", command.out, "File: .pdf, .svg, .png or .pgf (default: PICTURE.pdf)")->type_name("FILE");
+    sub->add_option("--templates", command.templates, "Folder of own templates")->type_name("DIR");
+    sub->callback([&] { action = [&] { return figure(command); }; });
+}
+
+}  // namespace ff::app

@@ -1,0 +1,33 @@
+// The smaller program (-DFFSTUDY_GATES_ONLY=ON): gates on what other programs report. It is built from what this file
+// includes, directly or not, and from nothing else (cmake/FfGatesOnly.cmake).
+
+#include "app/command_line/program.hpp"
+#include "app/commands/gate_commands.hpp"
+#include "app/commands/hidden_commands.hpp"
+
+namespace {
+
+using namespace ff::app;
+
+struct Commands {
+    CheckCommand check;
+    TrendCommand trend;
+};
+
+void add_commands(CLI::App& app, Commands& commands, Action& action) {
+    add_check_of_files(app, commands.check)->callback([&] { action = [&] { return check_files(commands.check); }; });
+    add_trend(app, commands.trend, action);
+    add_help(app, action);
+    add_hidden_commands(
+        app, [](std::string_view) { return std::vector<Completions::Word>(); }, action);
+}
+
+}  // namespace
+
+// What goes wrong while an error is told ends in the handler that `guarded` sets.
+// NOLINTNEXTLINE(bugprone-exception-escape)
+int main(int argc, char** argv) {
+    Commands commands;
+    return run_program({argv, static_cast<std::size_t>(argc)}, "Gates on what Monte Carlo codes report.",
+                       [&](CLI::App& app, Action& action) { add_commands(app, commands, action); });
+}

@@ -1,0 +1,28 @@
+# -DFFSTUDY_GATES_ONLY=ON: the smaller program. It judges what other programs report, and is built of the rooms that
+# app/gates_main.cpp includes: no Embree, Eigen, Highway, SQLite, tinyobjloader or Node.js.
+
+include(IncludedSources)
+ff_included_sources(app/gates_main.cpp sources)
+# What includes CLI11 is compiled together and without haste: its headers are most of the work, and speed does not
+# matter there.
+set(command_line ${sources})
+list(FILTER command_line INCLUDE REGEX
+  "^app/(command_line/(command_model|completion|man_pages|program|usage_errors)|commands/(gate|hidden)_commands|gates_main)")
+list(REMOVE_ITEM sources ${command_line})
+add_library(ff_command_line OBJECT ${command_line})
+set_target_properties(ff_command_line PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 0)
+add_executable(ffstudy ${sources})
+foreach(target ff_command_line ffstudy)
+  target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR})
+  target_compile_definitions(${target} PRIVATE FF_CONTRACTS=$<BOOL:${FFSTUDY_CONTRACTS}>)
+  target_link_libraries(${target} PRIVATE ff_settings ff_build_info ff_random123 CLI11::CLI11 fmt::fmt
+    nlohmann_json::nlohmann_json pugixml::pugixml tomlplusplus::tomlplusplus Threads::Threads)
+endforeach()
+target_compile_options(ff_command_line PRIVATE -O1)
+target_link_libraries(ffstudy PRIVATE ff_command_line)
+
+install(TARGETS ffstudy)
+include(FfManual)
+include(FfInstallGate)
+install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
+include(FfPackages)

@@ -1,0 +1,75 @@
+#include "core/estimators/area_kernel.hpp"
+#include "core/estimators/closed_form.hpp"
+#include "core/estimators/contour.hpp"
+#include "core/estimators/control_variate.hpp"
+#include "core/estimators/entry.hpp"
+#include "core/estimators/point_to_polygon.hpp"
+#include "core/estimators/ray_shooting.hpp"
+#include "core/estimators/rays_and_kernel.hpp"
+#include "core/estimators/solid_angle.hpp"
+#include "core/support/error.hpp"
+#include "core/support/excerpt.hpp"
+#include "core/support/nearest_name.hpp"
+#include "core/visibility/mirrors.hpp"
+#include "core/visibility/occlusion.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+namespace ff {
+namespace {
+
+/// The only list of estimators.
+constexpr std::array all_estimators{
+    estimator_entry<RayShooting>(),     //
+    estimator_entry<AreaKernel>(),      //
+    estimator_entry<PointToPolygon>(),  //
+    estimator_entry<SolidAngle>(),      //
+    estimator_entry<RaysAndKernel>(),   //
+    estimator_entry<ControlVariate>(),  //
+    estimator_entry<Contour>(),         //
+    estimator_entry<ClosedForm>(),      //
+};
+
+constexpr auto all_names = [] {
+    std::array<std::string_view, all_estimators.size()> names;
+    std::transform(all_estimators.begin(), all_estimators.end(), names.begin(),
+                   [](const EstimatorEntry& estimator) { return estimator.info.name; });
+    return names;
+}();
+
+}  // namespace
+
+std::span<const EstimatorEntry> estimators() {
+    return all_estimators;
+}
+
+const EstimatorEntry& find_estimator(std::string_view name) {
+    for (const EstimatorEntry& estimator : all_estimators) {
+        if (estimator.info.name == name) return estimator;
+    }
+    const std::string near = nearest_name(name, all_names);
+    const std::string suggestion = near.empty() ? "" : fmt::format("Did you mean \"{}\"? ", near);
+    throw UserError(fmt::format("estimator \"{}\" (there is none of this name). {}Known estimators: {}.", excerpt(name),
+                                suggestion, fmt::join(all_names, ", ")));
+}
+
+std::string refusal_of(const EstimatorInfo& info, const Scene& scene) {
+    if (!info.sees_reflections && !mirrors(scene).empty()) {
+        return fmt::format(
+            "{} cannot be used in scene '{}' with mirrors (it sees nothing by way of them). Use estimator = "
+            "\"ray_shooting\", or leave 'mirrors' out.",
+            info.name, scene.name);
+    }
+    if (!info.sees_occluders && may_be_occluded(scene)) {
+        return fmt::format(
+            "{} cannot be used in scene '{}' (something may stand between two of its faces, which the estimator does "
+            "not see). Use estimator = \"ray_shooting\" or \"area_kernel\".",
+            info.name, scene.name);
+    }
+    return {};
+}
+
+}  // namespace ff

@@ -1,0 +1,39 @@
+#pragma once
+
+#include "core/estimators/estimator.hpp"
+
+#include <string>
+
+namespace ff {
+
+/// The double integral over the rims of two patches, by any points.
+class Contour {
+  public:
+    static constexpr EstimatorInfo info{
+        .name = "contour",
+        .summary = "the double contour integral: ln r at pairs of points on the rims of two patches",
+        .details =
+            "A 2-D point gives a point on an edge of the source patch (1) and one on an edge of the target patch (1), "
+            "the\nsame for all pairs of edges; the value is the sum over these of ln r times the scalar product of the "
+            "edges.\nEdges that coincide are done exactly. With gauss_legendre it is the classical contour integration "
+            "with so many\nnodes an edge; unbiased with random points, of finite variance also where faces touch. It "
+            "knows nothing of what\nhides or lies behind: faces have to be parallelograms and triangles, each wholly "
+            "in "
+            "front of all others.\nsamples_per_patch counts points per pair of patches.",
+        .reference = "sparrow1963",
+        .dimension = 2,
+        .points = PointsServe::pairs,
+    };
+
+    static std::string refusal(const EstimatorOptions& options, const Scene& scene);
+    static double nanoseconds(const EstimatorOptions& options, const Scene& scene);
+    static std::optional<Integrand> integrand(const EstimatorOptions& options, PairClass pair_class, Hiding hiding);
+
+    Contour(const Scene& scene, TracerChoice /*tracer*/) : scene_(&scene) {}
+    void observe(const EstimatorTask& task, Outcome& outcome, PatchTotals& totals) const;
+
+  private:
+    const Scene* scene_;
+};
+
+}  // namespace ff

@@ -1,0 +1,42 @@
+#pragma once
+
+#include "core/estimators/estimator.hpp"
+
+#include <string>
+
+namespace ff {
+
+/// Exact factors without occlusion, less a sampled estimate of what is hidden.
+class ControlVariate {
+  public:
+    static constexpr EstimatorInfo info{
+        .name = "control_variate",
+        .summary = "the exact factor without occlusion, less the kernel at pairs of points that are hidden",
+        .details =
+            "The factor as if nothing stood in between is known exactly, by the contour integral; it is the control\n"
+            "variate of the area kernel. A 4-D point gives a point on each patch of an ordered pair, and only where "
+            "they do\nnot see each other is the kernel subtracted. Pairs that nothing can stand between are exact, and "
+            "take no points.\nUnbiased with random points; estimates may be negative where nearly all is hidden. Where "
+            "faces touch that\nsomething may stand between the kernel has no variance. Faces have to be parallelograms "
+            "and triangles;\nsamples_per_patch counts points per pair of patches.",
+        .reference = "owen2013",
+        .dimension = 4,
+        .points = PointsServe::pairs,
+        .sees_occluders = true,
+    };
+
+    static std::string refusal(const EstimatorOptions& options, const Scene& scene);
+    static double nanoseconds(const EstimatorOptions& options, const Scene& scene);
+    /// Jumps where the shadow ends; without one there is no error.
+    static std::optional<Integrand> integrand(const EstimatorOptions& options, PairClass pair_class, Hiding hiding);
+    static bool finite_variance(const EstimatorOptions& options, const Scene& scene, int from, int to);
+
+    ControlVariate(const Scene& scene, TracerChoice tracer);
+    void observe(const EstimatorTask& task, Outcome& outcome, PatchTotals& totals) const;
+
+  private:
+    const Scene* scene_;
+    Eigen::MatrixXd unoccluded_;  ///< between faces
+};
+
+}  // namespace ff

@@ -1,0 +1,73 @@
+#pragma once
+
+#include "core/estimators/estimator.hpp"
+
+#include <utility>
+
+namespace ff {
+
+/// The one way to make an estimator: a class with
+///
+///     static constexpr EstimatorInfo info{...};
+///     static double nanoseconds(const EstimatorOptions&, const Scene&);
+///     T(const Scene&, TracerChoice);                                  // refusal() has been asked
+///     void observe(const EstimatorTask&, Outcome&, PatchTotals&) const;
+///
+/// and where there is something to say
+///
+///     static std::string refusal(const EstimatorOptions&, const Scene&);   // beyond what follows from `info`
+///     static std::optional<Integrand> integrand(const EstimatorOptions&, PairClass, Hiding);
+///     static bool finite_variance(const EstimatorOptions&, const Scene&, int from, int to);
+///
+/// `estimator_entry<T>()` turns it into a line of the catalogue.
+template <class T>
+class ErasedEstimator final : public Estimator {
+  public:
+    ErasedEstimator(const Scene& scene, TracerChoice tracer) : estimator_(scene, tracer) {}
+
+    void observe(const EstimatorTask& task, Outcome& outcome, PatchTotals& totals) const override {
+        estimator_.observe(task, outcome, totals);
+    }
+
+  private:
+    T estimator_;
+};
+
+/// What follows from `info`: an estimator that sees no occluders, or no mirrors, is refused where there may be some.
+std::string refusal_of(const EstimatorInfo& info, const Scene& scene);
+
+/// The catalogue's line for estimator T.
+template <class T>
+constexpr EstimatorEntry estimator_entry() {
+    return {.info = T::info,
+            .refusal = [](const EstimatorOptions& options, const Scene& scene) -> std::string {
+                std::string general = refusal_of(T::info, scene);
+                if constexpr (requires { T::refusal(options, scene); }) {
+                    return general.empty() ? T::refusal(options, scene) : general;
+                } else {
+                    return general;
+                }
+            },
+            .nanoseconds = &T::nanoseconds,
+            .integrand = [](const EstimatorOptions& options, PairClass pair_class,
+                            Hiding hiding) -> std::optional<Integrand> {
+                if constexpr (requires { T::integrand(options, pair_class, hiding); }) {
+                    return T::integrand(options, pair_class, hiding);
+                } else {
+                    return std::nullopt;
+                }
+            },
+            .finite_variance =
+                [](const EstimatorOptions& options, const Scene& scene, int from, int to) {
+                    if constexpr (requires { T::finite_variance(options, scene, from, to); }) {
+                        return T::finite_variance(options, scene, from, to);
+                    } else {
+                        return true;
+                    }
+                },
+            .make = [](const Scene& scene, TracerChoice tracer) -> std::unique_ptr<Estimator> {
+                return std::make_unique<ErasedEstimator<T>>(scene, tracer);
+            }};
+}
+
+}  // namespace ff

@@ -1,0 +1,165 @@
+#pragma once
+
+#include "core/estimators/graded_map.hpp"
+#include "core/patches/allocation.hpp"
+#include "core/points/points.hpp"
+#include "core/tracing/tracer.hpp"
+#include "core/visibility/pair_class.hpp"
+
+#include <Eigen/Core>
+
+#include <compare>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace ff {
+
+/// What a trial observes.
+enum class Observes {
+    hits,       ///< counts: of the cosine-distributed rays from each face, those that hit each other one
+    estimates,  ///< of each form factor, a real number
+};
+
+/// What a set of points serves.
+enum class PointsServe {
+    nothing,  ///< no points are taken
+    patches,  ///< one set for each patch of the source and all that it sees: `allocation` says whose the sequence is
+    pairs,    ///< one set for each ordered pair of patches
+};
+
+/// Whether the factors of patches are told apart, and by what.
+enum class PatchFactors { none, rays, kernels };
+
+/// What a point is a sample of, as theories of convergence tell integrands apart.
+enum class Integrand {
+    jumping,  ///< smooth but for jumps at curved boundaries that are parallel to no axis: the rays that hit, the kernel
+              ///< of points that see each other
+    smooth,
+    rough,      ///< of finite variance, but no theory of smooth or of jumping functions holds
+    unbounded,  ///< with tail index 3/2
+};
+
+/// Whether something may stand between the faces of a pair.
+enum class Hiding { none, possible };
+
+/// What a study may choose beside the sampler, as far as an estimator has it.
+struct EstimatorOptions {
+    Allocation allocation = Allocation::patch;
+    TracerChoice tracer = TracerChoice::automatic;
+    PointMap map = PointMap::uniform;
+};
+
+/// What an estimator declares about itself; study files, plans, `ffstudy list`, `explain`, the contract tests and the
+/// reports read it.
+struct EstimatorInfo {
+    std::string_view name;
+    std::string_view summary;    ///< one line, shown by `ffstudy list estimators`
+    std::string_view details;    ///< what it is, its limits; shown by `ffstudy explain`
+    std::string_view reference;  ///< key of docs/references.md
+    std::size_t dimension = 0;   ///< coordinates of a point; 0: it takes none
+    PointsServe points = PointsServe::nothing;
+    Observes observes = Observes::estimates;
+    PatchFactors patch_factors = PatchFactors::none;
+    bool has_tracer = false;                       ///< takes the option `tracer`
+    bool has_map = false;                          ///< takes the option `map`
+    bool exact = false;                            ///< no error but rounding: a reference, not a rival
+    bool sees_occluders = false;                   ///< what stands between two faces is noticed
+    bool sees_reflections = false;                 ///< so is what comes by way of mirrors
+    std::string_view evaluations = "evaluations";  ///< what is counted as its work
+
+    [[nodiscard]] constexpr bool takes_points() const { return dimension > 0; }
+    [[nodiscard]] constexpr bool has_allocation() const { return points == PointsServe::patches; }
+};
+
+/// One trial of one cell.
+struct EstimatorTask {
+    Subdivision subdivision;
+    const PointSource* points = nullptr;  ///< null where the estimator takes none
+    std::uint64_t samples = 0;            ///< points for a patch, or for a pair of patches; 0 where it takes none
+    EstimatorOptions options;
+    StreamKey key;
+    std::uint32_t trial = 0;
+};
+
+/// Integer outcome of one trial that shoots rays.
+struct RayTally {
+    std::vector<std::uint64_t> hits;  ///< [from_face * faces + to_face]
+    std::vector<std::uint64_t> rays;  ///< [from_face]
+    std::vector<std::uint64_t> lost;  ///< [from_face]
+    /// [from_face * faces + to_face], the hits of each surface times the area of a part of its grid, summed in the
+    /// order of surfaces: faces of several surfaces are averages by area.
+    std::vector<double> weighted;
+};
+
+/// What one trial observed. An estimator that claims an error of its own would say so here.
+struct Outcome {
+    RayTally rays;              ///< of `Observes::hits`; empty otherwise
+    Eigen::MatrixXd estimates;  ///< between faces; of `Observes::hits`, shares by area
+};
+
+/// Sums over trials of patch-to-face hits and of their squares, [patch * faces + face]; exact integers.
+struct PatchSums {
+    std::vector<std::uint64_t> hits;
+    std::vector<std::uint64_t> hits_squared;
+};
+
+/// Sums over trials of patch-to-face factors and of their squares, [patch * faces + face].
+struct PatchFactorSums {
+    std::vector<double> factors;
+    std::vector<double> factors_squared;
+};
+
+/// What is known of patches: one of the two at most is filled.
+struct PatchTotals {
+    PatchSums hits;
+    PatchFactorSums factors;
+};
+
+/// An estimator made ready for one scene, which has to outlive it. Safe to use from several threads at once.
+class Estimator {
+  public:
+    virtual ~Estimator() = default;
+
+    /// A pure function of scene and task, the same bits on every CPU. `outcome` is replaced, `totals` added to (empty,
+    /// or from earlier trials of the same size).
+    virtual void observe(const EstimatorTask& task, Outcome& outcome, PatchTotals& totals) const = 0;
+
+  protected:
+    Estimator() = default;
+    Estimator(const Estimator&) = default;
+    Estimator& operator=(const Estimator&) = default;
+    Estimator(Estimator&&) = default;
+    Estimator& operator=(Estimator&&) = default;
+};
+
+/// An estimator in the catalogue: what it declares, and how it is made ready for a scene.
+struct EstimatorEntry {
+    EstimatorInfo info;
+
+    /// Why it cannot be used in a scene, and what to do: "the scene is not ... (why). Try ...". Empty where it can.
+    std::string (*refusal)(const EstimatorOptions& options, const Scene& scene);
+
+    /// Processor time of one evaluation beside that of its point; only ratios matter, for units of about equal length.
+    double (*nanoseconds)(const EstimatorOptions& options, const Scene& scene);
+
+    /// What theory takes the values of points on a pair of faces for; empty where it says nothing.
+    std::optional<Integrand> (*integrand)(const EstimatorOptions& options, PairClass pair_class, Hiding hiding);
+
+    /// Whether random points have a variance between two faces, from 0.
+    bool (*finite_variance)(const EstimatorOptions& options, const Scene& scene, int from, int to);
+
+    std::unique_ptr<Estimator> (*make)(const Scene& scene, TracerChoice tracer);
+};
+
+/// All estimators, in the order in which they are listed.
+std::span<const EstimatorEntry> estimators();
+
+/// @throws UserError with the nearest name
+const EstimatorEntry& find_estimator(std::string_view name);
+
+}  // namespace ff

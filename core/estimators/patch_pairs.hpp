@@ -1,0 +1,62 @@
+#pragma once
+
+#include "core/estimators/estimator.hpp"
+#include "core/geometry/surface_map.hpp"
+
+#include <Eigen/Core>
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+namespace ff {
+
+/// A patch of a surface, as estimators that look at pairs of patches see it.
+struct PatchView {
+    const Surface* surface = nullptr;
+    const SurfaceMap* map = nullptr;
+    Grid grid = undivided;
+    std::uint32_t column = 0;
+    std::uint32_t row = 0;
+    double area = 0;
+
+    /// The point at (s, t) in [0, 1]^2; shares of area are kept.
+    [[nodiscard]] SurfacePoint at(double s, double t) const {
+        return map->at((column + s) / grid.columns, (row + t) / grid.rows);
+    }
+
+    /// The corners in order around it, of parallelograms and triangles; at the tip of a triangle two coincide.
+    [[nodiscard]] std::array<Eigen::Vector3d, 4> corners() const {
+        return {at(0, 0).position, at(1, 0).position, at(1, 1).position, at(0, 1).position};
+    }
+};
+
+/// An ordered pair of patches of surfaces that face each other.
+struct PatchPair {
+    PatchView from;
+    PatchView to;
+    const std::vector<const Surface*>* blockers = nullptr;  ///< what may stand in between
+};
+
+/// Which pairs of surfaces are sampled.
+enum class PairsOf {
+    all,       ///< that face each other
+    occluded,  ///< that something may stand between; the others count as 0
+};
+
+/// The sum over the points of a block of weight * (an estimate of the form factor between two patches).
+using PairSum = std::function<double(const PatchPair& pair, const WeightedBlock& block)>;
+
+/// One trial of an estimator whose points serve ordered pairs of patches: face-to-face factors, every entry estimated
+/// directly. Streams are keyed as those of `area_kernel`. Sums run in a fixed order.
+Eigen::MatrixXd average_over_pairs(const Scene& scene, const EstimatorTask& task, std::size_t dimension,
+                                   const PairSum& sum, PairsOf pairs = PairsOf::all);
+
+/// Whether every surface that belongs to a face is a parallelogram or a triangle.
+bool has_polygonal_faces(const Scene& scene);
+
+/// Why an estimator for such scenes refuses another one; empty where it does not.
+std::string refuse_curved_faces(std::string_view estimator, const Scene& scene);
+
+}  // namespace ff

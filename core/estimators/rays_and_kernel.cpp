@@ -1,0 +1,92 @@
+#include "core/estimators/rays_and_kernel.hpp"
+
+#include "core/estimators/patch_pairs.hpp"
+#include "core/geometry/line_meets.hpp"
+#include "core/geometry/unit_circle.hpp"
+#include "core/visibility/occlusion.hpp"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+namespace ff {
+namespace {
+
+using Eigen::Vector3d;
+
+/// What a place on the target adds, whichever way it was found: the density of rays there, by the sum of the densities
+/// of both ways. 0 where the two do not see each other.
+double balanced(const PatchPair& pair, const SurfacePoint& from, const Vector3d& place, const Vector3d& normal) {
+    const Vector3d apart = place - from.position;
+    const double leaving = apart.dot(from.normal);
+    const double arriving = -apart.dot(normal);
+    if (!(leaving > 0 && arriving > 0)) return 0;
+    if (!sees(from.position, *pair.from.surface, place, *pair.to.surface, *pair.blockers)) return 0;
+    const double squared = apart.squaredNorm();
+    const double density = leaving * arriving;  // times pi r^4
+    return density / (density + std::numbers::pi * squared * squared / pair.to.area);
+}
+
+bool is_on(const PatchView& patch, SurfaceCoordinates at) {
+    const auto part = [](double coordinate, std::uint32_t parts) {
+        return std::min(static_cast<std::uint32_t>(coordinate * parts), parts - 1);
+    };
+    return part(at.s, patch.grid.columns) == patch.column && part(at.t, patch.grid.rows) == patch.row;
+}
+
+/// A place on the target and its normal.
+struct Place {
+    Vector3d position;
+    Vector3d normal;
+};
+
+/// Where a cosine-distributed ray meets the target's patch.
+std::optional<Place> shoot(const PatchPair& pair, const SurfacePoint& from, double s, double t) {
+    const CirclePoint azimuth = unit_circle(t);
+    const Vector3d across = from.normal.cross(from.tangent);
+    const Vector3d direction =
+        std::sqrt(s) * (azimuth.cosine * from.tangent + azimuth.sine * across) + std::sqrt(1 - s) * from.normal;
+    const Line line{from.position, direction};
+    const auto meeting = line_meets(line, *pair.to.surface, {.begins = pair.from.surface == pair.to.surface});
+    if (!meeting) return std::nullopt;
+    const Vector3d place = line.at(meeting->time);
+    const Surface& surface = *pair.to.surface;
+    if (is_flat(surface.shape) && pair.to.grid == undivided) return Place{place, surface.normal};
+    const SurfaceCoordinates at = pair.to.map->coordinates(place);
+    if (!is_on(pair.to, at)) return std::nullopt;
+    return Place{place, pair.to.map->at(at.s, at.t).normal};
+}
+
+}  // namespace
+
+double RaysAndKernel::nanoseconds(const EstimatorOptions& /*options*/, const Scene& /*scene*/) {
+    return 100.0;
+}
+
+std::optional<Integrand> RaysAndKernel::integrand(const EstimatorOptions& /*options*/, PairClass pair_class,
+                                                  Hiding /*hiding*/) {
+    return pair_class == PairClass::adjacent ? Integrand::rough : Integrand::jumping;
+}
+
+void RaysAndKernel::observe(const EstimatorTask& task, Outcome& outcome, PatchTotals& /*totals*/) const {
+    outcome.estimates =
+        average_over_pairs(*scene_, task, info.dimension, [](const PatchPair& pair, const WeightedBlock& block) {
+            double sum = 0;
+            for (std::size_t i = 0; i < block.size; ++i) {
+                const SurfacePoint from = pair.from.at(block.coordinate[0][i], block.coordinate[1][i]);
+                const double s = block.coordinate[2][i];
+                const double t = block.coordinate[3][i];
+                const SurfacePoint laid = pair.to.at(s, t);
+                double value = balanced(pair, from, laid.position, laid.normal);
+                if (const auto place = shoot(pair, from, s, t))
+                    value += balanced(pair, from, place->position, place->normal);
+                sum += block.weight[i] * value;
+            }
+            return sum;
+        });
+}
+
+}  // namespace ff

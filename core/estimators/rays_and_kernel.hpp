@@ -1,0 +1,37 @@
+#pragma once
+
+#include "core/estimators/estimator.hpp"
+
+namespace ff {
+
+/// Rays and the area kernel in one, weighted by the balance heuristic.
+class RaysAndKernel {
+  public:
+    static constexpr EstimatorInfo info{
+        .name = "rays_and_kernel",
+        .summary = "multiple importance sampling: a ray and a kernel value for each point (balance heuristic)",
+        .details =
+            "A 4-D point gives a point on the source patch (2), and from there both a point on the target patch and a\n"
+            "cosine-distributed ray (2). Each of the two finds a place on the target that it weighs by p / (p + 1/A), "
+            "p the\ndensity of rays at the place and A the target's area: between 0 and 1, so that the variance is "
+            "finite wherever\nfaces touch, with every shape. Unbiased with random points. What may stand in between is "
+            "looked at point by\npoint, in double precision. samples_per_patch counts points per pair of patches.",
+        .reference = "veach1995",
+        .dimension = 4,
+        .points = PointsServe::pairs,
+        .sees_occluders = true,
+    };
+
+    static double nanoseconds(const EstimatorOptions& options, const Scene& scene);
+    /// Rays jump where the target ends; where faces touch no theory holds.
+    static std::optional<Integrand> integrand(const EstimatorOptions& options, PairClass pair_class, Hiding hiding);
+
+    RaysAndKernel(const Scene& scene, TracerChoice /*tracer*/) : scene_(&scene) {}
+    /// The same bits on every CPU, but for rays to round surfaces: there azimuths are rounded as the C library does it.
+    void observe(const EstimatorTask& task, Outcome& outcome, PatchTotals& totals) const;
+
+  private:
+    const Scene* scene_;
+};
+
+}  // namespace ff

@@ -1,0 +1,100 @@
+#include "reports/html/gates_html.hpp"
+
+#include "reports/html/html_page.hpp"
+#include "reports/terminal/gates_terminal.hpp"
+#include "reports/text/numbers.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace ff::reports {
+namespace {
+
+constexpr double width = 300;
+constexpr double height = 24;
+
+constexpr const char* style =
+    "td.pass{color:#1a6b2b}td.fail{color:#a4161a;font-weight:bold}td.inconclusive{color:#7a5200;font-weight:bold}";
+
+/// Values to places, so that all that is finite is seen.
+struct Scale {
+    double low = 0;
+    double high = 1;
+
+    [[nodiscard]] double operator()(double value) const {
+        return width * std::clamp((value - low) / (high - low), 0.0, 1.0);
+    }
+};
+
+Scale scale_of(const studies::Comparison& row) {
+    const studies::Measurement& m = *row.measurement;
+    double low = m.value;
+    double high = m.value;
+    for (const double value :
+         {row.band.low, row.band.high, m.passing.low, m.passing.high, m.failing.low, m.failing.high}) {
+        if (!std::isfinite(value)) continue;
+        low = std::min(low, value);
+        high = std::max(high, value);
+    }
+    const double margin = high > low ? 0.05 * (high - low) : 1;
+    return {low - margin, high + margin};
+}
+
+void add_bar(pugi::xml_node svg, double from, double to, double thickness, const char* colour) {
+    pugi::xml_node bar = svg.append_child("rect");
+    set_attribute(bar, "x", fmt::format("{:.1f}", from));
+    set_attribute(bar, "y", fmt::format("{:.1f}", (height - thickness) / 2));
+    set_attribute(bar, "width", fmt::format("{:.1f}", std::max(1.0, to - from)));
+    set_attribute(bar, "height", fmt::format("{:g}", thickness));
+    set_attribute(bar, "fill", colour);
+}
+
+/// The band in grey; on it the failing interval thin, the passing one thick, the value as a line.
+void add_picture(pugi::xml_node cell, const studies::Comparison& row) {
+    if (!row.measurement) {
+        cell.text().set("–");
+        return;
+    }
+    const studies::Measurement& m = *row.measurement;
+    const Scale scale = scale_of(row);
+    pugi::xml_node svg =
+        add_svg(cell, width, height,
+                fmt::format("{}, interval {} to {}, band {} to {}", brief(m.value), brief(m.passing.low),
+                            brief(m.passing.high), brief(row.band.low), brief(row.band.high)));
+    add_bar(svg, scale(row.band.low), scale(row.band.high), height, "#d9e6f2");
+    add_bar(svg, scale(m.failing.low), scale(m.failing.high), 2, "#555");
+    add_bar(svg, scale(m.passing.low), scale(m.passing.high), 8, "#1f5a99");
+    add_bar(svg, scale(m.value), scale(m.value), 16, "#000");
+}
+
+}  // namespace
+
+std::string gates_html(const studies::CheckResults& check) {
+    using studies::Verdict;
+    HtmlPage page = begin_page("Gates of " + check.spec.name, style);
+    pugi::xml_node body = page.body;
+    add_element(body, "p", gates_summary(check));
+    add_element(
+        body, "p",
+        fmt::format("False alarm at most {} in all, power {}. Grey: the band. Thick: the interval that has to lie "
+                    "inside. Thin: the one that must not lie wholly outside.",
+                    brief(check.spec.alpha), brief(check.spec.power)));
+    pugi::xml_node table = body.append_child("table");
+    pugi::xml_node titles = table.append_child("tr");
+    for (const char* text : {"verdict", "gate", "interval and band", "found"}) add_element(titles, "th", text);
+    for (const Verdict verdict : {Verdict::fail, Verdict::inconclusive, Verdict::pass}) {
+        for (const studies::GateResult& result : check.results) {
+            if (result.verdict != verdict) continue;
+            pugi::xml_node row = table.append_child("tr");
+            set_attribute(add_element(row, "td", std::string(name(verdict))), "class", std::string(name(verdict)));
+            add_element(row, "td", result.gate);
+            add_picture(row.append_child("td"), decisive(result.comparisons));
+            add_element(row, "td", gate_in_words(result));
+        }
+    }
+    return page_text(page);
+}
+
+}  // namespace ff::reports

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "studies/verdicts/check_results.hpp"
+
+#include <string>
+
+namespace ff::reports {
+
+/// summary.html: one row a gate with a picture of its interval in its band. A page by itself, without scripts.
+std::string gates_html(const studies::CheckResults& check);
+
+}  // namespace ff::reports

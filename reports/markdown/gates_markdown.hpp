@@ -1,0 +1,12 @@
+#pragma once
+
+#include "studies/verdicts/check_results.hpp"
+
+#include <string>
+
+namespace ff::reports {
+
+/// summary.md: what a pull request is told. One row a gate, those that did not pass first.
+std::string gates_markdown(const studies::CheckResults& check);
+
+}  // namespace ff::reports

@@ -1,0 +1,15 @@
+#pragma once
+
+#include "studies/gates/gate_plan.hpp"
+#include "studies/verdicts/estimate_gates.hpp"
+
+#include <span>
+#include <string>
+
+namespace ff::reports {
+
+/// Trials and time of each gate, and of all; of gates on a file of estimates, trials that are needed and there.
+std::string gates_plan(const studies::GatesSpec& spec, std::span<const studies::EstimatesPlan> files,
+                       std::span<const studies::GatePlan> plans, unsigned threads);
+
+}  // namespace ff::reports

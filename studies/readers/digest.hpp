@@ -1,0 +1,29 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace ff::studies {
+
+/// A number that tells data from the same data with an error: any single changed word changes it, and what else differs
+/// gives the same with probability 2^-64. No protection against intent.
+class Digest {
+  public:
+    Digest& add(std::uint64_t word);
+    Digest& add(std::string_view text);
+    Digest& add(std::span<const std::uint64_t> words);
+    /// As SQLite keeps a number in a NUMERIC column: whole numbers are equal, whatever their type was, and so are
+    /// zeros.
+    Digest& add_number(double value);
+    [[nodiscard]] std::uint64_t value() const { return state_; }
+
+  private:
+    std::uint64_t state_ = 0x9e3779b97f4a7c15;
+};
+
+/// As text, for tables of keys and values.
+std::string in_hexadecimal(const Digest& digest);
+
+}  // namespace ff::studies

@@ -1,0 +1,169 @@
+#include "studies/run/growth.hpp"
+
+#include "studies/run/parallel.hpp"
+#include "studies/run/work.hpp"
+#include "studies/store/store_checks.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <limits>
+#include <map>
+#include <mutex>
+#include <span>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace ff::studies {
+namespace {
+
+using Range = CommonTrials::Range;
+
+/// What trials depend on.
+auto identity(const StudyPlan& plan, const Cell& cell) {
+    return std::tuple(cell.canonical, cell.key.word0, cell.key.word1, plan.spec.methods[cell.method].tracer,
+                      cell.deterministic);
+}
+
+/// First units of all cells, and the end.
+std::vector<std::size_t> first_units(const StudyPlan& plan) {
+    std::vector<std::size_t> first(plan.cells.size() + 1, plan.units.size());
+    for (std::size_t unit = plan.units.size(); unit-- > 0;) first[plan.units[unit].cell] = unit;
+    for (std::size_t cell = plan.cells.size(); cell-- > 0;) first[cell] = std::min(first[cell], first[cell + 1]);
+    return first;
+}
+
+std::int64_t as_integer(std::uint64_t number) {
+    return static_cast<std::int64_t>(number);
+}
+
+void copy_whole_units(const Store& target, const std::filesystem::path& file, const std::vector<Range>& ranges,
+                      const std::vector<std::size_t>& first_there, const std::vector<std::size_t>& first_here) {
+    sqlite3* database = target.database().handle();
+    Statement(database, "ATTACH ? AS source").bind(0, std::string_view(sqlite_name(file))).run();
+    Statement(database, "BEGIN IMMEDIATE").run();
+    Statement units(database, R"(INSERT INTO main.units SELECT unit + ?, ?, first_trial, trials, patch_hits,
+                                 patch_hits_squared, NULL FROM source.units
+                                 WHERE cell = ? AND first_trial >= ? AND first_trial < ?)");
+    Statement rows(database, R"(INSERT INTO main.observations SELECT ?, observable, from_face, to_face, trial, value
+                                FROM source.observations WHERE cell = ? AND trial >= ? AND trial < ?)");
+    for (const Range& range : ranges) {
+        if (range.whole == 0) continue;
+        const auto here = as_integer(range.here);
+        const auto there = as_integer(range.there);
+        const auto first = as_integer(range.first);
+        const auto end = as_integer(range.first + range.whole);
+        const auto moved = as_integer(first_here[range.here]) - as_integer(first_there[range.there]);
+        units.bind(0, moved).bind(1, here).bind(2, there).bind(3, first).bind(4, end).run();
+        rows.bind(0, here).bind(1, there).bind(2, first).bind(3, end).run();
+    }
+    add_checksums(target.database(), file, target.plan());
+    Statement(database, "COMMIT").run();
+    Statement(database, "DETACH source").run();
+}
+
+Observation observation_of(const Statement& row) {
+    const auto* const name = std::find(observable::all.begin(), observable::all.end(), row.text(0));
+    Observation observation{*name, static_cast<int>(row.integer(1)), static_cast<int>(row.integer(2)),
+                            static_cast<std::uint64_t>(row.integer(3)), row.integer(4)};
+    if (*name == observable::estimate)
+        observation.value = row.is_number(4) ? row.real(4) : std::numeric_limits<double>::quiet_NaN();
+    return observation;
+}
+
+BegunUnit read_begun(const Store& stored, const Range& range) {
+    const Database& database = stored.database();
+    const auto there = as_integer(range.there);
+    const auto first = as_integer(range.first + range.whole);
+    BegunUnit begun{range.begun, {}};
+    Statement unit(database.handle(),
+                   "SELECT patch_hits, patch_hits_squared FROM units WHERE cell = ? AND first_trial = ?");
+    unit.bind(0, there).bind(1, first).step();
+    begun.record.patch_hits = unit.integers(0);
+    begun.record.patch_hits_squared = unit.integers(1);
+    Statement rows(database.handle(),
+                   "SELECT observable, from_face, to_face, trial, value FROM observations "
+                   "WHERE cell = ? AND trial >= ? AND trial < ?");
+    rows.bind(0, there).bind(1, first).bind(2, first + as_integer(range.begun));
+    while (rows.step()) begun.record.observations.push_back(observation_of(rows));
+    return begun;
+}
+
+/// Of a cell that both studies have: units are cut at the same trials until one study ends.
+std::vector<Range> common_ranges(std::span<const WorkUnit> there, std::span<const WorkUnit> here,
+                                 const std::vector<bool>& finished, std::uint64_t most) {
+    std::vector<Range> ranges;
+    bool consecutive = false;
+    for (std::size_t i = 0; i < std::min(there.size(), here.size()); ++i) {
+        const std::uint64_t trials = there[i].trials;
+        if (here[i].first_trial + trials > most || trials > here[i].trials) break;
+        if (!finished[there[i].index]) {
+            consecutive = false;
+            continue;
+        }
+        if (!consecutive) ranges.push_back({there[i].cell, here[i].cell, here[i].first_trial, 0, 0});
+        consecutive = true;
+        (trials == here[i].trials ? ranges.back().whole : ranges.back().begun) += trials;
+        if (trials < here[i].trials) break;
+    }
+    return ranges;
+}
+
+}  // namespace
+
+CommonTrials common_trials(const Store& stored, const StudyPlan& plan) {
+    const StudyPlan& old = stored.plan();
+    std::multimap<decltype(identity(old, old.cells.front())), std::size_t> known;
+    for (std::size_t cell = 0; cell < old.cells.size(); ++cell) known.emplace(identity(old, old.cells[cell]), cell);
+    const auto first_there = first_units(old);
+    const auto first_here = first_units(plan);
+    const std::vector<bool> finished = stored.finished_units();
+    CommonTrials common;
+    for (std::size_t unit = 0; unit < old.units.size(); ++unit) {
+        if (finished[unit]) common.left_behind += old.units[unit].trials;
+    }
+    for (const WorkUnit& unit : plan.units) common.wanted += unit.trials;
+    for (std::size_t here = 0; here < plan.cells.size(); ++here) {
+        const auto match = known.find(identity(plan, plan.cells[here]));
+        if (match == known.end()) continue;
+        const std::size_t there = match->second;
+        known.erase(match);  // where a study names the same trials twice, each cell gets its own
+        const auto units_of = [](const StudyPlan& of, const std::vector<std::size_t>& first, std::size_t cell) {
+            return std::span(of.units).subspan(first[cell], first[cell + 1] - first[cell]);
+        };
+        const bool adaptive = plan.spec.until && !plan.cells[here].deterministic;
+        for (const Range& range :
+             common_ranges(units_of(old, first_there, there), units_of(plan, first_here, here), finished,
+                           adaptive ? plan.spec.until->pilot : std::numeric_limits<std::uint64_t>::max())) {
+            common.reused += range.whole + range.begun;
+            common.ranges.push_back(range);
+        }
+    }
+    common.left_behind -= common.reused;
+    return common;
+}
+
+void adopt(const Store& stored, const std::filesystem::path& file, const CommonTrials& common, Store& target,
+           unsigned threads) {
+    const auto first_here = first_units(target.plan());
+    copy_whole_units(target, file, common.ranges, first_units(stored.plan()), first_here);
+    std::vector<Range> begun;
+    std::copy_if(common.ranges.begin(), common.ranges.end(), std::back_inserter(begun),
+                 [](const Range& range) { return range.begun > 0; });
+    const Worker worker(target.plan());
+    std::mutex stores;
+    for_each_index(begun.size(), threads, [&](std::uint64_t i) {
+        const Range& range = begun[i];
+        const StudyPlan& plan = target.plan();
+        std::unique_lock lock(stores);
+        BegunUnit first = read_begun(stored, range);
+        lock.unlock();
+        const auto unit = unit_of(plan, range.here, range.first + range.whole);
+        const UnitRecord record = worker.carry_out(plan.units[*unit], std::move(first));
+        lock.lock();
+        target.commit(record);
+    });
+}
+
+}  // namespace ff::studies

@@ -1,0 +1,15 @@
+#pragma once
+
+#include "studies/selftest/measured_rate.hpp"
+#include "studies/selftest/repetitions.hpp"
+
+#include <cstdint>
+#include <vector>
+
+namespace ff::studies {
+
+/// Gates of kind `distribution` on counts and on values: false alarms without a difference and at the end of the band,
+/// power, wrong passes, and how often intervals of the distance hold it.
+std::vector<RateTable> measure_distribution_checks(const Repetitions& repetitions, std::uint64_t times);
+
+}  // namespace ff::studies

@@ -1,0 +1,15 @@
+#pragma once
+
+#include "studies/selftest/measured_rate.hpp"
+#include "studies/selftest/repetitions.hpp"
+
+#include <cstdint>
+#include <vector>
+
+namespace ff::studies {
+
+/// What becomes of gates that are looked at until they are decided: with all of alpha each time, with the shares of a
+/// ledger, and with confidence sequences.
+std::vector<RateTable> measure_looking_checks(const Repetitions& repetitions, std::uint64_t times);
+
+}  // namespace ff::studies

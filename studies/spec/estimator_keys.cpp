@@ -1,0 +1,45 @@
+#include "studies/spec/estimator_keys.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <string_view>
+#include <vector>
+
+namespace ff::studies {
+namespace {
+
+struct Key {
+    std::string_view name;
+    bool (*is_of)(const EstimatorInfo& estimator);
+};
+
+constexpr std::array keys{
+    Key{"allocation", [](const EstimatorInfo& estimator) { return estimator.has_allocation(); }},
+    Key{"tracer", [](const EstimatorInfo& estimator) { return estimator.has_tracer; }},
+    Key{"map", [](const EstimatorInfo& estimator) { return estimator.has_map; }},
+};
+
+}  // namespace
+
+const EstimatorInfo& read_estimator(const TomlReader& reader) {
+    std::vector<std::string_view> names;
+    for (const EstimatorEntry& estimator : estimators()) names.push_back(estimator.info.name);
+    if (!reader.has("estimator"))
+        reader.fail("estimator", fmt::format("missing. Choose one of {}.", fmt::join(names, ", ")));
+    return estimators()[reader.optional_choice("estimator", names, names.size()).value()].info;
+}
+
+void refuse_keys_of_others(const TomlReader& reader, const EstimatorInfo& estimator) {
+    for (const Key& key : keys) {
+        if (!reader.has(key.name) || key.is_of(estimator)) continue;
+        std::vector<std::string_view> names;
+        for (const EstimatorEntry& other : estimators()) {
+            if (key.is_of(other.info)) names.push_back(other.info.name);
+        }
+        reader.fail(key.name, fmt::format("(only {} {} it). Remove the key.", fmt::join(names, " and "),
+                                          names.size() == 1 ? "has" : "have"));
+    }
+}
+
+}  // namespace ff::studies

@@ -1,0 +1,38 @@
+#pragma once
+
+#include "core/support/error.hpp"
+#include "studies/verdicts/gate.hpp"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+#include <system_error>
+
+namespace ff::studies {
+
+/// Calls `task`, and names the gate where a statistic lies beyond what Boost.Math computes.
+/// @throws UserError at the gate's place; what else `task` throws
+template <class Task>
+auto at_gate(const Gate& gate, const Task& task) {
+    const auto named = [&gate](const std::exception& error) {
+        return UserError(
+            fmt::format("{}: gate '{}' cannot be judged (a statistic is beyond what can be computed: {}). Look for "
+                        "values that are far from all others, or choose another band.",
+                        gate.place, gate.name, error.what()));
+    };
+    try {
+        return task();
+    } catch (const UserError&) {
+        throw;
+    } catch (const IoError&) {
+        throw;
+    } catch (const std::system_error&) {
+        throw;
+    } catch (const std::domain_error& error) {
+        throw named(error);
+    } catch (const std::runtime_error& error) {
+        throw named(error);
+    }
+}
+
+}  // namespace ff::studies

@@ -1,0 +1,234 @@
+#include "studies/verdicts/bands_file.hpp"
+
+#include "studies/readers/printable.hpp"
+#include "studies/readers/text_file.hpp"
+#include "studies/readers/toml_reader.hpp"
+#include "studies/verdicts/band_reader.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <set>
+#include <string_view>
+#include <utility>
+
+namespace ff::studies {
+namespace {
+
+constexpr std::array<std::string_view, 12> kind_names{"bias",        "std",       "rmse",      "closure",
+                                                      "reciprocity", "lost_rays", "coverage",  "slope",
+                                                      "efficiency",  "equal",     "std_error", "distribution"};
+constexpr std::array<std::string_view, 2> anytime_names{"normal", "bounded"};
+constexpr std::array<std::string_view, 3> spending_names{"halving", "pocock", "obrien_fleming"};
+constexpr std::array<std::string_view, 3> combination_names{"holm", "simes", "cauchy"};
+
+/// Keys that only some kinds take.
+struct OwnKey {
+    std::string_view key;
+    std::vector<GateKind> kinds;
+};
+const std::vector<OwnKey>& own_keys() {
+    using enum GateKind;
+    static const std::vector<OwnKey> keys{{"pairs", {bias, std, rmse, reciprocity, coverage, slope, efficiency}},
+                                          {"expected", {slope}},
+                                          {"interval", {coverage}},
+                                          {"level", {coverage}},
+                                          {"replicates", {coverage}},
+                                          {"detects", {lost_rays}},
+                                          {"reference", {bias, std, rmse, efficiency, distribution}},
+                                          {"reference_se", {bias}}};
+    return keys;
+}
+
+void expect_own_keys(const TomlReader& reader, GateKind kind) {
+    for (const auto& [key, kinds] : own_keys()) {
+        if (!reader.has(key) || std::find(kinds.begin(), kinds.end(), kind) != kinds.end()) continue;
+        std::vector<std::string_view> names;
+        for (const GateKind other : kinds) names.push_back(name(other));
+        reader.fail(key, fmt::format("(a gate of kind \"{}\" has none; it is for {}). Remove the key.", name(kind),
+                                     fmt::join(names, ", ")));
+    }
+}
+
+void read_reference(const TomlReader& reader, Gate& gate) {
+    const bool spread = gate.kind == GateKind::std || gate.kind == GateKind::rmse;
+    gate.against = gate.kind == GateKind::efficiency ? Against::baseline : Against::exact;
+    const auto* node = reader.find("reference");
+    if (node != nullptr && gate.kind == GateKind::distribution) {
+        std::string problem;
+        gate.law = parse_law(reader.text("reference"), problem);
+        if (!gate.law) reader.fail("reference", problem);
+        gate.against = Against::number;
+    } else if (node != nullptr && node->is_string()) {
+        if (reader.text("reference") != "baseline")
+            reader.fail("reference", R"((a number, or "baseline" for --baseline FILE). Write "baseline".)");
+        gate.against = Against::baseline;
+    } else if (node != nullptr) {
+        if (gate.kind == GateKind::efficiency)
+            reader.fail("reference", "(efficiency is compared with a baseline). Remove the key.");
+        gate.against = Against::number;
+        gate.reference = reader.optional_number("reference");
+        if (spread && *gate.reference <= 0) reader.fail("reference", "(a ratio to it is taken). Give a positive one.");
+        expect_magnitude(reader, "reference", *gate.reference);
+    }
+    gate.reference_se = reader.optional_number("reference_se");
+    if (gate.reference_se && gate.against != Against::number)
+        reader.fail("reference_se",
+                    "(it belongs to a reference that is a number). Remove the key, or add 'reference'.");
+    if (gate.reference_se && *gate.reference_se < 0)
+        reader.fail("reference_se", "(a standard error is not negative). Give 0 or more.");
+    if (gate.reference_se) expect_magnitude(reader, "reference_se", *gate.reference_se);
+}
+
+/// Whether a gate may be looked at after every trial, and what is assumed for that.
+void read_anytime(const TomlReader& reader, Gate& gate) {
+    const auto assumption = reader.optional_choice("anytime", anytime_names, anytime_names.size());
+    if (!assumption) {
+        for (const std::string_view key : {"bounds", "tightest_at"}) {
+            if (reader.has(key)) reader.fail(key, "(it belongs to 'anytime'). Remove the key, or add that.");
+        }
+        return;
+    }
+    gate.anytime = *assumption == 0 ? Anytime::normal : Anytime::bounded;
+    if (gate.kind != GateKind::bias || !reader.has("reference") || reader.has("reference_se"))
+        reader.fail("anytime", "(it is for a bias beside an exact reference, a number). Remove the key.");
+    const bool bounded = gate.anytime == Anytime::bounded;
+    if (reader.has("bounds") != bounded)
+        reader.fail("bounds", bounded ? "missing (between which numbers do all values lie?). Add [low, high]."
+                                      : "(normal values have none). Remove the key, or take anytime = \"bounded\".");
+    if (bounded) {
+        const auto ends = reader.numbers("bounds");
+        if (ends.size() != 2 || !(ends[0] < ends[1]))
+            reader.fail("bounds", "(two numbers, the lower first). Write [0, 1].");
+        for (const double end : ends) expect_magnitude(reader, "bounds", end);
+        gate.bounds = {ends[0], ends[1]};
+    }
+    if (bounded && reader.has("tightest_at"))
+        reader.fail("tightest_at", "(values between bounds need none). Remove the key.");
+    gate.tightest_at = static_cast<double>(reader.optional_count("tightest_at").value_or(100));
+    if (gate.tightest_at < 2) reader.fail("tightest_at", "(a number of trials, at least 2). Try 100.");
+}
+
+/// What a gate on another program's quantity may have.
+void read_reported(const TomlReader& reader, Gate& gate) {
+    static constexpr std::array<std::string_view, 11> known{"name",         "kind",   "quantity",   "reference",
+                                                            "reference_se", "band",   "combine",    "relative",
+                                                            "anytime",      "bounds", "tightest_at"};
+    reader.expect_only(known);
+    static constexpr std::array kinds{GateKind::bias,      GateKind::std,        GateKind::equal,
+                                      GateKind::std_error, GateKind::efficiency, GateKind::distribution};
+    if (std::find(kinds.begin(), kinds.end(), gate.kind) == kinds.end())
+        reader.fail("kind",
+                    "(what another program reports can be gated on bias, std, equal, std_error, efficiency "
+                    "and distribution). Choose one of them.");
+    if (gate.kind == GateKind::std && !reader.has("reference"))
+        reader.fail("reference", "missing (nothing is known about another program's quantity). Add the number.");
+    read_anytime(reader, gate);
+    const auto combine = reader.optional_choice("combine", combination_names, combination_names.size());
+    if (combine) gate.combine = static_cast<Combination>(*combine);
+    if (const auto* node = reader.find("relative")) {
+        if (!node->is_boolean()) reader.fail("relative", "(true or false). Write true.");
+        gate.relative = node->value_or(false);
+    }
+    if (combine && gate.kind == GateKind::distribution)
+        reader.fail("combine", "(all bins of a distribution are one comparison). Remove the key.");
+    if (gate.relative && gate.kind != GateKind::bias && gate.kind != GateKind::equal)
+        reader.fail("relative", "(the band of this kind is of a ratio already). Remove the key.");
+}
+
+Gate read_gate(const TomlReader& reader, const ReadExperiment& read_experiment) {
+    Gate gate;
+    if (!reader.has("kind"))
+        reader.fail("kind", fmt::format("missing. Choose one of {}.", fmt::join(kind_names, ", ")));
+    gate.kind = static_cast<GateKind>(*reader.optional_choice("kind", kind_names, kind_names.size()));
+    gate.quantity = reader.optional_text("quantity").value_or("");
+    if (gate.from_estimates()) {
+        read_reported(reader, gate);
+    } else if (read_experiment) {
+        read_experiment(reader, gate);
+    } else {
+        reader.fail("quantity",
+                    "missing (this program judges what others report; it runs nothing). Add the key, or install the "
+                    "whole of ffstudy.");
+    }
+    gate.name = reader.text("name");
+    for (const auto& [key, text] :
+         {std::pair<std::string_view, std::string_view>{"name", gate.name}, {"quantity", gate.quantity}}) {
+        if (const auto problem = problem_with_name(text); !problem.empty()) reader.fail(key, problem);
+    }
+    expect_own_keys(reader, gate.kind);
+    read_reference(reader, gate);
+    if (gate.from_estimates() && gate.against == Against::baseline && reader.has("reference"))
+        reader.fail("reference", "(a baseline holds our own trials only). Give a number, or a file with --against.");
+    if (gate.from_estimates() && gate.against != Against::number) gate.against = Against::file;
+    const bool of_others =
+        gate.kind == GateKind::equal || gate.kind == GateKind::std_error || gate.kind == GateKind::distribution;
+    if (!gate.from_estimates() && of_others)
+        reader.fail("quantity", fmt::format("missing (a gate of kind \"{}\" is on what another program reports). Add "
+                                            "the key.",
+                                            name(gate.kind)));
+    gate.band = read_band(reader, gate);
+    gate.place = reader.place("band");
+    return gate;
+}
+
+void read_options(const TomlReader& reader, GatesSpec& spec) {
+    static constexpr std::array<std::string_view, 7> known{"alpha",    "power",      "seed",   "looks",
+                                                           "spending", "max_trials", "plugins"};
+    reader.expect_only(known);
+    spec.alpha = reader.optional_number("alpha").value_or(spec.alpha);
+    if (spec.alpha < smallest_alpha || spec.alpha >= 0.5)
+        reader.fail("alpha",
+                    "(the chance of a false alarm anywhere in the file: at least 1e-12, below 0.5). Try 1e-4.");
+    spec.power = reader.optional_number("power").value_or(spec.power);
+    if (spec.power < 0.5 || spec.power > 1 - 1e-9)
+        reader.fail("power", "(at least 0.5, and no finite number of trials makes it 1). Try 0.9.");
+    spec.seed = Seed{reader.optional_count("seed").value_or(spec.seed.value)};
+    spec.looks = reader.optional_count("looks").value_or(spec.looks);
+    if (spec.looks < 1 || spec.looks > 10) reader.fail("looks", "(an undecided gate is judged 1 to 10 times). Try 3.");
+    const auto spending = reader.optional_choice("spending", spending_names, spending_names.size());
+    if (spending) spec.spending = static_cast<Spending>(*spending);
+    spec.max_trials = reader.optional_count("max_trials").value_or(spec.max_trials);
+    if (spec.max_trials < 2 || spec.max_trials > 100'000'000)
+        reader.fail("max_trials", "(of one look: 2 to 100000000). Try 100000.");
+}
+
+}  // namespace
+
+std::string_view name(GateKind kind) {
+    return kind_names.at(static_cast<std::size_t>(kind));
+}
+
+std::string_view name(Combination combination) {
+    return combination_names.at(static_cast<std::size_t>(combination));
+}
+
+std::string_view name(Spending spending) {
+    return spending_names.at(static_cast<std::size_t>(spending));
+}
+
+GatesSpec parse_bands(std::string_view text, std::string_view origin, const ReadExperiment& read_experiment) {
+    const toml::table root = parse_toml(text, origin);
+    const TomlReader file(root, origin);
+    static constexpr std::array<std::string_view, 2> sections{"gates", "gate"};
+    file.expect_only(sections);
+    GatesSpec spec;
+    spec.name = std::filesystem::path(origin).stem().string();
+    if (const auto options = file.optional_table("gates")) read_options(*options, spec);
+    std::set<std::string> names;
+    for (const TomlReader& table : file.tables("gate")) {
+        Gate gate = read_gate(table, read_experiment);
+        if (!names.insert(gate.name).second)
+            table.fail("name", "is used twice (verdicts are found by it). Rename one.");
+        spec.gates.push_back(std::move(gate));
+    }
+    if (spec.gates.empty()) file.fail("gate", "missing (nothing would be checked). Add a [[gate]].");
+    return spec;
+}
+
+GatesSpec load_bands(const std::filesystem::path& file, const ReadExperiment& read_experiment) {
+    return parse_bands(read_text_file(file, FileKind::bands), file.string(), read_experiment);
+}
+
+}  // namespace ff::studies

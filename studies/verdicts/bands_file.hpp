@@ -1,0 +1,23 @@
+#pragma once
+
+#include "studies/readers/toml_reader.hpp"
+#include "studies/verdicts/gate.hpp"
+
+#include <filesystem>
+#include <functional>
+#include <string_view>
+
+namespace ff::studies {
+
+/// Reads scenes, method and what else our own gates have from the table of one, and refuses unknown keys.
+using ReadExperiment = std::function<void(const TomlReader&, Gate&)>;
+
+/// Parses the text of a bands file (docs/gates.md); `origin` names it in messages.
+/// @param read_experiment  of a gate without a quantity; null where there are no experiments: such gates are refused
+/// @throws UserError "origin:line:column: problem (why). Suggestion."
+GatesSpec parse_bands(std::string_view text, std::string_view origin, const ReadExperiment& read_experiment);
+
+/// @throws IoError, UserError
+GatesSpec load_bands(const std::filesystem::path& file, const ReadExperiment& read_experiment);
+
+}  // namespace ff::studies

@@ -1,0 +1,298 @@
+#include "studies/verdicts/estimate_gates.hpp"
+
+#include "core/support/contract.hpp"
+#include "core/support/error.hpp"
+#include "stats/confidence_sequence.hpp"
+#include "stats/quantiles.hpp"
+#include "stats/repeats.hpp"
+#include "stats/serial_correlation.hpp"
+#include "stats/spread.hpp"
+#include "stats/tail_index.hpp"
+#include "studies/verdicts/distribution_gates.hpp"
+#include "studies/verdicts/measurement.hpp"
+#include "studies/verdicts/needed_trials.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace ff::studies {
+namespace {
+
+constexpr double repeat_alpha = 1e-6;
+constexpr double serial_alpha = 0.05;
+constexpr double tail_alpha = 0.005;          // of each tail
+constexpr double largest_vov = 0.1;           // of a healthy mean [pederson1997]
+constexpr double largest_vov_of_few = 10;     // over n: that of an exponential distribution is 8 / n
+constexpr double largest_shape = 2.0 / 3;     // of the outer tenth about the median: an index of 3/2
+constexpr std::size_t fewest_for_tails = 50;  // below, a normal sample may look like anything
+constexpr std::size_t fewest_exceedances = 10;
+constexpr std::size_t enough_for_tails = 1000;  // to show that a tail as light as the exponential one has a variance
+constexpr double light_alpha = 0.05;            // of calling one finite that is not
+constexpr double fewest_effective = 30;         // independent trials that correlated ones have to be worth
+
+[[noreturn]] void refuse(const EstimateSeries& series, const std::string& origin, std::size_t index,
+                         const std::string& problem) {
+    throw UserError(
+        fmt::format("{}:{}:1: the estimates of '{}' {}", origin, series.lines[index], series.quantity, problem));
+}
+
+constexpr std::string_view how_it_happens =
+    "Was every trial seeded alike, or a file joined to itself? Give every trial a seed of its own";
+
+void refuse_repeats(const EstimateSeries& series, const std::string& origin) {
+    const auto& values = series.values;
+    if (std::all_of(values.begin(), values.end(), [&](double value) { return value == values.front(); }))
+        refuse(
+            series, origin, 0,
+            fmt::format("are all {} (no spread is no evidence of precision). {}; a value without randomness needs no "
+                        "trials.",
+                        values.front(), how_it_happens));
+    if (*stats::moments_of(values, values.front()).standard_deviation() < smallest_magnitude)
+        refuse(series, origin, 0,
+               fmt::format("spread by less than {:g} (its powers cannot be computed). Choose another unit.",
+                           smallest_magnitude));
+    if (const auto period = stats::find_period(values, repeat_alpha))
+        refuse(series, origin, *period,
+               fmt::format("repeat from here on those from line {} on (repeated trials are no trials). {}.",
+                           series.lines.front(), how_it_happens));
+    const auto repeats = stats::find_repeats(values);
+    if (repeats && repeats->p < repeat_alpha)
+        refuse(series, origin, repeats->later,
+               fmt::format("repeat: this one is equal to that of line {}, and of {} trials {} repeat an earlier one, "
+                           "where chance makes about {:.2g}. {}.",
+                           series.lines[repeats->earlier], values.size(), repeats->repeats, repeats->expected,
+                           how_it_happens));
+}
+
+/// Index of both tails together by Hill's estimate about the median; empty where too many values are equal to it.
+std::optional<double> outer_index(const std::vector<double>& values) {
+    const double median = stats::quantile(stats::sorted(values), 0.5);
+    std::vector<double> distances = values;
+    for (double& distance : distances) distance = std::abs(distance - median);
+    const auto tail = stats::fit_tail_hill(distances, std::max(fewest_exceedances, values.size() / 10));
+    return tail && tail->shape > largest_shape ? tail->index : std::nullopt;
+}
+
+/// Why no interval of the mean can be believed, in words; empty where nothing speaks against one. No test is enough
+/// alone: tail indices need many values, and the variance of the variance a large one among them.
+std::string heavy_tail(const std::vector<double>& values) {
+    if (values.size() < fewest_for_tails) return {};
+    std::vector<double> mirrored = values;
+    for (double& value : mirrored) value = -value;
+    for (const auto& side : {values, mirrored}) {
+        const auto tail = stats::fit_tail(side);
+        if (!tail) continue;
+        if (stats::judge_variance(*tail, tail_alpha) == stats::VarianceHealth::infinite)
+            return fmt::format("tail index {:.2g}: infinite variance, so no interval holds", *tail->index);
+        const bool light = stats::judge_variance(*tail, light_alpha) == stats::VarianceHealth::finite;
+        if (values.size() >= enough_for_tails && !light)
+            return "the tail may be of infinite variance (its index is not shown to be above 2), so no interval holds";
+    }
+    const auto vov = stats::moments_of(values, values.front()).variance_of_variance();
+    const double largest = std::max(largest_vov, largest_vov_of_few / static_cast<double>(values.size()));
+    if (vov && *vov > largest)
+        return fmt::format(
+            "variance of the variance {:.2g} (above {:.2g}): a few values make the mean, so no interval holds", *vov,
+            largest);
+    if (const auto index = outer_index(values))
+        return fmt::format("the tails look as if their variance were infinite (index {:.2g}), so no interval holds",
+                           *index);
+    return {};
+}
+
+/// By confidence sequences, which hold at all looks together; what would fail is not known.
+Measurement measure_anytime(const Gate& gate, const std::vector<double>& values, const Levels& levels) {
+    const auto interval_at = [&](double level) {
+        auto interval = gate.anytime == Anytime::normal
+                            ? stats::normal_sequence(values, gate.tightest_at, level)
+                            : stats::bounded_sequence(values, gate.bounds.low, gate.bounds.high, level);
+        interval.low -= *gate.reference;
+        interval.high -= *gate.reference;
+        return interval;
+    };
+    return {.value = *stats::moments_of(values, *gate.reference).bias(),
+            .passing = interval_at(1 - 2 * levels.pass_alpha),
+            .failing = interval_at(1 - levels.fail_alpha),
+            .minimum_detectable = std::numeric_limits<double>::infinity()};
+}
+
+/// @throws UserError at a value beyond the bounds that the gate states
+void expect_bounded(const Gate& gate, const EstimateSeries& series, const std::string& origin) {
+    for (std::size_t i = 0; i < series.values.size(); ++i) {
+        if (gate.bounds.holds(series.values[i])) continue;
+        refuse(series, origin, i,
+               fmt::format("leave the bounds {:g} to {:g} of gate \"{}\" ({:g}; no interval holds where an assumption "
+                           "does not). Correct the bounds, for all data anew.",
+                           gate.bounds.low, gate.bounds.high, gate.name, series.values[i]));
+    }
+}
+
+std::optional<Measurement> measurement_of(const Gate& gate, const EstimatesPlan& plan) {
+    const auto& values = plan.series.values;
+    if (gate.anytime != Anytime::no) {
+        if (plan.independence.correlation) return std::nullopt;
+        return measure_anytime(gate, values, plan.levels);
+    }
+    if (gate.kind == GateKind::bias)
+        return measure_unknown_mean(values, {.value = *gate.reference, .standard_error = gate.reference_se.value_or(0)},
+                                    gate.band, plan.levels, plan.independence.correlation);
+    if (gate.kind == GateKind::distribution) {
+        if (plan.independence.correlation) return std::nullopt;
+        if (!plan.other) return measure_distribution(values, *gate.law, plan.levels);
+        if (std::min(values.size(), plan.other->values.size()) < fewest_of_two) return std::nullopt;
+        return measure_distributions(values, plan.other->values, plan.levels);
+    }
+    FF_EXPECT(gate.kind == GateKind::std);
+    const auto spread = stats::spread_of(stats::moments_of(values, values.front()));
+    if (!spread || plan.independence.correlation) return std::nullopt;
+    return measure_spread(*spread, *gate.reference, gate.band, plan.levels);
+}
+
+/// What the measurement cannot say, in words.
+std::string missing(const Gate& gate, const EstimatesPlan& plan, const Comparison& row) {
+    if (gate.kind == GateKind::distribution) {
+        if (row.measurement) return {};
+        return plan.independence.correlation
+                   ? "correlated values crowd as no independent ones do: their distribution is not judged"
+                   : fmt::format("fewer than {} values in one of the files", fewest_of_two);
+    }
+    if (gate.anytime != Anytime::no) {
+        if (!row.measurement) return "correlated values break the assumption of an anytime gate";
+        return gate.anytime == Anytime::normal
+                   ? "at any time: assumes independent normal values, and every look at the same trials with more added"
+                   : "at any time: assumes values between the bounds, with one mean, and every look at the same trials "
+                     "with more added";
+    }
+    if (!row.measurement) return plan.independence.correlation ? "their spread cannot be judged" : "no spread";
+    const Measurement& m = *row.measurement;
+    if (row.verdict != Verdict::inconclusive || !(m.passing_is_open || m.below_is_open || m.above_is_open)) return {};
+    const auto moments = stats::moments_of(plan.series.values, *gate.reference);
+    return fmt::format("skewness {:.2g} of {} trials: too skewed, or too few, for intervals at these levels",
+                       moments.skewness().value_or(0), plan.series.values.size());
+}
+
+/// Of a trial, by those at hand, as if they were independent.
+double spread_of_trials(const EstimatesPlan& plan) {
+    const auto& values = plan.series.values;
+    const double time = plan.independence.correlation ? plan.independence.correlation->time : 1;
+    return *stats::moments_of(values, values.front()).standard_deviation() * std::sqrt(time);
+}
+
+std::optional<std::uint64_t> trials_for_spread(const Gate& gate, const EstimatesPlan& plan) {
+    const auto& values = plan.series.values;
+    return trials_for_ratio(gate.band, stats::moments_of(values, values.front()).excess_kurtosis().value_or(0),
+                            std::numeric_limits<double>::infinity(), plan.levels, 1);
+}
+
+[[noreturn]] void refuse_hopeless(const Gate& gate) {
+    throw UserError(
+        fmt::format("{}: no number of trials can decide (the reference is too uncertain for this band, or the band "
+                    "is far below the noise). Widen the band, or find a better reference.",
+                    gate.place));
+}
+
+/// The trials of the second file: of the same quantity, and of no run that the first has.
+void add_other(const Gate& gate, const EstimatesFile& against, EstimatesPlan& plan) {
+    plan.other = find_series(against, gate.quantity, gate.place);
+    const auto second = examine_independence(*plan.other, against.origin);
+    if (plan.other->values == plan.series.values)
+        throw UserError(
+            fmt::format("{}: '{}' has the same values in both files (a file is equal to itself; that shows nothing). "
+                        "Compare runs with random numbers of their own.",
+                        gate.place, gate.quantity));
+    if (!plan.independence.correlation && second.correlation) plan.independence = second;
+}
+
+std::uint64_t trials_for_distribution(const Gate& gate, const EstimatesPlan& plan) {
+    return values_for_distance(gate.band.high, plan.levels, plan.other ? 2 : 1);
+}
+
+/// All but the number of trials that are needed.
+EstimatesPlan examine(const GatesSpec& spec, const Gate& gate, const EstimatesFile& file,
+                      const EstimatesFile* against) {
+    FF_EXPECT(gate.from_estimates() && (gate.reference || gate.law || against != nullptr));
+    EstimatesPlan plan;
+    plan.gate = gate.name;
+    plan.kind = gate.kind;
+    plan.series = find_series(file, gate.quantity, gate.place);
+    if (gate.anytime == Anytime::bounded) expect_bounded(gate, plan.series, file.origin);
+    plan.independence = examine_independence(plan.series, file.origin);
+    GatesSpec one_look = spec;  // nothing can be added to a file
+    one_look.looks = 1;
+    plan.levels = levels_of(one_look, 1);
+    if (gate.kind == GateKind::distribution) {
+        if (!gate.law) add_other(gate, *against, plan);
+        return plan;
+    }
+    const bool decidable = gate.kind == GateKind::std ? trials_for_spread(gate, plan).has_value()
+                                                      : can_decide_mean(gate.band.high, spread_of_trials(plan),
+                                                                        gate.reference_se.value_or(0), plan.levels, 1);
+    if (!decidable) refuse_hopeless(gate);
+    return plan;
+}
+
+}  // namespace
+
+Independence examine_independence(const EstimateSeries& series, const std::string& origin) {
+    refuse_repeats(series, origin);
+    const auto test = stats::test_serial_correlation(series.values);
+    if (!test || test->p >= serial_alpha) return {};
+    const auto correlation = stats::autocorrelation_of(series.values);
+    if (correlation.time <= 1) return {};
+    const double effective = static_cast<double>(series.values.size()) / correlation.time;
+    Independence found;
+    found.correlation = correlation;
+    found.note = fmt::format("trials are serially correlated (lag 1: {:.2g}, p = {:.1g}): {} are worth {:.0f}",
+                             test->first, test->p, series.values.size(), effective);
+    found.enough = effective >= fewest_effective;
+    return found;
+}
+
+EstimatesPlan plan_estimates(const GatesSpec& spec, const Gate& gate, const EstimatesFile& file,
+                             const EstimatesFile* against) {
+    EstimatesPlan plan = examine(spec, gate, file, against);
+    if (gate.kind == GateKind::distribution) {
+        plan.needed = trials_for_distribution(gate, plan);
+        return plan;
+    }
+    const auto needed = gate.kind == GateKind::std ? trials_for_spread(gate, plan)
+                                                   : trials_for_mean(gate.band.high, spread_of_trials(plan), 0,
+                                                                     gate.reference_se.value_or(0), plan.levels, 1);
+    if (!needed) refuse_hopeless(gate);
+    plan.needed = *needed;
+    return plan;
+}
+
+GateResult judge_estimates(const GatesSpec& spec, const Gate& gate, const EstimatesFile& file,
+                           const EstimatesFile* against) {
+    const EstimatesPlan plan = examine(spec, gate, file, against);
+    Comparison row;
+    row.quantity = gate.quantity;
+    row.band = gate.band;
+    row.levels = plan.levels;
+    row.trials = plan.series.values.size();
+    row.note = plan.independence.note;
+    const bool of_moments = gate.kind != GateKind::distribution && gate.anytime != Anytime::bounded;
+    if (const std::string reason = of_moments ? heavy_tail(plan.series.values) : ""; !reason.empty()) {
+        row.note = reason;
+    } else if (of_moments && !plan.independence.enough) {
+        row.note += ", too few to judge by";
+    } else {
+        row.measurement = measurement_of(gate, plan);
+        row.verdict = judge(row.measurement, row.band);
+        const std::string open = missing(gate, plan, row);
+        row.note += row.note.empty() || open.empty() ? open : "; " + open;
+    }
+    return {.gate = gate.name,
+            .kind = gate.kind,
+            .verdict = row.verdict,
+            .comparisons = {row},
+            .looks = 1,
+            .evaluations = 0,
+            .note = row.note};
+}
+
+}  // namespace ff::studies

@@ -1,0 +1,179 @@
+#include "studies/verdicts/estimates_file.hpp"
+
+#include "core/support/error.hpp"
+#include "core/support/excerpt.hpp"
+#include "core/support/nearest_name.hpp"
+#include "studies/readers/csv_reader.hpp"
+#include "studies/readers/text_file.hpp"
+#include "studies/verdicts/gate.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <tuple>
+
+namespace ff::studies {
+namespace {
+
+enum Column : std::size_t { trial, quantity, estimate };
+constexpr std::array<std::string_view, 3> column_names{"trial", "quantity", "estimate"};
+
+/// Where each column stands in a record.
+using Header = std::array<std::size_t, column_names.size()>;
+
+struct Row {
+    std::uint64_t trial = 0;
+    double value = 0;
+    std::size_t line = 0;
+};
+using RowsByQuantity = std::map<std::string, std::vector<Row>>;
+
+std::string_view trimmed(std::string_view text) {
+    constexpr std::string_view blanks = " \t";
+    const auto first = text.find_first_not_of(blanks);
+    if (first == std::string_view::npos) return {};
+    return text.substr(first, text.find_last_not_of(blanks) - first + 1);
+}
+
+/// The whole of the text as a number; empty where it is none.
+template <class Number>
+std::optional<Number> parse_number(std::string_view text) {
+    Number number{};
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    return error == std::errc() && end == text.data() + text.size() ? std::optional(number) : std::nullopt;
+}
+
+Header read_header(CsvReader& reader, std::string_view origin) {
+    std::vector<CsvField> record;
+    if (!reader.next(record))
+        throw UserError(fmt::format("{}:1:1: the file is empty (no estimates). Begin it with the line {}.", origin,
+                                    fmt::join(column_names, ",")));
+    std::array<std::optional<std::size_t>, column_names.size()> found;
+    for (std::size_t i = 0; i < record.size(); ++i) {
+        const std::string_view text = trimmed(record[i].text);
+        const auto* const known = std::find(column_names.begin(), column_names.end(), text);
+        if (known == column_names.end())
+            reader.fail(record[i],
+                        fmt::format("column '{}' is unknown. {}The columns are {}, between commas.", excerpt(text),
+                                    did_you_mean(text, column_names), fmt::join(column_names, ", ")));
+        auto& place = found.at(static_cast<std::size_t>(known - column_names.begin()));
+        if (place) reader.fail(record[i], fmt::format("column '{}' stands twice. Keep one.", text));
+        place = i;
+    }
+    Header header{};
+    for (std::size_t i = 0; i < found.size(); ++i) {
+        if (!found[i])
+            reader.fail(record.front(), fmt::format("column '{}' is missing (the columns are {}). Add it.",
+                                                    column_names[i], fmt::join(column_names, ", ")));
+        header[i] = *found[i];
+    }
+    return header;
+}
+
+std::string_view cell(const CsvReader& reader, const std::vector<CsvField>& record, const Header& header,
+                      Column column) {
+    const CsvField& field = record[header[column]];
+    const std::string_view text = trimmed(field.text);
+    if (text.empty())
+        reader.fail(field, fmt::format("no {} (an empty cell). Fill it, or leave the line out.", column_names[column]));
+    return text;
+}
+
+Row read_row(const CsvReader& reader, const std::vector<CsvField>& record, const Header& header) {
+    const std::string_view trial_text = cell(reader, record, header, trial);
+    const auto number = parse_number<std::uint64_t>(trial_text);
+    if (!number)
+        reader.fail(record[header[trial]],
+                    fmt::format("trial = '{}' (not a whole number from 0 up). Number the trials 0, 1, 2, ...",
+                                excerpt(trial_text)));
+    const std::string_view text = cell(reader, record, header, estimate);
+    const auto value = parse_number<double>(text);
+    if (!value)
+        reader.fail(record[header[estimate]],
+                    fmt::format("estimate = '{}' (not a number). Write it like 0.19982 or 2.5e-3.", excerpt(text)));
+    if (!std::isfinite(*value))
+        reader.fail(
+            record[header[estimate]],
+            fmt::format("estimate = '{}' (not a finite number; a mean of it would mean nothing). Find out why the "
+                        "program gave it.",
+                        excerpt(text)));
+    if (std::abs(*value) > largest_magnitude)
+        reader.fail(record[header[estimate]],
+                    fmt::format("estimate = '{}' (beyond {:g}: its powers cannot be computed). Choose another unit.",
+                                excerpt(text), largest_magnitude));
+    return {.trial = *number, .value = *value, .line = record.front().line};
+}
+
+RowsByQuantity read_rows(CsvReader& reader, const Header& header) {
+    RowsByQuantity rows;
+    std::vector<CsvField> record;
+    while (reader.next(record)) {
+        if (record.size() != header.size())
+            reader.fail(record.front(),
+                        fmt::format("{} cell(s) (there are {} columns). Numbers have a decimal point, and "
+                                    "cells with commas stand in quotes.",
+                                    record.size(), header.size()));
+        rows[std::string(cell(reader, record, header, quantity))].push_back(read_row(reader, record, header));
+    }
+    return rows;
+}
+
+EstimateSeries make_series(const std::string& quantity, std::vector<Row> rows, std::string_view origin) {
+    std::sort(rows.begin(), rows.end(),
+              [](const Row& a, const Row& b) { return std::tie(a.trial, a.line) < std::tie(b.trial, b.line); });
+    EstimateSeries series{.quantity = quantity, .values = {}, .lines = {}};
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        if (i > 0 && rows[i].trial == rows[i - 1].trial)
+            throw UserError(
+                fmt::format("{}:{}:1: trial {} gives '{}' again (line {} has it already; counted twice, it "
+                            "would look like more trials than there were). Remove one.",
+                            origin, rows[i].line, rows[i].trial, quantity, rows[i - 1].line));
+        series.values.push_back(rows[i].value);
+        series.lines.push_back(rows[i].line);
+    }
+    if (rows.size() < fewest_estimates)
+        throw UserError(
+            fmt::format("{}:{}:1: '{}' has {} row(s) (spread and independence cannot be judged below {} "
+                        "trials). Run more trials; 50 to 200 are usual.",
+                        origin, rows.back().line, quantity, rows.size(), fewest_estimates));
+    return series;
+}
+
+}  // namespace
+
+EstimatesFile parse_estimates(std::string_view text, std::string_view origin) {
+    CsvReader reader(text, origin);
+    const Header header = read_header(reader, origin);
+    EstimatesFile file{.origin = std::string(origin), .series = {}};
+    for (auto& [name, rows] : read_rows(reader, header))
+        file.series.push_back(make_series(name, std::move(rows), origin));
+    if (file.series.empty())
+        throw UserError(
+            fmt::format("{}:1:1: no rows below the header (no estimates). Add one for each trial.", origin));
+    return file;
+}
+
+EstimatesFile load_estimates_file(const std::filesystem::path& file) {
+    return parse_estimates(read_text_file(file, FileKind::estimates), file.string());
+}
+
+const EstimateSeries& find_series(const EstimatesFile& file, std::string_view wanted, std::string_view place) {
+    std::vector<std::string_view> names;
+    for (const EstimateSeries& series : file.series) {
+        if (series.quantity == wanted) return series;
+        names.emplace_back(series.quantity);
+    }
+    constexpr std::size_t most_shown = 10;
+    std::vector<std::string_view> shown = names;
+    shown.resize(std::min(names.size(), most_shown));
+    throw UserError(fmt::format("{}: quantity = \"{}\" ({} has no such estimates). {}It has: {}{}.", place, wanted,
+                                file.origin, did_you_mean(wanted, names), fmt::join(shown, ", "),
+                                names.size() > most_shown ? ", ..." : ""));
+}
+
+}  // namespace ff::studies

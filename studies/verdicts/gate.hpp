@@ -1,0 +1,139 @@
+#pragma once
+
+#include "core/points/stream.hpp"
+#include "studies/verdicts/known_law.hpp"
+#include "studies/verdicts/verdict.hpp"
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace ff::studies {
+
+/// Numbers of bands, references and estimates: their fourth powers are doubles.
+inline constexpr double largest_magnitude = 1e75;
+inline constexpr double smallest_magnitude = 1e-75;
+
+/// Smallest risks that are computed: of a file, and of one comparison when it is shared.
+inline constexpr double smallest_alpha = 1e-12;
+inline constexpr double smallest_shared_alpha = 1e-14;
+
+/// What a gate watches. The effect that its band speaks of stands behind each.
+enum class GateKind {
+    bias,         ///< mean estimate minus reference
+    std,          ///< standard deviation of a trial over the reference
+    rmse,         ///< root mean squared error of a trial over the reference
+    closure,      ///< mean row sum minus 1 (minus the exact sum in an open scene)
+    reciprocity,  ///< mean of F_ij - A_j F_ji / A_i
+    lost_rays,    ///< share of rays that hit nothing
+    coverage,     ///< share of confidence intervals that hold the exact value
+    slope,        ///< rate of the RMSE along a ladder of sizes
+    efficiency,   ///< 1 / (variance * evaluations) over the baseline's
+
+    // Of what another program reports.
+    equal,         ///< mean minus that of a second file
+    std_error,     ///< spread of means between runs over the standard errors that they state
+    distribution,  ///< distance between distributions: Kolmogorov's of values, Cohen's w of counts
+};
+
+std::string_view name(GateKind kind);
+
+/// How the bins of an array answer to one alpha.
+enum class Combination {
+    holm,    ///< each bin at its share: names the bins
+    simes,   ///< all together, for bins that are independent or vary in the same direction
+    cauchy,  ///< all together, for bins that are correlated in any way
+};
+
+std::string_view name(Combination combination);
+
+/// What is assumed of the values of a gate that may be looked at after every one of them.
+enum class Anytime {
+    no,       ///< it may not
+    normal,   ///< independent and normal, e.g. means of many samples
+    bounded,  ///< between two bounds, each with the same mean whatever came before
+};
+
+/// How looks at a commit share alpha. Nothing is assumed of how their data hang together.
+enum class Spending {
+    halving,         ///< look k has 1 / 2^k of it; as many looks as there may be
+    pocock,          ///< `looks` of them, with about as much each [lan1983]
+    obrien_fleming,  ///< `looks` of them, with little for the first and most for the last [lan1983]
+};
+
+std::string_view name(Spending spending);
+
+/// What the effect is measured from.
+enum class Against {
+    exact,     ///< computed from the scene
+    number,    ///< `reference` in the bands file
+    baseline,  ///< the same gate in a file that --save-baseline wrote
+    file,      ///< the same quantity in a second file of another program
+};
+
+/// Intervals whose coverage can be gated.
+enum class IntervalMethod { student_t, normal, percentile_bootstrap, wilson, clopper_pearson, wald };
+
+std::string_view name(IntervalMethod method);
+
+/// Counts hits within one trial, instead of taking the mean of several.
+bool is_binomial(IntervalMethod method);
+
+/// Scenes and a method: what our own gates run (gates/experiment.hpp). Judging what others report needs none of it.
+struct Experiment;
+
+/// One [[gate]] of a bands file.
+struct Gate {
+    std::string name;
+    GateKind kind = GateKind::bias;
+    std::string place;  ///< "file:line:column" of the gate's band, for messages that only the plan can give
+    Band band;
+
+    std::shared_ptr<const Experiment> experiment;  ///< null for estimates that another program made
+    std::vector<std::string> pairs;                ///< "all", a class, or pairs "1-6"
+    std::string pairs_place;
+
+    std::optional<std::uint64_t> trials;  ///< instead of a planned number
+    Against against = Against::exact;
+    std::optional<double> reference;     ///< for Against::number
+    std::optional<double> reference_se;  ///< of `reference`
+    std::optional<KnownLaw> law;         ///< `reference` of a distribution
+    std::string quantity;                ///< in a file of estimates; empty for our own
+
+    IntervalMethod interval = IntervalMethod::student_t;  ///< coverage
+    double interval_level = 0.95;                         ///< coverage
+    std::uint64_t replicates = 10;                        ///< coverage: trials behind one interval
+    Combination combine = Combination::holm;              ///< bins of a quantity
+    bool relative = false;                                ///< the band is a share of each bin's reference
+    Anytime anytime = Anytime::no;
+    Band bounds;               ///< of the values, where that is assumed
+    double tightest_at = 100;  ///< values at which an anytime gate on normal ones sees most
+    double detects = 1e-6;     ///< lost_rays with a band of zero: share of lost rays that has to be noticed
+
+    [[nodiscard]] bool from_estimates() const { return !quantity.empty(); }
+};
+
+/// What a bands file says.
+struct GatesSpec {
+    std::string name;          ///< of the file, without folder and extension
+    double alpha = 1e-4;       ///< family-wise, of a failure anywhere in the file where all effects are in their bands
+    double pass_alpha = 0.05;  ///< of a pass, for each gate whose effect is at an end of its band or beyond
+    double power = 0.9;        ///< with which a gate passes where there is no effect
+    Seed seed{1};
+    std::uint64_t looks = 3;  ///< times that an undecided gate is judged, each time with as many trials more
+    Spending spending = Spending::halving;  ///< of looks at a commit (--again)
+    std::uint64_t max_trials = 100'000;     ///< of one look
+    std::vector<Gate> gates;
+};
+
+/// Levels of one comparison at one look: the file's alpha is shared equally among gates, looks and comparisons
+/// (Bonferroni: gates on the same cell share trials), a gate's pass_alpha among its looks only, since all comparisons
+/// have to pass (intersection-union).
+/// @param comparisons  of this gate; at least 1
+/// @throws UserError where alpha is shared among so many that each would be below smallest_shared_alpha
+Levels levels_of(const GatesSpec& spec, std::size_t comparisons);
+
+}  // namespace ff::studies

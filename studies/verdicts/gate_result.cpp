@@ -1,0 +1,45 @@
+#include "studies/verdicts/gate_result.hpp"
+
+#include "core/support/contract.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <tuple>
+
+namespace ff::studies {
+namespace {
+
+int severity(Verdict verdict) {
+    return verdict == Verdict::fail ? 2 : verdict == Verdict::inconclusive ? 1 : 0;
+}
+
+/// How far the middle of the interval lies from the middle of the band, in half widths of the band; of one end where
+/// the other is infinite.
+double strain(const Comparison& comparison) {
+    if (!comparison.measurement) return std::numeric_limits<double>::infinity();
+    const Band& band = comparison.band;
+    const auto& interval = comparison.measurement->passing;
+    const double above = interval.high - band.high;
+    const double below = band.low - interval.low;
+    const double width = std::isfinite(band.high - band.low) ? band.high - band.low : 1.0;
+    return std::max(above, below) / std::max(width, std::numeric_limits<double>::min());
+}
+
+}  // namespace
+
+Verdict verdict_of(const std::vector<Comparison>& comparisons) {
+    if (comparisons.empty()) return Verdict::inconclusive;
+    Verdict verdict = Verdict::pass;
+    for (const Comparison& comparison : comparisons) verdict = together(verdict, comparison.verdict);
+    return verdict;
+}
+
+const Comparison& decisive(const std::vector<Comparison>& comparisons) {
+    FF_EXPECT(!comparisons.empty());
+    return *std::max_element(comparisons.begin(), comparisons.end(), [](const Comparison& a, const Comparison& b) {
+        return std::tuple(severity(a.verdict), strain(a)) < std::tuple(severity(b.verdict), strain(b));
+    });
+}
+
+}  // namespace ff::studies

@@ -1,0 +1,51 @@
+#pragma once
+
+#include "studies/verdicts/gate.hpp"
+#include "studies/verdicts/verdict.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace ff::studies {
+
+/// One effect of a gate: a row of verdicts.csv. Labels that do not apply are empty.
+struct Comparison {
+    std::string scene;
+    std::string method;                             ///< "sampler estimator"
+    std::optional<std::uint32_t> patches_per_face;  ///< empty for a ladder of them
+    std::optional<std::uint64_t> samples_per_patch;
+    std::string from_face;
+    std::string to_face;
+    std::string quantity;  ///< what the value is, e.g. "bias"
+    Band band;
+    std::optional<Measurement> measurement;  ///< empty where the trials cannot carry an interval; `note` says why
+    Verdict verdict = Verdict::inconclusive;
+    Levels levels;
+    std::uint64_t trials = 0;  ///< behind the measurement, over all looks
+    std::string note;
+};
+
+/// What a gate found.
+struct GateResult {
+    std::string gate;
+    GateKind kind = GateKind::bias;
+    Verdict verdict = Verdict::inconclusive;
+    std::vector<Comparison> comparisons;
+    std::uint64_t looks = 1;        ///< at which it was decided
+    std::uint64_t evaluations = 0;  ///< rays and kernel values, those of the pilot included
+    std::string note;               ///< in words, what decided or what is missing
+    std::size_t compared = 0;       ///< bins behind the verdict, where only the worst are among the comparisons
+    std::vector<std::uint64_t> scores = {};  ///< of bins by standardised difference (standardised_bins.hpp)
+};
+
+/// The verdict of its comparisons together; a gate without any is inconclusive.
+Verdict verdict_of(const std::vector<Comparison>& comparisons);
+
+/// The comparison that speaks most against a pass: one that fails, else one that is undecided, else the one whose
+/// interval comes closest to the end of its band.
+/// @pre not empty
+const Comparison& decisive(const std::vector<Comparison>& comparisons);
+
+}  // namespace ff::studies

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace ff::studies {
+
+/// A continuous distribution with given parameters.
+struct KnownLaw {
+    enum class Family { uniform, normal, exponential } family = Family::uniform;
+    double first = 0;   ///< low end, mean, mean
+    double second = 1;  ///< high end, standard deviation, unused
+};
+
+/// P(X <= x).
+double cumulative(const KnownLaw& law, double x);
+
+/// Reads "normal(0, 1)", "uniform(0, 1)" or "exponential(1)"; sets `problem`, in the form "(why). Suggestion.", where
+/// it is none of them, or where parameters are missing: fitted to the values that are tested they would change the
+/// critical values.
+std::optional<KnownLaw> parse_law(std::string_view text, std::string& problem);
+
+}  // namespace ff::studies

@@ -1,0 +1,54 @@
+#pragma once
+
+#include "stats/binomial.hpp"
+#include "stats/convergence.hpp"
+#include "stats/moments.hpp"
+#include "stats/serial_correlation.hpp"
+#include "stats/spread.hpp"
+#include "studies/verdicts/verdict.hpp"
+
+#include <limits>
+#include <optional>
+#include <span>
+
+namespace ff::studies {
+
+/// How each kind of effect is measured. Numbers in, numbers out: nothing here knows where the values come from. Empty
+/// where the values cannot carry an interval (too few, or all equal).
+
+/// What a mean is compared with.
+struct MeanReference {
+    double value = 0;
+    double standard_error = 0;                                 ///< 0 for an exact value
+    double freedom = std::numeric_limits<double>::infinity();  ///< of that standard error
+};
+
+/// Mean minus reference. Student's t; with an uncertain reference Welch's [welch1947].
+/// @pre moments.reference() == reference.value
+std::optional<Measurement> measure_mean(const stats::Moments& moments, const MeanReference& reference, const Band& band,
+                                        const Levels& levels);
+
+/// The same for values of which nothing is known beforehand: they may be skewed (stats/skewed_mean.hpp), and each may
+/// resemble the one before.
+/// @param correlation  of the values in their order; that of independent ones by default
+std::optional<Measurement> measure_unknown_mean(std::span<const double> values, const MeanReference& reference,
+                                                const Band& band, const Levels& levels,
+                                                const std::optional<stats::Autocorrelation>& correlation = {});
+
+/// Root of a mean square (standard deviation or RMSE) over a known one, > 0.
+Measurement measure_spread(const stats::Spread& spread, double reference, const Band& band, const Levels& levels);
+
+/// Root mean square over that of an independent sample.
+Measurement measure_spread(const stats::Spread& spread, const stats::Spread& reference, const Band& band,
+                           const Levels& levels);
+
+/// The probability behind independent trials, by Clopper and Pearson. @pre counts.trials >= 1
+Measurement measure_proportion(const stats::Proportion& counts, const Band& band, const Levels& levels);
+
+/// Rate of the RMSE along a ladder.
+std::optional<Measurement> measure_slope(std::span<const stats::Rung> ladder, const Band& band, const Levels& levels);
+
+/// A value that does not vary: one evaluation decides.
+Measurement measure_exactly(double value, const Band& band);
+
+}  // namespace ff::studies

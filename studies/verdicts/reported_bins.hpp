@@ -1,0 +1,63 @@
+#pragma once
+
+#include "studies/verdicts/gate.hpp"
+#include "studies/verdicts/gate_result.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace ff::studies {
+
+/// The effect in one bin, of what another program reports. A million of them are judged in a second, so intervals are
+/// made for the worst alone.
+struct BinEffect {
+    double value = 0;          ///< a difference, or a ratio
+    double error = 0;          ///< of a difference: its standard error, > 0
+    double freedom = 0;        ///< of that error, or of a ratio's numerator; may be infinite
+    double freedom_below = 0;  ///< of a ratio's denominator; may be infinite
+    Band band;
+    std::uint32_t name = 0;  ///< of the bin, as the caller numbers it
+};
+
+/// What effects are: differences are judged by Student's t, ratios of standard deviations by F, and ratios of variances
+/// (efficiencies) by F too.
+enum class EffectScale { difference, ratio_of_deviations, ratio_of_variances };
+
+/// The bins of one gate.
+struct BinEffects {
+    EffectScale scale = EffectScale::difference;
+    std::vector<BinEffect> bins;
+};
+
+/// The p-value of "the effect lies in the band": twice that of the nearer end, 1 inside.
+double p_value(const BinEffect& bin, EffectScale scale);
+
+/// Both intervals of one bin.
+Measurement measure_bin(const BinEffect& bin, EffectScale scale, const Levels& levels);
+
+/// All bins under one verdict. Fail: by Holm some bin, by a global test the bins together lie outside the band at
+/// `alpha`. Pass: each bin's passing interval lies inside (an intersection-union test).
+struct BinsVerdict {
+    Verdict verdict = Verdict::inconclusive;
+    double p = 1;                    ///< of all bins together
+    std::size_t rejected = 0;        ///< bins that lie outside by Holm
+    std::size_t undecided = 0;       ///< bins that are neither inside nor outside
+    std::vector<std::size_t> worst;  ///< indices of bins, the worst first, at most `most_named`
+};
+inline constexpr std::size_t most_named = 100;
+
+/// @param alpha  of this gate, for all its bins    @pre at least one bin
+BinsVerdict judge_bins(const BinEffects& effects, Combination combine, double alpha, double pass_alpha);
+
+/// Standardised differences value / error are counted in steps of half a standard error from -8 to 8; what lies beyond
+/// is counted in the first and in the last.
+inline constexpr double score_step = 0.5;
+inline constexpr double largest_score = 8;
+std::vector<std::uint64_t> count_scores(const std::vector<BinEffect>& bins);
+
+/// Root mean square of the standardised differences: 1 where errors are right and nothing differs.
+double rms_score(const std::vector<BinEffect>& bins);
+
+}  // namespace ff::studies

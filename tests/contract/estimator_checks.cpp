@@ -1,0 +1,136 @@
+#include "tests/contract/estimator_checks.hpp"
+
+#include "samplers/sampler.hpp"
+#include "tests/support/statistical_assertions.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+namespace ff::test {
+namespace {
+
+using testing::AssertionFailure;
+using testing::AssertionResult;
+using testing::AssertionSuccess;
+
+constexpr std::uint32_t trials = 64;
+
+std::uint64_t samples(const EstimatorInfo& info) {
+    return info.points == PointsServe::pairs ? 256 : info.points == PointsServe::patches ? 1024 : 0;
+}
+
+/// An estimator on a scene, with points of its own.
+class Ready {
+  public:
+    Ready(const EstimatorEntry& entry, Scene scene)
+        : scene_(std::move(scene)), estimator_(entry.make(scene_, TracerChoice::automatic)) {
+        if (entry.info.takes_points())
+            points_ =
+                samplers::find(samplers::yardstick().name).make({samples(entry.info), entry.info.dimension, 0, 0});
+    }
+
+    Eigen::MatrixXd trial(std::uint32_t number) const {
+        Outcome outcome;
+        PatchTotals totals;
+        estimator_->observe({.subdivision = {2},
+                             .points = points_.get(),
+                             .samples = points_ ? points_->points() : 0,
+                             .options = {},
+                             .key = {0x12345678, 0x9abcdef0},
+                             .trial = number},
+                            outcome, totals);
+        return outcome.estimates;
+    }
+
+  private:
+    Scene scene_;
+    std::unique_ptr<const PointSource> points_;
+    std::unique_ptr<const Estimator> estimator_;
+};
+
+/// A scene of the catalogue that an estimator can do.
+Scene scene_for(const EstimatorEntry& estimator) {
+    for (const std::string_view name : configuration_scene_names()) {
+        Scene scene = *configuration_scene(name);
+        if (estimator.refusal({}, scene).empty()) return scene;
+    }
+    throw std::logic_error("an estimator that can do no scene of the catalogue");
+}
+
+}  // namespace
+
+double noticed_bias(double factor) {
+    return 0.03 * std::sqrt(factor);
+}
+
+AssertionResult declares_itself(const EstimatorEntry& estimator) {
+    const EstimatorInfo& info = estimator.info;
+    for (const std::string_view text : {info.name, info.summary, info.details, info.reference, info.evaluations}) {
+        if (text.empty()) return AssertionFailure() << info.name << " leaves a text empty";
+    }
+    if (info.dimension > max_dimension) return AssertionFailure() << "points of " << info.dimension << " coordinates";
+    if (info.takes_points() != (info.points != PointsServe::nothing))
+        return AssertionFailure() << info.dimension << " coordinates, but `points` says otherwise";
+    if (info.observes == Observes::hits && info.points != PointsServe::patches)
+        return AssertionFailure() << "hits are of rays from patches";
+    if (!(estimator.nanoseconds({}, scene_for(estimator)) > 0)) return AssertionFailure() << "costs nothing";
+    return AssertionSuccess();
+}
+
+AssertionResult says_why_not(const EstimatorEntry& estimator) {
+    for (const std::string_view name : configuration_scene_names()) {
+        const std::string refusal = estimator.refusal({}, *configuration_scene(name));
+        if (refusal.empty()) continue;
+        for (const std::string_view part : {name, std::string_view("("), std::string_view("). Use ")}) {
+            if (refusal.find(part) == std::string::npos)
+                return AssertionFailure() << "\"" << refusal << "\" lacks \"" << part << "\"";
+        }
+    }
+    return AssertionSuccess();
+}
+
+AssertionResult depends_on_its_task(const EstimatorEntry& estimator) {
+    bool trials_differ = false;
+    for (const std::string_view name : configuration_scene_names()) {
+        const Scene scene = *configuration_scene(name);
+        if (!estimator.refusal({}, scene).empty()) continue;
+        const Ready ready(estimator, scene);
+        const Eigen::MatrixXd estimates = ready.trial(3);
+        if (ready.trial(3) != estimates) return AssertionFailure() << "the same trial differs in scene " << name;
+        trials_differ = trials_differ || ready.trial(4) != estimates;
+    }
+    if (trials_differ != estimator.info.takes_points())
+        return AssertionFailure() << "trials differ if and only if they have points";
+    return AssertionSuccess();
+}
+
+AssertionResult is_unbiased(const EstimatorEntry& estimator, const Configuration& configuration) {
+    const Scene scene =
+        configuration.scene != nullptr ? configuration.scene() : configuration_scene(configuration.scene_name).value();
+    const auto [from, to] = std::pair(configuration.from, configuration.to);
+    if (!estimator.refusal({}, scene).empty() || !estimator.finite_variance({}, scene, from, to))
+        return AssertionSuccess();
+    const auto exact = static_cast<double>(configuration.exact());
+    const Ready ready(estimator, scene);
+    if (!estimator.info.takes_points()) {
+        const double error = std::abs(ready.trial(0)(from, to) - exact);
+        if (error <= 1e-12) return AssertionSuccess();
+        return AssertionFailure() << "off by " << error;
+    }
+    std::vector<double> estimates;
+    for (std::uint32_t trial = 0; trial < trials; ++trial) estimates.push_back(ready.trial(trial)(from, to));
+    // Values that differ by rounding alone have no spread to judge by.
+    const auto [least, most] = std::minmax_element(estimates.begin(), estimates.end());
+    if (*most - *least < 1e-13) {
+        const double error = std::abs(*least - exact);
+        if (error <= 1e-12) return AssertionSuccess();
+        return AssertionFailure() << "off by " << error << " in every trial";
+    }
+    return unbiased(estimates, exact, {.alpha = 1e-8, .detects = noticed_bias(exact)});
+}
+
+}  // namespace ff::test

@@ -1,0 +1,63 @@
+#include "reports/text/text_table.hpp"
+
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+namespace ff::reports {
+namespace {
+
+Table errors() {
+    return {"errors",
+            "",
+            "",
+            {{"method", false, ""}, {"parallel", true, "RMSE"}, {"adjacent", true, "RMSE"}, {"verdict", false, ""}},
+            {{{"sobol", Mark::none}, {"1.5e-3", Mark::none}, {"2e-3", Mark::none}, {"no bias found", Mark::good}},
+             {{"random", Mark::none}, {"0.1", Mark::none}, {"", Mark::none}, {"", Mark::none}}},
+            {}};
+}
+
+TEST(TextTable, IsAsWideAsItHasToBe) {
+    EXPECT_EQ(text_table(errors(), {}),
+              "            RMSE\n"
+              "method  parallel  adjacent  verdict\n"
+              "sobol     1.5e-3      2e-3  no bias found\n"
+              "random       0.1\n");
+}
+
+TEST(TextTable, ContinuesBelowWhereTheTerminalEnds) {
+    EXPECT_EQ(text_table(errors(), {Colour::none, 30}),
+              "            RMSE\n"
+              "method  parallel  adjacent\n"
+              "    verdict\n"
+              "sobol     1.5e-3      2e-3\n"
+              "    no bias found\n"
+              "random       0.1\n");
+}
+
+TEST(TextTable, RepeatsTheTitleOfAGroupThatIsDivided) {
+    EXPECT_EQ(text_table(errors(), {Colour::none, 20}),
+              "            RMSE\n"
+              "        RMSE\n"
+              "method  parallel\n"
+              "    adjacent\n"
+              "    verdict\n"
+              "sobol     1.5e-3\n"
+              "        2e-3\n"
+              "    no bias found\n"
+              "random       0.1\n");
+}
+
+TEST(TextTable, StaysWithinAnyWidthThatHoldsItsCells) {
+    for (std::size_t width = 17; width < 50; ++width) {
+        std::istringstream lines(text_table(errors(), {Colour::none, width}));
+        for (std::string line; std::getline(lines, line);) EXPECT_LE(visible_length(line), width) << line;
+    }
+}
+
+TEST(TextTable, CountsNoColoursAsColumns) {
+    EXPECT_NE(text_table(errors(), {Colour::ansi, 41}).find("2e-3  \033[32mno bias found\033[0m\n"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace ff::reports

@@ -1,0 +1,133 @@
+#include "studies/verdicts/distribution_gates.hpp"
+
+#include "core/support/error.hpp"
+#include "studies/verdicts/estimate_gates.hpp"
+#include "studies/verdicts/reported_gates.hpp"
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <random>
+#include <string>
+
+namespace ff::studies {
+namespace {
+
+using testing::HasSubstr;
+
+Gate gate_of(double band) {
+    Gate gate;
+    gate.name = "g";
+    gate.quantity = "x";
+    gate.kind = GateKind::distribution;
+    gate.band = {0, band};
+    gate.place = "bands.toml:5:8";
+    gate.against = Against::file;
+    return gate;
+}
+
+GatesSpec spec_of(const Gate& gate) {
+    GatesSpec spec;
+    spec.gates = {gate};
+    return spec;
+}
+
+ReportedFile counts(const std::string& rows, std::string_view column = "count") {
+    return parse_reported(fmt::format("quantity,bin,{}\n{}", column, rows), "file.csv", Errors::optional);
+}
+
+std::string refusal(const Gate& gate, const ReportedFile& file, const ReportedFile* against) {
+    try {
+        static_cast<void>(judge_reported(spec_of(gate), gate, file, against));
+    } catch (const UserError& error) {
+        return error.what();
+    }
+    return "judged";
+}
+
+TEST(DistributionGates, CountsPassFailOrAreTooFew) {
+    const auto shares = counts("x,0,0.5\nx,1,0.5\n", "share");
+    const auto judged = [&](const std::string& rows) {
+        const Gate gate = gate_of(0.1);
+        return judge_reported(spec_of(gate), gate, counts(rows), &shares);
+    };
+    EXPECT_EQ(judged("x,0,5010\nx,1,4990\n").verdict, Verdict::pass);
+    EXPECT_EQ(judged("x,0,6000\nx,1,4000\n").verdict, Verdict::fail);
+    EXPECT_EQ(judged("x,0,51\nx,1,49\n").verdict, Verdict::inconclusive);
+    EXPECT_THAT(judged("x,0,3\nx,1,4\n").note, HasSubstr("fewer than two cells"));
+    EXPECT_THAT(judged("x,0,6000\nx,1,4000\n").note, HasSubstr("worst"));
+}
+
+TEST(DistributionGates, ACountWhereTheShareIsZeroFails) {
+    const auto shares = counts("x,0,0.5\nx,1,0.5\nx,2,0\n", "share");
+    const Gate gate = gate_of(0.5);
+    const auto result = judge_reported(spec_of(gate), gate, counts("x,0,500\nx,1,500\nx,2,1\n"), &shares);
+    EXPECT_EQ(result.verdict, Verdict::fail);
+    EXPECT_THAT(result.note, HasSubstr("share is 0"));
+}
+
+TEST(DistributionGates, RefusesWhatCannotBeCompared) {
+    const auto file = counts("x,0,500\nx,1,510\n");
+    const auto short_of_one = counts("x,0,0.5\nx,1,0.4\n", "share");
+    const auto none = counts("x,0,0\nx,1,0\n");
+    EXPECT_THAT(refusal(gate_of(0.1), file, &short_of_one), HasSubstr("add up to 0.9"));
+    EXPECT_THAT(refusal(gate_of(0.1), none, &file), HasSubstr("nothing would be compared"));
+    EXPECT_THAT(refusal(gate_of(0.1), short_of_one, &file), HasSubstr("holds shares"));
+    EXPECT_THAT(refusal(gate_of(0.1), file, nullptr), HasSubstr("--against"));
+    const auto means = parse_reported("quantity,mean,standard_error\nx,1,0.1\n", "means.csv", Errors::required);
+    EXPECT_THAT(refusal(gate_of(0.1), means, &file), HasSubstr("is not for means.csv"));
+    Gate equal = gate_of(0.1);
+    equal.kind = GateKind::equal;
+    EXPECT_THAT(refusal(equal, file, &file), HasSubstr("\"equal\" is not for"));
+    EXPECT_THROW(counts("x,0,1.5\nx,1,2\n"), UserError);  // weighted
+    EXPECT_THROW(counts("x,0,-1\nx,1,2\n"), UserError);
+    EXPECT_THROW(counts("x,0,1\nx,0,2\n"), UserError);  // twice
+}
+
+EstimatesFile normal_file(std::size_t n, std::uint64_t seed, double shift = 0) {
+    std::mt19937_64 engine(seed);
+    std::normal_distribution<double> normal(shift, 1);
+    std::string text = "trial,quantity,estimate\n";
+    for (std::size_t i = 0; i < n; ++i) text += fmt::format("{},x,{}\n", i, normal(engine));
+    return parse_estimates(text, "trials.csv");
+}
+
+// Seeds 1 to 5; alpha 1e-4, passes with power 0.9: 4000 values are more than values_for_distance asks for.
+TEST(DistributionGates, ValuesPassFailOrAreTooFew) {
+    Gate gate = gate_of(0.06);
+    gate.law = KnownLaw{KnownLaw::Family::normal, 0, 1};
+    const auto judged = [&](const EstimatesFile& file) { return judge_estimates(spec_of(gate), gate, file).verdict; };
+    EXPECT_LE(values_for_distance(0.06, {}, 1), 4000u);
+    EXPECT_EQ(judged(normal_file(4000, 1)), Verdict::pass);
+    EXPECT_EQ(judged(normal_file(500, 2, 0.8)), Verdict::fail);
+    EXPECT_EQ(judged(normal_file(50, 3)), Verdict::inconclusive);
+    gate.law.reset();
+    const auto old = normal_file(500, 4);
+    const auto shifted = normal_file(500, 5, 1);
+    EXPECT_EQ(judge_estimates(spec_of(gate), gate, shifted, &old).verdict, Verdict::fail);
+    EXPECT_THROW(judge_estimates(spec_of(gate), gate, old, &old), UserError);
+}
+
+TEST(KnownLaw, RefusesWhatIsNotGivenInNumbers) {
+    std::string problem;
+    EXPECT_FALSE(parse_law("normal", problem));
+    EXPECT_THAT(problem, HasSubstr("fitted to the values"));
+    EXPECT_FALSE(parse_law("normal(0)", problem));
+    EXPECT_FALSE(parse_law("normal(0, x)", problem));
+    EXPECT_FALSE(parse_law("uniform(1, 1)", problem));
+    EXPECT_THAT(problem, HasSubstr("without width"));
+    EXPECT_FALSE(parse_law("gaussian(0, 1)", problem));
+    EXPECT_THAT(problem, HasSubstr("normal(0, 1)"));
+}
+
+TEST(KnownLaw, HasItsDistribution) {
+    std::string problem;
+    EXPECT_DOUBLE_EQ(cumulative(*parse_law("uniform(2, 4)", problem), 3), 0.5);
+    EXPECT_DOUBLE_EQ(cumulative(*parse_law("normal( 1 ,2 )", problem), 1), 0.5);
+    EXPECT_NEAR(cumulative(*parse_law("exponential(2)", problem), 2), 1 - std::exp(-1), 1e-15);
+    EXPECT_EQ(cumulative(*parse_law("exponential(2)", problem), -1), 0);
+}
+
+}  // namespace
+}  // namespace ff::studies

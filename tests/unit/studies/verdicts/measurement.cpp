@@ -1,0 +1,126 @@
+#include "studies/verdicts/measurement.hpp"
+
+#include "stats/power.hpp"
+#include "tests/support/statistical_assertions.hpp"
+#include "tests/unit/stats/samples.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace ff::studies {
+namespace {
+
+constexpr std::array data{2.1, 3.4, 1.9, 5.6, 4.4, 2.8, 9.7, 3.3};
+constexpr Levels levels{.fail_alpha = 0.01, .pass_alpha = 0.05, .power = 0.9};
+
+// stats.t.interval(.9, 7, x.mean() - 3, stats.sem(x)), and .99
+TEST(MeasureMean, IsStudentsIntervalAtBothLevels) {
+    const auto measurement = measure_mean(stats::moments_of(data, 3), {.value = 3}, {-1, 1}, levels);
+    EXPECT_NEAR(measurement->value, 1.15, 1e-14);
+    EXPECT_NEAR(measurement->passing.low, -0.5547447946823611, 1e-13);
+    EXPECT_NEAR(measurement->passing.high, 2.854744794682361, 1e-13);
+    EXPECT_DOUBLE_EQ(measurement->passing.level, 0.9);
+    EXPECT_DOUBLE_EQ(measurement->failing.level, 0.99);
+    EXPECT_LT(measurement->failing.low, measurement->passing.low);
+    EXPECT_EQ(measurement->passing.method, "student_t");
+}
+
+TEST(MeasureMean, IsEmptyForTooFewOrEqualValues) {
+    EXPECT_FALSE(measure_mean(stats::moments_of(std::array{1.0}, 1), {.value = 1}, {-1, 1}, levels));
+    EXPECT_FALSE(measure_mean(stats::moments_of(std::array{1.0, 1.0}, 1), {.value = 1}, {-1, 1}, levels));
+}
+
+TEST(MeasureMean, AllowsForAnUncertainReference) {
+    const auto moments = stats::moments_of(data, 3);
+    const double own = *moments.standard_error();
+    const auto certain = measure_mean(moments, {.value = 3}, {-1, 1}, levels);
+    const auto same = measure_mean(moments, {.value = 3, .standard_error = own, .freedom = 7}, {-1, 1}, levels);
+    EXPECT_EQ(same->passing.method, "welch_t");
+    // Equal parts: sqrt(2) the error, twice the freedom. stats.t.ppf(.95, 14) = 1.7613101357748562
+    EXPECT_NEAR(same->passing.width() / 2, std::sqrt(2) * own * 1.7613101357748562, 1e-12);
+    EXPECT_GT(same->minimum_detectable, certain->minimum_detectable);
+}
+
+// Risks: false alarm 1e-6; a fail rate off by .03 at the power is noticed with power .99.
+TEST(MeasureMean, FailsAtTheMinimumDetectableEffectWithItsPower) {
+    std::mt19937_64 engine(11);
+    const Band band{-0.3, 0.3};
+    constexpr std::size_t trials = 40;
+    const double effect = 0.3 + stats::minimum_detectable_bias(1, trials, {levels.fail_alpha, levels.power});
+    const auto fails = [&] {
+        const auto moments = stats::moments_of(test::normal_sample(trials, engine, effect));
+        const auto measurement = measure_mean(moments, {}, band, levels);
+        return judge(measurement, band) == Verdict::fail;
+    };
+    constexpr std::uint64_t runs = 6000;
+    EXPECT_TRUE(
+        test::has_probability(test::count_events(runs, fails), runs, levels.power, {.alpha = 1e-6, .detects = 0.03}));
+}
+
+TEST(MeasureMean, StatesTheMinimumDetectableEffectWithinAPercent) {
+    std::mt19937_64 engine(12);
+    for (const std::size_t trials : {8u, 40u, 1000u}) {
+        for (const double alpha : {0.01, 1e-7}) {
+            const auto moments = stats::moments_of(test::normal_sample(trials, engine));
+            const Levels strict{.fail_alpha = alpha, .pass_alpha = 0.05, .power = 0.9};
+            const double shift = measure_mean(moments, {}, {-1, 1}, strict)->minimum_detectable - 1;
+            const double exact = stats::minimum_detectable_bias(*moments.standard_deviation(), trials, {alpha, 0.9});
+            EXPECT_NEAR(shift, exact, 0.01 * exact) << trials << " trials, alpha " << alpha;
+        }
+    }
+}
+
+TEST(MeasureSpread, IsOneForTheReferenceItself) {
+    const auto spread = *stats::spread_of(stats::moments_of(data));
+    const double sigma = std::sqrt(spread.mean_square);
+    const Measurement measurement = measure_spread(spread, sigma, {0.5, 2}, levels);
+    EXPECT_DOUBLE_EQ(measurement.value, 1);
+    EXPECT_LT(measurement.passing.low, 1);
+    EXPECT_GT(measurement.passing.high, 1);
+    EXPECT_GT(measurement.minimum_detectable, 2);
+    const Measurement twice = measure_spread(spread, spread, {0.5, 2}, levels);
+    EXPECT_DOUBLE_EQ(twice.value, 1);
+    EXPECT_LT(twice.passing.low, measurement.passing.low);
+    EXPECT_NEAR(twice.passing.low * twice.passing.high, 1, 1e-12);
+    EXPECT_EQ(twice.passing.method, "adjusted_f");
+}
+
+TEST(MeasureSpread, LooksBelowABandWithoutUpperEnd) {
+    const auto spread = *stats::spread_of(stats::moments_of(data));
+    EXPECT_LT(measure_spread(spread, 1, {0.9, std::numeric_limits<double>::infinity()}, levels).minimum_detectable,
+              0.9);
+}
+
+TEST(MeasureProportion, IsClopperPearson) {
+    const Measurement measurement = measure_proportion({.hits = 95, .trials = 100}, {0.9, 1}, levels);
+    EXPECT_EQ(measurement.passing.method, "clopper_pearson");
+    EXPECT_DOUBLE_EQ(measurement.value, 0.95);
+    EXPECT_LT(measurement.minimum_detectable, 0.9);
+}
+
+TEST(MeasureSlope, FindsTheSlopeOfALadder) {
+    std::mt19937_64 engine(5);
+    std::vector<stats::Rung> ladder;
+    for (const double size : {16.0, 64.0, 256.0}) {
+        stats::Rung rung{size, test::normal_sample(200, engine, 0)};
+        for (double& error : rung.errors) error /= std::sqrt(size);
+        ladder.push_back(rung);
+    }
+    const auto measurement = measure_slope(ladder, {-0.7, -0.3}, levels);
+    EXPECT_TRUE(measurement->failing.contains(-0.5));
+    EXPECT_EQ(judge(measurement, {-0.7, -0.3}), Verdict::pass);
+    EXPECT_EQ(judge(measurement, {-1.2, -0.9}), Verdict::fail);
+    ladder.resize(1);
+    EXPECT_FALSE(measure_slope(ladder, {-0.7, -0.3}, levels));
+}
+
+TEST(MeasureExact, DecidesByItself) {
+    EXPECT_EQ(judge(measure_exactly(0.5, {-1, 1}), {-1, 1}), Verdict::pass);
+    EXPECT_EQ(judge(measure_exactly(1.5, {-1, 1}), {-1, 1}), Verdict::fail);
+}
+
+}  // namespace
+}  // namespace ff::studies

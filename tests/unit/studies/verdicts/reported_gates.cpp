@@ -1,0 +1,116 @@
+#include "studies/verdicts/reported_gates.hpp"
+
+#include "core/support/error.hpp"
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+
+#include <random>
+
+namespace ff::studies {
+namespace {
+
+using testing::HasSubstr;
+
+constexpr double sigma = 1e-3;
+
+/// `bins` bins of mean 1 and error sigma, stated `factor` times as large.
+ReportedFile file_of(std::size_t bins, std::size_t runs, std::uint64_t seed, double factor = 1, double bias = 0) {
+    std::mt19937_64 engine(seed);
+    std::normal_distribution<double> normal;
+    std::string text = "quantity,bin,run,mean,standard_error,n\n";
+    for (std::size_t run = 0; run < runs; ++run) {
+        for (std::size_t bin = 0; bin < bins; ++bin)
+            text +=
+                fmt::format("flux,{},{},{},{},1000\n", bin, run, 1 + sigma * (bias + normal(engine)), factor * sigma);
+    }
+    return parse_reported(text, "file.csv", Errors::required);
+}
+
+Gate gate_of(GateKind kind, Band band) {
+    Gate gate;
+    gate.name = "g";
+    gate.quantity = "flux";
+    gate.kind = kind;
+    gate.band = band;
+    gate.place = "bands.toml:5:8";
+    gate.against = Against::file;
+    return gate;
+}
+
+GateResult judged(const Gate& gate, const ReportedFile& file, const ReportedFile* against = nullptr) {
+    GatesSpec spec;
+    spec.gates = {gate};
+    return judge_reported(spec, gate, file, against);
+}
+
+TEST(JudgeReported, ComparesTwoFilesBinByBin) {
+    const Gate gate = gate_of(GateKind::equal, {-0.01, 0.01});
+    const auto old = file_of(100, 1, 1);
+    EXPECT_EQ(judged(gate, file_of(100, 1, 2), &old).verdict, Verdict::pass);
+    EXPECT_EQ(judged(gate, file_of(100, 1, 3, 1, 20), &old).verdict, Verdict::fail);
+    const auto result = judged(gate_of(GateKind::equal, {-1e-4, 1e-4}), file_of(100, 1, 4), &old);
+    EXPECT_EQ(result.verdict, Verdict::inconclusive);
+    EXPECT_EQ(result.compared, 100u);
+    EXPECT_THAT(result.note, HasSubstr("trusts the standard errors"));
+}
+
+TEST(JudgeReported, DoesNotTrustErrorsWhereRunsTell) {
+    // Errors stated a hundred times too small, in ten runs: their spread decides.
+    Gate gate = gate_of(GateKind::bias, {-1e-5, 1e-5});
+    gate.against = Against::number;
+    gate.reference = 1;
+    EXPECT_EQ(judged(gate, file_of(20, 2, 5, 0.01)).verdict, Verdict::fail);
+    EXPECT_EQ(judged(gate, file_of(20, 12, 5, 0.01)).verdict, Verdict::inconclusive);
+}
+
+TEST(JudgeReported, FindsErrorsThatAreWrong) {
+    const Gate gate = gate_of(GateKind::std_error, {1 / 1.6, 1.6});
+    EXPECT_EQ(judged(gate, file_of(5, 100, 6)).verdict, Verdict::pass);
+    EXPECT_EQ(judged(gate, file_of(5, 100, 7, 0.4)).verdict, Verdict::fail);
+    const auto samples = judged(gate, file_of(5, 100, 8, std::sqrt(1000.0)));
+    EXPECT_EQ(samples.verdict, Verdict::fail);
+    EXPECT_THAT(samples.note, HasSubstr("standard deviations of single samples"));
+    EXPECT_THAT(judged(gate, file_of(5, 100, 9, sigma)).note, HasSubstr("variances, probably"));
+}
+
+TEST(JudgeReported, SaysThatTooSmallSpreadBetweenFilesIsNoAgreement) {
+    const auto old = file_of(100, 1, 1, 10);
+    EXPECT_THAT(judged(gate_of(GateKind::equal, {-0.1, 0.1}), file_of(100, 1, 2, 10), &old).note,
+                HasSubstr("far below 1, so the errors are too large"));
+}
+
+TEST(JudgeReported, RefusesRunsAndFilesThatHoldTheSameNumbers) {
+    const auto old = file_of(10, 1, 1);
+    EXPECT_THAT(
+        [&] {
+            judged(gate_of(GateKind::equal, {-1, 1}), file_of(10, 1, 1), &old);
+        },
+        testing::ThrowsMessage<UserError>(HasSubstr("has the same numbers as in file.csv")));
+}
+
+TEST(JudgeReported, RefusesBinningsThatDiffer) {
+    const auto old = file_of(10, 1, 1);
+    EXPECT_THAT(
+        [&] {
+            judged(gate_of(GateKind::equal, {-1, 1}), file_of(11, 1, 2), &old);
+        },
+        testing::ThrowsMessage<UserError>(HasSubstr("bin '10' is not matched")));
+    EXPECT_THAT(
+        [&] {
+            judged(gate_of(GateKind::equal, {-1, 1}), file_of(9, 1, 2), &old);
+        },
+        testing::ThrowsMessage<UserError>(HasSubstr("bin '9' is not matched")));
+}
+
+TEST(JudgeReported, NeverPassesWithBinsThatNothingFellInto) {
+    const auto file =
+        parse_reported("quantity,bin,mean,standard_error\nflux,0,1,0.001\nflux,1,0,0\n", "a.csv", Errors::required);
+    const auto old = parse_reported("quantity,bin,mean\nflux,0,1\nflux,1,1\n", "b.csv", Errors::optional);
+    const auto result = judged(gate_of(GateKind::bias, {-0.1, 0.1}), file, &old);
+    EXPECT_EQ(result.verdict, Verdict::inconclusive);
+    EXPECT_THAT(result.note, HasSubstr("1 bin that no sample fell into is not judged"));
+}
+
+}  // namespace
+}  // namespace ff::studies
