@@ -1,4 +1,4 @@
-#include "function_sampler.hpp"
+#include "python/module/function_sampler.hpp"
 
 #include "core/support/error.hpp"
 #include "samplers/added.hpp"
@@ -19,9 +19,11 @@ namespace {
 
 using Rows = py::array_t<double, py::array::c_style | py::array::forcecast>;
 
-/// Calls the function with the interpreter's lock; what it raises becomes an error of ours.
+/// Calls the function with the interpreter's lock; what it raises becomes an error of ours. The lock is held until its
+/// numbers are copied: it may return the same array every time.
 samplers::PointSet call(PyObject* fill, const std::string& name, const samplers::SetRequest& request) {
     const std::string origin = fmt::format("{} ({})", name, in_words(request));
+    samplers::expect_whole(origin, request);
     const py::gil_scoped_acquire held;
     try {
         const Rows rows(py::handle(fill)(request.points, request.dimension, request.seed, request.trial).cast<Rows>());

@@ -1,6 +1,7 @@
-#include "function_sampler.hpp"
-#include "interruptible.hpp"
-#include "study.hpp"
+#include "python/module/function_sampler.hpp"
+#include "python/module/gates.hpp"
+#include "python/module/interruptible.hpp"
+#include "python/module/study.hpp"
 
 #include "core/exact/known_factors.hpp"
 #include "core/support/error.hpp"
@@ -17,7 +18,10 @@
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
+#include <atomic>
+#include <cstdint>
 #include <exception>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <utility>
@@ -157,5 +161,6 @@ PYBIND11_MODULE(_core, module) {
     module.def("with_faces_of_polygons", &ff::studies::with_faces_of_polygons, arg("text"));
     module.def("add_function", &add_function, arg("name"), arg("hash"), arg("fill"), arg("most_dimension"),
                arg("randomised"));
+    bind_gates(module);
     bind_study(module);
 }

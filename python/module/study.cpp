@@ -1,6 +1,6 @@
-#include "study.hpp"
+#include "python/module/study.hpp"
 
-#include "interruptible.hpp"
+#include "python/module/interruptible.hpp"
 
 #include "app/folders/folder_lock.hpp"
 
@@ -19,6 +19,8 @@
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
+#include <atomic>
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <sstream>
@@ -100,7 +102,6 @@ StudyTables run(const StudyRequest& request, const std::filesystem::path& folder
         const bool complete = studies::run_study(store, options) == studies::RunOutcome::complete;
         static_cast<void>(store.seal());
         if (complete) tables = tables_of(store, stop);
-        lock.remove_file();
     });
     return tables;
 }
