@@ -5,9 +5,10 @@
     found.factors, found.half_widths          # numpy arrays (faces, faces), dimensionless
     ffstudy.points("sobol", 1024, 4, seed=1)  # (1024, 4) in [0, 1)
     ffstudy.Study.from_toml("study.toml").run().summary["rmse"]
+    ffstudy.check({"F12": estimates}, "bands.toml").passed
 
 Results are those of the program `ffstudy` to the bit: the same study and seed give the same numbers. Errors are
-`ffstudy.InputError` and `ffstudy.FileError`; Ctrl-C stops a computation in order. docs/python.md has more.
+`ffstudy.InputError` and `ffstudy.FileError`; Ctrl-C stops a computation cleanly. docs/python.md has more.
 """
 
 import os
@@ -19,10 +20,12 @@ import numpy
 
 from . import _core
 from .errors import Error, FileError, InputError
+from .gates import Gate, Verdicts, check
 from .study import Results, Study
+from .tables import to_html
 
-__all__ = ["Error", "FileError", "FormFactors", "InputError", "Results", "Study", "exact", "form_factors",
-           "load_plugin", "points"]
+__all__ = ["Error", "FileError", "FormFactors", "Gate", "InputError", "Results", "Study", "Verdicts", "check", "exact",
+           "form_factors", "load_plugin", "points"]
 
 Scene = Union[str, os.PathLike]
 
@@ -48,16 +51,8 @@ class FormFactors:
         return csr_matrix(self.factors)
 
     def _repr_html_(self):
-        head = "".join(f"<th>{_escape(name)}</th>" for name in self.names)
-        rows = "".join(
-            f"<tr><th>{_escape(name)}</th>"
-            + "".join(f"<td title='± {half:.1e}'>{value:.6g}</td>" for value, half in zip(row, halves)) + "</tr>"
-            for name, row, halves in zip(self.names, self.factors, self.half_widths))
-        return f"<table><tr><th></th>{head}</tr>{rows}</table>"
-
-
-def _escape(text):
-    return text.replace("&", "&amp;").replace("<", "&lt;")
+        return to_html(["", *self.names], [[name, *(f"{value:.6g}" for value in row)]
+                                           for name, row in zip(self.names, self.factors)])
 
 
 def _threads(threads):

@@ -28,6 +28,19 @@ class FormFactors:
     notes: List[str]
     def sparse(self) -> Any: ...
 
+class Gate:
+    name: str
+    kind: str
+    verdict: str
+    words: str
+
+class Verdicts:
+    verdict: str
+    gates: List[Gate]
+    comparisons: numpy.ndarray
+    @property
+    def passed(self) -> bool: ...
+
 class Results:
     summary: numpy.ndarray
     slopes: numpy.ndarray
@@ -70,6 +83,12 @@ def form_factors(
     threads: Optional[int] = None,
     max_samples: int = 1_000_000_000,
 ) -> FormFactors: ...
+def check(
+    estimates: Union[Scene, Mapping[str, numpy.typing.ArrayLike], numpy.ndarray, Any],
+    bands: Scene,
+    *,
+    against: Optional[Any] = None,
+) -> Verdicts: ...
 def points(
     name: str, n: int, d: int = 4, seed: int = 1, trial: int = 0, *, deadline: float = 60
 ) -> numpy.ndarray: ...

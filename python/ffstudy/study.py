@@ -1,54 +1,27 @@
 """Studies: what is run, and what comes out."""
 
-import csv
 import hashlib
-import io
 import os
+import pickle
 import tempfile
 import threading
 import warnings
 from pathlib import Path
 
-import numpy
-
 from . import _core
 from .errors import InputError
+from .tables import from_csv, to_html
 
 _names = threading.Lock()  # of functions: from reading a study to its end they mean the same
-
-
-_TEXTS = {"study", "scene", "method", "sampler", "estimator", "completion", "nodes", "allocation", "from_face", "to_face",
-          "pair_class", "interval_method", "std_interval_method"}
-
-
-def _is_number(field):
-    try:
-        float(field or "nan")
-    except ValueError:
-        return False
-    return True
-
-
-def _table(text):
-    """A CSV text as a structured array: columns of numbers are floats (an empty field is NaN), others are texts."""
-    rows = list(csv.reader(io.StringIO(text)))
-    columns = []
-    for name, *fields in zip(*rows) if len(rows) > 1 else [(name,) for name in rows[0]]:
-        columns.append((name, numpy.array(fields, dtype=str) if name in _TEXTS or not all(map(_is_number, fields))
-                        else numpy.array([float(field or "nan") for field in fields])))
-    table = numpy.empty(len(rows) - 1, dtype=[(name, values.dtype) for name, values in columns])
-    for name, values in columns:
-        table[name] = values
-    return table
 
 
 class Results:
     """What was found. Arrays have the columns of the files of these names (docs/results.md)."""
 
     def __init__(self, tables):
-        self.summary = _table(tables.summary)  #: one row for each scene, method, size and quantity
-        self.slopes = _table(tables.slopes)  #: how fast errors fall
-        self.trials = _table(tables.trials)  #: every direct estimate
+        self.summary = from_csv(tables.summary)  #: one row for each scene, method, size and quantity
+        self.slopes = from_csv(tables.slopes)  #: how fast errors fall
+        self.trials = from_csv(tables.trials)  #: every direct estimate
         self.report = tables.report  #: as report.md
         self.warnings = tables.warnings
         self.complete = tables.complete
@@ -62,31 +35,41 @@ class Results:
     def _repr_html_(self):
         shown = [name for name in ("scene", "method", "samples_per_patch", "from_face", "to_face", "mean", "bias", "rmse")
                  if name in self.summary.dtype.names]
-        escape = lambda text: str(text).replace("&", "&amp;").replace("<", "&lt;")
-        head = "".join(f"<th>{name}</th>" for name in shown)
-        rows = "".join("<tr>" + "".join(f"<td>{escape(row[name])}</td>" for name in shown) + "</tr>"
-                       for row in self.summary)
-        return f"<table><tr>{head}</tr>{rows}</table>"
+        return to_html(shown, self.summary[shown].tolist())
+
+
+def _add(digest, value, seen):
+    """Adds what a value does or is: of a function its code, its defaults and what it has closed over."""
+    plain = getattr(value, "__func__", value)
+    if id(plain) in seen:  # a function that calls itself
+        return
+    if hasattr(plain, "__code__"):
+        seen = seen | {id(plain)}
+        closed = [cell.cell_contents for cell in plain.__closure__ or ()]
+        _add(digest, (plain.__code__, plain.__defaults__, plain.__kwdefaults__, closed), seen)
+        if plain is not value:
+            _add(digest, getattr(value.__self__, "__dict__", None), seen)
+    elif hasattr(value, "co_code"):
+        _add(digest, (value.co_code, value.co_names, value.co_varnames, value.co_freevars, value.co_consts), seen)
+    elif isinstance(value, (tuple, list, dict)):
+        digest.update(f"{type(value).__name__} of {len(value)}: ".encode())
+        for each in value.items() if isinstance(value, dict) else value:
+            _add(digest, each, seen)
+    elif isinstance(value, frozenset):  # its order differs from session to session
+        _add(digest, sorted(map(repr, value)), seen)
+    else:
+        try:
+            digest.update(pickle.dumps(value, protocol=4))
+        except Exception:  # of any kind, where something cannot be pickled
+            digest.update(repr(value).encode())
 
 
 def _code_hash(function):
-    """Of what a function does: its code and that of functions in it, its defaults and what it has closed over."""
-    digest = hashlib.sha256()
-
-    def add(code):
-        digest.update(code.co_code)
-        digest.update(repr((code.co_names, code.co_varnames, code.co_freevars)).encode())
-        for constant in code.co_consts:
-            add(constant) if hasattr(constant, "co_code") else digest.update(repr(constant).encode())
-
-    plain = function if hasattr(function, "__code__") else getattr(type(function), "__call__", None)
-    if not hasattr(plain, "__code__"):
+    called = function if hasattr(function, "__code__") else getattr(function, "__call__", None)
+    if not hasattr(called, "__code__"):
         raise InputError(f"{function!r}: not a function written in Python (its code is part of the study). Wrap it in one.")
-    add(plain.__code__)
-    closed = [cell.cell_contents for cell in plain.__closure__ or ()]
-    digest.update(repr((plain.__defaults__, plain.__kwdefaults__, closed)).encode())
-    if plain is not function:
-        digest.update(repr(vars(function)).encode())
+    digest = hashlib.sha256()
+    _add(digest, called, frozenset())
     return digest.hexdigest()[:16]
 
 

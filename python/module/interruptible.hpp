@@ -11,8 +11,8 @@
 
 namespace ff::python {
 
-/// Carries out `work(stop)` without the interpreter's lock, and looks for Ctrl-C meanwhile: it sets the flag, waits for
-/// the work to end in order, and raises KeyboardInterrupt. @throws what the work throws
+/// Carries out `work(stop)` without the interpreter's lock, and looks for Ctrl-C meanwhile: it sets the flag, waits
+/// until the work has wound up, and raises KeyboardInterrupt. @throws what the work throws
 template <class Work>
 void run_interruptibly(Work work) {
     constexpr std::chrono::milliseconds between_looks{50};

@@ -2,6 +2,7 @@
 
 #include "python/module/interruptible.hpp"
 
+#include "app/commands/run_context.hpp"
 #include "app/folders/folder_lock.hpp"
 
 #include "core/support/error.hpp"
@@ -20,6 +21,7 @@
 #include <pybind11/stl/filesystem.h>
 
 #include <atomic>
+#include <chrono>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -77,6 +79,15 @@ StudyTables tables_of(const studies::Store& store, const std::atomic<bool>& stop
     return tables;
 }
 
+/// Notes who computed a finished study, once.
+void note_context(studies::Store& store, unsigned threads, std::chrono::steady_clock::duration spent) {
+    studies::Context context = store.context();
+    if (context.contains("command")) return;
+    studies::add_context(
+        context, app::describe_run("ffstudy.Study.run()", threads, std::chrono::duration<double>(spent).count()));
+    store.set_context(context);
+}
+
 StudyTables run(const StudyRequest& request, const std::filesystem::path& folder, unsigned threads,
                 const std::optional<py::function>& progress) {
     StudyTables tables;
@@ -99,7 +110,9 @@ StudyTables run(const StudyRequest& request, const std::filesystem::path& folder
                 }
             };
         }
+        const auto start = std::chrono::steady_clock::now();
         const bool complete = studies::run_study(store, options) == studies::RunOutcome::complete;
+        if (complete) note_context(store, threads, std::chrono::steady_clock::now() - start);
         static_cast<void>(store.seal());
         if (complete) tables = tables_of(store, stop);
     });

@@ -7,7 +7,7 @@ import numpy
 import pytest
 
 import ffstudy
-from conftest import study_text
+from conftest import same, study_text
 
 
 def test_results_are_those_of_the_program(program):
@@ -68,13 +68,22 @@ def interrupt_after(seconds):
 
 
 def test_ctrl_c_saves_and_the_study_resumes():
-    study = ffstudy.Study.from_toml(study_text(trials=20000, sizes="[65536]"))
-    interrupt_after(1)
+    def interrupt_once(done, units):
+        if done == 1:
+            os.kill(os.getpid(), signal.SIGINT)
+
+    study = ffstudy.Study.from_toml(study_text(trials=100, sizes="[65536]"))
     with pytest.raises(KeyboardInterrupt):
-        study.run(out="kept", threads=1)
-    small = ffstudy.Study.from_toml(study_text(trials=20))
-    assert small.run().complete  # the session goes on
-    assert os.path.exists("kept/results.sqlite")
+        study.run(out="kept", threads=1, progress=interrupt_once)
+    seen = []
+    resumed = study.run(out="kept", progress=lambda done, units: seen.append(done))
+    assert resumed.complete and seen[0] > 1
+    assert same(resumed.summary, study.run().summary)
+
+
+def test_errors_of_progress_are_told():
+    with pytest.raises(ffstudy.InputError, match="progress: raised ZeroDivisionError"):
+        ffstudy.Study.from_toml(study_text()).run(progress=lambda done, units: 1 / 0)
 
 
 def test_ctrl_c_stops_form_factors():
