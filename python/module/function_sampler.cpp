@@ -26,7 +26,10 @@ samplers::PointSet call(PyObject* fill, const std::string& name, const samplers:
     samplers::expect_whole(origin, request);
     const py::gil_scoped_acquire held;
     try {
-        const Rows rows(py::handle(fill)(request.points, request.dimension, request.seed, request.trial).cast<Rows>());
+        const py::object made = py::handle(fill)(request.points, request.dimension, request.seed, request.trial);
+        const Rows rows = Rows::ensure(made);
+        if (!rows)
+            throw UserError(fmt::format("{}: returned no array of numbers (n, d). Return numpy.ndarray.", origin));
         if (rows.ndim() != 2 || static_cast<std::uint64_t>(rows.shape(0)) != request.points ||
             static_cast<std::size_t>(rows.shape(1)) != request.dimension)
             throw UserError(
@@ -36,8 +39,6 @@ samplers::PointSet call(PyObject* fill, const std::string& name, const samplers:
                                      request.dimension, origin);
     } catch (const py::error_already_set& error) {
         throw UserError(fmt::format("{}: raised {}", origin, error.what()));
-    } catch (const py::cast_error&) {
-        throw UserError(fmt::format("{}: returned no array of numbers (n, d). Return numpy.ndarray.", origin));
     }
 }
 
