@@ -1,7 +1,5 @@
 #include "core/estimators/cubic_tetrahedron.hpp"
 
-#include "core/estimators/ray_shooting.hpp"
-
 #include <cmath>
 #include <numbers>
 
@@ -22,7 +20,7 @@ std::uint64_t resolution(std::uint64_t samples) {
 
 }  // namespace
 
-PixelDirections tetrahedron_pixels(std::uint64_t samples) {
+PixelDirections CubicTetrahedron::pixels(std::uint64_t samples) {
     const std::uint64_t r = resolution(samples);
     const double edge = 3.0 / static_cast<double>(r);
     const auto centre = [&](std::uint64_t i) { return -2 + (static_cast<double>(i) + 0.5) * edge; };
@@ -52,14 +50,6 @@ std::string CubicTetrahedron::size_problem(std::uint64_t samples) {
     const std::uint64_t r = resolution(samples);
     if (r > 1 && pixels_of(r) == samples) return {};
     return no_such_resolution("a cubic tetrahedron has 3 r (r - 1) / 2 pixels", pixels_of(r), pixels_of(r + 1));
-}
-
-double CubicTetrahedron::nanoseconds(const EstimatorOptions& options, const Scene& scene) {
-    return 10.0 + RayShooting::nanoseconds(options, scene);
-}
-
-void CubicTetrahedron::observe(const EstimatorTask& task, Outcome& outcome, PatchTotals& /*totals*/) const {
-    outcome.estimates = projection_.factors(task.subdivision, tetrahedron_pixels(task.samples));
 }
 
 }  // namespace ff

@@ -7,7 +7,7 @@
 namespace ff {
 
 /// The cubic tetrahedron over the middle of each patch, its pixels traced.
-class CubicTetrahedron {
+class CubicTetrahedron : public ByPixels<CubicTetrahedron> {
   public:
     static constexpr EstimatorInfo info{
         .name = "cubic_tetrahedron",
@@ -27,20 +27,11 @@ class CubicTetrahedron {
         .evaluations = "pixels",
     };
 
-    static std::string refusal(const EstimatorOptions& options, const Scene& scene) {
-        return PixelProjection::refusal(info.name, options, scene);
-    }
+    using ByPixels::ByPixels;
+
     static std::string size_problem(std::uint64_t samples);
-    static double nanoseconds(const EstimatorOptions& options, const Scene& scene);
-
-    CubicTetrahedron(const Scene& scene, TracerChoice tracer) : projection_(scene, tracer) {}
-    void observe(const EstimatorTask& task, Outcome& outcome, PatchTotals& totals) const;
-
-  private:
-    PixelProjection projection_;
+    /// @pre samples = 3 r (r - 1) / 2
+    static PixelDirections pixels(std::uint64_t samples);
 };
-
-/// @pre samples = 3 r (r - 1) / 2
-PixelDirections tetrahedron_pixels(std::uint64_t samples);
 
 }  // namespace ff

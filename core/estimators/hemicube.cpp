@@ -1,7 +1,5 @@
 #include "core/estimators/hemicube.hpp"
 
-#include "core/estimators/ray_shooting.hpp"
-
 #include <cmath>
 #include <numbers>
 
@@ -17,11 +15,11 @@ std::uint64_t resolution(std::uint64_t samples) {
 
 }  // namespace
 
-PixelDirections hemicube_pixels(std::uint64_t samples) {
+PixelDirections Hemicube::pixels(std::uint64_t samples) {
     const std::uint64_t r = resolution(samples);
     const double edge = 2.0 / static_cast<double>(r);
     PixelDirections pixels(samples);
-    // The top is at z = 1, the sides at distance 1; `height` is the component along the normal.
+    // The top is at z = 1, the sides stand at distance 1.
     const auto add = [&](const Eigen::Vector3d& direction) {
         const double squared = direction.squaredNorm();
         pixels.add(direction, direction.z() * edge * edge / (std::numbers::pi * squared * squared));
@@ -45,14 +43,6 @@ std::string Hemicube::size_problem(std::uint64_t samples) {
     const std::uint64_t r = resolution(samples);
     if (r > 0 && 3 * r * r == samples) return {};
     return no_such_resolution("a hemicube has 3 r^2 pixels, r even", 3 * r * r, 3 * (r + 2) * (r + 2));
-}
-
-double Hemicube::nanoseconds(const EstimatorOptions& options, const Scene& scene) {
-    return 10.0 + RayShooting::nanoseconds(options, scene);
-}
-
-void Hemicube::observe(const EstimatorTask& task, Outcome& outcome, PatchTotals& /*totals*/) const {
-    outcome.estimates = projection_.factors(task.subdivision, hemicube_pixels(task.samples));
 }
 
 }  // namespace ff

@@ -7,7 +7,7 @@
 namespace ff {
 
 /// The hemicube over the middle of each patch, its pixels traced.
-class Hemicube {
+class Hemicube : public ByPixels<Hemicube> {
   public:
     static constexpr EstimatorInfo info{
         .name = "hemicube",
@@ -27,20 +27,11 @@ class Hemicube {
         .evaluations = "pixels",
     };
 
-    static std::string refusal(const EstimatorOptions& options, const Scene& scene) {
-        return PixelProjection::refusal(info.name, options, scene);
-    }
+    using ByPixels::ByPixels;
+
     static std::string size_problem(std::uint64_t samples);
-    static double nanoseconds(const EstimatorOptions& options, const Scene& scene);
-
-    Hemicube(const Scene& scene, TracerChoice tracer) : projection_(scene, tracer) {}
-    void observe(const EstimatorTask& task, Outcome& outcome, PatchTotals& totals) const;
-
-  private:
-    PixelProjection projection_;
+    /// @pre samples = 3 r^2, r even
+    static PixelDirections pixels(std::uint64_t samples);
 };
-
-/// @pre samples = 3 r^2, r even
-PixelDirections hemicube_pixels(std::uint64_t samples);
 
 }  // namespace ff

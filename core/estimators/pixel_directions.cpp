@@ -77,6 +77,10 @@ std::string PixelProjection::refusal(std::string_view estimator, const Estimator
     return curved.empty() ? RayShooting::refusal(options, scene) : curved;
 }
 
+double PixelProjection::nanoseconds(const EstimatorOptions& options, const Scene& scene) {
+    return 10.0 + RayShooting::nanoseconds(options, scene);
+}
+
 std::string no_such_resolution(std::string_view rule, std::uint64_t below, std::uint64_t above) {
     if (below == 0) return fmt::format("({}). Try {}.", rule, above);
     return fmt::format("({}). Try {} or {}.", rule, below, above);

@@ -41,11 +41,30 @@ class PixelProjection {
     [[nodiscard]] Eigen::MatrixXd factors(Subdivision subdivision, const PixelDirections& pixels) const;
 
     static std::string refusal(std::string_view estimator, const EstimatorOptions& options, const Scene& scene);
+    static double nanoseconds(const EstimatorOptions& options, const Scene& scene);
 
   private:
     const Scene* scene_;
     Scene placed_;
     std::unique_ptr<const Tracer> tracer_;
+};
+
+/// An estimator by a projection, which declares itself and says which pixels it has:
+///
+///     static constexpr EstimatorInfo info{...};
+///     static std::string size_problem(std::uint64_t samples);
+///     static PixelDirections pixels(std::uint64_t samples);    // size_problem() has been asked
+template <class Projection>
+class ByPixels : public PixelProjection {
+  public:
+    using PixelProjection::PixelProjection;
+
+    static std::string refusal(const EstimatorOptions& options, const Scene& scene) {
+        return PixelProjection::refusal(Projection::info.name, options, scene);
+    }
+    void observe(const EstimatorTask& task, Outcome& outcome, PatchTotals& /*totals*/) const {
+        outcome.estimates = factors(task.subdivision, Projection::pixels(task.samples));
+    }
 };
 
 /// "(a hemicube has 3 r^2 pixels, r even). Try 768 or 1200."

@@ -201,11 +201,11 @@ void judge(const std::vector<Test>& tests, RunComparison& comparison) {
 }
 
 /// @throws UserError
-void expect_method(const StudyPlan& plan, const std::string& run, const std::string& method) {
+void expect_method(const StudyPlan& plan, const std::string& method) {
     std::vector<std::string_view> names;
     for (const Method& known : plan.spec.methods) names.push_back(known.name);
     if (std::find(names.begin(), names.end(), method) != names.end()) return;
-    throw UserError(fmt::format("{}: method '{}' (the run has none of this name). {}Its methods: {}.", run, method,
+    throw UserError(fmt::format("method '{}' (its run has none of this name). {}There are: {}.", method,
                                 did_you_mean(method, names), fmt::join(names, ", ")));
 }
 
@@ -248,8 +248,8 @@ RunComparison compare_runs(const Store& first, const Store& second, std::array<s
     out.power = a.spec.power;
     out.differences = differences_of(a.spec, b.spec);
     if (methods) {
-        expect_method(a, out.names[0], (*methods)[0]);
-        expect_method(b, out.names[1], (*methods)[1]);
+        expect_method(a, (*methods)[0]);
+        expect_method(b, (*methods)[1]);
     }
     const auto is_meant = [&](const StudyPlan& plan, const Cell& cell, std::size_t run) {
         return !methods || plan.spec.methods[cell.method].name == methods->at(run);

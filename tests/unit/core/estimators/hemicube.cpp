@@ -20,17 +20,17 @@ double sum(const PixelDirections& pixels) {
 
 // The midpoint rule on each side of the projection: its error falls as 1 / r^2.
 TEST(Hemicube, HasPixelsThatAddUpToOne) {
-    EXPECT_EQ(hemicube_pixels(3 * 16 * 16).size(), 3 * 16 * 16);
-    const double coarse = std::abs(sum(hemicube_pixels(3 * 16 * 16)) - 1);
-    const double fine = std::abs(sum(hemicube_pixels(3 * 64 * 64)) - 1);
+    EXPECT_EQ(Hemicube::pixels(768).size(), 768u);
+    const double coarse = std::abs(sum(Hemicube::pixels(768)) - 1);
+    const double fine = std::abs(sum(Hemicube::pixels(12288)) - 1);
     EXPECT_LT(coarse, 0.01);
     EXPECT_NEAR(coarse / fine, 16, 0.5);
 }
 
 TEST(CubicTetrahedron, HasPixelsThatAddUpToOne) {
-    EXPECT_EQ(tetrahedron_pixels(1488).size(), 1488);  // r = 32
-    EXPECT_LT(std::abs(sum(tetrahedron_pixels(1488)) - 1), 0.01);
-    EXPECT_LT(std::abs(sum(tetrahedron_pixels(3 * 128 * 127 / 2)) - 1), 0.001);
+    EXPECT_EQ(CubicTetrahedron::pixels(1488).size(), 1488u);  // r = 32
+    EXPECT_LT(std::abs(sum(CubicTetrahedron::pixels(1488)) - 1), 0.01);
+    EXPECT_LT(std::abs(sum(CubicTetrahedron::pixels(24384)) - 1), 0.001);
 }
 
 // One patch: the factor of the lid from the middle of the floor, four times that of a rectangle over a corner
@@ -40,7 +40,7 @@ TEST(Hemicube, SeesTheLidAsThePointInTheMiddleDoes) {
     Outcome outcome;
     PatchTotals totals;
     Hemicube(cube, TracerChoice::automatic)
-        .observe({.subdivision = {1}, .samples = 3 * 512 * 512, .options = {}, .key = {}}, outcome, totals);
+        .observe({.subdivision = {1}, .samples = 786432, .options = {}, .key = {}}, outcome, totals);
     const double x = 0.5 / std::sqrt(1.25);
     const double exact = 4 * (2 * x * std::atan(x)) / (2 * std::numbers::pi);
     EXPECT_NEAR(outcome.estimates(0, 5), exact, 1e-3);
@@ -54,7 +54,7 @@ TEST(Hemicube, ConvergesWithPatchesToTheFactorOfFaces) {
         Outcome outcome;
         PatchTotals totals;
         Hemicube(cube, TracerChoice::automatic)
-            .observe({.subdivision = {m}, .samples = 3 * 64 * 64, .options = {}, .key = {}}, outcome, totals);
+            .observe({.subdivision = {m}, .samples = 12288, .options = {}, .key = {}}, outcome, totals);
         const double error = (outcome.estimates - exact).cwiseAbs().maxCoeff();
         EXPECT_LT(error, before / 2) << m;
         before = error;

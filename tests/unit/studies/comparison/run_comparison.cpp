@@ -141,8 +141,8 @@ TEST(RunComparison, NamesTheMethodsThereAre) {
     const std::string message = test::message_of<UserError>([&] {
         static_cast<void>(compare_runs(store, store, {"A", "B"}, MethodNames{"rays", "bettre"}));
     });
-    EXPECT_THAT(message, testing::HasSubstr("B: method 'bettre'"));
-    EXPECT_THAT(message, testing::HasSubstr("Did you mean 'better'? Its methods: rays, better."));
+    EXPECT_THAT(message, testing::HasSubstr("method 'bettre' (its run"));
+    EXPECT_THAT(message, testing::HasSubstr("Did you mean 'better'? There are: rays, better."));
 }
 
 TEST(RunComparison, RefusesWhatHasNothingInCommon) {
