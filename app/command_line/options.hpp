@@ -92,7 +92,7 @@ struct MergeCommand {
 };
 
 struct CompareCommand {
-    std::filesystem::path first;  ///< folder or store
+    std::filesystem::path first;  ///< folder or store, perhaps with a method: "results/a:sobol"
     std::filesystem::path second;
     std::filesystem::path out;        ///< empty: nothing is written
     std::filesystem::path templates;  ///< folder of own templates; empty: none

@@ -18,8 +18,6 @@ inline constexpr const char* built_in = "Built-in studies";
 
 CLI::App* add_command(CLI::App& app, const char* group, std::string name, std::string summary);
 
-CLI::App* add_command(CLI::App& app, const char* group, std::string name, std::string summary);
-
 /// `ffstudy help COMMAND`
 void add_help(CLI::App& app, Action& action);
 

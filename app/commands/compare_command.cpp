@@ -12,6 +12,8 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <filesystem>
+#include <optional>
 #include <string>
 
 namespace ff::app {
@@ -33,22 +35,56 @@ std::array<std::string, 2> names_of(const std::filesystem::path& first, const st
     return {end_a.string(), end_b.string()};
 }
 
+/// What is compared: a run, or one of its methods.
+struct Side {
+    std::filesystem::path results;
+    std::string method;  ///< empty: all
+};
+
+/// Reads RESULTS or RESULTS:METHOD; a path that exists is a path, whatever it contains.
+Side read_side(const std::filesystem::path& given) {
+    if (std::filesystem::exists(given)) return {given, {}};
+    const std::string text = given.string();
+    for (auto colon = text.find(':'); colon != std::string::npos; colon = text.find(':', colon + 1)) {
+        if (std::filesystem::exists(text.substr(0, colon))) return {text.substr(0, colon), text.substr(colon + 1)};
+    }
+    return {given, {}};
+}
+
+/// @throws UserError where the two cannot be compared
+void expect_two(const CompareCommand& command, const Side& first, const Side& second, bool same_run) {
+    if (first.method.empty() != second.method.empty())
+        throw UserError(fmt::format("{} and {} (only one names a method). Name one of each, RESULTS:METHOD.",
+                                    command.first.string(), command.second.string()));
+    if (!same_run || first.method != second.method) return;
+    throw UserError(
+        fmt::format("{} is {} (a run is equal to itself). Give another one, or two of its methods: "
+                    "RESULTS:METHOD.",
+                    command.second.string(), command.first.string()));
+}
+
 }  // namespace
 
 ExitCode compare(const CompareCommand& command) {
-    const auto first = store_of(command.first);
-    const auto second = store_of(command.second);
+    const Side one = read_side(command.first);
+    const Side other = read_side(command.second);
+    const auto first = store_of(one.results);
+    const auto second = store_of(other.results);
     std::error_code missing;
-    if (std::filesystem::equivalent(first, second, missing))
-        throw UserError(fmt::format("{} is {} (a run is equal to itself). Give another one.", command.second.string(),
-                                    command.first.string()));
+    const bool same_run = std::filesystem::equivalent(first, second, missing);
+    expect_two(command, one, other, same_run);
     const auto templates = find_templates(command.templates);
     const auto open = [](const std::filesystem::path& file) {
         auto store = studies::Store::open(file);
         if (!store.was_checked()) note_unchecked(file);
         return store;
     };
-    const auto comparison = studies::compare_runs(open(first), open(second), names_of(first, second));
+    const bool of_methods = !one.method.empty();
+    auto names = same_run ? std::array{one.method, other.method} : names_of(first, second);
+    if (of_methods && !same_run) names = {names[0] + ":" + one.method, names[1] + ":" + other.method};
+    const auto comparison = studies::compare_runs(
+        open(first), open(second), names,
+        of_methods ? std::optional(studies::MethodNames{one.method, other.method}) : std::nullopt);
     if (!command.out.empty()) {
         OutputFolder out(command.out, "comparison");
         out.write("comparison.md", reports::comparison_markdown(comparison));

@@ -28,7 +28,9 @@ void add_report(CLI::App& app, ReportCommand& command, Action& action) {
 void add_compare(CLI::App& app, CompareCommand& command, Action& action) {
     CLI::App* sub =
         add_command(app, everyday, "compare", "Show two runs side by side: what differs, and how sure that is");
-    sub->add_option("A", command.first, "Folder of a study, or its results.sqlite")->type_name("RESULTS")->required();
+    sub->add_option("A", command.first, "Folder of a study, or its results.sqlite; of one method: RESULTS:METHOD")
+        ->type_name("RESULTS")
+        ->required();
     sub->add_option("B", command.second, "The other")->type_name("RESULTS")->required();
     sub->add_option("--out", command.out, "Folder for comparison.md and comparison.html (default: none is written)")
         ->type_name("DIR");

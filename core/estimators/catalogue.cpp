@@ -2,7 +2,9 @@
 #include "core/estimators/closed_form.hpp"
 #include "core/estimators/contour.hpp"
 #include "core/estimators/control_variate.hpp"
+#include "core/estimators/cubic_tetrahedron.hpp"
 #include "core/estimators/entry.hpp"
+#include "core/estimators/hemicube.hpp"
 #include "core/estimators/point_to_polygon.hpp"
 #include "core/estimators/ray_shooting.hpp"
 #include "core/estimators/rays_and_kernel.hpp"
@@ -23,14 +25,16 @@ namespace {
 
 /// The only list of estimators.
 constexpr std::array all_estimators{
-    estimator_entry<RayShooting>(),     //
-    estimator_entry<AreaKernel>(),      //
-    estimator_entry<PointToPolygon>(),  //
-    estimator_entry<SolidAngle>(),      //
-    estimator_entry<RaysAndKernel>(),   //
-    estimator_entry<ControlVariate>(),  //
-    estimator_entry<Contour>(),         //
-    estimator_entry<ClosedForm>(),      //
+    estimator_entry<RayShooting>(),       //
+    estimator_entry<AreaKernel>(),        //
+    estimator_entry<PointToPolygon>(),    //
+    estimator_entry<SolidAngle>(),        //
+    estimator_entry<RaysAndKernel>(),     //
+    estimator_entry<ControlVariate>(),    //
+    estimator_entry<Contour>(),           //
+    estimator_entry<Hemicube>(),          //
+    estimator_entry<CubicTetrahedron>(),  //
+    estimator_entry<ClosedForm>(),        //
 };
 
 constexpr auto all_names = [] {

@@ -16,6 +16,7 @@ namespace ff {
 /// and where there is something to say
 ///
 ///     static std::string refusal(const EstimatorOptions&, const Scene&);   // beyond what follows from `info`
+///     static std::string size_problem(std::uint64_t samples);              // required with points of its own
 ///     static std::optional<Integrand> integrand(const EstimatorOptions&, PairClass, Hiding);
 ///     static bool finite_variance(const EstimatorOptions&, const Scene&, int from, int to);
 ///
@@ -46,6 +47,13 @@ constexpr EstimatorEntry estimator_entry() {
                     return general.empty() ? T::refusal(options, scene) : general;
                 } else {
                     return general;
+                }
+            },
+            .size_problem = [](std::uint64_t samples) -> std::string {
+                if constexpr (T::info.own_points) {
+                    return T::size_problem(samples);
+                } else {
+                    return {};
                 }
             },
             .nanoseconds = &T::nanoseconds,

@@ -65,11 +65,12 @@ struct EstimatorInfo {
     PointsServe points = PointsServe::nothing;
     Observes observes = Observes::estimates;
     PatchFactors patch_factors = PatchFactors::none;
-    bool has_tracer = false;                       ///< takes the option `tracer`
-    bool has_map = false;                          ///< takes the option `map`
-    bool exact = false;                            ///< no error but rounding: a reference, not a rival
-    bool sees_occluders = false;                   ///< what stands between two faces is noticed
-    bool sees_reflections = false;                 ///< so is what comes by way of mirrors
+    bool own_points = false;        ///< makes its own, the same in every trial: samples_per_patch counts them
+    bool has_tracer = false;        ///< takes the option `tracer`
+    bool has_map = false;           ///< takes the option `map`
+    bool exact = false;             ///< no error but rounding: a reference, not a rival
+    bool sees_occluders = false;    ///< what stands between two faces is noticed
+    bool sees_reflections = false;  ///< so is what comes by way of mirrors
     std::string_view evaluations = "evaluations";  ///< what is counted as its work
 
     [[nodiscard]] constexpr bool takes_points() const { return dimension > 0; }
@@ -80,7 +81,7 @@ struct EstimatorInfo {
 struct EstimatorTask {
     Subdivision subdivision;
     const PointSource* points = nullptr;  ///< null where the estimator takes none
-    std::uint64_t samples = 0;            ///< points for a patch, or for a pair of patches; 0 where it takes none
+    std::uint64_t samples = 0;            ///< points for a patch, or for a pair of patches; 0 where there are none
     EstimatorOptions options;
     StreamKey key;
     std::uint32_t trial = 0;
@@ -143,6 +144,10 @@ struct EstimatorEntry {
 
     /// Why it cannot be used in a scene, and what to do: "the scene is not ... (why). Try ...". Empty where it can.
     std::string (*refusal)(const EstimatorOptions& options, const Scene& scene);
+
+    /// Why samples_per_patch cannot be this, and what it can be: "(why). Try ...". Empty where it can. For estimators
+    /// with points of their own.
+    std::string (*size_problem)(std::uint64_t samples);
 
     /// Processor time of one evaluation beside that of its point; only ratios matter, for units of about equal length.
     double (*nanoseconds)(const EstimatorOptions& options, const Scene& scene);

@@ -30,6 +30,23 @@ const Scene& scene_of(const RunComparison& comparison, const CellComparison& cel
     return plan.scenes[plan.cells[cell.first].scene];
 }
 
+/// The name that the method has in both runs, or that of either.
+std::string method_names(const RunComparison& comparison, const CellComparison& compared) {
+    const auto name_in = [](const studies::StudyPlan& plan, std::size_t cell) -> const std::string& {
+        return plan.spec.methods[plan.cells[cell].method].name;
+    };
+    const std::string& first = name_in(comparison.first.plan, compared.first);
+    const std::string& second = name_in(comparison.second.plan, compared.second);
+    return first == second ? first : fmt::format("{} | {}", first, second);
+}
+
+/// "cube: Sobol' rays", without the scene where there is one only.
+std::string scene_and_method(const RunComparison& comparison, const CellComparison& compared) {
+    const std::string method = method_names(comparison, compared);
+    const bool one_scene = comparison.first.plan.scenes.size() == 1;
+    return one_scene ? method : fmt::format("{}: {}", scene_of(comparison, compared).name, method);
+}
+
 std::string independent_in_words(const RunComparison& comparison, const CellComparison& cell) {
     const double alpha = 1 - comparison.level;
     const Scene& scene = scene_of(comparison, cell);
@@ -88,7 +105,8 @@ std::string forest(const RunComparison& comparison) {
     for (const CellComparison& compared : comparison.cells) {
         for (const studies::RmseRatio& ratio : compared.ratios) {
             if (!ratio.interval) continue;
-            rows.push_back({fmt::format("{}, {}", cell_label(plan, plan.cells[compared.first]), name(ratio.pair_class)),
+            rows.push_back({fmt::format("{}, {}, {}", scene_and_method(comparison, compared),
+                                        size_label(plan, plan.cells[compared.first]), name(ratio.pair_class)),
                             bar(ratio, reach), ratio_text(ratio)});
         }
     }
@@ -129,8 +147,7 @@ Table cells_table(const RunComparison& comparison) {
         {}};
     for (const CellComparison& compared : comparison.cells) {
         const studies::Cell& cell = plan.cells[compared.first];
-        const std::string scene = plan.scenes.size() == 1 ? std::string() : plan.scenes[cell.scene].name + ": ";
-        TableCell method{scene + plan.spec.methods[cell.method].name, Mark::none};
+        TableCell method{scene_and_method(comparison, compared), Mark::none};
         TableCell size{size_label(plan, cell), Mark::none};
         TableCell trials{trials_text(comparison, compared), Mark::none};
         TableCell verdict = likeness_in_words(comparison, compared);
@@ -296,7 +313,7 @@ std::string comparison_json(const RunComparison& comparison) {
                               {"adjusted_p", ratio.adjusted_p}});
         }
         cells.push_back({{"scene", plan.scenes[cell.scene].name},
-                         {"method", plan.spec.methods[cell.method].name},
+                         {"method", method_names(comparison, compared)},
                          {"size", size_label(plan, cell)},
                          {"verdict", likeness_in_words(comparison, compared).text},
                          {"differs", compared.likeness == Likeness::different},

@@ -43,8 +43,11 @@ std::string size_label(const studies::StudyPlan& plan, const studies::Cell& cell
         return fmt::format("{} × {}²·{}² nodes", patches, source, target);
     }
     const EstimatorInfo& estimator = estimator_info(method);
-    if (!estimator.takes_points()) return "exact";
-    return fmt::format("{} × {} {}", patches, cell.samples, estimator.observes == Observes::hits ? "rays" : "points");
+    if (cell.samples == 0) return "exact";
+    const std::string_view counted = estimator.observes == Observes::hits ? "rays"
+                                     : estimator.own_points               ? estimator.evaluations
+                                                                          : "points";
+    return fmt::format("{} × {} {}", patches, cell.samples, counted);
 }
 
 std::string cell_label(const studies::StudyPlan& plan, const studies::Cell& cell) {

@@ -1,6 +1,7 @@
 #include "studies/comparison/run_comparison.hpp"
 
 #include "core/support/error.hpp"
+#include "core/support/nearest_name.hpp"
 #include "stats/distributions.hpp"
 #include "stats/mean_difference.hpp"
 #include "stats/multiplicity.hpp"
@@ -199,6 +200,15 @@ void judge(const std::vector<Test>& tests, RunComparison& comparison) {
     }
 }
 
+/// @throws UserError
+void expect_method(const StudyPlan& plan, const std::string& method) {
+    std::vector<std::string_view> names;
+    for (const Method& known : plan.spec.methods) names.push_back(known.name);
+    if (std::find(names.begin(), names.end(), method) != names.end()) return;
+    throw UserError(fmt::format("method '{}' (its run has none of this name). {}There are: {}.", method,
+                                did_you_mean(method, names), fmt::join(names, ", ")));
+}
+
 std::string scenes_of(const StudyPlan& plan) {
     std::vector<std::string> names;
     for (const Scene& scene : plan.scenes) names.push_back(scene.name);
@@ -229,18 +239,28 @@ Lead RunComparison::lead() const {
     return found;
 }
 
-RunComparison compare_runs(const Store& first, const Store& second, std::array<std::string, 2> names) {
+RunComparison compare_runs(const Store& first, const Store& second, std::array<std::string, 2> names,
+                           const std::optional<MethodNames>& methods) {
     RunComparison out{std::move(names), analyse(first), analyse(second), {}, {}, {}, {}, 0, 0.95, 0.9};
     const StudyPlan& a = first.plan();
     const StudyPlan& b = second.plan();
     out.level = a.spec.level;
     out.power = a.spec.power;
     out.differences = differences_of(a.spec, b.spec);
+    if (methods) {
+        expect_method(a, (*methods)[0]);
+        expect_method(b, (*methods)[1]);
+    }
+    const auto is_meant = [&](const StudyPlan& plan, const Cell& cell, std::size_t run) {
+        return !methods || plan.spec.methods[cell.method].name == methods->at(run);
+    };
     std::vector<bool> met(b.cells.size(), false);
     std::vector<Test> tests;
     for (std::size_t i = 0; i < a.cells.size(); ++i) {
         const Cell& cell = a.cells[i];
-        const auto other = counterpart(b, a.scenes[cell.scene].name, a.spec.methods[cell.method].name, cell);
+        if (!is_meant(a, cell, 0)) continue;
+        const std::string& there = methods ? (*methods)[1] : a.spec.methods[cell.method].name;
+        const auto other = counterpart(b, a.scenes[cell.scene].name, there, cell);
         if (!other) {
             out.only_first.push_back(i);
             continue;
@@ -271,7 +291,7 @@ RunComparison compare_runs(const Store& first, const Store& second, std::array<s
         }
     }
     for (std::size_t i = 0; i < met.size(); ++i) {
-        if (!met[i]) out.only_second.push_back(i);
+        if (!met[i] && is_meant(b, b.cells[i], 1)) out.only_second.push_back(i);
     }
     if (out.cells.empty()) {
         throw UserError(fmt::format(

@@ -87,11 +87,16 @@ struct RunComparison {
     [[nodiscard]] Lead lead() const;
 };
 
+/// A method of either run.
+using MethodNames = std::array<std::string, 2>;
+
 /// Compares what two runs have in common, matched by the names of scene and method and by size. Where two independent
 /// runs do the same, the chance that any of their cells is said to be different is at most 1 - level. Level and power
 /// are those of the first study. Pure.
-/// @param names of the runs
-/// @throws UserError where they have nothing in common
-RunComparison compare_runs(const Store& first, const Store& second, std::array<std::string, 2> names = {"A", "B"});
+/// @param names    of the runs
+/// @param methods  compares one method of either, whatever their names; both runs may then be the same
+/// @throws UserError where they have nothing in common, or no such method
+RunComparison compare_runs(const Store& first, const Store& second, std::array<std::string, 2> names = {"A", "B"},
+                           const std::optional<MethodNames>& methods = {});
 
 }  // namespace ff::studies

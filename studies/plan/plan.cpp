@@ -198,10 +198,11 @@ double expected_seconds_per_trial(const StudyPlan& plan, const Cell& cell) {
     const Method& method = plan.spec.methods[cell.method];
     const EstimatorEntry& estimator = find_estimator(method.estimator);
     const double each = estimator.nanoseconds(estimator_options(method), plan.scenes[cell.scene]);
-    if (!estimator.info.takes_points()) return 1e-9 * each;
+    if (!estimator.info.takes_points() && !estimator.info.own_points) return 1e-9 * each;
     // Points that are the same for all pairs of patches are made once.
     const bool made_once = estimator.info.points == PointsServe::pairs && cell.deterministic;
-    const double sampling = made_once ? 0.0 : samplers::find(method.sampler).info.nanoseconds;
+    const double sampling =
+        made_once || estimator.info.own_points ? 0.0 : samplers::find(method.sampler).info.nanoseconds;
     return 1e-9 * static_cast<double>(evaluations_per_trial(plan, cell)) * (each + sampling);
 }
 

@@ -1,5 +1,6 @@
 #include "studies/selftest/reported_checks.hpp"
 
+#include "stats/box_distance.hpp"
 #include "stats/distributions.hpp"
 #include "stats/multiplicity.hpp"
 #include "studies/selftest/bench.hpp"
@@ -113,6 +114,46 @@ RateTable measure_bins(const Repetitions& repetitions, std::uint64_t times) {
     bench.add("passes: one bin at the end of the band", RateClaim::at_most, 0.05, [=](stats::Draws& draws) {
         const auto file = draw_array({.shift = 5, .shifted = 1}, draws);
         return judge_array(file, GateKind::bias, {-5, 5}, alpha) == Verdict::pass;
+    });
+    return table;
+}
+
+/// Bins of one run, all correlated alike, by the covariance that they have.
+RateTable measure_known_covariance(const Repetitions& repetitions, std::uint64_t times) {
+    RateTable table{.title = "Bins whose covariance is known",
+                    .text =
+                        "Arrays of 20 bins with known errors and correlation 0.9, α = 0.01. The global test by the "
+                        "covariance, under "
+                        "a band far narrower than the noise and at the corner of one of 1 standard error; every second "
+                        "bin off by 1, "
+                        "which Cauchy's combination does not see.",
+                    .rates = {}};
+    const Bench bench{repetitions, times, table};
+    constexpr std::size_t size = 20;
+    constexpr double correlation = 0.9;
+    constexpr double alpha = 0.01;
+    std::vector<double> covariance(size * size, correlation);
+    for (std::size_t i = 0; i < size; ++i) covariance[i * size + i] = 1;
+    const auto p_of = [=](double shift, double every_second, double band, stats::Draws& draws) {
+        const auto file = draw_array({.bins = size, .correlation = correlation}, draws);
+        std::vector<double> x;
+        for (const ReportedRow& row : file.rows[0])
+            x.push_back(row.mean + shift + (x.size() % 2 == 1 ? every_second : 0));
+        const std::vector<double> low(size, -band);
+        const std::vector<double> high(size, band);
+        return stats::chi_squared_tail(stats::distance_to_box(x, low, high, covariance).value(), size);
+    };
+    bench.add("fails: no bias", RateClaim::at_most, alpha,
+              [=](stats::Draws& draws) { return p_of(0, 0, narrow_band, draws) <= alpha; });
+    bench.add("fails: all bins at the end of the band", RateClaim::at_most, alpha,
+              [=](stats::Draws& draws) { return p_of(1, 0, 1, draws) <= alpha; });
+    bench.add("fails: every second bin 1 off", RateClaim::at_least, 0.9,
+              [=](stats::Draws& draws) { return p_of(0, 1, narrow_band, draws) <= alpha; });
+    bench.add("fails: every second bin 1 off, cauchy", RateClaim::none, 0, [=](stats::Draws& draws) {
+        auto file = draw_array({.bins = size, .correlation = correlation}, draws);
+        for (std::size_t i = 1; i < size; i += 2) file.rows[0][i].mean += 1;
+        return judge_array(file, GateKind::bias, {-narrow_band, narrow_band}, alpha, Combination::cauchy) ==
+               Verdict::fail;
     });
     return table;
 }
@@ -274,9 +315,9 @@ RateTable measure_pixels(const Repetitions& repetitions, std::uint64_t times) {
 
 std::vector<RateTable> measure_reported_checks(const Repetitions& repetitions, std::uint64_t times) {
     const auto share = [times](std::uint64_t divisor) { return std::max<std::uint64_t>(20, times / divisor); };
-    return {measure_bins(repetitions, share(4)), measure_errors(repetitions, share(4)),
-            measure_kinds(repetitions, share(2)), measure_rules(repetitions, times),
-            measure_pixels(repetitions, share(40))};
+    return {measure_bins(repetitions, share(4)),   measure_known_covariance(repetitions, share(4)),
+            measure_errors(repetitions, share(4)), measure_kinds(repetitions, share(2)),
+            measure_rules(repetitions, times),     measure_pixels(repetitions, share(40))};
 }
 
 }  // namespace ff::studies

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -37,8 +38,11 @@ void refuse_keys_of_others(const TomlReader& reader, const EstimatorInfo& estima
         for (const EstimatorEntry& other : estimators()) {
             if (key.is_of(other.info)) names.push_back(other.info.name);
         }
-        reader.fail(key.name, fmt::format("(only {} {} it). Remove the key.", fmt::join(names, " and "),
-                                          names.size() == 1 ? "has" : "have"));
+        const std::string_view last = names.back();
+        names.pop_back();
+        const std::string all =
+            names.empty() ? fmt::format("{} has", last) : fmt::format("{} and {} have", fmt::join(names, ", "), last);
+        reader.fail(key.name, fmt::format("(only {} it). Remove the key.", all));
     }
 }
 

@@ -72,6 +72,18 @@ std::vector<std::uint32_t> read_patches_per_face(const TomlReader& reader) {
     return patches;
 }
 
+/// Of an estimator that makes its own points.
+std::vector<std::uint64_t> read_own_samples(const TomlReader& reader, const EstimatorEntry& estimator) {
+    auto samples = reader.counts("samples_per_patch");
+    for (const std::uint64_t count : samples) {
+        if (count > max_samples)
+            reader.fail("samples_per_patch", fmt::format("(at most {} points). Take fewer.", max_samples));
+        if (const auto problem = estimator.size_problem(count); !problem.empty())
+            reader.fail("samples_per_patch", problem);
+    }
+    return samples;
+}
+
 /// Numbers, or a text with ranges of sizes that the sampler is made for.
 std::vector<std::uint64_t> read_samples(const TomlReader& reader, const samplers::SamplerInfo& sampler,
                                         std::size_t dimension) {
@@ -98,19 +110,23 @@ void check_samples(const TomlReader& reader, const samplers::SamplerInfo& sample
 /// The product of both lists, or the entries of `sizes`.
 std::vector<Size> read_sizes(const TomlReader& reader, const samplers::SamplerInfo* sampler, const Method& method,
                              std::optional<std::uint64_t> trials) {
-    const bool sampled = sampler != nullptr && sampler->sizes != samplers::Sizes::nodes;
-    if (reader.has("samples_per_patch") && !sampled) {
+    const EstimatorEntry& estimator = find_estimator(method.estimator);
+    const bool own_points = estimator.info.own_points;
+    const bool from_sampler = sampler != nullptr && sampler->sizes != samplers::Sizes::nodes;
+    if (reader.has("samples_per_patch") && !from_sampler && !own_points) {
         reader.fail("samples_per_patch",
                     "(this method takes no samples). Remove the key; Gauss-Legendre takes 'nodes'.");
     }
     std::vector<Size> sizes;
     const std::vector<std::uint64_t> none{0};
-    const auto samples = sampled ? read_samples(reader, *sampler, estimator_info(method).dimension) : none;
+    const auto samples = own_points     ? read_own_samples(reader, estimator)
+                         : from_sampler ? read_samples(reader, *sampler, estimator.info.dimension)
+                                        : none;
     for (const std::uint32_t patches : read_patches_per_face(reader)) {
         for (const std::uint64_t count : samples) {
             const std::uint64_t sharing = method.allocation == Allocation::face ? patches : 1;
-            if (sampled) check_samples(reader, *sampler, count, sharing, estimator_info(method).dimension);
-            sizes.push_back({patches, sampled ? std::optional(count) : std::nullopt, trials});
+            if (from_sampler) check_samples(reader, *sampler, count, sharing, estimator.info.dimension);
+            sizes.push_back({patches, count > 0 ? std::optional(count) : std::nullopt, trials});
         }
     }
     return sizes;

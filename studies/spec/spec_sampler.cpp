@@ -37,8 +37,9 @@ const samplers::SamplerInfo& find_sampler(const TomlReader& reader) {
 const samplers::SamplerInfo* read_sampler(const TomlReader& reader, const EstimatorInfo& estimator) {
     if (!estimator.takes_points()) {
         if (reader.has("sampler"))
-            reader.fail("sampler",
-                        fmt::format("({} evaluates a formula at no points). Remove the key.", estimator.name));
+            reader.fail("sampler", fmt::format("({} {}). Remove the key.", estimator.name,
+                                               estimator.own_points ? "makes its own points"
+                                                                    : "evaluates a formula at no points"));
         return nullptr;
     }
     static_cast<void>(reader.text("sampler"));  // missing or no text: said without "is refused"

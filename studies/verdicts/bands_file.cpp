@@ -21,7 +21,7 @@ constexpr std::array<std::string_view, 12> kind_names{"bias",        "std",     
                                                       "efficiency",  "equal",     "std_error", "distribution"};
 constexpr std::array<std::string_view, 2> anytime_names{"normal", "bounded"};
 constexpr std::array<std::string_view, 3> spending_names{"halving", "pocock", "obrien_fleming"};
-constexpr std::array<std::string_view, 3> combination_names{"holm", "simes", "cauchy"};
+constexpr std::array<std::string_view, 4> combination_names{"holm", "simes", "cauchy", "chi_squared"};
 
 /// Keys that only some kinds take.
 struct OwnKey {
@@ -110,11 +110,23 @@ void read_anytime(const TomlReader& reader, Gate& gate) {
     if (gate.tightest_at < 2) reader.fail("tightest_at", "(a number of trials, at least 2). Try 100.");
 }
 
+/// The file that a gate on all bins together needs, from the folder of the bands file.
+void read_covariance(const TomlReader& reader, Gate& gate) {
+    const bool known = gate.combine == Combination::chi_squared;
+    if (known && gate.kind != GateKind::bias && gate.kind != GateKind::equal)
+        reader.fail("combine", "(covariances are of means: kind \"bias\" or \"equal\"). Take \"cauchy\".");
+    if (reader.has("covariance") != known)
+        reader.fail("covariance", known ? "missing (how do the bins vary together?). Add a file with the columns "
+                                          "bin,other_bin,covariance."
+                                        : "(it belongs to combine = \"chi_squared\"). Remove the key, or add that.");
+    if (known) gate.covariance = std::filesystem::path(reader.origin()).parent_path() / reader.text("covariance");
+}
+
 /// What a gate on another program's quantity may have.
 void read_reported(const TomlReader& reader, Gate& gate) {
-    static constexpr std::array<std::string_view, 11> known{"name",         "kind",   "quantity",   "reference",
-                                                            "reference_se", "band",   "combine",    "relative",
-                                                            "anytime",      "bounds", "tightest_at"};
+    static constexpr std::array<std::string_view, 12> known{"name",         "kind",   "quantity",    "reference",
+                                                            "reference_se", "band",   "combine",     "relative",
+                                                            "anytime",      "bounds", "tightest_at", "covariance"};
     reader.expect_only(known);
     static constexpr std::array kinds{GateKind::bias,      GateKind::std,        GateKind::equal,
                                       GateKind::std_error, GateKind::efficiency, GateKind::distribution};
@@ -127,6 +139,7 @@ void read_reported(const TomlReader& reader, Gate& gate) {
     read_anytime(reader, gate);
     const auto combine = reader.optional_choice("combine", combination_names, combination_names.size());
     if (combine) gate.combine = static_cast<Combination>(*combine);
+    read_covariance(reader, gate);
     if (const auto* node = reader.find("relative")) {
         if (!node->is_boolean()) reader.fail("relative", "(true or false). Write true.");
         gate.relative = node->value_or(false);

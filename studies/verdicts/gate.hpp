@@ -5,6 +5,7 @@
 #include "studies/verdicts/verdict.hpp"
 
 #include <cstdint>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
@@ -43,9 +44,10 @@ std::string_view name(GateKind kind);
 
 /// How the bins of an array answer to one alpha.
 enum class Combination {
-    holm,    ///< each bin at its share: names the bins
-    simes,   ///< all together, for bins that are independent or vary in the same direction
-    cauchy,  ///< all together, for bins that are correlated in any way
+    holm,         ///< each bin at its share: names the bins
+    simes,        ///< all together, for bins that are independent or vary in the same direction
+    cauchy,       ///< all together, for bins that are correlated in any way
+    chi_squared,  ///< all together, by a covariance that is known
 };
 
 std::string_view name(Combination combination);
@@ -107,6 +109,7 @@ struct Gate {
     double interval_level = 0.95;                         ///< coverage
     std::uint64_t replicates = 10;                        ///< coverage: trials behind one interval
     Combination combine = Combination::holm;              ///< bins of a quantity
+    std::filesystem::path covariance;                     ///< the file, for Combination::chi_squared
     bool relative = false;                                ///< the band is a share of each bin's reference
     Anytime anytime = Anytime::no;
     Band bounds;               ///< of the values, where that is assumed

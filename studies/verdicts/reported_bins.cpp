@@ -163,6 +163,9 @@ BinsVerdict judge_bins(const BinEffects& effects, Combination combine, double al
         case Combination::cauchy:
             result.p = stats::cauchy_combination(p);
             break;
+        case Combination::chi_squared:
+            result.p = effects.together;
+            break;
     }
     result.verdict = result.p <= alpha ? Verdict::fail : inside == bins.size() ? Verdict::pass : Verdict::inconclusive;
     return result;

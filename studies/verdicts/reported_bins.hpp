@@ -29,6 +29,7 @@ enum class EffectScale { difference, ratio_of_deviations, ratio_of_variances };
 struct BinEffects {
     EffectScale scale = EffectScale::difference;
     std::vector<BinEffect> bins;
+    double together = 1;  ///< p-value of all bins by their covariance, for Combination::chi_squared
 };
 
 /// The p-value of "the effect lies in the band": twice that of the nearer end, 1 inside.

@@ -1,6 +1,7 @@
 #include "studies/verdicts/reported_effects.hpp"
 
 #include "core/support/error.hpp"
+#include "studies/verdicts/covariance.hpp"
 #include "studies/verdicts/reported_gates.hpp"
 #include "studies/verdicts/reporting_faults.hpp"
 
@@ -89,6 +90,8 @@ void compare_means(Comparing& comparing, const Bins* against) {
         }
         comparing.effects.bins.push_back(effect);
     }
+    if (gate.combine == Combination::chi_squared && !comparing.effects.bins.empty())
+        comparing.effects.together = p_by_covariance(gate, comparing.bins, comparing.effects.bins);
     ReportedRow as_row;
     as_row.mean = number.value;
     std::string fault = fault_of_means(comparing.bins.rows, against != nullptr ? against->rows : Rows(&as_row, 1));

@@ -56,8 +56,8 @@ INSTANTIATE_TEST_SUITE_P(Catalogue, EveryEstimatorAndConfiguration,
                          testing::Combine(testing::ValuesIn(estimators()),
                                           testing::ValuesIn(configurations_with_scenes())),
                          [](const auto& parameter) {
-                             const auto& [estimator, configuration] = parameter.param;
-                             return std::string(estimator.info.name) + "_" + std::string(configuration.name);
+                             return std::string(std::get<0>(parameter.param).info.name) + "_" +
+                                    std::string(std::get<1>(parameter.param).name);
                          });
 
 // About 190 pairs, those refused included, at 1e-8 each: 2e-6 together.

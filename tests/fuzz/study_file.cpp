@@ -1,4 +1,5 @@
-// A study file is a study, whose canonical text reads as the same study, or a UserError.
+// A study file is a study, whose canonical text reads as the same study, or a UserError; an IoError where a file that
+// it names cannot be read.
 
 #include "core/support/error.hpp"
 #include "studies/plan/plan.hpp"
@@ -15,6 +16,8 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     try {
         spec = parse_study({reinterpret_cast<const char*>(data), size}, "study.toml");
     } catch (const ff::UserError&) {
+        return 0;
+    } catch (const ff::IoError&) {
         return 0;
     }
     StudySpec again = parse_study(to_toml(spec), "canonical.toml");

@@ -79,6 +79,26 @@ cp -r other_seed new/run
 ffstudy compare old/run new/run
 expect_stdout "new/run: study s, seed 2"
 
+# One method of each, in two runs or in one, whatever they are called.
+ffstudy compare a:rays broken:rays
+expect_status 1
+expect_stdout "RMSE of broken:rays"
+sed 's/name = "PDM"/name = "other rays"/; s/"gauss_legendre"/"sobol"/; s/nodes = 3/samples_per_patch = 256/; s/area_kernel/ray_shooting/' a.toml >two.toml
+ffstudy run two.toml --quiet --out two
+ffstudy compare two:rays "two:other rays"
+expect_status 1
+expect_stdout "other rays is better"
+expect_stdout "rays | other rays"
+ffstudy compare two:rays two
+expect_status 2
+expect_stderr "only one names a method"
+ffstudy compare two:rays two:ray
+expect_status 2
+expect_stderr "Did you mean 'rays'?"
+ffstudy compare two:rays two:rays
+expect_status 2
+expect_stderr "or two of its methods"
+
 # On a terminal verdicts have colours, unless NO_COLOR says otherwise.
 on_a_terminal() { /usr/bin/python3 -c 'import pty, sys; pty.spawn(sys.argv[1:])' "$program" compare a broken >"$folder/stdout"; }
 TERM=xterm on_a_terminal

@@ -116,6 +116,35 @@ TEST(RunComparison, TestsNothingWithoutVariance) {
         EXPECT_EQ(ratio.interval.has_value(), ratio.pair_class == PairClass::parallel);
 }
 
+constexpr const char* better = R"([[method]]
+name = "better"
+sampler = "sobol"
+estimator = "ray_shooting"
+samples_per_patch = [64, 256]
+)";
+
+TEST(RunComparison, SetsTwoMethodsOfOneRunSideBySide) {
+    const Store store = made("random", 1, 60, better);
+    const auto comparison = compare_runs(store, store, {"rays", "better"}, MethodNames{"rays", "better"});
+    ASSERT_EQ(comparison.cells.size(), 1u);  // 256 rays; 64 are of one only
+    EXPECT_EQ(comparison.cells.front().basis, Basis::independent);
+    EXPECT_THAT(comparison.only_first, testing::IsEmpty());
+    EXPECT_EQ(comparison.only_second.size(), 1u);
+    const Lead lead = comparison.lead();
+    EXPECT_EQ(lead.first, 0u);
+    EXPECT_GT(lead.second, 0u);
+    for (const RmseRatio& ratio : comparison.cells.front().ratios) EXPECT_LT(ratio.interval->high, 1);
+}
+
+TEST(RunComparison, NamesTheMethodsThereAre) {
+    const Store store = made("random", 1, 5, better);
+    const std::string message = test::message_of<UserError>([&] {
+        static_cast<void>(compare_runs(store, store, {"A", "B"}, MethodNames{"rays", "bettre"}));
+    });
+    EXPECT_THAT(message, testing::HasSubstr("method 'bettre' (its run"));
+    EXPECT_THAT(message, testing::HasSubstr("Did you mean 'better'? There are: rays, better."));
+}
+
 TEST(RunComparison, RefusesWhatHasNothingInCommon) {
     const auto box = test::run(test::plan_of(
         "[study]\nname = \"s\"\nscene = \"box:2x1x1\"\nseed = 1\ntrials = 5\n[[method]]\nname = \"rays\"\nsampler = "

@@ -204,7 +204,7 @@ TEST(Spec, PutsThePointsOfPointToPolygonOnTheSourceAlone) {
     EXPECT_THAT(refusal(text("sampler = \"stratified\"\nsamples_per_patch = 26")), HasSubstr("25 = 5^2 or 36 = 6^2"));
     EXPECT_EQ(refusal(text("sampler = \"sobol\"\nsamples_per_patch = 16\nallocation = \"face\"")), "");
     EXPECT_THAT(refusal(text("sampler = \"sobol\"\nsamples_per_patch = 16\ntracer = \"box\"")),
-                HasSubstr("only ray_shooting has it"));
+                HasSubstr("only ray_shooting, hemicube and cubic_tetrahedron have it"));
 }
 
 TEST(Spec, HasAMapForTheAreaKernelOnly) {

@@ -57,6 +57,12 @@ std::vector<Size> any_sizes(bool sampled) {
     return sizes;
 }
 
+/// The least size that an estimator with points of its own takes, from `least` on.
+std::uint64_t fitting_size(const EstimatorEntry& estimator, std::uint64_t least) {
+    while (!estimator.size_problem(least).empty()) ++least;
+    return least;
+}
+
 Method any_method(std::string name) {
     Method method;
     method.name = std::move(name);
@@ -65,6 +71,10 @@ Method any_method(std::string name) {
     method.completion = *rc::gen::element(Completion::direct, Completion::reciprocal);
     if (!estimator.takes_points()) {
         method.sizes = any_sizes(false);
+        for (Size& size : method.sizes) {
+            if (estimator.own_points) size.samples_per_patch = fitting_size(find_estimator(method.estimator), 100);
+        }
+        method.tracer = estimator.has_tracer ? TracerChoice::embree : TracerChoice::automatic;
         return method;
     }
     const bool quadrature = estimator.observes != Observes::hits && *rc::gen::arbitrary<bool>();

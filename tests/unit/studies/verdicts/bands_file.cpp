@@ -199,6 +199,12 @@ TEST(BandsFile, TakesWhatOtherProgramsReportWithItsOwnKeysOnly) {
     EXPECT_THAT(refusal(foreign("kind = \"std\"\nband = 0.5")), HasSubstr("reference: missing"));
     EXPECT_EQ(refusal(foreign("kind = \"equal\"\nband = 1e-3\ncombine = \"cauchy\"\nrelative = true")), "accepted");
     EXPECT_THAT(refusal(foreign("kind = \"equal\"\nband = 1e-3\ncombine = \"fisher\"")), HasSubstr("combine"));
+    EXPECT_THAT(refusal(foreign("kind = \"equal\"\nband = 1e-3\ncombine = \"chi_squared\"")),
+                HasSubstr("covariance: missing"));
+    EXPECT_THAT(refusal(foreign("kind = \"equal\"\nband = 1e-3\ncovariance = \"c.csv\"")),
+                HasSubstr("it belongs to combine"));
+    EXPECT_THAT(refusal(foreign("kind = \"std_error\"\nband = 0.5\ncombine = \"chi_squared\"")),
+                HasSubstr("covariances are of means"));
     EXPECT_THAT(refusal(foreign("kind = \"std_error\"\nband = 0.5\nrelative = true")), HasSubstr("relative"));
     EXPECT_THAT(refusal(gate("equal", "band = 1")), HasSubstr("quantity"));
     EXPECT_THAT(refusal(foreign("kind = \"closure\"\nreference = 1\nband = 1e-3")), HasSubstr("bias, std, equal"));

@@ -5,7 +5,11 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
+#include <filesystem>
+#include <fstream>
 #include <random>
+#include <string>
+#include <vector>
 
 namespace ff::studies {
 namespace {
@@ -101,6 +105,67 @@ TEST(JudgeReported, RefusesBinningsThatDiffer) {
             judged(gate_of(GateKind::equal, {-1, 1}), file_of(9, 1, 2), &old);
         },
         testing::ThrowsMessage<UserError>(HasSubstr("bin '9' is not matched")));
+}
+
+/// Bins that vary with their neighbours, at a correlation of 0.9, and their covariance in a file.
+struct Correlated {
+    static constexpr std::size_t bins = 20;
+    std::filesystem::path file = std::filesystem::path(testing::TempDir()) / "covariance.csv";
+
+    /// @param leave_out  pairs at the end of the file
+    explicit Correlated(double scale = 1, std::size_t leave_out = 0) {
+        std::vector<std::string> lines;
+        for (std::size_t i = 0; i < bins; ++i) {
+            for (std::size_t j = 0; j <= i; ++j)
+                lines.push_back(fmt::format("{},{},{}\n", i, j, scale * sigma * sigma * (i == j ? 1 : 0.9)));
+        }
+        lines.resize(lines.size() - leave_out);
+        std::ofstream(file) << "bin,other_bin,covariance\n" << fmt::format("{}", fmt::join(lines, ""));
+    }
+
+    [[nodiscard]] GateResult judge(double every_second, std::uint64_t n = 0) const {
+        std::mt19937_64 engine(11);
+        std::normal_distribution<double> normal;
+        const double common = std::sqrt(0.9) * normal(engine);
+        std::string text = n > 0 ? "quantity,bin,mean,standard_error,n\n" : "quantity,bin,mean,standard_error\n";
+        for (std::size_t bin = 0; bin < bins; ++bin) {
+            const double score = common + std::sqrt(0.1) * normal(engine) + (bin % 2 == 0 ? every_second : 0);
+            text += fmt::format("flux,{},{},{}{}\n", bin, 1 + sigma * score, sigma, n > 0 ? fmt::format(",{}", n) : "");
+        }
+        Gate gate = gate_of(GateKind::bias, {-1e-5, 1e-5});
+        gate.against = Against::number;
+        gate.reference = 1;
+        gate.combine = Combination::chi_squared;
+        gate.covariance = file;
+        return judged(gate, parse_reported(text, "file.csv", Errors::required));
+    }
+};
+
+TEST(JudgeReported, JudgesBinsTogetherByTheirCovariance) {
+    const Correlated known;
+    EXPECT_EQ(known.judge(0).verdict, Verdict::inconclusive);
+    EXPECT_EQ(known.judge(2).verdict, Verdict::fail);
+    EXPECT_THAT(known.judge(2).note, HasSubstr("(chi_squared)"));
+    // A covariance of hardly more samples than bins is worth next to nothing.
+    EXPECT_EQ(known.judge(2, 22).verdict, Verdict::inconclusive);
+}
+
+TEST(JudgeReported, RefusesCovariancesThatCannotBeThoseOfTheBins) {
+    const auto refusal = [](const Correlated& known, std::uint64_t n) {
+        try {
+            static_cast<void>(known.judge(0, n));
+        } catch (const UserError& error) {
+            return std::string(error.what());
+        }
+        return std::string("accepted");
+    };
+    EXPECT_THAT(refusal(Correlated(), 20), HasSubstr("tell nothing of the covariance of 20 bins"));
+    EXPECT_THAT(refusal(Correlated(1000), 0), HasSubstr("not of single samples"));
+    EXPECT_THAT(refusal(Correlated(1, 2), 0), HasSubstr("no covariance of bins '19' and '18'"));
+    EXPECT_THAT(refusal(Correlated(1, 210), 0), HasSubstr("no covariance of bins '0' and '0'"));
+    const Correlated broken;
+    std::ofstream(broken.file, std::ios::app) << "1,0,2\n";
+    EXPECT_THAT(refusal(broken, 0), HasSubstr("stands here again"));
 }
 
 TEST(JudgeReported, NeverPassesWithBinsThatNothingFellInto) {

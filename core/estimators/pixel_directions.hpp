@@ -1,0 +1,73 @@
+#pragma once
+
+#include "core/estimators/estimator.hpp"
+
+#include <Eigen/Core>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace ff {
+
+/// Directions through the centres of the pixels of a projection, as seen from a patch, and the form factor that each
+/// pixel stands for. Axes: x along the patch's first edge, z along its normal.
+class PixelDirections {
+  public:
+    explicit PixelDirections(std::uint64_t expected);
+
+    /// @param direction  of any length, z > 0
+    void add(const Eigen::Vector3d& direction, double factor);
+
+    [[nodiscard]] std::size_t size() const { return factor_.size(); }
+    [[nodiscard]] double factor(std::size_t pixel) const { return factor_[pixel]; }
+
+    /// The 4-D points (core/tracing/tracer.hpp) of consecutive pixels from `first`, from the middle of the patch;
+    /// block.size of them, set by the caller.
+    void fill(std::size_t first, PointBlock& block) const;
+
+  private:
+    std::vector<std::uint32_t> squared_sine_;
+    std::vector<std::uint32_t> azimuth_;
+    std::vector<double> factor_;
+};
+
+/// What is the same for all projections: rays through the pixels from the middle of every patch.
+class PixelProjection {
+  public:
+    PixelProjection(const Scene& scene, TracerChoice tracer);
+
+    /// Form factors between faces: of each patch, the sum over the pixels that show the other face.
+    [[nodiscard]] Eigen::MatrixXd factors(Subdivision subdivision, const PixelDirections& pixels) const;
+
+    static std::string refusal(std::string_view estimator, const EstimatorOptions& options, const Scene& scene);
+    static double nanoseconds(const EstimatorOptions& options, const Scene& scene);
+
+  private:
+    const Scene* scene_;
+    Scene placed_;
+    std::unique_ptr<const Tracer> tracer_;
+};
+
+/// An estimator by a projection, which declares itself and says which pixels it has:
+///
+///     static constexpr EstimatorInfo info{...};
+///     static std::string size_problem(std::uint64_t samples);
+///     static PixelDirections pixels(std::uint64_t samples);    // size_problem() has been asked
+template <class Projection>
+class ByPixels : public PixelProjection {
+  public:
+    using PixelProjection::PixelProjection;
+
+    static std::string refusal(const EstimatorOptions& options, const Scene& scene) {
+        return PixelProjection::refusal(Projection::info.name, options, scene);
+    }
+    void observe(const EstimatorTask& task, Outcome& outcome, PatchTotals& /*totals*/) const {
+        outcome.estimates = factors(task.subdivision, Projection::pixels(task.samples));
+    }
+};
+
+/// "(a hemicube has 3 r^2 pixels, r even). Try 768 or 1200."
+std::string no_such_resolution(std::string_view rule, std::uint64_t below, std::uint64_t above);
+
+}  // namespace ff
