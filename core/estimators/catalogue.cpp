@@ -1,3 +1,4 @@
+#include "core/estimators/added.hpp"
 #include "core/estimators/area_kernel.hpp"
 #include "core/estimators/closed_form.hpp"
 #include "core/estimators/contour.hpp"
@@ -17,47 +18,40 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
+#include <string_view>
+#include <vector>
 
 namespace ff {
-namespace {
-
-/// The only list of estimators.
-constexpr std::array all_estimators{
-    estimator_entry<RayShooting>(),       //
-    estimator_entry<AreaKernel>(),        //
-    estimator_entry<PointToPolygon>(),    //
-    estimator_entry<SolidAngle>(),        //
-    estimator_entry<RaysAndKernel>(),     //
-    estimator_entry<ControlVariate>(),    //
-    estimator_entry<Contour>(),           //
-    estimator_entry<Hemicube>(),          //
-    estimator_entry<CubicTetrahedron>(),  //
-    estimator_entry<ClosedForm>(),        //
-};
-
-constexpr auto all_names = [] {
-    std::array<std::string_view, all_estimators.size()> names;
-    std::transform(all_estimators.begin(), all_estimators.end(), names.begin(),
-                   [](const EstimatorEntry& estimator) { return estimator.info.name; });
-    return names;
-}();
-
-}  // namespace
 
 std::span<const EstimatorEntry> estimators() {
-    return all_estimators;
+    // The only list of estimators.
+    static const std::array all{
+        estimator_entry<RayShooting>(),       //
+        estimator_entry<AreaKernel>(),        //
+        estimator_entry<PointToPolygon>(),    //
+        estimator_entry<SolidAngle>(),        //
+        estimator_entry<RaysAndKernel>(),     //
+        estimator_entry<ControlVariate>(),    //
+        estimator_entry<Contour>(),           //
+        estimator_entry<Hemicube>(),          //
+        estimator_entry<CubicTetrahedron>(),  //
+        estimator_entry<ClosedForm>(),        //
+    };
+    return all;
 }
 
 const EstimatorEntry& find_estimator(std::string_view name) {
-    for (const EstimatorEntry& estimator : all_estimators) {
+    for (const EstimatorEntry& estimator : estimators()) {
         if (estimator.info.name == name) return estimator;
     }
-    const std::string near = nearest_name(name, all_names);
+    if (const auto* const added = find_added_estimator(name)) return added->entry();
+    std::vector<std::string_view> names;
+    for (const EstimatorEntry& estimator : estimators()) names.push_back(estimator.info.name);
+    const std::string near = nearest_name(name, names);
     const std::string suggestion = near.empty() ? "" : fmt::format("Did you mean \"{}\"? ", near);
     throw UserError(fmt::format("estimator \"{}\" (there is none of this name). {}Known estimators: {}.", excerpt(name),
-                                suggestion, fmt::join(all_names, ", ")));
+                                suggestion, fmt::join(names, ", ")));
 }
 
 std::string refusal_of(const EstimatorInfo& info, const Scene& scene) {

@@ -39,7 +39,7 @@ std::string refusal_of(const EstimatorInfo& info, const Scene& scene);
 
 /// The catalogue's line for estimator T.
 template <class T>
-constexpr EstimatorEntry estimator_entry() {
+EstimatorEntry estimator_entry() {
     return {.info = T::info,
             .refusal = [](const EstimatorOptions& options, const Scene& scene) -> std::string {
                 std::string general = refusal_of(T::info, scene);

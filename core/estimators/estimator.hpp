@@ -10,6 +10,7 @@
 
 #include <compare>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -65,12 +66,14 @@ struct EstimatorInfo {
     PointsServe points = PointsServe::nothing;
     Observes observes = Observes::estimates;
     PatchFactors patch_factors = PatchFactors::none;
-    bool own_points = false;        ///< makes its own, the same in every trial: samples_per_patch counts them
-    bool has_tracer = false;        ///< takes the option `tracer`
-    bool has_map = false;           ///< takes the option `map`
-    bool exact = false;             ///< no error but rounding: a reference, not a rival
-    bool sees_occluders = false;    ///< what stands between two faces is noticed
-    bool sees_reflections = false;  ///< so is what comes by way of mirrors
+    bool own_points = false;                       ///< makes its own: samples_per_patch counts them
+    bool randomised = false;                       ///< they differ from trial to trial
+    bool whole_faces = false;                      ///< faces are not divided into patches
+    bool has_tracer = false;                       ///< takes the option `tracer`
+    bool has_map = false;                          ///< takes the option `map`
+    bool exact = false;                            ///< no error but rounding: a reference, not a rival
+    bool sees_occluders = false;                   ///< what stands between two faces is noticed
+    bool sees_reflections = false;                 ///< so is what comes by way of mirrors
     std::string_view evaluations = "evaluations";  ///< what is counted as its work
 
     [[nodiscard]] constexpr bool takes_points() const { return dimension > 0; }
@@ -143,7 +146,7 @@ struct EstimatorEntry {
     EstimatorInfo info;
 
     /// Why it cannot be used in a scene, and what to do: "the scene is not ... (why). Try ...". Empty where it can.
-    std::string (*refusal)(const EstimatorOptions& options, const Scene& scene);
+    std::function<std::string(const EstimatorOptions& options, const Scene& scene)> refusal;
 
     /// Why samples_per_patch cannot be this, and what it can be: "(why). Try ...". Empty where it can. For estimators
     /// with points of their own.
@@ -158,13 +161,13 @@ struct EstimatorEntry {
     /// Whether random points have a variance between two faces, from 0.
     bool (*finite_variance)(const EstimatorOptions& options, const Scene& scene, int from, int to);
 
-    std::unique_ptr<Estimator> (*make)(const Scene& scene, TracerChoice tracer);
+    std::function<std::unique_ptr<Estimator>(const Scene& scene, TracerChoice tracer)> make;
 };
 
-/// All estimators, in the order in which they are listed.
+/// All estimators of the catalogue, in the order in which they are listed.
 std::span<const EstimatorEntry> estimators();
 
-/// @throws UserError with the nearest name
+/// Of the catalogue, or one that was added. @throws UserError with the nearest name
 const EstimatorEntry& find_estimator(std::string_view name);
 
 }  // namespace ff

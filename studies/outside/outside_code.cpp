@@ -1,5 +1,7 @@
 #include "studies/outside/outside_code.hpp"
 
+#include "studies/outside/command_estimator.hpp"
+#include "studies/outside/command_sampler.hpp"
 #include "studies/outside/plugin.hpp"
 #include "studies/point_files/file_sampler.hpp"
 #include "studies/readers/toml_reader.hpp"
@@ -29,24 +31,34 @@ std::vector<OutsideCode> outside_code(std::string_view text, std::string_view or
                 add({OutsideCode::Kind::plugin, std::move(path), table->place("plugins")});
         }
         for (const TomlReader& method : file.tables(methods)) {
-            const auto sampler = method.optional_text("sampler");
-            if (sampler && names_command(*sampler))
-                add({OutsideCode::Kind::command, *sampler, method.place("sampler")});
+            for (const auto& [key, kind] :
+                 {std::pair<std::string_view, OutsideCode::Kind>{"sampler", OutsideCode::Kind::sampler},
+                  {"estimator", OutsideCode::Kind::estimator}}) {
+                const auto name = method.optional_text(key);
+                if (name && names_command(*name)) add({kind, *name, method.place(key)});
+            }
         }
     }
     return all;
 }
 
 void admit(const OutsideCode& code, const std::filesystem::path& folder, double deadline) {
-    if (code.kind == OutsideCode::Kind::plugin)
-        load_plugin(code.text, folder);
-    else
-        load_command(code.text, folder, deadline);
+    switch (code.kind) {
+        case OutsideCode::Kind::plugin:
+            load_plugin(code.text, folder);
+            break;
+        case OutsideCode::Kind::sampler:
+            load_command_sampler(code.text, folder, deadline);
+            break;
+        case OutsideCode::Kind::estimator:
+            load_command_estimator(code.text, folder, deadline);
+            break;
+    }
 }
 
 const samplers::CatalogueEntry& sampler_of_user(std::string_view name, double deadline) {
     if (names_point_file(name)) return load_point_file(name, "", {});
-    if (names_command(name)) return load_command(name, {}, deadline);
+    if (names_command(name)) return load_command_sampler(name, {}, deadline);
     return samplers::find(name);
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "samplers/sampler.hpp"
-#include "studies/outside/command.hpp"
+#include "studies/outside/program.hpp"
 
 #include <filesystem>
 #include <string>
@@ -13,8 +13,9 @@ namespace ff::studies {
 /// Something that a study file, or a bands file, wants run: it was written by others.
 struct OutsideCode {
     enum class Kind {
-        plugin,   ///< `text` is the path of a library
-        command,  ///< `text` is the sampler, "command:…"
+        plugin,     ///< `text` is the path of a library
+        sampler,    ///< `text` is "command:…"
+        estimator,  ///< likewise
     };
     Kind kind = Kind::plugin;
     std::string text;
@@ -24,8 +25,9 @@ struct OutsideCode {
 /// What the text of a file wants run, in its order, each once. Nothing is run. @throws UserError where it is no TOML
 std::vector<OutsideCode> outside_code(std::string_view text, std::string_view origin);
 
-/// Loads a plug-in, or adds the sampler of a command, so that the file can be read: `parse_study` runs nothing.
-/// @param folder  of the file  @param deadline  of a command, for a set of points in seconds
+/// Loads a plug-in, or adds the sampler or estimator of a command, so that the file can be read: `parse_study` runs
+/// nothing.
+/// @param folder  of the file  @param deadline  of a command, for one run in seconds
 /// @throws UserError, IoError
 void admit(const OutsideCode& code, const std::filesystem::path& folder, double deadline = usual_deadline);
 

@@ -39,10 +39,6 @@ std::uint64_t sample_count(const Method& method, const Size& size) {
     return size.samples_per_patch.value_or(0);
 }
 
-bool is_deterministic(const Method& method) {
-    return method.sampler.empty() || !samplers::find(method.sampler).info.randomised;
-}
-
 std::string canonical_text(const Scene& scene, const Method& method, const Cell& cell) {
     std::string text = fmt::format("{}|{}|{}|m={}|n={}", scene.canonical, method.sampler, method.estimator,
                                    cell.subdivision.m, cell.samples);
@@ -228,7 +224,7 @@ StudyPlan plan_study(StudySpec spec) {
                 cell.method = m;
                 cell.subdivision.m = static_cast<std::uint32_t>(std::lround(std::sqrt(size.patches_per_face)));
                 cell.samples = sample_count(method, size);
-                cell.deterministic = is_deterministic(method);
+                cell.deterministic = !is_randomised(method);
                 expect_feasible(method, plan.scenes[scene], cell);
                 cell.trials = cell.deterministic ? 1 : size.trials.value_or(plan.spec.trials);
                 expect_room_for_pilot(plan.spec, method, cell);

@@ -99,4 +99,18 @@ std::string_view problem_with_name(std::string_view name) {
     return {};
 }
 
+std::string toml_text(std::string_view text) {
+    std::string out = "\"";
+    for (const char c : text) {
+        if (c == '"' || c == '\\') out += '\\';
+        const auto code = static_cast<unsigned char>(c);
+        if (code < 0x20 || code == 0x7f) {
+            out += fmt::format("\\u{:04x}", code);
+        } else {
+            out += c;
+        }
+    }
+    return out + "\"";
+}
+
 }  // namespace ff::studies

@@ -22,4 +22,7 @@ std::string_view problem_with_title(std::string_view title);
 /// Why a name cannot stand in tables and file names; empty where it can.
 std::string_view problem_with_name(std::string_view name);
 
+/// The text in quotes, as TOML has it.
+std::string toml_text(std::string_view text);
+
 }  // namespace ff::studies

@@ -3,6 +3,7 @@
 #include "core/support/error.hpp"
 #include "samplers/sampler.hpp"
 #include "studies/outside/outside_code.hpp"
+#include "studies/readers/printable.hpp"
 
 #include <fmt/format.h>
 

@@ -1,8 +1,13 @@
 #include "studies/spec/estimator_keys.hpp"
 
+#include "core/estimators/added.hpp"
+#include "core/support/error.hpp"
+#include "studies/outside/program.hpp"
+
 #include <fmt/format.h>
 
 #include <array>
+#include <filesystem>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -28,7 +33,20 @@ const EstimatorInfo& read_estimator(const TomlReader& reader) {
     for (const EstimatorEntry& estimator : estimators()) names.push_back(estimator.info.name);
     if (!reader.has("estimator"))
         reader.fail("estimator", fmt::format("missing. Choose one of {}.", fmt::join(names, ", ")));
-    return estimators()[reader.optional_choice("estimator", names, names.size()).value()].info;
+    const std::string name = reader.text("estimator");
+    if (!names_command(name))
+        return estimators()[reader.optional_choice("estimator", names, names.size()).value()].info;
+    try {
+        const auto* added = find_added_estimator(name);  // the full name, as it was stored
+        const auto folder = std::filesystem::path(reader.origin()).parent_path();
+        if (added == nullptr) added = find_added_estimator(full_command_name(name, folder));
+        if (added != nullptr) return added->entry().info;
+    } catch (const UserError& error) {
+        reader.fail("estimator", fmt::format("is refused: {}", error.what()));
+    }
+    reader.fail("estimator",
+                "is refused: the program has not been admitted (reading a study runs nothing). Admit it first, see "
+                "studies/outside/outside_code.hpp.");
 }
 
 void refuse_keys_of_others(const TomlReader& reader, const EstimatorInfo& estimator) {

@@ -123,6 +123,8 @@ std::vector<Size> read_sizes(const TomlReader& reader, const samplers::SamplerIn
                          : from_sampler ? read_samples(reader, *sampler, estimator.info.dimension)
                                         : none;
     for (const std::uint32_t patches : read_patches_per_face(reader)) {
+        if (estimator.info.whole_faces && patches > 1)
+            reader.fail("patches_per_face", "(a program gets whole faces). Remove the key.");
         for (const std::uint64_t count : samples) {
             const std::uint64_t sharing = method.allocation == Allocation::face ? patches : 1;
             if (from_sampler) check_samples(reader, *sampler, count, sharing, estimator.info.dimension);

@@ -57,6 +57,9 @@ struct Method {
 
 /// What the estimator of a method declares.
 const EstimatorInfo& estimator_info(const Method& method);
+
+/// Whether trials differ: by the sampler, or by points of the estimator's own.
+bool is_randomised(const Method& method);
 /// What the method chose of it.
 EstimatorOptions estimator_options(const Method& method);
 
@@ -112,8 +115,5 @@ StudySpec load_study(const std::filesystem::path& file);
 
 /// The spec as a study file in canonical form: `parse_study(to_toml(spec))` is `spec`, but for the text of the tables.
 std::string to_toml(const StudySpec& spec);
-
-/// A text in quotes, as TOML wants it.
-std::string toml_text(std::string_view text);
 
 }  // namespace ff::studies

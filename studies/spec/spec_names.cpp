@@ -1,5 +1,6 @@
 #include "studies/spec/spec_names.hpp"
 
+#include "samplers/sampler.hpp"
 #include "studies/spec/spec.hpp"
 
 namespace ff::studies {
@@ -20,6 +21,10 @@ std::string_view name(PointMap map) {
 
 const EstimatorInfo& estimator_info(const Method& method) {
     return find_estimator(method.estimator).info;
+}
+
+bool is_randomised(const Method& method) {
+    return method.sampler.empty() ? estimator_info(method).randomised : samplers::find(method.sampler).info.randomised;
 }
 
 EstimatorOptions estimator_options(const Method& method) {

@@ -2,7 +2,7 @@
 
 #include "core/support/error.hpp"
 #include "samplers/added.hpp"
-#include "studies/outside/command.hpp"
+#include "studies/outside/program.hpp"
 #include "studies/point_files/file_sampler.hpp"
 #include "studies/readers/toml_reader.hpp"
 

@@ -1,22 +1,10 @@
 #include "studies/spec/spec.hpp"
 
+#include "studies/readers/printable.hpp"
+
 #include <fmt/format.h>
 
 namespace ff::studies {
-
-std::string toml_text(std::string_view text) {
-    std::string out = "\"";
-    for (const char c : text) {
-        if (c == '"' || c == '\\') out += '\\';
-        const auto code = static_cast<unsigned char>(c);
-        if (code < 0x20 || code == 0x7f) {
-            out += fmt::format("\\u{:04x}", code);
-        } else {
-            out += c;
-        }
-    }
-    return out + "\"";
-}
 
 std::string to_toml(const StudySpec& spec) {
     std::vector<std::string> scenes;

@@ -6,6 +6,7 @@
 #include "studies/store/store_checks.hpp"
 #include "studies/store/store_format.hpp"
 #include "studies/store/stored_context.hpp"
+#include "studies/store/stored_estimators.hpp"
 #include "studies/store/stored_samplers.hpp"
 
 #include <fmt/format.h>
@@ -146,6 +147,7 @@ void create(Database& database, const StudyPlan& plan) {
         write_meta(database, "published", plan.spec.published ? plan.spec.published->text : "");
         write_cells(database, plan);
         write_added_samplers(database, plan.spec);
+        write_added_estimators(database, plan.spec);
         write_meta(database, "checksum", checksum_of_study(database));
         write_context(database, {});
     }
@@ -212,6 +214,7 @@ Store Store::open(const std::filesystem::path& file) {
     auto database = open_store(file, format);
     const Checksums checksums = look_at(*database, file);
     restore_added_samplers(*database);
+    restore_added_estimators(*database);
     StudySpec spec = parse_study(read_meta(*database, "study").value_or(""), file.string() + " (stored study)");
     if (spec.published) spec.published->text = read_meta(*database, "published").value_or("");
     StudyPlan plan = plan_study(std::move(spec));

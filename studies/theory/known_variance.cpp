@@ -1,7 +1,5 @@
 #include "studies/theory/known_variance.hpp"
 
-#include "samplers/sampler.hpp"
-
 #include <algorithm>
 #include <cmath>
 
@@ -27,8 +25,7 @@ constexpr double least_hits = 30;
 }  // namespace
 
 VarianceStatus known_variance(const Method& method, const Scene& scene, Quantity quantity) {
-    const bool deterministic = method.sampler.empty() || !samplers::find(method.sampler).info.randomised;
-    if (deterministic) return VarianceStatus::none;
+    if (!is_randomised(method)) return VarianceStatus::none;
     return has_infinite_term(method, scene, quantity.from, quantity.to) ? VarianceStatus::infinite
                                                                         : VarianceStatus::finite;
 }

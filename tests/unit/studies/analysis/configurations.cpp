@@ -3,6 +3,7 @@
 
 #include "studies/analysis/analysis.hpp"
 #include "studies/plan/plan.hpp"
+#include "studies/readers/printable.hpp"
 
 #include "core/configurations/catalogue.hpp"
 #include "core/support/error.hpp"

@@ -1,6 +1,8 @@
 #include "studies/outside/outside_code.hpp"
 
 #include "core/support/error.hpp"
+#include "studies/outside/command_estimator.hpp"
+#include "studies/outside/command_sampler.hpp"
 #include "studies/spec/spec.hpp"
 
 #include <gtest/gtest.h>
@@ -24,7 +26,7 @@ TEST(OutsideCode, IsFoundInStudiesAndBandsWithItsPlace) {
     EXPECT_EQ(found[0].text, "a.so");
     EXPECT_EQ(found[0].place, "s.toml:6:11");
     EXPECT_EQ(found[1].text, "b.so");
-    EXPECT_EQ(found[2].kind, OutsideCode::Kind::command);
+    EXPECT_EQ(found[2].kind, OutsideCode::Kind::sampler);
     EXPECT_EQ(found[2].text, "command:./mine {n}");
     EXPECT_EQ(found[2].place, "s.toml:9:11");
     EXPECT_EQ(outside_code("[gates]\nplugins = \"a.so\"\n[[gate]]\nsampler = \"command:x\"\n", "b.toml").size(), 2u);
@@ -50,16 +52,29 @@ TEST(Command, IsNamedAfterTheFilesAmongItsWords) {
     EXPECT_EQ(full_command_name(first, folder), first);
     write("two");
     EXPECT_NE(full_command_name(command, folder), first);
-    EXPECT_THROW(load_command(first, folder), UserError);
+    EXPECT_THROW(load_command_sampler(first, folder), UserError);
     EXPECT_EQ(full_command_name("command:python3 {n}", folder), "command:python3 {n}");
     for (const char* wrong : {"command:", "command:  ", "command:a 'b", "command:a | b", "command:a\nb"})
         EXPECT_THROW(full_command_name(wrong, folder), UserError) << wrong;
 }
 
 TEST(Command, IsDeterministicWithoutASeed) {
-    EXPECT_FALSE(load_command("command:echo {n} {d}", {}).info.randomised);
-    EXPECT_TRUE(load_command("command:echo {n} {seed}", {}).info.randomised);
-    EXPECT_TRUE(load_command("command:echo {n} {trial}", {}).info.randomised);
+    EXPECT_FALSE(load_command_sampler("command:echo {n} {d}", {}).info.randomised);
+    EXPECT_TRUE(load_command_sampler("command:echo {n} {seed}", {}).info.randomised);
+    EXPECT_TRUE(load_command_sampler("command:echo {n} {trial}", {}).info.randomised);
+}
+
+TEST(CommandEstimator, DeclaresItselfByItsPlaceholders) {
+    const EstimatorInfo& fixed = load_command_estimator("command:echo {scene}", {}).info;
+    EXPECT_FALSE(fixed.own_points);
+    EXPECT_FALSE(fixed.randomised);
+    const EstimatorInfo& sampled = load_command_estimator("command:echo {vs3} {samples} {seed}", {}).info;
+    EXPECT_TRUE(sampled.own_points);
+    EXPECT_TRUE(sampled.randomised);
+    EXPECT_EQ(find_estimator("command:echo {scene}").info.name, "command:echo {scene}");
+    EXPECT_THROW(load_command_estimator("command:echo {seed}", {}), UserError);
+    EXPECT_EQ(outside_code("[[method]]\nestimator = \"command:x {scene}\"\n", "s.toml").front().kind,
+              OutsideCode::Kind::estimator);
 }
 
 }  // namespace

@@ -1,0 +1,104 @@
+#include "core/estimators/added.hpp"
+
+#include "core/estimators/entry.hpp"
+#include "core/support/error.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+namespace ff {
+namespace {
+
+/// Only ever grows, so references into it stay valid.
+struct Registry {
+    std::mutex mutex;
+    std::map<std::string, std::unique_ptr<AddedEstimator>, std::less<>> estimators;
+};
+
+Registry& registry() {
+    static Registry all;
+    return all;
+}
+
+/// Of processor time for an evaluation, very roughly: what others compute, and how, is not known.
+double nanoseconds_of_others(const EstimatorOptions& /*options*/, const Scene& /*scene*/) {
+    return 1e3;
+}
+
+}  // namespace
+
+AddedEstimator::AddedEstimator(Texts texts, EstimatorInfo traits, Refusal refusal, Make make)
+    : texts_(std::move(texts)), refusal_(std::move(refusal)), make_(std::move(make)), entry_{} {
+    entry_.info = traits;
+    entry_.info.name = texts_.name;
+    entry_.info.summary = texts_.summary;
+    entry_.info.details = texts_.details;
+    entry_.refusal = [this](const EstimatorOptions& /*options*/, const Scene& scene) {
+        std::string general = refusal_of(entry_.info, scene);
+        const std::lock_guard lock(mutex_);
+        return general.empty() && refusal_ ? refusal_(scene) : general;
+    };
+    entry_.size_problem = [](std::uint64_t samples) { return std::string(samples == 0 ? "(none). Try 1024." : ""); };
+    entry_.nanoseconds = &nanoseconds_of_others;
+    entry_.integrand = [](const EstimatorOptions&, PairClass, Hiding) { return std::optional<Integrand>(); };
+    entry_.finite_variance = [](const EstimatorOptions&, const Scene&, int, int) { return true; };
+    entry_.make = [this](const Scene& scene, TracerChoice /*tracer*/) {
+        Make make;
+        {
+            const std::lock_guard lock(mutex_);
+            make = make_;
+        }
+        if (!make)
+            throw UserError(
+                fmt::format("estimator \"{}\" (only its results are here, not the program). Name the "
+                            "program, as when the study was run.",
+                            texts_.name));
+        return make(scene);
+    };
+}
+
+void AddedEstimator::learn_from(AddedEstimator& other) {
+    const std::lock_guard lock(mutex_);
+    if (make_) return;
+    make_ = std::move(other.make_);
+    refusal_ = std::move(other.refusal_);
+}
+
+EstimatorInfo program_traits(bool has_sizes, bool randomised) {
+    return {.name = {},
+            .summary = {},
+            .details = {},
+            .reference = {},
+            .own_points = has_sizes,
+            .randomised = randomised,
+            .whole_faces = true,
+            .sees_occluders = true,
+            .evaluations = "samples"};
+}
+
+const EstimatorEntry& add(std::unique_ptr<AddedEstimator> estimator) {
+    const std::string name(estimator->entry().info.name);
+    const auto ours = estimators();
+    if (std::any_of(ours.begin(), ours.end(), [&](const EstimatorEntry& known) { return known.info.name == name; }))
+        throw UserError(fmt::format("estimator \"{}\" (there is one of this name already). Rename it.", name));
+    Registry& all = registry();
+    const std::lock_guard lock(all.mutex);
+    const auto [at, is_new] = all.estimators.try_emplace(name);
+    if (is_new)
+        at->second = std::move(estimator);
+    else
+        at->second->learn_from(*estimator);
+    return at->second->entry();
+}
+
+const AddedEstimator* find_added_estimator(std::string_view name) {
+    Registry& all = registry();
+    const std::lock_guard lock(all.mutex);
+    const auto found = all.estimators.find(name);
+    return found == all.estimators.end() ? nullptr : found->second.get();
+}
+
+}  // namespace ff

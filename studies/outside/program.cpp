@@ -1,0 +1,163 @@
+#include "studies/outside/program.hpp"
+
+#include "core/support/child_process.hpp"
+#include "core/support/error.hpp"
+#include "studies/point_files/content.hpp"
+#include "studies/readers/printable.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <system_error>
+
+namespace ff::studies {
+namespace {
+
+using Files = std::vector<std::pair<std::string, std::string>>;
+
+constexpr std::string_view prefix = "command:";
+
+/// "text#hash" in two; the hash may be empty.
+std::pair<std::string_view, std::string_view> split_hash(std::string_view command) {
+    const std::size_t at = command.rfind('#');
+    if (at == std::string_view::npos || !is_hash(command.substr(at + 1))) return {command, {}};
+    return {command.substr(0, at), command.substr(at + 1)};
+}
+
+/// Words between spaces; those in ' or " may have spaces, and lose the quotes.
+std::vector<std::string> split_words(std::string_view command) {
+    std::vector<std::string> words;
+    char quote = 0;
+    bool inside = false;
+    for (const char c : command) {
+        if (quote != 0 ? c == quote : c == '\'' || c == '"') {
+            quote = quote != 0 ? '\0' : c;
+            if (!inside) words.emplace_back();
+            inside = true;
+        } else if (c == ' ' && quote == 0) {
+            inside = false;
+        } else {
+            if (!inside) words.emplace_back();
+            inside = true;
+            words.back() += c;
+        }
+    }
+    if (quote != 0) throw UserError(fmt::format("command:{} (a quote {} is not closed). Close it.", command, quote));
+    if (words.empty() || words.front().empty())
+        throw UserError("command: (no program). Name it: command:./mine --n {n} --d {d} --seed {seed}");
+    return words;
+}
+
+void replace_all(std::string& word, std::string_view what, const std::string& by) {
+    for (std::size_t at = word.find(what); at != std::string::npos; at = word.find(what, at + by.size()))
+        word.replace(at, what.size(), by);
+}
+
+/// Names and bytes of the words that are files: the program itself, a script.
+Files files_of(const std::vector<std::string>& words, const std::filesystem::path& folder) {
+    Files files;
+    std::error_code error;
+    for (const std::string& word : words) {
+        const bool is_program = &word == &words.front();
+        if (is_program && word.find('/') == std::string::npos) continue;  // looked for on PATH, not here
+        if (std::filesystem::is_regular_file(folder / word, error)) files.emplace_back(word, read_bytes(folder / word));
+    }
+    return files;
+}
+
+/// The last lines that a program wrote to stderr, in one.
+std::string last_words(std::string_view errors) {
+    constexpr std::size_t most = 400;
+    while (!errors.empty() && (errors.back() == '\n' || errors.back() == ' ')) errors.remove_suffix(1);
+    if (errors.empty()) return "it wrote nothing to stderr";
+    const bool cut = errors.size() > most;
+    if (cut) errors.remove_prefix(errors.size() - most);
+    std::string line(errors);
+    std::replace(line.begin(), line.end(), '\n', '|');
+    return fmt::format("its stderr: {}{}", cut ? "…" : "", visible_text(line));
+}
+
+/// The name without its hash, as the files are now. @pre the name begins with the prefix
+std::string name_now(std::string_view text, const std::filesystem::path& folder) {
+    if (const auto problem = problem_with_name(text); !problem.empty())
+        throw UserError(fmt::format("{}{} {} A script may hold them.", prefix, visible_text(text), problem));
+    const auto files = files_of(split_words(text), folder);
+    return files.empty() ? fmt::format("{}{}", prefix, text) : fmt::format("{}{}#{}", prefix, text, hash_of(files));
+}
+
+}  // namespace
+
+bool names_command(std::string_view name) {
+    return name.starts_with(prefix);
+}
+
+std::string full_command_name(std::string_view name, const std::filesystem::path& folder) {
+    const auto [text, hash] = split_hash(name.substr(prefix.size()));
+    std::string now = name_now(text, folder);
+    return hash.empty() ? now : std::string(name);
+}
+
+Program::Program(std::string_view name, std::filesystem::path folder, double deadline)
+    : text_(split_hash(name.substr(prefix.size())).first),
+      words_(split_words(text_)),
+      folder_(std::move(folder)),
+      deadline_(deadline),
+      full_name_(name_now(text_, folder_)) {
+    const bool has_hash = name.size() > prefix.size() + text_.size();
+    if (has_hash && full_name_ != name)
+        throw UserError(fmt::format(
+            "{} (its files are others than before: {}). Bring them back, or leave the hash out.", name, full_name_));
+}
+
+std::string Program::title() const {
+    return fmt::format("{}{}", prefix, text_);
+}
+
+bool Program::has(std::string_view placeholder) const {
+    return text_.find(placeholder) != std::string::npos;
+}
+
+std::string Program::run(const std::string& place, Seed seed, Values values, std::uint64_t most_output) const {
+    values.emplace_back("{seed}", std::to_string(seed.seed));
+    values.emplace_back("{trial}", std::to_string(seed.trial));
+    ChildCommand command{words_, folder_};
+    for (std::string& word : command.words) {
+        for (const auto& [placeholder, value] : values) replace_all(word, placeholder, value);
+    }
+    ChildOutput output = read_from_child(command, most_output, deadline_);
+    const auto fail = [&](const std::string& problem) {
+        throw IoError(fmt::format("{}: {} ({}). Run it by hand: what was saved stays.", place, problem,
+                                  last_words(output.errors)));
+    };
+    switch (output.end) {
+        case ChildOutput::End::exited:
+            if (output.code != 0) fail(fmt::format("ended with exit code {}", output.code));
+            break;
+        case ChildOutput::End::killed:
+            fail(fmt::format("was ended by signal {}", output.code));
+            break;
+        case ChildOutput::End::too_slow:
+            fail(fmt::format("did not end within {} s, and was stopped", deadline_));
+            break;
+        case ChildOutput::End::too_large:
+            fail(fmt::format("printed more than {} bytes, and was stopped", most_output));
+            break;
+    }
+    return std::move(output.output);
+}
+
+void Program::refuse_unrepeatable(std::string_view what) const {
+    throw UserError(
+        fmt::format("{}: run twice, it prints different {} (they must follow from seed and sizes alone, "
+                    "not from the time). Let its random numbers follow from {{seed}}.",
+                    title(), what));
+}
+
+void Program::refuse_seedless(std::string_view what) const {
+    throw UserError(
+        fmt::format("{}: prints the same {} for every seed (trials would be equal). Let its random numbers "
+                    "follow from {{seed}}, or leave {{seed}} and {{trial}} out where nothing is random.",
+                    title(), what));
+}
+
+}  // namespace ff::studies

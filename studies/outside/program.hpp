@@ -1,0 +1,79 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <mutex>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace ff::studies {
+
+/// Seconds that a program may take over one run, where nothing else is said.
+inline constexpr double usual_deadline = 60;
+
+/// Whether a sampler or an estimator is a program: "command:./mine --seed {seed}".
+bool names_command(std::string_view name);
+
+/// The name with a hash of those files among the words of the command that there are: a program that was changed is
+/// another method. One that has a hash keeps it.
+/// @param folder  where the program runs  @throws UserError for a command without words; IoError
+std::string full_command_name(std::string_view name, const std::filesystem::path& folder);
+
+/// The program of a user. Its words are separated by spaces, or quoted, and {names} in them stand for values.
+class Program {
+  public:
+    /// What stands for what: {"{n}", "1024"}.
+    using Values = std::vector<std::pair<std::string_view, std::string>>;
+
+    /// What one run depends on beside the values.
+    struct Seed {
+        std::uint64_t seed = 0;
+        std::uint32_t trial = 0;
+    };
+
+    /// @param name  "command:…", with or without a hash  @param folder  where it runs  @param deadline  seconds, above
+    /// 0
+    /// @throws UserError for a command without words, or for other files than the hash says; IoError
+    Program(std::string_view name, std::filesystem::path folder, double deadline);
+
+    [[nodiscard]] const std::string& full_name() const { return full_name_; }
+    /// "command:…" without a hash, for messages.
+    [[nodiscard]] std::string title() const;
+    [[nodiscard]] bool has(std::string_view placeholder) const;
+    /// Whether runs differ from trial to trial.
+    [[nodiscard]] bool is_randomised() const { return has("{seed}") || has("{trial}"); }
+
+    /// What it prints. Safe from several threads. @param place  names the run in messages  @param most_output  bytes
+    /// @throws IoError where it cannot be started, fails, takes too long or prints too much
+    [[nodiscard]] std::string run(const std::string& place, Seed seed, Values values, std::uint64_t most_output) const;
+
+    /// Once, before its first result: two runs with one seed have to agree, and one with another seed has to differ.
+    /// @param what  it prints, in the plural  @param result  of a run, as it is compared
+    /// @throws UserError; what `result` throws
+    template <class Result>
+    void expect_repeatable(std::string_view what, const Result& result) {
+        std::call_once(checked_, [&] {
+            constexpr Seed seed{0x5eed0123456789ab, 0};
+            constexpr Seed another{0x0123456789ab5eed, 1};
+            const auto once = result(seed);
+            if (once != result(seed)) refuse_unrepeatable(what);
+            if (is_randomised() && once == result(another)) refuse_seedless(what);
+        });
+    }
+
+  private:
+    [[noreturn]] void refuse_unrepeatable(std::string_view what) const;
+    [[noreturn]] void refuse_seedless(std::string_view what) const;
+
+    std::string text_;
+    std::vector<std::string> words_;
+    std::filesystem::path folder_;
+    double deadline_;
+    std::string full_name_;
+    std::once_flag checked_;
+};
+
+}  // namespace ff::studies

@@ -1,0 +1,155 @@
+#include "studies/scene_files/scene_writer.hpp"
+
+#include "studies/readers/printable.hpp"
+
+#include <fmt/format.h>
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+#include <type_traits>
+#include <variant>
+#include <vector>
+
+namespace ff::studies {
+namespace {
+
+using Eigen::Vector3d;
+
+/// A group of this name is in the way, and is no face.
+constexpr std::string_view occluder = "occluder";
+
+bool is_a_word(const std::string& name) {
+    return !name.empty() && name != occluder && name.find_first_of(" \t\r\n#") == std::string::npos;
+}
+
+/// Counter-clockwise as seen from the side that radiates.
+std::vector<Vector3d> rim(const Surface& surface) {
+    std::vector<Vector3d> rim = corners(surface.shape);
+    if ((rim[1] - rim[0]).cross(rim[2] - rim[0]).dot(surface.normal) < 0) std::reverse(rim.begin(), rim.end());
+    return rim;
+}
+
+/// Calls `write(surface)` for the surfaces of a face after the other, those of no face last.
+template <class Write>
+void by_faces(const Scene& scene, const Write& write) {
+    std::vector<const Surface*> surfaces;
+    for (const Surface& surface : scene.surfaces) surfaces.push_back(&surface);
+    const auto rank = [&](const Surface* surface) {
+        return surface->face == no_face ? scene.faces.size() : static_cast<std::size_t>(surface->face);
+    };
+    std::stable_sort(surfaces.begin(), surfaces.end(),
+                     [&](const Surface* a, const Surface* b) { return rank(a) < rank(b); });
+    for (const Surface* surface : surfaces) write(*surface);
+}
+
+std::string vector_text(const Vector3d& v) {
+    return fmt::format("[{}, {}, {}]", v.x(), v.y(), v.z());
+}
+
+/// Keys of a flat surface: `shape` and whether it radiates to the other side of what they say.
+std::string flat(std::string_view keys, const Surface& surface, const Vector3d& upwards) {
+    return fmt::format("{}{}", keys, upwards.dot(surface.normal) < 0 ? "flip = true\n" : "");
+}
+
+std::string_view facing_text(Facing facing) {
+    return facing == Facing::outward ? "outward" : "inward";
+}
+
+std::string keys_of(const Surface& surface) {
+    return std::visit(
+        [&](const auto& shape) -> std::string {
+            using T = std::decay_t<decltype(shape)>;
+            if constexpr (std::is_same_v<T, Parallelogram>) {
+                return flat(
+                    fmt::format("shape = \"parallelogram\"\ncorner = {}\nedge_u = {}\nedge_v = {}\n",
+                                vector_text(shape.corner), vector_text(shape.edge_u), vector_text(shape.edge_v)),
+                    surface, shape.edge_u.cross(shape.edge_v));
+            } else if constexpr (std::is_same_v<T, Triangle>) {
+                return flat(fmt::format("shape = \"triangle\"\na = {}\nb = {}\nc = {}\n", vector_text(shape.a),
+                                        vector_text(shape.b), vector_text(shape.c)),
+                            surface, (shape.b - shape.a).cross(shape.c - shape.a));
+            } else if constexpr (std::is_same_v<T, Disc>) {
+                return fmt::format("shape = \"disc\"\ncentre = {}\nnormal = {}\nradius = {}\ninner_radius = {}\n",
+                                   vector_text(shape.centre), vector_text(surface.normal), shape.outer_radius,
+                                   shape.inner_radius);
+            } else if constexpr (std::is_same_v<T, Frustum>) {
+                return fmt::format(
+                    "shape = \"cone\"\nbase = {}\naxis = {}\nbase_radius = {}\ntop_radius = {}\nfacing = \"{}\"\n",
+                    vector_text(shape.base), vector_text(shape.axis), shape.base_radius, shape.top_radius,
+                    facing_text(shape.facing));
+            } else {
+                return fmt::format(
+                    "shape = \"sphere\"\ncentre = {}\naxis = {}\nradius = {}\nlow = {}\nhigh = {}\nfacing = \"{}\"\n",
+                    vector_text(shape.centre), vector_text(shape.axis), shape.radius, shape.low * shape.radius,
+                    shape.high * shape.radius, facing_text(shape.facing));
+            }
+        },
+        surface.shape);
+}
+
+}  // namespace
+
+bool is_of_polygons(const Scene& scene) {
+    return std::all_of(scene.faces.begin(), scene.faces.end(), is_a_word) &&
+           std::all_of(scene.surfaces.begin(), scene.surfaces.end(),
+                       [](const Surface& surface) { return !corners(surface.shape).empty(); });
+}
+
+std::string obj_text(const Scene& scene) {
+    std::string text = scene.closed ? "# closed\n" : "";
+    std::string group;
+    by_faces(scene, [&](const Surface& surface) {
+        const std::string name =
+            surface.face == no_face ? std::string(occluder) : scene.faces[static_cast<std::size_t>(surface.face)];
+        if (name != group) text += fmt::format("g {}\n", name);
+        group = name;
+        const auto corners = rim(surface);
+        for (const Vector3d& corner : corners) text += fmt::format("v {} {} {}\n", corner.x(), corner.y(), corner.z());
+        text += "f";
+        for (auto back = corners.size(); back > 0; --back) text += fmt::format(" -{}", back);
+        text += '\n';
+    });
+    return text;
+}
+
+std::string vs3_text(const Scene& scene) {
+    std::string text = fmt::format("T {}\nC encl={}\nF 3\n", scene.name, scene.closed ? 1 : 0);
+    std::string surfaces;
+    std::vector<std::size_t> first(scene.faces.size());  // surface of a face; 0: none so far
+    std::size_t vertex = 0;
+    std::size_t number = 0;
+    by_faces(scene, [&](const Surface& surface) {
+        std::array<std::size_t, 4> indices{};
+        std::size_t at = 0;
+        for (const Vector3d& corner : rim(surface)) {
+            text += fmt::format("V {} {} {} {}\n", ++vertex, corner.x(), corner.y(), corner.z());
+            indices.at(at++) = vertex;
+        }
+        ++number;
+        if (surface.face == no_face) {
+            surfaces += fmt::format("O {} {} 0 0 0 {}\n", number, fmt::join(indices, " "), occluder);
+            return;
+        }
+        const auto face = static_cast<std::size_t>(surface.face);
+        surfaces +=
+            fmt::format("S {} {} 0 {} 0.5 {}\n", number, fmt::join(indices, " "), first[face], scene.faces[face]);
+        if (first[face] == 0) first[face] = number;
+    });
+    return text + surfaces + "End of data\n";
+}
+
+std::string toml_scene_text(const Scene& scene) {
+    std::string text = scene.closed ? "closed = true\n" : "";
+    by_faces(scene, [&](const Surface& surface) {
+        text += "\n[[surface]]\n" + keys_of(surface);
+        if (surface.face != no_face)
+            text += fmt::format("face = {}\n", toml_text(scene.faces[static_cast<std::size_t>(surface.face)]));
+        if (surface.grid != undivided)
+            text += fmt::format("grid = [{}, {}]\n", surface.grid.columns, surface.grid.rows);
+    });
+    return text;
+}
+
+}  // namespace ff::studies

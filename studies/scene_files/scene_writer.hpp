@@ -1,0 +1,18 @@
+#pragma once
+
+#include "core/geometry/scene.hpp"
+
+#include <string>
+
+namespace ff::studies {
+
+/// Whether OBJ and .vs3 can say a scene: all surfaces are polygons, and the names of faces single words.
+bool is_of_polygons(const Scene& scene);
+
+/// A scene as the text of a file which the program reads back as the same surfaces and faces; grids are left out where
+/// the format has none. Numbers have all their digits. @pre no mirrors; of OBJ and .vs3, is_of_polygons
+std::string obj_text(const Scene& scene);
+std::string vs3_text(const Scene& scene);
+std::string toml_scene_text(const Scene& scene);
+
+}  // namespace ff::studies
