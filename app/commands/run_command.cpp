@@ -133,6 +133,13 @@ void expect_room_on_disk(const RunRequest& request, const std::filesystem::path&
     if (!quiet) say("note: {}.\n", text);
 }
 
+/// A folder that is resumed is written to.
+std::filesystem::path out_folder(const RunCommand& command, const studies::StudySpec& spec) {
+    if (!command.out.empty()) return command.out;
+    return is_folder_of_study(command.study) ? std::filesystem::path(command.study)
+                                             : std::filesystem::path("results") / spec.name;
+}
+
 }  // namespace
 
 ExitCode run(const RunCommand& command) {
@@ -141,7 +148,7 @@ ExitCode run(const RunCommand& command) {
     const RunRequest request = check(command, processes);
     const studies::StudyPlan& plan = request.plan;
     if (!command.study_file.empty()) save_study(command.study_file, plan.spec);
-    const auto folder = command.out.empty() ? std::filesystem::path("results") / plan.spec.name : command.out;
+    const auto folder = out_folder(command, plan.spec);
     if (command.dry_run) return describe_plan(request, folder);
     if (!command.quiet) {
         for (const std::string& warning : plan.warnings) say("note: {}\n", warning);

@@ -1,6 +1,7 @@
 #include "app/commands/run_request.hpp"
 
 #include "app/command_line/common_options.hpp"
+#include "app/folders/result_files.hpp"
 #include "app/folders/study_files.hpp"
 #include "app/process/limits.hpp"
 
@@ -8,6 +9,7 @@
 #include "stats/interval.hpp"
 #include "studies/results/resources.hpp"
 #include "studies/spec/spec_trials.hpp"
+#include "studies/store/store.hpp"
 
 #include <fmt/format.h>
 
@@ -15,6 +17,10 @@ namespace ff::app {
 namespace {
 
 studies::StudySpec make_spec(const RunCommand& command, const Processes& processes) {
+    if (is_folder_of_study(command.study)) {
+        load_plugins(command.outside);
+        return studies::Store::open(store_of(command.study)).plan().spec;
+    }
     if (!command.convergence) {
         const auto file = find_study(command.study);
         admit_code_of(file, studies::FileKind::study, command.outside,

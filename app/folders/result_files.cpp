@@ -146,6 +146,11 @@ void expect_formats(std::span<const std::string_view> formats) {
     for (const std::string_view format : formats) find_format(format).expect_programs();
 }
 
+bool is_folder_of_study(const std::filesystem::path& study) {
+    std::error_code error;
+    return std::filesystem::is_directory(study, error) && std::filesystem::is_regular_file(store_of(study), error);
+}
+
 std::filesystem::path store_of(const std::filesystem::path& results) {
     return std::filesystem::is_directory(results) ? results / "results.sqlite" : results;
 }

@@ -35,6 +35,10 @@ std::span<const std::string_view> usual_formats();
 /// @throws UserError for an unknown format, and for one that this machine lacks a program for
 void expect_formats(std::span<const std::string_view> formats);
 
+/// Whether a text names the folder of a study that was begun. It has all that the study needs but programs and
+/// plug-ins.
+bool is_folder_of_study(const std::filesystem::path& study);
+
 /// The store of a run that is named by its folder or by the store itself.
 std::filesystem::path store_of(const std::filesystem::path& results);
 

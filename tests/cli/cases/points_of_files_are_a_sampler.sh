@@ -51,7 +51,13 @@ expect_equal_files a/summary.csv before.csv
 ffstudy run randomised.toml --out c
 expect_status 3
 expect_stderr "one.txt: cannot be read"
+# The folder has all that its study needs, also for more trials.
+ffstudy run a --trials 60
+expect_status 0
+expect_stderr "40 of 60 trials are there already"
 mv elsewhere.txt one.txt
+ffstudy run randomised.toml --trials 60 --out c
+expect_equal_files a/trials.csv c/trials.csv
 
 # Other content is another study.
 points 65 4 1 | tail -n 65 >one.txt
