@@ -24,6 +24,7 @@ struct CheckCommand {
     std::optional<unsigned> threads;
     std::filesystem::path out;  ///< empty: results/<bands>
     bool quiet = false;
+    bool json = false;  ///< verdicts on stdout, instead of words
     bool dry_run = false;
 };
 

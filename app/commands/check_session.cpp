@@ -9,6 +9,7 @@
 
 #include "core/support/error.hpp"
 #include "reports/json/context_json.hpp"
+#include "reports/json/gates_json.hpp"
 #include "reports/terminal/gates_terminal.hpp"
 #include "studies/verdicts/ledger.hpp"
 
@@ -68,6 +69,7 @@ ExitCode judge_once(const CheckSession& session) {
     session.print(reports::gates_summary(results));
     add_to_history(session.command);
     session.print(fmt::format("Results: {}\n", out.string()));
+    if (session.command.json) fmt::print("{}", reports::verdicts_json(results));
     return exit_code(results.verdict());
 }
 
@@ -113,7 +115,7 @@ std::filesystem::path CheckSession::out() const {
 }
 
 void CheckSession::print(const std::string& text) const {
-    if (command.quiet) return;
+    if (command.quiet || command.json) return;
     fmt::print("{}", text);
     std::fflush(stdout);
 }

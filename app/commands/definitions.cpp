@@ -62,7 +62,8 @@ void add_check(CLI::App& app, CheckCommand& command, OutsideOptions& outside, Ac
                             ->check(CLI::NonNegativeNumber);
     sub->add_flag("--fresh-seed", command.fresh_seed, "A new seed, printed")->excludes(seed);
     sub->add_option("--seed-sweep", command.seed_sweep, "Check with N seeds; report failure rates against alpha")
-        ->check(CLI::PositiveNumber);
+        ->check(CLI::PositiveNumber)
+        ->excludes(sub->get_option("--json"));
     sub->add_option("--baseline", command.baseline, "Baseline file to compare with")
         ->type_name("FILE")
         ->excludes(sub->get_option("--save-baseline"));

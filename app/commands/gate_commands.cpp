@@ -36,7 +36,10 @@ CLI::App* add_check_of_files(CLI::App& app, CheckCommand& command) {
         ->type_name("FILE");
     sub->add_option("--out", command.out, "Folder for the results (default: results/<bands>)")->type_name("DIR");
     sub->add_flag("-q,--quiet", command.quiet, "Print errors only");
-    sub->add_flag("--dry-run", command.dry_run, "Show trials and expected time of each gate; runs pilots only");
+    CLI::Option* dry_run =
+        sub->add_flag("--dry-run", command.dry_run, "Show trials and expected time of each gate; runs pilots only");
+    sub->add_flag("--json", command.json, "Print the verdicts as JSON, as in verdicts.json")
+        ->excludes(again, dry_run, sub->get_option("--save-baseline"));
     return sub;
 }
 

@@ -71,7 +71,7 @@ void add_to_history(const CheckCommand& command) {
     if (std::filesystem::exists(command.history)) history = load_history(command.history);
     history.insert(history.end(), rows.begin(), rows.end());
     reports::write_file(command.history, studies::history_csv(history));
-    if (command.quiet) return;
+    if (command.quiet || command.json) return;
     fmt::print("History: {}{}\n", command.history.string(),
                left_out.empty() ? "" : fmt::format(" (not kept: {}, arrays)", fmt::join(left_out, ", ")));
 }

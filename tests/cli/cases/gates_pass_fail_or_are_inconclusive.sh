@@ -24,6 +24,9 @@ expect_status 0
 expect_no_stderr
 expect_stdout "1 passed, 0 failed, 0 inconclusive."
 valid_junit results/pass/junit.xml
+ffstudy check pass.toml --json
+expect_status 0
+expect_equal_files "$folder/stdout" results/pass/verdicts.json
 for file in verdicts.csv verdicts.json junit.xml summary.md summary.html context.json; do expect_file results/pass/$file; done
 [ "$(wc -l <results/pass/verdicts.csv)" -eq 31 ] || fail "expected a row for each of 30 pairs"
 expect_in_file results/pass/verdicts.csv "gate,scene,method,patches_per_face,samples_per_patch,from_face,to_face,quantity,value,ci_low,ci_high,band_low,band_high,verdict,minimum_detectable,alpha,power"

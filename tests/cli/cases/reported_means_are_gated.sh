@@ -45,6 +45,21 @@ gate 'kind = "equal"' 'band = 1e-4' 'combine = "simes"'
 ffstudy check bands.toml --estimates new.csv --against old.csv
 expect_status 4
 
+# All bins together, by a covariance that is known: here of bins that do not vary together.
+python3 -c 'print("bin,other_bin,covariance")
+for i in range(200):
+    for j in range(i + 1): print(f"{i},{j},{1e-6 if i == j else 0}")' >covariance.csv
+gate 'kind = "bias"' 'reference = 1' 'band = 1e-4' 'combine = "chi_squared"' 'covariance = "covariance.csv"'
+ffstudy check bands.toml --estimates new.csv
+expect_status 4
+ffstudy check bands.toml --estimates shifted.csv
+expect_status 1
+expect_stdout "(chi_squared)"
+sed -i 's/^3,3,1e-06/3,3,1e-03/' covariance.csv
+ffstudy check bands.toml --estimates new.csv
+expect_status 2
+expect_stderr "bin '3' has the variance 0.001 here"
+
 # Exact values, one for each bin or one for all, in absolute or relative bands.
 { echo "quantity,bin,mean" && for bin in $(seq 0 199); do echo "flux,$bin,1"; done; } >exact.csv
 gate 'kind = "bias"' 'band = 0.02' 'relative = true'
