@@ -5,7 +5,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <map>
 #include <utility>
 
@@ -16,6 +15,7 @@ namespace {
 struct Registry {
     std::mutex mutex;
     std::map<std::string, std::unique_ptr<AddedEstimator>, std::less<>> estimators;
+    std::map<std::string, const AddedEstimator*, std::less<>> short_names;
 };
 
 Registry& registry() {
@@ -79,11 +79,13 @@ EstimatorInfo program_traits(bool has_sizes, bool randomised) {
             .evaluations = "samples"};
 }
 
-const EstimatorEntry& add(std::unique_ptr<AddedEstimator> estimator) {
+const EstimatorEntry& add(std::unique_ptr<AddedEstimator> estimator, const std::string& short_name) {
     const std::string name(estimator->entry().info.name);
-    const auto ours = estimators();
-    if (std::any_of(ours.begin(), ours.end(), [&](const EstimatorEntry& known) { return known.info.name == name; }))
-        throw UserError(fmt::format("estimator \"{}\" (there is one of this name already). Rename it.", name));
+    for (const EstimatorEntry& known : estimators()) {
+        if (known.info.name == name || known.info.name == short_name)
+            throw UserError(
+                fmt::format("estimator \"{}\" (there is one of this name already). Rename it.", known.info.name));
+    }
     Registry& all = registry();
     const std::lock_guard lock(all.mutex);
     const auto [at, is_new] = all.estimators.try_emplace(name);
@@ -91,14 +93,16 @@ const EstimatorEntry& add(std::unique_ptr<AddedEstimator> estimator) {
         at->second = std::move(estimator);
     else
         at->second->learn_from(*estimator);
+    if (!short_name.empty()) all.short_names[short_name] = at->second.get();
     return at->second->entry();
 }
 
 const AddedEstimator* find_added_estimator(std::string_view name) {
     Registry& all = registry();
     const std::lock_guard lock(all.mutex);
-    const auto found = all.estimators.find(name);
-    return found == all.estimators.end() ? nullptr : found->second.get();
+    if (const auto found = all.estimators.find(name); found != all.estimators.end()) return found->second.get();
+    const auto found = all.short_names.find(name);
+    return found == all.short_names.end() ? nullptr : found->second;
 }
 
 }  // namespace ff

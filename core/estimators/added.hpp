@@ -47,10 +47,11 @@ class AddedEstimator {
 EstimatorInfo program_traits(bool has_sizes, bool randomised);
 
 /// Adds an estimator for the rest of the process; one of its name that is there already stays. Safe from any thread.
-/// @throws UserError where the name is one of the catalogue
-const EstimatorEntry& add(std::unique_ptr<AddedEstimator> estimator);
+/// @param short_name  by which it is found as well from now on; empty: none
+/// @throws UserError where a name is one of the catalogue
+const EstimatorEntry& add(std::unique_ptr<AddedEstimator> estimator, const std::string& short_name = {});
 
-/// Null where there is none.
+/// By name or short name. Null where there is none.
 const AddedEstimator* find_added_estimator(std::string_view name);
 
 }  // namespace ff

@@ -21,13 +21,13 @@ import numpy
 from . import _core
 from .errors import Error, FileError, InputError
 from .gates import Gate, Verdicts, check
-from .study import Results, Study
+from .study import Results, Scene, Study
 from .tables import to_html
 
-__all__ = ["Error", "FileError", "FormFactors", "Gate", "InputError", "Results", "Study", "Verdicts", "check", "exact",
+__all__ = ["Error", "FileError", "FormFactors", "Gate", "InputError", "Results", "Scene", "Study", "Verdicts", "check", "exact",
            "form_factors", "load_plugin", "points"]
 
-Scene = Union[str, os.PathLike]
+SceneFile = Union[str, os.PathLike]
 
 
 @dataclass(frozen=True)
@@ -88,7 +88,7 @@ def _obj(vertices, faces, names):
     return text if names is not None else _core.with_faces_of_polygons(text)
 
 
-def form_factors(scene: Optional[Scene] = None, *, vertices=None, faces: Optional[Sequence[Sequence[int]]] = None,
+def form_factors(scene: Optional[SceneFile] = None, *, vertices=None, faces: Optional[Sequence[Sequence[int]]] = None,
                  names: Optional[Sequence[str]] = None, tolerance: float = 1e-5, level: float = 0.95,
                  simultaneous: bool = False, seed: int = 0, threads: Optional[int] = None,
                  max_samples: int = 1_000_000_000) -> FormFactors:
@@ -120,12 +120,12 @@ def points(name: str, n: int, d: int = 4, seed: int = 1, trial: int = 0, *, dead
     return _core.points(name, n, d, seed, trial, deadline)
 
 
-def exact(scene: Scene, i: int, j: int) -> Optional[float]:
+def exact(scene: SceneFile, i: int, j: int) -> Optional[float]:
     """The exact form factor from face i to face j, counted from 1 as the program's faces are; None where none is known."""
     name, text = _scene(scene)
     return _core.exact(name, text, i, j)
 
 
-def load_plugin(file: Scene) -> List[str]:
+def load_plugin(file: SceneFile) -> List[str]:
     """Loads a plug-in with samplers (docs/adding-a-sampler.md) and returns their full names. It runs its code."""
     return _core.load_plugin(os.fspath(file))

@@ -4,8 +4,10 @@ from typing import Any, Callable, Dict, List, Mapping, Optional, Sequence, Tuple
 import numpy
 import numpy.typing
 
-Scene = Union[str, os.PathLike[str]]
+SceneFile = Union[str, os.PathLike[str]]
 Fill = Callable[[int, int, int, int], numpy.typing.ArrayLike]
+
+Estimate = Callable[[Scene, int, int, int], numpy.typing.ArrayLike]
 
 class Error(Exception): ...
 
@@ -50,28 +52,36 @@ class Results:
     complete: bool
     def frame(self, name: str = "summary") -> Any: ...
 
+class Scene:
+    name: str
+    faces: List[str]
+    closed: bool
+    polygons: Optional[List[Tuple[numpy.ndarray, int]]]
+    toml: str
+
 class Study:
     text: str
     origin: str
     def __init__(self, text: str, origin: str = "study") -> None: ...
     @classmethod
-    def from_toml(cls, study: Scene) -> Study: ...
+    def from_toml(cls, study: SceneFile) -> Study: ...
     def wants(self) -> List[Tuple[str, str]]: ...
     def run(
         self,
         *,
         samplers: Optional[Mapping[str, Union[Fill, Tuple[Fill, Dict[str, Any]]]]] = None,
+        estimators: Optional[Mapping[str, Union[Estimate, Tuple[Estimate, Dict[str, Any]]]]] = None,
         trials: Optional[int] = None,
         seed: Optional[int] = None,
         threads: Optional[int] = None,
-        out: Optional[Scene] = None,
+        out: Optional[SceneFile] = None,
         commands: bool = False,
         deadline: float = 60,
         progress: Optional[Callable[[int, int], object]] = None,
     ) -> Results: ...
 
 def form_factors(
-    scene: Optional[Scene] = None,
+    scene: Optional[SceneFile] = None,
     *,
     vertices: Optional[numpy.typing.ArrayLike] = None,
     faces: Optional[Sequence[Sequence[int]]] = None,
@@ -84,13 +94,13 @@ def form_factors(
     max_samples: int = 1_000_000_000,
 ) -> FormFactors: ...
 def check(
-    estimates: Union[Scene, Mapping[str, numpy.typing.ArrayLike], numpy.ndarray, Any],
-    bands: Scene,
+    estimates: Union[SceneFile, Mapping[str, numpy.typing.ArrayLike], numpy.ndarray, Any],
+    bands: SceneFile,
     *,
     against: Optional[Any] = None,
 ) -> Verdicts: ...
 def points(
     name: str, n: int, d: int = 4, seed: int = 1, trial: int = 0, *, deadline: float = 60
 ) -> numpy.ndarray: ...
-def exact(scene: Scene, i: int, j: int) -> Optional[float]: ...
-def load_plugin(file: Scene) -> List[str]: ...
+def exact(scene: SceneFile, i: int, j: int) -> Optional[float]: ...
+def load_plugin(file: SceneFile) -> List[str]: ...

@@ -6,13 +6,29 @@ import pickle
 import tempfile
 import threading
 import warnings
+from dataclasses import dataclass
 from pathlib import Path
+from typing import List, Optional, Tuple
+
+import numpy
 
 from . import _core
 from .errors import InputError
 from .tables import from_csv, to_html
 
 _names = threading.Lock()  # of functions: from reading a study to its end they mean the same
+
+
+@dataclass(frozen=True)
+class Scene:
+    """What a function that estimates form factors gets."""
+
+    name: str
+    faces: List[str]  #: their names
+    closed: bool
+    polygons: Optional[List[Tuple[numpy.ndarray, int]]]  #: corners (k, 3), counter-clockwise as seen from the side that
+    #: radiates, and the face, from 0; -1 is only in the way. None where a surface is curved
+    toml: str  #: the scene in the words of docs/scenes.md, whatever its shapes
 
 
 class Results:
@@ -73,6 +89,19 @@ def _code_hash(function):
     return digest.hexdigest()[:16]
 
 
+def _functions(kind, functions, defaults):
+    """Name, function and all options of each."""
+    for name, function in (functions or {}).items():
+        function, options = function if isinstance(function, tuple) else (function, {})
+        if not name.isidentifier():
+            raise InputError(f"{kind}: {name!r} (a name of a function is wanted). Use letters, digits and _.")
+        if not callable(function):
+            raise InputError(f"{kind}[{name!r}]: {function!r} (not a function). Give one, or (function, options).")
+        if not set(options) <= set(defaults):
+            raise InputError(f"{kind}[{name!r}]: {options!r} (its options are {' and '.join(defaults)}). Remove others.")
+        yield name, function, {**defaults, **options}
+
+
 class Study:
     """A study: scenes, methods, sizes, trials, seed, as a study file says them (docs/study-files.md)."""
 
@@ -91,13 +120,15 @@ class Study:
         """What the study loads and runs besides ffstudy, as pairs (place, plug-in or command)."""
         return _core.wants(self.text, self.origin)
 
-    def run(self, *, samplers=None, trials=None, seed=None, threads=None, out=None, commands=False, deadline=60,
+    def run(self, *, samplers=None, estimators=None, trials=None, seed=None, threads=None, out=None, commands=False, deadline=60,
             progress=None):
         """Runs the study, or resumes what is in `out`, and returns its Results.
 
         samplers: Python functions by name, fill(n, d, seed, trial) -> array (n, d) in [0, 1); methods then name them
             as samplers. Points must follow from the arguments alone. (function, {"d": 2, "randomised": False})
             declares that it gives at most 2 coordinates, or the same points for every seed.
+        estimators: likewise estimate(scene, samples, seed, trial) -> array (faces, faces); `scene` is a Scene.
+            (function, {"samples": False, "randomised": False}) takes no sizes, or gives the same for every seed.
         trials, seed: instead of the study's.   threads: all cores where not given; results do not depend on them.
         out: a folder that keeps the results, to resume or for `ffstudy report`; none is left where not given.
         commands: whether plug-ins and programs that the study names may run.   deadline: of a program, in seconds.
@@ -114,16 +145,10 @@ class Study:
         request = _core.StudyRequest(self.text, self.origin, trials, seed)
         threads = threads if threads is not None else len(os.sched_getaffinity(0))
         with _names:
-            for name, function in (samplers or {}).items():
-                function, options = function if isinstance(function, tuple) else (function, {})
-                if not name.isidentifier():
-                    raise InputError(f"samplers: {name!r} (a name of a function is wanted). Use letters, digits and _.")
-                if not callable(function):
-                    raise InputError(f"samplers[{name!r}]: {function!r} (not a function). Give fill(n, d, seed, trial).")
-                if not set(options) <= {"d", "randomised"}:
-                    raise InputError(f"samplers[{name!r}]: {options!r} (its options are d and randomised). Remove others.")
-                _core.add_function(name, _code_hash(function), function, options.get("d", 4),
-                                   options.get("randomised", True))
+            for name, function, options in _functions("samplers", samplers, {"d": 4, "randomised": True}):
+                _core.add_function(name, _code_hash(function), function, options["d"], options["randomised"])
+            for name, function, options in _functions("estimators", estimators, {"samples": True, "randomised": True}):
+                _core.add_estimator(name, _code_hash(function), function, options["samples"], options["randomised"])
             if out is not None:
                 tables = _core.run_study(request, Path(out), threads, progress)
             else:

@@ -1,3 +1,4 @@
+#include "python/module/function_estimator.hpp"
 #include "python/module/function_sampler.hpp"
 #include "python/module/gates.hpp"
 #include "python/module/interruptible.hpp"
@@ -160,6 +161,8 @@ PYBIND11_MODULE(_core, module) {
         arg("file"));
     module.def("with_faces_of_polygons", &ff::studies::with_faces_of_polygons, arg("text"));
     module.def("add_function", &add_function, arg("name"), arg("hash"), arg("fill"), arg("most_dimension"),
+               arg("randomised"));
+    module.def("add_estimator", &add_estimator, arg("name"), arg("hash"), arg("estimate"), arg("has_sizes"),
                arg("randomised"));
     bind_gates(module);
     bind_study(module);

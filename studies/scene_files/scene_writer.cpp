@@ -24,13 +24,6 @@ bool is_a_word(const std::string& name) {
     return !name.empty() && name != occluder && name.find_first_of(" \t\r\n#") == std::string::npos;
 }
 
-/// Counter-clockwise as seen from the side that radiates.
-std::vector<Vector3d> rim(const Surface& surface) {
-    std::vector<Vector3d> rim = corners(surface.shape);
-    if ((rim[1] - rim[0]).cross(rim[2] - rim[0]).dot(surface.normal) < 0) std::reverse(rim.begin(), rim.end());
-    return rim;
-}
-
 /// Calls `write(surface)` for the surfaces of a face after the other, those of no face last.
 template <class Write>
 void by_faces(const Scene& scene, const Write& write) {
@@ -90,6 +83,12 @@ std::string keys_of(const Surface& surface) {
 }
 
 }  // namespace
+
+std::vector<Vector3d> rim(const Surface& surface) {
+    std::vector<Vector3d> all = corners(surface.shape);
+    if ((all[1] - all[0]).cross(all[2] - all[0]).dot(surface.normal) < 0) std::reverse(all.begin(), all.end());
+    return all;
+}
 
 bool is_of_polygons(const Scene& scene) {
     return std::all_of(scene.faces.begin(), scene.faces.end(), is_a_word) &&

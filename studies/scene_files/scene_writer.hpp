@@ -2,12 +2,18 @@
 
 #include "core/geometry/scene.hpp"
 
+#include <Eigen/Core>
+
 #include <string>
+#include <vector>
 
 namespace ff::studies {
 
 /// Whether OBJ and .vs3 can say a scene: all surfaces are polygons, and the names of faces single words.
 bool is_of_polygons(const Scene& scene);
+
+/// Corners of a flat surface with corners, counter-clockwise as seen from the side that it radiates to.
+std::vector<Eigen::Vector3d> rim(const Surface& surface);
 
 /// A scene as the text of a file which the program reads back as the same surfaces and faces; grids are left out where
 /// the format has none. Numbers have all their digits. @pre no mirrors; of OBJ and .vs3, is_of_polygons

@@ -26,6 +26,19 @@ constexpr std::array keys{
     Key{"map", [](const EstimatorInfo& estimator) { return estimator.has_map; }},
 };
 
+/// The estimator that a program is, where it has been admitted.
+const EstimatorInfo& find_admitted(const TomlReader& reader, const std::string& command) {
+    try {
+        const auto folder = std::filesystem::path(reader.origin()).parent_path();
+        if (const auto* added = find_added_estimator(full_command_name(command, folder))) return added->entry().info;
+    } catch (const UserError& error) {
+        reader.fail("estimator", fmt::format("is refused: {}", error.what()));
+    }
+    reader.fail("estimator",
+                "is refused: the program has not been admitted (reading a study runs nothing). Admit it first, see "
+                "studies/outside/outside_code.hpp.");
+}
+
 }  // namespace
 
 const EstimatorInfo& read_estimator(const TomlReader& reader) {
@@ -34,19 +47,9 @@ const EstimatorInfo& read_estimator(const TomlReader& reader) {
     if (!reader.has("estimator"))
         reader.fail("estimator", fmt::format("missing. Choose one of {}.", fmt::join(names, ", ")));
     const std::string name = reader.text("estimator");
-    if (!names_command(name))
-        return estimators()[reader.optional_choice("estimator", names, names.size()).value()].info;
-    try {
-        const auto* added = find_added_estimator(name);  // the full name, as it was stored
-        const auto folder = std::filesystem::path(reader.origin()).parent_path();
-        if (added == nullptr) added = find_added_estimator(full_command_name(name, folder));
-        if (added != nullptr) return added->entry().info;
-    } catch (const UserError& error) {
-        reader.fail("estimator", fmt::format("is refused: {}", error.what()));
-    }
-    reader.fail("estimator",
-                "is refused: the program has not been admitted (reading a study runs nothing). Admit it first, see "
-                "studies/outside/outside_code.hpp.");
+    if (const auto* added = find_added_estimator(name)) return added->entry().info;
+    if (names_command(name)) return find_admitted(reader, name);
+    return estimators()[reader.optional_choice("estimator", names, names.size()).value()].info;
 }
 
 void refuse_keys_of_others(const TomlReader& reader, const EstimatorInfo& estimator) {

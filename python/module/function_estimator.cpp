@@ -1,0 +1,106 @@
+#include "python/module/function_estimator.hpp"
+
+#include "core/estimators/added.hpp"
+#include "core/support/error.hpp"
+#include "samplers/outside_points.hpp"
+#include "studies/scene_files/scene_writer.hpp"
+
+#include <fmt/format.h>
+#include <pybind11/eigen.h>
+#include <pybind11/numpy.h>
+#include <pybind11/stl.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace py = pybind11;
+
+namespace ff::python {
+namespace {
+
+using Numbers = py::array_t<double, py::array::c_style | py::array::forcecast>;
+
+/// ffstudy.Scene of a scene. @pre the interpreter's lock is held
+py::object described(const Scene& scene) {
+    py::object polygons = py::none();
+    if (studies::is_of_polygons(scene)) {
+        py::list all;
+        for (const Surface& surface : scene.surfaces) {
+            const auto corners = studies::rim(surface);
+            Numbers rows({corners.size(), std::size_t{3}});
+            auto at = rows.mutable_unchecked<2>();
+            for (py::ssize_t i = 0; i < rows.shape(0); ++i) {
+                for (py::ssize_t j = 0; j < 3; ++j) at(i, j) = corners[static_cast<std::size_t>(i)][j];
+            }
+            all.append(py::make_tuple(rows, surface.face));
+        }
+        polygons = all;
+    }
+    return py::module_::import("ffstudy.study")
+        .attr("Scene")(scene.name, scene.faces, scene.closed, polygons, studies::toml_scene_text(scene));
+}
+
+class FunctionEstimator final : public Estimator {
+  public:
+    FunctionEstimator(PyObject* function, std::string name, const Scene& scene)
+        : function_(function), name_(std::move(name)), faces_(static_cast<py::ssize_t>(scene.faces.size())) {
+        const py::gil_scoped_acquire held;
+        scene_ = described(scene).release().ptr();
+    }
+    FunctionEstimator(const FunctionEstimator&) = delete;
+    FunctionEstimator& operator=(const FunctionEstimator&) = delete;
+    ~FunctionEstimator() override {
+        const py::gil_scoped_acquire held;
+        py::handle(scene_).dec_ref();
+    }
+
+    void observe(const EstimatorTask& task, Outcome& outcome, PatchTotals& /*totals*/) const override {
+        const auto request = samplers::request_of({task.key, task.trial, 0, 0}, task.samples, 0);
+        const std::string origin =
+            fmt::format("{} (trial {}, seed {}, {} samples)", name_, request.trial, request.seed, task.samples);
+        const py::gil_scoped_acquire held;
+        try {
+            const py::object made =
+                py::handle(function_)(py::handle(scene_), task.samples, request.seed, request.trial);
+            const Numbers rows = Numbers::ensure(made);
+            if (!rows || rows.ndim() != 2 || rows.shape(0) != faces_ || rows.shape(1) != faces_)
+                throw UserError(fmt::format("{}: returned no array of shape ({}, {}). Return a row for each face.",
+                                            origin, faces_, faces_));
+            outcome = {};
+            outcome.estimates = rows.cast<Eigen::MatrixXd>();
+            if (!outcome.estimates.allFinite())
+                throw UserError(fmt::format("{}: returned a number that is not finite. Correct the function.", origin));
+        } catch (const py::error_already_set& error) {
+            throw UserError(fmt::format("{}: raised {}", origin, error.what()));
+        }
+    }
+
+  private:
+    PyObject* function_;
+    std::string name_;
+    py::ssize_t faces_;
+    PyObject* scene_ = nullptr;
+};
+
+}  // namespace
+
+void add_estimator(const std::string& name, const std::string& hash, py::function estimate, bool has_sizes,
+                   bool randomised) {
+    // Kept for ever, as estimators are: no lock of the interpreter would be there to give it back at the end.
+    PyObject* const function = estimate.release().ptr();
+    add(std::make_unique<AddedEstimator>(
+            AddedEstimator::Texts{fmt::format("{}#{}", name, hash), "form factors that a Python function finds",
+                                  "A function of the Python session. What it promises is its author's affair."},
+            program_traits(has_sizes, randomised), nullptr,
+            [function, name](const Scene& scene) {
+                return std::make_unique<FunctionEstimator>(function, name, scene);
+            }),
+        name);
+}
+
+}  // namespace ff::python
