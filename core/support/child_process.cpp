@@ -7,6 +7,7 @@
 #include <fcntl.h>
 #include <poll.h>
 #include <sys/prctl.h>
+#include <sys/socket.h>
 #include <sys/syscall.h>
 #include <sys/timerfd.h>
 #include <sys/wait.h>
@@ -63,6 +64,13 @@ Pipe make_pipe(const std::string& program) {
     return {Descriptor(ends[0]), Descriptor(ends[1])};
 }
 
+/// A pipe that can be written to without a signal where nobody reads.
+Pipe make_socket(const std::string& program) {
+    std::array<int, 2> ends{};
+    if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) fail_to_start(program, errno);
+    return {Descriptor(ends[0]), Descriptor(ends[1])};
+}
+
 /// Between fork and exec only what a signal handler may do as well.
 [[noreturn]] void become(char* const* argv, const char* folder, ChildStreams streams, ChildSignals signals,
                          pid_t parent, int report) {
@@ -115,6 +123,23 @@ bool ends_before(const Descriptor& timer, pid_t child, int& status) {
     return true;
 }
 
+/// How a process that has ended, or is ended here, did.
+void take_end(pid_t child, bool kill, int status, ChildOutput& result) {
+    if (kill) {
+        ::kill(-child, SIGKILL);
+        wait_for_child(child);
+    } else if (WIFSIGNALED(status)) {
+        result.end = ChildOutput::End::killed;
+        result.code = WTERMSIG(status);
+    } else {
+        result.code = WEXITSTATUS(status);
+    }
+}
+
+void keep_the_last(std::string& errors) {
+    if (errors.size() > 2 * kept_of_errors) errors.erase(0, errors.size() - kept_of_errors);
+}
+
 }  // namespace
 
 pid_t start_child(const ChildCommand& command, ChildStreams streams, ChildSignals signals) {
@@ -165,7 +190,7 @@ ChildOutput read_from_child(const ChildCommand& command, std::uint64_t most_outp
         if (::poll(wait.data(), wait.size(), -1) < 0) continue;
         if (wait[1].revents != 0) read_some(output.read, result.output);
         if (wait[2].revents != 0) read_some(errors.read, result.errors);
-        if (result.errors.size() > 2 * kept_of_errors) result.errors.erase(0, result.errors.size() - kept_of_errors);
+        keep_the_last(result.errors);
         if (result.output.size() > most_output) result.end = ChildOutput::End::too_large;
         if (wait[0].revents != 0) result.end = ChildOutput::End::too_slow;
         kill = result.end != ChildOutput::End::exited;
@@ -175,15 +200,63 @@ ChildOutput read_from_child(const ChildCommand& command, std::uint64_t most_outp
         result.end = ChildOutput::End::too_slow;
         kill = true;
     }
-    if (kill) {
-        ::kill(-child, SIGKILL);
-        wait_for_child(child);
-    } else if (WIFSIGNALED(status)) {
-        result.end = ChildOutput::End::killed;
-        result.code = WTERMSIG(status);
-    } else {
-        result.code = WEXITSTATUS(status);
+    take_end(child, kill, status, result);
+    return result;
+}
+
+struct ChildConversation::Ends {
+    Pipe input;
+    Pipe output;
+    Pipe errors;
+    pid_t child = -1;  ///< of a conversation that is not over
+};
+
+ChildConversation::ChildConversation(const ChildCommand& command)
+    : program_(command.words.front()),
+      ends_(std::make_unique<Ends>(Ends{make_socket(program_), make_pipe(program_), make_pipe(program_)})) {
+    ends_->child =
+        start_child(command, {ends_->input.read.number(), ends_->output.write.number(), ends_->errors.write.number()},
+                    ChildSignals::none);
+    ends_->input.read.close();
+    ends_->output.write.close();
+    ends_->errors.write.close();
+}
+
+ChildConversation::~ChildConversation() {
+    ChildOutput ignored;
+    if (ends_->child > 0) take_end(ends_->child, true, 0, ignored);
+}
+
+ChildOutput ChildConversation::ask(std::string_view line, const Size& size, std::uint64_t most_output,
+                                   double deadline) {
+    Ends& ends = *ends_;
+    ChildOutput result;
+    const Descriptor end = timer(deadline, program_);
+    // A line is shorter than a socket holds, and one is under way at a time: it is sent at once, or nobody reads.
+    const ssize_t written = ::send(ends.input.write.number(), line.data(), line.size(), MSG_NOSIGNAL);
+    bool over = written != static_cast<ssize_t>(line.size());
+    bool kill = false;
+    while (!over && !kill) {
+        if (result.output.size() == size(result.output)) return result;
+        std::array<pollfd, 3> wait{pollfd{end.number(), POLLIN, 0}, pollfd{ends.output.read.number(), POLLIN, 0},
+                                   pollfd{ends.errors.read.number(), POLLIN, 0}};
+        if (::poll(wait.data(), wait.size(), -1) < 0) continue;
+        if (wait[1].revents != 0) read_some(ends.output.read, result.output);
+        if (wait[2].revents != 0) read_some(ends.errors.read, result.errors);
+        keep_the_last(result.errors);
+        over = !ends.output.read.is_open();
+        if (result.output.size() > most_output) result.end = ChildOutput::End::too_large;
+        if (wait[0].revents != 0) result.end = ChildOutput::End::too_slow;
+        kill = result.end != ChildOutput::End::exited;
     }
+    int status = 0;
+    if (!kill && !ends_before(end, ends.child, status)) {
+        result.end = ChildOutput::End::too_slow;
+        kill = true;
+    }
+    while (ends.errors.read.is_open() && !kill) read_some(ends.errors.read, result.errors);
+    keep_the_last(result.errors);
+    take_end(std::exchange(ends.child, -1), kill, status, result);
     return result;
 }
 

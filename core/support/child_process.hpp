@@ -4,7 +4,10 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
+#include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace ff {
@@ -48,5 +51,29 @@ struct ChildOutput {
 /// Runs a program without input, and reads what it prints. The terminal's signals do not reach it.
 /// @param most_output  bytes  @param deadline  seconds, above 0  @throws IoError where it cannot be started
 ChildOutput read_from_child(const ChildCommand& command, std::uint64_t most_output, double deadline);
+
+/// A program that answers requests: a line on its standard input each, bytes on its standard output. It ends with this
+/// object. The terminal's signals do not reach it. To be used, and destroyed, in the thread that made it.
+class ChildConversation {
+  public:
+    /// @throws IoError where it cannot be started
+    explicit ChildConversation(const ChildCommand& command);
+    ~ChildConversation();
+    ChildConversation(const ChildConversation&) = delete;
+    ChildConversation& operator=(const ChildConversation&) = delete;
+
+    /// Bytes that an answer has in all, as far as its beginning tells.
+    using Size = std::function<std::uint64_t(std::string_view beginning)>;
+
+    /// The answer to a line, or how the program ended instead: `exited` with the answer whole where `output` has as
+    /// many bytes as `size` says. After anything else the conversation is over.
+    /// @param most_output  bytes  @param deadline  seconds, above 0
+    [[nodiscard]] ChildOutput ask(std::string_view line, const Size& size, std::uint64_t most_output, double deadline);
+
+  private:
+    struct Ends;
+    std::string program_;
+    std::unique_ptr<Ends> ends_;
+};
 
 }  // namespace ff

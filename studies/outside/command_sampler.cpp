@@ -26,8 +26,12 @@ samplers::PointSet run_for_set(const Program& program, const SetRequest& request
     constexpr std::uint64_t bytes_of_a_number = 64;  // in text, with much to spare
     const std::uint64_t most = 65536 + request.points * (request.dimension + 4) * bytes_of_a_number;
     const std::string output =
-        program.run(place, {request.seed, request.trial},
-                    {{"{n}", std::to_string(request.points)}, {"{d}", std::to_string(request.dimension)}}, most);
+        program.takes_requests()
+            ? program.ask(place,
+                          fmt::format("{} {} {} {}\n", request.points, request.dimension, request.seed, request.trial),
+                          raw_size, most)
+            : program.run(place, {request.seed, request.trial},
+                          {{"{n}", std::to_string(request.points)}, {"{d}", std::to_string(request.dimension)}}, most);
     auto set = parse_points(output, place);
     if (set.sets != 1 || set.points != request.points || set.dimension < request.dimension)
         throw UserError(

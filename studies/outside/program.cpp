@@ -1,6 +1,5 @@
 #include "studies/outside/program.hpp"
 
-#include "core/support/child_process.hpp"
 #include "core/support/error.hpp"
 #include "studies/point_files/content.hpp"
 #include "studies/readers/printable.hpp"
@@ -8,6 +7,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
+#include <memory>
 #include <system_error>
 
 namespace ff::studies {
@@ -125,6 +126,31 @@ std::string Program::run(const std::string& place, Seed seed, Values values, std
         for (const auto& [placeholder, value] : values) replace_all(word, placeholder, value);
     }
     ChildOutput output = read_from_child(command, most_output, deadline_);
+    expect_sound(place, output, most_output);
+    return std::move(output.output);
+}
+
+std::string Program::ask(const std::string& place, const std::string& line, const ChildConversation::Size& size,
+                         std::uint64_t most_output) const {
+    // Programs live as long as the process, so that the address is a name.
+    thread_local std::map<const Program*, std::unique_ptr<ChildConversation>> conversations;
+    auto& conversation = conversations[this];
+    if (!conversation) {
+        ChildCommand command{words_, folder_};
+        for (std::string& word : command.words) replace_all(word, requests, "-");
+        conversation = std::make_unique<ChildConversation>(command);
+    }
+    ChildOutput output = conversation->ask(line, size, most_output, deadline_);
+    const bool whole = output.end == ChildOutput::End::exited && output.output.size() == size(output.output);
+    if (whole) return std::move(output.output);
+    conversation.reset();
+    expect_sound(place, output, most_output);
+    throw IoError(fmt::format("{}: ended before its answer was whole ({}). Let it answer until its input ends.", place,
+                              last_words(output.errors)));
+}
+
+/// @throws IoError
+void Program::expect_sound(const std::string& place, const ChildOutput& output, std::uint64_t most_output) const {
     const auto fail = [&](const std::string& problem) {
         throw IoError(fmt::format("{}: {} ({}). Run it by hand: what was saved stays.", place, problem,
                                   last_words(output.errors)));
@@ -143,7 +169,6 @@ std::string Program::run(const std::string& place, Seed seed, Values values, std
             fail(fmt::format("printed more than {} bytes, and was stopped", most_output));
             break;
     }
-    return std::move(output.output);
 }
 
 void Program::refuse_unrepeatable(std::string_view what) const {

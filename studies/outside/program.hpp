@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/support/child_process.hpp"
+
 #include <cstdint>
 #include <filesystem>
 #include <functional>
@@ -43,12 +45,19 @@ class Program {
     /// "command:…" without a hash, for messages.
     [[nodiscard]] std::string title() const;
     [[nodiscard]] bool has(std::string_view placeholder) const;
+    /// Whether one process answers many requests, lines on its standard input.
+    [[nodiscard]] bool takes_requests() const { return has(requests); }
     /// Whether runs differ from trial to trial.
-    [[nodiscard]] bool is_randomised() const { return has("{seed}") || has("{trial}"); }
+    [[nodiscard]] bool is_randomised() const { return has("{seed}") || has("{trial}") || takes_requests(); }
 
     /// What it prints. Safe from several threads. @param place  names the run in messages  @param most_output  bytes
     /// @throws IoError where it cannot be started, fails, takes too long or prints too much
     [[nodiscard]] std::string run(const std::string& place, Seed seed, Values values, std::uint64_t most_output) const;
+
+    /// What it answers to a request; it is started once for each thread. @pre takes_requests()
+    /// @param size  bytes of an answer, as far as its beginning tells  @throws IoError as `run` does
+    [[nodiscard]] std::string ask(const std::string& place, const std::string& line,
+                                  const ChildConversation::Size& size, std::uint64_t most_output) const;
 
     /// Once, before its first result: two runs with one seed have to agree, and one with another seed has to differ.
     /// @param what  it prints, in the plural  @param result  of a run, as it is compared
@@ -65,6 +74,9 @@ class Program {
     }
 
   private:
+    static constexpr std::string_view requests = "{requests}";
+
+    void expect_sound(const std::string& place, const ChildOutput& output, std::uint64_t most_output) const;
     [[noreturn]] void refuse_unrepeatable(std::string_view what) const;
     [[noreturn]] void refuse_seedless(std::string_view what) const;
 

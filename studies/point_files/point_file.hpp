@@ -2,6 +2,7 @@
 
 #include "samplers/point_set.hpp"
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -23,6 +24,8 @@ samplers::PointSet parse_points(std::string_view bytes, const std::string& origi
 bool is_npy(std::string_view bytes);
 samplers::PointSet parse_npy(std::string_view bytes, const std::string& origin);
 bool is_raw(std::string_view bytes);
+/// Bytes of a raw set in all, as far as its beginning tells; of what is none, those that there are.
+std::uint64_t raw_size(std::string_view beginning);
 samplers::PointSet parse_raw(std::string_view bytes, const std::string& origin);
 bool is_ld_data(std::string_view text);
 samplers::PointSet parse_ld_data(std::string_view text, const std::string& origin);

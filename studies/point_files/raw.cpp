@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <bit>
+#include <cstdint>
 #include <cstring>
 
 namespace ff::studies {
@@ -24,6 +25,17 @@ Number number_at(std::string_view bytes, std::size_t at) {
 
 bool is_raw(std::string_view bytes) {
     return bytes.starts_with(magic);
+}
+
+std::uint64_t raw_size(std::string_view beginning) {
+    const std::string_view known = beginning.substr(0, magic.size());
+    if (known != magic.substr(0, known.size())) return beginning.size();
+    if (beginning.size() < header) return header;
+    const auto points = number_at<std::uint64_t>(beginning, 8);
+    const auto width = number_at<std::uint64_t>(beginning, 16);
+    constexpr std::uint64_t most = std::uint64_t{1} << 56;
+    if (width == 0 || points > most / width) return header;  // wrong, as the parser will say
+    return header + points * width * sizeof(double);
 }
 
 samplers::PointSet parse_raw(std::string_view bytes, const std::string& origin) {

@@ -102,6 +102,56 @@ ffstudy check-sampler "command:python3 mine.py text {n} {d} {seed} {trial}" --n 
 expect_status 4
 expect_stdout "same bits for the same seed"
 
+# One process for many sets: the same points, and what it does wrong.
+cat >serve.py <<'END'
+import random, struct, sys, time
+
+how, asked = sys.argv[2], 0
+for line in sys.stdin:
+    n, d, seed, trial = map(int, line.split())
+    asked += 1
+    if how == "remembers":
+        seed += asked
+    draw = random.Random(seed).random
+    flat = [draw() for _ in range(n * d)]
+    if how == "hangs" and trial == 3:
+        time.sleep(1000)
+    if how == "dies" and trial == 3:
+        sys.exit("no more points")
+    if how == "leaves" and trial == 3:
+        sys.exit(0)
+    if how == "garbage":
+        print("hello", flush=True)
+    sys.stdout.buffer.write(b"FFPOINTS" + struct.pack(f"<QQ{n * d}d", n, d, *flat))
+    sys.stdout.buffer.flush()
+END
+# serve NAME HOW [OPTION...]
+serve() {
+    study "$1" text
+    sed -i "s/^sampler.*/sampler = \"command:python3 serve.py {requests} $2\"/" "$1.toml"
+    ffstudy run "$1.toml" --out "out_$1" "${@:3}"
+}
+serve one sound --threads 1
+expect_status 0
+serve two sound --threads 2
+expect_status 0
+expect_equal_files out_one/trials.csv out_two/trials.csv
+serve three remembers
+expect_status 2
+expect_stderr "run twice, it prints different points"
+serve four hangs --deadline 1
+expect_status 3
+expect_stderr "did not end within 1 s, and was stopped"
+serve five dies
+expect_status 3
+expect_stderr "ended with exit code 1 (its stderr: no more points)"
+serve six leaves
+expect_status 3
+expect_stderr "ended before its answer was whole"
+serve seven garbage
+expect_status 2
+expect_stderr "(not a number)"
+
 # refuse CODE HOW TEXT [OPTION...]: a study of such a program ends so.
 refuse() {
     study wrong "$2"
