@@ -41,8 +41,8 @@ Json published_view(const studies::PublishedResults& published, double alpha, co
 /// The tables of what is asked beyond bias and spread, as far as the study has it.
 Json findings_view(const studies::StudyResults& results) {
     Json tables = Json::array();
-    for (auto* make : {occlusion_table, configurations_table, convergence_table, reductions_table, coverage_table,
-                       error_law_table, spreads_table}) {
+    for (auto* make : {occlusion_table, configurations_table, convergence_table, reductions_table, evenness_table,
+                       coverage_table, error_law_table, spreads_table}) {
         if (const Table table = make(results); !table.rows.empty()) tables.push_back(table_view(table));
     }
     return tables;

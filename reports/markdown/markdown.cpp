@@ -19,6 +19,7 @@ std::string markdown_report(const studies::StudyResults& results) {
     out += markdown_section(configurations_table(results));
     out += slopes_section(results);
     out += markdown_section(reductions_table(results));
+    out += markdown_section(evenness_table(results));
     out += markdown_section(coverage_table(results));
     out += radiosity_section(results);
     out += published_tables_section(results);

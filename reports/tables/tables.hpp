@@ -25,6 +25,9 @@ Table occlusion_table(const studies::StudyResults& results);
 /// How the closure error of deterministic methods falls with subdivision, ours and as printed.
 Table error_law_table(const studies::StudyResults& results);
 
+/// Measures of evenness of the points beside the errors that they make.
+Table evenness_table(const studies::StudyResults& results);
+
 /// Variances against those of random points.
 Table reductions_table(const studies::StudyResults& results);
 

@@ -21,6 +21,7 @@ StudyResults evaluate(const Store& store, const std::atomic<bool>* stop) {
     if (results.findings.complete && all_finite(results.findings)) {
         results.slopes = fit_slopes(store, results.findings);
         results.occlusion = occlusion_series(store, results.findings, results.slopes);
+        results.evenness = compare_evenness_with_errors(results.findings);
         results.heavy_tails = find_heavy_tails(store, results.findings);
         results.reductions = compare_with_random(results.findings);
         results.coverage = measure_coverage(store);

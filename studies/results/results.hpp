@@ -9,6 +9,7 @@
 #include "studies/comparison/occlusion_series.hpp"
 #include "studies/comparison/rivals.hpp"
 #include "studies/diagnostics/coverage.hpp"
+#include "studies/diagnostics/evenness.hpp"
 #include "studies/diagnostics/heavy_tails.hpp"
 #include "studies/diagnostics/variance_check.hpp"
 #include "studies/diagnostics/variance_reduction.hpp"
@@ -37,6 +38,7 @@ struct StudyResults {
     std::vector<LadderSlopes> slopes;
     std::vector<OcclusionSeries> occlusion;
     std::vector<VarianceReduction> reductions;
+    std::vector<Evenness> evenness;
     std::vector<HeavyTail> heavy_tails;
     std::vector<Coverage> coverage;
     std::vector<UntilOutcome> until;

@@ -1,0 +1,29 @@
+#pragma once
+
+#include "core/visibility/pair_class.hpp"
+#include "stats/rank_correlation.hpp"
+#include "studies/analysis/analysis.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace ff::studies {
+
+/// Whether a measure of how evenly points are spread has the order of the errors that they make: over the samplers of
+/// cells that are equal but for it.
+struct Evenness {
+    std::size_t cell = 0;      ///< one of them, for scene, estimator and size
+    std::size_t methods = 0;   ///< as many
+    std::string_view measure;  ///< in words
+    PairClass pair_class = PairClass::other;
+    stats::RankCorrelation correlation;  ///< of the measure and the RMSE; positive where uneven points err more
+};
+
+/// For each scene and estimator at the largest size of at most 1024 points that enough samplers share. The measures are
+/// means over a few sets; samplers whose points cannot be made here are left out. Pure.
+std::vector<Evenness> compare_evenness_with_errors(const Findings& findings);
+
+}  // namespace ff::studies
