@@ -4,8 +4,7 @@
 #include "reports/files/output_file.hpp"
 #include "reports/files/point_set_files.hpp"
 #include "samplers/draw_set.hpp"
-#include "samplers/net_parameter.hpp"
-#include "stats/discrepancy.hpp"
+#include "studies/sampler_checks/evenness_of_set.hpp"
 #include "studies/sampler_checks/sampler_checks.hpp"
 
 #include <fmt/format.h>
@@ -27,26 +26,21 @@ samplers::PointSet draw(const samplers::CatalogueEntry& sampler, const PointsCom
 }
 
 void describe(const samplers::PointSet& set, std::uint32_t base) {
-    constexpr std::uint64_t most = 1u << 14;  // quadratic
-    stats::Coordinates coordinates(set.dimension);
-    double gap = 0;
-    for (std::size_t d = 0; d < set.dimension; ++d) {
-        for (const std::uint32_t x : set.row(0, d)) coordinates[d].push_back((x + 0.5) * 0x1p-32);
-        gap = std::max(gap, stats::largest_gap(coordinates[d]));
-    }
-    const auto t = set.points <= most * 4 ? samplers::net_parameter(set, 0, base) : std::nullopt;
+    const auto found = studies::evenness_of(set, base);
+    const bool too_many = set.points > studies::most_for_t_value;
     fmt::print("{} points of {} coordinates\n", set.points, set.dimension);
     fmt::print("t-value in base {}: {}\n", base,
-               t                       ? fmt::format("{}", *t)
-               : set.points > most * 4 ? "not computed for more than 65536 points"
-                                       : "none, the number of points is no power of it");
-    if (set.points <= most) {
-        fmt::print("L2-star discrepancy: {:.4g}\ncentred L2 discrepancy: {:.4g}\n",
-                   stats::l2_star_discrepancy(coordinates), stats::centred_discrepancy(coordinates));
+               found.t_value ? fmt::format("{}", *found.t_value)
+               : too_many    ? fmt::format("not computed for more than {} points", studies::most_for_t_value)
+                             : "none, the number of points is no power of it");
+    if (found.l2_star_discrepancy) {
+        fmt::print("L2-star discrepancy: {:.4g}\ncentred L2 discrepancy: {:.4g}\n", *found.l2_star_discrepancy,
+                   *found.centred_discrepancy);
     } else {
-        fmt::print("discrepancies: not computed for more than {} points\n", most);
+        fmt::print("discrepancies: not computed for more than {} points\n", studies::most_quadratic);
     }
-    fmt::print("largest gap of an axis: {:.4g} (1/n is {:.4g})\n", gap, 1 / static_cast<double>(set.points));
+    fmt::print("largest gap of an axis: {:.4g} (1/n is {:.4g})\n", found.largest_gap,
+               1 / static_cast<double>(set.points));
 }
 
 std::string_view word(studies::SamplerVerdict verdict) {

@@ -2,8 +2,7 @@
 
 #include "core/support/error.hpp"
 #include "samplers/draw_set.hpp"
-#include "samplers/net_parameter.hpp"
-#include "stats/discrepancy.hpp"
+#include "studies/sampler_checks/evenness_of_set.hpp"
 
 #include <algorithm>
 #include <array>
@@ -23,15 +22,8 @@ constexpr std::array<std::string_view, 4> measure_names{"L2-star discrepancy", "
 using Measures = std::array<std::optional<double>, measure_names.size()>;
 
 Measures measures_of(const samplers::PointSet& set) {
-    stats::Coordinates coordinates(set.dimension);
-    double gap = 0;
-    for (std::size_t d = 0; d < set.dimension; ++d) {
-        for (const std::uint32_t x : set.row(0, d)) coordinates[d].push_back((x + 0.5) * 0x1p-32);
-        gap = std::max(gap, stats::largest_gap(coordinates[d]));
-    }
-    Measures measures{stats::l2_star_discrepancy(coordinates), stats::centred_discrepancy(coordinates), gap, {}};
-    if (const auto t = samplers::net_parameter(set, 0, 2)) measures[3] = static_cast<double>(*t);
-    return measures;
+    const EvennessOfSet found = evenness_of(set, 2);
+    return {found.l2_star_discrepancy, found.centred_discrepancy, found.largest_gap, found.t_value};
 }
 
 /// Means over a few sets; empty where there are no points to be had.
