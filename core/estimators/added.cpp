@@ -46,17 +46,17 @@ AddedEstimator::AddedEstimator(Texts texts, EstimatorInfo traits, Refusal refusa
     entry_.integrand = [](const EstimatorOptions&, PairClass, Hiding) { return std::optional<Integrand>(); };
     entry_.finite_variance = [](const EstimatorOptions&, const Scene&, int, int) { return true; };
     entry_.make = [this](const Scene& scene, TracerChoice /*tracer*/) {
-        Make make;
+        Make known;
         {
             const std::lock_guard lock(mutex_);
-            make = make_;
+            known = make_;
         }
-        if (!make)
+        if (!known)
             throw UserError(
-                fmt::format("estimator \"{}\" (only its results are here, not the program). Name the "
-                            "program, as when the study was run.",
+                fmt::format("estimator \"{}\" (only its results are here, not the program). Name the program, as when "
+                            "the study was run.",
                             texts_.name));
-        return make(scene);
+        return known(scene);
     };
 }
 

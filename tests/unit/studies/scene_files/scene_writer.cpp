@@ -1,6 +1,7 @@
 #include "studies/scene_files/scene_writer.hpp"
 
 #include "core/configurations/built_in_scene.hpp"
+#include "core/configurations/catalogue.hpp"
 #include "studies/scene_files/scene_file.hpp"
 
 #include <gtest/gtest.h>
