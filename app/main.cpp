@@ -41,7 +41,8 @@ void add_run_options(CLI::App& app, RunCommand& command) {
 
 void add_run(CLI::App& app, RunCommand& command, Action& action) {
     CLI::App* sub = add_command(app, everyday, "run", "Run or resume a study");
-    sub->add_option("STUDY", command.study, "Study file (.toml), built-in name, or folder of a study to resume")->required();
+    sub->add_option("STUDY", command.study, "Study file (.toml), built-in name, or folder of a study to resume")
+        ->required();
     add_run_options(*sub, command);
     sub->callback([&] { action = [&] { return run(command); }; });
 }
@@ -94,7 +95,8 @@ void add_convergence(CLI::App& app, ff::studies::ConvergenceRequest& request, Ru
 
 void add_radiosity(CLI::App& app, RadiosityOptions& options, RunCommand& command, Action& action) {
     CLI::App* sub = add_command(app, laboratory, "radiosity", "Run a study and send light through its form factors");
-    sub->add_option("STUDY", command.study, "Study file (.toml), built-in name, or folder of a study to resume")->required();
+    sub->add_option("STUDY", command.study, "Study file (.toml), built-in name, or folder of a study to resume")
+        ->required();
     sub->add_option("--reflectance", options.reflectance,
                     "Reflectances, each solved for by itself (default: the study's, or 0.1,0.5,0.9,0.99,0.999)")
         ->type_name("LIST");

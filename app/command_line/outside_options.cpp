@@ -19,8 +19,7 @@ void add_outside_options(CLI::App& command, OutsideOptions& options, OutsideCode
         ->allow_extra_args(false);
     if (from == OutsideCodeFrom::plugins) return;
     command
-        .add_option("--deadline", options.deadline,
-                    "Time for one run of a program: 90 (seconds), 15m (default: 60)")
+        .add_option("--deadline", options.deadline, "Time for one run of a program: 90 (seconds), 15m (default: 60)")
         ->type_name("TIME");
     if (from == OutsideCodeFrom::files_too)
         command.add_flag("--no-commands", options.no_commands, "Refuse programs and plug-ins that the file names");

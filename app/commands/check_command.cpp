@@ -13,7 +13,7 @@
 #include "reports/files/output_file.hpp"
 #include "reports/terminal/gates_plan.hpp"
 #include "reports/terminal/gates_terminal.hpp"
-#include "studies/gates/experiment.hpp"
+#include "studies/gates/gate_experiment.hpp"
 #include "studies/gates/gate_run.hpp"
 #include "studies/readers/text_file.hpp"
 #include "studies/run/parallel.hpp"
@@ -146,9 +146,9 @@ ExitCode save_baseline(Check& check, const CheckSession& session) {
 /// Plans all gates before it runs the first.
 RunGates prepare_to_run(const Check& check) {
     auto plans = prepare(check, GatePurpose::check);
-    return [check, plans = std::move(plans)](const Tell& tell) mutable {
-        std::vector<std::uint64_t> pilots;
-        for (GatePlan& gate : plans) pilots.push_back(plan(check, gate));
+    std::vector<std::uint64_t> pilots;
+    for (GatePlan& gate : plans) pilots.push_back(plan(check, gate));
+    return [check, plans = std::move(plans), pilots = std::move(pilots)](const Tell& tell) {
         for (std::size_t i = 0; i < plans.size(); ++i) {
             const auto begun = Clock::now();
             auto result = run(check, plans[i], pilots[i]);

@@ -7,7 +7,7 @@
 #include "core/support/error.hpp"
 #include "reports/markdown/selftest_markdown.hpp"
 #include "studies/form_factors/coverage.hpp"
-#include "studies/gates/experiment.hpp"
+#include "studies/gates/gate_experiment.hpp"
 #include "studies/selftest/selftest.hpp"
 #include "studies/verdicts/bands_file.hpp"
 

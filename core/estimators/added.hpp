@@ -28,6 +28,7 @@ class AddedEstimator {
     AddedEstimator(Texts texts, EstimatorInfo traits, Refusal refusal, Make make);
     AddedEstimator(const AddedEstimator&) = delete;
     AddedEstimator& operator=(const AddedEstimator&) = delete;
+    ~AddedEstimator() = default;
 
     [[nodiscard]] const EstimatorEntry& entry() const { return entry_; }
 

@@ -59,10 +59,9 @@ void add_picture(pugi::xml_node cell, const studies::Comparison& row) {
     }
     const studies::Measurement& m = *row.measurement;
     const Scale scale = scale_of(row);
-    pugi::xml_node svg =
-        add_svg(cell, width, height,
-                fmt::format("{}, interval {} to {}, band {} to {}", brief(m.value), brief(m.passing.low),
-                            brief(m.passing.high), brief(row.band.low), brief(row.band.high)));
+    pugi::xml_node svg = add_svg(cell, width, height,
+                                 fmt::format("{}, interval {} to {}, {}", brief(m.value), brief(m.passing.low),
+                                             brief(m.passing.high), band_in_words(row.band)));
     add_bar(svg, scale(row.band.low), scale(row.band.high), height, "#d9e6f2");
     add_bar(svg, scale(m.failing.low), scale(m.failing.high), 2, "#555");
     add_bar(svg, scale(m.passing.low), scale(m.passing.high), 8, "#1f5a99");

@@ -26,13 +26,6 @@ Mark mark_of(Verdict verdict) {
     return Mark::open;
 }
 
-std::string band_in_words(const studies::Band& band) {
-    if (band.low == 0 && band.high == 0) return "none tolerated";
-    if (band.high == -band.low) return fmt::format("band ±{}", brief(band.high));
-    if (!std::isfinite(band.high)) return fmt::format("band {} or more", brief(band.low));
-    return fmt::format("band {} to {}", brief(band.low), brief(band.high));
-}
-
 std::string faces_in_words(const studies::Comparison& c) {
     if (c.from_face.empty()) return {};
     return c.to_face == "sum" ? fmt::format(" Σ{}", c.from_face) : fmt::format(" {}-{}", c.from_face, c.to_face);
@@ -57,6 +50,13 @@ std::string score_picture(const studies::GateResult& result) {
 }
 
 }  // namespace
+
+std::string band_in_words(const studies::Band& band) {
+    if (band.low == 0 && band.high == 0) return "none tolerated";
+    if (band.high == -band.low) return fmt::format("band ±{}", brief(band.high));
+    if (!std::isfinite(band.high)) return fmt::format("band {} or more", brief(band.low));
+    return fmt::format("band {} to {}", brief(band.low), brief(band.high));
+}
 
 std::size_t name_width(const studies::GatesSpec& spec) {
     std::size_t width = 4;

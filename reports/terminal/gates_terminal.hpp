@@ -20,6 +20,9 @@ std::string gate_line(const studies::GateResult& result, Colour colour);
 /// The same without verdict and name: for messages elsewhere.
 std::string gate_in_words(const studies::GateResult& result);
 
+/// "band ±0.01", "band 0.5 or more"
+std::string band_in_words(const studies::Band& band);
+
 /// How many passed, failed and are undecided.
 std::string gates_summary(const studies::CheckResults& check);
 

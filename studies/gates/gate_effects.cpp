@@ -6,7 +6,7 @@
 #include "core/visibility/pair_class.hpp"
 #include "samplers/sampler.hpp"
 #include "studies/analysis/analysis.hpp"
-#include "studies/gates/experiment.hpp"
+#include "studies/gates/gate_experiment.hpp"
 #include "studies/theory/known_variance.hpp"
 #include "studies/theory/sr_distribution.hpp"
 

@@ -2,7 +2,7 @@
 
 #include "core/support/contract.hpp"
 #include "core/support/error.hpp"
-#include "studies/gates/experiment.hpp"
+#include "studies/gates/gate_experiment.hpp"
 #include "studies/verdicts/needed_trials.hpp"
 
 #include <fmt/format.h>

@@ -4,7 +4,7 @@
 #include "core/exact/exact.hpp"
 #include "core/support/error.hpp"
 #include "samplers/sampler.hpp"
-#include "studies/gates/experiment.hpp"
+#include "studies/gates/gate_experiment.hpp"
 #include "studies/gates/gate_run.hpp"
 #include "studies/run/parallel.hpp"
 #include "studies/verdicts/estimate_gates.hpp"
@@ -68,9 +68,9 @@ void measure_controls(const Laboratory& laboratory, const GatesSpec& controls, D
         detection.caught.rates.push_back(
             {what, laboratory.count(broken, Verdict::fail), RateClaim::at_least, controls.power});
         GatesSpec mended = controls;
-        Experiment experiment = experiment_of(gate);
+        GateExperiment experiment = experiment_of(gate);
         experiment.method = mend(experiment.method);
-        mended.gates[i].experiment = std::make_shared<const Experiment>(std::move(experiment));
+        mended.gates[i].experiment = std::make_shared<const GateExperiment>(std::move(experiment));
         const auto sound = laboratory.verdicts(mended, i);
         detection.sound.rates.push_back(
             {"fails: " + what, laboratory.count(sound, Verdict::fail), RateClaim::at_most, controls.alpha});
@@ -84,7 +84,7 @@ GatesSpec edge_gate(double alpha, double bias, double band, std::string estimato
     GatesSpec spec;
     spec.alpha = alpha;
     spec.looks = 1;
-    Experiment experiment{.scenes = {"cube"}, .method = {}};
+    GateExperiment experiment{.scenes = {"cube"}, .method = {}};
     experiment.method.name = "edge";
     experiment.method.sampler = samplers::yardstick().name;
     experiment.method.estimator = std::move(estimator);
@@ -92,7 +92,7 @@ GatesSpec edge_gate(double alpha, double bias, double band, std::string estimato
     Gate gate;
     gate.name = "edge";
     gate.place = "edge";
-    gate.experiment = std::make_shared<const Experiment>(experiment);
+    gate.experiment = std::make_shared<const GateExperiment>(experiment);
     gate.pairs = {"1-6"};
     gate.trials = 50;
     gate.against = Against::number;

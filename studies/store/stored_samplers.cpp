@@ -21,7 +21,8 @@ constexpr const char* point_files_table =
 /// What samplers declare that code from outside makes, likewise.
 constexpr const char* outside_samplers_table =
     "CREATE TABLE IF NOT EXISTS outside_samplers(sampler TEXT PRIMARY KEY, summary TEXT NOT NULL, details TEXT NOT "
-    "NULL, base INTEGER NOT NULL, randomised INTEGER NOT NULL, most_dimension INTEGER NOT NULL) WITHOUT ROWID";
+    "NULL, base INTEGER NOT NULL, randomised INTEGER NOT NULL, most_dimension INTEGER NOT NULL, nanoseconds REAL NOT "
+    "NULL) WITHOUT ROWID";
 
 /// Bytes in words, the last filled up with zeros.
 std::vector<std::uint64_t> in_words(std::string_view bytes) {
@@ -47,13 +48,14 @@ void write_file(Database& database, const samplers::AddedSampler& added) {
 
 void write_declaration(Database& database, const samplers::SamplerInfo& info) {
     database.execute(outside_samplers_table);
-    Statement(database.handle(), "INSERT OR IGNORE INTO outside_samplers VALUES(?, ?, ?, ?, ?, ?)")
+    Statement(database.handle(), "INSERT OR IGNORE INTO outside_samplers VALUES(?, ?, ?, ?, ?, ?, ?)")
         .bind(0, info.name)
         .bind(1, info.summary)
         .bind(2, info.details)
         .bind(3, std::int64_t{info.sizes == samplers::Sizes::powers ? info.base : 0})
         .bind(4, std::int64_t{info.randomised})
         .bind(5, static_cast<std::int64_t>(info.most_dimension))
+        .bind(6, info.nanoseconds)
         .run();
 }
 
@@ -77,8 +79,10 @@ void restore_files(const Database& database) {
 
 /// Of a sampler that is loaded already nothing changes.
 void restore_declarations(const Database& database) {
-    Statement rows(database.handle(),
-                   "SELECT sampler, summary, details, base, randomised, most_dimension FROM outside_samplers");
+    // Units of work are cut by what points cost, which earlier stores do not say.
+    Statement column(database.handle(), "SELECT 1 FROM pragma_table_info('outside_samplers') WHERE name = ?");
+    const bool has_cost = column.bind(0, std::string_view("nanoseconds")).step();
+    Statement rows(database.handle(), "SELECT * FROM outside_samplers");
     while (rows.step()) {
         samplers::SamplerInfo traits;
         if (const std::int64_t base = rows.integer(3); base >= 2) {
@@ -86,6 +90,7 @@ void restore_declarations(const Database& database) {
             traits.base = static_cast<std::uint32_t>(base);
         }
         traits.randomised = rows.integer(4) != 0;
+        if (has_cost) traits.nanoseconds = rows.real(6);
         traits.most_dimension =
             static_cast<std::size_t>(std::clamp<std::int64_t>(rows.integer(5), 1, std::int64_t{max_dimension}));
         samplers::add(std::make_unique<samplers::AddedSampler>(

@@ -84,8 +84,9 @@ std::string_view name(IntervalMethod method);
 /// Counts hits within one trial, instead of taking the mean of several.
 bool is_binomial(IntervalMethod method);
 
-/// Scenes and a method: what our own gates run (gates/experiment.hpp). Judging what others report needs none of it.
-struct Experiment;
+/// Scenes and a method: what our own gates run (gates/gate_experiment.hpp). Judging what others report needs none of
+/// it.
+struct GateExperiment;
 
 /// One [[gate]] of a bands file.
 struct Gate {
@@ -94,8 +95,8 @@ struct Gate {
     std::string place;  ///< "file:line:column" of the gate's band, for messages that only the plan can give
     Band band;
 
-    std::shared_ptr<const Experiment> experiment;  ///< null for estimates that another program made
-    std::vector<std::string> pairs;                ///< "all", a class, or pairs "1-6"
+    std::shared_ptr<const GateExperiment> experiment;  ///< null for estimates that another program made
+    std::vector<std::string> pairs;                    ///< "all", a class, or pairs "1-6"
     std::string pairs_place;
 
     std::optional<std::uint64_t> trials;  ///< instead of a planned number

@@ -2,7 +2,7 @@
 
 #include "studies/verdicts/bands_file.hpp"
 #include "core/support/error.hpp"
-#include "studies/gates/experiment.hpp"
+#include "studies/gates/gate_experiment.hpp"
 #include "studies/gates/gate_plan.hpp"
 #include "studies/gates/gate_run.hpp"
 #include "tests/fuzz/one_input.hpp"

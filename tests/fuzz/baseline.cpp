@@ -4,7 +4,7 @@
 #include "core/support/error.hpp"
 #include "reports/csv/gates_csv.hpp"
 #include "reports/json/gates_json.hpp"
-#include "studies/gates/experiment.hpp"
+#include "studies/gates/gate_experiment.hpp"
 #include "studies/gates/gate_plan.hpp"
 #include "studies/gates/gate_run.hpp"
 #include "studies/verdicts/bands_file.hpp"

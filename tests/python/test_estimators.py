@@ -64,7 +64,7 @@ def test_curved_scenes_are_told_in_words():
         seen.append((scene.polygons, scene.toml, scene.faces))
         return numpy.zeros((len(scene.faces),) * 2)
 
-    ffstudy.Study.from_toml(text(line="", scene="discs_coaxial")).run(
+    ffstudy.Study.from_toml(text(line="", scene="coaxial_discs_equal")).run(
         estimators={"mine": (look, {"samples": False, "randomised": False})})
     assert seen[0][0] is None and 'shape = "disc"' in seen[0][1] and len(seen[0][2]) == 2
 

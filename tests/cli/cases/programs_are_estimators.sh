@@ -101,7 +101,7 @@ refuse_study 2 'it does not get the scene'
 study wrong 'command:python3 fixed.py exact {scene} 0 0' 'patches_per_face = 4'
 refuse_study 2 'a program gets whole faces'
 study wrong 'command:python3 fixed.py exact {obj} 0 0'
-sed -i 's/scene = "cube"/scene = "discs_coaxial"/' wrong.toml
+sed -i 's/scene = "cube"/scene = "coaxial_discs_equal"/' wrong.toml
 refuse_study 2 'not all of it is polygons'
 study wrong 'command:sleep 100 {scene}'
 refuse_study 3 'did not end within 1 s'

@@ -1,5 +1,5 @@
 #include "studies/gates/gate_run.hpp"
-#include "studies/gates/experiment.hpp"
+#include "studies/gates/gate_experiment.hpp"
 
 #include "core/support/error.hpp"
 #include "studies/verdicts/bands_file.hpp"

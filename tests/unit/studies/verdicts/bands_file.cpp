@@ -1,7 +1,7 @@
 #include "studies/verdicts/bands_file.hpp"
 
 #include "core/support/error.hpp"
-#include "studies/gates/experiment.hpp"
+#include "studies/gates/gate_experiment.hpp"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>

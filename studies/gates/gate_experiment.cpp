@@ -1,4 +1,4 @@
-#include "studies/gates/experiment.hpp"
+#include "studies/gates/gate_experiment.hpp"
 
 #include "core/support/contract.hpp"
 #include "stats/interval.hpp"
@@ -40,13 +40,13 @@ std::string_view name(IntervalMethod method) {
     return interval_names.at(static_cast<std::size_t>(method));
 }
 
-const Experiment& experiment_of(const Gate& gate) {
+const GateExperiment& experiment_of(const Gate& gate) {
     FF_EXPECT(gate.experiment != nullptr);
     return *gate.experiment;
 }
 
 void read_experiment(const TomlReader& reader, Gate& gate) {
-    Experiment experiment{.scenes = {}, .method = read_method(reader, gate_keys)};
+    GateExperiment experiment{.scenes = {}, .method = read_method(reader, gate_keys)};
     experiment.scenes = read_scenes(reader);
     if (gate.kind == GateKind::coverage) read_coverage(reader, gate);
     if (gate.kind == GateKind::lost_rays) {
@@ -60,7 +60,7 @@ void read_experiment(const TomlReader& reader, Gate& gate) {
         if (size.trials != gate.trials)
             reader.fail("sizes", "(a gate has one number of trials for all its sizes). Give each the same, or none.");
     }
-    gate.experiment = std::make_shared<const Experiment>(std::move(experiment));
+    gate.experiment = std::make_shared<const GateExperiment>(std::move(experiment));
 }
 
 }  // namespace ff::studies

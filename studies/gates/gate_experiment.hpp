@@ -11,13 +11,13 @@
 namespace ff::studies {
 
 /// What a gate of our own runs.
-struct Experiment {
+struct GateExperiment {
     std::vector<std::string> scenes;
     Method method;
 };
 
 /// @pre the gate is not on estimates of another program
-const Experiment& experiment_of(const Gate& gate);
+const GateExperiment& experiment_of(const Gate& gate);
 
 /// Fills in what a gate runs, and the keys that only our own gates have.
 /// @throws UserError for keys that are unknown or wrong
