@@ -73,9 +73,9 @@ def test_ctrl_c_saves_and_the_study_resumes():
     def interrupt_once(done, units):
         if done == 1:
             os.kill(os.getpid(), signal.SIGINT)
-            time.sleep(0.5)  # until it is noticed
+            time.sleep(0.2)  # until it is noticed
 
-    study = ffstudy.Study.from_toml(study_text(trials=100, sizes="[65536]"))
+    study = ffstudy.Study.from_toml(study_text(trials=400, sizes="[65536]"))
     with pytest.raises(KeyboardInterrupt):
         study.run(out="kept", threads=1, progress=interrupt_once)
     seen = []

@@ -58,6 +58,11 @@ expect_status 2
 expect_stderr "add up to 0.8"
 ffstudy check bands.toml --estimates new.csv --against new.csv
 expect_status 2
+expect_stderr "has the same numbers as in"
+# Small counts are equal by chance.
+printf '%s\n' quantity,bin,count energy,0,11 energy,1,12 >few.csv
+ffstudy check bands.toml --estimates few.csv --against few.csv
+expect_status 4
 ffstudy check bands.toml --estimates shares.csv --against old.csv
 expect_status 2
 expect_stderr "holds shares"

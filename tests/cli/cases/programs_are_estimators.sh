@@ -103,7 +103,8 @@ refuse_study 2 'a program gets whole faces'
 study wrong 'command:python3 fixed.py exact {obj} 0 0'
 sed -i 's/scene = "cube"/scene = "coaxial_discs_equal"/' wrong.toml
 refuse_study 2 'not all of it is polygons'
-study wrong 'command:sleep 100 {scene}'
+echo 'import time; time.sleep(100)' >hang.py
+study wrong 'command:python3 hang.py {scene}'
 refuse_study 3 'did not end within 1 s'
 study wrong 'command:ls {scene}/none'
 refuse_study 3 'ended with exit code 2 (its stderr: '

@@ -133,9 +133,9 @@ serve() {
 }
 serve one sound --threads 1
 expect_status 0
-ffstudy run one.toml --out out_two --threads 2
+ffstudy run one.toml --out again --threads 2
 expect_status 0
-expect_equal_files out_one/trials.csv out_two/trials.csv
+expect_equal_files out_one/trials.csv again/trials.csv
 # Work is cut by what points cost, and a store is read with the same cut.
 sed 's/= 64$/= 4096/; s/trials = 6/trials = 60/' one.toml >large.toml
 ffstudy run large.toml --out large
