@@ -112,6 +112,7 @@ std::optional<CountDistance> count_distance(std::span<const double> counts, std:
     if (cells.first.size() < 2) return std::nullopt;
     const LogRatios ratios = log_ratios(cells.first, cells.second);
     found.statistic = std::max(0.0, 2 * ratios.sum);
+    found.lattice = 2 / *std::min_element(cells.second.begin(), cells.second.end());
     found.freedom = static_cast<double>(cells.first.size() - 1);
     found.spread = widened(ratios.variance, found.statistic);
     return found;
@@ -138,6 +139,8 @@ std::optional<CountDistance> count_distance_of_two(std::span<const double> first
     CountDistance found;
     found.draws = n * m / (n + m);
     found.statistic = std::max(0.0, 2 * (a.sum + b.sum));
+    const auto& expected = n < m ? of_first : of_second;
+    found.lattice = 2 / *std::min_element(expected.begin(), expected.end());
     found.freedom = static_cast<double>(cells.first.size() - 1);
     found.spread = widened(a.variance + b.variance, found.statistic);
     return found;
@@ -152,7 +155,10 @@ Interval distance_interval(const CountDistance& found, double level) {
     const auto distance = [&](double lambda) { return std::sqrt(lambda / found.draws); };
     Interval interval{.level = level, .method = "noncentral_g", .n = static_cast<std::size_t>(found.draws)};
     interval.low = distance(last_lambda(found, [&](double lambda) { return tail(found, lambda, true) < alpha; }));
-    interval.high = distance(last_lambda(found, [&](double lambda) { return tail(found, lambda, false) > alpha; }));
+    CountDistance larger = found;
+    const double root = std::sqrt(found.statistic) + std::sqrt(found.lattice);
+    larger.statistic = root * root;
+    interval.high = distance(last_lambda(larger, [&](double lambda) { return tail(larger, lambda, false) > alpha; }));
     return interval;
 }
 

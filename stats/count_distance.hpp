@@ -17,6 +17,7 @@ struct CountDistance {
     double freedom = 0;  ///< cells - 1
     double draws = 0;    ///< n of one sample, n m / (n + m) of two
     double spread = 1;   ///< variance of the statistic's noncentral part over that of small differences; at least 1
+    double lattice = 0;  ///< what one event elsewhere makes of a statistic of 0, at most: counts are no continuum
     bool impossible = false;  ///< a count where the share is 0
 };
 
@@ -31,7 +32,8 @@ std::optional<CountDistance> count_distance_of_two(std::span<const double> first
 /// P(G >= that found) where the distance is w: noncentral chi-squared, widened by `spread`. Grows with w.
 double p_above(const CountDistance& found, double w);
 
-/// All w that neither tail at (1 - level) / 2 excludes.
+/// All w that neither tail at (1 - level) / 2 excludes. The upper end counts the statistic as one event larger: few
+/// events agree by chance wherever the truth lies.
 Interval distance_interval(const CountDistance& found, double level);
 
 /// The distance that is found to lie beyond `band` with the power, at a two-sided alpha.

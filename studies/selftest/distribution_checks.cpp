@@ -106,7 +106,8 @@ RateTable measure_counts(const Repetitions& repetitions, std::uint64_t times) {
         .text =
             "Gates of kind `distribution` on 5000 counts in 20 cells, alike or with one cell of 0.5 %, α = 0.01: "
             "without a difference in a band that the noise does not see; at the end of a band of 0.1, by a little in "
-            "all cells or by much in the rare one; power; and how often the interval of 90 % holds the distance.",
+            "all cells or by much in the rare one; of a few events; power; and how often the interval of 90 % holds "
+            "the distance.",
         .rates = {}};
     const Bench bench{repetitions, times, table};
     constexpr std::size_t n = 5000;
@@ -138,6 +139,14 @@ RateTable measure_counts(const Repetitions& repetitions, std::uint64_t times) {
     }
     verdict_rate("fails: a distance of 0.25 in a band of 0.1", Verdict::fail, RateClaim::at_least, 0.9,
                  tilted(even, 0.25), even, band);
+    bench.add("passes: 24 events in two cells, at the end of a band of 0.05", RateClaim::at_most, 0.05,
+              [](stats::Draws& draws) {
+                  const Shares halves{0.5, 0.5};
+                  const Shares from = tilted(halves, 0.05);
+                  const auto row = judge_histogram(draw_counts(from, 24, draws), histogram(Holds::shares, halves),
+                                                   distance_between(from, halves));
+                  return row.verdict == Verdict::pass;
+              });
     const auto of_two = [](double tilt, double width, stats::Draws& draws) {
         const auto first = draw_counts(tilted(even_shares(), tilt / 2), n, draws);
         return judge_histogram(first, draw_counts(tilted(even_shares(), -tilt / 2), n, draws), width).verdict;

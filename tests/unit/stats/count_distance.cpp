@@ -49,15 +49,25 @@ TEST(CountDistance, OfTwoFilesIsSymmetric) {
 }
 
 TEST(CountDistance, IntervalEndsWhereTheTailsReachItsLevel) {
-    const auto found = count_distance(std::vector<double>{400, 300, 200, 100}, quarters);
+    auto found = count_distance(std::vector<double>{400, 300, 200, 100}, quarters);
     ASSERT_TRUE(found);
+    EXPECT_EQ(found->lattice, 2.0 / 250);
     const auto interval = distance_interval(*found, 0.9);
     EXPECT_NEAR(p_above(*found, interval.low), 0.05, 1e-6);
+    found->statistic = std::pow(std::sqrt(found->statistic) + std::sqrt(found->lattice), 2);
     EXPECT_NEAR(p_above(*found, interval.high), 0.95, 1e-6);
     // Pearson's w of these shares is sqrt(0.2) = 0.447; G's is close to it.
     EXPECT_TRUE(interval.contains(0.447)) << interval.low << " to " << interval.high;
     const auto none = count_distance(std::vector<double>{25, 25, 25, 25}, quarters);
     EXPECT_EQ(distance_interval(*none, 0.9).low, 0);
+}
+
+TEST(CountDistance, SaysLittleOfFewThatAgree) {
+    const auto few = count_distance(std::vector<double>{6, 6}, std::vector<double>{0.5, 0.5});
+    const auto many = count_distance(std::vector<double>{6000, 6000}, std::vector<double>{0.5, 0.5});
+    EXPECT_EQ(few->statistic, 0);
+    EXPECT_GT(distance_interval(*few, 0.9).high, 0.5);
+    EXPECT_LT(distance_interval(*many, 0.9).high, 0.03);
 }
 
 TEST(CountDistance, WhatIsDetectableIsRejectedWithThePower) {
