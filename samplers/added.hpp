@@ -32,6 +32,7 @@ class AddedSampler {
     AddedSampler(Texts texts, SamplerInfo traits, std::vector<std::uint64_t> at_hand, Make make, Content content = {});
     AddedSampler(const AddedSampler&) = delete;
     AddedSampler& operator=(const AddedSampler&) = delete;
+    ~AddedSampler() = default;
 
     [[nodiscard]] const CatalogueEntry& entry() const { return entry_; }
     [[nodiscard]] const Content& content() const { return content_; }
