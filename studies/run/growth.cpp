@@ -40,27 +40,26 @@ std::int64_t as_integer(std::uint64_t number) {
 
 void copy_whole_units(const Store& target, const std::filesystem::path& file, const std::vector<Range>& ranges,
                       const std::vector<std::size_t>& first_there, const std::vector<std::size_t>& first_here) {
-    sqlite3* database = target.database().handle();
-    Statement(database, "ATTACH ? AS source").bind(0, std::string_view(sqlite_name(file))).run();
-    Statement(database, "BEGIN IMMEDIATE").run();
-    Statement units(database, R"(INSERT INTO main.units SELECT unit + ?, ?, first_trial, trials, patch_hits,
-                                 patch_hits_squared, NULL FROM source.units
-                                 WHERE cell = ? AND first_trial >= ? AND first_trial < ?)");
-    Statement rows(database, R"(INSERT INTO main.observations SELECT ?, observable, from_face, to_face, trial, value
-                                FROM source.observations WHERE cell = ? AND trial >= ? AND trial < ?)");
-    for (const Range& range : ranges) {
-        if (range.whole == 0) continue;
-        const auto here = as_integer(range.here);
-        const auto there = as_integer(range.there);
-        const auto first = as_integer(range.first);
-        const auto end = as_integer(range.first + range.whole);
-        const auto moved = as_integer(first_here[range.here]) - as_integer(first_there[range.there]);
-        units.bind(0, moved).bind(1, here).bind(2, there).bind(3, first).bind(4, end).run();
-        rows.bind(0, here).bind(1, there).bind(2, first).bind(3, end).run();
-    }
-    add_checksums(target.database(), file, target.plan());
-    Statement(database, "COMMIT").run();
-    Statement(database, "DETACH source").run();
+    const Database& database = target.database();
+    database.copy_from(file, [&] {
+        Statement units(database.handle(), R"(INSERT INTO main.units SELECT unit + ?, ?, first_trial, trials,
+                                              patch_hits, patch_hits_squared, NULL FROM source.units
+                                              WHERE cell = ? AND first_trial >= ? AND first_trial < ?)");
+        Statement rows(database.handle(), R"(INSERT INTO main.observations
+                                             SELECT ?, observable, from_face, to_face, trial, value
+                                             FROM source.observations WHERE cell = ? AND trial >= ? AND trial < ?)");
+        for (const Range& range : ranges) {
+            if (range.whole == 0) continue;
+            const auto here = as_integer(range.here);
+            const auto there = as_integer(range.there);
+            const auto first = as_integer(range.first);
+            const auto end = as_integer(range.first + range.whole);
+            const auto moved = as_integer(first_here[range.here]) - as_integer(first_there[range.there]);
+            units.bind(0, moved).bind(1, here).bind(2, there).bind(3, first).bind(4, end).run();
+            rows.bind(0, here).bind(1, there).bind(2, first).bind(3, end).run();
+        }
+        add_checksums(database, file, target.plan());
+    });
 }
 
 Observation observation_of(const Statement& row) {

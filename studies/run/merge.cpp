@@ -65,19 +65,17 @@ void expect_equal(const Store& a, const Store& b, const Units& units, const std:
 
 /// Adds every row of `file` that the store does not hold.
 void copy_rows(const Store& store, const std::filesystem::path& file, bool has_checksums) {
-    sqlite3* database = store.database().handle();
-    Statement(database, "ATTACH ? AS source").bind(0, std::string_view(sqlite_name(file))).run();
-    Statement(database, "BEGIN IMMEDIATE").run();
-    Statement(database, R"(INSERT INTO main.observations SELECT * FROM source.observations WHERE true
-                           ORDER BY cell, observable, from_face, to_face, trial ON CONFLICT DO NOTHING)")
-        .run();
-    Statement(database, fmt::format(R"(INSERT INTO main.units SELECT unit, cell, first_trial, trials, patch_hits,
-                                       patch_hits_squared, {} FROM source.units WHERE true ON CONFLICT DO NOTHING)",
-                                    has_checksums ? "checksum" : "NULL"))
-        .run();
-    if (!has_checksums) add_checksums(store.database(), file, store.plan());
-    Statement(database, "COMMIT").run();
-    Statement(database, "DETACH source").run();
+    const Database& database = store.database();
+    database.copy_from(file, [&] {
+        database.execute(R"(INSERT INTO main.observations SELECT * FROM source.observations WHERE true
+                            ORDER BY cell, observable, from_face, to_face, trial ON CONFLICT DO NOTHING)");
+        const auto units = fmt::format(
+            R"(INSERT INTO main.units SELECT unit, cell, first_trial, trials, patch_hits, patch_hits_squared, {}
+               FROM source.units WHERE true ON CONFLICT DO NOTHING)",
+            has_checksums ? "checksum" : "NULL");
+        database.execute(units.c_str());
+        if (!has_checksums) add_checksums(database, file, store.plan());
+    });
 }
 
 std::vector<std::size_t> indices_where(const Units& units) {

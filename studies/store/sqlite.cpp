@@ -157,7 +157,7 @@ bool Database::has_moved() const {
     return sqlite3_file_control(handle_, "main", SQLITE_FCNTL_HAS_MOVED, &moved) == SQLITE_OK && moved != 0;
 }
 
-void Database::execute(const char* sql) {
+void Database::execute(const char* sql) const {
     if (sqlite3_exec(handle_, sql, nullptr, nullptr, nullptr) != SQLITE_OK) fail(handle_);
 }
 
@@ -176,6 +176,15 @@ void Database::execute_in_turn(const char* sql) {
         sqlite3_sleep(pause_ms);
     }
     execute(sql);
+}
+
+void Database::copy_from(const std::filesystem::path& source, const std::function<void()>& copy) const {
+    Statement(handle_, "ATTACH ? AS source").bind(0, std::string_view(sqlite_name(source))).run();
+    // BEGIN IMMEDIATE would also lock the source for writing. The commit would then cover two files, and SQLite leaves
+    // the journal of such a commit behind where the program is killed.
+    execute("BEGIN");
+    copy();
+    execute("COMMIT; DETACH source");
 }
 
 std::int64_t Database::changes() const {

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -58,11 +59,13 @@ class Database {
     Database(const Database&) = delete;
     Database& operator=(const Database&) = delete;
 
-    void execute(const char* sql);
+    void execute(const char* sql) const;
     /// The same; false where another program that has the file open is in the way.
     [[nodiscard]] bool execute_unless_busy(const char* sql);
     /// The same; waits even where SQLite would refuse at once, because two programs wait for each other.
     void execute_in_turn(const char* sql);
+    /// Runs `copy` as one transaction, with the tables of another SQLite file readable as source.TABLE.
+    void copy_from(const std::filesystem::path& source, const std::function<void()>& copy) const;
     /// Rows that the last statement inserted.
     [[nodiscard]] std::int64_t changes() const;
     /// Whether what a write-ahead log holds stays there when the file is closed.

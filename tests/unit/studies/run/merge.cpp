@@ -2,6 +2,7 @@
 
 #include "core/support/error.hpp"
 #include "studies/run/run.hpp"
+#include "studies/store/sqlite.hpp"
 #include "tests/support/earlier_stores.hpp"
 #include "tests/support/studies.hpp"
 
@@ -79,6 +80,14 @@ TEST_F(Merge, NamesMissingAndDoubledUnits) {
     EXPECT_THAT(outcome.missing, ElementsAre(0, 2, 3));
     EXPECT_THAT(outcome.doubled, ElementsAre(1, 4));
     EXPECT_FALSE(target.is_complete());
+}
+
+TEST_F(Merge, AsksForNoLockOnItsSources) {
+    Store target = Store::create_or_resume(file("target"), five_units());
+    const auto whole = shard("whole", {1, 1});
+    const Database writer(whole, Database::Mode::create_or_open);
+    writer.execute("BEGIN IMMEDIATE");
+    EXPECT_THAT(merge_stores({whole}, target).missing, IsEmpty());
 }
 
 TEST_F(Merge, AgainChangesNothing) {

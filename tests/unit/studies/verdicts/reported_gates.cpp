@@ -1,6 +1,7 @@
 #include "studies/verdicts/reported_gates.hpp"
 
 #include "core/support/error.hpp"
+#include "tests/support/studies.hpp"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -110,7 +111,8 @@ TEST(JudgeReported, RefusesBinningsThatDiffer) {
 /// Bins that vary with their neighbours, at a correlation of 0.9, and their covariance in a file.
 struct Correlated {
     static constexpr std::size_t bins = 20;
-    std::filesystem::path file = std::filesystem::path(testing::TempDir()) / "covariance.csv";
+    test::TemporaryFolder folder;
+    std::filesystem::path file = folder.path() / "covariance.csv";
 
     /// @param leave_out  pairs at the end of the file
     explicit Correlated(double scale = 1, std::size_t leave_out = 0) {
