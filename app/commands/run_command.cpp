@@ -16,6 +16,7 @@
 #include "reports/files/output_file.hpp"
 #include "reports/terminal/terminal.hpp"
 #include "studies/results/resources.hpp"
+#include "studies/run/measured_costs.hpp"
 #include "studies/run/run.hpp"
 #include "studies/store/store.hpp"
 
@@ -174,9 +175,11 @@ ExitCode run(const RunCommand& command) {
     options.drop = &drop_flag();
     stop_in_order_on_signals();
     bool worked = false;
+    studies::MeasuredCosts costs(plan);
     options.report = [&](const studies::Progress& state) {
         worked = true;
         progress.show(state);
+        costs.add(state);
         watch_memory(request);
     };
     std::optional<TimeLimit> limit(request.max_time);
@@ -186,7 +189,9 @@ ExitCode run(const RunCommand& command) {
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     if (outcome == studies::RunOutcome::complete && (worked || !store.context().contains("command"))) {
         studies::Context context = store.context();
-        studies::add_context(context, describe_run(reproduce(command, plan.spec), request.threads, seconds));
+        studies::Context now = describe_run(reproduce(command, plan.spec), request.threads, seconds);
+        if (!costs.in_words().empty()) now["processor_time_per_trial"] = costs.in_words();
+        studies::add_context(context, now);
         store.set_context(context);
     }
 
@@ -196,6 +201,8 @@ ExitCode run(const RunCommand& command) {
     const auto [results, to_the_end] = evaluate_until_stopped(store);
     write_results(out, {store, results, templates}, usual_formats());
     if (!command.quiet) fmt::print("{}", reports::terminal_summary(results, style_of_stdout()));
+    if (!command.quiet && !costs.in_words().empty())
+        fmt::print("\nProcessor time per trial, measured: {}\n", costs.in_words());
     if (!command.quiet) fmt::print("\nResults: {}\n", (out.path() / "report.html").string());
     if (outcome == studies::RunOutcome::complete && !to_the_end) return ExitCode::interrupted;
     if (outcome == studies::RunOutcome::complete)

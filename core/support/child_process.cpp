@@ -1,6 +1,7 @@
 #include "core/support/child_process.hpp"
 
 #include "core/support/error.hpp"
+#include "core/support/processor_time.hpp"
 
 #include <fmt/format.h>
 
@@ -114,7 +115,7 @@ Descriptor timer(double seconds, const std::string& program) {
 bool ends_before(const Descriptor& timer, pid_t child, int& status) {
     // Kernels before 5.3 have no descriptors of processes; poll leaves out what is negative.
     const Descriptor process(static_cast<int>(::syscall(SYS_pidfd_open, child, 0)));
-    while (::waitpid(child, &status, WNOHANG) == 0) {
+    while (wait_counting(child, status, WNOHANG) == 0) {
         std::array<pollfd, 2> wait{pollfd{timer.number(), POLLIN, 0}, pollfd{process.number(), POLLIN, 0}};
         if (::poll(wait.data(), wait.size(), process.is_open() ? -1 : milliseconds_between_looks) > 0 &&
             wait[0].revents != 0)
@@ -165,7 +166,7 @@ pid_t start_child(const ChildCommand& command, ChildStreams streams, ChildSignal
 
 int wait_for_child(pid_t child) {
     int status = 0;
-    while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
+    while (wait_counting(child, status, 0) < 0 && errno == EINTR) {
     }
     return status;
 }

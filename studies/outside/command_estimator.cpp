@@ -183,7 +183,7 @@ const EstimatorEntry& load_command_estimator(std::string_view name, const std::f
     return add(std::make_unique<AddedEstimator>(
         AddedEstimator::Texts{program->full_name(), "form factors that a program prints",
                               "The program is run for each trial, and three times at first to see that it prints the "
-                              "same for the same seed. Its cost is not known: compare it by errors."},
+                              "same for the same seed. A run measures the processor time per trial."},
         program_traits(program->has("{samples}"), program->is_randomised()),
         [program](const Scene& scene) { return refuse_shapes(*program, scene); },
         [program](const Scene& scene) { return std::make_unique<CommandEstimator>(program, scene); }));

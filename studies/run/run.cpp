@@ -182,7 +182,8 @@ void run_round(Store& store, const Worker& worker, const std::vector<const WorkU
         ++progress.units_done;
         progress.expected_seconds_done += expected_seconds(plan, unit);
         progress.evaluations += unit.trials * evaluations_per_trial(plan, plan.cells[unit.cell]);
-        progress.cell = unit.cell;
+        progress.unit = unit.index;
+        progress.processor_seconds = record->processor_seconds;
         if (options.report) options.report(progress);
     }
 }

@@ -17,7 +17,8 @@ struct Progress {
     double expected_seconds_done = 0;  ///< by the plan's cost table, of one core
     double expected_seconds = 0;
     std::uint64_t evaluations = 0;  ///< in this run
-    std::size_t cell = 0;           ///< of the unit saved last
+    std::size_t unit = 0;           ///< the one saved last
+    double processor_seconds = 0;   ///< of it, as measured; 0 where another process carried it out
 };
 
 /// Takes a finished unit; false where nobody waits for it any more.

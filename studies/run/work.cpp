@@ -2,6 +2,7 @@
 
 #include "core/estimators/estimator.hpp"
 #include "core/patches/face_averages.hpp"
+#include "core/support/processor_time.hpp"
 #include "core/visibility/facing.hpp"
 #include "samplers/sampler.hpp"
 
@@ -128,6 +129,7 @@ UnitRecord Worker::carry_out(const WorkUnit& unit, BegunUnit begun) const {
                        .samples = cell.samples,
                        .options = estimator_options(*tools.method),
                        .key = cell.key};
+    const double begin = processor_seconds();
     for (std::uint64_t trial = unit.first_trial + begun.trials; trial < unit.first_trial + unit.trials; ++trial) {
         task.trial = static_cast<std::uint32_t>(trial);
         tools.estimator->observe(task, outcome, totals);
@@ -138,6 +140,7 @@ UnitRecord Worker::carry_out(const WorkUnit& unit, BegunUnit begun) const {
             add_matrix(outcome.estimates, tools.with_itself, trial, record);
         }
     }
+    record.processor_seconds = processor_seconds() - begin;
     record.patch_hits = std::move(totals.hits.hits);
     record.patch_hits_squared = std::move(totals.hits.hits_squared);
     for (const double sum : totals.factors.factors) record.patch_hits.push_back(std::bit_cast<std::uint64_t>(sum));

@@ -32,6 +32,7 @@ struct UnitRecord {
     std::vector<Observation> observations;
     std::vector<std::uint64_t> patch_hits;  ///< sum over the unit's trials, [patch * faces + face]; may be empty
     std::vector<std::uint64_t> patch_hits_squared;  ///< sum of squares
+    double processor_seconds = 0;                   ///< measured by the process that carried it out; not stored
 };
 
 }  // namespace ff::studies

@@ -39,6 +39,13 @@ expect_stderr 'note: shoot.toml:8:13 runs command:/usr/bin/python3 shoot.py {sce
 ffstudy run shoot.toml --threads 2 --out b
 expect_equal_files a/trials.csv b/trials.csv
 expect_in_file a/results.json 'shoot.py {scene} {samples} {seed}#'
+# The processor time is that of the program, without the three runs that check it: NumPy alone takes 0.05 s to load.
+expect_stdout 'Processor time per trial, measured: mine at 300: 0.'
+python3 - <<'END' || fail 'expected the processor time of Python and nothing for ours'
+import json, re
+text = json.load(open("a/context.json"))["processor_time_per_trial"]
+assert 0.02 < float(re.fullmatch(r"mine at 300: (\S+) s", text)[1]) < 60, text
+END
 
 # Reports run nothing; the study resumes only with the same program.
 cp a/summary.csv before.csv
