@@ -39,15 +39,16 @@ target_compile_options(ff_settings INTERFACE
 target_link_options(ff_settings INTERFACE
   $<$<AND:${hardened},$<STREQUAL:$<TARGET_PROPERTY:TYPE>,EXECUTABLE>>:-pie> $<${hardened}:LINKER:-z,relro> $<${hardened}:LINKER:-z,now>)
 
-# ff_precompile(ff_test_support <gmock/gmock.h>)
+# ff_precompile(ff_core <Eigen/Core>)
 #
-# Parses once per target what most of its files include. Headers of libraries only, so that a changed header of the
-# project recompiles no more than before; and none that defines much inline, as CLI11's, which every file would compile.
+# Parses once per target what most of its files include, and the headers named. Headers of libraries only, so that a
+# changed header of the project recompiles no more than before; and none that defines much inline, as CLI11's, which
+# every file would compile.
 # The preset clang goes without (CMAKE_DISABLE_PRECOMPILE_HEADERS) and shows which file forgets an include.
 function(ff_precompile target)
   target_precompile_headers(${target} PRIVATE
-    <Eigen/Core> <Eigen/Geometry> <algorithm> <cmath> <filesystem> <fmt/format.h> <functional> <map> <memory> <optional>
-    <set> <span> <sstream> <string> <vector> ${ARGN})
+    <algorithm> <cmath> <filesystem> <fmt/format.h> <functional> <map> <memory> <optional> <set> <span> <sstream>
+    <string> <vector> ${ARGN})
 endfunction()
 
 # ff_library(core SOURCES a.cpp b.cpp LINKS fmt::fmt PRIVATE_LINKS embree)
@@ -62,7 +63,7 @@ function(ff_library name)
   target_link_libraries(ff_${name} PUBLIC ${ARG_LINKS} PRIVATE $<BUILD_INTERFACE:ff_settings> ${ARG_PRIVATE_LINKS})
   target_compile_features(ff_${name} PUBLIC cxx_std_20)
   target_compile_definitions(ff_${name} PUBLIC FF_CONTRACTS=$<BOOL:${FFSTUDY_CONTRACTS}>)
-  ff_precompile(ff_${name})
+  ff_precompile(ff_${name} <Eigen/Core> <Eigen/Geometry>)
   # Until 1.0 each minor version may change the interface.
   set_target_properties(ff_${name} PROPERTIES EXPORT_NAME ${name} OUTPUT_NAME ffstudy_${name}
     VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})

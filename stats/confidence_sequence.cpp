@@ -7,16 +7,11 @@
 #include <limits>
 
 namespace ff::stats {
-namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
-}  // namespace
-
 /// With n values, t²/(n - 1) = r and an effect size of variance g, the factor is sqrt(k) ((1 + r) / (1 + k r))^(n/2),
 /// k = 1 / (1 + n g); solved for r.
 Interval normal_sequence(std::span<const double> values, double tightest_at, double level) {
     FF_EXPECT(tightest_at > 0);
+    constexpr double infinity = std::numeric_limits<double>::infinity();
     Interval interval{-infinity, infinity, level, "t_mixture", values.size()};
     const auto n = static_cast<double>(values.size());
     if (values.size() < 2) return interval;

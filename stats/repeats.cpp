@@ -19,8 +19,6 @@
 namespace ff::stats {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
 /// Spacing of the lattice that ascending distinct values lie on; 0 where they lie on none.
 double find_spacing(const std::vector<double>& distinct) {
     std::vector<double> gaps;
@@ -71,7 +69,8 @@ struct Occurrences {
 /// and values that are one of a few. That they repeat says nothing.
 bool is_coarse(const std::vector<double>& distinct, double spacing) {
     if (distinct.size() < 3) return true;
-    const double sites = spacing > 0 ? (distinct.back() - distinct.front()) / spacing + 1 : infinity;
+    const double sites =
+        spacing > 0 ? (distinct.back() - distinct.front()) / spacing + 1 : std::numeric_limits<double>::infinity();
     return sites <= 1.25 * static_cast<double>(distinct.size());
 }
 

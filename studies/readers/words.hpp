@@ -9,6 +9,14 @@
 
 namespace ff::studies {
 
+/// Without blanks and line ends before and after.
+inline std::string_view trimmed(std::string_view text) {
+    constexpr std::string_view blanks = " \t\r\n";
+    const std::size_t first = text.find_first_not_of(blanks);
+    if (first == std::string_view::npos) return {};
+    return text.substr(first, text.find_last_not_of(blanks) - first + 1);
+}
+
 /// Words between blanks.
 inline std::vector<std::string_view> split_words(std::string_view line) {
     constexpr std::string_view blanks = " \t\r";

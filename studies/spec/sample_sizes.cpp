@@ -3,6 +3,7 @@
 #include "core/support/error.hpp"
 #include "core/support/excerpt.hpp"
 #include "samplers/size_ladder.hpp"
+#include "studies/readers/words.hpp"
 
 #include <fmt/format.h>
 
@@ -41,12 +42,6 @@ std::uint64_t read_count(std::string_view text) {
             fmt::format("('{}' is not between 1 and 2^32 points). Take more trials instead.", excerpt(text)));
     }
     return value;
-}
-
-std::string_view trimmed(std::string_view text) {
-    const std::size_t first = text.find_first_not_of(' ');
-    if (first == std::string_view::npos) return {};
-    return text.substr(first, text.find_last_not_of(' ') - first + 1);
 }
 
 std::vector<std::uint64_t> read_part(std::string_view text, const samplers::SamplerInfo& sampler,

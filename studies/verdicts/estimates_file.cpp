@@ -5,6 +5,7 @@
 #include "core/support/nearest_name.hpp"
 #include "studies/readers/csv_reader.hpp"
 #include "studies/readers/text_file.hpp"
+#include "studies/readers/words.hpp"
 #include "studies/verdicts/gate.hpp"
 
 #include <fmt/format.h>
@@ -32,13 +33,6 @@ struct Row {
     std::size_t line = 0;
 };
 using RowsByQuantity = std::map<std::string, std::vector<Row>>;
-
-std::string_view trimmed(std::string_view text) {
-    constexpr std::string_view blanks = " \t";
-    const auto first = text.find_first_not_of(blanks);
-    if (first == std::string_view::npos) return {};
-    return text.substr(first, text.find_last_not_of(blanks) - first + 1);
-}
 
 /// The whole of the text as a number; empty where it is none.
 template <class Number>

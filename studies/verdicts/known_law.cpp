@@ -2,6 +2,7 @@
 
 #include "core/support/nearest_name.hpp"
 #include "stats/distributions.hpp"
+#include "studies/readers/words.hpp"
 
 #include <fmt/format.h>
 
@@ -18,12 +19,6 @@ namespace {
 constexpr std::array<std::string_view, 3> families{"uniform", "normal", "exponential"};
 constexpr std::array<std::string_view, 3> examples{"uniform(0, 1)", "normal(0, 1)", "exponential(1)"};
 constexpr std::array<std::size_t, 3> parameters{2, 2, 1};
-
-std::string_view trimmed(std::string_view text) {
-    const auto first = text.find_first_not_of(' ');
-    if (first == std::string_view::npos) return {};
-    return text.substr(first, text.find_last_not_of(' ') - first + 1);
-}
 
 /// What stands between the brackets; empty where something is no finite number.
 std::vector<double> numbers_of(std::string_view text) {

@@ -235,7 +235,8 @@ void compare_errors(Comparing& comparing) {
              fmt::format("{} of {} means of runs ({:.3g} %) lie within 1.96 stated errors of the mean of "
                          "all, where 95 % should",
                          within, all, 100.0 * static_cast<double>(within) / static_cast<double>(all)));
-    comparing.note += "." + fault_of_errors(std::exp(ratios / judged), std::exp(errors / judged), bins.rows[0].n);
+    comparing.note +=
+        fmt::format(".{}", fault_of_errors(std::exp(ratios / judged), std::exp(errors / judged), bins.rows[0].n));
 }
 
 }  // namespace

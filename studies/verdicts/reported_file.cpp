@@ -5,6 +5,7 @@
 #include "core/support/nearest_name.hpp"
 #include "studies/readers/csv_reader.hpp"
 #include "studies/readers/text_file.hpp"
+#include "studies/readers/words.hpp"
 #include "studies/verdicts/gate.hpp"
 
 #include <fmt/format.h>
@@ -28,13 +29,6 @@ constexpr std::array<Column, 3> values{mean, count, share};  // in the order of 
 
 /// Where each column stands in a record.
 using Header = std::array<std::optional<std::size_t>, column_names.size()>;
-
-std::string_view trimmed(std::string_view text) {
-    constexpr std::string_view blanks = " \t";
-    const auto first = text.find_first_not_of(blanks);
-    if (first == std::string_view::npos) return {};
-    return text.substr(first, text.find_last_not_of(blanks) - first + 1);
-}
 
 /// By the columns that are there; means where none of them is.
 Holds held(const Header& header) {
