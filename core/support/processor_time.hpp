@@ -5,7 +5,7 @@
 namespace ff {
 
 /// Processor time, user and system, that this thread has used, in seconds, with that of the programs it has started and
-/// seen end. Only differences mean anything.
+/// seen end, by the accounts of the system. Only differences mean anything, and no result may depend on them.
 double processor_seconds();
 
 /// As `waitpid`, and counts what the program has used where it has ended.
