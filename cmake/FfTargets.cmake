@@ -41,14 +41,14 @@ target_link_options(ff_settings INTERFACE
 
 # ff_precompile(ff_core <Eigen/Core>)
 #
-# Parses once per target what most of its files include, and the headers named. Headers of libraries only, so that a
+# Parses once per target the headers named and what most of its files include. Headers of libraries only, so that a
 # changed header of the project recompiles no more than before; and none that defines much inline, as CLI11's, which
 # every file would compile.
 # The preset clang goes without (CMAKE_DISABLE_PRECOMPILE_HEADERS) and shows which file forgets an include.
 function(ff_precompile target)
-  target_precompile_headers(${target} PRIVATE
+  target_precompile_headers(${target} PRIVATE ${ARGN}
     <algorithm> <cmath> <filesystem> <fmt/format.h> <functional> <map> <memory> <optional> <set> <span> <sstream>
-    <string> <vector> ${ARGN})
+    <string> <vector>)
 endfunction()
 
 # ff_library(core SOURCES a.cpp b.cpp LINKS fmt::fmt PRIVATE_LINKS embree)
