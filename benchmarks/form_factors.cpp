@@ -26,7 +26,7 @@ void form_factors(benchmark::State& state, const char* name, double tolerance) {
     }
     state.counters["samples"] = static_cast<double>(matrix.samples);
     state.counters["missed"] = static_cast<double>(matrix.missed());
-    state.counters["half_width"] = matrix.half_widths().maxCoeff();
+    state.counters["half_width"] = Eigen::MatrixXd(matrix.half_widths()).maxCoeff();
 }
 // A standard error of 1e-4 is a half width of 2.13e-4 with 15 degrees of freedom at 0.95.
 BENCHMARK_CAPTURE(form_factors, squares_blocked, "squares_blocked", 2.13e-4)->Unit(benchmark::kMillisecond);

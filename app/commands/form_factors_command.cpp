@@ -15,6 +15,7 @@
 #include "core/visibility/mirrors.hpp"
 #include "reports/csv/form_factors_csv.hpp"
 #include "reports/files/matrix_files.hpp"
+#include "reports/files/sparse_npz.hpp"
 #include "reports/json/context_json.hpp"
 #include "reports/json/form_factors_json.hpp"
 #include "reports/json/json.hpp"
@@ -37,9 +38,10 @@ namespace ff::app {
 namespace {
 
 constexpr const char* store_file = "form_factors.sqlite";
-const std::vector<std::string> files{store_file,        "matrix.csv",      "form_factors.mtx",  "form_factors.npy",
-                                     "half_widths.mtx", "half_widths.npy", "areas.mtx",         "areas.npy",
-                                     "repaired.mtx",    "repaired.npy",    "form_factors.json", "context.json"};
+const std::vector<std::string> files{store_file,          "matrix.csv",      "form_factors.mtx", "form_factors.npy",
+                                     "form_factors.npz",  "half_widths.mtx", "half_widths.npy",  "half_widths.npz",
+                                     "areas.mtx",         "areas.npy",       "repaired.mtx",     "repaired.npy",
+                                     "form_factors.json", "context.json"};
 
 /// A built-in name, or name and text of a file.
 std::string read_source(const FormFactorsCommand& command) {
@@ -72,11 +74,20 @@ void write_matrix(OutputFolder& folder, const std::string& file, const Eigen::Ma
     folder.write(file + ".npy", [&](std::ostream& out) { reports::write_npy(out, matrix); });
 }
 
+/// Of very many faces without the files in which zeros take room.
+void write_matrix(OutputFolder& folder, const std::string& file, const studies::FormFactorMatrix::Sparse& matrix,
+                  const std::string& comment) {
+    folder.write(file + ".npz", [&](std::ostream& out) { reports::write_sparse_npz(out, matrix); });
+    if (matrix.rows() <= static_cast<Eigen::Index>(studies::most_dense_faces))
+        write_matrix(folder, file, Eigen::MatrixXd(matrix), comment);
+}
+
 void write_files(OutputFolder& folder, const studies::KeptFormFactors& kept) {
     folder.replace(store_file, [&](const auto& file) { studies::save_form_factors(file, kept); });
     const reports::FormFactorReport report{kept.scene, kept.request, kept.matrix};
     const auto& [scene, request, matrix] = report;
-    folder.write("matrix.csv", [&](std::ostream& out) { reports::write_form_factors_csv(out, report); });
+    if (matrix.faces() <= studies::most_dense_faces)
+        folder.write("matrix.csv", [&](std::ostream& out) { reports::write_form_factors_csv(out, report); });
     write_matrix(folder, "form_factors", matrix.factors(), scene.name);
     write_matrix(folder, "half_widths", matrix.half_widths(), scene.name);
     write_matrix(folder, "areas",

@@ -8,6 +8,7 @@
 #include "reports/csv/heat_csv.hpp"
 #include "reports/terminal/heat_text.hpp"
 #include "reports/words/form_factor_warnings.hpp"
+#include "studies/form_factors/repair.hpp"
 #include "studies/heat/heat.hpp"
 
 #include <fmt/format.h>
@@ -21,6 +22,7 @@ ExitCode heat(const HeatCommand& command) {
     if (!(command.scale >= 1e-9 && command.scale <= 1e9))
         throw UserError(fmt::format("--scale {} (1e-9 to 1e9 metres). Write 0.001 for millimetres.", command.scale));
     auto kept = prepare_form_factors(command.factors);
+    studies::expect_dense(kept.scene, "heat");
     const auto materials = studies::load_materials(command.materials, kept.scene.faces);
     std::optional<OutputFolder> out;
     if (!command.factors.out.empty()) out.emplace(command.factors.out, "heat", std::vector<std::string>{"heat.csv"});

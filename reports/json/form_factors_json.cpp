@@ -48,7 +48,7 @@ std::string form_factors_json(const FormFactorReport& report) {
                        {"coverage", report.request.level_of == studies::LevelOf::entry ? "entry" : "matrix"},
                        {"entry_level", matrix.entry_level},
                        {"seed", report.request.seed.value},
-                       {"pairs", matrix.exchanges.size()},
+                       {"pairs", matrix.pairs()},
                        {"missed", matrix.missed()},
                        {"worst_half_width", worst},
                        {"samples", matrix.samples},

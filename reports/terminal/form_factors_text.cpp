@@ -44,6 +44,10 @@ std::string methods(const FormFactorReport& report, const TextStyle& style) {
         ++row.pairs;
         row.worst = std::max(row.worst, worst_half_width(report.matrix, exchange));
     }
+    if (const std::size_t unseen = report.matrix.pairs() - report.matrix.exchanges.size(); unseen > 0) {
+        const FaceExchange nothing = studies::no_exchange(0, 0);
+        rows[{method_of(nothing), reason_of(nothing)}].pairs = unseen;
+    }
     Table table{"methods", "",
                 "",        {{"method", false, {}}, {"pairs", true, {}}, {"worst ±", true, {}}, {"why", false, {}}},
                 {},        {}};
@@ -92,7 +96,7 @@ std::string many_row_sums(const FormFactorReport& report) {
 std::string verdict(const FormFactorReport& report) {
     const studies::FormFactorMatrix& matrix = report.matrix;
     const std::size_t missed = matrix.missed();
-    const std::size_t all = matrix.exchanges.size();
+    const std::size_t all = matrix.pairs();
     const std::string tolerance = brief(report.request.tolerance);
     const std::string pairs = counted(all, "pair") + " of faces";
     std::string text;

@@ -20,16 +20,23 @@ constexpr double family_level = 0.95;
 
 /// A pair of faces whose exchange area is known.
 struct KnownPair {
-    std::size_t index = 0;
+    std::size_t from = 0;
+    std::size_t to = 0;
     double area = 0;
+    bool sampled = false;
 };
 
 std::vector<KnownPair> known_pairs(const Scene& scene, const FacePairs& geometry) {
     std::vector<KnownPair> known;
-    for (std::size_t p = 0; p < geometry.pairs.size(); ++p) {
-        const FacePair& pair = geometry.pairs[p];
-        const auto factor = known_form_factor(scene, static_cast<int>(pair.from), static_cast<int>(pair.to));
-        if (factor) known.push_back({p, *factor * geometry.areas[pair.from]});
+    auto listed = geometry.pairs.begin();
+    for (std::size_t from = 0; from < geometry.faces(); ++from) {
+        for (std::size_t to = from; to < geometry.faces(); ++to) {
+            const bool is_listed = listed != geometry.pairs.end() && listed->from == from && listed->to == to;
+            const bool sampled = is_listed && listed->is_sampled();
+            if (is_listed) ++listed;
+            const auto factor = known_form_factor(scene, static_cast<int>(from), static_cast<int>(to));
+            if (factor) known.push_back({from, to, *factor * geometry.areas[from], sampled});
+        }
     }
     return known;
 }
@@ -60,9 +67,10 @@ Outcome run_seed(const Scene& scene, const std::vector<KnownPair>& known, const 
     Outcome outcome;
     outcome.within = by_entry.missed() == 0 && at_once.missed() == 0;
     for (const KnownPair& pair : known) {
-        const double shrink = by_entry.exchanges[pair.index].is_sampled() ? options.shrink : 1;
-        outcome.held.push_back(holds(by_entry.exchanges[pair.index], pair.area, shrink));
-        outcome.matrix_held = outcome.matrix_held && holds(at_once.exchanges[pair.index], pair.area, shrink);
+        const FaceExchange found = by_entry.exchange(pair.from, pair.to);
+        const double shrink = found.is_sampled() ? options.shrink : 1;
+        outcome.held.push_back(holds(found, pair.area, shrink));
+        outcome.matrix_held = outcome.matrix_held && holds(at_once.exchange(pair.from, pair.to), pair.area, shrink);
     }
     return outcome;
 }
@@ -75,8 +83,7 @@ void add_scene(const std::string& name, FormFactorCoverage& coverage) {
     request.threads = options.threads;
     const FacePairs geometry = examine_pairs(scene, request);
     const std::vector<KnownPair> known = known_pairs(scene, geometry);
-    const bool sampled = std::any_of(known.begin(), known.end(),
-                                     [&](const KnownPair& pair) { return geometry.pairs[pair.index].is_sampled(); });
+    const bool sampled = std::any_of(known.begin(), known.end(), [](const KnownPair& pair) { return pair.sampled; });
     std::vector<Outcome> outcomes(sampled ? options.seeds : 1);  // without samples all seeds are one
     for_each_index(outcomes.size(), options.threads,
                    [&](std::uint64_t i) { outcomes[i] = run_seed(scene, known, options, i); });
@@ -85,8 +92,8 @@ void add_scene(const std::string& name, FormFactorCoverage& coverage) {
     };
     for (std::size_t k = 0; k < known.size(); ++k) {
         const std::uint64_t held = count([&](const Outcome& outcome) { return outcome.held[k]; });
-        const FacePair& pair = geometry.pairs[known[k].index];
-        if (!pair.is_sampled()) {
+        const KnownPair& pair = known[k];
+        if (!pair.sampled) {
             coverage.exact_pairs += outcomes.size();
             coverage.exact_missed += outcomes.size() - held;
             continue;

@@ -15,11 +15,16 @@
 namespace ff::studies {
 namespace {
 
-/// A matrix of more takes gigabytes.
-constexpr std::size_t most_faces = 4096;
+/// Every pair of so many is looked at within the hour.
+constexpr std::size_t most_faces = 32768;
 
-/// Of more surfaces not every pair is looked at.
+/// Of more surfaces not every pair is looked at, unless each is about a face of its own.
 constexpr std::size_t most_surfaces = 4096;
+constexpr std::size_t most_surfaces_per_face = 4;
+
+bool is_each_looked_at(const Scene& scene) {
+    return scene.surfaces.size() <= std::max(most_surfaces, most_surfaces_per_face * scene.faces.size());
+}
 
 /// Points are sampled for each pair of surfaces; of more pairs, rays serve all at once.
 constexpr std::size_t most_pairs_by_points = 256;
@@ -32,7 +37,7 @@ constexpr double near_enough = 0.5;
 
 /// A surface pair adds to the pair of its faces.
 void add(FacePair& pair, std::uint32_t from, std::uint32_t to, double times, PairExchange exchange, double largest) {
-    ++pair.methods[static_cast<std::size_t>(exchange.method)];
+    pair.method = std::max(pair.method, exchange.method);
     pair.reason = std::max(pair.reason, exchange.reason);
     const auto& area = exchange.area;
     const bool sampled = exchange.method >= ExchangeMethod::points;
@@ -47,19 +52,24 @@ void add(FacePair& pair, std::uint32_t from, std::uint32_t to, double times, Pai
     pair.sampled.push_back({from, to, times, std::move(exchange)});
 }
 
-/// Pairs of one surface with those after it.
-std::vector<PairExchange> exchanges_of(const Scene& scene, const SceneSight& sight, std::size_t first, double wanted,
-                                       const std::atomic<bool>* stop) {
+/// A surface that another exchanges something with, or may.
+struct Partner {
+    std::uint32_t to = 0;
+    PairExchange exchange;
+};
+
+/// Those of one surface among itself and the ones after it.
+std::vector<Partner> partners_of(const Scene& scene, const SceneSight& sight, std::size_t first, double wanted,
+                                 const std::atomic<bool>* stop) {
     const PairExchange unknown{ExchangeMethod::rays, ExchangeReason::many_surfaces, std::nullopt, {}};
-    std::vector<PairExchange> result;
+    std::vector<Partner> result;
     const Surface& from = scene.surfaces[first];
     for (std::size_t j = first; j < scene.surfaces.size(); ++j) {
         const Surface& to = scene.surfaces[j];
-        const bool counts = from.face != no_face && to.face != no_face;
-        if (!counts)
-            result.emplace_back();
-        else
-            result.push_back(stop != nullptr && *stop ? unknown : pair_exchange(scene, sight, first, j, wanted));
+        if (from.face == no_face || to.face == no_face) continue;
+        PairExchange exchange = stop != nullptr && *stop ? unknown : pair_exchange(scene, sight, first, j, wanted);
+        if (exchange.method != ExchangeMethod::none)
+            result.push_back({static_cast<std::uint32_t>(j), std::move(exchange)});
     }
     return result;
 }
@@ -71,9 +81,8 @@ void settle(FacePair& pair, double wanted) {
     if (pair.most - least > 2 * near_enough * wanted) return;
     pair.known = (least + pair.most) / 2;
     pair.bound = (pair.most - least) / 2;
-    pair.sampled.clear();
-    pair.methods = {};
-    pair.methods[static_cast<std::size_t>(ExchangeMethod::bounds)] = 1;
+    pair.sampled = {};
+    pair.method = ExchangeMethod::bounds;
     pair.reason = ExchangeReason::small;
 }
 
@@ -88,16 +97,90 @@ void add_resolution(const Scene& scene, FacePairs& pairs) {
 }
 
 void expect_few_faces(const Scene& scene) {
-    if (scene.faces.size() <= most_faces) return;
-    throw UserError(fmt::format("scene '{}': {} faces (a matrix of at most {} is made). Put surfaces into groups.",
-                                scene.name, scene.faces.size(), most_faces));
+    const std::size_t most = is_each_looked_at(scene) ? most_faces : most_dense_faces;
+    if (scene.faces.size() <= most) return;
+    throw UserError(
+        fmt::format("scene '{}': {} faces (of {} surfaces, a matrix of at most {} is made). Put surfaces "
+                    "into groups.",
+                    scene.name, scene.faces.size(), scene.surfaces.size(), most));
+}
+
+/// Everything is left to rays.
+void leave_all_to_rays(FacePairs& result) {
+    for (std::uint32_t from = 0; from < result.faces(); ++from) {
+        for (std::uint32_t to = from; to < result.faces(); ++to) {
+            FacePair& pair = result.pairs.emplace_back();
+            pair.from = from;
+            pair.to = to;
+            pair.everything = true;
+            pair.all_unblocked_known = false;
+            pair.method = ExchangeMethod::rays;
+            pair.reason = ExchangeReason::many_surfaces;
+            pair.most = std::min(result.areas[from], result.areas[to]);
+        }
+    }
+}
+
+/// Looks at each pair of surfaces. @return by the first, of those that exchange anything
+std::vector<std::vector<Partner>> look_at_pairs(const Scene& scene, const FacePairs& known,
+                                                const FormFactorRequest& request) {
+    const std::size_t n = scene.surfaces.size();
+    const double smallest = *std::min_element(known.areas.begin(), known.areas.end());
+    // Errors of all pairs of surfaces add up.
+    const double wanted = request.tolerance * smallest / 8 / static_cast<double>(n);
+    std::vector<std::vector<Partner>> rows(n);
+    std::mutex reporting;
+    std::size_t looked_at = 0;
+    for_each_index(n, request.threads, [&](std::uint64_t i) {
+        rows[i] = partners_of(scene, known.sight, i, wanted, request.stop);
+        if (!request.report) return;
+        const std::lock_guard lock(reporting);
+        looked_at += n - i;
+        const double share = static_cast<double>(looked_at) / (0.5 * static_cast<double>(n * (n + 1)));
+        request.report({FormFactorProgress::Stage::looking, 0, share, 0, 0, pairs_of(known.faces())});
+    });
+    return rows;
+}
+
+/// Sums what surfaces exchange over pairs of faces.
+void add_up(const Scene& scene, std::vector<std::vector<Partner>> rows, FacePairs& result) {
+    /// Two surfaces, and their faces in order.
+    struct Entry {
+        std::uint32_t face, other_face, from, at;
+    };
+    const std::size_t n = scene.surfaces.size();
+    std::vector<Entry> entries;
+    result.shot.assign(n * n, false);
+    for (std::uint32_t i = 0; i < n; ++i) {
+        for (std::uint32_t k = 0; k < rows[i].size(); ++k) {
+            const auto face = static_cast<std::uint32_t>(scene.surfaces[i].face);
+            const auto other = static_cast<std::uint32_t>(scene.surfaces[rows[i][k].to].face);
+            entries.push_back({std::min(face, other), std::max(face, other), i, k});
+        }
+    }
+    std::stable_sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
+        return std::pair(a.face, a.other_face) < std::pair(b.face, b.other_face);
+    });
+    for (const Entry& entry : entries) {
+        if (result.pairs.empty() || result.pairs.back().from != entry.face ||
+            result.pairs.back().to != entry.other_face) {
+            FacePair& pair = result.pairs.emplace_back();
+            pair.from = entry.face;
+            pair.to = entry.other_face;
+        }
+        auto& [to, exchange] = rows[entry.from][entry.at];
+        if (exchange.method >= ExchangeMethod::points)
+            result.shot[entry.from * n + to] = result.shot[to * n + entry.from] = true;
+        const double largest = std::min(area(scene.surfaces[entry.from].shape), area(scene.surfaces[to].shape));
+        add(result.pairs.back(), entry.from, to, entry.face == entry.other_face && entry.from != to ? 2 : 1,
+            std::move(exchange), largest);
+    }
 }
 
 }  // namespace
 
-std::size_t pair_index(std::size_t a, std::size_t b, std::size_t faces) {
-    const auto [from, to] = std::minmax(a, b);
-    return from * faces - from * (from + 1) / 2 + to;
+std::size_t pairs_of(std::size_t faces) {
+    return faces * (faces + 1) / 2;
 }
 
 FacePairs examine_pairs(const Scene& scene, const FormFactorRequest& request) {
@@ -107,63 +190,17 @@ FacePairs examine_pairs(const Scene& scene, const FormFactorRequest& request) {
     for (const Surface& surface : scene.surfaces) {
         if (surface.face != no_face) result.areas[static_cast<std::size_t>(surface.face)] += area(surface.shape);
     }
-    for (std::size_t from = 0; from < result.faces(); ++from) {
-        for (std::size_t to = from; to < result.faces(); ++to) {
-            FacePair pair;
-            pair.from = from;
-            pair.to = to;
-            result.pairs.push_back(std::move(pair));
-        }
-    }
-    const auto at_most_all = [&](FacePair& pair) {
-        pair.most = std::min(pair.most, std::min(result.areas[pair.from], result.areas[pair.to]));
-    };
-    const std::size_t n = scene.surfaces.size();
-    if (n > most_surfaces) {
-        for (FacePair& pair : result.pairs) {
-            pair.everything = true;
-            pair.all_unblocked_known = false;
-            pair.reason = ExchangeReason::many_surfaces;
-            pair.most = std::min(result.areas[pair.from], result.areas[pair.to]);
-            pair.methods[static_cast<std::size_t>(ExchangeMethod::rays)] = 1;
-        }
+    if (!is_each_looked_at(scene)) {
+        leave_all_to_rays(result);
         add_resolution(scene, result);
         return result;
     }
     result.sight = sight_of(scene);
-    const double smallest = *std::min_element(result.areas.begin(), result.areas.end());
-    std::vector<std::vector<PairExchange>> rows(n);
-    // Errors of all pairs of surfaces add up.
-    const double wanted = request.tolerance * smallest / 8 / static_cast<double>(n);
-    std::mutex reporting;
-    std::size_t looked_at = 0;
-    for_each_index(n, request.threads, [&](std::uint64_t i) {
-        rows[i] = exchanges_of(scene, result.sight, i, wanted, request.stop);
-        if (!request.report) return;
-        const std::lock_guard lock(reporting);
-        looked_at += n - i;
-        const double share = static_cast<double>(looked_at) / (0.5 * static_cast<double>(n * (n + 1)));
-        request.report({FormFactorProgress::Stage::looking, 0, share, 0, 0, result.pairs.size()});
-    });
-
-    result.shot.assign(n * n, 0);
-    for (std::size_t i = 0; i < n; ++i) {
-        const int from = scene.surfaces[i].face;
-        for (std::size_t j = i; j < n; ++j) {
-            const int to = scene.surfaces[j].face;
-            if (from == no_face || to == no_face) continue;
-            FacePair& pair = result.pairs[result.index(static_cast<std::size_t>(from), static_cast<std::size_t>(to))];
-            PairExchange& exchange = rows[i][j - i];
-            if (exchange.method >= ExchangeMethod::points) result.shot[i * n + j] = result.shot[j * n + i] = 1;
-            const double largest = std::min(area(scene.surfaces[i].shape), area(scene.surfaces[j].shape));
-            add(pair, static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(j), from == to && i != j ? 2 : 1,
-                std::move(exchange), largest);
-        }
-        rows[i].clear();
-    }
+    add_up(scene, look_at_pairs(scene, result, request), result);
     for (FacePair& pair : result.pairs) {
-        at_most_all(pair);
-        settle(pair, request.tolerance * std::min(result.areas[pair.from], result.areas[pair.to]));
+        const double smaller = std::min(result.areas[pair.from], result.areas[pair.to]);
+        pair.most = std::min(pair.most, smaller);
+        settle(pair, request.tolerance * smaller);
         pair.by_points = !pair.sampled.empty() && pair.sampled.size() <= most_pairs_by_points &&
                          std::all_of(pair.sampled.begin(), pair.sampled.end(), [](const SampledPair& sampled) {
                              return sampled.exchange.method == ExchangeMethod::points;

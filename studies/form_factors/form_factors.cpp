@@ -53,18 +53,6 @@ void clip(FaceExchange& exchange, const FacePair& pair) {
     exchange.value = std::clamp(exchange.value, exchange.low, exchange.high);
 }
 
-double half_width(double value, double low, double high) {
-    return std::max(high - value, value - low);
-}
-
-ExchangeMethod dearest_method(const FacePair& pair) {
-    ExchangeMethod dearest = ExchangeMethod::none;
-    for (std::size_t m = 0; m < pair.methods.size(); ++m) {
-        if (pair.methods[m] > 0) dearest = static_cast<ExchangeMethod>(m);
-    }
-    return dearest;
-}
-
 FaceExchange exchange_of(const FacePair& pair, const PairEstimate& estimate) {
     FaceExchange result;
     result.from = pair.from;
@@ -92,7 +80,7 @@ FaceExchange exchange_of(const FacePair& pair, const PairEstimate& estimate) {
             result.high = std::max(result.high, estimate.other.value + estimate.other.up);
         }
     } else {
-        result.method = dearest_method(pair);
+        result.method = pair.method;
     }
     clip(result, pair);
     return result;
@@ -110,11 +98,11 @@ struct RowTerms {
     double level = 0;  ///< the highest of its entries
 };
 
+/// @param row  places of its pairs
 RowTerms row_terms(const FormFactorMatrix& matrix, const FacePairs& geometry,
-                   const std::vector<PairEstimate>& estimates, std::size_t row) {
+                   const std::vector<PairEstimate>& estimates, const std::vector<std::uint32_t>& row) {
     RowTerms terms;
-    for (std::size_t other = 0; other < matrix.faces(); ++other) {
-        const std::size_t index = geometry.index(row, other);
+    for (const std::uint32_t index : row) {
         const FacePair& pair = geometry.pairs[index];
         const PairEstimate& estimate = estimates[index];
         const FaceExchange& exchange = matrix.exchanges[index];
@@ -137,8 +125,8 @@ RowTerms row_terms(const FormFactorMatrix& matrix, const FacePairs& geometry,
 
 /// A row's sum: independent randomisations add up, bounds do.
 RowSum row_sum(const FormFactorMatrix& matrix, const FacePairs& geometry, const std::vector<PairEstimate>& estimates,
-               std::size_t row, double level, double farthest) {
-    const RowTerms terms = row_terms(matrix, geometry, estimates, row);
+               std::size_t row, const std::vector<std::uint32_t>& pairs, double level, double farthest) {
+    const RowTerms terms = row_terms(matrix, geometry, estimates, pairs);
     const double area = matrix.areas[row];
     const auto ends = [&](double at) {
         const Estimate found = estimate_of(terms.sum, at);
@@ -165,28 +153,56 @@ void scale_areas(FormFactorMatrix& matrix, double unit) {
 
 }  // namespace
 
-Eigen::MatrixXd FormFactorMatrix::factors() const {
-    const auto n = static_cast<Eigen::Index>(faces());
-    Eigen::MatrixXd result(n, n);
-    for (std::size_t i = 0; i < faces(); ++i) {
-        for (std::size_t j = 0; j < faces(); ++j) {
-            result(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) = exchange(i, j).value / areas[i];
-        }
+FaceExchange no_exchange(std::size_t from, std::size_t to) {
+    FaceExchange nothing;
+    nothing.from = static_cast<std::uint32_t>(from);
+    nothing.to = static_cast<std::uint32_t>(to);
+    nothing.method = ExchangeMethod::none;
+    nothing.within = true;
+    return nothing;
+}
+
+double half_width(const FaceExchange& exchange) {
+    return std::max(exchange.high - exchange.value, exchange.value - exchange.low);
+}
+
+FaceExchange FormFactorMatrix::exchange(std::size_t a, std::size_t b) const {
+    const auto [from, to] = std::minmax(a, b);
+    const auto place = [](const FaceExchange& exchange) {
+        return std::pair<std::size_t, std::size_t>(exchange.from, exchange.to);
+    };
+    const auto wanted = std::pair(from, to);
+    const auto found = std::lower_bound(exchanges.begin(), exchanges.end(), wanted,
+                                        [&](const FaceExchange& e, const auto& p) { return place(e) < p; });
+    return found != exchanges.end() && place(*found) == wanted ? *found : no_exchange(from, to);
+}
+
+namespace {
+
+/// Both directions of what is listed. @param value  of an exchange area
+template <class Value>
+FormFactorMatrix::Sparse both_ways(const FormFactorMatrix& matrix, Value value) {
+    std::vector<Eigen::Triplet<double>> entries;
+    for (const FaceExchange& exchange : matrix.exchanges) {
+        const auto i = static_cast<int>(exchange.from);
+        const auto j = static_cast<int>(exchange.to);
+        entries.emplace_back(i, j, value(exchange) / matrix.areas[exchange.from]);
+        if (i != j) entries.emplace_back(j, i, value(exchange) / matrix.areas[exchange.to]);
     }
+    const auto n = static_cast<Eigen::Index>(matrix.faces());
+    FormFactorMatrix::Sparse result(n, n);
+    result.setFromTriplets(entries.begin(), entries.end());
     return result;
 }
 
-Eigen::MatrixXd FormFactorMatrix::half_widths() const {
-    const auto n = static_cast<Eigen::Index>(faces());
-    Eigen::MatrixXd result(n, n);
-    for (std::size_t i = 0; i < faces(); ++i) {
-        for (std::size_t j = 0; j < faces(); ++j) {
-            const FaceExchange& pair = exchange(i, j);
-            result(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) =
-                half_width(pair.value, pair.low, pair.high) / areas[i];
-        }
-    }
-    return result;
+}  // namespace
+
+FormFactorMatrix::Sparse FormFactorMatrix::factors() const {
+    return both_ways(*this, [](const FaceExchange& exchange) { return exchange.value; });
+}
+
+FormFactorMatrix::Sparse FormFactorMatrix::half_widths() const {
+    return both_ways(*this, &half_width);
 }
 
 std::size_t FormFactorMatrix::missed() const {
@@ -207,8 +223,7 @@ bool leaks(const FormFactorMatrix& matrix, double tolerance) {
 }
 
 double worst_half_width(const FormFactorMatrix& matrix, const FaceExchange& exchange) {
-    return half_width(exchange.value, exchange.low, exchange.high) /
-           std::min(matrix.areas[exchange.from], matrix.areas[exchange.to]);
+    return half_width(exchange) / std::min(matrix.areas[exchange.from], matrix.areas[exchange.to]);
 }
 
 FormFactorMatrix find_form_factors(const Scene& whole_scene, const FormFactorRequest& request) {
@@ -246,8 +261,9 @@ FormFactorMatrix find_form_factors(const Scene& whole_scene, const FormFactorReq
         matrix.exchanges.push_back(exchange);
     }
     const double farthest = farthest_coordinate(whole_scene) / placement.unit;
+    const auto rows = by_face(geometry.pairs, matrix.faces());
     for (std::size_t row = 0; row < matrix.faces(); ++row) {
-        matrix.rows.push_back(row_sum(matrix, geometry, estimates, row, round_level(alpha, 0), farthest));
+        matrix.rows.push_back(row_sum(matrix, geometry, estimates, row, rows[row], round_level(alpha, 0), farthest));
     }
     scale_areas(matrix, placement.unit * placement.unit);
     if (request.repair) matrix.repaired = repair(matrix);

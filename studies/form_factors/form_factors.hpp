@@ -5,6 +5,7 @@
 #include "studies/form_factors/request.hpp"
 
 #include <Eigen/Core>
+#include <Eigen/SparseCore>
 
 #include <cstdint>
 #include <optional>
@@ -15,13 +16,13 @@ namespace ff::studies {
 
 /// The exchange area of two faces, with an interval.
 struct FaceExchange {
-    std::size_t from = 0;  ///< at most `to`
-    std::size_t to = 0;
+    std::uint32_t from = 0;  ///< at most `to`
+    std::uint32_t to = 0;
     double value = 0;
     double low = 0;
     double high = 0;
-    /// The dearest of its surfaces; empty where there was no time to sample it, and the interval is what geometry
-    /// bounds.
+    /// The most expensive that its surfaces took; empty where there was no time to sample it, and the interval is what
+    /// geometry bounds.
     std::optional<ExchangeMethod> method;
     ExchangeReason reason = ExchangeReason::turned_away;  ///< of that
     bool by_rays_of_row = false;                          ///< points would do; the rays of its row serve it as well
@@ -49,11 +50,18 @@ struct RepairedFactors {
     std::size_t outside = 0;       ///< repaired entries outside their intervals
 };
 
+/// Two faces that cannot see each other.
+FaceExchange no_exchange(std::size_t from, std::size_t to);
+
+/// The larger half of an interval.
+double half_width(const FaceExchange& exchange);
+
 /// Form factors between the faces of a scene. Reciprocal by construction: both directions share one exchange area.
 struct FormFactorMatrix {
-    std::vector<double> areas;            ///< of the faces
-    std::size_t surfaces = 0;             ///< that were left when level ones had been joined
-    std::vector<FaceExchange> exchanges;  ///< (0,0), (0,1), .., (1,1), ..
+    std::vector<double> areas;  ///< of the faces
+    std::size_t surfaces = 0;   ///< that were left when level ones had been joined
+    /// (0,0), (0,1), .., (1,1), .. without the pairs that cannot see each other, which exchange exactly nothing.
+    std::vector<FaceExchange> exchanges;
     std::vector<RowSum> rows;
     double entry_level = 0;       ///< of each interval by itself
     std::uint64_t samples = 0;    ///< in all rounds
@@ -66,12 +74,13 @@ struct FormFactorMatrix {
     std::vector<std::string> faults;
 
     [[nodiscard]] std::size_t faces() const { return areas.size(); }
-    [[nodiscard]] const FaceExchange& exchange(std::size_t a, std::size_t b) const {
-        return exchanges[pair_index(a, b, faces())];
-    }
-    [[nodiscard]] Eigen::MatrixXd factors() const;
+    [[nodiscard]] std::size_t pairs() const { return pairs_of(faces()); }
+    /// Of a pair of faces in either order, listed or not.
+    [[nodiscard]] FaceExchange exchange(std::size_t a, std::size_t b) const;
+    using Sparse = Eigen::SparseMatrix<double, Eigen::RowMajor>;
+    [[nodiscard]] Sparse factors() const;
     /// Larger halves of the intervals.
-    [[nodiscard]] Eigen::MatrixXd half_widths() const;
+    [[nodiscard]] Sparse half_widths() const;
     [[nodiscard]] std::size_t missed() const;  ///< pairs of faces that are not within the tolerance
 };
 

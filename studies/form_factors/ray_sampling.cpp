@@ -14,17 +14,22 @@ constexpr std::uint32_t not_wanted = std::numeric_limits<std::uint32_t>::max();
 }  // namespace
 
 bool RaySampling::is_shot(std::uint32_t from, std::uint32_t to) const {
-    return pairs_->shot.empty() || pairs_->shot[from * scene_->surfaces.size() + to] != 0;
+    return pairs_->shot.empty() || pairs_->shot[from * scene_->surfaces.size() + to];
+}
+
+std::vector<std::uint32_t> RaySampling::targets_of_faces() const {
+    std::vector<std::uint32_t> result(scene_->faces.size(), not_wanted);
+    for (std::size_t t = 0; t < targets_.size(); ++t) result[targets_[t]] = static_cast<std::uint32_t>(t);
+    return result;
 }
 
 RaySampling::RaySampling(const Scene& scene, const FacePairs& pairs, std::size_t from, std::vector<std::size_t> targets)
     : scene_(&scene), pairs_(&pairs), from_(from), targets_(std::move(targets)) {
-    target_of_face_.assign(scene.faces.size(), not_wanted);
-    for (std::size_t t = 0; t < targets_.size(); ++t) target_of_face_[targets_[t]] = static_cast<std::uint32_t>(t);
+    const std::vector<std::uint32_t> target_of_face = targets_of_faces();
     const auto n = static_cast<std::uint32_t>(scene.surfaces.size());
     const auto is_wanted = [&](std::uint32_t surface) {
         const int face = scene.surfaces[surface].face;
-        return face != no_face && target_of_face_[static_cast<std::size_t>(face)] != not_wanted;
+        return face != no_face && target_of_face[static_cast<std::size_t>(face)] != not_wanted;
     };
     for (std::uint32_t s = 0; s < n; ++s) {
         if (scene.surfaces[s].face != static_cast<int>(from)) continue;
@@ -48,6 +53,7 @@ RaySampling::Hits RaySampling::run(const Tracer& tracer, StreamKey key, std::uin
     const Stream stream{.key = key, .trial = randomisation, .source = static_cast<std::uint32_t>(from_)};
     const auto block = std::make_unique<PointBlock>();
     const auto part = std::make_unique<PointBlock>();
+    const std::vector<std::uint32_t> target_of_face = targets_of_faces();
     std::vector<Hit> found(block_capacity);
     std::vector<std::pair<std::uint32_t, std::uint32_t>> order;  // source, point
     Hits result{std::vector<std::uint64_t>(targets_.size()), 0};
@@ -60,7 +66,7 @@ RaySampling::Hits RaySampling::run(const Tracer& tracer, StreamKey key, std::uin
                 ++result.lost;
             } else if (hit.received && is_shot(surface, hit.surface)) {
                 const auto face = static_cast<std::size_t>(scene_->surfaces[hit.surface].face);
-                if (target_of_face_[face] != not_wanted) ++result.hits[target_of_face_[face]];
+                if (target_of_face[face] != not_wanted) ++result.hits[target_of_face[face]];
             }
         }
     };

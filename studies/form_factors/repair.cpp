@@ -59,7 +59,16 @@ RepairedFactors compare_repaired(const FormFactorMatrix& matrix, Eigen::MatrixXd
     return result;
 }
 
+void expect_dense(const Scene& scene, std::string_view what) {
+    if (scene.faces.size() <= most_dense_faces) return;
+    throw UserError(
+        fmt::format("{}: scene '{}' has {} faces (it takes a matrix with all zeros, of at most {}). Put "
+                    "surfaces into groups.",
+                    what, scene.name, scene.faces.size(), most_dense_faces));
+}
+
 void expect_repairable(const Scene& scene) {
+    expect_dense(scene, "--repair");
     if (scene.closed || scene.empty_box) return;
     throw UserError(
         fmt::format("--repair: scene '{}' is not said to be closed (its rows need not add up to 1). Say so in the "

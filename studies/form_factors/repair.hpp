@@ -2,6 +2,8 @@
 
 #include "studies/form_factors/form_factors.hpp"
 
+#include <string_view>
+
 namespace ff::studies {
 
 /// The factors nearest to the estimates, by the widths of their intervals, that are reciprocal, sum to 1 in every row
@@ -11,7 +13,10 @@ RepairedFactors repair(const FormFactorMatrix& matrix);
 /// What repaired factors are beside those of the matrix.
 RepairedFactors compare_repaired(const FormFactorMatrix& matrix, Eigen::MatrixXd repaired, bool possible);
 
-/// @throws UserError for a scene that is not closed: nothing says what its rows add up to
+/// @param what  takes the matrix with all its zeros  @throws UserError for more faces than most_dense_faces
+void expect_dense(const Scene& scene, std::string_view what);
+
+/// @throws UserError for a scene that is not closed: nothing says what its rows add up to; for too many faces
 void expect_repairable(const Scene& scene);
 
 }  // namespace ff::studies

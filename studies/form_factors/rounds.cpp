@@ -22,6 +22,9 @@ namespace {
 /// Rate at which sound estimates are said to contradict each other, over all pairs.
 constexpr double contradiction_rate = 1e-3;
 
+/// Of as many pairs jobs are in memory at a time: some kilobytes each.
+constexpr std::size_t most_pairs_at_once = 16384;
+
 /// An earlier estimate of a pair, for comparison.
 struct Earlier {
     std::size_t pair = 0;
@@ -37,19 +40,25 @@ class Rounds {
           alpha_(alpha),
           aim_{geometry, request.tolerance, round_level(alpha, 0)} {
         outcome_.estimates.resize(geometry.pairs.size());
-        progress_.pairs = geometry.pairs.size();
-        progress_.within = static_cast<std::size_t>(std::count_if(
-            geometry.pairs.begin(), geometry.pairs.end(), [](const FacePair& pair) { return !pair.is_sampled(); }));
+        progress_.pairs = pairs_of(geometry.faces());
+        progress_.within = progress_.pairs - static_cast<std::size_t>(
+                                                 std::count_if(geometry.pairs.begin(), geometry.pairs.end(),
+                                                               [](const FacePair& pair) { return pair.is_sampled(); }));
     }
 
     SamplingOutcome find(bool rays_are_exact_enough) {
         try {
-            make_pilots(rays_are_exact_enough);
-            expect_budget();
-            while (!work_.empty()) {
-                run_round();
-                evaluate();
-                keep_within_budget();
+            for (const std::vector<std::size_t>& pairs : batches()) {
+                round_ = 0;
+                choosing_ = true;
+                last_ = false;
+                make_pilots(pairs, rays_are_exact_enough);
+                expect_budget();
+                while (!work_.empty()) {
+                    run_round();
+                    evaluate();
+                    keep_within_budget();
+                }
             }
         } catch (const Stopped&) {
             outcome_.interrupted = true;
@@ -84,6 +93,22 @@ class Rounds {
         for (const auto& [from, pairs] : rows) work_.push_back({Job(scene_, geometry_, from, pairs)});
     }
 
+    /// What is in memory at a time: pairs to sample, by rows that rays may serve, at least most_pairs_at_once of them
+    /// or all. Their samples do not depend on one another.
+    [[nodiscard]] std::vector<std::vector<std::size_t>> batches() const {
+        std::vector<std::vector<std::size_t>> rows(geometry_.faces());
+        for (std::size_t pair = 0; pair < geometry_.pairs.size(); ++pair) {
+            if (geometry_.pairs[pair].is_sampled()) rows[aim_.owner(pair)].push_back(pair);
+        }
+        std::vector<std::vector<std::size_t>> result(1);
+        for (const std::vector<std::size_t>& row : rows) {
+            if (result.back().size() >= most_pairs_at_once) result.emplace_back();
+            result.back().insert(result.back().end(), row.begin(), row.end());
+        }
+        for (auto& batch : result) std::sort(batch.begin(), batch.end());
+        return result;
+    }
+
     /// Rays that the pairs of a row are likely to take: of none of them less than none may hit.
     [[nodiscard]] double expected_rays(std::size_t pair) const {
         constexpr double gain = 10;  // over independent rays, measured: docs/convergence.md
@@ -94,7 +119,7 @@ class Rounds {
     }
 
     /// Both for pairs that both can do; of many pairs not where points are expected to be cheaper for a whole row.
-    void make_pilots(bool rays_are_exact_enough) {
+    void make_pilots(const std::vector<std::size_t>& pairs, bool rays_are_exact_enough) {
         struct Row {
             std::vector<std::size_t> pairs;
             bool needs_rays = false;
@@ -103,9 +128,8 @@ class Rounds {
         };
         constexpr double rounds_of_points = 8;  // the later ones are larger than the first
         std::map<std::size_t, Row> rows;
-        for (std::size_t pair = 0; pair < geometry_.pairs.size(); ++pair) {
+        for (const std::size_t pair : pairs) {
             const FacePair& faces = geometry_.pairs[pair];
-            if (!faces.is_sampled()) continue;
             Row& row = rows[aim_.owner(pair)];
             row.needs_rays = row.needs_rays || !faces.by_points;
             if (faces.by_points) {
@@ -132,8 +156,17 @@ class Rounds {
         return sum;
     }
 
-    void expect_budget() const {
-        if (2 * planned() <= request_.max_samples) return;
+    [[nodiscard]] std::uint64_t left() const {
+        return request_.max_samples > outcome_.samples ? request_.max_samples - outcome_.samples : 0;
+    }
+
+    /// Of later batches nothing is sampled where not even that is left.
+    void expect_budget() {
+        if (2 * planned() <= left()) return;
+        if (outcome_.samples > 0) {
+            work_.clear();
+            return;
+        }
         throw UserError(fmt::format("--max-samples {} (the smallest rounds of this scene take {}). Allow more.",
                                     request_.max_samples, 2 * planned()));
     }
@@ -270,8 +303,7 @@ class Rounds {
     /// The round that would go over the budget is made to fit, and is the last.
     void keep_within_budget() {
         if (work_.empty()) return;
-        const std::uint64_t left =
-            request_.max_samples > outcome_.samples ? request_.max_samples - outcome_.samples : 0;
+        const std::uint64_t left = this->left();
         const bool has_pilots = std::any_of(work_.begin(), work_.end(), [](const Work& work) { return work.pilot; });
         if (planned() <= (has_pilots ? left / 4 : left)) return;
         for (Work& work : work_) {

@@ -84,10 +84,11 @@ class RaySampling {
     const FacePairs* pairs_;
     std::size_t from_;
     std::vector<std::size_t> targets_;
-    std::vector<std::uint32_t> target_of_face_;
     std::vector<Source> sources_;  ///< and an end
     double source_area_ = 0;
 
+    /// Of each face its place among the targets, or that it is none.
+    [[nodiscard]] std::vector<std::uint32_t> targets_of_faces() const;
     [[nodiscard]] bool is_shot(std::uint32_t from, std::uint32_t to) const;
 };
 

@@ -105,7 +105,6 @@ void write_faces(const Database& database, const KeptFormFactors& kept) {
 void write_pairs(const Database& database, const FormFactorMatrix& matrix) {
     Statement insert(database.handle(), "INSERT INTO pairs VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
     for (const FaceExchange& pair : matrix.exchanges) {
-        if (pair.method == ExchangeMethod::none) continue;
         insert.bind(0, integer(pair.from + 1))
             .bind(1, integer(pair.to + 1))
             .bind(2, pair.value)
@@ -224,25 +223,18 @@ class Reader {
         return static_cast<std::size_t>(number - 1);
     }
 
+    static std::pair<std::size_t, std::size_t> place(const FaceExchange& pair) { return {pair.from, pair.to}; }
+
     void read_pairs(FormFactorMatrix& matrix) const {
-        for (std::size_t from = 0; from < matrix.faces(); ++from) {
-            for (std::size_t to = from; to < matrix.faces(); ++to) {
-                FaceExchange nothing;
-                nothing.from = from;
-                nothing.to = to;
-                nothing.method = ExchangeMethod::none;
-                nothing.within = true;
-                matrix.exchanges.push_back(nothing);
-            }
-        }
         Statement query(database_->handle(),
                         "SELECT from_face, to_face, exchange_area, low, high, samples, clipped, within, contradicted, "
-                        "method, reason FROM pairs");
+                        "method, reason FROM pairs ORDER BY from_face, to_face");
         while (query.step()) {
             const std::size_t from = face(query, 0, matrix.faces());
             const std::size_t to = face(query, 1, matrix.faces());
-            expect(from <= to, "a pair");
-            FaceExchange& pair = matrix.exchanges[pair_index(from, to, matrix.faces())];
+            expect(from <= to && (matrix.exchanges.empty() || place(matrix.exchanges.back()) < std::pair(from, to)),
+                   "a pair");
+            FaceExchange& pair = matrix.exchanges.emplace_back(no_exchange(from, to));
             pair.value = query.real(2);
             pair.low = query.real(3);
             pair.high = query.real(4);

@@ -15,7 +15,6 @@ constexpr std::array every_reason{
     ExchangeReason::turned_away, ExchangeReason::aligned,       ExchangeReason::polygons,
     ExchangeReason::far,         ExchangeReason::small,         ExchangeReason::blocked,
     ExchangeReason::curved,      ExchangeReason::many_blockers, ExchangeReason::many_surfaces};
-static_assert(every_method.size() == exchange_methods);
 
 }  // namespace
 

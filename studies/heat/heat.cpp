@@ -31,13 +31,16 @@ bool has_bare_surfaces(const Scene& scene) {
 FactorBounds factor_bounds(const Scene& scene, const FormFactorMatrix& matrix) {
     const auto n = static_cast<Index>(matrix.faces());
     FactorBounds bounds{Eigen::MatrixXd::Zero(n, n + 1), Eigen::MatrixXd::Zero(n, n + 1)};
+    for (const FaceExchange& exchange : matrix.exchanges) {
+        const auto set = [&](Index i, Index j, double area) {
+            bounds.low(i, j) = std::max(0.0, exchange.low / area);
+            bounds.high(i, j) = std::min(1.0, exchange.high / area);
+        };
+        set(exchange.from, exchange.to, matrix.areas[exchange.from]);
+        set(exchange.to, exchange.from, matrix.areas[exchange.to]);
+    }
     for (Index i = 0; i < n; ++i) {
         const auto row = static_cast<std::size_t>(i);
-        for (Index j = 0; j < n; ++j) {
-            const FaceExchange& exchange = matrix.exchange(row, static_cast<std::size_t>(j));
-            bounds.low(i, j) = std::max(0.0, exchange.low / matrix.areas[row]);
-            bounds.high(i, j) = std::min(1.0, exchange.high / matrix.areas[row]);
-        }
         if (scene.closed && !has_bare_surfaces(scene)) continue;
         bounds.low(i, n) = std::clamp(1 - matrix.rows[row].high, 0.0, 1.0);
         bounds.high(i, n) = std::clamp(1 - matrix.rows[row].low, 0.0, 1.0);

@@ -28,6 +28,14 @@ for row in rows:
     assert value == factors[i, j] and float(row["half_width"]) == widths[i, j]
     assert float(row["low"]) <= value <= float(row["high"]) and widths[i, j] <= 1e-5
 assert numpy.abs(repaired.sum(axis=1) - 1).max() < 1e-12
+# The sparse files hold the same, by rows.
+for name, whole in (("form_factors", factors), ("half_widths", widths)):
+    sparse = numpy.load(f"results/furnace/{name}.npz")
+    assert sparse["format"].item() == b"csr" and tuple(sparse["shape"]) == whole.shape
+    rows_of = numpy.repeat(numpy.arange(len(whole)), numpy.diff(sparse["indptr"]))
+    dense = numpy.zeros_like(whole)
+    dense[rows_of, sparse["indices"]] = sparse["data"]
+    assert (dense == whole).all() and len(sparse["data"]) == 42
 END
 /usr/bin/python3 load.py || fail "the files are not as documented"
 

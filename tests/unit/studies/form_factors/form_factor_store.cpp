@@ -133,7 +133,7 @@ TEST_F(FormFactorStore, KeepsEveryMethodAndReason) {
     for (const ExchangeMethod method :
          {ExchangeMethod::closed_form, ExchangeMethod::contour, ExchangeMethod::points, ExchangeMethod::rays}) {
         for (int reason = 0; reason <= static_cast<int>(ExchangeReason::many_surfaces); ++reason) {
-            FaceExchange& pair = kept.matrix.exchanges[1];
+            FaceExchange& pair = kept.matrix.exchanges.front();
             pair.method = method;
             pair.by_rays_of_row = false;
             pair.reason = static_cast<ExchangeReason>(reason);
@@ -142,10 +142,10 @@ TEST_F(FormFactorStore, KeepsEveryMethodAndReason) {
             expect_equal(load_form_factors(file()).matrix, kept.matrix);
         }
     }
-    kept.matrix.exchanges[1].by_rays_of_row = true;
+    kept.matrix.exchanges.front().by_rays_of_row = true;
     save(kept);
     expect_equal(load_form_factors(file()).matrix, kept.matrix);
-    kept.matrix.exchanges[1].method.reset();
+    kept.matrix.exchanges.front().method.reset();
     kept.matrix.interrupted = true;
     save(kept);
     expect_equal(load_form_factors(file()).matrix, kept.matrix);
