@@ -12,6 +12,9 @@ namespace {
 constexpr std::uint64_t farthest_sight = 64;
 constexpr std::uint64_t pilot_growth = 16;
 
+/// A job takes some kilobytes.
+constexpr std::size_t most_pairs_at_once = 16384;
+
 /// Jobs by points, by their pair.
 using PointJobs = std::map<std::size_t, const Job*>;
 
@@ -84,6 +87,21 @@ double Aim::wanted(std::size_t pair) const {
 std::vector<double> Aim::wanted(const Job& job) const {
     std::vector<double> result;
     for (const std::size_t pair : job.pairs()) result.push_back(wanted(pair));
+    return result;
+}
+
+std::vector<std::vector<std::size_t>> batches(const Aim& aim) {
+    const FacePairs& geometry = aim.geometry;
+    std::vector<std::vector<std::size_t>> rows(geometry.faces());
+    for (std::size_t pair = 0; pair < geometry.pairs.size(); ++pair) {
+        if (geometry.pairs[pair].is_sampled()) rows[aim.owner(pair)].push_back(pair);
+    }
+    std::vector<std::vector<std::size_t>> result(1);
+    for (const std::vector<std::size_t>& row : rows) {
+        if (result.back().size() >= most_pairs_at_once) result.emplace_back();
+        result.back().insert(result.back().end(), row.begin(), row.end());
+    }
+    for (auto& batch : result) std::sort(batch.begin(), batch.end());
     return result;
 }
 

@@ -20,6 +20,10 @@ struct Aim {
     [[nodiscard]] std::vector<double> wanted(const Job& job) const;
 };
 
+/// Pairs to sample, in parts whose jobs are in memory at a time: rows that rays may serve, together at least 16 384
+/// pairs or all there are. Samples of a part do not depend on the others.
+std::vector<std::vector<std::size_t>> batches(const Aim& aim);
+
 /// A job and how far it has come.
 struct Work {
     Job job;

@@ -22,9 +22,6 @@ namespace {
 /// Rate at which sound estimates are said to contradict each other, over all pairs.
 constexpr double contradiction_rate = 1e-3;
 
-/// Of as many pairs jobs are in memory at a time: some kilobytes each.
-constexpr std::size_t most_pairs_at_once = 16384;
-
 /// An earlier estimate of a pair, for comparison.
 struct Earlier {
     std::size_t pair = 0;
@@ -48,7 +45,7 @@ class Rounds {
 
     SamplingOutcome find(bool rays_are_exact_enough) {
         try {
-            for (const std::vector<std::size_t>& pairs : batches()) {
+            for (const std::vector<std::size_t>& pairs : batches(aim_)) {
                 round_ = 0;
                 choosing_ = true;
                 last_ = false;
@@ -91,22 +88,6 @@ class Rounds {
         if (!tracer_)
             tracer_ = request_.tracer ? request_.tracer(scene_) : make_tracer(scene_, TracerChoice::automatic);
         for (const auto& [from, pairs] : rows) work_.push_back({Job(scene_, geometry_, from, pairs)});
-    }
-
-    /// What is in memory at a time: pairs to sample, by rows that rays may serve, at least most_pairs_at_once of them
-    /// or all. Their samples do not depend on one another.
-    [[nodiscard]] std::vector<std::vector<std::size_t>> batches() const {
-        std::vector<std::vector<std::size_t>> rows(geometry_.faces());
-        for (std::size_t pair = 0; pair < geometry_.pairs.size(); ++pair) {
-            if (geometry_.pairs[pair].is_sampled()) rows[aim_.owner(pair)].push_back(pair);
-        }
-        std::vector<std::vector<std::size_t>> result(1);
-        for (const std::vector<std::size_t>& row : rows) {
-            if (result.back().size() >= most_pairs_at_once) result.emplace_back();
-            result.back().insert(result.back().end(), row.begin(), row.end());
-        }
-        for (auto& batch : result) std::sort(batch.begin(), batch.end());
-        return result;
     }
 
     /// Rays that the pairs of a row are likely to take: of none of them less than none may hit.
