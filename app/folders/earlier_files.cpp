@@ -38,6 +38,7 @@ constexpr std::array marks{
     Mark{".sqlite", "SQLite format 3", "CREATE TABLE about(key TEXT PRIMARY KEY"},
     Mark{".mtx", "%%MatrixMarket matrix ", ""},
     Mark{".npy", "\x93NUMPY", ""},
+    Mark{".npz", "PK\x03\x04", "indices.npy"},
     Mark{".tex", "", "% Written by ffstudy"},
     Mark{".svg", "<svg", ""},
     Mark{".pdf", "%PDF-", ""},

@@ -29,7 +29,7 @@ refused summary.csv merge whole --out mine
 refused summary.csv report whole --format csv --out mine
 refused tables/methods.tex report whole --format latex --out mine
 refused matrices/cell_0/areas.npy report whole --format matrices --out mine
-for file in form_factors.sqlite matrix.csv form_factors.mtx areas.npy form_factors.json context.json; do
+for file in form_factors.sqlite matrix.csv form_factors.mtx form_factors.npz areas.npy form_factors.json context.json; do
     refused $file form_factors cube --out mine
 done
 refused enclosure.md enclosure cylinder:1x2 --out mine

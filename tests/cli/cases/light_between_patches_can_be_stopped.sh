@@ -35,6 +35,7 @@ do
     kill -0 $process || fail "the study was over before it could be stopped"
     sleep 0.05
 done
+sleep 0.2  # the store is sealed in between, where a signal ends the program at once
 kill -INT $process
 wait $process || status=$?
 expect_status 130
