@@ -81,7 +81,7 @@ Pipe make_socket(const std::string& program) {
     if (::getppid() == parent && (signals == ChildSignals::as_usual || ::setpgid(0, 0) == 0) &&
         (folder == nullptr || ::chdir(folder) == 0) && ::dup2(streams.input, STDIN_FILENO) >= 0 &&
         ::dup2(streams.output, STDOUT_FILENO) >= 0 && ::dup2(streams.errors, STDERR_FILENO) >= 0 &&
-        ::sigprocmask(SIG_SETMASK, &none, nullptr) == 0) {
+        ::pthread_sigmask(SIG_SETMASK, &none, nullptr) == 0) {
         std::signal(SIGPIPE, SIG_DFL);
         std::signal(SIGXFSZ, SIG_DFL);
         ::execvp(argv[0], argv);

@@ -3,6 +3,7 @@
 #include "core/geometry/scene.hpp"
 #include "stats/resampling.hpp"
 
+#include <array>
 #include <cstdint>
 #include <string_view>
 
@@ -14,7 +15,7 @@ enum class Obstacle : std::uint8_t {
     hole,       ///< a sheet with a hole in it
     near_disc,  ///< plates, one surface being a disc
 };
-inline constexpr Obstacle obstacles[] = {Obstacle::plates, Obstacle::hole, Obstacle::near_disc};
+inline constexpr std::array obstacles{Obstacle::plates, Obstacle::hole, Obstacle::near_disc};
 
 std::string_view name(Obstacle obstacle);
 

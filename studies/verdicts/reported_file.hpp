@@ -57,7 +57,8 @@ ReportedFile parse_reported(std::string_view text, std::string_view origin, Erro
 /// @throws IoError, UserError
 ReportedFile load_reported(const std::filesystem::path& file, Errors errors);
 
-/// Rows of the quantity. @throws UserError at `place` where the file has no such quantity, with the nearest one
-std::span<const ReportedRow> find_rows(const ReportedFile& file, std::string_view quantity, std::string_view place);
+/// Rows of the quantity that is wanted. @throws UserError at `place` where the file has no such quantity, with the
+/// nearest one
+std::span<const ReportedRow> find_rows(const ReportedFile& file, std::string_view wanted, std::string_view place);
 
 }  // namespace ff::studies
