@@ -1,6 +1,7 @@
 #include "studies/verdicts/reported_effects.hpp"
 
 #include "core/support/error.hpp"
+#include "stats/distributions.hpp"
 #include "studies/verdicts/covariance.hpp"
 #include "studies/verdicts/reported_gates.hpp"
 #include "studies/verdicts/reporting_faults.hpp"
@@ -61,6 +62,46 @@ bool trusts(const Bins& bins) {
     return bins.file->has_errors && bins.runs < enough_runs;
 }
 
+/// Rate at which errors that are right are said to be contradicted by their own runs.
+constexpr double false_alarm_of_scatter = 1e-3;
+
+/// Errors are trusted where runs are few, but not against what these few show: variances given as errors make them
+/// scatter far too much. By F of the spread between runs over what they state, averaged over bins, with the freedom of
+/// one bin, since bins may be correlated.
+void expect_scatter_as_stated(Comparing& comparing, const Bins& bins) {
+    if (!trusts(bins) || bins.runs < 2) return;
+    double ratios = 0;
+    double errors = 0;
+    double judged = 0;
+    for (std::size_t bin = 0; bin < bins.count(); ++bin) {
+        const Rows runs = bins.runs_of(bin);
+        double mean = 0;
+        double stated = 0;
+        for (const ReportedRow& run : runs) {
+            mean += run.mean / static_cast<double>(runs.size());
+            stated += run.standard_error * run.standard_error / static_cast<double>(runs.size());
+        }
+        if (stated == 0) continue;
+        double squares = 0;
+        for (const ReportedRow& run : runs) squares += (run.mean - mean) * (run.mean - mean);
+        ratios += squares / static_cast<double>(runs.size() - 1) / stated;
+        errors += std::log(stated) / 2;
+        ++judged;
+    }
+    if (judged == 0) return;
+    const double n = bins.rows[0].n;
+    const auto runs = static_cast<double>(bins.runs);
+    const double p = stats::fisher_tail(ratios / judged, runs - 1, n > 1 ? runs * (n - 1) : infinity);
+    if (p >= false_alarm_of_scatter) return;
+    comparing.contradicted = true;
+    const double ratio = std::sqrt(ratios / judged);
+    add_note(comparing.note,
+             fmt::format("the {} runs of {} scatter {:.3g} times as much as the errors that they state (p = {:.2g}): "
+                         "no verdict rests on such errors.{} Mend them, or give {} runs",
+                         bins.runs, bins.file->origin, ratio, p, fault_of_errors(ratio, std::exp(errors / judged), n),
+                         enough_runs));
+}
+
 void compare_means(Comparing& comparing, const Bins* against) {
     const Gate& gate = comparing.gate;
     const Mean number{gate.reference.value_or(0), gate.reference_se.value_or(0), infinity};
@@ -96,7 +137,9 @@ void compare_means(Comparing& comparing, const Bins* against) {
     as_row.mean = number.value;
     std::string fault = fault_of_means(comparing.bins.rows, against != nullptr ? against->rows : Rows(&as_row, 1));
     if (against != nullptr) fault += fault_between_errors(comparing.bins.rows, against->rows);
-    if (trusts(comparing.bins) || (against != nullptr && trusts(*against)))
+    expect_scatter_as_stated(comparing, comparing.bins);
+    if (against != nullptr) expect_scatter_as_stated(comparing, *against);
+    if (!comparing.contradicted && (trusts(comparing.bins) || (against != nullptr && trusts(*against))))
         add_note(comparing.note,
                  "trusts the standard errors that are stated; several runs would show whether they are "
                  "right (kind = \"std_error\")");

@@ -14,7 +14,8 @@ struct Comparing {
     const Gate& gate;
     Bins bins;
     BinEffects effects;
-    std::size_t empty = 0;  ///< bins that no sample fell into
+    std::size_t empty = 0;      ///< bins that no sample fell into
+    bool contradicted = false;  ///< runs scatter more than errors say that a verdict would trust: there is none
     std::string note;
 };
 

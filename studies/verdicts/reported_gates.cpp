@@ -75,7 +75,8 @@ GateResult judge(const GatesSpec& spec, Comparing& comparing) {
     GateResult result;
     result.gate = comparing.gate.name;
     result.kind = comparing.gate.kind;
-    result.verdict = verdict.verdict == Verdict::pass && comparing.empty > 0 ? Verdict::inconclusive : verdict.verdict;
+    const bool has_gaps = verdict.verdict == Verdict::pass && comparing.empty > 0;
+    result.verdict = has_gaps || comparing.contradicted ? Verdict::inconclusive : verdict.verdict;
     result.compared = bins.size();
     for (std::size_t rank = 0; rank < verdict.worst.size(); ++rank) {
         const BinEffect& bin = bins[verdict.worst[rank]];

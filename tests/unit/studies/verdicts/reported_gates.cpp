@@ -61,12 +61,32 @@ TEST(JudgeReported, ComparesTwoFilesBinByBin) {
 }
 
 TEST(JudgeReported, DoesNotTrustErrorsWhereRunsTell) {
-    // Errors stated a hundred times too small, in ten runs: their spread decides.
+    // Errors stated a hundred times too small: in ten runs their spread decides, two show that something is wrong.
     Gate gate = gate_of(GateKind::bias, {-1e-5, 1e-5});
     gate.against = Against::number;
     gate.reference = 1;
-    EXPECT_EQ(judged(gate, file_of(20, 2, 5, 0.01)).verdict, Verdict::fail);
+    EXPECT_EQ(judged(gate, file_of(20, 1, 5, 0.01)).verdict, Verdict::fail);
+    const auto two = judged(gate, file_of(20, 2, 5, 0.01));
+    EXPECT_EQ(two.verdict, Verdict::inconclusive);
+    EXPECT_THAT(two.note, HasSubstr("the 2 runs of "));
+    EXPECT_THAT(two.note, HasSubstr("as much as the errors that they state"));
     EXPECT_EQ(judged(gate, file_of(20, 12, 5, 0.01)).verdict, Verdict::inconclusive);
+}
+
+// Of 3000 files with right errors 3 are contradicted by chance, more than 12 with probability 1e-5. Errors stated a tenth
+// as large are not seen in 0.004 of files of five runs, more than 6 times in 200 with probability 2e-5.
+TEST(JudgeReported, FindsFewRunsThatContradictTheirErrors) {
+    Gate gate = gate_of(GateKind::bias, {-1, 1});
+    gate.against = Against::number;
+    gate.reference = 1;
+    const auto contradicted = [&](std::size_t files, std::size_t runs, double factor) {
+        std::size_t count = 0;
+        for (std::uint64_t seed = 1; seed <= files; ++seed)
+            count += judged(gate, file_of(1, runs, seed, factor)).verdict == Verdict::inconclusive ? 1u : 0u;
+        return count;
+    };
+    EXPECT_LE(contradicted(3000, 3, 1), 12u);
+    EXPECT_GE(contradicted(200, 5, 0.1), 194u);
 }
 
 TEST(JudgeReported, FindsErrorsThatAreWrong) {
