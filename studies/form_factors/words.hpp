@@ -6,7 +6,7 @@
 
 namespace ff::studies {
 
-/// The dearest method that a pair of faces took; "bounds" where there was no time for any.
+/// The most expensive method that a pair of faces took; "bounds" where there was no time for any.
 std::string_view method_of(const FaceExchange& exchange);
 
 /// Why that one.

@@ -11,7 +11,7 @@ expect_in_file ci/summary.csv stein_two_stage
 expect_in_file ci/results.json '"goal": "ci"'
 expect_in_file ci/context.json "--until ci=5e-3 --level 0.99"
 
-# The same with other threads, and gone on with: nothing changes.
+# With another number of threads, and resumed: nothing changes.
 ffstudy "${ladder[@]}" --until ci=5e-3 --level 0.99 --out again --threads 1
 expect_status 0
 expect_equal_files ci/results.json again/results.json

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# A room whose walls have grids of their own, in a study with everything: what is reported, shared out and gone on with
+# A room whose walls have grids of their own, in a study with everything: what is reported, shared out and resumed
 # is as in any other scene. The example of docs/scenes.md is what the program prints.
 here=$(cd "$(dirname "$0")/.." && pwd)
 page=$here/../../docs/scenes.md
@@ -65,7 +65,7 @@ ffstudy merge part2 part1 --out merged
 expect_status 0
 expect_same_results whole merged
 
-# Stopped, it is gone on with until it is done.
+# Stopped, it resumes until it is done.
 limit=10 stops=0
 while ffstudy run study.toml --out stopped --threads 1 --max-time "$((limit / 1000)).$(printf %03d $((limit % 1000)))" &&
     [ "$status" -eq 130 ]; do

@@ -73,8 +73,8 @@ TEST(JudgeReported, DoesNotTrustErrorsWhereRunsTell) {
     EXPECT_EQ(judged(gate, file_of(20, 12, 5, 0.01)).verdict, Verdict::inconclusive);
 }
 
-// Of 3000 files with right errors 3 are contradicted by chance, more than 12 with probability 1e-5. Errors stated a tenth
-// as large are not seen in 0.004 of files of five runs, more than 6 times in 200 with probability 2e-5.
+// Of 3000 files with right errors 3 are contradicted by chance, more than 12 with probability 2e-5. Errors stated a
+// tenth as large are not seen in 0.004 of files of five runs, more than 6 times in 200 with probability 2e-5.
 TEST(JudgeReported, FindsFewRunsThatContradictTheirErrors) {
     Gate gate = gate_of(GateKind::bias, {-1, 1});
     gate.against = Against::number;
