@@ -7,6 +7,9 @@
 #include "app/folders/result_files.hpp"
 #include "app/folders/study_files.hpp"
 
+#include "reports/programs/hand_over.hpp"
+#include "studies/scene_files/scene_file.hpp"
+
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
@@ -32,10 +35,10 @@ void add_run_options(CLI::App& app, RunCommand& command) {
     app.add_option("--max-memory", command.max_memory, "Memory limit: 500M, 2G; fewer threads, or a graceful stop")
         ->type_name("SIZE");
     app.add_option("--out", command.out, "Folder for the results (default: results/<study>)")->type_name("DIR");
-    app.add_option("--templates", command.templates, "Folder of own templates for report.html")->type_name("DIR");
+    app.add_option("--templates", command.templates, "Folder of custom templates for report.html")->type_name("DIR");
     app.add_flag("--replace", command.replace, "Replace another study in the folder; its store is kept aside");
     add_outside_options(app, command.outside, OutsideCodeFrom::files_too);
-    app.add_flag("-q,--quiet", command.quiet, "Print errors only");
+    add_verbosity(app, command.quiet);
     app.add_flag("--dry-run", command.dry_run, "Show work units, expected time and memory, run nothing");
 }
 
@@ -98,7 +101,7 @@ void add_radiosity(CLI::App& app, RadiosityOptions& options, RunCommand& command
     sub->add_option("STUDY", command.study, "Study file (.toml), built-in name, or folder of a study to resume")
         ->required();
     sub->add_option("--reflectance", options.reflectance,
-                    "Reflectances, each solved for by itself (default: the study's, or 0.1,0.5,0.9,0.99,0.999)")
+                    "Reflectances, each solved for separately (default: the study's, or 0.1,0.5,0.9,0.99,0.999)")
         ->type_name("LIST");
     sub->add_option("--emission", options.emission,
                     "Emitted exitance, one number or one for each face (default: the study's, or 1 on the last face)")
@@ -121,7 +124,7 @@ void add_enclosure(CLI::App& app, EnclosureCommand& command, Action& action) {
         ->required();
     sub->add_option("--mirror", command.mirror, "The face of a box that is a perfect mirror")->type_name("FACE");
     sub->add_option("--reflectance", command.light.reflectance,
-                    "Reflectances, each solved for by itself (default: 0.1,0.5,0.9,0.99,0.999)")
+                    "Reflectances, each solved for separately (default: 0.1,0.5,0.9,0.99,0.999)")
         ->type_name("LIST");
     sub->add_option("--emission", command.light.emission,
                     "Emitted exitance, one number or one for each surface (default: 1 on the last)")
@@ -131,8 +134,17 @@ void add_enclosure(CLI::App& app, EnclosureCommand& command, Action& action) {
     sub->add_option("--seed", command.seed, "Seed of all random numbers")->capture_default_str();
     sub->add_option("--out", command.out, "Folder for enclosure.md and the matrices (default: none is written)")
         ->type_name("DIR");
-    sub->add_flag("-q,--quiet", command.quiet, "Print errors only");
+    add_verbosity(*sub, command.quiet);
     sub->callback([&] { action = [&] { return enclosure(command); }; });
+}
+
+/// What an OBJ file or a mesh does not say itself.
+std::vector<CLI::Option*> add_options_of_meshes(CLI::App& app, FormFactorsCommand& command) {
+    CLI::Option* faces =
+        app.add_option("--faces", command.faces, "What a face of an OBJ file or a mesh is: group, polygon or material");
+    faces->type_name("FACES")->check(CLI::IsMember({"group", "polygon", "material"}))->capture_default_str();
+    return {faces,
+            app.add_flag("--closed", command.closed, "An OBJ file or a mesh is closed: every ray hits something")};
 }
 
 void add_form_factors(CLI::App& app, FormFactorsCommand& command, Action& action) {
@@ -142,13 +154,15 @@ void add_form_factors(CLI::App& app, FormFactorsCommand& command, Action& action
         sub->add_option("--load", command.load, "Instead of SCENE: a folder that --out has written")->type_name("DIR");
     const auto of_a_run = [load](CLI::Option* option) { return option->excludes(load); };
     of_a_run(sub->add_option("SCENE", command.scene,
-                             "cube, box:AxBxC, another built-in scene, or a file (.obj, .toml, .vs3)"));
-    of_a_run(sub->add_option("--faces", command.faces, "What a face of an OBJ file is: its groups, or every polygon"))
-        ->type_name("FACES")
-        ->check(CLI::IsMember({"group", "polygon"}))
-        ->capture_default_str();
+                             fmt::format("cube, box:AxBxC, another built-in scene, or a file ({})",
+                                         ff::studies::scene_extensions_in_words())));
+    for (CLI::Option* option : add_options_of_meshes(*sub, command)) of_a_run(option);
     of_a_run(sub->add_option("--tolerance", request.tolerance, "Largest half width of an interval"))
         ->capture_default_str();
+    of_a_run(sub->add_option("--relative", request.relative,
+                             "Or this share of the factor, where that is more: 0.01 for 1 %"));
+    CLI::Option* drop = sub->add_option("--drop", request.drop, "Keep only sums of pairs with factors below this");
+    of_a_run(drop);
     of_a_run(sub->add_option("--level", request.level, "Level of the intervals"))->capture_default_str();
     of_a_run(
         sub->add_flag("--simultaneous", command.whole_matrix, "The level is that of all entries and row sums at once"));
@@ -158,10 +172,23 @@ void add_form_factors(CLI::App& app, FormFactorsCommand& command, Action& action
     of_a_run(
         sub->add_option("--max-time", command.max_time, "Time limit: 90 (seconds), 15m, 2.5h, 1d; stops gracefully")
             ->type_name("TIME"));
+    of_a_run(sub->add_option("--max-memory", command.max_memory, "Memory limit: 500M, 2G; stops gracefully")
+                 ->type_name("SIZE"));
     of_a_run(sub->add_option("--max-samples", request.max_samples, "Rays and points in all"))->capture_default_str();
-    sub->add_flag("--repair", request.repair, "Also the nearest matrix that is closed and reciprocal");
-    sub->add_option("--out", command.out, "Folder for the matrices (default: none is written)")->type_name("DIR");
-    sub->add_flag("-q,--quiet", command.quiet, "Print errors and warnings only");
+    CLI::Option* shard = sub->add_option("--shard", command.shard, "Sample share i/n of the rows; see 'ffstudy merge'");
+    of_a_run(shard->type_name("I/N"));
+    of_a_run(sub->add_flag("--dry-run", command.dry_run, "Sample a few rows, show expected time, memory and disk"));
+    sub->add_flag("--repair", request.repair, "Also the nearest matrix that is closed and reciprocal")->excludes(drop);
+    CLI::Option* out = sub->add_option("--out", command.out, "Folder for the matrices (default: none is written)");
+    out->type_name("DIR");
+    shard->needs(out);
+    sub->add_option("--format", command.formats,
+                    fmt::format("Also files for other programs: {}", ff::reports::program_formats_in_words()))
+        ->type_name("PROGRAMS")
+        ->delimiter(',')
+        ->needs(out)
+        ->excludes(drop);
+    add_verbosity(*sub, command.quiet, "Print errors and warnings only");
     sub->callback([&] { action = [&] { return form_factors(command); }; });
 }
 
@@ -169,25 +196,43 @@ void add_heat(CLI::App& app, HeatCommand& command, Action& action) {
     CLI::App* sub = add_command(app, everyday, "heat", "Heat or light between the faces of a scene, with intervals");
     auto& factors = command.factors;
     factors.whole_matrix = true;
-    factors.request.tolerance = 1e-4;
-    sub->add_option("SCENE", factors.scene, "A built-in scene, or a file (.obj, .toml, .vs3)")->required();
+    CLI::Option* load = sub->add_option("--load", factors.load,
+                                        "Instead of SCENE: a folder that 'form_factors --simultaneous' has written");
+    load->type_name("DIR");
+    const auto of_a_run = [load](CLI::Option* option) { return option->excludes(load); };
+    of_a_run(
+        sub->add_option("SCENE", factors.scene,
+                        fmt::format("A built-in scene, or a file ({})", ff::studies::scene_extensions_in_words())));
+    for (CLI::Option* option : add_options_of_meshes(*sub, factors)) of_a_run(option);
     sub->add_option("--materials", command.materials, "Materials file (.toml): emissivities and temperatures or fluxes")
         ->type_name("FILE")
         ->required();
     sub->add_option("--scale", command.scale, "Metres of a unit of length of the scene")->capture_default_str();
     sub->add_option("--flow-tolerance", command.flow_tolerance,
-                    "Of every power, as a share of what the sources give off")
+                    "Of every power: 0.1% of what the sources give off (default), or 40W")
+        ->type_name("AMOUNT");
+    of_a_run(sub->add_option("--tolerance", command.tolerance,
+                             "Largest half width of a form factor (default: 1e-4), or of a power (default: 0.1%)"))
+        ->type_name("AMOUNT");
+    of_a_run(sub->add_option("--tolerance-of", command.tolerance_of,
+                             "What --tolerance is of: factor, or flux, which samples where powers depend on it"))
+        ->type_name("WHAT")
+        ->check(CLI::IsMember({"factor", "flux"}))
         ->capture_default_str();
-    sub->add_option("--tolerance", factors.request.tolerance, "Largest half width of a form factor")
+    of_a_run(sub->add_option("--level", factors.request.level, "Level of all intervals at once"))
         ->capture_default_str();
-    sub->add_option("--level", factors.request.level, "Level of all intervals at once")->capture_default_str();
-    sub->add_option("--seed", factors.seed, "Seed of all random numbers")->capture_default_str();
-    sub->add_option("--threads", factors.threads, "Threads; results do not depend on them (default: all cores)");
-    sub->add_option("--max-time", factors.max_time, "Time limit: 90 (seconds), 15m, 2.5h, 1d; stops gracefully")
-        ->type_name("TIME");
-    sub->add_option("--max-samples", factors.request.max_samples, "Rays and points in all")->capture_default_str();
-    sub->add_option("--out", factors.out, "Folder for heat.csv (default: none is written)")->type_name("DIR");
-    sub->add_flag("-q,--quiet", factors.quiet, "Print errors and warnings only");
+    of_a_run(sub->add_option("--seed", factors.seed, "Seed of all random numbers"))->capture_default_str();
+    of_a_run(
+        sub->add_option("--threads", factors.threads, "Threads; results do not depend on them (default: all cores)"));
+    of_a_run(
+        sub->add_option("--max-time", factors.max_time, "Time limit: 90 (seconds), 15m, 2.5h, 1d; stops gracefully")
+            ->type_name("TIME"));
+    of_a_run(sub->add_option("--max-samples", factors.request.max_samples, "Rays and points in all"))
+        ->capture_default_str();
+    CLI::Option* out = sub->add_option("--out", factors.out, "Folder for heat.csv (default: none is written)");
+    out->type_name("DIR");
+    sub->add_flag("--gebhart", command.gebhart, "Also Gebhart factors and script-F, in gebhart.csv")->needs(out);
+    add_verbosity(*sub, factors.quiet, "Print errors and warnings only");
     sub->callback([&] { action = [&] { return heat(command); }; });
 }
 
@@ -238,6 +283,7 @@ void add_commands(CLI::App& app, Commands& all, Action& action) {
     add_trend(app, all.trend_command, action);
     add_selftest(app, all.selftest_command, action);
     add_form_factors_selftest(app, all.selftest_command, action);
+    add_heat_selftest(app, all.selftest_command, action);
     add_points(app, all.points_command, action);
     add_check_sampler(app, all.check_sampler_command, action);
     add_built_in_studies(app, all.run_command, action);

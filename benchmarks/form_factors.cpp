@@ -41,7 +41,11 @@ void a_point(benchmark::State& state, const char* name) {
     const studies::PointSampling sampling(scene, pair->sampled.front(), 1e-4);
     constexpr std::uint64_t points = 4096;
     std::uint32_t randomisation = 0;
-    for (auto _ : state) benchmark::DoNotOptimize(sampling.run({}, randomisation++, points, nullptr));
+    studies::PointSums sum;
+    for (auto _ : state) {
+        sampling.run({}, randomisation++, points, nullptr, {&sum, 1});
+        benchmark::DoNotOptimize(sum);
+    }
     state.counters["per_point"] =
         benchmark::Counter(static_cast<double>(points) * static_cast<double>(state.iterations()),
                            benchmark::Counter::kIsRate | benchmark::Counter::kInvert);

@@ -61,6 +61,10 @@ endif()
 
 find_path(TINYOBJLOADER_INCLUDE_DIR tiny_obj_loader.h REQUIRED)  # the header alone, for double precision
 
+# Meshes: STL, PLY, OFF, glTF. Its own CMake files would want the headers of zlib and Draco as well.
+find_path(ASSIMP_INCLUDE_DIR assimp/Importer.hpp REQUIRED)
+find_library(ASSIMP_LIBRARY assimp REQUIRED)
+
 find_path(MUSTACHE_INCLUDE_DIR kainjow/mustache.hpp REQUIRED)
 add_library(ff_mustache INTERFACE)
 target_include_directories(ff_mustache SYSTEM INTERFACE $<BUILD_INTERFACE:${MUSTACHE_INCLUDE_DIR}>)

@@ -22,7 +22,7 @@ foreach(library ${libraries})
 endforeach()
 
 install(DIRECTORY studies/built_in/ DESTINATION ${CMAKE_INSTALL_DATADIR}/ffstudy/studies)
-install(DIRECTORY reports/templates/ DESTINATION ${CMAKE_INSTALL_DATADIR}/ffstudy/templates FILES_MATCHING PATTERN "*.mustache" PATTERN "report.*")
+install(DIRECTORY reports/templates/ DESTINATION ${CMAKE_INSTALL_DATADIR}/ffstudy/templates FILES_MATCHING PATTERN "*.mustache" PATTERN "report.*" PATTERN "scene_report.*")
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
 
 install(EXPORT ffstudy FILE ffstudyTargets.cmake NAMESPACE ffstudy:: DESTINATION ${package_dir} COMPONENT library)

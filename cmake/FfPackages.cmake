@@ -32,15 +32,17 @@ if(FFSTUDY_GATES_ONLY)
   set(CPACK_DEBIAN_PROGRAM_PACKAGE_CONFLICTS "ffstudy, libffstudy-dev")  # which have all of it, under the same names
   set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "statistical gates on what Monte Carlo codes report")
   set(CPACK_COMPONENT_PROGRAM_DESCRIPTION "Judges means with their errors, or trials, against bands: pass, fail or
-inconclusive, with both risks stated. With headers for unit tests, and a function for CTest.")
+inconclusive, with both risks stated. With headers for unit tests, and a
+function for CTest.")
 endif()
 
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_NAME libffstudy-dev)
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_SHLIBDEPS OFF)
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_DEPENDS "libeigen3-dev, libembree-dev, libfmt-dev, libhwy-dev, libpugixml-dev, \
-libsqlite3-dev, libssl-dev, libtomlplusplus-dev, nlohmann-json3-dev")
-set(CPACK_COMPONENT_LIBRARY_DESCRIPTION "Libraries and headers of ffstudy, with a CMake package and a pkg-config file.")
+libassimp-dev, libsqlite3-dev, libssl-dev, libtomlplusplus-dev, nlohmann-json3-dev")
+set(CPACK_COMPONENT_LIBRARY_DESCRIPTION "Libraries and headers of ffstudy, with a CMake package and a pkg-config
+file.")
 
 if(BUILD_SHARED_LIBS)
   list(APPEND CPACK_COMPONENTS_ALL runtime)

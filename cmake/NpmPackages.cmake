@@ -19,7 +19,7 @@ function(install_npm_packages folder node failed)
   set(registry_url /usr/share/nodejs/registry-url/index.js)
   if(NOT registry AND EXISTS ${registry_url})
     execute_process(COMMAND ${node} --input-type=module -e "import url from '${registry_url}'; console.log(url())"
-      OUTPUT_VARIABLE registry OUTPUT_STRIP_TRAILING_WHITESPACE)
+      OUTPUT_VARIABLE registry ERROR_QUIET OUTPUT_STRIP_TRAILING_WHITESPACE)
   endif()
   find_program(NPM npm)
   if(NOT registry AND NPM)

@@ -12,8 +12,8 @@
 
 namespace ff::samplers {
 
-/// A sampler from outside the catalogue: points of a file, of a program, of a plug-in, or of a program that links with
-/// this library. Where it has been added, `find` finds it by its name like any other.
+/// A sampler from outside the catalogue: points from a file, a program, a plug-in, or a program that links to this
+/// library. Once added, `find` finds it by name like any other.
 class AddedSampler {
   public:
     struct Texts {
@@ -22,13 +22,13 @@ class AddedSampler {
         std::string details;
     };
     using Make = std::function<std::unique_ptr<PointSource>(const PointSetSpec&)>;
-    /// File name and bytes of what the points are made from.
+    /// Name and bytes of the file that the points are made from.
     using Content = std::vector<std::pair<std::string, std::string>>;
 
-    /// @param traits  all of SamplerInfo but its texts and `at_hand`
-    /// @param at_hand  sizes, ascending; empty: as `traits.sizes` says
-    /// @param make  null where only the description is known, as to those who read results
-    /// @param content  that a store keeps, so that reports need no files; empty where `make` needs more than bytes
+    /// @param traits  SamplerInfo without its texts and `at_hand`
+    /// @param at_hand  available sizes, ascending; empty: as `traits.sizes` says
+    /// @param make  null where only the description is known, as when stored results are read
+    /// @param content  kept in the store, so that reports need no files; empty where `make` needs more than bytes
     AddedSampler(Texts texts, SamplerInfo traits, std::vector<std::uint64_t> at_hand, Make make, Content content = {});
     AddedSampler(const AddedSampler&) = delete;
     AddedSampler& operator=(const AddedSampler&) = delete;
@@ -39,7 +39,7 @@ class AddedSampler {
     /// @throws UserError where only the description is known
     [[nodiscard]] std::unique_ptr<PointSource> make(const PointSetSpec& spec) const;
 
-    /// Makes points as `other` does from now on, where nothing has made them so far.
+    /// From now on makes points as `other` does, unless it has made some already.
     void learn_from(AddedSampler& other);
 
   private:
@@ -51,23 +51,23 @@ class AddedSampler {
     CatalogueEntry entry_;
 };
 
-/// What becomes of a short name that another sampler has.
+/// What to do about a short name that another sampler already has.
 enum class ShortName {
-    stays,  ///< the name is refused
-    moves,  ///< the new sampler has it from now on
+    stays,  ///< the new sampler is refused
+    moves,  ///< the name passes to the new sampler
 };
 
-/// Adds a sampler for the rest of the process. A name stands for the same points for ever, so one that has been added
-/// already stays as it is. Safe from any thread.
-/// @param short_name  by which it is found as well; empty: none
-/// @throws UserError where the name is one of the catalogue, or the short name is taken and stays
+/// Adds a sampler for the rest of the process. A name always stands for the same points, so a sampler that is already
+/// there stays as it is. Safe from any thread.
+/// @param short_name  another name for it; empty: none
+/// @throws UserError where the name is in the catalogue, or the short name is taken and stays
 const CatalogueEntry& add(std::unique_ptr<AddedSampler> sampler, const std::string& short_name = {},
                           ShortName taken = ShortName::stays);
 
 /// By name or short name. Null where there is none.
 const AddedSampler* find_added(std::string_view name);
 
-/// All that have a short name, by it.
+/// All samplers with a short name, by that name.
 std::vector<std::pair<std::string, const AddedSampler*>> added_with_short_names();
 
 }  // namespace ff::samplers

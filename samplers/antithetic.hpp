@@ -13,7 +13,7 @@ namespace ff::samplers {
 /// @param skip  1 where the first point of `block` is a mirror image
 void mirror_points(const PointBlock& originals, std::size_t skip, PointBlock& block);
 
-/// Any randomised sampler of equal weights in mirrored pairs: points 2k and 2k + 1 are point k of `Sampler` and its
+/// Any randomised equal-weight sampler in mirrored pairs: points 2k and 2k + 1 are point k of `Sampler` and its
 /// reflection in the centre of the cube. @see [hammersley1956]
 template <class Sampler>
 class Antithetic {

@@ -6,8 +6,8 @@
 
 namespace ff::samplers {
 
-/// Fills a block from point `first` on with a quasi-random engine of Boost.Random, of which the upper 32 bits of 64 are
-/// kept. Engines are costly to make and cheap to copy: there is one original for each dimension.
+/// Fills a block from point `first` on with a quasi-random engine of Boost.Random, keeping the upper 32 of 64 bits.
+/// Engines are costly to make and cheap to copy: there is one original for each dimension.
 template <class Engine>
 void fill_from_engine(PointIndex first, PointBlock& block) {
     static const std::array<Engine, max_dimension> originals{Engine(1), Engine(2), Engine(3), Engine(4)};

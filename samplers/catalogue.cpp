@@ -3,13 +3,17 @@
 #include "core/support/nearest_name.hpp"
 #include "samplers/added.hpp"
 #include "samplers/antithetic.hpp"
+#include "samplers/antithetic_directions.hpp"
 #include "samplers/entry.hpp"
 #include "samplers/faure.hpp"
 #include "samplers/faure_in_base.hpp"
 #include "samplers/gauss_legendre.hpp"
 #include "samplers/halton.hpp"
+#include "samplers/hammersley.hpp"
+#include "samplers/isocell.hpp"
 #include "samplers/latin_hypercube.hpp"
 #include "samplers/lattice.hpp"
+#include "samplers/local_directions.hpp"
 #include "samplers/niederreiter.hpp"
 #include "samplers/padded.hpp"
 #include "samplers/r_sequence.hpp"
@@ -31,26 +35,31 @@ namespace {
 
 /// The only list of samplers.
 constexpr std::array all_samplers{
-    entry<Random>(),              //
-    entry<RandomMt>(),            //
-    entry<Antithetic<Random>>(),  //
-    entry<Antithetic<Sobol>>(),   //
-    entry<Stratified>(),          //
-    entry<LatinHypercube>(),      //
-    entry<Halton>(),              //
-    entry<Sobol>(),               //
-    entry<SobolLms>(),            //
-    entry<SobolNus>(),            //
-    entry<SobolRaw>(),            //
-    entry<Niederreiter>(),        //
-    entry<Faure>(),               //
-    entry<FaureInBase<7>>(),      //
-    entry<FaureInBase<11>>(),     //
-    entry<FaureInBase<13>>(),     //
-    entry<Padded>(),              //
-    entry<Lattice>(),             //
-    entry<RSequence>(),           //
-    entry<GaussLegendre>(),       //
+    entry<Random>(),                       //
+    entry<RandomMt>(),                     //
+    entry<Antithetic<Random>>(),           //
+    entry<Antithetic<Sobol>>(),            //
+    entry<AntitheticDirections>(),         //
+    entry<Stratified>(),                   //
+    entry<LatinHypercube>(),               //
+    entry<Isocell>(),                      //
+    entry<LocalDirections<Isocell>>(),     //
+    entry<Halton>(),                       //
+    entry<Hammersley>(),                   //
+    entry<LocalDirections<Hammersley>>(),  //
+    entry<Sobol>(),                        //
+    entry<SobolLms>(),                     //
+    entry<SobolNus>(),                     //
+    entry<SobolRaw>(),                     //
+    entry<Niederreiter>(),                 //
+    entry<Faure>(),                        //
+    entry<FaureInBase<7>>(),               //
+    entry<FaureInBase<11>>(),              //
+    entry<FaureInBase<13>>(),              //
+    entry<Padded>(),                       //
+    entry<Lattice>(),                      //
+    entry<RSequence>(),                    //
+    entry<GaussLegendre>(),                //
 };
 
 constexpr auto all_names = [] {

@@ -7,7 +7,7 @@
 
 namespace ff::samplers {
 
-/// One set of a sampler by itself, outside any study.
+/// One point set of a sampler, outside any study.
 struct DrawnSet {
     std::uint64_t points = 1024;
     std::size_t dimension = 4;
@@ -15,7 +15,7 @@ struct DrawnSet {
     std::uint32_t trial = 0;
 };
 
-/// Draws it, from a stream of its own. @throws UserError where the sampler has no such set, or its points have weights
+/// Draws it from a stream of its own. @throws UserError where the sampler has no such set, or its points have weights
 PointSet draw_set(const CatalogueEntry& sampler, const DrawnSet& wanted);
 
 }  // namespace ff::samplers

@@ -18,8 +18,8 @@ void weigh_equally(const PointBlock& cells, std::uint64_t points, WeightedBlock&
 ///     void fill(const Stream&, PointIndex first, PointBlock& block) const;       // if info.equal_weights
 ///     void fill(const Stream&, PointIndex first, WeightedBlock& block) const;    // otherwise
 ///
-/// and where the number of points does not come from spec.points, `std::uint64_t points() const`; where the rule may be
-/// symmetric, `bool exchangeable() const`. `entry<T>()` turns it into a line of the catalogue.
+/// and, where the number of points does not come from spec.points, `std::uint64_t points() const`; where the rule may
+/// be symmetric, `bool exchangeable() const`. `entry<T>()` turns it into a line of the catalogue.
 ///
 /// Point i is a pure function of (spec, stream, i): `fill` gives the same bits for any `first` and any block size.
 template <class T>

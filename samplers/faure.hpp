@@ -23,7 +23,8 @@ class Faure {
             "These take any two digits to any two others equally often, which is all that mean and variance of Owen's "
             "uniform scrambling depend on (Owen 2003). Below the digits that tell the points of a set apart, and below "
             "the 13th, a coordinate is uniform (Philox).\n"
-            "Sizes: powers of five: 5, 25, 125, 625, 3125, 15625, 78125, ...; with others the set is no net, estimates "
+            "Sizes: powers of five: 5, 25, 125, 625, 3125, 15625, 78125, ...; with others the set is not a net, "
+            "estimates "
             "stay unbiased and lose part of their gain. The error falls as N^-3/2 (up to logarithms) for smooth "
             "integrands and as N^-5/8 or a little faster for tallies of rays. Points of one set are not independent: "
             "take intervals over trials, never within a set.",
@@ -38,7 +39,7 @@ class Faure {
     void fill(const Stream& stream, PointIndex first, PointBlock& block) const;
 
   private:
-    std::size_t digits_;  ///< that are scrambled: enough to tell the points of the set apart
+    std::size_t digits_;  ///< scrambled digits: enough to keep the points of the set distinct
 };
 
 }  // namespace ff::samplers

@@ -8,7 +8,7 @@
 
 namespace ff::samplers {
 
-/// The smallest prime that is not below the dimension: the net parameter is 0.
+/// The smallest prime not below the dimension: the net parameter is 0.
 inline constexpr std::uint32_t faure_base = 5;
 
 /// Digits of an index below 2^32 in the smallest base.

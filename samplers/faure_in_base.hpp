@@ -37,7 +37,7 @@ class FaureInBase {
     void fill(const Stream& stream, PointIndex first, PointBlock& block) const;
 
   private:
-    std::size_t digits_;  ///< that are scrambled: enough to tell the points of the set apart
+    std::size_t digits_;  ///< scrambled digits: enough to keep the points of the set distinct
 };
 
 extern template class FaureInBase<7>;

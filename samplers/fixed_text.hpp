@@ -7,7 +7,7 @@
 
 namespace ff::samplers {
 
-/// A text made at compile time, for descriptions of samplers that are made from others.
+/// A text built at compile time, for descriptions of samplers derived from others.
 template <std::size_t size>
 struct FixedText {
     std::array<char, size> characters{};

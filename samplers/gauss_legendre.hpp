@@ -15,7 +15,7 @@ struct GaussRule {
 /// The Gauss-Legendre rule with `nodes` nodes, correct to the last bit or two. @pre 1 <= nodes <= 64
 GaussRule gauss_rule(std::uint32_t nodes);
 
-/// Tensor product of Gauss-Legendre rules: n1 nodes a side on the source patch, n2 on the target patch. @see
+/// Tensor product of Gauss-Legendre rules: n1 nodes per side on the source patch, n2 on the target patch. @see
 /// [davis1984]
 class GaussLegendre {
   public:
@@ -47,7 +47,7 @@ class GaussLegendre {
     void fill(const Stream& stream, PointIndex first, WeightedBlock& block) const;
 
   private:
-    std::vector<GaussRule> rules_;  ///< one a coordinate
+    std::vector<GaussRule> rules_;  ///< one per coordinate
 };
 
 }  // namespace ff::samplers

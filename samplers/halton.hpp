@@ -32,7 +32,7 @@ class Halton {
     void fill(const Stream& stream, PointIndex first, PointBlock& block) const;
 
   private:
-    std::array<std::uint32_t, max_dimension> digits_{};  ///< that an index of the set has, by coordinate
+    std::array<std::uint32_t, max_dimension> digits_{};  ///< digits of an index of the set, by coordinate
 };
 
 }  // namespace ff::samplers

@@ -4,7 +4,7 @@
 
 namespace ff::samplers {
 
-/// Niederreiter points in base 2 as Boost.Random gives them, not randomised. @see [niederreiter1988], [bratley1992]
+/// Niederreiter points in base 2 from Boost.Random, not randomised. @see [niederreiter1988], [bratley1992]
 class Niederreiter {
   public:
     static constexpr SamplerInfo info{

@@ -72,8 +72,7 @@ FillPart parts_of(MakeSet make) {
         thread_local Kept kept;
         if (kept.maker != maker || kept.request != request) {
             kept.maker = 0;  // where `make` fails
-            kept.set = {};
-            kept.set = make(request);
+            make(request, kept.set);
             FF_ENSURE(kept.set.points >= request.points && kept.set.dimension >= request.dimension);
             kept.request = request;
             kept.maker = maker;
@@ -87,28 +86,6 @@ FillPart parts_of(MakeSet make) {
 
 std::unique_ptr<PointSource> outside_points(std::uint64_t points, bool randomised, FillPart fill) {
     return std::make_unique<OutsidePoints>(points, randomised, std::move(fill));
-}
-
-PointSet set_of_rows(std::span<const double> rows, std::uint64_t points, std::size_t dimension,
-                     const std::string& origin) {
-    FF_EXPECT(rows.size() == points * dimension);
-    bool sound = true;
-    for (const double x : rows) sound &= x >= 0 && x < 1;
-    if (!sound) {
-        const auto bad = std::find_if(rows.begin(), rows.end(), [](double x) { return !(x >= 0 && x < 1); });
-        const auto index = static_cast<std::uint64_t>(bad - rows.begin());
-        throw UserError(fmt::format("{}: point {}, coordinate {} is {} (counted from 0; not in [0, 1)). {}", origin,
-                                    index / dimension, index % dimension, *bad,
-                                    *bad == 1 ? "Leave out the upper end." : "Check what makes the points."));
-    }
-    PointSet set{points, dimension, 1, {}};
-    set.coordinate.resize(rows.size());
-    for (std::size_t d = 0; d < dimension; ++d) {
-        std::uint32_t* const row = set.coordinate.data() + d * points;
-        for (std::uint64_t i = 0; i < points; ++i)
-            row[i] = static_cast<std::uint32_t>(rows[i * dimension + d] * 0x1p32);
-    }
-    return set;
 }
 
 }  // namespace ff::samplers

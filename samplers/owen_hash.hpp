@@ -4,13 +4,13 @@
 
 namespace ff::samplers {
 
-/// Two independent words a coordinate. Adding one of them alone makes the hash of any point exactly uniform.
+/// Two independent words per coordinate. Adding `addend` alone makes the hash of any point exactly uniform.
 struct OwenSeed {
     std::uint32_t addend = 0;
     std::uint32_t multiplier = 0;  ///< the lowest bit is taken as 1
 };
 
-/// The fixed multipliers of the hash. They are even, so x ^= x * m changes a bit by lower bits only.
+/// The fixed multipliers of the hash. They are even, so in x ^= x * m a bit depends on lower bits only.
 struct OwenHash {
     static constexpr std::uint32_t first = 0x3d20adea;
     static constexpr std::uint32_t second = 0x05526c56;
@@ -37,7 +37,7 @@ constexpr std::uint32_t owen_hash(std::uint32_t x, OwenSeed seed) {
     return x;
 }
 
-/// The hash on a coordinate times 2^32.
+/// The hash of a coordinate times 2^32.
 constexpr std::uint32_t owen_scramble(std::uint32_t coordinate, OwenSeed seed) {
     return reverse_bits(owen_hash(reverse_bits(coordinate), seed));
 }

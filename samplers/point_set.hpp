@@ -12,9 +12,9 @@
 
 namespace ff::samplers {
 
-/// Sets of points that somebody else has made, in fixed point: coordinate * 2^-32.
+/// Point sets made elsewhere, in fixed point: coordinate * 2^-32.
 struct PointSet {
-    std::uint64_t points = 0;               ///< of a set
+    std::uint64_t points = 0;               ///< per set
     std::size_t dimension = 0;              ///< 1 to max_dimension
     std::uint64_t sets = 0;                 ///< trial t takes set t modulo this
     std::vector<std::uint32_t> coordinate;  ///< [set][dimension][point]
@@ -24,13 +24,13 @@ struct PointSet {
     }
 };
 
-/// What is done to a set to make unbiased trials of it; each makes every single point uniform.
+/// Randomisations that turn a set into unbiased trials; each makes every single point uniform.
 enum class Randomisation {
     none,
     shift,          ///< modulo 1, by one random vector [cranley1976]: keeps lattices
     digital_shift,  ///< exclusive or with one random vector: keeps nets in base 2
     lms,            ///< random linear map of the digits and a digital shift [matousek1998]: keeps nets in base 2
-    owen,           ///< nested scrambling by a hash, as `sobol` [burley2020]: keeps nets in base 2
+    owen,           ///< hash-based nested scrambling, as in `sobol` [burley2020]: keeps nets in base 2
 };
 
 inline constexpr std::array<std::string_view, 5> randomisation_names{"none", "shift", "digital_shift", "lms", "owen"};

@@ -4,7 +4,7 @@
 
 namespace ff::samplers {
 
-/// Independent uniform points: one Philox4x32-10 block a point. @see [salmon2011]
+/// Independent uniform points: one Philox4x32-10 block per point. @see [salmon2011]
 class Random {
   public:
     static constexpr SamplerInfo info{

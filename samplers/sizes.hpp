@@ -17,7 +17,7 @@ constexpr std::uint64_t reciprocal(std::uint64_t divisor) {
     return (~std::uint64_t{0} - (divisor - 1)) / divisor + 1;
 }
 
-/// The place `inside` (times 2^-32) of cell number `cell`, in fixed point. @pre width = reciprocal(number of cells)
+/// The position `inside` (times 2^-32) cell number `cell`, in fixed point. @pre width = reciprocal(number of cells)
 constexpr std::uint32_t place_in_cell(std::uint64_t cell, std::uint64_t width, std::uint32_t inside) {
     const std::uint64_t offset = inside * (width >> 32) + (inside * (width & 0xffffffffu) >> 32);
     return static_cast<std::uint32_t>((cell * width + offset) >> 32);

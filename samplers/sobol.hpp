@@ -20,7 +20,8 @@ class Sobol {
             "independent Philox words. The permutation is nested, so every net stays a net, and each point is exactly "
             "uniform, so estimates are unbiased; but 2^63 permutations stand for 2^(2^32 - 1), so theorems on the "
             "variance of nested uniform scrambling hold only as far as tests can tell.\n"
-            "Sizes: powers of two; with others the set is no net, estimates stay unbiased and lose part of their gain. "
+            "Sizes: powers of two; with others the set is not a net, estimates stay unbiased and lose part of their "
+            "gain. "
             "The error falls as N^-3/2 (up to logarithms) for smooth integrands and as N^-5/8 or a little faster for "
             "tallies of rays. Points of one set are not independent: take intervals over trials, never within a set.",
         .reference = "burley2020",

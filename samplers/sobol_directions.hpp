@@ -8,7 +8,7 @@
 
 namespace ff::samplers {
 
-/// Column j of each matrix: what bit j of the index adds (xor) to the coordinate, most significant bit first.
+/// Column j of each matrix is xored into the coordinate (most significant bit first) if bit j of the index is set.
 using SobolDirections = std::array<std::array<std::uint32_t, 32>, max_dimension>;
 
 namespace detail {

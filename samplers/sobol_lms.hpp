@@ -18,7 +18,8 @@ class SobolLms {
             "is uniform, and each pair of points is distributed as under nested uniform scrambling, so mean and "
             "variance are those of `sobol_nus` (Owen 2003); higher moments differ, and the set remains a shifted "
             "digital net.\n"
-            "Sizes: powers of two; with others the set is no net, estimates stay unbiased and lose part of their gain. "
+            "Sizes: powers of two; with others the set is not a net, estimates stay unbiased and lose part of their "
+            "gain. "
             "The error falls as N^-3/2 (up to logarithms) for smooth integrands and as N^-5/8 or a little faster for "
             "tallies of rays. Points of one set are not independent: take intervals over trials, never within a set.",
         .reference = "matousek1998",

@@ -4,7 +4,7 @@
 
 namespace ff::samplers {
 
-/// Sobol' points as Boost.Random gives them, not randomised. @see [joekuo2008], [owen2022]
+/// Sobol' points from Boost.Random, not randomised. @see [joekuo2008], [owen2022]
 class SobolRaw {
   public:
     static constexpr SamplerInfo info{

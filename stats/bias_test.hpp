@@ -8,7 +8,7 @@
 
 namespace ff::stats {
 
-/// Student's test of "mean = reference". A large p is no proof of unbiasedness: print the minimum detectable bias
+/// Student's test of "mean = reference". A large p does not prove unbiasedness: print the minimum detectable bias
 /// (stats/power.hpp) beside it, or test equivalence.
 struct BiasTest {
     double bias = 0;            ///< mean - reference
@@ -18,7 +18,7 @@ struct BiasTest {
     double p = 0;        ///< two-sided
 };
 
-/// Empty below two values and for values that are all equal.
+/// Empty below two values and where all are equal.
 std::optional<BiasTest> test_bias(const Moments& moments);
 
 /// Two one-sided tests of "|bias| >= margin" [schuirmann1987].
@@ -26,7 +26,7 @@ struct EquivalenceTest {
     Interval interval;        ///< of the bias, level 1 - 2 alpha
     double margin = 0;        ///< > 0
     double p = 0;             ///< the larger of the two one-sided p-values
-    bool equivalent = false;  ///< the interval lies inside +- margin, that is p < alpha
+    bool equivalent = false;  ///< the interval lies inside +- margin, i.e. p < alpha
     bool different = false;   ///< the interval lies wholly outside +- margin
 };
 

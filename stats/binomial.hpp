@@ -24,8 +24,8 @@ Interval wilson_interval(Proportion counts, double level);
 /// @see [brown2001]
 Interval wald_interval(Proportion counts, double level);
 
-/// Exact two-sided p-value of "the hit probability is `probability`": all outcomes that are no more likely than the
-/// one seen. @pre 0 <= probability <= 1
+/// Exact two-sided p-value of "the hit probability is `probability`": the total probability of all outcomes at most as
+/// likely as the one seen. @pre 0 <= probability <= 1
 double binomial_two_sided_p(Proportion counts, double probability);
 
 /// P(at least `hits`) at the given probability.

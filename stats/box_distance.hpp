@@ -5,9 +5,9 @@
 
 namespace ff::stats {
 
-/// The least (x - y)ᵀ C⁻¹ (x - y) of all points y of a box, with C the covariance of x: how far x lies outside the box,
-/// all coordinates together. Never above the true value, so that a test made of it keeps its level; where the descent
-/// has not converged, a lower bound.
+/// The least (x - y)ᵀ C⁻¹ (x - y) over all points y of a box, with C the covariance of x: how far x lies outside the
+/// box, in all coordinates together. Never above the true value, so that a test based on it keeps its level; a lower
+/// bound where the descent has not converged.
 /// @param covariance  row by row
 /// @return empty where the covariance is not positive definite, up to rounding
 /// @pre low <= high, all finite; as many of each as coordinates

@@ -16,15 +16,15 @@ struct ChangePoint {
     double p = 1;
 };
 
-/// Values on each side of a change: one value alone is no level.
+/// Fewest values on each side of a change: a single value is not a level.
 inline constexpr std::size_t fewest_on_a_side = 2;
 
-/// The least p-value that any series of n values can have: that of the permutations that keep the two sides.
+/// The least possible p-value of a series of n values: the share of permutations that keep both sides.
 double least_change_p(std::size_t n);
 
-/// The largest difference of means before and after, in the series' own standard deviations, against what permutations
-/// of it have: p holds exactly where all orders of the values are equally likely without a change, whatever their
-/// distribution. A slow drift shows as a change in its middle. Empty below four values, and where all are equal.
+/// The largest difference of means before and after, in standard deviations of the series, compared with that of its
+/// permutations: p is exact where all orders are equally likely without a change, whatever the distribution. A slow
+/// drift shows as a change in its middle. Empty below four values, and where all are equal.
 std::optional<ChangePoint> find_change(std::span<const double> values, const ResamplingPlan& plan);
 
 }  // namespace ff::stats

@@ -29,7 +29,7 @@ std::optional<QuadraticForm> combine_deviations(std::span<const double> deviatio
                                                 double tolerance = 1e-9);
 
 /// Pearson's goodness of fit of counts to probabilities. Cells are pooled, smallest expectation first, until every
-/// expectation is at least `least_expected`. For the hits of one face this is the multinomial test of all its pairs.
+/// expectation is at least `least_expected`. For the hits of one face it is the multinomial test of all its pairs.
 struct GoodnessOfFit {
     ChiSquared chi_squared;
     std::size_t cells = 0;    ///< after pooling

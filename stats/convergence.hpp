@@ -29,23 +29,23 @@ struct ConvergenceRate {
     double standard_error = 0;            ///< the larger of those behind the two intervals
     std::optional<double> lack_of_fit_p;  ///< of a straight line; empty for two sizes and for medians
     double misfit = 1;                    ///< sqrt(chi-squared / degrees of freedom) of the line, at least 1
-    double variance_factor = 1;           ///< by which the variances of one normal error a replicate were multiplied
+    double variance_factor = 1;           ///< the variances for one normal error per replicate were multiplied by this
     std::size_t points = 0;
 };
 
 /// Rate of the root mean squared error over all errors of a size. Weights: Var(ln MSE) = trigamma(R/2) for R normal
 /// errors, times half the squared relative variation of a replicate's mean squared error (pooled over sizes): for one
-/// error a replicate 1 + excess kurtosis / 2, at least 1; for w of them at least 1 / w, as for independent normal ones.
-/// Assumes a finite fourth moment: show the median rate beside it.
-/// Empty below two sizes, below two replicates at one, or where all errors of one are 0.
+/// error per replicate 1 + excess kurtosis / 2, at least 1; for w errors at least 1 / w, as for independent normal
+/// ones. Assumes a finite fourth moment: show the median rate beside it. Empty below two sizes, below two replicates at
+/// one, or where all errors of one are 0.
 /// @pre widths are equal
 std::optional<ConvergenceRate> fit_rmse_rate(std::span<const Rung> ladder, double level, const LadderDraws& draws);
 
-/// Rate of the median absolute error, which survives infinite variance. `interval` repeats the bootstrap one.
-/// Empty below two sizes or where a median is 0.
+/// Rate of the median absolute error, which survives infinite variance. `interval` repeats `bootstrap`. Empty below two
+/// sizes or where a median is 0.
 std::optional<ConvergenceRate> fit_median_rate(std::span<const Rung> ladder, double level, const LadderDraws& draws);
 
-/// The same with draws of its own.
+/// The same with its own draws.
 std::optional<ConvergenceRate> fit_rmse_rate(std::span<const Rung> ladder, double level, const ResamplingPlan& plan);
 std::optional<ConvergenceRate> fit_median_rate(std::span<const Rung> ladder, double level, const ResamplingPlan& plan);
 

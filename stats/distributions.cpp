@@ -65,7 +65,16 @@ double normal_two_sided_p(double z) {
 
 double student_critical(double freedom, double tail) {
     FF_EXPECT(freedom > 0 && 0 < tail && tail < 1);
-    return math::quantile(math::complement(math::students_t(freedom), tail));
+    // Intervals of a million estimates ask for one quantile, which takes microseconds.
+    struct Known {
+        double freedom = 0;
+        double tail = 0;
+        double quantile = 0;
+    };
+    thread_local Known last;
+    if (last.freedom != freedom || last.tail != tail)
+        last = {freedom, tail, math::quantile(math::complement(math::students_t(freedom), tail))};
+    return last.quantile;
 }
 
 double student_tail(double t, double freedom) {

@@ -2,8 +2,8 @@
 
 namespace ff::stats {
 
-/// Tail probabilities and critical values. All are computed from the far tail itself, never as 1 - cdf, so that they
-/// stay accurate down to 1e-300.
+/// Tail probabilities and critical values. All are computed from the tail itself, never as 1 - cdf, so that they stay
+/// accurate down to 1e-300.
 
 /// z with P(Z > z) = tail. @pre 0 < tail < 1
 double normal_critical(double tail);

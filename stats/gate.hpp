@@ -30,7 +30,7 @@ struct Options {
 
 enum class Verdict { pass, fail, inconclusive };
 
-/// A mean with its standard error, as codes report them, where single trials are not at hand.
+/// A mean with its standard error, as codes report them, where single trials are not available.
 struct Estimate {
     double mean = 0;
     double standard_error = 0;
@@ -49,7 +49,7 @@ struct Result {
     double trials_to_decide = 0;  ///< to pass with the power where there is no effect; 0 where not known
     Options options;
     const char* note = "";   ///< what limits the verdict
-    const char* fault = "";  ///< why there is none
+    const char* fault = "";  ///< why there is no verdict
 
     explicit operator bool() const { return verdict == Verdict::pass; }
 };
@@ -99,7 +99,7 @@ inline Result undecided(double n, const char* why) {
     return result;
 }
 
-/// Why these options are none; empty where they are some.
+/// What is wrong with these options; empty where nothing is.
 inline const char* fault_of(const Options& o) {
     if (!(o.band > 0)) return "band (no number of trials shows an effect of exactly nothing; give a positive one)";
     if (!(o.alpha > 0 && o.alpha < 0.5)) return "alpha (give one above 0 and below 0.5)";
@@ -109,7 +109,7 @@ inline const char* fault_of(const Options& o) {
     return o.comparisons < 1 ? "comparisons (at least 1)" : "";
 }
 
-/// By the usual formula, with what Student's t adds.
+/// By the usual formula, corrected for Student's t.
 inline double trials_for(double sigma, const Options& options) {
     const double z = normal_critical(options.pass_alpha);
     const double ratio = (z + normal_critical((1 - options.power) / 2)) * sigma;
@@ -119,7 +119,7 @@ inline double trials_for(double sigma, const Options& options) {
 
 }  // namespace detail
 
-/// The mean of trials, each a whole run with random numbers of its own; at least 10.
+/// A gate on the mean of trials, each a whole run with random numbers of its own; at least 10.
 template <class Values>
 Result mean(const Values& values, double reference, const Options& options) {
     double n = 0;
@@ -157,7 +157,7 @@ Result mean(const Values& values, double reference, const Options& options) {
     return detail::judged(result, fail_low, fail_high);
 }
 
-/// A mean with the standard error that a code states, which is believed.
+/// A gate on a mean whose stated standard error is trusted.
 inline Result mean(const Estimate& estimate, double reference, const Options& options) {
     if (const char* fault = detail::fault_of(options); *fault != 0) return detail::undecided(estimate.n, fault);
     if (!(estimate.standard_error > 0) || !std::isfinite(estimate.mean) || !(estimate.n >= 2))
@@ -178,8 +178,8 @@ inline Result mean(const Estimate& estimate, double reference, const Options& op
     return detail::judged(result, result.effect - outer, result.effect + outer);
 }
 
-/// The standard deviation of a trial over a reference, by chi-squared with degrees of freedom reduced for kurtosis
-/// [box1953]; at least 10 trials.
+/// A gate on the standard deviation of a trial relative to a reference, by chi-squared with degrees of freedom reduced
+/// for kurtosis [box1953]; at least 10 trials.
 template <class Values>
 Result spread(const Values& values, double reference, const Options& options) {
     double n = 0;

@@ -1,9 +1,9 @@
 #pragma once
 
 // GATE_MEAN(estimates, reference, {.band = 1e-3}) and GATE_STD(...): assertions of whichever of GoogleTest, Catch2 (2
-// or 3) and doctest was included before. A test fails unless the gate passes: inconclusive is no pass. The message has
-// effect, interval, band, both risks, how many trials would decide, and the option that repeats this test alone.
-// Designated initialisers are of C++20, and an extension of g++ and clang before it; ff::gate::Options has names.
+// or 3) and doctest was included before. A test fails unless the gate passes: inconclusive is not a pass. The message
+// has effect, interval, band, both risks, how many trials would decide, and the option that repeats this test alone.
+// Designated initialisers need C++20, g++ or clang; otherwise set members of ff::gate::Options.
 
 #include "stats/gate.hpp"
 

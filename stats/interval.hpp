@@ -5,31 +5,31 @@
 
 namespace ff::stats {
 
-/// The highest level that may be asked for. Shared among the tests of a study what remains is still far above the
-/// rounding of 1 - level.
+/// The highest level that may be requested. Even shared among all tests of a study, 1 - level stays far above
+/// rounding.
 inline constexpr double largest_level = 1 - 1e-9;
 
-/// Whether intervals of this level are right more often than not, but not always. False for NaN.
+/// Whether a level lies strictly between 0.5 and 1, up to the highest level. False for NaN.
 constexpr bool is_level(double level) {
     return level > 0.5 && level <= largest_level;
 }
 
-/// Replicates from which an interval by their spread holds its level well [lecuyer2023]; with fewer nothing is judged.
+/// Fewest replicates for an interval based on their spread [lecuyer2023]; fewer are not judged.
 inline constexpr std::size_t fewest_replicates = 5;
 
-/// A confidence interval that says where it comes from.
+/// A confidence interval with its origin.
 struct Interval {
     double low = 0;
     double high = 0;
     double level = 0;         ///< nominal coverage in (0, 1)
-    std::string_view method;  ///< "student_t", "chi_squared", "clopper_pearson", ...; a literal, valid for ever
+    std::string_view method;  ///< "student_t", "chi_squared", "clopper_pearson", ...; a string literal
     std::size_t n = 0;        ///< independent observations behind it
 
     [[nodiscard]] bool contains(double value) const { return low <= value && value <= high; }
     [[nodiscard]] double width() const { return high - low; }
 };
 
-/// Interval of the square root of a quantity that is nowhere negative, e.g. of sigma from that of the variance.
+/// Interval of the square root of a nonnegative quantity, e.g. of sigma from that of the variance.
 Interval square_root(const Interval& interval);
 
 }  // namespace ff::stats

@@ -9,8 +9,8 @@
 
 namespace ff::stats {
 
-/// How often each replicate is drawn in each resample of a ladder, with replacement within its rung. Drawn once for all
-/// statistics of the same replicates.
+/// How often each replicate is drawn in each resample of a ladder, with replacement within its rung. Drawn once and
+/// shared by all statistics of the same replicates.
 ///
 /// Above `most_blocks` replicates, blocks of consecutive ones are drawn instead: sums over independent replicates have
 /// the same distribution either way, and a spread that 4096 blocks show is known to 1 %.
@@ -22,7 +22,7 @@ class LadderDraws {
     LadderDraws(std::span<const std::size_t> replicates, const ResamplingPlan& plan);
 
     [[nodiscard]] std::size_t resamples() const { return resamples_; }
-    /// Replicates of a block; the last block of a rung may have fewer.
+    /// Replicates per block; the last block of a rung may have fewer.
     [[nodiscard]] std::size_t block(std::size_t rung) const { return rungs_[rung].block; }
     /// [block]: times drawn.
     [[nodiscard]] std::span<const std::uint32_t> counts(std::size_t resample, std::size_t rung) const;

@@ -15,7 +15,7 @@ struct MeanDifference {
     double p = 0;        ///< two-sided
 };
 
-/// Empty below two values in a sample and where neither spreads. @pre equal references, near both means
+/// Empty below two values in a sample and where neither varies. @pre equal references, near both means
 std::optional<MeanDifference> test_means_welch(const Moments& first, const Moments& second);
 
 }  // namespace ff::stats

@@ -9,14 +9,14 @@
 
 namespace ff::stats {
 
-/// Intervals for the mean of independent replicates. All are empty below two values and for values that are all equal:
-/// those show no spread, which is no evidence of precision.
+/// Intervals for the mean of independent replicates. All are empty below two values and where all values are equal: no
+/// spread is no evidence of precision.
 
 /// Student's t: mean +- t(n-1) s / sqrt(n). The one to use; good from five replicates of a randomised rule on.
 /// @see [lecuyer2023], [owen2025]
 std::optional<Interval> mean_interval_t(const Moments& moments, double level);
 
-/// The same for mean - reference, without cancellation.
+/// Student's t for mean - reference, without cancellation.
 std::optional<Interval> bias_interval_t(const Moments& moments, double level);
 
 /// Normal quantiles in place of Student's: too narrow below some 30 replicates (for comparison).

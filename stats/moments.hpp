@@ -9,8 +9,8 @@ namespace ff::stats {
 /// Count, mean, extremes and central moments up to the fourth of a stream of numbers, in one pass and mergeable
 /// (Welford, Chan, Pebay [pebay2008]).
 ///
-/// Everything is kept relative to `reference`, usually the exact value: a bias far below the mean and a variance of
-/// 1e-24 beside a mean of 0.2 survive. Results are equal to the bit for the same values in the same order; merging in
+/// Everything is kept relative to `reference`, usually the exact value: a bias far below the mean, or a variance of
+/// 1e-24 beside a mean of 0.2, survives. Results are equal to the bit for the same values in the same order; merging in
 /// another order changes the last digits.
 class Moments {
   public:

@@ -13,7 +13,7 @@ std::vector<double> holm(std::span<const double> p);
 /// Family-wise error rate for independent (or positively dependent two-sided normal) tests; 1 - (1-p)^m without
 /// cancellation for small p. @see [sidak1967]
 std::vector<double> sidak(std::span<const double> p);
-/// The level of each of `tests` that gives the family `alpha`: 1 - (1 - alpha)^(1/tests). @pre tests >= 1
+/// The level per test at which the family has `alpha`: 1 - (1 - alpha)^(1/tests). @pre tests >= 1
 double sidak_level(double alpha, std::size_t tests);
 /// alpha / tests.
 double bonferroni_level(double alpha, std::size_t tests);

@@ -15,8 +15,8 @@ struct NormalityTest {
     double p = 0;          ///< approximate; an upper bound where it is 4e-24 (adjusted >= 10)
 };
 
-/// Empty below eight values and for values that are all equal. Discrete data are rejected for being discrete alone:
-/// jitter hit counts first.
+/// Empty below eight values and where all are equal. Discrete data are rejected for being discrete alone: jitter hit
+/// counts first.
 std::optional<NormalityTest> test_normality(std::span<const double> values);
 
 /// Adds a uniform number within +- spacing/2 to each value, so that numbers on a lattice (hit counts / rays, spacing

@@ -22,7 +22,7 @@ std::vector<double> quantiles(std::span<const double> values, std::span<const do
 /// Median of |value - reference|; meaningful where the variance is infinite. Empty without values.
 std::optional<double> median_absolute_error(std::span<const double> values, double reference);
 
-/// The range that holds the middle `share` of the values, e.g. 0.95: what a single run may show.
+/// The central range with this `share` of the values, e.g. 0.95: what a single run may give.
 struct Range {
     double low = 0;
     double high = 0;

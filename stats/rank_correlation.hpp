@@ -11,12 +11,12 @@ namespace ff::stats {
 /// Kendall's tau-b of two series: 1 where they have the same order, -1 where they have opposite ones.
 struct RankCorrelation {
     double tau = 0;
-    /// Of all tau from which the one found is no further than the normal quantile times the largest standard deviation
-    /// that tau can have there, sqrt(2 (1 - tau²) / n), whatever the distribution [kendall1970].
+    /// All tau within the normal quantile times the largest possible standard deviation, sqrt(2 (1 - tau²) / n), of the
+    /// observed one, whatever the distribution [kendall1970].
     Interval interval;
 };
 
-/// Fewer pairs of values say next to nothing.
+/// Fewer pairs of values tell next to nothing.
 inline constexpr std::size_t fewest_ranked = 6;
 
 /// Empty for fewer than `fewest_ranked` values, and where all values of one series are equal.

@@ -6,7 +6,7 @@
 
 namespace ff::stats {
 
-/// Values of a series that occurred before, bit for bit.
+/// Values of a series that occurred earlier, bit for bit.
 struct Repeats {
     std::size_t repeats = 0;  ///< values that are equal to an earlier one
     double expected = 0;      ///< how many are expected by chance among independent values on the same lattice
@@ -15,16 +15,16 @@ struct Repeats {
     std::size_t later = 0;    ///< ... and of where it does
 };
 
-/// Counts repeated values and says whether chance explains them. The least value, the largest and 0 do not count:
-/// estimates are cut off there, or hit nothing. Values that are counted, or printed with few digits, lie on a lattice
-/// and coincide now and then; chance is asked twice, and the better explanation holds: a normal distribution on the
+/// Counts repeated values and judges whether chance explains them. The least value, the largest and 0 do not count:
+/// estimates are clipped there, or hit nothing. Counts, and values printed with few digits, lie on a lattice and
+/// coincide now and then; of two models of chance, the better explanation decides: a normal distribution on the
 /// lattice, whose spacing is the greatest common divisor of the gaps, and the neighbours, since where values crowd, the
-/// sites beside them fill too. Where the sites are few enough to be filled, repeats say nothing. Values without a
-/// lattice never coincide by chance. Empty without a repeat, and where they say nothing.
+/// sites beside them fill too. Where the sites are few enough to be filled, repeats tell nothing. Values without a
+/// lattice never coincide by chance. Empty without a repeat, and where repeats tell nothing.
 std::optional<Repeats> find_repeats(std::span<const double> values);
 
-/// The period after which the whole series repeats itself: the least lag <= n/2 at which every value equals that one
-/// lag earlier. Empty where there is none, and where chance makes one with a probability above `alpha`.
+/// The period after which the whole series repeats itself: the least lag <= n/2 at which every value equals the one a
+/// lag earlier. Empty where there is none, and where chance produces one with a probability above `alpha`.
 std::optional<std::size_t> find_period(std::span<const double> values, double alpha);
 
 }  // namespace ff::stats

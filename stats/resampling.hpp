@@ -8,11 +8,11 @@
 
 namespace ff::stats {
 
-/// What random numbers are drawn for; two uses of one key never share a number.
+/// The purpose of random numbers; two purposes never share a number of one key.
 enum class Resampling : std::uint32_t { bootstrap = 1, permutation = 2, jitter = 3, simulation = 4 };
 
-/// A sequence of random numbers for resampling: Philox words in counter order, so that replicate r is the same
-/// whatever was drawn for the others.
+/// A sequence of random numbers for resampling: Philox words in counter order, so that replicate r is the same whatever
+/// was drawn for others.
 class Draws {
   public:
     Draws(StreamKey key, Resampling use, std::uint32_t replicate);
@@ -37,7 +37,7 @@ void resample(std::span<const double> data, Draws& draws, std::span<double> samp
 /// Random order (Fisher-Yates).
 void shuffle(std::span<double> values, Draws& draws);
 
-/// How much resampling, and with which random numbers.
+/// The number of resamples and the key of their random numbers.
 struct ResamplingPlan {
     StreamKey key;                    ///< e.g. derive_key(seed, "bootstrap SR 1-2")
     std::uint32_t replicates = 1999;  ///< (replicates + 1) * alpha / 2 should be whole

@@ -17,12 +17,12 @@ struct SerialTest {
     std::size_t lags = 0;   ///< that Ljung and Box sum over
     double statistic = 0;   ///< Ljung and Box's
     double p = 0;           ///< twice the smaller of both tests'
-    double detectable = 0;  ///< autocorrelation at lag 1 that is found with probability 0.9 at alpha 0.05
+    double detectable = 0;  ///< autocorrelation at lag 1 that is detected with probability 0.9 at alpha 0.05
 };
 
-/// Two tests under one p-value (Bonferroni): of positive correlation at lag 1, which is what chains and shared states
-/// make [vonneumann1941], and of any correlation up to lag 10 [ljung1978]. Holds for any distribution of finite
-/// variance. Empty below `fewest_for_serial_test` values and where all are equal.
+/// Two tests under one p-value (Bonferroni): for positive correlation at lag 1, which chains and shared states cause
+/// [vonneumann1941], and for any correlation up to lag 10 [ljung1978]. Holds for any distribution of finite variance.
+/// Empty below `fewest_for_serial_test` values and where all are equal.
 std::optional<SerialTest> test_serial_correlation(std::span<const double> values);
 
 inline constexpr std::size_t fewest_for_serial_test = 10;

@@ -12,10 +12,10 @@ namespace ff::stats {
 /// small a mean and too small a spread. Its quantile is that of Student's t, corrected for the skewness by Hall's cubic
 /// transformation [hall1992] and, at least, by the first term of its expansion [johnson1978]. The skewness is the
 /// sample's plus three of its standard errors towards the side in question, since few values hardly show it. Neither
-/// limit is ever nearer than Student's.
+/// limit is ever closer than Student's.
 using gate::SkewedReach;
 
-/// @param effective  values that are independent: all of them, or fewer of a correlated series; at least 2
+/// @param effective  number of independent values: all of them, or fewer in a correlated series; at least 2
 /// @param freedom    of the standard error       @param tail  beyond each limit, in (0, 0.5)
 /// @pre values are at least 3 and not all equal
 SkewedReach reach_of_mean(std::span<const double> values, double effective, double freedom, double tail);

@@ -8,9 +8,9 @@
 
 namespace ff::gate {
 
-/// How far the limits of a mean lie from it, in standard errors, where values may be skewed: Student's t, corrected by
-/// what the sample's skewness and three of its standard errors can cost [hall1992], [johnson1978]. An open limit proves
-/// nothing: the sample is too skewed, or too small, for so small a tail.
+/// How far the limits of a mean lie from it, in standard errors, where values may be skewed: Student's t, corrected for
+/// the sample's skewness plus three of its standard errors [hall1992], [johnson1978]. An open limit means that the
+/// sample is too skewed, or too small, for so small a tail.
 struct SkewedReach {
     double below = 0;
     double above = 0;
@@ -18,7 +18,7 @@ struct SkewedReach {
     bool above_is_open = false;
 };
 
-/// What values say about their skewness.
+/// The estimated skewness of values.
 struct Skewness {
     double value = 0;
     double error = 0;         ///< standard error, at least that for normal values

@@ -62,9 +62,9 @@ double pareto_shape(std::span<const double> excesses) {
 
 std::optional<TailFit> fit_tail(std::span<const double> values, double fraction) {
     FF_EXPECT(0 < fraction && fraction < 1);
-    constexpr std::size_t fewest = 20;
+    constexpr std::size_t fewest_exceedances = 20;
     const auto exceedances = static_cast<std::size_t>(fraction * static_cast<double>(values.size()));
-    if (exceedances < fewest) return std::nullopt;
+    if (exceedances < fewest_exceedances) return std::nullopt;
 
     const std::vector<double> ascending = sorted(values);
     const std::size_t first = ascending.size() - exceedances;

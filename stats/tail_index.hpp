@@ -11,7 +11,7 @@ namespace ff::stats {
 struct TailFit {
     double shape = 0;           ///< xi of the generalised Pareto distribution: 1 / index; <= 0 for light tails
     double standard_error = 0;  ///< of shape: (1 + shape) / sqrt(exceedances); Hill's: shape / sqrt(exceedances)
-    double error_at_two = 0;    ///< what that would be for an index of 2
+    double error_at_two = 0;    ///< the standard error for an index of 2
     std::size_t exceedances = 0;
     double threshold = 0;
     std::optional<double> index;  ///< 1 / shape; empty where shape <= 0 (lighter than any power)
@@ -21,11 +21,11 @@ struct TailFit {
 /// under shift and scale. Empty below 20 exceedances or where they are all equal.
 std::optional<TailFit> fit_tail(std::span<const double> values, double fraction = 0.1);
 
-/// Hill's estimate of 1 / index from the `exceedances` largest of positive values [hill1975]; sensitive to shift.
-/// Empty unless more than `exceedances` >= 2 values are positive.
+/// Hill's estimate of 1 / index from the `exceedances` largest positive values [hill1975]; sensitive to shift. Empty
+/// unless more than `exceedances` >= 2 values are positive.
 std::optional<TailFit> fit_tail_hill(std::span<const double> values, std::size_t exceedances);
 
-/// What the tail says about the variance.
+/// What the tail tells about the variance.
 enum class VarianceHealth { finite, infinite, undecided };
 
 /// Tests the index 2, at which the variance just becomes infinite: infinite where the index is significantly below 2,

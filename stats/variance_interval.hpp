@@ -16,11 +16,11 @@ namespace ff::stats {
 /// Empty below two values.
 std::optional<Interval> variance_interval_chi2(const Moments& moments, double level);
 
-/// Fewer values resample too coarsely for `variance_interval_bootstrap`.
+/// Fewest values that `variance_interval_bootstrap` can resample.
 inline constexpr std::size_t fewest_for_variance_bootstrap = 8;
 
 /// Where fewer values (or fewer than half of them) differ from the most frequent one, there is no interval at all: a
-/// few hits among a thousand trials say little of the variance, and a resample without any of them says nothing.
+/// few hits among a thousand trials tell little about the variance, and a resample without any of them tells nothing.
 /// Measured coverage of one hit in 10, 4 or 2 trials, for n = 100, at nominal .95: .96 .97 1.
 inline constexpr std::size_t fewest_deviating_values = 7;
 
@@ -31,14 +31,14 @@ inline constexpr std::size_t fewest_deviating_values = 7;
 std::optional<Interval> variance_interval_bootstrap(std::span<const double> values, double level,
                                                     const ResamplingPlan& plan);
 
-/// From so many values on their kurtosis is known well enough, and the bootstrap would cost seconds.
+/// From this many values on their kurtosis is known well enough, and the bootstrap would take seconds.
 inline constexpr std::size_t enough_for_kurtosis = 5000;
 
 /// Chi-squared where the sample's excess kurtosis G2 lies within two of its standard errors (for normal data) of 0 or
-/// below -1.5, or there are too few values to resample; else the bootstrap, from `enough_for_kurtosis` values on
-/// chi-squared with the degrees of freedom that their kurtosis leaves (stats/spread.hpp). `method` says which. Few
-/// values do not show their kurtosis: measured coverage for Laplace data is .86 .87 .92 .94 (n as above), for normal
-/// data at least .95.
+/// below -1.5, or there are too few values to resample; else the bootstrap, or, from `enough_for_kurtosis` values on,
+/// chi-squared with degrees of freedom reduced for their kurtosis (stats/spread.hpp). `method` says which. Few values
+/// do not show their kurtosis: measured coverage for Laplace data is .86 .87 .92 .94 (n as above), for normal data at
+/// least .95.
 std::optional<Interval> variance_interval(std::span<const double> values, double level, const ResamplingPlan& plan);
 
 /// Square root of `variance_interval`.

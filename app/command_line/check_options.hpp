@@ -7,18 +7,18 @@
 
 namespace ff::app {
 
-/// Of `ffstudy check`.
+/// Options of `ffstudy check`.
 struct CheckCommand {
     std::filesystem::path bands;
     std::optional<std::uint64_t> seed;
     bool fresh_seed = false;
     std::uint64_t seed_sweep = 0;     ///< number of seeds; 0: one check
     std::filesystem::path estimates;  ///< CSV of another program; empty: none
-    std::filesystem::path against;    ///< a second one; empty: none
-    std::string again;                ///< commit whose looks share alpha; empty: one look by itself
+    std::filesystem::path against;    ///< a second file of estimates; empty: none
+    std::string again;                ///< commit whose looks share alpha; empty: a single look
     std::filesystem::path ledger;     ///< of looks; empty: <bands>.ledger.csv
-    std::filesystem::path history;    ///< that this run is added to; empty: none
-    std::string commit;               ///< its name there
+    std::filesystem::path history;    ///< file that this run is added to; empty: none
+    std::string commit;               ///< name of this run there
     std::filesystem::path baseline;
     std::filesystem::path save_baseline;
     std::optional<unsigned> threads;
@@ -28,7 +28,7 @@ struct CheckCommand {
     bool dry_run = false;
 };
 
-/// Of `ffstudy trend`.
+/// Options of `ffstudy trend`.
 struct TrendCommand {
     std::filesystem::path history;
     double alpha = 0.01;

@@ -5,7 +5,26 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <sstream>
+
 namespace ff::app {
+namespace {
+
+std::string in_lines(const std::string& text, std::size_t width) {
+    std::string out;
+    std::size_t used = 0;
+    std::istringstream words(text);
+    for (std::string word; words >> word;) {
+        const bool breaks = used > 0 && used + 1 + word.size() > width;
+        if (used > 0) out += breaks ? '\n' : ' ';
+        used = breaks || used == 0 ? word.size() : used + 1 + word.size();
+        out += word;
+    }
+    return out;
+}
+
+}  // namespace
 
 std::vector<const CLI::App*> shown_commands(const CLI::App& app) {
     return app.get_subcommands([](const CLI::App* command) { return !command->get_group().empty(); });
@@ -52,6 +71,22 @@ bool takes_many(const CLI::Option& argument) {
 
 std::string value_type(const CLI::Option& option) {
     return option.get_positional() && option.get_type_name().empty() ? option.get_name() : option.get_type_name();
+}
+
+void fit_descriptions(CLI::App& app, std::size_t columns) {
+    const std::size_t before = app.get_formatter()->get_column_width();
+    constexpr std::size_t least = 20;
+    const std::size_t width = std::max(columns, before + least) - before;
+    const auto fit = [&](CLI::App& command) {
+        for (CLI::Option* option : command.get_options())
+            option->description(in_lines(option->get_description(), width));
+        command.footer(in_lines(command.get_footer(), columns));
+    };
+    fit(app);
+    for (CLI::App* command : app.get_subcommands(nullptr)) {
+        command->description(in_lines(command->get_description(), width));
+        fit(*command);
+    }
 }
 
 void name_types_of_arguments(CLI::App& app) {

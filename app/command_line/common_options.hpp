@@ -13,10 +13,10 @@ namespace ff::app {
 /// The seed of --seed.
 Seed checked_seed(std::uint64_t seed);
 
-/// A seed that nobody has seen before.
+/// A fresh seed.
 Seed fresh_seed();
 
-/// Threads of --threads; all cores where it is not given.
+/// Threads of --threads; all cores by default.
 unsigned thread_count(const std::optional<unsigned>& threads);
 
 }  // namespace ff::app

@@ -10,21 +10,21 @@
 
 namespace ff::app {
 
-/// What may stand in place of the last word of a command line.
+/// Completions of the last word of a command line.
 struct Completions {
     struct Word {
         std::string text;
         std::string summary;
     };
-    std::vector<Word> words;  ///< those that begin with what is there
+    std::vector<Word> words;  ///< words that begin with the given text
     enum class Paths { none, folders, files } paths = Paths::none;
 };
 
-/// Names that may stand where something of this type ("SAMPLER") is taken.
+/// Names for a value of this type ("SAMPLER").
 using NamesOfType = std::function<std::vector<Completions::Word>(std::string_view type)>;
 
-/// Commands, options and values, from the definitions that --help shows: an option's type, or an argument's name, says
-/// what is taken. @param words from the program's name on; the last one, which may be empty, is completed
+/// Commands, options and values, from the definitions that --help shows: an option's type, or an argument's name, tells
+/// what it takes. @param words from the program's name on; the last one, possibly empty, is completed
 Completions complete(const CLI::App& app, std::span<const std::string> words, const NamesOfType& names);
 
 /// For the scripts in app/completion/: a line for each word, "text<tab>summary", then ":files" or ":folders".

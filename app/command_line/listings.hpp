@@ -24,16 +24,16 @@ struct Listed {
     std::string summary;
 };
 
-/// @param plural of a kind @throws UserError where nothing of that kind can be listed
+/// @param plural of a kind @throws UserError where there is no such kind
 std::vector<Listed> listed(std::string_view plural);
 
-/// What may stand where options take something of this type: names for "SAMPLER", all for "NAME", kinds for "KIND".
+/// Possible values of options with this type: names for "SAMPLER", all for "NAME", kinds for "KIND".
 std::vector<Listed> listed_for_type(std::string_view type);
 
 /// "patch, face", for help.
 std::string names_in_words(std::string_view plural);
 
-/// A form factor with as many digits as are right.
+/// A form factor with its reliable digits.
 std::string exact_digits(const Configuration& configuration);
 
 }  // namespace ff::app

@@ -14,14 +14,14 @@
 
 namespace ff::app {
 
-/// What `ffstudy radiosity` asks of a study, beyond what its file says. Empty texts: as there.
+/// Settings of `ffstudy radiosity` that override those of the study file; empty texts override nothing.
 struct RadiosityOptions {
     std::string reflectance;  ///< "0.5,0.9"
     std::string emission;     ///< "0,0,0,0,0,1"
     std::optional<std::uint64_t> patch_trials;
 };
 
-/// What the commands that run something take.
+/// Options of commands that run a study.
 struct RunCommand {
     std::string study;  ///< built-in name, or a file
     std::optional<std::uint64_t> trials;
@@ -31,9 +31,9 @@ struct RunCommand {
     std::optional<std::string> max_time;    ///< "90", "15m"
     std::optional<std::string> max_memory;  ///< "500M"
     std::filesystem::path out;              ///< empty: results/<study>
-    std::filesystem::path templates;        ///< folder of own templates; empty: none
+    std::filesystem::path templates;        ///< folder of custom templates; empty: none
     bool quiet = false;
-    bool replace = false;  ///< another study that is in the folder
+    bool replace = false;  ///< replace another study in the folder
     bool dry_run = false;
     std::optional<studies::ConvergenceRequest> convergence;  ///< instead of `study`
     std::optional<RadiosityOptions> radiosity;
@@ -43,7 +43,7 @@ struct RunCommand {
     std::filesystem::path study_file;  ///< to write the study to; empty: nowhere
 };
 
-/// Of `ffstudy enclosure`.
+/// Options of `ffstudy enclosure`.
 struct EnclosureCommand {
     std::string name;
     std::optional<std::string> mirror;
@@ -55,33 +55,42 @@ struct EnclosureCommand {
     bool quiet = false;
 };
 
-/// Of `ffstudy form_factors`.
+/// Options of `ffstudy form_factors`.
 struct FormFactorsCommand {
-    std::string scene;                   ///< built-in name, or a file; empty: a matrix is loaded
+    std::string scene;                   ///< built-in name, or a file; empty: load a matrix
     std::filesystem::path load;          ///< folder or store of an earlier run; empty: none
-    std::string faces = "group";         ///< or "polygon": what a face of an OBJ file is
-    studies::FormFactorRequest request;  ///< but for seed, threads and what level means
+    std::string faces = "group";         ///< or "polygon", "material": what makes a face of an OBJ file or a mesh
+    bool closed = false;                 ///< treat an OBJ file or a mesh as closed
+    studies::FormFactorRequest request;  ///< except seed, threads and the meaning of level
     std::uint64_t seed = 1;
     std::optional<unsigned> threads;
     std::optional<std::string> max_time;
+    std::optional<std::string> max_memory;
+    std::optional<std::string> shard;
+    bool dry_run = false;
     bool whole_matrix = false;
-    std::filesystem::path out;  ///< empty: nothing is written
+    std::filesystem::path out;         ///< empty: nothing is written
+    std::vector<std::string> formats;  ///< of other programs, for files in `out`
     bool quiet = false;
 };
 
-/// Of `ffstudy heat`.
+/// Options of `ffstudy heat`.
 struct HeatCommand {
-    FormFactorsCommand factors;  ///< their level is that of all at once
+    FormFactorsCommand factors;  ///< their level holds for all factors at once
     std::filesystem::path materials;
-    double scale = 1;              ///< metres of a unit of length of the scene
-    double flow_tolerance = 1e-3;  ///< of powers, as a share of what the sources give off
+    double scale = 1;                           ///< metres of a unit of length of the scene
+    std::optional<std::string> tolerance;       ///< of form factors, or of powers
+    std::string tolerance_of = "factor";        ///< or "flux"
+    std::optional<std::string> flow_tolerance;  ///< of powers, where the tolerance is that of form factors
+    bool gebhart = false;                       ///< Gebhart factors as well
 };
 
 struct ReportCommand {
     std::filesystem::path results;  ///< folder or store
-    std::filesystem::path out;      ///< empty: where the store lies
+    std::filesystem::path out;      ///< empty: the folder of the store
     std::vector<std::string> formats;
-    std::filesystem::path templates;  ///< folder of own templates; empty: none
+    std::vector<std::string> pictures;  ///< pictures to draw as files: names or their beginnings; empty: all
+    std::filesystem::path templates;    ///< folder of custom templates; empty: none
     bool quiet = false;
 };
 
@@ -92,10 +101,10 @@ struct MergeCommand {
 };
 
 struct CompareCommand {
-    std::filesystem::path first;  ///< folder or store, perhaps with a method: "results/a:sobol"
+    std::filesystem::path first;  ///< folder or store, optionally with a method: "results/a:sobol"
     std::filesystem::path second;
     std::filesystem::path out;        ///< empty: nothing is written
-    std::filesystem::path templates;  ///< folder of own templates; empty: none
+    std::filesystem::path templates;  ///< folder of custom templates; empty: none
     bool json = false;                ///< instead of text
     bool quiet = false;
 };
@@ -106,9 +115,9 @@ struct AuditCommand {
     bool quiet = false;
 };
 
-/// Of `ffstudy list` and `ffstudy explain`.
+/// Options of `ffstudy list` and `ffstudy explain`.
 struct ListCommand {
-    std::string name;  ///< kind, or what is explained; empty: what there is
+    std::string name;  ///< kind, or what to explain; empty: an overview
     OutsideOptions outside;
     bool json = false;
 };

@@ -15,14 +15,14 @@
 
 namespace ff::app {
 
-/// Shows the verdict of a gate that is done, and writes all that are.
-/// @param note  told beside the verdict, and not judged; may be empty
+/// Shows the verdict of a finished gate, and writes those of all finished ones.
+/// @param note  shown beside the verdict, not judged; may be empty
 using Tell = std::function<void(studies::GateResult result, double seconds, const std::string& note)>;
 
 /// Runs gates, one after the other.
 using RunGates = std::function<void(const Tell&)>;
 
-/// Looks for what is wrong with the gates that have to be run, before any is.
+/// Validates the gates that have to be run, before any is.
 using PrepareGates = std::function<RunGates(const studies::GatesSpec&)>;
 
 /// One `ffstudy check`: gates on files are judged, others are run.
@@ -30,7 +30,7 @@ struct CheckSession {
     const CheckCommand& command;
     studies::GatesSpec spec;
     std::map<std::string, std::string> context;  ///< for context.json
-    PrepareGates prepare;                        ///< null where no gate is run
+    PrepareGates prepare;                        ///< null where no gate has to be run
 
     [[nodiscard]] std::filesystem::path out() const;
     void print(const std::string& text) const;
@@ -40,7 +40,7 @@ struct CheckSession {
 /// @throws UserError, IoError
 ExitCode judge(CheckSession session);
 
-/// The folder for these files, once it is certain that they may be written.
+/// The folder for these files, after checking that they may be written.
 OutputFolder open_folder(const std::filesystem::path& out, const std::vector<std::string>& files);
 
 }  // namespace ff::app

@@ -7,13 +7,13 @@
 
 namespace ff::app {
 
-/// Runs a study, or resumes it, writes its reports, prints a short result.
+/// Runs or resumes a study, writes its reports, prints a short result.
 ExitCode run(const RunCommand& command);
 
-/// Light in an enclosure that sees itself, by exact factors and by rays drawn from them.
+/// Light in an enclosure with self-views, by exact factors and by rays drawn from them.
 ExitCode enclosure(const EnclosureCommand& command);
 
-/// All form factors between the faces of a scene, each with an interval; inconclusive where one misses the tolerance.
+/// All form factors between the faces of a scene, with intervals; inconclusive where one misses the tolerance.
 ExitCode form_factors(const FormFactorsCommand& command);
 
 /// Flows of heat or light between the faces of a scene; inconclusive where one is not within the tolerance.
@@ -22,10 +22,10 @@ ExitCode heat(const HeatCommand& command);
 /// Writes reports from a store.
 ExitCode report(const ReportCommand& command);
 
-/// Brings the stores of shards together and writes the reports; inconclusive where units are missing.
+/// Merges the stores of shards and writes the reports; inconclusive where units are missing.
 ExitCode merge(const MergeCommand& command);
 
-/// Two runs side by side; failed where some method differs, else inconclusive where one cannot be tested.
+/// Compares two runs; failed where some method differs, else inconclusive where one cannot be tested.
 ExitCode compare(const CompareCommand& command);
 
 /// Checks published tables for contradictions; failed where there are some.
@@ -34,16 +34,19 @@ ExitCode audit(const AuditCommand& command);
 /// Checks the gates of a bands file: failed where one fails, else inconclusive where one is undecided.
 ExitCode check(const CheckCommand& command, const OutsideOptions& outside);
 
-/// Measures what gates and intervals promise; failed where a claim does not hold.
+/// Measures whether gates and intervals keep their promises; failed where a claim does not hold.
 ExitCode gates_selftest(const SelftestCommand& command);
 
-/// Measures how often the intervals of form_factors hold exact values; failed where too seldom.
+/// Measures how often the intervals of form_factors contain exact values; failed where this is too rare.
 ExitCode form_factors_selftest(const SelftestCommand& command);
 
-/// Lists samplers, estimators, scenes, studies or formats; without a kind, what there is of each.
+/// Measures how often the limits of heat contain exact flows; failed where this is too rare.
+ExitCode heat_selftest(const SelftestCommand& command);
+
+/// Lists samplers, estimators, scenes, studies or formats; without a kind, an overview.
 ExitCode list(const ListCommand& command);
 
-/// Prints what a sampler, estimator, scene or study is, its source and its limits.
+/// Describes a sampler, estimator, scene or study, with source and limits.
 ExitCode explain(const ListCommand& command);
 
 }  // namespace ff::app

@@ -19,9 +19,13 @@ void add_report(CLI::App& app, ReportCommand& command, Action& action) {
                     fmt::format("{} (default: {})", names_in_words("formats"), fmt::join(usual_formats(), ", ")))
         ->type_name("FORMAT")
         ->delimiter(',');
+    sub->add_option("--pictures", command.pictures,
+                    "Pictures for svg and pdf: names as 'ffstudy figure' lists them, or how they begin (default: all)")
+        ->type_name("PICTURE")
+        ->delimiter(',');
     sub->add_option("--out", command.out, "Folder for the files (default: where the results lie)")->type_name("DIR");
-    sub->add_option("--templates", command.templates, "Folder of own templates for report.html")->type_name("DIR");
-    sub->add_flag("-q,--quiet", command.quiet, "Print errors only");
+    sub->add_option("--templates", command.templates, "Folder of custom templates for report.html")->type_name("DIR");
+    add_verbosity(*sub, command.quiet);
     sub->callback([&] { action = [&] { return report(command); }; });
 }
 
@@ -34,9 +38,10 @@ void add_compare(CLI::App& app, CompareCommand& command, Action& action) {
     sub->add_option("B", command.second, "The other")->type_name("RESULTS")->required();
     sub->add_option("--out", command.out, "Folder for comparison.md and comparison.html (default: none is written)")
         ->type_name("DIR");
-    sub->add_option("--templates", command.templates, "Folder of own templates for comparison.html")->type_name("DIR");
+    sub->add_option("--templates", command.templates, "Folder of custom templates for comparison.html")
+        ->type_name("DIR");
     sub->add_flag("--json", command.json, "Print JSON");
-    sub->add_flag("-q,--quiet", command.quiet, "Print errors only");
+    add_verbosity(*sub, command.quiet);
     sub->callback([&] { action = [&] { return compare(command); }; });
 }
 
@@ -44,7 +49,7 @@ void add_merge(CLI::App& app, MergeCommand& command, Action& action) {
     CLI::App* sub = add_command(app, laboratory, "merge", "Bring the results of shards together");
     sub->add_option("RESULTS", command.sources, "Folders of the shards, or their results.sqlite")->required();
     sub->add_option("--out", command.out, "Folder for the merged results")->type_name("DIR")->required();
-    sub->add_flag("-q,--quiet", command.quiet, "Print errors only");
+    add_verbosity(*sub, command.quiet);
     sub->callback([&] { action = [&] { return merge(command); }; });
 }
 
@@ -52,7 +57,7 @@ void add_audit(CLI::App& app, AuditCommand& command, Action& action) {
     CLI::App* sub = add_command(app, laboratory, "audit", "Find contradictions in published tables");
     sub->add_option("TABLES", command.tables, "Tables file (.json)")->required();
     sub->add_option("--out", command.out, "Folder for audit.md (default: none is written)")->type_name("DIR");
-    sub->add_flag("-q,--quiet", command.quiet, "Print errors only");
+    add_verbosity(*sub, command.quiet);
     sub->callback([&] { action = [&] { return audit(command); }; });
 }
 
@@ -82,25 +87,40 @@ void add_selftest(CLI::App& app, SelftestCommand& command, Action& action) {
     sub->add_option("--seed", command.seed, "Seed of all random numbers (default: 1)")->check(CLI::NonNegativeNumber);
     sub->add_option("--threads", command.threads, "Threads; results do not depend on them (default: all cores)");
     sub->add_option("--out", command.out, "Folder for selftest.md (default: none is written)")->type_name("DIR");
-    sub->add_flag("-q,--quiet", command.quiet, "Print errors only");
+    add_verbosity(*sub, command.quiet);
     sub->callback([&] { action = [&] { return gates_selftest(command); }; });
 }
+
+namespace {
+
+void add_coverage_options(CLI::App& sub, SelftestCommand& command) {
+    sub.add_option("--seeds", command.seeds, "Seeds that every scene is computed with (default: 200)")
+        ->check(CLI::PositiveNumber);
+    sub.add_option("--tolerance", command.tolerance, "Of the form factors (default: 0.004)")
+        ->check(CLI::PositiveNumber);
+    sub.add_option("--scene", command.scenes, "Scenes, separated by commas (default: the catalogue)")
+        ->type_name("SCENE")
+        ->delimiter(',');
+    sub.add_option("--seed", command.seed, "The first seed (default: 1)")->check(CLI::NonNegativeNumber);
+    sub.add_option("--threads", command.threads, "Threads; results do not depend on them (default: all cores)");
+    sub.add_option("--out", command.out, "Folder for selftest.md (default: none is written)")->type_name("DIR");
+    add_verbosity(sub, command.quiet);
+}
+
+}  // namespace
 
 void add_form_factors_selftest(CLI::App& app, SelftestCommand& command, Action& action) {
     CLI::App* sub = add_command(app, checks, "form_factors_selftest",
                                 "How often the intervals of 'form_factors' hold the values of the catalogue");
-    sub->add_option("--seeds", command.seeds, "Seeds that every scene is computed with (default: 200)")
-        ->check(CLI::PositiveNumber);
-    sub->add_option("--tolerance", command.tolerance, "Of the form factors (default: 0.004)")
-        ->check(CLI::PositiveNumber);
-    sub->add_option("--scene", command.scenes, "Scenes, separated by commas (default: the catalogue)")
-        ->type_name("SCENE")
-        ->delimiter(',');
-    sub->add_option("--seed", command.seed, "The first seed (default: 1)")->check(CLI::NonNegativeNumber);
-    sub->add_option("--threads", command.threads, "Threads; results do not depend on them (default: all cores)");
-    sub->add_option("--out", command.out, "Folder for selftest.md (default: none is written)")->type_name("DIR");
-    sub->add_flag("-q,--quiet", command.quiet, "Print errors only");
+    add_coverage_options(*sub, command);
     sub->callback([&] { action = [&] { return form_factors_selftest(command); }; });
+}
+
+void add_heat_selftest(CLI::App& app, SelftestCommand& command, Action& action) {
+    CLI::App* sub = add_command(app, checks, "heat_selftest",
+                                "How often the limits of 'heat' hold flows of the catalogue's scenes");
+    add_coverage_options(*sub, command);
+    sub->callback([&] { action = [&] { return heat_selftest(command); }; });
 }
 
 void add_list(CLI::App& app, ListCommand& command, Action& action) {

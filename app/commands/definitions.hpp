@@ -16,6 +16,7 @@ void add_audit(CLI::App& app, AuditCommand& command, Action& action);
 void add_check(CLI::App& app, CheckCommand& command, OutsideOptions& outside, Action& action);
 void add_selftest(CLI::App& app, SelftestCommand& command, Action& action);
 void add_form_factors_selftest(CLI::App& app, SelftestCommand& command, Action& action);
+void add_heat_selftest(CLI::App& app, SelftestCommand& command, Action& action);
 void add_list(CLI::App& app, ListCommand& command, Action& action);
 void add_explain(CLI::App& app, ListCommand& command, Action& action);
 void add_points(CLI::App& app, PointsCommand& command, Action& action);

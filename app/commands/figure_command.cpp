@@ -146,7 +146,7 @@ void add_figure(CLI::App& app, FigureCommand& command, Action& action) {
     sub->add_option("--font", command.font, "Family of letters (default: that of reports; .pgf takes the document's)")
         ->type_name("FONT");
     sub->add_option("--out", command.out, "File: .pdf, .svg, .png or .pgf (default: PICTURE.pdf)")->type_name("FILE");
-    sub->add_option("--templates", command.templates, "Folder of own templates")->type_name("DIR");
+    sub->add_option("--templates", command.templates, "Folder of custom templates")->type_name("DIR");
     sub->callback([&] { action = [&] { return figure(command); }; });
 }
 

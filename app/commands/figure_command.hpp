@@ -10,21 +10,21 @@
 
 namespace ff::app {
 
-/// Of `ffstudy figure`.
+/// Options of `ffstudy figure`.
 struct FigureCommand {
     std::filesystem::path results;     ///< folder or store
-    std::string picture;               ///< its name or how that begins; empty: all are listed
+    std::string picture;               ///< its name or the beginning of it; empty: list all
     std::vector<std::string> methods;  ///< empty: all
     std::string pairs;                 ///< class of pairs; empty: any
     std::string width = "120mm";
-    std::string height;  ///< empty: as the kind of picture has it
+    std::string height;  ///< empty: the default of the kind of picture
     double font_size = 8;
     std::string font;
     std::filesystem::path out;        ///< .svg, .pdf, .png or .pgf; empty: the picture's name, .pdf
-    std::filesystem::path templates;  ///< folder of own templates; empty: none
+    std::filesystem::path templates;  ///< folder of custom templates; empty: none
 };
 
-/// Draws one picture of a study in a size for a paper, or lists those that there are.
+/// Draws one picture of a study in a size for a paper, or lists the available ones.
 ExitCode figure(const FigureCommand& command);
 
 void add_figure(CLI::App& app, FigureCommand& command, Action& action);

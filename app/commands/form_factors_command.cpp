@@ -1,10 +1,13 @@
 #include "app/commands/commands.hpp"
+#include "app/commands/form_factor_prediction.hpp"
+#include "app/commands/form_factor_rows.hpp"
 #include "app/commands/form_factor_run.hpp"
 
 #include "app/command_line/common_options.hpp"
 #include "app/commands/run_context.hpp"
 #include "app/folders/output_folder.hpp"
 #include "app/folders/result_files.hpp"
+#include "app/folders/template_files.hpp"
 #include "app/process/limits.hpp"
 #include "app/process/signals.hpp"
 #include "app/terminal/messages.hpp"
@@ -16,12 +19,17 @@
 #include "reports/csv/form_factors_csv.hpp"
 #include "reports/files/matrix_files.hpp"
 #include "reports/files/sparse_npz.hpp"
+#include "reports/html/scene_html.hpp"
 #include "reports/json/context_json.hpp"
 #include "reports/json/form_factors_json.hpp"
 #include "reports/json/json.hpp"
+#include "reports/programs/hand_over.hpp"
 #include "reports/terminal/form_factors_text.hpp"
+#include "reports/text/labels.hpp"
+#include "reports/words/form_factor_warnings.hpp"
 #include "studies/form_factors/repair.hpp"
 #include "studies/form_factors/store.hpp"
+#include "studies/heat/materials.hpp"
 #include "studies/readers/text_file.hpp"
 #include "studies/scene_files/scene_file.hpp"
 
@@ -31,6 +39,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -38,25 +47,33 @@ namespace ff::app {
 namespace {
 
 constexpr const char* store_file = "form_factors.sqlite";
-const std::vector<std::string> files{store_file,          "matrix.csv",      "form_factors.mtx", "form_factors.npy",
-                                     "form_factors.npz",  "half_widths.mtx", "half_widths.npy",  "half_widths.npz",
-                                     "areas.mtx",         "areas.npy",       "repaired.mtx",     "repaired.npy",
-                                     "form_factors.json", "context.json"};
+const std::vector<std::string> files{
+    store_file,        "matrix.csv",      "form_factors.mtx", "form_factors.npy",  "form_factors.npz",
+    "half_widths.mtx", "half_widths.npy", "half_widths.npz",  "areas.mtx",         "areas.npy",
+    "repaired.mtx",    "repaired.npy",    "repaired.npz",     "form_factors.json", "intervals.csv",
+    "context.json",    "report.html",     rows_file};
 
 /// A built-in name, or name and text of a file.
 std::string read_source(const FormFactorsCommand& command) {
     const std::string& name = command.scene;
-    const bool by_polygon = command.faces == "polygon";
     if (name.empty()) throw UserError("SCENE is missing. See 'ffstudy form_factors --help'.");
-    const bool names_file = studies::names_scene_file(name);
-    if (by_polygon && !name.ends_with(".obj"))
+    const bool is_changed = command.faces != "group" || command.closed;
+    if (is_changed && !studies::is_read_as_obj(name))
         throw UserError(
-            fmt::format("--faces polygon: '{}' is no OBJ file (faces of others have names). Leave it out.", name));
-    if (!names_file && !std::filesystem::is_regular_file(name)) return name;
-    std::string text = studies::read_text_file(studies::scene_file(name), studies::FileKind::scene);
-    if (by_polygon) text = studies::with_faces_of_polygons(std::move(text));
-    if (names_file) return studies::with_scene_text(name, text);
-    throw UserError(fmt::format("{}: its extension names no scene format. Rename it to .obj, .toml or .vs3.", name));
+            fmt::format("{}: '{}' is neither an OBJ file nor a mesh (others say it themselves). Leave it "
+                        "out.",
+                        command.closed ? "--closed" : "--faces " + command.faces, name));
+    if (!studies::names_scene_file(name)) {
+        if (!std::filesystem::is_regular_file(name)) return name;
+        static_cast<void>(studies::read_text_file(name, studies::FileKind::scene));  // says so if it is something else
+        throw UserError(fmt::format("{}: its extension names no scene format ({}). Rename it.", name,
+                                    studies::scene_extensions_in_words()));
+    }
+    std::string text = studies::read_scene_file(studies::scene_file(name));
+    if (command.faces == "polygon") text = studies::with_obj_comment(std::move(text), studies::faces_of_polygons);
+    if (command.faces == "material") text = studies::with_obj_comment(std::move(text), studies::faces_of_materials);
+    if (command.closed) text = studies::with_obj_comment(std::move(text), studies::closed_scene);
+    return studies::with_scene_text(name, text);
 }
 
 Scene make_scene(const std::string& source) {
@@ -82,6 +99,19 @@ void write_matrix(OutputFolder& folder, const std::string& file, const studies::
         write_matrix(folder, file, Eigen::MatrixXd(matrix), comment);
 }
 
+/// For other programs, with the intervals of what they get.
+void hand_on_files(OutputFolder& folder, const studies::KeptFormFactors& kept,
+                   const std::vector<std::string>& formats) {
+    if (formats.empty()) return;
+    const auto said = studies::make_scene_with_materials(kept.source).materials;
+    std::vector<std::optional<double>> emissivities;
+    for (std::size_t face = 0; face < said.size(); ++face) emissivities.push_back(studies::said_emissivity(said, face));
+    const auto handed = reports::hand_on(kept.scene, kept.matrix, std::move(emissivities));
+    for (const reports::ProgramFile& file : reports::files_of_formats(formats, kept.scene))
+        folder.write(std::string(file.name), [&](std::ostream& out) { file.write(out, handed); });
+    folder.write("intervals.csv", [&](std::ostream& out) { reports::write_intervals(out, handed); });
+}
+
 void write_files(OutputFolder& folder, const studies::KeptFormFactors& kept) {
     folder.replace(store_file, [&](const auto& file) { studies::save_form_factors(file, kept); });
     const reports::FormFactorReport report{kept.scene, kept.request, kept.matrix};
@@ -94,9 +124,12 @@ void write_files(OutputFolder& folder, const studies::KeptFormFactors& kept) {
                  Eigen::Map<const Eigen::VectorXd>(matrix.areas.data(), static_cast<Eigen::Index>(matrix.areas.size())),
                  scene.name);
     if (matrix.repaired && matrix.repaired->possible)
-        write_matrix(folder, "repaired", matrix.repaired->factors, scene.name);
+        write_matrix(folder, "repaired", studies::FormFactorMatrix::Sparse(matrix.repaired->factors.sparseView()),
+                     scene.name);
     folder.write("form_factors.json", reports::form_factors_json(report));
     folder.write("context.json", reports::context_json(kept.context));
+    folder.write("report.html", reports::scene_html(report, kept.warnings, nullptr,
+                                                    reports::program_label(kept.context), find_templates({})));
 }
 
 studies::FormFactorRequest request_of(const FormFactorsCommand& command) {
@@ -109,10 +142,14 @@ studies::FormFactorRequest request_of(const FormFactorsCommand& command) {
 }
 
 std::string in_words(const FormFactorsCommand& command) {
-    return fmt::format("ffstudy form_factors {}{} --tolerance {} --level {}{} --seed {}{}", command.scene,
-                       command.faces == "polygon" ? " --faces polygon" : "", command.request.tolerance,
-                       command.request.level, command.whole_matrix ? " --simultaneous" : "", command.seed,
-                       command.request.repair ? " --repair" : "");
+    return fmt::format(
+        "ffstudy form_factors {}{} --tolerance {}{} --level {}{} --seed {}{}", command.scene,
+        (command.faces == "group" ? "" : " --faces " + command.faces) + (command.closed ? " --closed" : ""),
+        command.request.tolerance,
+        (command.request.relative > 0 ? fmt::format(" --relative {}", command.request.relative) : "") +
+            (command.request.drop > 0 ? fmt::format(" --drop {}", command.request.drop) : ""),
+        command.request.level, command.whole_matrix ? " --simultaneous" : "", command.seed,
+        command.request.repair ? " --repair" : "");
 }
 
 /// Prints and writes what was found or loaded.
@@ -122,13 +159,18 @@ void show(studies::KeptFormFactors& kept, const FormFactorsCommand& command, Out
     for (const std::string& warning : kept.warnings) say("warning: {}\n", warning);
     // Before anything can fail that would lose it.
     if (!command.quiet) fmt::print("{}", reports::form_factors_text(report, style_of_stdout()));
-    if (out != nullptr) write_files(*out, kept);
+    if (out == nullptr) return;
+    write_files(*out, kept);
+    hand_on_files(*out, kept, command.formats);
 }
 
 /// The folder to write to, if one is given, once it is certain that it can be.
-std::unique_ptr<OutputFolder> open_folder(const FormFactorsCommand& command) {
+std::unique_ptr<OutputFolder> open_folder(const FormFactorsCommand& command, const Scene& scene) {
+    std::vector<std::string> names = files;
+    for (const reports::ProgramFile& file : reports::files_of_formats(command.formats, scene))
+        names.emplace_back(file.name);
     if (command.out.empty()) return nullptr;
-    return std::make_unique<OutputFolder>(command.out, "matrix", files);
+    return std::make_unique<OutputFolder>(command.out, "matrix", names);
 }
 
 ExitCode exit_code_of(const studies::KeptFormFactors& kept) {
@@ -137,17 +179,15 @@ ExitCode exit_code_of(const studies::KeptFormFactors& kept) {
 }
 
 ExitCode load(const FormFactorsCommand& command) {
-    const bool is_folder = std::filesystem::is_directory(command.load);
-    const auto file = is_folder ? command.load / store_file : command.load;
-    studies::KeptFormFactors kept = studies::load_form_factors(file);
-    if (!kept.was_checked) note_unchecked(file);
-    kept.matrix.faults = studies::examine_scene(kept.scene).faults;
+    studies::KeptFormFactors kept = load_kept_form_factors(command);
+    if (command.request.repair) expect_nothing_dropped(kept, "--repair");
+    if (!command.formats.empty()) expect_nothing_dropped(kept, "--format");
     if (command.request.repair && !kept.matrix.repaired) {
         studies::expect_repairable(kept.scene);
         kept.request.repair = true;
         kept.matrix.repaired = studies::repair(kept.matrix);
     }
-    auto out = open_folder(command);
+    auto out = open_folder(command, kept.scene);
     show(kept, command, out.get());
     return exit_code_of(kept);
 }
@@ -162,9 +202,27 @@ studies::KeptFormFactors prepare_form_factors(const FormFactorsCommand& command)
     return kept;
 }
 
-bool compute_form_factors(const FormFactorsCommand& command, studies::KeptFormFactors& kept) {
+studies::KeptFormFactors load_kept_form_factors(const FormFactorsCommand& command) {
+    const bool is_folder = std::filesystem::is_directory(command.load);
+    const auto file = is_folder ? command.load / store_file : command.load;
+    studies::KeptFormFactors kept = studies::load_form_factors(file);
+    if (!kept.was_checked) note_unchecked(file);
+    kept.matrix.faults = studies::examine_scene(kept.scene).faults;
+    return kept;
+}
+
+void expect_nothing_dropped(const studies::KeptFormFactors& kept, std::string_view what) {
+    if (kept.request.drop == 0) return;
+    throw UserError(fmt::format("{}: the matrix was made with --drop {} ({} needs all pairs). Make it without.", what,
+                                kept.request.drop, what));
+}
+
+bool compute_form_factors(const FormFactorsCommand& command, studies::KeptFormFactors& kept,
+                          const FindFormFactors& find) {
     std::optional<std::chrono::duration<double>> max_time;
     if (command.max_time) max_time = parse_duration(*command.max_time);
+    std::optional<std::uint64_t> max_memory;
+    if (command.max_memory) max_memory = parse_size(*command.max_memory);
     studies::SceneDoubts doubts = studies::examine_scene(kept.scene);
     if (!command.quiet) {
         for (const std::string& note : doubts.notes) say("note: {}\n", note);
@@ -175,25 +233,78 @@ bool compute_form_factors(const FormFactorsCommand& command, studies::KeptFormFa
         return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     };
     std::optional<TimeLimit> limit(max_time);
+    std::optional<MemoryLimit> memory(max_memory);
     FormFactorDisplay display(kept.request.tolerance);
     if (!command.quiet && FormFactorDisplay::is_seen()) {
         kept.request.report = [&](const studies::FormFactorProgress& progress) { display.show(progress); };
     }
-    kept.matrix = studies::find_form_factors(kept.scene, kept.request);
+    kept.matrix = find(kept.scene, kept.request);
     kept.matrix.faults = std::move(doubts.faults);
     display.finish();
     limit.reset();
+    memory.reset();
     kept.context = describe_run(in_words(command), kept.request.threads, seconds());
     return kept.matrix.interrupted && !(max_time && seconds() >= max_time->count());
 }
 
 ExitCode form_factors(const FormFactorsCommand& command) {
     if (!command.load.empty()) return load(command);
+    const Processes processes;
     auto kept = prepare_form_factors(command);
-    const auto out = open_folder(command);
+    kept.request.shard = rows_to_sample(command, processes);
+    if (!processes.leads()) return assist_form_factors(processes, command, kept);
+    if (command.dry_run) return predict_form_factors(kept);
+    const auto out = open_folder(command, kept.scene);
+    RowsInFolder rows(out.get(), kept, processes);
+    if (rows.count() > 0 && !command.quiet)
+        say("note: resuming; {} sampled before.\n", reports::counted(rows.count(), "row"));
     const bool by_signal = compute_form_factors(command, kept);
+    if (command.shard && kept.matrix.left_out > 0 && !kept.matrix.interrupted) {
+        if (!command.quiet)
+            fmt::print("shard {} is complete: {}\nWhen all are: ffstudy merge FOLDER... --out FOLDER\n", *command.shard,
+                       (out->path() / rows_file).string());
+        return ExitCode::passed;
+    }
+    if (kept.matrix.left_out == 0) rows.remove();
     show(kept, command, out.get());
+    if (kept.matrix.left_out > 0 && rows.count() > 0)
+        say("stopped early; rows that were sampled are kept. Run the same command again to resume.\n");
     return by_signal ? ExitCode::interrupted : exit_code_of(kept);
+}
+
+ExitCode merge_form_factors(const MergeCommand& command) {
+    studies::KeptFormFactors kept;
+    FormFactorsCommand as_asked;
+    std::tie(kept.source, kept.request) = studies::matrix_of_kept_rows(rows_of(command.sources.front()).value());
+    kept.scene = make_scene(kept.source);
+    kept.request.threads = thread_count(std::nullopt);
+    kept.request.finished.assign(kept.scene.faces.size(), true);  // nothing is sampled here
+    kept.request.stop = &stop_flag();
+    as_asked.request = kept.request;
+    as_asked.scene = kept.source.substr(0, kept.source.find('\n'));
+    as_asked.seed = kept.request.seed.value;
+    as_asked.whole_matrix = kept.request.level_of == studies::LevelOf::matrix;
+    as_asked.quiet = command.quiet;
+    as_asked.out = command.out;
+    for (const auto& source : command.sources) {
+        std::error_code missing;
+        if (!std::filesystem::equivalent(rows_of(source).value_or(source), command.out / rows_file, missing)) continue;
+        throw UserError(
+            fmt::format("--out {}: one of the shards lies there. Choose another folder.", command.out.string()));
+    }
+    const auto out = open_folder(as_asked, kept.scene);
+    const Processes processes;
+    RowsInFolder rows(out.get(), kept, processes);
+    for (const auto& source : command.sources) rows.take(rows_of(source).value_or(source));
+    if (compute_form_factors(as_asked, kept)) return ExitCode::interrupted;
+    if (kept.matrix.left_out > 0) {
+        say("{} of the matrix are missing. Merge again with the shards that hold them, or sample them: {} --out {}\n",
+            reports::counted(kept.matrix.left_out, "row"), in_words(as_asked), command.out.string());
+        return ExitCode::inconclusive;
+    }
+    rows.remove();
+    show(kept, as_asked, out.get());
+    return exit_code_of(kept);
 }
 
 }  // namespace ff::app

@@ -35,7 +35,7 @@ CLI::App* add_check_of_files(CLI::App& app, CheckCommand& command) {
     sub->add_option("--save-baseline", command.save_baseline, "Save what others are compared with; judge nothing")
         ->type_name("FILE");
     sub->add_option("--out", command.out, "Folder for the results (default: results/<bands>)")->type_name("DIR");
-    sub->add_flag("-q,--quiet", command.quiet, "Print errors only");
+    add_verbosity(*sub, command.quiet);
     CLI::Option* dry_run =
         sub->add_flag("--dry-run", command.dry_run, "Show trials and expected time of each gate; runs pilots only");
     sub->add_flag("--json", command.json, "Print the verdicts as JSON, as in verdicts.json")
@@ -50,7 +50,7 @@ void add_trend(CLI::App& app, TrendCommand& command, Action& action) {
         ->capture_default_str();
     sub->add_option("--seed", command.seed, "Seed of the permutations")->capture_default_str();
     sub->add_option("--out", command.out, "Folder for trend.html (default: none is written)")->type_name("DIR");
-    sub->add_flag("-q,--quiet", command.quiet, "Print errors only");
+    add_verbosity(*sub, command.quiet);
     sub->callback([&] { action = [&] { return trend(command); }; });
 }
 

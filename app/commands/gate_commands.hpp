@@ -7,15 +7,15 @@
 
 namespace ff::app {
 
-/// Commands that judge what other programs report, and run nothing of their own: what the smaller program has.
+/// Commands that judge what other programs report and run nothing themselves: the commands of the smaller program.
 
-/// `ffstudy check` with the options that gates on files have; the caller says what it does.
+/// `ffstudy check` with the options for gates on files; the caller sets its action.
 CLI::App* add_check_of_files(CLI::App& app, CheckCommand& command);
 
 /// `ffstudy trend`
 void add_trend(CLI::App& app, TrendCommand& command, Action& action);
 
-/// Judges a bands file that has gates on files alone.
+/// Judges a bands file with gates on files only.
 ExitCode check_files(const CheckCommand& command);
 
 }  // namespace ff::app

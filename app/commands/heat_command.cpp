@@ -1,42 +1,121 @@
 #include "app/commands/commands.hpp"
 #include "app/commands/form_factor_run.hpp"
 #include "app/folders/output_folder.hpp"
+#include "app/folders/template_files.hpp"
 #include "app/terminal/messages.hpp"
 #include "app/terminal/terminal_style.hpp"
 
 #include "core/support/error.hpp"
 #include "reports/csv/heat_csv.hpp"
+#include "reports/html/scene_html.hpp"
 #include "reports/terminal/heat_text.hpp"
+#include "reports/text/labels.hpp"
 #include "reports/words/form_factor_warnings.hpp"
-#include "studies/form_factors/repair.hpp"
-#include "studies/heat/heat.hpp"
+#include "studies/heat/flow_sampling.hpp"
 
 #include <fmt/format.h>
 
-#include <cmath>
+#include <algorithm>
+#include <charconv>
 #include <optional>
+#include <string>
+#include <string_view>
+#include <system_error>
+#include <utility>
+#include <vector>
 
 namespace ff::app {
+
+namespace {
+
+/// Form factors of an earlier run. @throws UserError also where their intervals hold one by one only
+studies::KeptFormFactors load_of_all_at_once(const FormFactorsCommand& command) {
+    auto kept = load_kept_form_factors(command);
+    expect_nothing_dropped(kept, "ffstudy heat");
+    const bool sampled = std::any_of(kept.matrix.exchanges.begin(), kept.matrix.exchanges.end(),
+                                     [](const auto& exchange) { return exchange.is_sampled(); });
+    if (sampled && kept.request.level_of != studies::LevelOf::matrix)
+        throw UserError(
+            fmt::format("--load {}: the level of its intervals is that of each by itself (flows need all at "
+                        "once). Run 'ffstudy form_factors' again with --simultaneous.",
+                        command.load.string()));
+    return kept;
+}
+
+/// Either option, or what it is by default.
+studies::FlowTolerance flow_tolerance_of(const HeatCommand& command, const studies::Materials& materials) {
+    const bool samples_flows = command.tolerance_of == "flux";
+    if (samples_flows && command.flow_tolerance)
+        throw UserError(
+            fmt::format("--flow-tolerance {}: with --tolerance-of flux (--tolerance is that of flows then). Give "
+                        "--tolerance alone.",
+                        *command.flow_tolerance));
+    const std::string_view option = samples_flows ? "--tolerance" : "--flow-tolerance";
+    const auto& text = samples_flows ? command.tolerance : command.flow_tolerance;
+    const auto tolerance = text ? studies::read_flow_tolerance(option, *text) : studies::FlowTolerance{};
+    if (tolerance.is_power && materials.are_light())
+        throw UserError(
+            fmt::format("{} {} (light is in the units of its emission). Write a share, such as 0.1%.", option, *text));
+    return tolerance;
+}
+
+double factor_tolerance_of(const HeatCommand& command) {
+    constexpr double by_default = 1e-4;
+    if (!command.tolerance) return by_default;
+    const char* const end = command.tolerance->data() + command.tolerance->size();
+    double tolerance = 0;
+    const auto [rest, error] = std::from_chars(command.tolerance->data(), end, tolerance);
+    if (error == std::errc{} && rest == end) return tolerance;
+    throw UserError(
+        fmt::format("--tolerance {} (not a number, as a tolerance of form factors is). Write 1e-4, or add "
+                    "--tolerance-of flux.",
+                    *command.tolerance));
+}
+
+}  // namespace
 
 ExitCode heat(const HeatCommand& command) {
     if (!(command.scale >= 1e-9 && command.scale <= 1e9))
         throw UserError(fmt::format("--scale {} (1e-9 to 1e9 metres). Write 0.001 for millimetres.", command.scale));
-    auto kept = prepare_form_factors(command.factors);
-    studies::expect_dense(kept.scene, "heat");
-    const auto materials = studies::load_materials(command.materials, kept.scene.faces);
+    const bool is_loaded = !command.factors.load.empty();
+    if (!is_loaded && command.factors.scene.empty()) throw UserError("SCENE is missing. See 'ffstudy heat --help'.");
+    auto kept = is_loaded ? load_of_all_at_once(command.factors) : prepare_form_factors(command.factors);
+    const auto said = studies::make_scene_with_materials(kept.source).materials;
+    const auto materials = studies::load_materials(command.materials, {kept.scene.faces, said});
+    const bool samples_flows = !is_loaded && command.tolerance_of == "flux";
+    const studies::FlowTolerance tolerance = flow_tolerance_of(command, materials);
+    if (!samples_flows && !is_loaded) kept.request.tolerance = factor_tolerance_of(command);
     std::optional<OutputFolder> out;
-    if (!command.factors.out.empty()) out.emplace(command.factors.out, "heat", std::vector<std::string>{"heat.csv"});
+    if (!command.factors.out.empty())
+        out.emplace(command.factors.out, "heat", std::vector<std::string>{"heat.csv", "gebhart.csv", "report.html"});
     for (const std::string& warning : materials.warnings) say("warning: {}\n", warning);
-    const bool by_signal = compute_form_factors(command.factors, kept);
-    for (const std::string& warning : reports::form_factor_warnings({kept.scene, kept.request, kept.matrix}))
-        say("warning: {}\n", warning);
-    const auto flows = studies::find_heat_flows(kept.scene, kept.matrix, materials, command.scale);
-    const reports::HeatReport report{kept.scene, kept.request, materials, flows};
+    std::optional<studies::SampledFlows> sampled;
+    const auto find = [&](const Scene& scene, const studies::FormFactorRequest& request) {
+        if (!samples_flows) return studies::find_form_factors(scene, request);
+        sampled = studies::sample_flows(scene, request, materials, command.scale, tolerance);
+        return std::move(sampled->matrix);
+    };
+    const bool by_signal = !is_loaded && compute_form_factors(command.factors, kept, find);
+    if (sampled) kept.request.tolerance = sampled->factor_tolerance;
+    const reports::FormFactorReport factors{kept.scene, kept.request, kept.matrix};
+    auto warnings = reports::form_factor_warnings(factors);
+    for (const std::string& warning : warnings) say("warning: {}\n", warning);
+    warnings.insert(warnings.begin(), materials.warnings.begin(), materials.warnings.end());
+    const auto flows = sampled ? std::move(sampled->flows)
+                               : studies::find_heat_flows(kept.scene, kept.matrix, materials, command.scale);
+    const reports::HeatReport report{kept.scene, kept.request, materials, flows, sampled ? &*sampled : nullptr};
     if (!command.factors.quiet) fmt::print("{}", reports::heat_text(report, style_of_stdout()));
     if (out) out->write("heat.csv", [&](std::ostream& file) { reports::write_heat_csv(file, report); });
+    if (out && command.gebhart) {
+        const auto gebhart = studies::find_gebhart_factors(kept.scene, kept.matrix, materials);
+        out->write("gebhart.csv", [&](std::ostream& file) { reports::write_gebhart_csv(file, kept.scene, gebhart); });
+    }
+    if (out)
+        out->write("report.html", reports::scene_html(factors, warnings, &report, reports::program_label(kept.context),
+                                                      find_templates({})));
     if (by_signal) return ExitCode::interrupted;
     const bool trusted = studies::is_trusted(kept.scene, kept.matrix, kept.request.tolerance);
-    return trusted && flows.within(command.flow_tolerance) ? ExitCode::passed : ExitCode::inconclusive;
+    return trusted && flows.within(tolerance) ? ExitCode::passed : ExitCode::inconclusive;
 }
 
 }  // namespace ff::app

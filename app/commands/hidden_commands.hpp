@@ -7,7 +7,7 @@
 
 namespace ff::app {
 
-/// Commands that the build and the shells give, hidden from help: `complete` and `man_pages`.
+/// Commands used by the build and by shells, hidden from help: `complete` and `man_pages`.
 /// @param names  for `complete`
 void add_hidden_commands(CLI::App& app, const NamesOfType& names, Action& action);
 

@@ -112,8 +112,7 @@ std::string_view pattern_of(std::string_view name) {
 std::optional<Scene> find_scene(const std::string& name) {
     if (studies::names_scene_file(name)) {
         const std::filesystem::path file(name);
-        return studies::make_scene(
-            studies::with_scene_text(name, studies::read_text_file(file, studies::FileKind::scene)));
+        return studies::make_scene(studies::with_scene_text(name, studies::read_scene_file(file)));
     }
     const std::string_view family = std::string_view(name).substr(0, name.find(':'));
     const auto scenes = configuration_scene_names();

@@ -1,4 +1,6 @@
 #include "app/commands/commands.hpp"
+#include "app/commands/form_factor_rows.hpp"
+#include "app/commands/form_factor_run.hpp"
 
 #include "app/folders/result_files.hpp"
 #include "app/folders/template_files.hpp"
@@ -42,6 +44,7 @@ std::string units_in_words(const std::vector<std::size_t>& units, std::size_t al
 }  // namespace
 
 ExitCode merge(const MergeCommand& command) {
+    if (rows_of(command.sources.front())) return merge_form_factors(command);
     end_on_signals(
         "\nstopped while stores were merged. Those that were given are as they were: run the same command again to "
         "resume.\n");

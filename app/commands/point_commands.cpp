@@ -81,8 +81,8 @@ ExitCode check_sampler(const CheckSamplerCommand& command) {
     request.trials = command.trials.value_or(0);
     request.seed = command.seed;
     const auto found = studies::check_sampler(sampler, request);
-    fmt::print("{}: {} points of {} coordinates, {} trials, seed {}\n", sampler.info.name, request.points,
-               request.dimension, found.trials, request.seed);
+    fmt::print("{}: {} points of {} coordinates, {} trial{}, seed {}\n", sampler.info.name, request.points,
+               request.dimension, found.trials, found.trials == 1 ? "" : "s", request.seed);
     fmt::print(
         "A sound sampler fails with probability {} at most; in each statistical check, what is said to be seen is "
         "missed with probability {:.2g}.\n\n",

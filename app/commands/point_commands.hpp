@@ -10,7 +10,7 @@
 
 namespace ff::app {
 
-/// Of `ffstudy points`.
+/// Options of `ffstudy points`.
 struct PointsCommand {
     std::string sampler;
     std::uint64_t points = 1024;
@@ -18,10 +18,10 @@ struct PointsCommand {
     std::uint64_t seed = 1;
     std::uint32_t trial = 0;
     OutsideOptions outside;
-    std::filesystem::path out;  ///< empty: what is known of the set is printed
+    std::filesystem::path out;  ///< empty: print properties of the set
 };
 
-/// Of `ffstudy check-sampler`.
+/// Options of `ffstudy check-sampler`.
 struct CheckSamplerCommand {
     std::string sampler;
     std::optional<std::uint64_t> points;
@@ -31,10 +31,10 @@ struct CheckSamplerCommand {
     OutsideOptions outside;
 };
 
-/// Writes a point set as .npy, .csv, .dat or .svg, or says how evenly it is spread.
+/// Writes a point set as .npy, .csv, .dat or .svg, or prints its evenness.
 ExitCode points(const PointsCommand& command);
 
-/// Asks of a sampler what the contract asks: failed where it breaks it, else inconclusive where trials are too few.
+/// Checks a sampler against the contract: failed where it breaks it, inconclusive where trials are too few.
 ExitCode check_sampler(const CheckSamplerCommand& command);
 
 }  // namespace ff::app

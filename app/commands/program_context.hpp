@@ -5,7 +5,7 @@
 
 namespace ff::app {
 
-/// Who computes, where and when; for context.json.
+/// Program, machine and time; for context.json.
 std::map<std::string, std::string> describe_program(const std::string& command, unsigned threads, double seconds);
 
 }  // namespace ff::app

@@ -5,7 +5,7 @@
 #include "app/terminal/messages.hpp"
 #include "app/terminal/terminal_style.hpp"
 
-#include "reports/pictures/drawing_request.hpp"
+#include "core/support/error.hpp"
 #include "reports/terminal/terminal.hpp"
 #include "studies/results/results.hpp"
 #include "studies/store/store.hpp"
@@ -31,9 +31,14 @@ ExitCode report(const ReportCommand& command) {
     if (std::filesystem::equivalent(file, folder.path() / "results.sqlite", missing)) folder.inherit("study ");
     const bool draws = std::any_of(formats.begin(), formats.end(),
                                    [](std::string_view format) { return format == "svg" || format == "pdf"; });
-    if (draws && !command.quiet)
-        say("drawing all {} pictures; 'ffstudy figure' draws one\n", reports::all_pictures(results).size());
-    write_results(folder, {store, results, templates}, formats);
+    if (draws) {
+        const std::size_t count = chosen_pictures(results, command.pictures).size();
+        if (!command.quiet && command.pictures.empty())
+            say("note: drawing all {} pictures of the report; --pictures answer,convergence draws fewer.\n", count);
+    } else if (!command.pictures.empty()) {
+        throw UserError("--pictures (says which are drawn by --format svg or pdf). Add one of these.");
+    }
+    write_results(folder, {store, results, templates, command.pictures, command.quiet}, formats);
     if (!command.quiet)
         fmt::print("{}\nResults: {}\n", reports::terminal_summary(results, style_of_stdout()), out.string());
     return to_the_end ? ExitCode::passed : ExitCode::interrupted;

@@ -17,6 +17,7 @@
 #include "reports/terminal/terminal.hpp"
 #include "studies/results/resources.hpp"
 #include "studies/run/measured_costs.hpp"
+#include "studies/run/record_words.hpp"
 #include "studies/run/run.hpp"
 #include "studies/store/store.hpp"
 
@@ -58,15 +59,6 @@ ExitCode finish_shard(const studies::Shard& shard, OutputFolder& out, bool quiet
     return ExitCode::passed;
 }
 
-/// Asks for an orderly end where this process has grown beyond the limit.
-void watch_memory(const RunRequest& request) {
-    if (!request.max_memory) return;
-    const auto used = resident_memory();
-    if (!used || *used <= *request.max_memory) return;
-    say("note: {} of memory are in use, more than --max-memory.\n", size_in_words(*used));
-    ask_for_the_end();
-}
-
 /// The part of a process beside the first one: carries out its units and hands them over. It says nothing: what is
 /// wrong with the command the first process finds as well, and its end ends all.
 ExitCode assist(const Processes& processes, const RunCommand& command) {
@@ -78,7 +70,7 @@ ExitCode assist(const Processes& processes, const RunCommand& command) {
         failure = std::current_exception();
     }
     if (!failure && command.dry_run) return ExitCode::passed;
-    const std::vector<bool> finished = processes.share_finished_units({});
+    const std::vector<bool> finished = processes.share_finished({});
     if (failure) std::rethrow_exception(failure);
     studies::RunOptions options;
     options.threads = request->threads;
@@ -89,11 +81,10 @@ ExitCode assist(const Processes& processes, const RunCommand& command) {
     // Its end would be that of the first process, which saves and writes the reports.
     never_end_on_signals();
     const TimeLimit limit(request->max_time);
+    const MemoryLimit memory(request->max_memory);
     processes.assist([&] {
-        studies::carry_out_units(request->plan, finished, options, [&](const studies::UnitRecord& record) {
-            processes.send(record);
-            watch_memory(*request);
-        });
+        studies::carry_out_units(request->plan, finished, options,
+                                 [&](const studies::UnitRecord& record) { processes.send(studies::to_words(record)); });
     });
     return ExitCode::passed;
 }
@@ -160,6 +151,7 @@ ExitCode run(const RunCommand& command) {
     const std::string reused = grow_study(out, plan, command.replace, request.threads);
     if (!reused.empty() && !command.quiet) say("note: {}.\n", reused);
     studies::Store store = open_or_create(out, plan);
+    if (is_verbose()) say("{}", reports::terminal_plan(plan, request.threads, {}));
 
     const auto start = std::chrono::steady_clock::now();
     ProgressDisplay progress(ProgressDisplay::style(command.quiet));
@@ -168,29 +160,42 @@ ExitCode run(const RunCommand& command) {
     options.shard = request.shard;
     options.process = processes.part();
     if (!processes.alone()) {
-        processes.share_finished_units(store.finished_units());
-        options.others = [&](const studies::Deliver& deliver) { processes.receive(deliver); };
+        processes.share_finished(store.finished_units());
+        options.others = [&](const studies::Deliver& deliver) {
+            processes.receive(
+                [&](std::span<const std::uint64_t> words) { return deliver(studies::from_words(words)); });
+        };
     }
     options.stop = &stop_flag();
     options.drop = &drop_flag();
-    stop_in_order_on_signals();
+    const char* const units = request.threads == 1 ? "the work unit" : "the work units";
+    stop_in_order_on_signals(
+        command.quiet
+            ? ""
+            : fmt::format("\nstopping: finishing {} in progress, for two seconds at most; again to end at once\n",
+                          units));
     bool worked = false;
     studies::MeasuredCosts costs(plan);
     options.report = [&](const studies::Progress& state) {
         worked = true;
         progress.show(state);
         costs.add(state);
-        watch_memory(request);
     };
     std::optional<TimeLimit> limit(request.max_time);
+    std::optional<MemoryLimit> memory(request.max_memory);
     const auto outcome = studies::run_study(store, options);
     limit.reset();
+    memory.reset();
     progress.finish();
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    if (outcome == studies::RunOutcome::complete && (worked || !store.context().contains("command"))) {
-        studies::Context context = store.context();
-        studies::Context now = describe_run(reproduce(command, plan.spec), request.threads, seconds);
+    studies::Context context = store.context();
+    studies::Context now;
+    if (!costs.in_context().empty()) now[std::string(studies::costs_key)] = costs.in_context();
+    if (outcome == studies::RunOutcome::complete && (worked || !context.contains("command"))) {
+        now.merge(describe_run(reproduce(command, plan.spec), request.threads, seconds));
         if (!costs.in_words().empty()) now["processor_time_per_trial"] = costs.in_words();
+    }
+    if (!now.empty()) {
         studies::add_context(context, now);
         store.set_context(context);
     }

@@ -11,7 +11,7 @@
 
 namespace ff::app {
 
-/// What a run command asks for, checked; nothing has been written yet.
+/// The validated request of a run command; nothing has been written yet.
 struct RunRequest {
     studies::StudyPlan plan;
     unsigned threads = 1;
@@ -20,7 +20,7 @@ struct RunRequest {
     std::optional<std::uint64_t> max_memory;  ///< bytes; threads are few enough to keep within it, by the plan
 };
 
-/// What the command line says of the light. @throws UserError
+/// Radiosity settings of the command line. @throws UserError
 void set_light(studies::RadiosityRequest& light, const RadiosityOptions& options);
 
 /// @throws UserError, IoError

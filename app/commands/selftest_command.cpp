@@ -8,6 +8,7 @@
 #include "reports/markdown/selftest_markdown.hpp"
 #include "studies/form_factors/coverage.hpp"
 #include "studies/gates/gate_experiment.hpp"
+#include "studies/heat/coverage.hpp"
 #include "studies/selftest/selftest.hpp"
 #include "studies/verdicts/bands_file.hpp"
 
@@ -35,6 +36,16 @@ ExitCode conclude(const SelftestCommand& command, const std::string& text, std::
     return contradictions > 0 ? ExitCode::failed : ExitCode::passed;
 }
 
+studies::FormFactorCoverageOptions coverage_options(const SelftestCommand& command) {
+    studies::FormFactorCoverageOptions options;
+    options.threads = thread_count(command.threads);
+    if (command.seed) options.seed = checked_seed(*command.seed);
+    if (command.seeds) options.seeds = checked_count("--seeds", *command.seeds, most_seeds);
+    if (command.tolerance) options.tolerance = *command.tolerance;
+    options.scenes = command.scenes;
+    return options;
+}
+
 }  // namespace
 
 ExitCode gates_selftest(const SelftestCommand& command) {
@@ -51,16 +62,16 @@ ExitCode gates_selftest(const SelftestCommand& command) {
 }
 
 ExitCode form_factors_selftest(const SelftestCommand& command) {
-    studies::FormFactorCoverageOptions options;
-    options.threads = thread_count(command.threads);
-    if (command.seed) options.seed = checked_seed(*command.seed);
-    if (command.seeds) options.seeds = checked_count("--seeds", *command.seeds, most_seeds);
-    if (command.tolerance) options.tolerance = *command.tolerance;
-    options.scenes = command.scenes;
+    auto options = coverage_options(command);
     if (command.scenes.empty()) options.adversarial = 20 * options.seeds;
     const auto coverage = studies::measure_form_factor_coverage(options);
     const std::string text = reports::form_factor_coverage_markdown(coverage);
     return conclude(command, text, coverage.contradictions());
+}
+
+ExitCode heat_selftest(const SelftestCommand& command) {
+    const auto coverage = studies::measure_flow_coverage(coverage_options(command));
+    return conclude(command, reports::flow_coverage_markdown(coverage), coverage.contradictions());
 }
 
 }  // namespace ff::app

@@ -8,7 +8,9 @@ function __ffstudy_complete
     for answer in ($words[1] complete $words "$last" 2>/dev/null)
         switch $answer
             case :files
-                printf '%s\n' $option(__fish_complete_path "$path")
+                # Behind a colon, where a scene has its size, fish 4 would complete any file.
+                string match -q '*:*' -- $path
+                or printf '%s\n' $option(__fish_complete_path "$path")
             case :folders
                 printf '%s\n' $option(__fish_complete_directories "$path")
             case '*'

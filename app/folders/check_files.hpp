@@ -7,8 +7,8 @@
 
 namespace ff::app {
 
-/// Writes verdicts.csv, verdicts.json, junit.xml, summary.md and summary.html of the gates that are done, each whole
-/// or not at all.
+/// Writes verdicts.csv, verdicts.json, junit.xml, summary.md and summary.html of the finished gates, each completely or
+/// not at all.
 /// @throws IoError
 void write_verdicts(OutputFolder& folder, const studies::CheckResults& check, const reports::JunitContext& context);
 

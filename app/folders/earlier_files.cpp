@@ -34,6 +34,8 @@ constexpr std::array marks{
     Mark{"matrix.csv", "from,to,factor,low,high,half_width,", ""},
     Mark{"verdicts.csv", "gate,scene,method,", ""},
     Mark{"seed_sweep.csv", "gate,seeds,fails,", ""},
+    Mark{"comparisons.csv", "study,scene,pair_class,equal,", ""},
+    Mark{"comparisons_by_time.csv", "study,scene,pair_class,equal,", ""},
     Mark{".csv", "study,scene,method,", ""},
     Mark{".sqlite", "SQLite format 3", "CREATE TABLE about(key TEXT PRIMARY KEY"},
     Mark{".mtx", "%%MatrixMarket matrix ", ""},

@@ -4,17 +4,17 @@
 
 namespace ff::app {
 
-/// The right to write into a folder, which one process has at a time: a lock of the system (flock), gone with its
-/// process however it ends, on a file that says who has it. Those who only read need none.
+/// The exclusive right to write into a folder: a system lock (flock), released when its process ends in any way, on a
+/// file that names the owner. Readers need none.
 class FolderLock {
   public:
-    /// Waits a little for another process that has it. @throws IoError that names that one
+    /// Waits a little for another process that holds it. @throws IoError that names that one
     explicit FolderLock(const std::filesystem::path& folder);
     ~FolderLock();
     FolderLock(const FolderLock&) = delete;
     FolderLock& operator=(const FolderLock&) = delete;
 
-    /// Removes the file; only while the lock is held, so that no other's is removed.
+    /// Removes the file; only while the lock is held, so that no other process's file is removed.
     void remove_file() const;
 
   private:

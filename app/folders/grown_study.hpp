@@ -9,14 +9,14 @@
 
 namespace ff::app {
 
-/// Where a folder holds the store of another study, a store of this one takes its place, and begins with the trials
-/// that both have in common. An old store with other trials is kept beside it.
-/// @param replace  whether trials that are none of this study may be put aside
+/// Where a folder has the store of another study, a store of this one replaces it and begins with the trials that both
+/// share. An old store with other trials is kept beside it.
+/// @param replace  whether trials that are not part of this study may be set aside
 /// @return what is reused, in words; empty where the folder has no other study
-/// @throws UserError where trials would be put aside that may not; IoError
+/// @throws UserError where trials would have to be set aside but may not; IoError
 std::string grow_study(OutputFolder& folder, const studies::StudyPlan& plan, bool replace, unsigned threads);
 
-/// The same in words of what would be done; nothing is.
+/// The same, in words about what would be done, without doing it.
 std::string describe_growth(const std::filesystem::path& folder, const studies::StudyPlan& plan);
 
 }  // namespace ff::app

@@ -1,6 +1,7 @@
 #include "app/folders/output_folder.hpp"
 
 #include "app/folders/earlier_files.hpp"
+#include "app/terminal/messages.hpp"
 
 #include "core/support/error.hpp"
 #include "reports/files/output_file.hpp"
@@ -143,6 +144,7 @@ void OutputFolder::claim(const std::string& name) {
 void OutputFolder::write(const std::string& name, const std::function<void(std::ostream&)>& write) {
     claim(name);
     reports::write_file(path_ / name, write);
+    say_more("wrote {}\n", (path_ / name).string());
 }
 
 void OutputFolder::write(const std::string& name, std::string_view text) {

@@ -2,6 +2,7 @@
 
 #include "app/folders/template_files.hpp"
 #include "app/process/child_process.hpp"
+#include "app/terminal/progress.hpp"
 
 #include "core/support/error.hpp"
 #include "reports/files/output_file.hpp"
@@ -12,6 +13,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <fstream>
+#include <functional>
 #include <string_view>
 #include <vector>
 
@@ -34,22 +36,31 @@ std::filesystem::path expect_program(std::string_view name, std::string_view pac
 }
 
 /// Draws pictures into a folder.
-void draw(const std::string& request, const std::filesystem::path& workshop) {
+void draw(const std::string& request, const std::filesystem::path& workshop,
+          const std::function<void()>& meanwhile = {}) {
     const auto file = workshop / "pictures.json";
     reports::write_file(file, request);
     run_program(expect_program("node", "nodejs"),
-                {find_template_file(script_name).string(), file.string(), workshop.string()});
+                {find_template_file(script_name).string(), file.string(), workshop.string()}, meanwhile);
 }
 
-/// All pictures of a report. @return the files, by name
-std::vector<std::filesystem::path> draw_all(const ResultSources& sources, const std::filesystem::path& workshop) {
-    draw(reports::drawing_request(reports::all_pictures(sources.results), sources.templates), workshop);
+std::vector<std::filesystem::path> drawings_in(const std::filesystem::path& workshop) {
     std::vector<std::filesystem::path> drawn;
     for (const auto& entry : std::filesystem::directory_iterator(workshop)) {
         if (entry.path().extension() == ".svg") drawn.push_back(entry.path());
     }
     std::sort(drawn.begin(), drawn.end());
     return drawn;
+}
+
+/// The pictures of a report that are asked for. @return the files, by name
+std::vector<std::filesystem::path> draw_all(const ResultSources& sources, const std::filesystem::path& workshop) {
+    const auto pictures = chosen_pictures(sources.results, sources.pictures);
+    CountDisplay progress(ProgressDisplay::style(sources.quiet), "pictures drawn", pictures.size());
+    draw(reports::drawing_request(pictures, sources.templates), workshop,
+         [&] { progress.show(drawings_in(workshop).size()); });
+    progress.finish();
+    return drawings_in(workshop);
 }
 
 /// Makes an SVG another format. @param format  of rsvg-convert
@@ -102,11 +113,15 @@ void write_svg(OutputFolder& folder, const ResultSources& sources) {
 
 void write_pdf(OutputFolder& folder, const ResultSources& sources) {
     const auto workshop = folder.make_workshop();
-    for (const auto& drawing : draw_all(sources, workshop)) {
-        const auto file = std::filesystem::path(drawing).replace_extension(".pdf");
-        convert(drawing, "pdf", file);
+    const auto drawings = draw_all(sources, workshop);
+    CountDisplay progress(ProgressDisplay::style(sources.quiet), "pictures converted to PDF", drawings.size());
+    for (std::size_t i = 0; i < drawings.size(); ++i) {
+        const auto file = std::filesystem::path(drawings[i]).replace_extension(".pdf");
+        convert(drawings[i], "pdf", file);
         deliver(file, folder);
+        progress.show(i + 1);
     }
+    progress.finish();
 }
 
 void write_figure(const std::filesystem::path& file, const reports::Picture& picture,

@@ -9,7 +9,7 @@ namespace ff::app {
 /// Pictures of a report as files of FOLDER/pictures, drawn without a browser: Vega under Node.js makes SVG of them, and
 /// rsvg-convert PDF of that.
 
-/// @throws UserError that names what has to be installed
+/// @throws UserError with what has to be installed
 void expect_svg_programs();
 void expect_pdf_programs();
 
@@ -18,7 +18,7 @@ void write_svg(OutputFolder& folder, const ResultSources& sources);
 void write_pdf(OutputFolder& folder, const ResultSources& sources);
 
 /// Draws one picture into a file: .svg, .pdf, .png (at 300 dots per inch) or .pgf.
-/// @throws IoError; UserError for another ending, and for a picture that cannot be drawn so
+/// @throws IoError; UserError for another extension, and for a picture that cannot be drawn in that format
 void write_figure(const std::filesystem::path& file, const reports::Picture& picture,
                   const reports::Templates& templates, const reports::FigureStyle& style);
 

@@ -16,6 +16,7 @@
 #include "reports/latex/latex.hpp"
 #include "reports/markdown/audit_markdown.hpp"
 #include "reports/markdown/markdown.hpp"
+#include "reports/pictures/drawing_request.hpp"
 #include "reports/pictures/ranking_svg.hpp"
 #include "studies/results/results.hpp"
 
@@ -51,6 +52,12 @@ constexpr std::array tables_of_radiosity{RadiosityTable{"matrices.csv", reports:
 void write_csv(OutputFolder& folder, const ResultSources& sources) {
     folder.write("summary.csv", [&](std::ostream& out) { reports::write_summary_csv(out, sources.results.findings); });
     folder.write("slopes.csv", [&](std::ostream& out) { reports::write_slopes_csv(out, sources.results); });
+    folder.write("comparisons.csv",
+                 [&](std::ostream& out) { reports::write_comparisons_csv(out, sources.results, reports::Timed::no); });
+    folder.write("comparisons_by_time.csv",
+                 [&](std::ostream& out) { reports::write_comparisons_csv(out, sources.results, reports::Timed::yes); });
+    folder.write("claimed_errors.csv",
+                 [&](std::ostream& out) { reports::write_claimed_errors_csv(out, sources.results); });
     if (!sources.results.findings.plan.spec.coverage.empty()) {
         folder.write("coverage.csv", [&](std::ostream& out) { reports::write_coverage_csv(out, sources.results); });
     }
@@ -107,7 +114,7 @@ struct KnownFormat {
 constexpr std::array known{
     KnownFormat{{"html", "report.html"}, needs_nothing, write_html},
     KnownFormat{{"markdown", "report.md, answer.svg, audit.md"}, needs_nothing, write_markdown},
-    KnownFormat{{"csv", "summary.csv, slopes.csv, coverage.csv, trials.csv"}, needs_nothing, write_csv},
+    KnownFormat{{"csv", "summary.csv, slopes.csv, comparisons.csv, ..., trials.csv"}, needs_nothing, write_csv},
     KnownFormat{{"json", "results.json, context.json"}, needs_nothing, write_json},
     KnownFormat{{"matrices", "matrices/*/*.mtx, matrices/*/*.npy"}, needs_nothing, write_matrices},
     KnownFormat{{"patch_systems", "matrices/*/patch_*"}, needs_nothing, write_patch_systems},
@@ -146,6 +153,24 @@ void expect_formats(std::span<const std::string_view> formats) {
     for (const std::string_view format : formats) find_format(format).expect_programs();
 }
 
+std::vector<reports::Picture> chosen_pictures(const studies::StudyResults& results,
+                                              const std::vector<std::string>& names) {
+    auto pictures = reports::all_pictures(results);
+    const auto is_of = [](const reports::Picture& picture, const std::string& name) {
+        return picture.id == name || picture.id.starts_with(name + "-");
+    };
+    for (const std::string& name : names) {
+        if (std::none_of(pictures.begin(), pictures.end(), [&](const auto& picture) { return is_of(picture, name); }))
+            throw UserError(fmt::format(
+                "--pictures {} (no picture has a name that begins so). 'ffstudy figure RESULTS' lists them.", name));
+    }
+    if (names.empty()) return pictures;
+    std::erase_if(pictures, [&](const reports::Picture& picture) {
+        return std::none_of(names.begin(), names.end(), [&](const auto& name) { return is_of(picture, name); });
+    });
+    return pictures;
+}
+
 bool is_folder_of_study(const std::filesystem::path& study) {
     std::error_code error;
     return std::filesystem::is_directory(study, error) && std::filesystem::is_regular_file(store_of(study), error);
@@ -156,8 +181,10 @@ std::filesystem::path store_of(const std::filesystem::path& results) {
 }
 
 std::vector<std::string> usual_files() {
-    std::vector<std::string> files{"report.html", "report.md",    "answer.svg", "audit.md",     "summary.csv",
-                                   "slopes.csv",  "coverage.csv", "trials.csv", "results.json", "context.json"};
+    std::vector<std::string> files{"report.html",       "report.md",    "answer.svg",      "audit.md",
+                                   "summary.csv",       "slopes.csv",   "coverage.csv",    "trials.csv",
+                                   "results.json",      "context.json", "comparisons.csv", "comparisons_by_time.csv",
+                                   "claimed_errors.csv"};
     for (const RadiosityTable& table : tables_of_radiosity) files.emplace_back(table.file);
     return files;
 }

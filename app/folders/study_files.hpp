@@ -15,14 +15,14 @@ struct BuiltInStudy {
     std::filesystem::path file;
 };
 
-/// Where they lie: beside the installed program, or in the source tree when it runs from its build.
+/// Their folder: beside the installed program, or in the source tree when it runs from its build.
 std::filesystem::path studies_folder();
 
 /// Built-in studies, by name.
 std::vector<BuiltInStudy> built_in_studies();
 
 /// The file of a built-in study by name, or a file by path.
-/// @throws UserError where there is neither, with the nearest name
+/// @throws UserError with the nearest name where there is neither
 std::filesystem::path find_study(const std::string& name_or_file);
 
 }  // namespace ff::app

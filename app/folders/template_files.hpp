@@ -7,13 +7,13 @@
 
 namespace ff::app {
 
-/// The templates that come with the program, beside it when installed, or of its source and build tree; those of
-/// `own` before them.
-/// @param own  folder of the user; empty for none
+/// The templates that come with the program, beside it when installed, or from its source and build tree; those of
+/// `own` take precedence.
+/// @param own  the user's folder; empty: none
 /// @throws IoError where a folder cannot be read
 reports::Templates find_templates(const std::filesystem::path& own);
 
-/// A file that lies among those of the program; empty where there is none.
+/// A file among those of the program; empty where there is none.
 std::filesystem::path find_template_file(std::string_view name);
 
 }  // namespace ff::app

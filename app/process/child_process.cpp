@@ -9,8 +9,10 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <csignal>
 #include <cstdlib>
+#include <thread>
 
 namespace ff::app {
 
@@ -27,11 +29,20 @@ std::filesystem::path find_program(std::string_view name) {
     return {};
 }
 
-void run_program(const std::filesystem::path& program, const std::vector<std::string>& arguments) {
+void run_program(const std::filesystem::path& program, const std::vector<std::string>& arguments,
+                 const std::function<void()>& meanwhile) {
     ChildCommand command{{program.string()}, {}};
     command.words.insert(command.words.end(), arguments.begin(), arguments.end());
     const pid_t child = start_child(command, {STDIN_FILENO, STDERR_FILENO, STDERR_FILENO}, ChildSignals::as_usual);
     const OnEnd end_child([child] { ::kill(child, SIGKILL); });
+    const auto runs = [child] {
+        siginfo_t ended{};
+        return ::waitid(P_PID, static_cast<id_t>(child), &ended, WEXITED | WNOHANG | WNOWAIT) == 0 && ended.si_pid == 0;
+    };
+    while (meanwhile && runs()) {
+        meanwhile();
+        std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    }
     const int status = wait_for_child(child);
     if (!WIFEXITED(status) || WEXITSTATUS(status) != 0)
         throw IoError(

@@ -9,7 +9,7 @@ enum class ExitCode {
     usage = 2,   ///< usage or input
     io = 3,      ///< a file cannot be read or written
     inconclusive = 4,
-    interrupted = 130,  ///< interrupted or out of time; what was done is saved
+    interrupted = 130,  ///< interrupted or out of time; completed work is saved
 };
 
 }  // namespace ff::app

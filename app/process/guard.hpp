@@ -7,8 +7,8 @@
 
 namespace ff::app {
 
-/// Acts, and turns whatever is thrown into a message with the input that it came from, and a documented exit code.
-/// What no caller can catch, of a destructor or of a thread of a library, is told in the same way and ends the process.
+/// Runs an action, and turns any exception into a message with the input that caused it, and a documented exit code.
+/// Exceptions that nobody can catch, from a destructor or a library's thread, are reported too and end the process.
 /// @param arguments  of the program, its name first; they live as long as it does
 ExitCode guarded(std::span<char* const> arguments, const std::function<ExitCode()>& act);
 

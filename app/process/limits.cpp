@@ -1,6 +1,7 @@
 #include "app/process/limits.hpp"
 
 #include "app/process/signals.hpp"
+#include "app/terminal/messages.hpp"
 
 #include "core/support/error.hpp"
 
@@ -75,6 +76,22 @@ TimeLimit::TimeLimit(std::optional<std::chrono::duration<double>> limit) {
         std::unique_lock lock(mutex);
         never.wait_for(lock, ended, limit, [] { return false; });
         if (!ended.stop_requested()) ask_for_the_end();
+    });
+}
+
+MemoryLimit::MemoryLimit(std::optional<std::uint64_t> limit) {
+    if (!limit) return;
+    watch_ = std::jthread([limit = *limit](const std::stop_token& ended) {
+        constexpr std::chrono::milliseconds pause{20};
+        std::mutex mutex;
+        std::condition_variable_any never;
+        std::unique_lock lock(mutex);
+        do {
+            const auto used = resident_memory();
+            if (!used || *used <= limit) continue;
+            say("note: {} of memory are in use, more than --max-memory.\n", size_in_words(*used));
+            return ask_for_the_end();
+        } while (!never.wait_for(lock, ended, pause, [&] { return ended.stop_requested(); }));
     });
 }
 

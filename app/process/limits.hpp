@@ -18,16 +18,25 @@ std::uint64_t parse_size(std::string_view text);
 /// "1.5 GiB"
 std::string size_in_words(std::uint64_t bytes);
 
-/// Memory of this process that is in use at the moment, in bytes; empty where the system does not tell.
+/// Memory currently used by this process, in bytes; empty where the system does not tell.
 std::optional<std::uint64_t> resident_memory();
 
-/// Asks for an orderly end (app/process/signals.hpp) when a time is over, unless it ends before.
+/// Asks for an orderly end when a time is over, unless it ends before.
 class TimeLimit {
   public:
     explicit TimeLimit(std::optional<std::chrono::duration<double>> limit);
 
   private:
     std::jthread clock_;
+};
+
+/// The same when this process has grown beyond a limit of bytes, and says so.
+class MemoryLimit {
+  public:
+    explicit MemoryLimit(std::optional<std::uint64_t> limit);
+
+  private:
+    std::jthread watch_;
 };
 
 }  // namespace ff::app

@@ -1,16 +1,18 @@
 #pragma once
 
-#include "studies/run/run.hpp"
+#include "studies/plan/shard.hpp"
 
+#include <cstdint>
 #include <functional>
 #include <mutex>
+#include <span>
 #include <vector>
 
 namespace ff::app {
 
-/// The processes that carry out a study together: those that mpirun started, or this one alone. The first one leads: it
-/// has the store, the others send it what they do. When a process ends with an exception the whole job ends, and what
-/// the store holds is saved.
+/// The processes that do a piece of work together: those that mpirun started, or this one alone. The first one leads:
+/// it has the files, the others send it what they do. When a process ends with an exception the whole job ends, and
+/// what the store holds is saved.
 class Processes {
   public:
     Processes();
@@ -24,19 +26,19 @@ class Processes {
     [[nodiscard]] const studies::Shard& part() const { return part_; }
 
     /// What the leader gives is what all get; every process calls this once.
-    std::vector<bool> share_finished_units(std::vector<bool> finished) const;
+    std::vector<bool> share_finished(std::vector<bool> finished) const;
 
-    /// For the others: does `work`, which sends its records, and returns when the leader has all records of all. While
+    /// For the others: does `work`, which sends messages, and returns when the leader has all messages of all. While
     /// it works, an end that is asked for here (app/process/signals.hpp) is asked for in all processes.
     void assist(const std::function<void()>& work) const;
-    void send(const studies::UnitRecord& record) const;
-    /// For the leader: delivers what the others send, until all have come to their end, and tells all of an end that is
-    /// asked for. The only thread that communicates while it runs.
-    void receive(const studies::Deliver& deliver) const;
+    void send(std::span<const std::uint64_t> message) const;
+    /// For the leader: delivers what the others send, until all have come to their end or `deliver` is false, and tells
+    /// all of an end that is asked for. The only thread that communicates while it runs.
+    void receive(const std::function<bool(std::span<const std::uint64_t>)>& deliver) const;
 
   private:
     studies::Shard part_;
-    mutable std::mutex talking_;  ///< of the others, whose listener communicates too
+    mutable std::mutex talking_;  ///< for the others, whose listener communicates too
 };
 
 }  // namespace ff::app

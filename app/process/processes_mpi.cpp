@@ -3,7 +3,6 @@
 #include "app/process/signals.hpp"
 
 #include "core/support/error.hpp"
-#include "studies/run/record_words.hpp"
 
 #include <mpi.h>
 
@@ -18,7 +17,7 @@ namespace ff::app {
 namespace {
 
 constexpr int leader = 0;
-enum Tag : int { a_record, the_end, asked_to_end };
+enum Tag : int { a_message, the_end, asked_to_end };
 
 /// A message without content.
 void tell(int process, Tag what) {
@@ -66,7 +65,7 @@ Processes::~Processes() {
     if (std::uncaught_exceptions() == 0) MPI_Finalize();
 }
 
-std::vector<bool> Processes::share_finished_units(std::vector<bool> finished) const {
+std::vector<bool> Processes::share_finished(std::vector<bool> finished) const {
     std::uint64_t size = finished.size();
     MPI_Bcast(&size, 1, MPI_UINT64_T, leader, MPI_COMM_WORLD);
     std::vector<unsigned char> bytes(finished.begin(), finished.end());
@@ -75,12 +74,11 @@ std::vector<bool> Processes::share_finished_units(std::vector<bool> finished) co
     return {bytes.begin(), bytes.end()};
 }
 
-void Processes::send(const studies::UnitRecord& record) const {
-    const auto words = studies::to_words(record);
-    if (words.size() > static_cast<std::size_t>(std::numeric_limits<int>::max()))
+void Processes::send(std::span<const std::uint64_t> message) const {
+    if (message.size() > static_cast<std::size_t>(std::numeric_limits<int>::max()))
         throw UserError("mpirun: a work unit is too large for one message. Take fewer patches, or use --shard.");
     const std::lock_guard lock(talking_);
-    MPI_Send(words.data(), static_cast<int>(words.size()), MPI_UINT64_T, leader, a_record, MPI_COMM_WORLD);
+    MPI_Send(message.data(), static_cast<int>(message.size()), MPI_UINT64_T, leader, a_message, MPI_COMM_WORLD);
 }
 
 void Processes::assist(const std::function<void()>& work) const {
@@ -97,7 +95,7 @@ void Processes::assist(const std::function<void()>& work) const {
     tell(leader, the_end);
 }
 
-void Processes::receive(const studies::Deliver& deliver) const {
+void Processes::receive(const std::function<bool(std::span<const std::uint64_t>)>& deliver) const {
     std::vector<std::uint64_t> words;
     const auto tell_all = [&](Tag what) {
         for (int process = 1; process < static_cast<int>(part_.count); ++process) tell(process, what);
@@ -121,7 +119,7 @@ void Processes::receive(const studies::Deliver& deliver) const {
             --running;
         } else if (status.MPI_TAG == asked_to_end) {
             ask_for_the_end();
-        } else if (!deliver(studies::from_words(words))) {
+        } else if (!deliver(words)) {
             return;
         }
     }

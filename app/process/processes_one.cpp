@@ -6,12 +6,12 @@ namespace ff::app {
 Processes::Processes() = default;
 Processes::~Processes() = default;
 
-std::vector<bool> Processes::share_finished_units(std::vector<bool> finished) const {
+std::vector<bool> Processes::share_finished(std::vector<bool> finished) const {
     return finished;
 }
 
-void Processes::send(const studies::UnitRecord& /*record*/) const {}
+void Processes::send(std::span<const std::uint64_t> /*message*/) const {}
 void Processes::assist(const std::function<void()>& /*work*/) const {}
-void Processes::receive(const studies::Deliver& /*deliver*/) const {}
+void Processes::receive(const std::function<bool(std::span<const std::uint64_t>)>& /*deliver*/) const {}
 
 }  // namespace ff::app

@@ -9,6 +9,7 @@
 #include <array>
 #include <csignal>
 #include <mutex>
+#include <utility>
 #include <vector>
 
 namespace ff::app {
@@ -51,13 +52,16 @@ void mean(Meaning meaning, std::string words = {}) {
     state().words = std::move(words);
 }
 
+/// Prints what a signal means, once. Where it cannot be printed it is not.
+void say_words() {
+    const std::string words = std::exchange(state().words, {});
+    if (!words.empty()) static_cast<void>(!::write(STDERR_FILENO, words.data(), words.size()));
+}
+
 /// The mutex stays locked: no other thread goes on with what the actions take away.
 [[noreturn]] void end() {
     for (auto action = state().actions.rbegin(); action != state().actions.rend(); ++action) (**action)();
-    const std::string& words = state().words;
-    // Where it cannot be said it is not.
-    if (!words.empty() && ::write(STDERR_FILENO, words.data(), words.size()) < 0)
-        ::_exit(static_cast<int>(ExitCode::interrupted));
+    say_words();
     ::_exit(static_cast<int>(ExitCode::interrupted));
 }
 
@@ -77,6 +81,7 @@ void* receive(void* /*nothing*/) {
             lock.release();
             end();
         }
+        if (state().meaning == Meaning::stop_then_end) say_words();
         ask_for_the_end();
     }
 }
@@ -105,8 +110,8 @@ void end_on_signals(std::string words) {
     mean(Meaning::end, std::move(words));
 }
 
-void stop_in_order_on_signals() {
-    mean(Meaning::stop_then_end);
+void stop_in_order_on_signals(std::string words) {
+    mean(Meaning::stop_then_end, std::move(words));
 }
 
 void never_end_on_signals() {

@@ -7,28 +7,29 @@
 namespace ff::app {
 
 /// From the first instruction of main on, SIGINT, SIGTERM and SIGUSR1 are received by a thread of its own. They end the
-/// program within a moment, wherever it is, after what OnEnd objects do; exit code 130.
+/// program promptly, wherever it is, after the actions of OnEnd objects; exit code 130.
 void receive_signals();
 
-/// What is said when they do. Where nothing is said, nothing was begun.
+/// The message printed then; none where nothing was begun.
 void end_on_signals(std::string words);
 
 /// For work that is worth saving: the first signal only sets the flag, a second ends the program.
-void stop_in_order_on_signals();
+/// @param words  printed to stderr by the first
+void stop_in_order_on_signals(std::string words = {});
 
-/// For a process that another one waits for: signals set the flag and never end the program.
+/// For a process that another one waits for: signals only set the flag and never end the program.
 void never_end_on_signals();
 
-/// Whether an orderly end is asked for.
+/// Whether a graceful stop is requested.
 const std::atomic<bool>& stop_flag();
 
-/// Set two seconds after it: what is in hand is not waited for any longer.
+/// Set two seconds later: work in progress is no longer waited for.
 const std::atomic<bool>& drop_flag();
 
-/// Sets the flags as a first signal does.
+/// Sets the flags like a first signal.
 void ask_for_the_end();
 
-/// While it lives, a signal that ends the program calls `action` before; any thread may have any lock then.
+/// During its lifetime, a signal that ends the program first calls `action`; any thread may hold any lock then.
 class OnEnd {
   public:
     explicit OnEnd(std::function<void()> action);
@@ -40,11 +41,11 @@ class OnEnd {
     std::function<void()> action_;
 };
 
-/// At the end of main: a signal that has come before decides on the exit code, a later one does nothing.
+/// At the end of main: an earlier signal decides the exit code, a later one has no effect.
 void close_to_signals();
 
-/// A file that outgrows the limit of the system then fails as on a full disk, and a pipe that nobody reads any more as
-/// a closed file, instead of ending the program.
+/// Makes a file that exceeds the system's limit fail as on a full disk, and a pipe without a reader as a closed file,
+/// instead of ending the program.
 void turn_output_signals_into_errors();
 
 }  // namespace ff::app

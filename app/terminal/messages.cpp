@@ -5,6 +5,19 @@
 #include <cstddef>
 
 namespace ff::app {
+namespace {
+
+bool verbose = false;
+
+}  // namespace
+
+void be_verbose() {
+    verbose = true;
+}
+
+bool is_verbose() {
+    return verbose;
+}
 
 std::string for_message(std::string_view text) {
     constexpr std::size_t most = 2000;

@@ -15,6 +15,11 @@ namespace ff::app {
 namespace {
 
 constexpr std::chrono::milliseconds pause_on_terminal{100};
+constexpr std::chrono::seconds pause_elsewhere{10};
+
+std::chrono::milliseconds pause_of(ProgressDisplay::Style style) {
+    return style == ProgressDisplay::Style::bar ? pause_on_terminal : pause_elsewhere;
+}
 
 std::string duration(double seconds) {
     const auto whole = std::lround(seconds);
@@ -45,9 +50,8 @@ void ProgressDisplay::show(const studies::Progress& progress) {
     if (style_ == Style::silent) return;
     const auto now = Clock::now();
     const bool last = progress.units_done == progress.units;
-    const auto pause = style_ == Style::bar ? pause_on_terminal : std::chrono::milliseconds(10'000);
     if (already_done_ < 0) already_done_ = progress.expected_seconds_done;
-    if (!last && now - last_ < pause) return;
+    if (!last && now - last_ < pause_of(style_)) return;
     last_ = now;
     shown_ = true;
 
@@ -64,6 +68,23 @@ void ProgressDisplay::show(const studies::Progress& progress) {
     } else {
         say("{}\n", text);
     }
+}
+
+void CountDisplay::show(std::size_t done) {
+    if (style_ == ProgressDisplay::Style::silent) return;
+    const auto now = Clock::now();
+    if (now - last_ < pause_of(style_)) return;
+    last_ = now;
+    shown_ = true;
+    const std::string text = fmt::format("{} of {} {}", done, all_, done_to_);
+    if (style_ == ProgressDisplay::Style::bar)
+        rewrite_line(static_cast<double>(done) / static_cast<double>(all_), text);
+    else
+        say("{}\n", text);
+}
+
+void CountDisplay::finish() {
+    if (style_ == ProgressDisplay::Style::bar && shown_) say("\n");
 }
 
 bool FormFactorDisplay::is_seen() {

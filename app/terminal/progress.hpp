@@ -4,11 +4,14 @@
 #include "studies/run/run.hpp"
 
 #include <chrono>
+#include <cstddef>
 #include <cstdint>
+#include <string>
+#include <utility>
 
 namespace ff::app {
 
-/// Shows how far a run is, on stderr: a bar that rewrites itself on a terminal, a line every ten seconds elsewhere.
+/// Shows the progress of a run on stderr: a bar that rewrites itself on a terminal, a line every ten seconds elsewhere.
 class ProgressDisplay {
   public:
     enum class Style { silent, lines, bar };
@@ -26,7 +29,27 @@ class ProgressDisplay {
     Style style_;
     Clock::time_point start_ = Clock::now();
     Clock::time_point last_ = start_;
-    double already_done_ = -1;  // expected seconds that an earlier run did
+    double already_done_ = -1;  // expected seconds completed by an earlier run
+    bool shown_ = false;
+};
+
+/// The same for counted items.
+class CountDisplay {
+  public:
+    /// @param done_to  what happens to them: "pictures drawn"
+    CountDisplay(ProgressDisplay::Style style, std::string done_to, std::size_t all)
+        : style_(style), done_to_(std::move(done_to)), all_(all) {}
+
+    void show(std::size_t done);
+    /// Leaves the bar's line.
+    void finish();
+
+  private:
+    using Clock = std::chrono::steady_clock;
+    ProgressDisplay::Style style_;
+    std::string done_to_;
+    std::size_t all_;
+    Clock::time_point last_ = Clock::now();
     bool shown_ = false;
 };
 

@@ -13,14 +13,14 @@ namespace ff {
 enum class ConfigurationKind {
     surfaces,  ///< finite surfaces: a scene
     element,   ///< from a differential area, which has no points to shoot from
-    endless,   ///< two-dimensional: surfaces without end in one direction
+    endless,   ///< two-dimensional: surfaces are infinite in one direction
 };
 
 /// A pair of surfaces whose form factor is known.
 struct Configuration {
     std::string_view id;         ///< short, e.g. "R13"
-    std::string_view name;       ///< speaking, e.g. "coaxial_discs_equal"
-    std::string_view summary;    ///< what, with its measures
+    std::string_view name;       ///< descriptive, e.g. "coaxial_discs_equal"
+    std::string_view summary;    ///< one line, with dimensions
     std::string_view formula;    ///< where the exact value comes from, and what it holds for
     std::string_view reference;  ///< key of docs/references.md
     ConfigurationKind kind = ConfigurationKind::surfaces;
@@ -33,29 +33,29 @@ struct Configuration {
     std::string_view scene_name = name;  ///< several configurations may be pairs of faces of one scene
 };
 
-/// All of them, in the order in which they are shown.
+/// All configurations, in the order in which they are shown.
 std::span<const Configuration> configurations();
 
 /// The scene of that name, if the catalogue has it; each is made by one of its configurations.
 std::optional<Scene> configuration_scene(std::string_view name);
 
-/// Whether a scene is the one that a configuration is a pair of faces of.
+/// Whether a configuration is a pair of faces of this scene.
 bool is_configuration(const Scene& scene, const Configuration& configuration);
 
-/// Of a configuration of a face with itself, how many other faces share the rest of its light, alike: F = 1 - n F(from,
-/// other). 0 where it is one of two faces.
+/// For the form factor of a face with itself, how many other faces share the rest of its light equally: F = 1 - n
+/// F(from, other). 0 for a configuration of two faces.
 int other_faces(const Scene& scene, const Configuration& configuration);
 
 /// Names of all scenes of the catalogue, in its order.
 std::vector<std::string_view> configuration_scene_names();
 
 /// The form factor between two faces of a scene of the catalogue or of its families (core/configurations/families.hpp),
-/// where it has an exact value or one follows: by reciprocity, and by closure where what a face does not send to itself
-/// is shared by others that are alike.
+/// where an exact value is known or follows by reciprocity, or by closure where the light that a face does not send to
+/// itself is shared equally by other faces.
 /// @pre both are indices into scene.faces
 std::optional<double> known_form_factor(const Scene& scene, int from_face, int to_face);
 
-/// What a kind means for estimating: empty for surfaces, otherwise why there is no scene.
+/// Why configurations of a kind cannot be estimated; empty for surfaces, which can.
 std::string_view why_no_scene(ConfigurationKind kind);
 
 }  // namespace ff

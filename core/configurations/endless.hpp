@@ -2,7 +2,7 @@
 
 namespace ff {
 
-/// Two-dimensional configurations: surfaces that are endless, and everywhere the same, in one direction.
+/// Two-dimensional configurations: surfaces that are infinite and uniform in one direction.
 
 /// Between two plates of equal width that share an edge at this angle, in radians, 0 to pi: 1 - sin(angle / 2), by
 /// crossed strings. @see [howell] C-5, [hottel1954]   @throws UserError for other angles

@@ -8,16 +8,16 @@
 
 namespace ff {
 
-/// Scenes of the catalogue with one measure to choose: "squares_blocked:0.25". What stands in the way grows with it, or
-/// shrinks.
+/// Scenes of the catalogue with one free dimension: "squares_blocked:0.25". The obstacle grows or shrinks with
+/// it.
 struct SceneFamily {
-    std::string_view name;     ///< of the scene in the catalogue that belongs to it
+    std::string_view name;     ///< name of its scene in the catalogue
     std::string_view measure;  ///< what the number is
     double least = 0;          ///< allowed values, both ends included
     double most = 0;
-    double of_catalogue = 0;  ///< of the scene in the catalogue
+    double of_catalogue = 0;  ///< value of the scene in the catalogue
     Scene (*scene)(double measure) = nullptr;
-    /// Form factor between two faces; empty where it is not known. Accurate as core/configurations/ says of each.
+    /// Form factor between two faces; empty where it is not known. For its accuracy see core/configurations/.
     std::optional<long double> (*exact)(double measure, int from_face, int to_face) = nullptr;
 };
 
@@ -29,9 +29,9 @@ struct FamilyMember {
     double measure = 0;
 };
 
-/// The scene "NAME:NUMBER"; empty unless NAME is that of a family. That of the catalogue, by its number, is the same as
-/// by its name alone.
-/// @throws UserError where NUMBER is none, or not allowed
+/// The scene "NAME:NUMBER"; empty unless NAME is a family. The catalogue's scene is the same whether it is named with
+/// or without its number.
+/// @throws UserError where NUMBER is not a number, or is out of range
 std::optional<Scene> family_scene(std::string_view name);
 
 /// Which family a scene belongs to, if any.

@@ -6,9 +6,9 @@ namespace ff {
 /// smaller one. Dimensionless, within 1e-17; edges in one unit.
 /// Both throw UserError unless 0 < inner < outer.
 
-/// Between opposite faces. For a displacement (u, v), what the inner cube takes away is a hexagon: the box around the
-/// shadows of its two faces without two triangular corners. The box gives a closed form (an aperture would do the
-/// same); the corners, smooth in four pieces, are integrated by Gauss's rule with 30 x 30 nodes each.
+/// Between opposite faces. For a displacement (u, v), the inner cube blocks a hexagon: the box around the shadows of
+/// its two faces without two triangular corners. The box has a closed form (the same as an aperture's); the corners,
+/// smooth in four pieces, are integrated by Gauss's rule with 30 x 30 nodes each.
 long double nested_cubes_opposite_factor(long double inner, long double outer);
 
 /// Between adjacent faces: by closure, since a face of the outer cube sends (inner / outer)^2 to the inner one, by

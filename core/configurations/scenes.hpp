@@ -5,8 +5,8 @@
 namespace ff {
 
 /// The configurations of the catalogue as scenes: the two surfaces are faces "1" and "2", others that close the scene
-/// are faces of their own, and what only stands in the way is no face. Where a surface sees itself, the scene is closed
-/// and its other faces are alike, so that what each of them gets is known as well. Lengths as in
+/// are faces of their own, and obstacles belong to no face. Where a surface sees itself, the scene is closed and its
+/// other faces are congruent, so that their form factors are known as well. Lengths as in
 /// core/configurations/catalogue.hpp. `name` and `canonical` are the caller's to set.
 namespace configuration_scenes {
 
@@ -29,7 +29,7 @@ Scene hemisphere();
 Scene cone_wall();
 /// Opposite unit squares 1 apart, halfway between them a square with this edge, 0 (none) to 1.
 Scene squares_blocked(double edge);
-/// The same with a unit square there that has a square hole with this edge, 0 (no hole) to 1 (no plate).
+/// As above, but the obstacle is a unit square with a square hole of this edge, 0 (no hole) to 1 (no plate).
 Scene squares_through_aperture(double edge);
 /// Legs 1 wide, 3 high; face 1: the wall of length 3; face 2: the end of the other leg, `depth` behind the corner.
 /// Faces 3 to 10: the other walls, floor and ceiling, each in rectangles.

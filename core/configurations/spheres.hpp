@@ -10,8 +10,8 @@ namespace ff {
 /// directions from the centre. @see [howell]
 long double sphere_to_disc_factor(long double disc_radius, long double distance);
 
-/// Inside a sphere, from any part of it to a cap of this height (as well the cap itself): every part receives its share
-/// of the whole area, h / 2R. A hemisphere is a cap of height R. @see [howell]
+/// Inside a sphere, from any part of it (the cap included) to a cap of this height: every part receives its share of
+/// the total area, h / 2R. A hemisphere is a cap of height R. @see [howell]
 /// @throws UserError where the cap is higher than the sphere
 long double sphere_cap_factor(long double sphere_radius, long double cap_height);
 

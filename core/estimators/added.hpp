@@ -10,8 +10,8 @@
 
 namespace ff {
 
-/// An estimator from outside the catalogue, as a program that prints form factors. Where it has been added,
-/// `find_estimator` finds it by its name like any other.
+/// An estimator from outside the catalogue, e.g. a program that prints form factors. Once added, `find_estimator` finds
+/// it by name like any other.
 class AddedEstimator {
   public:
     struct Texts {
@@ -22,9 +22,9 @@ class AddedEstimator {
     using Refusal = std::function<std::string(const Scene&)>;
     using Make = std::function<std::unique_ptr<Estimator>(const Scene&)>;
 
-    /// @param traits  all of EstimatorInfo but its texts
-    /// @param refusal  beyond what follows from `traits`: why it cannot be used in a scene; null: it always can
-    /// @param make  null where only the description is known, as to those who read results
+    /// @param traits EstimatorInfo without its texts
+    /// @param refusal why it cannot be used in a scene, beyond what follows from `traits`; null: it always can
+    /// @param make null where only the description is known, as when stored results are read
     AddedEstimator(Texts texts, EstimatorInfo traits, Refusal refusal, Make make);
     AddedEstimator(const AddedEstimator&) = delete;
     AddedEstimator& operator=(const AddedEstimator&) = delete;
@@ -32,7 +32,7 @@ class AddedEstimator {
 
     [[nodiscard]] const EstimatorEntry& entry() const { return entry_; }
 
-    /// Is made as `other` is from now on, where nothing has made it so far.
+    /// From now on makes estimators as `other` does, unless it has made one already.
     void learn_from(AddedEstimator& other);
 
   private:
@@ -43,13 +43,13 @@ class AddedEstimator {
     EstimatorEntry entry_;
 };
 
-/// Of a program that gets the scene as a file and prints form factors between whole faces.
+/// Traits of a program that receives the scene as a file and prints form factors between whole faces.
 /// @param has_sizes  it takes samples_per_patch
 EstimatorInfo program_traits(bool has_sizes, bool randomised);
 
-/// Adds an estimator for the rest of the process; one of its name that is there already stays. Safe from any thread.
-/// @param short_name  by which it is found as well from now on; empty: none
-/// @throws UserError where a name is one of the catalogue
+/// Adds an estimator for the rest of the process; one that already has its name stays. Safe from any thread.
+/// @param short_name another name for it; empty: none
+/// @throws UserError where a name is taken by the catalogue
 const EstimatorEntry& add(std::unique_ptr<AddedEstimator> estimator, const std::string& short_name = {});
 
 /// By name or short name. Null where there is none.

@@ -1,3 +1,4 @@
+#include "core/estimators/adaptive_contour.hpp"
 #include "core/estimators/added.hpp"
 #include "core/estimators/area_kernel.hpp"
 #include "core/estimators/closed_form.hpp"
@@ -5,10 +6,13 @@
 #include "core/estimators/control_variate.hpp"
 #include "core/estimators/cubic_tetrahedron.hpp"
 #include "core/estimators/entry.hpp"
+#include "core/estimators/global_lines.hpp"
 #include "core/estimators/hemicube.hpp"
 #include "core/estimators/point_to_polygon.hpp"
+#include "core/estimators/point_to_visible_polygon.hpp"
 #include "core/estimators/ray_shooting.hpp"
 #include "core/estimators/rays_and_kernel.hpp"
+#include "core/estimators/single_plane.hpp"
 #include "core/estimators/solid_angle.hpp"
 #include "core/support/error.hpp"
 #include "core/support/excerpt.hpp"
@@ -27,16 +31,21 @@ namespace ff {
 std::span<const EstimatorEntry> estimators() {
     // The only list of estimators.
     static const std::array all{
-        estimator_entry<RayShooting>(),       //
-        estimator_entry<AreaKernel>(),        //
-        estimator_entry<PointToPolygon>(),    //
-        estimator_entry<SolidAngle>(),        //
-        estimator_entry<RaysAndKernel>(),     //
-        estimator_entry<ControlVariate>(),    //
-        estimator_entry<Contour>(),           //
-        estimator_entry<Hemicube>(),          //
-        estimator_entry<CubicTetrahedron>(),  //
-        estimator_entry<ClosedForm>(),        //
+        estimator_entry<RayShooting>(),            //
+        estimator_entry<GlobalLines>(),            //
+        estimator_entry<AreaKernel>(),             //
+        estimator_entry<PointToPolygon>(),         //
+        estimator_entry<PointToVisiblePolygon>(),  //
+        estimator_entry<SolidAngle>(),             //
+        estimator_entry<RaysAndKernel>(),          //
+        estimator_entry<RaysAndKernelPower>(),     //
+        estimator_entry<ControlVariate>(),         //
+        estimator_entry<Contour>(),                //
+        estimator_entry<AdaptiveContour>(),        //
+        estimator_entry<Hemicube>(),               //
+        estimator_entry<CubicTetrahedron>(),       //
+        estimator_entry<SinglePlane>(),            //
+        estimator_entry<ClosedForm>(),             //
     };
     return all;
 }

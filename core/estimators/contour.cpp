@@ -24,9 +24,7 @@ struct Edge {
 
 /// The rim of a patch, counter-clockwise as seen from the side that it radiates to.
 std::array<Edge, 4> rim(const PatchView& patch) {
-    std::array<Vector3d, 4> corners = patch.corners();
-    const Vector3d turn = (corners[2] - corners[0]).cross(corners[3] - corners[1]);
-    if (turn.dot(patch.surface->normal) < 0) std::reverse(corners.begin(), corners.end());
+    const std::array<Vector3d, 4> corners = counter_clockwise(patch);
     std::array<Edge, 4> edges;
     for (std::size_t k = 0; k < 4; ++k) edges[k] = {corners[k], corners[(k + 1) % 4] - corners[k]};
     return edges;
@@ -80,13 +78,17 @@ double sum_over(const RimPair& rims, double s, double t) {
 
 }  // namespace
 
-std::string Contour::refusal(const EstimatorOptions& /*options*/, const Scene& scene) {
-    if (!has_polygonal_faces(scene)) return refuse_curved_faces(info.name, scene);
+std::string Contour::refusal(const EstimatorOptions& options, const Scene& scene) {
+    return refusal_for(info.name, options, scene);
+}
+
+std::string Contour::refusal_for(std::string_view estimator, const EstimatorOptions& /*options*/, const Scene& scene) {
+    if (!has_polygonal_faces(scene)) return refuse_curved_faces(estimator, scene);
     if (is_convex(scene)) return {};
     return fmt::format(
         "{} cannot be used in scene '{}' (some of its surfaces lie behind the plane of another). Use estimator = "
         "\"solid_angle\".",
-        info.name, scene.name);
+        estimator, scene.name);
 }
 
 double Contour::nanoseconds(const EstimatorOptions& /*options*/, const Scene& /*scene*/) {

@@ -3,10 +3,11 @@
 #include "core/estimators/estimator.hpp"
 
 #include <string>
+#include <string_view>
 
 namespace ff {
 
-/// The double integral over the rims of two patches, by any points.
+/// The double contour integral over the rims of two patches, by any point set.
 class Contour {
   public:
     static constexpr EstimatorInfo info{
@@ -26,6 +27,8 @@ class Contour {
     };
 
     static std::string refusal(const EstimatorOptions& options, const Scene& scene);
+    /// As above, on behalf of another estimator that integrates along rims.
+    static std::string refusal_for(std::string_view estimator, const EstimatorOptions& options, const Scene& scene);
     static double nanoseconds(const EstimatorOptions& options, const Scene& scene);
     static std::optional<Integrand> integrand(const EstimatorOptions& options, PairClass pair_class, Hiding hiding);
 

@@ -6,7 +6,7 @@
 
 namespace ff {
 
-/// Exact factors without occlusion, less a sampled estimate of what is hidden.
+/// Exact unoccluded factors, minus a sampled estimate of the occluded part.
 class ControlVariate {
   public:
     static constexpr EstimatorInfo info{
@@ -27,7 +27,7 @@ class ControlVariate {
 
     static std::string refusal(const EstimatorOptions& options, const Scene& scene);
     static double nanoseconds(const EstimatorOptions& options, const Scene& scene);
-    /// Jumps where the shadow ends; without one there is no error.
+    /// The integrand jumps at the edge of a shadow; without a shadow there is no error.
     static std::optional<Integrand> integrand(const EstimatorOptions& options, PairClass pair_class, Hiding hiding);
     static bool finite_variance(const EstimatorOptions& options, const Scene& scene, int from, int to);
 

@@ -2,14 +2,15 @@
 
 #include "core/estimators/pixel_directions.hpp"
 
-#include <string>
+#include <cstdint>
+#include <string_view>
 
 namespace ff {
 
 /// The cubic tetrahedron over the middle of each patch, its pixels traced.
 class CubicTetrahedron : public ByPixels<CubicTetrahedron> {
   public:
-    static constexpr EstimatorInfo info{
+    static constexpr EstimatorInfo info = projection({
         .name = "cubic_tetrahedron",
         .summary = "the corner of a cube over each patch; a ray through every pixel (Beran-Koehn and Pavicic)",
         .details =
@@ -20,18 +21,14 @@ class CubicTetrahedron : public ByPixels<CubicTetrahedron> {
             "otherwise, with\nr(r - 1)/2 pixels on each triangle, those centred on the horizon left out: "
             "samples_per_patch is 3 r(r - 1)/2,\n1488 for r = 32. Parallelograms and triangles only.",
         .reference = "berankoehn1991",
-        .own_points = true,
-        .has_tracer = true,
-        .sees_occluders = true,
-        .sees_reflections = true,
-        .evaluations = "pixels",
-    };
+    });
+
+    static constexpr std::string_view sizes = "a cubic tetrahedron has 3 r (r - 1) / 2 pixels";
 
     using ByPixels::ByPixels;
 
-    static std::string size_problem(std::uint64_t samples);
-    /// @pre samples = 3 r (r - 1) / 2
-    static PixelDirections pixels(std::uint64_t samples);
+    static std::uint64_t count(std::uint64_t r_less_1) { return 3 * (r_less_1 + 1) * r_less_1 / 2; }
+    static PixelDirections lay(std::uint64_t r_less_1);
 };
 
 }  // namespace ff

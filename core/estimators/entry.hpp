@@ -13,10 +13,10 @@ namespace ff {
 ///     T(const Scene&, TracerChoice);                                  // refusal() has been asked
 ///     void observe(const EstimatorTask&, Outcome&, PatchTotals&) const;
 ///
-/// and where there is something to say
+/// and optionally
 ///
 ///     static std::string refusal(const EstimatorOptions&, const Scene&);   // beyond what follows from `info`
-///     static std::string size_problem(std::uint64_t samples);              // required with points of its own
+///     static std::string size_problem(std::uint64_t samples); // required if own_points
 ///     static std::optional<Integrand> integrand(const EstimatorOptions&, PairClass, Hiding);
 ///     static bool finite_variance(const EstimatorOptions&, const Scene&, int from, int to);
 ///

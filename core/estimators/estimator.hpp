@@ -22,8 +22,8 @@ namespace ff {
 
 /// What a trial observes.
 enum class Observes {
-    hits,       ///< counts: of the cosine-distributed rays from each face, those that hit each other one
-    estimates,  ///< of each form factor, a real number
+    hits,       ///< how many of the cosine-distributed rays from each face hit each other face
+    estimates,  ///< a real number for each form factor
 };
 
 /// What a set of points serves.
@@ -31,14 +31,15 @@ enum class PointsServe {
     nothing,  ///< no points are taken
     patches,  ///< one set for each patch of the source and all that it sees: `allocation` says whose the sequence is
     pairs,    ///< one set for each ordered pair of patches
+    scene,    ///< one set for all of it
 };
 
-/// Whether the factors of patches are told apart, and by what.
+/// Whether form factors of single patches are kept, and how.
 enum class PatchFactors { none, rays, kernels };
 
-/// What a point is a sample of, as theories of convergence tell integrands apart.
+/// The kind of integrand, as theories of convergence distinguish them.
 enum class Integrand {
-    jumping,  ///< smooth but for jumps at curved boundaries that are parallel to no axis: the rays that hit, the kernel
+    jumping,  ///< smooth except for jumps at curved boundaries parallel to no axis: the rays that hit, the kernel
               ///< of points that see each other
     smooth,
     rough,      ///< of finite variance, but no theory of smooth or of jumping functions holds
@@ -48,7 +49,7 @@ enum class Integrand {
 /// Whether something may stand between the faces of a pair.
 enum class Hiding { none, possible };
 
-/// What a study may choose beside the sampler, as far as an estimator has it.
+/// What a study may choose besides the sampler, if the estimator has the option.
 struct EstimatorOptions {
     Allocation allocation = Allocation::patch;
     TracerChoice tracer = TracerChoice::automatic;
@@ -71,9 +72,10 @@ struct EstimatorInfo {
     bool whole_faces = false;                      ///< faces are not divided into patches
     bool has_tracer = false;                       ///< takes the option `tracer`
     bool has_map = false;                          ///< takes the option `map`
-    bool exact = false;                            ///< no error but rounding: a reference, not a rival
-    bool sees_occluders = false;                   ///< what stands between two faces is noticed
-    bool sees_reflections = false;                 ///< so is what comes by way of mirrors
+    bool exact = false;                            ///< no error except rounding: a reference, not a competitor
+    bool claims_errors = false;                    ///< states an error bound for every factor
+    bool sees_occluders = false;                   ///< obstacles between two faces are noticed
+    bool sees_reflections = false;                 ///< light by way of mirrors is counted
     std::string_view evaluations = "evaluations";  ///< what is counted as its work
 
     [[nodiscard]] constexpr bool takes_points() const { return dimension > 0; }
@@ -100,10 +102,11 @@ struct RayTally {
     std::vector<double> weighted;
 };
 
-/// What one trial observed. An estimator that claims an error of its own would say so here.
+/// What one trial observed.
 struct Outcome {
     RayTally rays;              ///< of `Observes::hits`; empty otherwise
     Eigen::MatrixXd estimates;  ///< between faces; of `Observes::hits`, shares by area
+    Eigen::MatrixXd claims;     ///< claimed error bound of each estimate; empty without `claims_errors`
 };
 
 /// Sums over trials of patch-to-face hits and of their squares, [patch * faces + face]; exact integers.
@@ -118,13 +121,13 @@ struct PatchFactorSums {
     std::vector<double> factors_squared;
 };
 
-/// What is known of patches: one of the two at most is filled.
+/// Totals by patch: at most one of the two is filled.
 struct PatchTotals {
     PatchSums hits;
     PatchFactorSums factors;
 };
 
-/// An estimator made ready for one scene, which has to outlive it. Safe to use from several threads at once.
+/// An estimator prepared for one scene, which has to outlive it. Safe to use from several threads at once.
 class Estimator {
   public:
     virtual ~Estimator() = default;
@@ -148,14 +151,14 @@ struct EstimatorEntry {
     /// Why it cannot be used in a scene, and what to do: "the scene is not ... (why). Try ...". Empty where it can.
     std::function<std::string(const EstimatorOptions& options, const Scene& scene)> refusal;
 
-    /// Why samples_per_patch cannot be this, and what it can be: "(why). Try ...". Empty where it can. For estimators
-    /// with points of their own.
+    /// Why samples_per_patch cannot have this value, and which it can have: "(why). Try ...". Empty where it can. For
+    /// estimators with points of their own.
     std::string (*size_problem)(std::uint64_t samples);
 
     /// Processor time of one evaluation beside that of its point; only ratios matter, for units of about equal length.
     double (*nanoseconds)(const EstimatorOptions& options, const Scene& scene);
 
-    /// What theory takes the values of points on a pair of faces for; empty where it says nothing.
+    /// How theory classifies the integrand on a pair of faces; empty where it says nothing.
     std::optional<Integrand> (*integrand)(const EstimatorOptions& options, PairClass pair_class, Hiding hiding);
 
     /// Whether random points have a variance between two faces, from 0.
@@ -167,7 +170,7 @@ struct EstimatorEntry {
 /// All estimators of the catalogue, in the order in which they are listed.
 std::span<const EstimatorEntry> estimators();
 
-/// Of the catalogue, or one that was added. @throws UserError with the nearest name
+/// An estimator of the catalogue, or an added one. @throws UserError with the nearest name
 const EstimatorEntry& find_estimator(std::string_view name);
 
 }  // namespace ff

@@ -10,29 +10,29 @@
 
 namespace ff {
 
-/// How 4-D points are laid on a pair of patches.
+/// How 4-D points are placed on a pair of patches.
 enum class PointMap {
     uniform,  ///< evenly
     graded,   ///< denser towards an edge or a vertex that the patches share, with weights to match
 };
 
-/// Where patches touch, the kernel cos cos / (pi r^2) is unbounded. The graded map lays a coordinate that leads away
-/// from the contact as s^power instead of s and multiplies the weight by power * s^(power - 1):
+/// Where patches touch, the kernel cos cos / (pi r^2) is unbounded. The graded map replaces a coordinate s that leads
+/// away from the contact by s^power and multiplies the weight by power * s^(power - 1):
 /// - at a common edge, the distance from it on either patch, power 3: kernel times weight has tail index 5/2 (3/2
 ///   without the map), so that its variance is finite, and its fourth moment is not;
 /// - at a common vertex, both coordinates on either patch, power 2: kernel times weight is bounded (index 2 without).
-/// Other contacts, which do not happen between patches of a box, are left as they are.
+/// Other contacts, which do not occur between patches of a box, are left alone.
 
 /// The index of P(kernel * weight > x) ~ x^-index with random points; empty where it is bounded. Variance is finite
 /// above 2.
 std::optional<double> kernel_tail_index(Contact contact, PointMap map);
 
-/// Whether the kernel at random points on two faces, from 0, has a variance: not where any two of their patches touch
-/// so that the tail index is 2 or less. Points are graded between parallelograms, and not where they are looked at one
-/// by one.
+/// Whether the kernel at random points on two faces (numbered from 0) has a finite variance: it does not where two of
+/// their patches touch such that the tail index is 2 or less. Points are graded only between parallelograms, and not
+/// where occlusion is tested point by point.
 bool kernel_has_variance(const Scene& scene, int from, int to, PointMap map);
 
-/// Two patches with the contact at 0 of the graded coordinates, so that small distances keep their digits.
+/// Two patches whose contact is at 0 of the graded coordinates, so that small distances keep their digits.
 struct GradedPair {
     Parallelogram from;
     Parallelogram to;

@@ -4,21 +4,11 @@
 #include <numbers>
 
 namespace ff {
-namespace {
 
-/// The largest even r with at most `samples` pixels.
-std::uint64_t resolution(std::uint64_t samples) {
-    auto r = static_cast<std::uint64_t>(std::sqrt(static_cast<double>(samples) / 3));
-    while (3 * (r + 1) * (r + 1) <= samples) ++r;
-    return r - r % 2;
-}
-
-}  // namespace
-
-PixelDirections Hemicube::pixels(std::uint64_t samples) {
-    const std::uint64_t r = resolution(samples);
+PixelDirections Hemicube::lay(std::uint64_t half_r) {
+    const std::uint64_t r = 2 * half_r;
     const double edge = 2.0 / static_cast<double>(r);
-    PixelDirections pixels(samples);
+    PixelDirections pixels(count(half_r));
     // The top is at z = 1, the sides stand at distance 1.
     const auto add = [&](const Eigen::Vector3d& direction) {
         const double squared = direction.squaredNorm();
@@ -37,12 +27,6 @@ PixelDirections Hemicube::pixels(std::uint64_t samples) {
         }
     }
     return pixels;
-}
-
-std::string Hemicube::size_problem(std::uint64_t samples) {
-    const std::uint64_t r = resolution(samples);
-    if (r > 0 && 3 * r * r == samples) return {};
-    return no_such_resolution("a hemicube has 3 r^2 pixels, r even", 3 * r * r, 3 * (r + 2) * (r + 2));
 }
 
 }  // namespace ff

@@ -2,14 +2,15 @@
 
 #include "core/estimators/pixel_directions.hpp"
 
-#include <string>
+#include <cstdint>
+#include <string_view>
 
 namespace ff {
 
 /// The hemicube over the middle of each patch, its pixels traced.
 class Hemicube : public ByPixels<Hemicube> {
   public:
-    static constexpr EstimatorInfo info{
+    static constexpr EstimatorInfo info = projection({
         .name = "hemicube",
         .summary = "the hemicube over the middle of each patch; a ray through every pixel (Cohen and Greenberg)",
         .details =
@@ -20,18 +21,14 @@ class Hemicube : public ByPixels<Hemicube> {
             "about as 1/r). samples_per_patch counts\npixels, 3 r^2 with r even: 768 is r = 16, 786432 is r = 512. "
             "Parallelograms and triangles only.",
         .reference = "cohen1985",
-        .own_points = true,
-        .has_tracer = true,
-        .sees_occluders = true,
-        .sees_reflections = true,
-        .evaluations = "pixels",
-    };
+    });
+
+    static constexpr std::string_view sizes = "a hemicube has 3 r^2 pixels, r even";
 
     using ByPixels::ByPixels;
 
-    static std::string size_problem(std::uint64_t samples);
-    /// @pre samples = 3 r^2, r even
-    static PixelDirections pixels(std::uint64_t samples);
+    static std::uint64_t count(std::uint64_t half_r) { return 12 * half_r * half_r; }
+    static PixelDirections lay(std::uint64_t half_r);
 };
 
 }  // namespace ff

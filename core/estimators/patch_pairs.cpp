@@ -6,6 +6,7 @@
 #include "core/visibility/occlusion.hpp"
 
 #include <fmt/format.h>
+#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <memory>
@@ -32,15 +33,19 @@ PatchView view(const Surface& surface, const SurfaceMap& map, Grid grid, std::ui
 
 }  // namespace
 
-Eigen::MatrixXd average_over_pairs(const Scene& scene, const EstimatorTask& task, std::size_t dimension,
-                                   const PairSum& sum, PairsOf pairs) {
+std::array<Eigen::Vector3d, 4> counter_clockwise(const PatchView& patch) {
+    std::array<Eigen::Vector3d, 4> corners = patch.corners();
+    const Eigen::Vector3d turn = (corners[2] - corners[0]).cross(corners[3] - corners[1]);
+    if (turn.dot(patch.surface->normal) < 0) std::reverse(corners.begin(), corners.end());
+    return corners;
+}
+
+PairAverages average_pair_values(const Scene& scene, const EstimatorTask& task, const PairValue& value, PairsOf pairs) {
     const PatchOrder order(scene, task.subdivision);
     std::vector<SurfaceMap> maps;
     for (const Surface& surface : scene.surfaces) maps.emplace_back(surface);
-    const auto block = std::make_unique_for_overwrite<WeightedBlock>();
-    block->dimension = dimension;
     const auto faces = static_cast<Eigen::Index>(scene.faces.size());
-    Eigen::MatrixXd result = Eigen::MatrixXd::Zero(faces, faces);
+    PairAverages result{Eigen::MatrixXd::Zero(faces, faces), Eigen::MatrixXd::Zero(faces, faces)};
     Stream stream{.key = task.key, .trial = task.trial};
     for (std::uint32_t i = 0; i < scene.surfaces.size(); ++i) {
         const Surface& from = scene.surfaces[i];
@@ -53,20 +58,33 @@ Eigen::MatrixXd average_over_pairs(const Scene& scene, const EstimatorTask& task
             std::vector<const Surface*> blockers;
             if (!scene.empty_box) blockers = possible_blockers(scene, from, to);
             if (pairs == PairsOf::occluded && blockers.empty()) continue;
-            double exchange = 0;
+            BoundedValue<double> exchange;
             for (std::uint32_t p = 0; p < from_grid.parts(); ++p) {
                 stream.source = order.first(i) + p;
                 for (std::uint32_t q = 0; q < to_grid.parts(); ++q) {
                     stream.target = order.first(j) + q + 1;
-                    task.points->checkpoint();
                     const PatchPair pair{view(from, maps[i], from_grid, p), view(to, maps[j], to_grid, q), &blockers};
-                    exchange += pair.from.area * sum_over_points(pair, *task.points, stream, sum, *block);
+                    const auto [factor, claim] = value(pair, stream);
+                    exchange.value += pair.from.area * factor;
+                    exchange.error += pair.from.area * claim;
                 }
             }
-            result(from.face, to.face) += exchange / face_area(scene, from.face);
+            result.factors(from.face, to.face) += exchange.value / face_area(scene, from.face);
+            result.claims(from.face, to.face) += exchange.error / face_area(scene, from.face);
         }
     }
     return result;
+}
+
+Eigen::MatrixXd average_over_pairs(const Scene& scene, const EstimatorTask& task, std::size_t dimension,
+                                   const PairSum& sum, PairsOf pairs) {
+    const auto block = std::make_unique_for_overwrite<WeightedBlock>();
+    block->dimension = dimension;
+    const auto value = [&](const PatchPair& pair, const Stream& stream) -> BoundedValue<double> {
+        task.points->checkpoint();
+        return {sum_over_points(pair, *task.points, stream, sum, *block), 0};
+    };
+    return average_pair_values(scene, task, value, pairs).factors;
 }
 
 bool has_polygonal_faces(const Scene& scene) {

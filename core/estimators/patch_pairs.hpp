@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/estimators/estimator.hpp"
+#include "core/formulas/edge_integral.hpp"
 #include "core/geometry/surface_map.hpp"
 
 #include <Eigen/Core>
@@ -12,7 +13,7 @@
 
 namespace ff {
 
-/// A patch of a surface, as estimators that look at pairs of patches see it.
+/// A patch of a surface, for estimators that work on pairs of patches.
 struct PatchView {
     const Surface* surface = nullptr;
     const SurfaceMap* map = nullptr;
@@ -21,7 +22,7 @@ struct PatchView {
     std::uint32_t row = 0;
     double area = 0;
 
-    /// The point at (s, t) in [0, 1]^2; shares of area are kept.
+    /// The point at (s, t) in [0, 1]^2; the map preserves ratios of area.
     [[nodiscard]] SurfacePoint at(double s, double t) const {
         return map->at((column + s) / grid.columns, (row + t) / grid.rows);
     }
@@ -32,6 +33,9 @@ struct PatchView {
     }
 };
 
+/// The corners counter-clockwise as seen from the side that the patch radiates to.
+std::array<Eigen::Vector3d, 4> counter_clockwise(const PatchView& patch);
+
 /// An ordered pair of patches of surfaces that face each other.
 struct PatchPair {
     PatchView from;
@@ -41,15 +45,29 @@ struct PatchPair {
 
 /// Which pairs of surfaces are sampled.
 enum class PairsOf {
-    all,       ///< that face each other
-    occluded,  ///< that something may stand between; the others count as 0
+    all,       ///< all that face each other
+    occluded,  ///< those that something may stand between; the others count as 0
 };
+
+/// The form factor between two patches, and what is claimed of its error.
+/// @param stream  `source` and `target` are set to those of the pair
+using PairValue = std::function<BoundedValue<double>(const PatchPair& pair, const Stream& stream)>;
+
+/// Between faces.
+struct PairAverages {
+    Eigen::MatrixXd factors;
+    Eigen::MatrixXd claims;
+};
+
+/// Averages over ordered pairs of patches. Streams are keyed as in `area_kernel`. Sums run in a fixed order.
+PairAverages average_pair_values(const Scene& scene, const EstimatorTask& task, const PairValue& value,
+                                 PairsOf pairs = PairsOf::all);
 
 /// The sum over the points of a block of weight * (an estimate of the form factor between two patches).
 using PairSum = std::function<double(const PatchPair& pair, const WeightedBlock& block)>;
 
 /// One trial of an estimator whose points serve ordered pairs of patches: face-to-face factors, every entry estimated
-/// directly. Streams are keyed as those of `area_kernel`. Sums run in a fixed order.
+/// directly.
 Eigen::MatrixXd average_over_pairs(const Scene& scene, const EstimatorTask& task, std::size_t dimension,
                                    const PairSum& sum, PairsOf pairs = PairsOf::all);
 

@@ -81,9 +81,17 @@ double PixelProjection::nanoseconds(const EstimatorOptions& options, const Scene
     return 10.0 + RayShooting::nanoseconds(options, scene);
 }
 
-std::string no_such_resolution(std::string_view rule, std::uint64_t below, std::uint64_t above) {
+std::string PixelProjection::no_such_size(std::string_view rule, std::uint64_t below, std::uint64_t above) {
     if (below == 0) return fmt::format("({}). Try {}.", rule, above);
     return fmt::format("({}). Try {} or {}.", rule, below, above);
+}
+
+std::uint64_t finest_resolution(std::uint64_t (*count)(std::uint64_t), std::uint64_t samples) {
+    std::uint64_t finest = 0;
+    for (std::uint64_t step = 1u << 29; step > 0; step /= 2) {
+        if (count(finest + step) <= samples) finest += step;
+    }
+    return finest;
 }
 
 }  // namespace ff

@@ -32,16 +32,20 @@ class PixelDirections {
     std::vector<double> factor_;
 };
 
-/// What is the same for all projections: rays through the pixels from the middle of every patch.
+/// Common to all projections: rays through the pixels from the middle of every patch.
 class PixelProjection {
   public:
     PixelProjection(const Scene& scene, TracerChoice tracer);
 
-    /// Form factors between faces: of each patch, the sum over the pixels that show the other face.
+    /// Form factors between faces: for each patch, the sum over the pixels that show the other face.
     [[nodiscard]] Eigen::MatrixXd factors(Subdivision subdivision, const PixelDirections& pixels) const;
 
     static std::string refusal(std::string_view estimator, const EstimatorOptions& options, const Scene& scene);
     static double nanoseconds(const EstimatorOptions& options, const Scene& scene);
+
+  protected:
+    /// "(a hemicube has 3 r^2 pixels, r even). Try 768 or 1200."
+    static std::string no_such_size(std::string_view rule, std::uint64_t below, std::uint64_t above);
 
   private:
     const Scene* scene_;
@@ -49,11 +53,26 @@ class PixelProjection {
     std::unique_ptr<const Tracer> tracer_;
 };
 
-/// An estimator by a projection, which declares itself and says which pixels it has:
+/// What all projections declare, beside what is their own.
+constexpr EstimatorInfo projection(EstimatorInfo info) {
+    info.own_points = true;
+    info.has_tracer = true;
+    info.sees_occluders = true;
+    info.sees_reflections = true;
+    info.evaluations = "pixels";
+    return info;
+}
+
+/// The finest of a projection's resolutions with at most `samples` pixels, from 0.
+/// @param count  pixels of a resolution below 2^30: 0 at 0, increasing
+std::uint64_t finest_resolution(std::uint64_t (*count)(std::uint64_t), std::uint64_t samples);
+
+/// An estimator by a projection, which says what is its own:
 ///
-///     static constexpr EstimatorInfo info{...};
-///     static std::string size_problem(std::uint64_t samples);
-///     static PixelDirections pixels(std::uint64_t samples);    // size_problem() has been asked
+///     static constexpr EstimatorInfo info = projection({...});
+///     static constexpr std::string_view sizes = "a hemicube has 3 r^2 pixels, r even";
+///     static std::uint64_t count(std::uint64_t resolution);       // pixels; 0 at 0
+///     static PixelDirections lay(std::uint64_t resolution);
 template <class Projection>
 class ByPixels : public PixelProjection {
   public:
@@ -62,12 +81,19 @@ class ByPixels : public PixelProjection {
     static std::string refusal(const EstimatorOptions& options, const Scene& scene) {
         return PixelProjection::refusal(Projection::info.name, options, scene);
     }
+    static std::string size_problem(std::uint64_t samples) {
+        const std::uint64_t finest = finest_resolution(&Projection::count, samples);
+        const std::uint64_t below = Projection::count(finest);
+        if (finest > 0 && below == samples) return {};
+        return no_such_size(Projection::sizes, below, Projection::count(finest + 1));
+    }
+    /// @pre size_problem() is empty
+    static PixelDirections pixels(std::uint64_t samples) {
+        return Projection::lay(finest_resolution(&Projection::count, samples));
+    }
     void observe(const EstimatorTask& task, Outcome& outcome, PatchTotals& /*totals*/) const {
-        outcome.estimates = factors(task.subdivision, Projection::pixels(task.samples));
+        outcome.estimates = factors(task.subdivision, pixels(task.samples));
     }
 };
-
-/// "(a hemicube has 3 r^2 pixels, r even). Try 768 or 1200."
-std::string no_such_resolution(std::string_view rule, std::uint64_t below, std::uint64_t above);
 
 }  // namespace ff

@@ -1,7 +1,7 @@
 #include "core/estimators/point_to_polygon.hpp"
 
+#include "core/estimators/source_points.hpp"
 #include "core/formulas/polygon_factor.hpp"
-#include "core/support/contract.hpp"
 #include "core/visibility/facing.hpp"
 
 #include <fmt/format.h>
@@ -9,6 +9,8 @@
 
 #include <algorithm>
 #include <memory>
+#include <optional>
+#include <span>
 #include <vector>
 
 namespace ff {
@@ -37,23 +39,28 @@ Polygon corners(const Surface& surface) {
     return polygon;
 }
 
-/// A surface that a source sees some of, and what has been summed for it.
+/// A surface that a source sees some of.
 struct Target {
-    int face = 0;
+    std::size_t surface = 0;
     Polygon polygon;  ///< in the frame of the source, above its horizon
-    double sum = 0;
 };
 
-std::vector<Target> visible_targets(const Scene& scene, const Surface& source, const SourceFrame& frame) {
+/// A source, and what lies in front of it.
+struct SeenFrom {
+    std::uint32_t surface;
+    SourceFrame frame;
     std::vector<Target> targets;
-    for (const Surface& surface : scene.surfaces) {
-        if (surface.face == no_face || !face_each_other(source, surface)) continue;
-        Polygon polygon = corners(surface);
-        for (Eigen::Vector3d& vertex : polygon) vertex = frame.point(vertex);
-        targets.push_back({surface.face, clip_at_horizon(polygon)});
+
+    SeenFrom(const Scene& scene, std::uint32_t source) : surface(source), frame(scene.surfaces[source]) {
+        for (std::size_t t = 0; t < scene.surfaces.size(); ++t) {
+            const Surface& target = scene.surfaces[t];
+            if (target.face == no_face || !face_each_other(scene.surfaces[source], target)) continue;
+            Polygon polygon = corners(target);
+            for (Eigen::Vector3d& vertex : polygon) vertex = frame.point(vertex);
+            targets.push_back({t, clip_at_horizon(polygon)});
+        }
     }
-    return targets;
-}
+};
 
 /// Where a block of 2-D points lies on a patch.
 void place(const SourceFrame& frame, const Parallelogram& patch, const WeightedBlock& block, PlanePoints& points) {
@@ -76,37 +83,21 @@ void place(const SourceFrame& frame, const Parallelogram& patch, const WeightedB
 Eigen::MatrixXd point_to_polygon(const Scene& scene, Subdivision subdivision, const PointSource& points,
                                  std::uint64_t samples_per_patch, Allocation allocation, StreamKey key,
                                  std::uint32_t trial) {
-    FF_EXPECT(allocation == Allocation::patch || points.equal_weights());
-    const auto faces = static_cast<Eigen::Index>(scene.faces.size());
-    const PatchSequences sequences(scene, subdivision, allocation, samples_per_patch);
-    const auto block = std::make_unique_for_overwrite<WeightedBlock>();
+    const EstimatorTask task{.subdivision = subdivision,
+                             .points = &points,
+                             .samples = samples_per_patch,
+                             .options = {.allocation = allocation},
+                             .key = key,
+                             .trial = trial};
     const auto placed = std::make_unique_for_overwrite<PlanePoints>();
-    block->dimension = 2;
-
-    Eigen::MatrixXd result = Eigen::MatrixXd::Zero(faces, faces);
-    for (std::uint32_t s = 0; s < scene.surfaces.size(); ++s) {
-        const Surface& source = scene.surfaces[s];
-        if (source.face == no_face) continue;
-        const SourceFrame frame(source);
-        std::vector<Target> targets = visible_targets(scene, source, frame);
-        const Grid grid = subdivision.of(source);
-        for (std::uint32_t p = 0; p < grid.parts(); ++p) {
-            const Parallelogram shape = patch(parallelogram(source), grid, p);
-            const auto [of_stream, first] = sequences.of(s, p);
-            const Stream stream{.key = key, .trial = trial, .source = of_stream};
-            for (std::uint64_t done = 0; done < samples_per_patch; done += block->size) {
-                block->size =
-                    static_cast<std::size_t>(std::min<std::uint64_t>(block_capacity, samples_per_patch - done));
-                points.fill(stream, first + done, *block);
-                place(frame, shape, *block, *placed);
-                for (Target& target : targets) target.sum += sum_polygon_factors(*placed, target.polygon);
-            }
-        }
-        // The weights of a sequence add up to 1, whether it serves a patch or several.
-        const double share = area(source.shape) / face_area(scene, source.face) / sequences.count(s);
-        for (const Target& target : targets) result(source.face, target.face) += share * target.sum;
-    }
-    return result;
+    std::optional<SeenFrom> source;
+    return average_over_sources(
+        scene, task, 2, [&](SourcePatch at, const WeightedBlock& block, std::span<double> sums) {
+            if (!source || source->surface != at.surface) source.emplace(scene, at.surface);
+            place(source->frame, patch(parallelogram(scene.surfaces[at.surface]), at.grid, at.index), block, *placed);
+            for (const Target& target : source->targets)
+                sums[target.surface] += sum_polygon_factors(*placed, target.polygon);
+        });
 }
 
 std::string PointToPolygon::refusal(const EstimatorOptions& /*options*/, const Scene& scene) {

@@ -17,17 +17,26 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// What a place on the target adds, whichever way it was found: the density of rays there, by the sum of the densities
-/// of both ways. 0 where the two do not see each other.
-double balanced(const PatchPair& pair, const SurfacePoint& from, const Vector3d& place, const Vector3d& normal) {
+/// How a place on the target was found.
+enum class Way { ray, laid };
+
+/// What a place on the target adds: the density of rays there over that of the way it was found, times that way's
+/// weight. 0 where the two do not see each other.
+double weighted(const PatchPair& pair, const SurfacePoint& from, const Vector3d& place, const Vector3d& normal,
+                Heuristic heuristic, Way way) {
     const Vector3d apart = place - from.position;
     const double leaving = apart.dot(from.normal);
     const double arriving = -apart.dot(normal);
     if (!(leaving > 0 && arriving > 0)) return 0;
     if (!sees(from.position, *pair.from.surface, place, *pair.to.surface, *pair.blockers)) return 0;
     const double squared = apart.squaredNorm();
-    const double density = leaving * arriving;  // times pi r^4
-    return density / (density + std::numbers::pi * squared * squared / pair.to.area);
+    // Densities, of rays and of places that are laid, times pi r^4.
+    const double rays = leaving * arriving;
+    const double laid = std::numbers::pi * squared * squared / pair.to.area;
+    if (heuristic == Heuristic::balance) return rays / (rays + laid);
+    const double p = rays / std::max(rays, laid);
+    const double q = laid / std::max(rays, laid);
+    return p * (way == Way::ray ? p : q) / (p * p + q * q);
 }
 
 bool is_on(const PatchView& patch, SurfaceCoordinates at) {
@@ -62,31 +71,31 @@ std::optional<Place> shoot(const PatchPair& pair, const SurfacePoint& from, doub
 
 }  // namespace
 
-double RaysAndKernel::nanoseconds(const EstimatorOptions& /*options*/, const Scene& /*scene*/) {
+double TwoWays::nanoseconds(const EstimatorOptions& /*options*/, const Scene& /*scene*/) {
     return 100.0;
 }
 
-std::optional<Integrand> RaysAndKernel::integrand(const EstimatorOptions& /*options*/, PairClass pair_class,
-                                                  Hiding /*hiding*/) {
+std::optional<Integrand> TwoWays::integrand(const EstimatorOptions& /*options*/, PairClass pair_class,
+                                            Hiding /*hiding*/) {
     return pair_class == PairClass::adjacent ? Integrand::rough : Integrand::jumping;
 }
 
-void RaysAndKernel::observe(const EstimatorTask& task, Outcome& outcome, PatchTotals& /*totals*/) const {
-    outcome.estimates =
-        average_over_pairs(*scene_, task, info.dimension, [](const PatchPair& pair, const WeightedBlock& block) {
-            double sum = 0;
-            for (std::size_t i = 0; i < block.size; ++i) {
-                const SurfacePoint from = pair.from.at(block.coordinate[0][i], block.coordinate[1][i]);
-                const double s = block.coordinate[2][i];
-                const double t = block.coordinate[3][i];
-                const SurfacePoint laid = pair.to.at(s, t);
-                double value = balanced(pair, from, laid.position, laid.normal);
-                if (const auto place = shoot(pair, from, s, t))
-                    value += balanced(pair, from, place->position, place->normal);
-                sum += block.weight[i] * value;
-            }
-            return sum;
-        });
+Eigen::MatrixXd TwoWays::estimate(const EstimatorTask& task, Heuristic heuristic) const {
+    constexpr std::size_t dimension = RaysAndKernel::info.dimension;
+    return average_over_pairs(*scene_, task, dimension, [heuristic](const PatchPair& pair, const WeightedBlock& block) {
+        double sum = 0;
+        for (std::size_t i = 0; i < block.size; ++i) {
+            const SurfacePoint from = pair.from.at(block.coordinate[0][i], block.coordinate[1][i]);
+            const double s = block.coordinate[2][i];
+            const double t = block.coordinate[3][i];
+            const SurfacePoint laid = pair.to.at(s, t);
+            double value = weighted(pair, from, laid.position, laid.normal, heuristic, Way::laid);
+            if (const auto place = shoot(pair, from, s, t))
+                value += weighted(pair, from, place->position, place->normal, heuristic, Way::ray);
+            sum += block.weight[i] * value;
+        }
+        return sum;
+    });
 }
 
 }  // namespace ff

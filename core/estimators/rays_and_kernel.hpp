@@ -4,8 +4,31 @@
 
 namespace ff {
 
+/// The weight of a place that one of two ways found with density p, and the other finds with density q.
+enum class Heuristic {
+    balance,  ///< p / (p + q)
+    power,    ///< p^2 / (p^2 + q^2)
+};
+
+/// What the estimators of both heuristics have in common.
+class TwoWays {
+  public:
+    static double nanoseconds(const EstimatorOptions& options, const Scene& scene);
+    /// Rays jump where the target ends; where faces touch no theory holds.
+    static std::optional<Integrand> integrand(const EstimatorOptions& options, PairClass pair_class, Hiding hiding);
+
+    TwoWays(const Scene& scene, TracerChoice /*tracer*/) : scene_(&scene) {}
+
+  protected:
+    /// The same bits on every CPU, but for rays to round surfaces: there azimuths are rounded as the C library does it.
+    [[nodiscard]] Eigen::MatrixXd estimate(const EstimatorTask& task, Heuristic heuristic) const;
+
+  private:
+    const Scene* scene_;
+};
+
 /// Rays and the area kernel in one, weighted by the balance heuristic.
-class RaysAndKernel {
+class RaysAndKernel : public TwoWays {
   public:
     static constexpr EstimatorInfo info{
         .name = "rays_and_kernel",
@@ -22,16 +45,32 @@ class RaysAndKernel {
         .sees_occluders = true,
     };
 
-    static double nanoseconds(const EstimatorOptions& options, const Scene& scene);
-    /// Rays jump where the target ends; where faces touch no theory holds.
-    static std::optional<Integrand> integrand(const EstimatorOptions& options, PairClass pair_class, Hiding hiding);
+    using TwoWays::TwoWays;
+    void observe(const EstimatorTask& task, Outcome& outcome, PatchTotals& /*totals*/) const {
+        outcome.estimates = estimate(task, Heuristic::balance);
+    }
+};
 
-    RaysAndKernel(const Scene& scene, TracerChoice /*tracer*/) : scene_(&scene) {}
-    /// The same bits on every CPU, but for rays to round surfaces: there azimuths are rounded as the C library does it.
-    void observe(const EstimatorTask& task, Outcome& outcome, PatchTotals& totals) const;
+/// The same, weighted by the power heuristic.
+class RaysAndKernelPower : public TwoWays {
+  public:
+    static constexpr EstimatorInfo info{
+        .name = "rays_and_kernel_power",
+        .summary = "multiple importance sampling: a ray and a kernel value for each point (power heuristic)",
+        .details =
+            "As rays_and_kernel, with weights that leave less to the worse of the two ways: with q = 1/A, "
+            "a place that a ray\nfound counts p^2 / (p^2 + q^2), and one laid on the target p q / (p^2 + q^2). "
+            "Values lie between 0 and 3/2.\nUnbiased with random points.",
+        .reference = "veach1995",
+        .dimension = 4,
+        .points = PointsServe::pairs,
+        .sees_occluders = true,
+    };
 
-  private:
-    const Scene* scene_;
+    using TwoWays::TwoWays;
+    void observe(const EstimatorTask& task, Outcome& outcome, PatchTotals& /*totals*/) const {
+        outcome.estimates = estimate(task, Heuristic::power);
+    }
 };
 
 }  // namespace ff

@@ -1,6 +1,7 @@
 #include "core/estimators/solid_angle.hpp"
 
 #include "core/estimators/patch_pairs.hpp"
+#include "core/estimators/spherical_rectangle.hpp"
 #include "core/geometry/unit_circle.hpp"
 #include "core/visibility/occlusion.hpp"
 
@@ -8,6 +9,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <variant>
 
 namespace ff {
 namespace {
@@ -30,35 +32,65 @@ struct Target {
     std::array<Vector3d, 4> corners;
     Vector3d normal;
     std::array<double, 2> twice_area;  ///< of the triangles (0, 1, 2) and (0, 2, 3)
+    double width;
+    double height;
+    bool is_rectangle;
 
     explicit Target(const PatchView& patch) : corners(patch.corners()), normal(patch.surface->normal) {
         for (std::size_t k = 0; k < 2; ++k)
             twice_area[k] = (corners[k + 1] - corners[0]).cross(corners[k + 2] - corners[0]).norm();
+        const Vector3d u = corners[1] - corners[0];
+        const Vector3d v = corners[3] - corners[0];
+        width = u.norm();
+        height = v.norm();
+        is_rectangle =
+            std::holds_alternative<Parallelogram>(patch.surface->shape) && std::abs(u.dot(v)) <= 1e-14 * width * height;
     }
 };
 
-/// Solid angle times cosine over pi in one direction from a place; 0 where something hides the target.
-double value_at(const PatchPair& pair, const Target& target, const SurfacePoint& place, double s, double t) {
-    const double height = (place.position - target.corners[0]).dot(target.normal);
-    if (!(height > 0)) return 0;
+/// A direction in a target, and half the solid angle that it was drawn from.
+struct Look {
+    Vector3d direction = Vector3d::Zero();
+    double half_area = 0;
+};
+
+Look look_at_rectangle(const Target& target, const Vector3d& place, double distance, double s, double t) {
+    const Vector3d u = (target.corners[1] - target.corners[0]) / target.width;
+    const Vector3d v = (target.corners[3] - target.corners[0]) / target.height;
+    const Vector3d corner = target.corners[0] - place;
+    const SeenRectangle seen{corner.dot(u), corner.dot(v), target.width, target.height, distance};
+    const double half_area = half_solid_angle(seen);
+    const Eigen::Vector2d end = place_in(seen, half_area, s, t);
+    return {(corner + end.x() * u + end.y() * v).normalized(), half_area};
+}
+
+/// In two triangles: the first coordinate says in which, and where in it.
+Look look_at_triangles(const Target& target, const Vector3d& place, double distance, double s, double t) {
     std::array<Vector3d, 4> to;
-    for (std::size_t k = 0; k < to.size(); ++k) to[k] = target.corners[k] - place.position;
-    const std::array triangles{spherical_triangle(to[1], to[0], to[2], height * target.twice_area[0]),
-                               spherical_triangle(to[2], to[0], to[3], height * target.twice_area[1])};
+    for (std::size_t k = 0; k < to.size(); ++k) to[k] = target.corners[k] - place;
+    const std::array triangles{spherical_triangle(to[1], to[0], to[2], distance * target.twice_area[0]),
+                               spherical_triangle(to[2], to[0], to[3], distance * target.twice_area[1])};
     const double half_area = triangles[0].half_area + triangles[1].half_area;
-    // The first coordinate says which triangle, and where in it.
     const double at = s * half_area;
     const std::size_t chosen = at < triangles[0].half_area ? 0 : 1;
     const SphericalTriangle& triangle = triangles[chosen];
-    if (!(triangle.half_area > 0)) return 0;
+    if (!(triangle.half_area > 0)) return {};
     const double within = (chosen == 0 ? at : at - triangles[0].half_area) / triangle.half_area;
-    const Vector3d direction = direction_in(triangle, within, t);
+    return {direction_in(triangle, within, t), half_area};
+}
+
+/// Solid angle times cosine over pi in one direction from a place; 0 where something hides the target.
+double value_at(const PatchPair& pair, const Target& target, const SurfacePoint& place, double s, double t) {
+    const double distance = (place.position - target.corners[0]).dot(target.normal);
+    if (!(distance > 0)) return 0;
+    const auto look = target.is_rectangle ? look_at_rectangle : look_at_triangles;
+    const auto [direction, half_area] = look(target, place.position, distance, s, t);
     const double cosine = direction.dot(place.normal);
     if (!(cosine > 0)) return 0;
     if (!pair.blockers->empty()) {
         const double approach = -direction.dot(target.normal);
         if (!(approach > 0)) return 0;
-        const Vector3d end = place.position + height / approach * direction;
+        const Vector3d end = place.position + distance / approach * direction;
         if (!sees(place.position, *pair.from.surface, end, *pair.to.surface, *pair.blockers)) return 0;
     }
     return 2 * half_area * cosine / std::numbers::pi;

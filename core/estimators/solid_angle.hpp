@@ -6,21 +6,21 @@
 
 namespace ff {
 
-/// A spherical triangle that directions are drawn from: corners as seen from the centre, of unit length.
+/// A spherical triangle that directions are drawn from: unit vectors from the centre to its corners.
 struct SphericalTriangle {
     Eigen::Vector3d a, b, c;
     double half_area = 0;  ///< half the solid angle, in steradians; 0 to pi
 };
 
-/// The triangle that the corners of a plane one are seen as.
+/// The spherical triangle that a plane triangle subtends.
 /// @param a, b, c   from the centre to the corners; none of length 0
 /// @param volume    |a . (b x c)|: its height times twice its area, which keeps all digits where it is small
 SphericalTriangle spherical_triangle(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c,
                                      double volume);
 
-/// The direction of unit length at (s, t) in [0, 1]^2, a map that keeps shares of solid angle: `s` sweeps the arc from
-/// a to c, `t` leads from b to it. In half angles, which do not cancel where the triangle is small. The same bits on
-/// every CPU. @see [arvo1995]
+/// The unit direction at (s, t) in [0, 1]^2, a map that preserves ratios of solid angle: `s` sweeps the arc from a to
+/// c, `t` leads from b to it. Computed with half angles, which do not cancel where the triangle is small. The same bits
+/// on every CPU. @see [arvo1995]
 Eigen::Vector3d direction_in(const SphericalTriangle& triangle, double s, double t);
 
 /// Directions drawn uniformly from the solid angle under which a point of the source sees the target.
@@ -28,10 +28,11 @@ class SolidAngle {
   public:
     static constexpr EstimatorInfo info{
         .name = "solid_angle",
-        .summary = "directions from points of the source, uniform in the solid angle of the target (Arvo)",
+        .summary = "directions from points of the source, uniform in the solid angle of the target",
         .details =
             "A 4-D point gives a point on the source patch (2) and a direction (2), uniform in the solid angle of the "
-            "target\npatch as seen from there (two spherical triangles). The value is solid angle times cosine over "
+            "target\npatch as seen from there: a spherical rectangle (Ureña, Fajardo and King), or two triangles "
+            "(Arvo). The value is solid angle times cosine over "
             "pi: between 0\nand 2, so that the variance is finite wherever faces touch, and every direction meets the "
             "target, however small\nit is. Unbiased with random points. What may stand in between is looked at point "
             "by point. Faces have to be\nparallelograms and triangles; samples_per_patch counts points per pair of "
@@ -44,7 +45,7 @@ class SolidAngle {
 
     static std::string refusal(const EstimatorOptions& options, const Scene& scene);
     static double nanoseconds(const EstimatorOptions& options, const Scene& scene);
-    /// Kinks where one triangle meets the other: no theory of smooth functions holds.
+    /// The integrand has kinks where one triangle meets the other: no theory of smooth functions holds.
     static std::optional<Integrand> integrand(const EstimatorOptions& options, PairClass pair_class, Hiding hiding);
 
     SolidAngle(const Scene& scene, TracerChoice /*tracer*/) : scene_(&scene) {}

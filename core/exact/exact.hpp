@@ -8,26 +8,26 @@
 
 namespace ff {
 
-/// Exact form factors by elementary formulas: axis-aligned rectangles in parallel or perpendicular planes, anywhere to
-/// each other, overlapping, offset, with or without a common edge or corner. Only the parts in front of each other's
-/// `normal` side count; whether something stands in between is the caller's to know, but for whole matrices, which are
-/// empty where it may. In a box with mirrors (core/visibility/mirrors.hpp) factors between faces are extended ones:
-/// straight or by way of mirrors, by images.
+/// Exact form factors by elementary formulas: axis-aligned rectangles in parallel or perpendicular planes, in any
+/// relative position, overlapping or offset, with or without a common edge or corner. Only the parts in front of each
+/// other's `normal` side count. Callers have to know that nothing stands in between, except for whole matrices, which
+/// are empty where something may. In a box with mirrors (core/visibility/mirrors.hpp) factors between faces are
+/// extended ones, found by images: direct or by way of mirrors.
 
 /// Exchange area A_1 F_12, in squared units of length, within 1e-15 of the squared extent: the squared diagonal of the
 /// box around both surfaces (measured: at most 1.3e-16 over 18 000 random pairs). The error is not relative to the
-/// result: of two small surfaces far apart fewer digits are right. Symmetric up to this error.
+/// result: fewer digits are right for two small surfaces far apart. Symmetric up to this error.
 /// @return empty unless both are rectangles along the axes
 /// @see [howell] C-11 to C-15, [ehlert1993]
 std::optional<double> exact_exchange_area(const Surface& from, const Surface& to);
 
-/// The same in extended precision: within 1e-18 of the squared extent where the machine has it, but for the rounding of
-/// the result.
+/// As above in extended precision: within 1e-18 of the squared extent where the machine has it, apart from the rounding
+/// of the result.
 std::optional<double> extended_exchange_area(const Surface& from, const Surface& to);
 
 /// Form factor between two faces. This and the functions below compute in extended precision where the machine has it,
-/// some ten times slower: exchange areas within 1e-18 of the squared extent, so that factors between faces that are not
-/// far apart are right to the last digits of a double.
+/// some ten times slower: exchange areas are within 1e-18 of the squared extent, so that factors between faces that are
+/// not far apart are right to the last digits of a double.
 /// @return empty where some pair of surfaces has no elementary formula
 /// @pre both are indices into scene.faces
 std::optional<double> exact_form_factor(const Scene& scene, int from_face, int to_face);

@@ -9,15 +9,15 @@
 
 namespace ff {
 
-/// Form factors from every face (rows) to every face (columns), where they are known: as `exact_form_factors`; and of
-/// closed rooms that are
+/// Form factors from every face (rows) to every face (columns), where they are known: those of `exact_form_factors`,
+/// and those of closed rooms that are
 /// - convex, with flat walls of three or four corners: by contour integrals (core/formulas/polygon_exchange.hpp), of up
 /// to 64
 ///   surfaces;
 /// - convex and of revolution (core/exact/round_room.hpp);
-/// - a sphere from inside with another in it: all that leaves the inner one reaches the outer, the rest follows by
-///   reciprocity and closure.
-/// Factors of faces with themselves, hollow or opposite a mirror, are among them.
+/// - a sphere from inside with another in it: all that leaves the inner one reaches the outer, the rest follows
+///   by reciprocity and closure. They include factors of faces with themselves, whether concave or opposite a
+///   mirror.
 std::optional<Eigen::MatrixXd> exact_room_factors(const Scene& scene);
 
 /// Why there are none, for the middle of a message.

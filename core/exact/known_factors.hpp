@@ -10,7 +10,7 @@
 
 namespace ff {
 
-/// The exact form factors between faces that a scene has: of all pairs, of some, or of none. Dimensionless.
+/// The known exact form factors between the faces of a scene: for all pairs, some, or none. Dimensionless.
 class KnownFactors {
   public:
     KnownFactors() = default;
@@ -39,8 +39,8 @@ class KnownFactors {
 /// surfaces only where that holds for all faces.
 KnownFactors known_factors(const Scene& scene);
 
-/// How much of what one face would send to another is kept from it by what stands between, 1 - F / F without it: 0
-/// to 1. Empty where either factor is not known, or the second is 0.
+/// The occluded fraction of a pair: 1 - F / (F without obstacles), 0 to 1. Empty where either factor is unknown, or the
+/// unoccluded one is 0.
 std::optional<double> hidden_share(const Scene& scene, const KnownFactors& known, int from, int to);
 
 }  // namespace ff

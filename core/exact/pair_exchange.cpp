@@ -140,12 +140,13 @@ SceneSight sight_of(const Scene& scene) {
 }
 
 PairExchange pair_exchange(const Scene& scene, const SceneSight& sight, std::size_t from_index, std::size_t to_index,
-                           double wanted) {
+                           double wanted, WallViews* views) {
     const Surface& from = scene.surfaces[from_index];
     const Surface& to = scene.surfaces[to_index];
     if (!face_each_other(from, to)) return {};
     if (sight.all_clear) return clear_exchange(from, to, wanted);
-    Occluders::Between between = sight.occluders->between(from_index, to_index);
+    Occluders::Between between =
+        views ? views->between(from_index, to_index) : sight.occluders->between(from_index, to_index);
     if (between.all_hidden) return {};
     std::vector<const Surface*>& blockers = between.occluders;
     PairExchange result = clear_exchange(from, to, wanted);

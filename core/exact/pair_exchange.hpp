@@ -18,7 +18,7 @@ enum class ExchangeMethod : std::uint8_t {
     closed_form,  ///< elementary formulas (core/exact/exact.hpp)
     contour,      ///< contour integrals with a bound (core/formulas/polygon_exchange.hpp)
     quadrature,   ///< Gauss's rule with a bound, of pairs far apart (core/formulas/far_exchange.hpp)
-    bounds,       ///< not at all: 0 and what passes with nothing in between are near enough to each other
+    bounds,       ///< not computed: 0 and the unoccluded value are close enough to each other
     points,       ///< sampled places on one, exact factors to what they see of the other
                   ///< (core/visibility/visible_polygon.hpp)
     rays,         ///< sampled rays; always possible
@@ -35,8 +35,8 @@ enum class ExchangeReason : std::uint8_t {
     small,          ///< little passes, whatever stands in between
     blocked,        ///< polygons past polygons that may stand in between
     curved,         ///< a surface is curved, or something curved may stand in between
-    many_blockers,  ///< more may stand in between than are cut out of a polygon
-    many_surfaces,  ///< the scene has too many surfaces to look at what may stand in between
+    many_blockers,  ///< more obstacles may stand in between than can be cut out of a polygon
+    many_surfaces,  ///< the scene has too many surfaces to test what may stand in between
 };
 
 std::string_view in_words(ExchangeReason reason);
@@ -45,12 +45,12 @@ std::string_view in_words(ExchangeReason reason);
 struct PairExchange {
     ExchangeMethod method = ExchangeMethod::none;
     ExchangeReason reason = ExchangeReason::turned_away;
-    /// The exchange area; of sampled pairs as if nothing stood in between, where that is known: no more passes.
+    /// The exchange area; for sampled pairs the unoccluded one, an upper bound, where that is known.
     std::optional<BoundedValue<double>> area = BoundedValue<double>{};
     std::vector<const Surface*> blockers;  ///< for ExchangeMethod::points; of the occluders of SceneSight
 };
 
-/// What is known of a scene as a whole, so that it need not be found for every pair.
+/// Facts about the whole scene, found once for all pairs.
 struct SceneSight {
     bool all_clear = false;                      ///< nothing stands between any two surfaces
     std::shared_ptr<const Occluders> occluders;  ///< null where all is clear
@@ -60,8 +60,9 @@ SceneSight sight_of(const Scene& scene);
 
 /// The cheapest method for two surfaces of a scene (which may be one and the same).
 /// @param from, to  indices of the surfaces
-/// @param wanted    exchange area that errors are to stay below: extended precision is used where double does not do
-PairExchange pair_exchange(const Scene& scene, const SceneSight& sight, std::size_t from, std::size_t to,
-                           double wanted);
+/// @param wanted upper limit of the error, an exchange area; extended precision is used where needed
+/// @param views     what has been proved between walls, for calls of one thread; may be null
+PairExchange pair_exchange(const Scene& scene, const SceneSight& sight, std::size_t from, std::size_t to, double wanted,
+                           WallViews* views = nullptr);
 
 }  // namespace ff

@@ -43,6 +43,18 @@ struct Line {
     }
 };
 
+/// The integral of ln r + 1 over the points of a line, from a place.
+template <class Real>
+Real integral_from(const Vector3<Real>& place, const Line<Real>& line) {
+    const Vector3<Real> from_begin = place - line.begin;
+    const Real foot = from_begin.dot(line.direction);
+    const Vector3<Real> height = from_begin - foot * line.direction;
+    const Real hh = height.squaredNorm();
+    const Real h = std::sqrt(hh);
+    const auto antiderivative = [&](Real x) { return x / 2 * limited_log(x * x + hh) + h_atan(x, h); };
+    return antiderivative(line.length - foot) + antiderivative(foot);
+}
+
 /// The closed form for parallel lines; `s` and `t` are the ends along the common direction, `apart` the lines'
 /// distance.
 template <class Real>
@@ -100,15 +112,9 @@ class SkewIntegral {
   private:
     static constexpr Real ellipse = Panel<Real>::ellipse;
 
-    /// The integral of ln r + 1 over the inner edge, from a point of the outer one.
+    /// From a point of the outer line.
     [[nodiscard]] Real inner_integral(Real s) const {
-        const Vector3<Real> from_begin = outer_.begin + s * outer_.direction - inner_.begin;
-        const Real foot = from_begin.dot(inner_.direction);
-        const Vector3<Real> height = from_begin - foot * inner_.direction;
-        const Real hh = height.squaredNorm();
-        const Real h = std::sqrt(hh);
-        const auto antiderivative = [&](Real x) { return x / 2 * limited_log(x * x + hh) + h_atan(x, h); };
-        return antiderivative(inner_.length - foot) + antiderivative(foot);
+        return integral_from<Real>(outer_.begin + s * outer_.direction, inner_);
     }
 
     /// Whether the integrand is analytic in the ellipse, a fourth wider, around a panel.
@@ -171,6 +177,11 @@ BoundedValue<Real> log_distance_integral(const DirectedEdge<Real>& a, const Dire
         integral = SkewIntegral<Real>(outer, inner).integral();
     }
     return {cosine * integral.value, std::abs(cosine) * integral.error + rounding * product};
+}
+
+double log_distance_integral(const Vector3<double>& place, const DirectedEdge<double>& edge) {
+    const Line<double> line(edge);
+    return line.length == 0 ? 0 : integral_from(place, line);
 }
 
 template BoundedValue<double> log_distance_integral(const DirectedEdge<double>&, const DirectedEdge<double>&);

@@ -10,10 +10,10 @@ namespace ff {
 template <class Real>
 using Corners = std::vector<Vector3<Real>>;
 
-/// Exchange area A_1 F_12 of two plane polygons anywhere to each other, in squared units of length, by the contour
-/// integral: 1 / (2 pi) times the integral of ln r over both rims. Only the parts in front of each other count; whether
-/// something stands in between is the caller's to know. They may touch, share edges, and have holes or bays (a rim that
-/// runs along a bridge there and back).
+/// Exchange area A_1 F_12 of two plane polygons in any relative position, in squared units of length, by the contour
+/// integral: 1 / (2 pi) times the integral of ln r over both rims. Only the parts in front of each other count. Callers
+/// have to know that nothing stands in between. They may touch, share edges, and have holes or bays (a rim that runs
+/// along a bridge there and back).
 ///
 /// `error` bounds the truncation and estimates the rounding; it is relative to the squared extent of the pair, not to
 /// the result: about 1e-15 of it in double, 1e-18 in long double, more where edges are nearly parallel

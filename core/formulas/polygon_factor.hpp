@@ -28,10 +28,10 @@ struct PlanePoints {
     std::size_t size = 0;  ///< multiple of 8
 };
 
-/// The sum over points of weight * form factor, dimensionless. A point behind the polygon sees nothing of it; one on an
-/// edge sees what a point beside it, on the receiving side, sees.
-/// Within about 1e-16 a unit of weight, times the polygon's extent over the point's distance from its edges.
-/// Terms are added in eight columns whatever the vector length, so every CPU gives the same bits.
+/// The sum over points of weight * form factor, dimensionless. A point behind the polygon sees nothing of it; for a
+/// point on an edge the limit from the receiving side is taken. Within about 1e-16 per unit of weight, times the
+/// polygon's extent over the point's distance from its edges. Terms are added in eight columns whatever the vector
+/// length, so every CPU gives the same bits.
 /// @pre no vertex lies below the plane
 double sum_polygon_factors(const PlanePoints& points, const Polygon& polygon);
 

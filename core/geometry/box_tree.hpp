@@ -20,7 +20,7 @@ class BoxTree {
     explicit BoxTree(std::vector<Eigen::AlignedBox3d> boxes);
 
     /// Calls visit(index of a box, latest) -> latest for boxes that the line may meet from time 0 to `latest`, nearer
-    /// parts of the tree first. What visit gives back takes the place of `latest`.
+    /// parts of the tree first. The returned value replaces `latest`.
     template <class Visit>
     void along(const Line& line, Visit visit) const {
         if (nodes_.empty()) return;
@@ -87,7 +87,7 @@ class BoxTree {
 
     void build(std::uint32_t first, std::uint32_t end);
 
-    /// When a line comes into a box, 0 from inside; `infinity` where it does not, with room for rounding.
+    /// When a line enters a box, 0 from inside; `infinity` where it misses the box. Allows for rounding.
     static double entry(const Eigen::AlignedBox3d& box, const Eigen::Vector3d& origin, const Eigen::Vector3d& speed) {
         constexpr double room = 1 + 8 * std::numeric_limits<double>::epsilon();
         double in = 0;

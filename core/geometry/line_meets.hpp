@@ -8,9 +8,9 @@
 
 namespace ff {
 
-/// The points origin + time * direction. Where an end of it lies on a surface, that is known, not found out: of the
-/// two times at which the line meets a curved surface, the one at the end is left out and the other one computed from
-/// it, so that no distance decides whether a line meets the surface it starts on.
+/// The points origin + time * direction. Callers state whether an end lies on the surface: of the two times at which
+/// the line meets a curved surface, the one at that end is dropped and the other is computed from it, so that no
+/// distance tolerance decides whether a line meets the surface that it starts on.
 struct Line {
     Eigen::Vector3d origin;
     Eigen::Vector3d direction;
@@ -27,12 +27,12 @@ struct Ends {
 /// Where a line meets a surface.
 struct Meeting {
     double time = 0;
-    bool outward = false;  ///< of curved surfaces: the line leads away from the axis there, known from which root it is
+    bool outward = false;  ///< curved surfaces only: the line leads away from the axis there (known from the root)
 };
 
 /// The first meeting at time 0 or later, computed in double precision; none where there is none. A line never meets a
 /// flat surface that an end of it lies on, nor one that bulges.
-/// @param rim  by which share of its size a round surface is taken for larger than it is
+/// @param rim relative enlargement of round surfaces
 std::optional<Meeting> line_meets(const Line& line, const Surface& surface, Ends ends = {}, double rim = 0);
 
 }  // namespace ff

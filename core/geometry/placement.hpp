@@ -6,8 +6,8 @@
 
 namespace ff {
 
-/// How a scene is moved and scaled before it is computed with: a place x becomes (x - origin) / unit. Form factors stay
-/// what they are, and coordinates keep the digits that single precision, sums and differences would lose.
+/// How a scene is moved and scaled before it is computed with: a place x becomes (x - origin) / unit. Form factors do
+/// not change, and coordinates keep the digits that single precision, sums and differences would lose.
 struct Placement {
     Eigen::Vector3d origin = Eigen::Vector3d::Zero();
     double unit = 1;
@@ -16,12 +16,12 @@ struct Placement {
 };
 
 /// Along each axis a scene is moved where some coordinate is larger than 8 times the longest edge of the box around it,
-/// to the middle of the box but for a multiple of that edge's power of two, so that no digit of a far coordinate is
+/// to the middle of the box, rounded to a multiple of that edge's power of two, so that no digit of a far coordinate is
 /// lost. It is scaled where that edge is not between 2^-20 and 2^20, by a power of two. Other scenes stay as they are,
 /// to the bit.
 Placement placement_of(const Scene& scene);
 
-/// The largest coordinate of a scene, without its sign.
+/// The largest absolute coordinate of a scene.
 double farthest_coordinate(const Scene& scene);
 
 /// The scene in its place; placing it again changes nothing.

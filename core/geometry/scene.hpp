@@ -11,7 +11,7 @@
 
 namespace ff {
 
-/// No face: a surface that only stands in the way. Rays end there and are counted nowhere.
+/// Belongs to no face: an obstacle. Rays that end there are not counted.
 inline constexpr int no_face = -1;
 
 /// Parts of equal area that a surface is divided into. Part row*columns + column lies at s in [column/columns,
@@ -56,7 +56,7 @@ struct Subdivision {
     [[nodiscard]] std::uint32_t per_part() const { return m * m; }
     /// The patches of a surface.
     [[nodiscard]] Grid of(const Surface& surface) const { return {surface.grid.columns * m, surface.grid.rows * m}; }
-    /// How many a scene has.
+    /// The patches of a scene.
     [[nodiscard]] std::uint64_t patches(const Scene& scene) const;
 };
 
@@ -67,10 +67,10 @@ double area(const Shape& shape);
 /// The corners of a parallelogram or a triangle in order around it; none of a round shape.
 std::vector<Eigen::Vector3d> corners(const Shape& shape);
 
-/// Part `index` of a parallelogram.
+/// Patch number `index` of a parallelogram.
 Parallelogram patch(const Parallelogram& shape, Grid grid, std::uint32_t index);
 
-/// The same of a surface that is known to be a parallelogram, as a surface of its own.
+/// That patch as a surface of its own. @pre the surface is a parallelogram
 Surface patch(const Surface& surface, Grid grid, std::uint32_t index);
 
 /// The shape of a surface that is known to be a parallelogram.

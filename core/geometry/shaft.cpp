@@ -1,6 +1,7 @@
 #include "core/geometry/shaft.hpp"
 
 #include <Eigen/Geometry>
+#include <boost/container/small_vector.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -14,7 +15,7 @@ using Eigen::Vector3d;
 /// Room for rounding, relative to what is compared.
 constexpr double tolerance = 1e-15;
 
-/// Edges whose angle has a smaller sine span no plane.
+/// Edges whose angle has a smaller sine span no plane; what is inside by a smaller share may be at the rim.
 constexpr double least_sine = 1e-9;
 
 struct Range {
@@ -32,14 +33,6 @@ struct Range {
 
 const Vector3d& next(const ConvexPolygon& polygon, std::size_t k) {
     return polygon[k + 1 == polygon.size() ? 0 : k + 1];
-}
-
-/// Twice the area, along the normal.
-Vector3d twice_area(const ConvexPolygon& polygon) {
-    Vector3d sum = Vector3d::Zero();
-    for (std::size_t k = 1; k + 1 < polygon.size(); ++k)
-        sum += (polygon[k] - polygon[0]).cross(polygon[k + 1] - polygon[0]);
-    return sum;
 }
 
 }  // namespace
@@ -69,13 +62,48 @@ bool Shaft::is_parted(const ConvexPolygon& polygon, const Vector3d& line, const 
     return is_parted(polygon, axis);
 }
 
-bool Shaft::keeps_clear_of(const ConvexPolygon& polygon) const {
-    for (const Vector3d& normal : {twice_area(polygon), twice_area(to_)}) {
-        if (normal.squaredNorm() > 0 && is_parted(polygon, normal)) return true;
+Shaft::Crossing Shaft::crossed_by(const ConvexPolygon& polygon) const {
+    const Vector3d normal = twice_area(polygon);
+    for (const Vector3d& across : {normal, twice_area(to_)}) {
+        if (across.squaredNorm() > 0 && is_parted(polygon, across)) return Crossing::none;
     }
     for (Eigen::Index axis = 0; axis < 3; ++axis) {
-        if (is_parted(polygon, Vector3d::Unit(axis))) return true;
+        if (is_parted(polygon, Vector3d::Unit(axis))) return Crossing::none;
     }
+    // Lines that cross it show, at less cost, that no plane parts it.
+    const Crossing shown = crossed_between_corners(polygon, normal);
+    return shown == Crossing::none && !is_parted_along_an_edge(polygon) ? Crossing::some : shown;
+}
+
+Shaft::Crossing Shaft::crossed_between_corners(const ConvexPolygon& polygon, const Vector3d& normal) const {
+    boost::container::small_vector<Vector3d, 8> inward;
+    for (std::size_t k = 0; k < polygon.size(); ++k) inward.push_back(normal.cross(next(polygon, k) - polygon[k]));
+    const double plane = normal.dot(polygon.front());
+    const auto height = [&](const Vector3d& place) { return normal.dot(place) - plane; };
+    const double side = height(from_.front());
+    const double well_inside = least_sine * normal.squaredNorm();
+    bool all = true;
+    bool some = false;
+    for (const Vector3d& begin : from_) {
+        const double before = height(begin);
+        for (const Vector3d& end : to_) {
+            const double after = height(end);
+            double inside = std::numeric_limits<double>::lowest();
+            if (before * after < 0) {
+                const Vector3d crossing = begin + (end - begin) * (before / (before - after));
+                inside = std::numeric_limits<double>::max();
+                for (std::size_t k = 0; k < polygon.size(); ++k)
+                    inside = std::min(inside, inward[k].dot(crossing - polygon[k]));
+            }
+            all = all && before * side > 0 && inside >= 0;
+            some = some || inside > well_inside;
+            if (some && !all) return Crossing::some;
+        }
+    }
+    return all ? Crossing::all : Crossing::none;
+}
+
+bool Shaft::is_parted_along_an_edge(const ConvexPolygon& polygon) const {
     for (const Vector3d& begin : from_) {
         for (std::size_t t = 0; t < to_.size(); ++t) {
             const Vector3d line = to_[t] - begin;
@@ -94,43 +122,30 @@ bool Shaft::keeps_clear_of(const ConvexPolygon& polygon) const {
     return false;
 }
 
-bool Shaft::is_closed_by(const ConvexPolygon& polygon) const {
-    const Vector3d normal = twice_area(polygon);
-    const double plane = normal.dot(polygon.front());
-    const auto height = [&](const Vector3d& place) { return normal.dot(place) - plane; };
-    const double side = height(from_.front());
-    for (const Vector3d& begin : from_) {
-        const double before = height(begin);
-        if (!(before * side > 0)) return false;
-        for (const Vector3d& end : to_) {
-            const double after = height(end);
-            if (!(after * side < 0)) return false;
-            const Vector3d crossing = begin + (end - begin) * (before / (before - after));
-            for (std::size_t k = 0; k < polygon.size(); ++k) {
-                if (normal.cross(next(polygon, k) - polygon[k]).dot(crossing - polygon[k]) < 0) return false;
-            }
-        }
-    }
-    return true;
+Vector3d twice_area(const ConvexPolygon& polygon) {
+    Vector3d sum = Vector3d::Zero();
+    for (std::size_t k = 1; k + 1 < polygon.size(); ++k)
+        sum += (polygon[k] - polygon[0]).cross(polygon[k + 1] - polygon[0]);
+    return sum;
 }
 
-double distance(const Vector3d& place, const ConvexPolygon& polygon) {
-    const Vector3d normal = twice_area(polygon);
+double distance(const Vector3d& place, const Vector3d& a, const Vector3d& b) {
+    const Vector3d edge = b - a;
+    const Vector3d offset = place - a;
+    const double squared = edge.squaredNorm();
+    const double along = squared > 0 ? std::clamp(offset.dot(edge) / squared, 0.0, 1.0) : 0;
+    return (offset - along * edge).norm();
+}
+
+double distance(const Vector3d& place, const ConvexPolygon& polygon, const Vector3d& normal) {
     bool inside = normal.squaredNorm() > 0;
+    for (std::size_t k = 0; inside && k < polygon.size(); ++k)
+        inside = normal.cross(next(polygon, k) - polygon[k]).dot(place - polygon[k]) >= 0;
+    if (inside) return std::abs(normal.normalized().dot(place - polygon.front()));
     double nearest = std::numeric_limits<double>::max();
-    for (std::size_t k = 0; k < polygon.size(); ++k) {
-        const Vector3d edge = next(polygon, k) - polygon[k];
-        const Vector3d offset = place - polygon[k];
-        inside = inside && normal.cross(edge).dot(offset) >= 0;
-        const double squared = edge.squaredNorm();
-        const double along = squared > 0 ? std::clamp(offset.dot(edge) / squared, 0.0, 1.0) : 0;
-        nearest = std::min(nearest, (offset - along * edge).norm());
-    }
-    return inside ? std::abs(normal.normalized().dot(place - polygon.front())) : nearest;
-}
-
-double area(const ConvexPolygon& polygon) {
-    return twice_area(polygon).norm() / 2;
+    for (std::size_t k = 0; k < polygon.size(); ++k)
+        nearest = std::min(nearest, distance(place, polygon[k], next(polygon, k)));
+    return nearest;
 }
 
 ConvexPolygon clipped(const ConvexPolygon& polygon, const Vector3d& normal, double offset) {

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 
+#include <cstdint>
 #include <vector>
 
 namespace ff {
@@ -9,36 +10,48 @@ namespace ff {
 /// Corners of a plane convex polygon, in order around it.
 using ConvexPolygon = std::vector<Eigen::Vector3d>;
 
-/// All straight lines from a convex set to a convex polygon. What it proves of a third polygon holds for every one of
-/// them; what it does not prove may be so all the same.
+/// All straight lines from a convex set to a convex polygon. What it proves about a third polygon holds for each of
+/// them; what it cannot prove may still be true.
 class Shaft {
   public:
     /// @param from, to  corners of convex sets; `from` needs no order
     Shaft(const std::vector<Eigen::Vector3d>& from, const ConvexPolygon& to);
 
-    /// Whether a plane parts the polygon from all lines: it hides nothing. Planes through an edge of one of the three
-    /// and a corner of another are tried; a gap of 0 is a gap.
-    [[nodiscard]] bool keeps_clear_of(const ConvexPolygon& polygon) const;
+    /// How many of the lines a polygon crosses.
+    enum class Crossing : std::uint8_t {
+        none,  ///< proved to hide nothing
+        some,  ///< hides a part, or nothing is proved
+        all,   ///< proved to hide everything
+    };
 
-    /// Whether every line crosses the polygon: it hides everything. Of lines from one place the ends that a convex
-    /// polygon hides are convex, and of lines to one place their beginnings are: the lines between corners decide.
-    [[nodiscard]] bool is_closed_by(const ConvexPolygon& polygon) const;
+    /// `none` where a plane separates the polygon from all lines; planes through an edge of one and a corner of another
+    /// are tried; a gap of 0 counts. Hidden ends of lines from one place are convex, and so are beginnings; hence lines
+    /// between corners decide on `all`.
+    [[nodiscard]] Crossing crossed_by(const ConvexPolygon& polygon) const;
 
   private:
     const std::vector<Eigen::Vector3d>& from_;
     const ConvexPolygon& to_;
-    double size_ = 0;  ///< the lines are nowhere longer along an axis
+    double size_ = 0;  ///< the longest extent of any line along an axis
 
+    /// Judged by the lines between corners; `none` where none of them crosses.
+    [[nodiscard]] Crossing crossed_between_corners(const ConvexPolygon& polygon, const Eigen::Vector3d& normal) const;
     [[nodiscard]] bool is_parted(const ConvexPolygon& polygon, const Eigen::Vector3d& axis) const;
-    /// By a plane along both.
+    /// Judged by a plane along both.
     [[nodiscard]] bool is_parted(const ConvexPolygon& polygon, const Eigen::Vector3d& line,
                                  const Eigen::Vector3d& edge) const;
+    [[nodiscard]] bool is_parted_along_an_edge(const ConvexPolygon& polygon) const;
 };
 
-/// From a place to the nearest point of a polygon.
-double distance(const Eigen::Vector3d& place, const ConvexPolygon& polygon);
+/// Twice the area of a polygon, along its normal.
+Eigen::Vector3d twice_area(const ConvexPolygon& polygon);
 
-double area(const ConvexPolygon& polygon);
+/// From a place to the nearest point of the straight line from a to b.
+double distance(const Eigen::Vector3d& place, const Eigen::Vector3d& a, const Eigen::Vector3d& b);
+
+/// From a place to the nearest point of a polygon.
+/// @param normal  of any length, for corners that are counter-clockwise around it
+double distance(const Eigen::Vector3d& place, const ConvexPolygon& polygon, const Eigen::Vector3d& normal);
 
 /// The part of a convex polygon where normal * v >= offset; empty where there is none.
 ConvexPolygon clipped(const ConvexPolygon& polygon, const Eigen::Vector3d& normal, double offset);

@@ -6,8 +6,8 @@
 
 namespace ff {
 
-/// Shapes of surfaces. Each is the image of the unit square under a map that keeps shares of area
-/// (core/geometry/surface_map.hpp): what (s, t) means stands with each. Lengths in the scene's unit.
+/// Shapes of surfaces. Each is the image of the unit square under a map that preserves ratios of area
+/// (core/geometry/surface_map.hpp); each shape states what s and t mean. Lengths in the scene's unit.
 
 /// The points corner + s * edge_u + t * edge_v with 0 <= s, t <= 1.
 struct Parallelogram {

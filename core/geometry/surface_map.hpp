@@ -22,9 +22,9 @@ struct SurfaceCoordinates {
     double t = 0;
 };
 
-/// The map from the unit square onto a surface that keeps shares of area, with its inverse; what s and t are stands in
-/// core/geometry/shape.hpp. Azimuths begin at the coordinate axis that is farthest from the shape's own, the first of
-/// several.
+/// The map from the unit square onto a surface that preserves ratios of area, with its inverse;
+/// core/geometry/shape.hpp defines s and t. Azimuths begin at the coordinate axis that is farthest from the shape's
+/// own, the first of several.
 class SurfaceMap {
   public:
     explicit SurfaceMap(const Surface& surface);
@@ -32,31 +32,31 @@ class SurfaceMap {
     /// The same bits on every CPU.
     [[nodiscard]] SurfacePoint at(double s, double t) const;
 
-    /// @pre `place` lies on the surface, but for rounding
+    /// @pre `place` lies on the surface, up to rounding
     [[nodiscard]] SurfaceCoordinates coordinates(const Eigen::Vector3d& place) const;
 
   private:
     Shape shape_;
     Eigen::Vector3d normal_;
-    Eigen::Vector3d x_;  ///< of round shapes azimuth 0, of others the tangent; unit length like y and z
+    Eigen::Vector3d x_;  ///< azimuth 0 of round shapes, else the tangent; unit length like y and z
     Eigen::Vector3d y_;  ///< azimuth 1/4
     Eigen::Vector3d z_;  ///< along the axis
 };
 
-/// The normal of a surface's radiating side at a place on it, but for rounding.
+/// The normal of a surface's radiating side at a place on it, up to rounding.
 Eigen::Vector3d normal_at(const Surface& surface, const Eigen::Vector3d& place);
 
 /// A unit vector perpendicular to `axis`: the coordinate axis farthest from it, projected.
 Eigen::Vector3d perpendicular(const Eigen::Vector3d& axis);
 
-/// From the least to the greatest product of `direction` with the points of a surface.
+/// The least and the greatest dot product of `direction` with the points of a surface.
 struct Extent {
     double low = 0;
     double high = 0;
 };
 Extent extent(const Surface& surface, const Eigen::Vector3d& direction);
 
-/// The box along the axes around a surface.
+/// The axis-aligned box around a surface.
 Eigen::AlignedBox3d box_around(const Surface& surface);
 
 /// The middle of that box.

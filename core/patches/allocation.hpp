@@ -11,7 +11,7 @@ namespace ff {
 /// Who owns a sequence of points.
 enum class Allocation {
     patch,  ///< every patch has its own stream
-    face,   ///< one stream for all patches of a part of a surface's grid: patch p of them takes points p*n .. (p+1)*n -
+    face,   ///< one stream for all patches of one part of a surface's grid: patch p takes points p*n .. (p+1)*n -
             ///< 1
 };
 
@@ -30,7 +30,7 @@ class PatchSequences {
     /// @param patch  from 0 on the surface
     [[nodiscard]] PatchPoints of(std::uint32_t surface, std::uint32_t patch) const;
 
-    /// How many a surface has.
+    /// How many sequences a surface has.
     [[nodiscard]] std::uint32_t count(std::uint32_t surface) const { return sequences_.count(surface); }
 
   private:
@@ -38,7 +38,7 @@ class PatchSequences {
     Subdivision subdivision_;
     Allocation allocation_;
     std::uint64_t samples_;
-    PatchOrder sequences_;  ///< those of patches, or of the parts of grids
+    PatchOrder sequences_;  ///< of patches, or of the parts of grids
 };
 
 }  // namespace ff

@@ -13,7 +13,7 @@ namespace ff {
 /// over rays.
 bool has_one_surface_a_face(const Scene& scene);
 
-/// Parts of the grids of each face, on average over its surfaces.
+/// Parts of the grid per surface of each face, on average.
 Eigen::VectorXd parts_a_surface(const Scene& scene);
 
 /// Form factors between faces from rays of every surface: the average over the surfaces of a face, weighted by their

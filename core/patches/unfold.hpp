@@ -15,8 +15,8 @@ struct FlatRectangle {
     double top = 0;
 };
 
-/// The inside of an empty box laid flat: the first surface in the middle, those that share its edges folded out around
-/// it, the opposite one beyond the right one.
+/// The inside of an empty box laid flat: the first surface in the middle, those that share its edges are folded out
+/// around it, and the opposite one lies beyond the right one.
 struct UnfoldedBox {
     std::vector<FlatRectangle> patches;   ///< in the order of PatchOrder
     std::vector<FlatRectangle> surfaces;  ///< in the order of the scene

@@ -18,8 +18,8 @@ using PointIndex = std::uint64_t;
 
 /// Consecutive points of a sequence in fixed point: coordinate[d][i] * 2^-32 in [0, 1).
 ///
-/// Only the first `dimension` rows and `size` columns mean anything; writers may fill a row up to a whole vector past
-/// `size` (the capacity is a multiple of every vector length).
+/// Only the first `dimension` rows and `size` columns are meaningful; writers may fill a row up to one whole vector
+/// past `size` (the capacity is a multiple of every vector length).
 struct PointBlock {
     alignas(64) std::array<std::array<std::uint32_t, block_capacity>, max_dimension> coordinate;
     std::size_t dimension = max_dimension;
@@ -34,7 +34,7 @@ struct WeightedBlock {
     std::size_t size = 0;
 };
 
-/// What an estimator asks points of. Point i is a pure function of (stream, i); see samplers/sampler.hpp.
+/// Where an estimator gets its points. Point i is a pure function of (stream, i); see samplers/sampler.hpp.
 class PointSource {
   public:
     virtual ~PointSource() = default;
@@ -45,17 +45,17 @@ class PointSource {
     [[nodiscard]] virtual bool randomised() const = 0;
     /// False where points have unequal weights and cannot be tallied as hits.
     [[nodiscard]] virtual bool equal_weights() const = 0;
-    /// True where swapping source and target coordinates (0, 1 with 2, 3) gives the same weighted set, so that one
-    /// evaluation of a symmetric kernel serves both (i, j) and (j, i).
+    /// True where swapping source and target coordinates (0, 1 with 2, 3) leaves the weighted set unchanged, so that
+    /// one evaluation of a symmetric kernel serves both (i, j) and (j, i).
     [[nodiscard]] virtual bool exchangeable() const { return false; }
 
-    /// Called by estimators at least between any two patches for which they ask no points. A source may throw to end a
-    /// trial that nobody waits for any more.
+    /// Estimators call this at least between any two patches for which they request no points. A source may throw to
+    /// end a trial that is no longer wanted.
     virtual void checkpoint() const {}
 
     /// Fills `block.size` points from `first` on. @pre equal_weights()
     virtual void fill(const Stream& stream, PointIndex first, PointBlock& block) const = 0;
-    /// The same in double precision with weights. An equal-weight point is the centre of its 2^-32 cell.
+    /// As above in double precision, with weights. An equal-weight point is the centre of its 2^-32 cell.
     virtual void fill(const Stream& stream, PointIndex first, WeightedBlock& block) const = 0;
 
   protected:

@@ -17,9 +17,9 @@ struct Bounds {
 };
 
 /// Spectral radius of a matrix without negative entries, by power iteration. For every positive x it lies between the
-/// least and the largest (A x)_i / x_i (Collatz, Wielandt): the bounds hold but for rounding, some n * 1e-16 of the
-/// result, and stop when they are within `tolerance` of each other, relatively. They stay apart where parts of the
-/// matrix have nothing to do with each other. @pre square, finite, no negative entry @see [varga1962] section 2.1
+/// least and the largest (A x)_i / x_i (Collatz, Wielandt): the bounds hold up to rounding, about n * 1e-16 of the
+/// result, and iteration stops when their relative distance is within `tolerance`. They stay apart where the matrix is
+/// reducible. @pre square, finite, no negative entry @see [varga1962] section 2.1
 Bounds spectral_radius(const Eigen::MatrixXd& matrix, double tolerance = 1e-12);
 
 /// What errors do to a matrix of form factors.
@@ -29,8 +29,8 @@ struct FactorProperties {
     double reciprocity_defect = 0;  ///< largest |F_ij - F_ji A_j / A_i|; 0 without errors
     Bounds spectral_radius;         ///< of F; 1 in a closed scene without errors
 
-    /// With one reflectance for all patches G is strictly diagonally dominant below this one and not from it on:
-    /// 1 / the largest row sum.
+    /// With one reflectance for all patches, G is strictly diagonally dominant below this value and not from it on: 1 /
+    /// the largest row sum.
     [[nodiscard]] double dominant_below() const { return 1 / row_sums.maxCoeff(); }
 };
 
@@ -46,10 +46,10 @@ struct SystemProperties {
 
 struct SolvedSystem {
     SystemProperties properties;
-    std::optional<Eigen::VectorXd> exitance;  ///< as `solve_exactly`
+    std::optional<Eigen::VectorXd> exitance;  ///< the result of `solve_exactly`
 };
 
-/// Both from one elimination, which is most of the work of either where patches are many. Two n x n matrices at a time.
+/// Both from one elimination, which dominates the cost of either for many patches. Holds two n x n matrices at a time.
 SolvedSystem solve_with_properties(const RadiositySystem& system);
 
 }  // namespace ff

@@ -14,14 +14,14 @@ namespace ff {
 
 /// Methods for radiosity systems. An iteration is a sweep over all patches; of the shooting methods it is n shots.
 enum class Solver {
-    jacobi,                  ///< all patches from the values of the last sweep [young1971]
+    jacobi,                  ///< all patches from the values of the previous sweep [young1971]
     gauss_seidel,            ///< each patch from the newest values: gathering
     sor,                     ///< Gauss-Seidel, each change multiplied by SolverOptions::relaxation
-    chebyshev,               ///< m + P F m made faster, eigenvalues known to lie within ± a bound [golub1961]
+    chebyshev,               ///< m + P F m accelerated, eigenvalues known to lie within ± a bound [golub1961]
     conjugate_gradient,      ///< Eigen's, on the symmetrised system; factors that are not reciprocal mislead it
     progressive_refinement,  ///< Southwell's relaxation: the patch with most unshot power shoots [cohen1988]
     overshooting,            ///< the same, each shot with an estimate of what will come back [feda1992]
-    lu,                      ///< Gaussian elimination with pivoting: exact but for rounding
+    lu,                      ///< Gaussian elimination with pivoting: exact up to rounding
 };
 
 inline constexpr std::array all_solvers{Solver::jacobi,
@@ -45,7 +45,7 @@ struct SolverOptions {
 
 enum class SolverOutcome {
     converged,
-    diverged,   ///< the residual grows, or is no number
+    diverged,   ///< the residual grows, or is not a number
     stalled,    ///< it has not fallen for some iterations
     exhausted,  ///< it falls, but too slowly for most_iterations
 };
@@ -61,11 +61,11 @@ struct SolverRun {
     [[nodiscard]] std::size_t iterations() const { return residuals.size() - 1; }
 };
 
-/// Starts from m = e. Ends when the residual is within the tolerance, or will not be.
+/// Starts from m = e. Ends when the residual is within the tolerance, or cannot get there.
 /// @pre a physical system; some patch emits
 SolverRun solve(const RadiositySystem& system, Solver solver, const SolverOptions& options = {});
 
-/// The exact solution, but for rounding; empty where G is singular to working precision.
+/// The exact solution, up to rounding; empty where G is singular to working precision.
 std::optional<Eigen::VectorXd> solve_exactly(const RadiositySystem& system);
 
 }  // namespace ff

@@ -15,10 +15,10 @@ struct RadiositySystem {
     [[nodiscard]] Eigen::Index size() const { return areas.size(); }
 };
 
-/// @throws UserError where sizes differ, or a value is out of the range stated above or no number
+/// @throws UserError where sizes differ, or a value is not a number or outside the ranges stated above
 void expect_physical(const RadiositySystem& system);
 
-/// P F: what arrives and is reflected.
+/// P F: the part of the exitance of others that is reflected.
 Eigen::MatrixXd reflection_matrix(const RadiositySystem& system);
 
 /// G = I - P F.
@@ -32,7 +32,7 @@ struct EnergyBalance {
     double emitted = 0;
     double absorbed = 0;
 
-    /// (emitted - absorbed) / emitted: what errors of the factors lose, or make of nothing (negative).
+    /// (emitted - absorbed) / emitted: the share that errors of the factors lose, or create (negative).
     [[nodiscard]] double defect() const { return (emitted - absorbed) / emitted; }
 };
 

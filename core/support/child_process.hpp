@@ -21,17 +21,17 @@ struct ChildCommand {
 /// Whether signals of the terminal, as Ctrl-C sends them, reach a child too.
 enum class ChildSignals { as_usual, none };
 
-/// Descriptors that a child has as its own.
+/// Descriptors that a child inherits as its own.
 struct ChildStreams {
     int input;
     int output;
     int errors;
 };
 
-/// Starts a program. It ends where this process is killed; nobody waits for it here. @throws IoError
+/// Starts a program without waiting for it. It is killed with this process. @throws IoError
 pid_t start_child(const ChildCommand& command, ChildStreams streams, ChildSignals signals);
 
-/// Waits for its end. @return as waitpid tells it
+/// Waits for its end. @return the status of waitpid
 int wait_for_child(pid_t child);
 
 /// What a program has printed, and how it ended.
@@ -40,7 +40,7 @@ struct ChildOutput {
         exited,     ///< `code` is its exit code
         killed,     ///< `code` is the signal
         too_slow,   ///< it did not end before the deadline, and was killed
-        too_large,  ///< it printed more than was wanted, and was killed
+        too_large,  ///< it printed more than allowed, and was killed
     };
     End end = End::exited;
     int code = 0;
@@ -52,8 +52,8 @@ struct ChildOutput {
 /// @param most_output  bytes  @param deadline  seconds, above 0  @throws IoError where it cannot be started
 ChildOutput read_from_child(const ChildCommand& command, std::uint64_t most_output, double deadline);
 
-/// A program that answers requests: a line on its standard input each, bytes on its standard output. It ends with this
-/// object. The terminal's signals do not reach it. To be used, and destroyed, in the thread that made it.
+/// A program that answers requests: one line each on its standard input, bytes on its standard output. It ends with
+/// this object. The terminal's signals do not reach it. Has to be used, and destroyed, in the thread that made it.
 class ChildConversation {
   public:
     /// @throws IoError where it cannot be started
@@ -62,11 +62,11 @@ class ChildConversation {
     ChildConversation(const ChildConversation&) = delete;
     ChildConversation& operator=(const ChildConversation&) = delete;
 
-    /// Bytes that an answer has in all, as far as its beginning tells.
+    /// Total bytes of an answer, as its beginning tells.
     using Size = std::function<std::uint64_t(std::string_view beginning)>;
 
     /// The answer to a line, or how the program ended instead: `exited` with the answer whole where `output` has as
-    /// many bytes as `size` says. After anything else the conversation is over.
+    /// many bytes as `size` says. Any other outcome ends the conversation.
     /// @param most_output  bytes  @param deadline  seconds, above 0
     [[nodiscard]] ChildOutput ask(std::string_view line, const Size& size, std::uint64_t most_output, double deadline);
 

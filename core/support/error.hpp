@@ -4,8 +4,8 @@
 
 namespace ff {
 
-/// Input that the user can mend: a file, an option, a size. Exit code 2.
-/// The message has the form "place: problem (why it is a problem). Suggestion."
+/// Input that the user can correct: a file, an option, a size. Exit code 2. The message has the form "place: problem
+/// (why it is a problem). Suggestion."
 class UserError : public std::runtime_error {
     using std::runtime_error::runtime_error;
 };

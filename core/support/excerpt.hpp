@@ -5,7 +5,7 @@
 
 namespace ff {
 
-/// What a user wrote, as a message quotes it: the beginning, and "…" where there is more than 200 bytes.
+/// A user's text as messages quote it: the beginning, and "…" if it has more than 200 bytes.
 std::string excerpt(std::string_view text);
 
 }  // namespace ff

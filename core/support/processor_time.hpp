@@ -4,14 +4,14 @@
 
 namespace ff {
 
-/// Processor time, user and system, that this thread has used, in seconds, with that of the programs it has started and
-/// seen end, by the accounts of the system. Only differences mean anything, and no result may depend on them.
+/// Processor time in seconds, user and system, that this thread has used, with that of programs which it has started
+/// and waited for, as the system accounts it. Only differences are meaningful, and no result may depend on them.
 double processor_seconds();
 
-/// As `waitpid`, and counts what the program has used where it has ended.
+/// As `waitpid`, and adds the program's processor time if it has ended.
 pid_t wait_counting(pid_t child, int& status, int options);
 
-/// What this thread and its programs use while it lives is left out.
+/// Excludes what this thread and its programs use during its lifetime.
 class UncountedTime {
   public:
     UncountedTime() : begin_(processor_seconds()) {}

@@ -22,8 +22,8 @@ struct SurfaceFrame {
 /// @pre a parallelogram
 SurfaceFrame surface_frame(const Surface& surface);
 
-/// Where a patch lies in the grid of its surface. A coordinate of a point is put in the fraction of a float,
-/// which makes it 1 + x; `first_u` takes the one away, adds the column and goes to the middle of the last bit.
+/// Where a patch lies in the grid of its surface. A coordinate x of a point becomes the fraction of a float, 1 + x;
+/// `first_u` subtracts the 1, adds the column and half of the last bit.
 struct PatchMap {
     float first_u = 0;  ///< column - 1 + 2^-24
     float first_v = 0;  ///< row - 1 + 2^-24
@@ -32,30 +32,30 @@ struct PatchMap {
 
 PatchMap patch_map(Grid grid, std::uint32_t patch);
 
-/// Length of one of equal parts of an edge, rounded such that all of them are not longer than the edge: no ray starts
-/// outside its surface.
+/// Length of one of several equal parts of an edge, rounded such that together they are not longer than the edge: no
+/// ray starts outside its surface.
 float patch_step(float edge, std::uint32_t parts);
 
-/// Rays of one block, one array a component, in the first-level cache.
+/// Rays of one block, one array per component, in the first-level cache.
 struct RayBlock {
     using Component = std::array<float, block_capacity>;
     alignas(64) Component origin_x, origin_y, origin_z;
     alignas(64) Component direction_x, direction_y, direction_z;
 };
 
-/// One ray for each point of the block; what `Tracer::shoot` shoots and `generate_rays` stores. Up to a whole vector
+/// One ray for each point of the block; `Tracer::shoot` shoots and `generate_rays` stores them. Up to one whole vector
 /// past the size of the block may be written. Rays of parallelograms are computed in single precision and vectorised;
 /// those of other shapes in double precision, one by one, with origins at all 32 bits of a coordinate.
 /// @throws UserError where the surface does not fit single precision
 void generate_ray_block(const Surface& surface, Grid grid, std::uint32_t patch, const PointBlock& points,
                         RayBlock& rays);
 
-/// The same rays in double precision, as lines: their directions are those, of parallelograms too, that are computed
-/// for other shapes; origins lie on the surface but for rounding in double precision.
+/// The same rays in double precision, as lines: directions are computed as for round shapes, on parallelograms too;
+/// origins lie on the surface up to rounding in double precision.
 void generate_lines(const Surface& surface, Grid grid, std::uint32_t patch, const PointBlock& points,
                     std::vector<Line>& lines);
 
-/// Components of consecutive rays, wherever they are stored: of origins, then of directions.
+/// Pointers to components of consecutive rays: origins, then directions.
 using RayPointers = std::array<const float*, 6>;
 
 template <class Rays>

@@ -12,8 +12,8 @@
 
 namespace ff {
 
-/// Rays in single precision, one array a component; they start on surface `source` and lead to its radiating side. A
-/// flat source they cannot hit, nor one that bulges; a hollow one only elsewhere.
+/// Rays in single precision, one array per component; they start on surface `source` and lead to its radiating side.
+/// They cannot hit a flat or convex source; a concave one they can hit only elsewhere.
 struct RayBatch {
     std::vector<float> origin_x, origin_y, origin_z;
     std::vector<float> direction_x, direction_y, direction_z;  ///< not necessarily of unit length
@@ -32,14 +32,14 @@ struct Hit {
     bool received = true;  ///< false on the back of the surface, and where it belongs to no face
 };
 
-/// Hits of the rays of one patch by face; entry faces() is the number of lost rays.
+/// Hits of one patch's rays by face; entry faces() is the number of lost rays.
 using FaceHits = std::vector<std::uint64_t>;
 
 /// Finds what rays hit. Surfaces are opaque from both sides, but receive on their radiating side only: a ray that
-/// comes from behind ends there and is no face's hit, nor is it lost (in a closed scene whose normals point inward
-/// there is none). The surface that a ray starts on is excluded as such, never by a distance; of a curved one, the
-/// place. Safe to use from several threads at once. Patches are found from hit coordinates by arithmetic, so the cost
-/// does not grow with them.
+/// arrives from behind ends there and counts neither as a hit nor as lost (this cannot happen in a closed scene whose
+/// normals point inward). The surface that a ray starts on is excluded by identity, never by a distance; on a curved
+/// one, only the origin is. Safe to use from several threads at once. Patches are found from hit coordinates by
+/// arithmetic, so the cost does not grow with them.
 class Tracer {
   public:
     virtual ~Tracer() = default;
@@ -47,11 +47,11 @@ class Tracer {
 
     /// Shoots one cosine-distributed ray for each 4-D point (s, t on the patch; direction) of `block` from patch
     /// `patch` of the `grid` of patches of surface `source` and adds the hits by face to `hits` (faces + 1 entries, the
-    /// last for lost rays). Rays that end where nothing receives are counted nowhere.
+    /// last for lost rays). Rays that end where nothing receives are not counted.
     virtual void shoot(std::uint32_t source, Grid grid, std::uint32_t patch, const PointBlock& block,
                        std::span<std::uint64_t> hits) const = 0;
 
-    /// The ends of the rays that `shoot` would shoot, one by one; `hits` has room for block.size.
+    /// Where each ray that `shoot` would shoot ends; `hits` has room for block.size.
     /// @param surface  the source, of the scene as it is placed (core/geometry/placement.hpp)
     virtual void find_ends(const Surface& surface, std::uint32_t source, Grid grid, std::uint32_t patch,
                            const PointBlock& block, std::span<Hit> hits) const;
@@ -83,16 +83,16 @@ std::unique_ptr<Tracer> make_box_tracer(const Scene& scene);
 /// double precision. Rays that pass within rounding of an edge may be seen differently by its code for different CPUs;
 /// in a closed box none is lost. Round shapes and flat ones meet in edges that have no corners in common, and a ray's
 /// origin is rounded: in a closed scene, a ray that meets nothing is traced once more from 2^-20 nearer to the middle
-/// of its surface, among round shapes larger by 2^-20. What is lost then is a hole. A ray that ends on a back before it
-/// has risen above its source by more than rounding is traced once more from a little above: surfaces that are level
-/// with the source, or turned away from it, do not catch what starts on their edge. @see [wald2014]
+/// of its surface, among round shapes larger by 2^-20. A ray lost even then has met a hole. A ray that ends on a back
+/// before it has risen above its source by more than rounding is traced once more from a little above: surfaces that
+/// are coplanar with the source, or face away from it, do not catch rays that start on their edge. @see [wald2014]
 std::unique_ptr<Tracer> make_embree_tracer(const Scene& scene);
 
 /// Every surface by core/geometry/line_meets in double precision, origins of rays too (those of a RayBatch are moved
 /// back to their surface): for scenes with sizes or gaps that single precision does not resolve. Rays that meet nothing
-/// in a closed scene are traced once more as Embree's are, and the hits are the same on every CPU. Of flat surfaces in
-/// one plane none hides another: rays that start on one pass the others, and those that arrive end on the one that
-/// receives them, the first in the scene of several.
+/// in a closed scene are traced once more as Embree's are, and the hits are the same on every CPU. Coplanar surfaces do
+/// not hide each other: rays that start on one pass the others, and those that arrive end on the one that receives
+/// them, or on the first of several in scene order.
 std::unique_ptr<Tracer> make_double_tracer(const Scene& scene);
 
 enum class TracerChoice {

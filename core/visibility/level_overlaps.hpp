@@ -7,23 +7,23 @@
 
 namespace ff {
 
-/// Two flat surfaces that lie in one plane over each other. Which of them hides the other, coordinates do not say.
+/// Two coplanar surfaces that overlap. Coordinates do not tell which of them hides the other.
 struct LevelOverlap {
     std::uint32_t first = 0;  ///< index of a surface
     std::uint32_t second = 0;
     bool same_side = false;  ///< they radiate to the same side; else they are back to back, as the sides of a thin wall
-    double area = 0;         ///< that both cover; of discs about
+    double area = 0;         ///< covered by both; approximate for discs
 };
 
-/// All of a scene, at least where they cover a millionth of the smaller surface; of discs, where that shows on a
-/// lattice of 1024 places. Planes are one where they are within 2^-46 of the scene's largest coordinate.
-/// Takes n log n steps for n surfaces with few neighbours each.
+/// All overlaps of a scene that cover at least a millionth of the smaller surface; for discs, those that show on a
+/// lattice of 1024 places. Planes count as equal within 2^-46 of the scene's largest coordinate. Takes n log n steps
+/// for n surfaces with few neighbours each.
 std::vector<LevelOverlap> level_overlaps(const Scene& scene);
 
 /// Whether the corners of one flat surface, or the rim of a disc, lie within `gap` of the plane of the other.
 bool lie_in_one_plane(const Surface& a, const Surface& b, double gap);
 
-/// The area of one that another covers, seen along the normal of the first; of discs by a lattice of places.
+/// The area of the first that the second covers, seen along the first's normal; for discs on a lattice of places.
 /// @pre both are flat
 double common_area(const Surface& a, const Surface& b);
 

@@ -14,14 +14,12 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Room for rounding, relative to the surfaces.
-constexpr double tolerance = 1e-12;
-
 constexpr std::size_t most_surfaces = 512;
 
 struct Pair {
     const Surface& from;
     const Surface& to;
+    double room;
 
     [[nodiscard]] Extent along(const Vector3d& direction) const {
         const Extent a = extent(from, direction);
@@ -45,7 +43,7 @@ bool is_parted(const Surface& surface, const Pair& pair, const Vector3d& directi
     const Extent own = extent(surface, direction);
     const Extent others = pair.along(direction);
     const double room =
-        tolerance * length(others) - (own.high == others.low || own.low == others.high ? 0 : rounding(own));
+        pair.room * length(others) - (own.high == others.low || own.low == others.high ? 0 : rounding(own));
     return own.high <= others.low + room || own.low >= others.high - room;
 }
 
@@ -54,14 +52,14 @@ bool is_behind(const Surface& surface, const Surface& flat, const Pair& pair) {
     if (!is_flat(flat.shape)) return false;
     const Extent own = extent(surface, flat.normal);
     const Extent plane = extent(flat, flat.normal);
-    const double room = tolerance * length(pair.along(flat.normal)) - (own.high == plane.high ? 0 : rounding(own));
+    const double room = pair.room * length(pair.along(flat.normal)) - (own.high == plane.high ? 0 : rounding(own));
     return own.high <= plane.high + room;
 }
 
 }  // namespace
 
-bool keeps_clear(const Surface& surface, const Surface& from, const Surface& to) {
-    const Pair pair{from, to};
+bool keeps_clear(const Surface& surface, const Surface& from, const Surface& to, double room) {
+    const Pair pair{from, to, room};
     if (is_behind(surface, pair.from, pair) || is_behind(surface, pair.to, pair)) return true;
     for (Eigen::Index axis = 0; axis < 3; ++axis) {
         if (is_parted(surface, pair, Vector3d::Unit(axis))) return true;

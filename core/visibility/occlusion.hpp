@@ -8,21 +8,25 @@
 
 namespace ff {
 
-/// Whether a third surface is shown to stand nowhere between two: it lies behind one of them, its plane has both on one
-/// side, or a plane across a coordinate axis or one of the normals parts it from both.
-bool keeps_clear(const Surface& surface, const Surface& from, const Surface& to);
+/// Allowance for rounding, relative to a pair of surfaces.
+inline constexpr double rounding_room = 1e-12;
 
-/// What may stand between two surfaces: those that are not shown to keep clear. Of the two themselves a hollow one may
-/// stand in its own way. Conservative: of two convex faces that
-/// see all of each other the list is empty, and tracing nothing is right.
+/// Whether a third surface is proved not to stand between two: it lies behind one of them, its plane has both on one
+/// side, or a plane across a coordinate axis or one of the normals separates it from both.
+/// @param room  it may reach across by this share of the pair's length
+bool keeps_clear(const Surface& surface, const Surface& from, const Surface& to, double room = rounding_room);
+
+/// The surfaces that may stand between two: those not shown to keep clear. A concave one of the two may itself be
+/// among them. Conservative: for two convex faces that see all of each other the list is empty, and nothing has to be
+/// traced.
 std::vector<const Surface*> possible_blockers(const Scene& scene, const Surface& from, const Surface& to);
 
-/// Whether something may stand between any two surfaces that face each other. Takes the cube of their number; true
-/// without looking where there are more than 512.
+/// Whether something may stand between any two surfaces that face each other. The cost is cubic in their number; true
+/// without a test where there are more than 512.
 bool may_be_occluded(const Scene& scene);
 
-/// Whether something may stand between a surface of one face and one of the other that face each other; true without
-/// looking in a scene of more than 512 surfaces. Faces from 0.
+/// Whether something may stand between a surface of one face and one of the other that face each other; true without a
+/// test in a scene of more than 512 surfaces. Faces from 0.
 bool may_be_occluded(const Scene& scene, int from_face, int to_face);
 
 /// Whether nothing of `blockers` lies between a place on `from` and one on `to` that each lie in front of the other. In

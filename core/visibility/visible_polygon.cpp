@@ -3,9 +3,11 @@
 #include "core/support/contract.hpp"
 
 #include <Eigen/Geometry>
+#include <boost/container/small_vector.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <numbers>
 #include <numeric>
 #include <utility>
@@ -14,21 +16,70 @@ namespace ff {
 namespace {
 
 using Eigen::Vector3d;
-using Polygon = std::vector<Vector3d>;
+/// Few corners, so that none of them is allocated.
+using Polygon = boost::container::small_vector<Vector3d, 10>;
 
-/// The part of a convex polygon where normal * v >= offset; fewer than three corners where there is none.
-void clip(const Polygon& polygon, const Vector3d& normal, double offset, Polygon& result) {
-    result.clear();
-    for (std::size_t k = 0; k < polygon.size(); ++k) {
-        const Vector3d& a = polygon[k];
-        const Vector3d& b = polygon[k + 1 == polygon.size() ? 0 : k + 1];
-        const double before = normal.dot(a) - offset;
-        const double after = normal.dot(b) - offset;
-        if (before >= 0) result.push_back(a);
-        if ((before > 0 && after < 0) || (before < 0 && after > 0))
-            result.push_back(a + (b - a) * (before / (before - after)));
+/// Relative to `place`.
+Polygon seen_from(const Vector3d& place, std::span<const Vector3d> polygon) {
+    Polygon result;
+    result.resize(polygon.size(), Vector3d::Zero());
+    for (std::size_t k = 0; k < polygon.size(); ++k) result[k] = polygon[k] - place;
+    return result;
+}
+
+/// Of its corners above a plane through the origin.
+struct Heights {
+    boost::container::small_vector<double, 10> values;
+    bool some_above = false;
+    bool some_below = false;
+
+    Heights(const Polygon& polygon, const Vector3d& normal) {
+        values.resize(polygon.size(), boost::container::default_init);
+        for (std::size_t k = 0; k < polygon.size(); ++k) {
+            values[k] = normal.dot(polygon[k]);
+            some_above = some_above || values[k] > 0;
+            some_below = some_below || values[k] < 0;
+        }
     }
-    if (result.size() < 3) result.clear();
+};
+
+/// The part of a convex polygon that is above a plane through the origin (sign 1), or below (-1).
+Polygon part_of(const Polygon& polygon, const Heights& heights, double sign) {
+    Polygon part;
+    part.resize(2 * polygon.size(), Vector3d::Zero());  // rounding may make more than two crossings
+    std::size_t size = 0;
+    std::size_t before = polygon.size() - 1;
+    for (std::size_t k = 0; k < polygon.size(); ++k) {
+        const double from = heights.values[before];
+        const double to = heights.values[k];
+        if ((from > 0 && to < 0) || (from < 0 && to > 0))
+            part[size++] = polygon[before] + (polygon[k] - polygon[before]) * (from / (from - to));
+        if (sign * to >= 0) part[size++] = polygon[k];
+        before = k;
+    }
+    part.erase(part.begin() + static_cast<std::ptrdiff_t>(size), part.end());
+    return part;
+}
+
+/// Takes the part where normal * v < 0 off a convex polygon. @return whether there is one; what is left may be empty
+bool cut(Polygon& polygon, const Vector3d& normal) {
+    const Heights heights(polygon, normal);
+    if (!heights.some_below) return false;
+    if (heights.some_above)
+        polygon = part_of(polygon, heights, 1);
+    else
+        polygon.clear();
+    return true;
+}
+
+/// The same. @return that part
+Polygon cut_off(Polygon& polygon, const Vector3d& normal) {
+    const Heights heights(polygon, normal);
+    if (!heights.some_below) return {};
+    if (!heights.some_above) return std::exchange(polygon, {});
+    Polygon lower = part_of(polygon, heights, -1);
+    polygon = part_of(polygon, heights, 1);
+    return lower;
 }
 
 /// Lambert's formula from the origin. @pre the polygon is above the horizon
@@ -49,10 +100,10 @@ constexpr double rounding = 4e-15;
 
 /// Planes through the origin and the edges of a polygon, normals towards its inside; none where it is seen edge-on, or
 /// so nearly that rounding decides where its inside is.
-void find_sides(const Polygon& polygon, Polygon& sides) {
-    sides.clear();
+Polygon sides_of(const Polygon& polygon) {
     Vector3d middle = Vector3d::Zero();
     for (const Vector3d& corner : polygon) middle += corner;
+    Polygon sides;
     for (std::size_t k = 0; k < polygon.size(); ++k) {
         const Vector3d& a = polygon[k];
         const Vector3d& b = polygon[k + 1 == polygon.size() ? 0 : k + 1];
@@ -60,13 +111,11 @@ void find_sides(const Polygon& polygon, Polygon& sides) {
         const double room = rounding * rounding * a.squaredNorm() * b.squaredNorm();
         if (side.squaredNorm() <= room) continue;  // two corners in one
         const double height = side.dot(middle);
-        if (height * height <= room * middle.squaredNorm()) {
-            sides.clear();
-            return;
-        }
+        if (height * height <= room * middle.squaredNorm()) return {};
         sides.push_back(height > 0 ? side : -side);
     }
     if (sides.size() < 3) sides.clear();
+    return sides;
 }
 
 bool is_outside(const Polygon& piece, const Polygon& sides) {
@@ -75,29 +124,37 @@ bool is_outside(const Polygon& piece, const Polygon& sides) {
     });
 }
 
-/// Cuts what lies between `sides` out of convex pieces; what is left is convex pieces again.
-void cut_out(const Polygon& sides, std::vector<Polygon>& pieces, std::vector<Polygon>& left) {
-    left.clear();
-    Polygon inside;
-    Polygon outside;
-    for (Polygon& piece : pieces) {
-        if (is_outside(piece, sides)) {
-            left.push_back(std::move(piece));
-            continue;
-        }
-        for (const Vector3d& side : sides) {
-            clip(piece, -side, 0, outside);
-            if (!outside.empty()) left.push_back(outside);
-            clip(piece, side, 0, inside);
-            std::swap(piece, inside);
-            if (piece.empty()) break;
-        }
+/// Factor of the part of a convex piece that is in a shadow, given by the planes of its sides.
+/// @param factor  of the whole piece
+double factor_of_hidden(const Polygon& piece, double factor, const Polygon& shadow, const Vector3d& normal) {
+    Polygon hidden = piece;
+    bool differs = false;
+    for (const Vector3d& side : shadow) {
+        differs = cut(hidden, side) || differs;
+        if (hidden.empty()) return 0;
     }
-    std::swap(pieces, left);
+    return differs ? factor_of(hidden, normal) : factor;
 }
 
-Polygon around(const Surface& surface) {
-    Polygon polygon = corners(surface.shape);
+/// Factor of what is seen of a convex piece past shadows.
+double factor_of_visible(Polygon piece, std::span<const Polygon> shadows, const Vector3d& normal) {
+    while (!shadows.empty() && is_outside(piece, shadows.front())) shadows = shadows.subspan(1);
+    if (shadows.size() < 2) {
+        const double factor = factor_of(piece, normal);
+        return shadows.empty() ? factor : factor - factor_of_hidden(piece, factor, shadows.front(), normal);
+    }
+    double sum = 0;
+    for (const Vector3d& side : shadows.front()) {
+        Polygon outside = cut_off(piece, side);
+        if (!outside.empty()) sum += factor_of_visible(std::move(outside), shadows.subspan(1), normal);
+        if (piece.empty()) break;
+    }
+    return sum;
+}
+
+/// Corners counter-clockwise as seen from the side that the normal points to.
+std::vector<Vector3d> around(const Surface& surface) {
+    std::vector<Vector3d> polygon = corners(surface.shape);
     FF_EXPECT(polygon.size() >= 3);
     const Vector3d across = (polygon[1] - polygon[0]).cross(polygon[2] - polygon[1]);
     if (across.dot(surface.normal) < 0) std::reverse(polygon.begin(), polygon.end());
@@ -108,7 +165,14 @@ Polygon around(const Surface& surface) {
 
 VisiblePolygon::VisiblePolygon(const Surface& target, const std::vector<const Surface*>& blockers)
     : target_(around(target)), target_normal_(target.normal) {
-    for (const Surface* blocker : blockers) blockers_.push_back(around(*blocker));
+    // What lies behind the target's plane is in nobody's way.
+    const Vector3d origin = target_.front();
+    for (const Surface* blocker : blockers) {
+        Polygon part = seen_from(origin, around(*blocker));
+        cut(part, target_normal_);
+        std::vector<Vector3d>& kept = blockers_.emplace_back();
+        for (const Vector3d& corner : part) kept.emplace_back(origin + corner);
+    }
     all_.resize(blockers_.size());
     std::iota(all_.begin(), all_.end(), 0U);
 }
@@ -119,36 +183,24 @@ VisiblePolygon::Factors VisiblePolygon::from(const Vector3d& place, const Vector
 
 VisiblePolygon::Factors VisiblePolygon::from(const Vector3d& place, const Vector3d& normal,
                                              std::span<const std::uint32_t> blockers) const {
-    const double plane = target_normal_.dot(target_.front() - place);  // its height above the place
-    if (plane >= 0) return {};
-    Polygon moved;
-    Polygon clipped;
-    const auto move = [&](const Polygon& polygon) {
-        moved.clear();
-        for (const Vector3d& corner : polygon) moved.emplace_back(corner - place);
-    };
-    move(target_);
-    clip(moved, normal, 0, clipped);
-    if (clipped.empty()) return {};
-    // Corners run clockwise as seen from the place that the polygon's normal points to.
-    const Factors nothing_between{-factor_of(clipped, normal), 0};
-    std::vector<Polygon> pieces{clipped};
-    std::vector<Polygon> left;
-    Polygon sides;
+    if (target_normal_.dot(target_.front() - place) >= 0) return {};
+    Polygon whole = seen_from(place, target_);
+    cut(whole, normal);
+    if (whole.empty()) return {};
+    const Polygon cone = sides_of(whole);
+    boost::container::small_vector<Polygon, 4> shadows;
     for (const std::uint32_t index : blockers) {
-        const Polygon& blocker = blockers_[index];
-        // In its way is what stands above the horizon and before the target's plane.
-        move(blocker);
-        clip(moved, normal, 0, clipped);
-        clip(clipped, target_normal_, plane, moved);
-        if (moved.empty()) continue;
-        find_sides(moved, sides);
-        if (!sides.empty()) cut_out(sides, pieces, left);
-        if (pieces.empty()) break;
+        Polygon blocker = seen_from(place, blockers_[index]);
+        if (is_outside(blocker, cone)) continue;
+        cut(blocker, normal);
+        Polygon sides = sides_of(blocker);
+        if (!sides.empty() && !is_outside(whole, sides)) shadows.push_back(std::move(sides));
     }
-    double visible = 0;
-    for (const Polygon& piece : pieces) visible -= factor_of(piece, normal);
-    return {nothing_between.whole, visible};
+    // Corners run clockwise as seen from the place that the polygon's normal points to.
+    const double factor = -factor_of(whole, normal);
+    if (shadows.empty()) return {factor, factor};
+    if (shadows.size() == 1) return {factor, factor + factor_of_hidden(whole, -factor, shadows.front(), normal)};
+    return {factor, -factor_of_visible(std::move(whole), {shadows.data(), shadows.size()}, normal)};
 }
 
 }  // namespace ff

@@ -14,7 +14,7 @@ Results are those of the program `ffstudy` to the bit: the same study and seed g
 import os
 from dataclasses import dataclass
 from pathlib import Path
-from typing import List, Optional, Sequence, Union
+from typing import Any, List, Optional, Sequence, Union
 
 import numpy
 
@@ -22,7 +22,7 @@ from . import _core
 from .errors import Error, FileError, InputError
 from .gates import Gate, Verdicts, check
 from .study import Results, Scene, Study
-from .tables import to_html
+from .tables import MOST_ROWS, to_html
 
 __all__ = ["Error", "FileError", "FormFactors", "Gate", "InputError", "Results", "Scene", "Study", "Verdicts", "check", "exact",
            "form_factors", "load_plugin", "points"]
@@ -34,8 +34,9 @@ SceneFile = Union[str, os.PathLike]
 class FormFactors:
     """All form factors between the faces of a scene, each with an interval."""
 
-    factors: numpy.ndarray  #: (faces, faces), dimensionless: row i is what leaves face i
-    half_widths: numpy.ndarray  #: (faces, faces): the larger half of each interval
+    factors: Any  #: (faces, faces), dimensionless: row i is what leaves face i. Of more than 2048 faces SciPy's
+    #: csr_matrix, else numpy.ndarray
+    half_widths: Any  #: likewise: the larger half of each interval
     areas: numpy.ndarray  #: (faces,), in squared units of length of the scene
     names: List[str]  #: of the faces
     missed: int  #: pairs of faces whose interval is wider than the tolerance
@@ -51,8 +52,10 @@ class FormFactors:
         return csr_matrix(self.factors)
 
     def _repr_html_(self):
+        shown = self.factors[:MOST_ROWS + 1]
+        rows = shown.toarray() if hasattr(shown, "toarray") else shown
         return to_html(["", *self.names], [[name, *(f"{value:.6g}" for value in row)]
-                                           for name, row in zip(self.names, self.factors)])
+                                           for name, row in zip(self.names, rows)], rows=len(self.names))
 
 
 def _threads(threads):

@@ -19,8 +19,8 @@ class InputError(Error, ValueError):
 class FileError(Error, OSError): ...
 
 class FormFactors:
-    factors: numpy.ndarray
-    half_widths: numpy.ndarray
+    factors: Any
+    half_widths: Any
     areas: numpy.ndarray
     names: List[str]
     missed: int
@@ -48,9 +48,12 @@ class Results:
     slopes: numpy.ndarray
     trials: numpy.ndarray
     report: str
+    answer: str
+    picture: str
     warnings: List[str]
     complete: bool
     def frame(self, name: str = "summary") -> Any: ...
+    def plot(self, pairs: str = "adjacent", axes: Optional[Any] = None) -> Any: ...
 
 class Scene:
     name: str
@@ -62,7 +65,14 @@ class Scene:
 class Study:
     text: str
     origin: str
-    def __init__(self, text: str, origin: str = "study") -> None: ...
+    def __init__(
+        self,
+        text: Optional[str] = None,
+        origin: str = "study",
+        *,
+        methods: Optional[Sequence[Mapping[str, Any]]] = None,
+        **study: Any,
+    ) -> None: ...
     @classmethod
     def from_toml(cls, study: SceneFile) -> Study: ...
     def wants(self) -> List[Tuple[str, str]]: ...

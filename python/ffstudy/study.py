@@ -1,6 +1,8 @@
 """Studies: what is run, and what comes out."""
 
 import hashlib
+import html
+import json
 import os
 import pickle
 import tempfile
@@ -39,6 +41,8 @@ class Results:
         self.slopes = from_csv(tables.slopes)  #: how fast errors fall
         self.trials = from_csv(tables.trials)  #: every direct estimate
         self.report = tables.report  #: as report.md
+        self.answer = tables.answer  #: the study's question answered in a sentence or a few, intervals included
+        self.picture = tables.picture  #: SVG of what the answer ranks; empty where it ranks nothing
         self.warnings = tables.warnings
         self.complete = tables.complete
 
@@ -48,10 +52,31 @@ class Results:
 
         return pandas.DataFrame(getattr(self, name))
 
+    def plot(self, pairs="adjacent", axes=None):
+        """Draws errors against evaluations, a line for each method, and returns the axes; needs matplotlib.
+
+        pairs: "parallel", "adjacent" or "other".   axes: where to draw; new ones if not given.
+        """
+        if axes is None:
+            from matplotlib import pyplot
+
+            axes = pyplot.subplots()[1]
+        rows = self.summary[self.summary["pair_class"] == pairs]
+        for method in dict.fromkeys(rows["method"]):
+            of_method = rows[rows["method"] == method]
+            sizes = of_method["samples_per_patch"] * of_method["patches_per_face"]
+            known = numpy.unique(sizes[numpy.isfinite(sizes)])
+            axes.plot(known, [numpy.sqrt(numpy.mean(of_method["rmse"][sizes == size] ** 2)) for size in known], "o-",
+                      label=str(method))
+        axes.set(xscale="log", yscale="log", xlabel="samples per face", ylabel=f"RMSE of a run, {pairs} pairs")
+        axes.legend()
+        return axes
+
     def _repr_html_(self):
         shown = [name for name in ("scene", "method", "samples_per_patch", "from_face", "to_face", "mean", "bias", "rmse")
                  if name in self.summary.dtype.names]
-        return to_html(shown, self.summary[shown].tolist())
+        table = to_html(shown, self.summary[shown].tolist())
+        return f"<p><b>{html.escape(self.answer)}</b></p>{self.picture}<details><summary>Summary</summary>{table}</details>"
 
 
 def _add(digest, value, seen):
@@ -102,11 +127,26 @@ def _functions(kind, functions, defaults):
         yield name, function, {**defaults, **options}
 
 
+def _to_toml(study, methods):
+    """A study file. Numbers, texts and lists are written alike in JSON and TOML."""
+    def lines(section):
+        return "".join(f"{key} = {json.dumps(value, ensure_ascii=False, default=lambda array: array.tolist())}\n" for key, value in section.items())
+
+    return f"[study]\n{lines(study)}" + "".join(f"[[method]]\n{lines(method)}" for method in methods)
+
+
 class Study:
     """A study: scenes, methods, sizes, trials, seed, as a study file says them (docs/study-files.md)."""
 
-    def __init__(self, text, origin="study"):
-        self.text = text
+    def __init__(self, text=None, origin="study", *, methods=None, **study):
+        """The text of a study file; or its keys: those of [study] by name, and `methods`, a dict for each.
+
+        Study(scene="cube", trials=64, seed=1, methods=[{"name": "Sobol'", "sampler": "sobol",
+              "estimator": "ray_shooting", "samples_per_patch": "2^6..2^12"}])
+        """
+        if (text is None) == (methods is None):
+            raise InputError("Study: a text, or methods (one of both is wanted). Give one.")
+        self.text = text if text is not None else _to_toml({"name": "study", **study}, methods)
         self.origin = origin
 
     @classmethod

@@ -8,7 +8,7 @@ import numpy
 
 _TEXTS = {"study", "scene", "method", "sampler", "estimator", "completion", "nodes", "allocation", "from_face", "to_face",
           "pair_class", "interval_method", "std_interval_method", "gate", "quantity", "verdict"}
-_MOST_ROWS = 50
+MOST_ROWS = 50
 _MOST_COLUMNS = 20
 
 
@@ -33,12 +33,13 @@ def from_csv(text):
     return table
 
 
-def to_html(head, rows):
-    """A table for notebooks; of a large one its beginning, and how large it is."""
+def to_html(head, shown_rows, rows=None):
+    """A table for notebooks; of a large one its beginning, and how large it is. `rows`: how many there are in all."""
     def line(cells, tag):
         more = [] if len(cells) <= _MOST_COLUMNS else ["…"]
         return "<tr>" + "".join(f"<{tag}>{html.escape(str(cell))}</{tag}>" for cell in [*cells[:_MOST_COLUMNS], *more]) + "</tr>"
 
-    shown = "".join(line(row, "td") for row in rows[:_MOST_ROWS])
-    size = "" if len(rows) <= _MOST_ROWS and len(head) <= _MOST_COLUMNS else f"<p>{len(rows)} × {len(head)}</p>"
+    shown = "".join(line(row, "td") for row in shown_rows[:MOST_ROWS])
+    rows = len(shown_rows) if rows is None else rows
+    size = "" if rows <= MOST_ROWS and len(head) <= _MOST_COLUMNS else f"<p>{rows} × {len(head)}</p>"
     return f"<table>{line(head, 'th')}{shown}</table>{size}"

@@ -2,6 +2,7 @@
 
 #include "core/estimators/added.hpp"
 #include "core/support/error.hpp"
+#include "python/module/python_lock.hpp"
 #include "samplers/outside_points.hpp"
 #include "studies/scene_files/scene_writer.hpp"
 
@@ -49,13 +50,13 @@ class FunctionEstimator final : public Estimator {
   public:
     FunctionEstimator(PyObject* function, std::string name, const Scene& scene)
         : function_(function), name_(std::move(name)), faces_(static_cast<py::ssize_t>(scene.faces.size())) {
-        const py::gil_scoped_acquire held;
+        const PythonLock held;
         scene_ = described(scene).release().ptr();
     }
     FunctionEstimator(const FunctionEstimator&) = delete;
     FunctionEstimator& operator=(const FunctionEstimator&) = delete;
     ~FunctionEstimator() override {
-        const py::gil_scoped_acquire held;
+        const PythonLock held;
         py::handle(scene_).dec_ref();
     }
 
@@ -63,7 +64,7 @@ class FunctionEstimator final : public Estimator {
         const auto request = samplers::request_of({task.key, task.trial, 0, 0}, task.samples, 0);
         const std::string origin =
             fmt::format("{} (trial {}, seed {}, {} samples)", name_, request.trial, request.seed, task.samples);
-        const py::gil_scoped_acquire held;
+        const PythonLock held;
         try {
             const py::object made =
                 py::handle(function_)(py::handle(scene_), task.samples, request.seed, request.trial);

@@ -1,8 +1,10 @@
 #include "python/module/function_sampler.hpp"
 
 #include "core/support/error.hpp"
+#include "python/module/python_lock.hpp"
 #include "samplers/added.hpp"
 #include "samplers/outside_points.hpp"
+#include "samplers/set_of_rows.hpp"
 
 #include <fmt/format.h>
 #include <pybind11/numpy.h>
@@ -21,10 +23,10 @@ using Rows = py::array_t<double, py::array::c_style | py::array::forcecast>;
 
 /// Calls the function with the interpreter's lock; what it raises becomes an error of ours. The lock is held until its
 /// numbers are copied: it may return the same array every time.
-samplers::PointSet call(PyObject* fill, const std::string& name, const samplers::SetRequest& request) {
+void call(PyObject* fill, const std::string& name, const samplers::SetRequest& request, samplers::PointSet& set) {
     const std::string origin = fmt::format("{} ({})", name, in_words(request));
     samplers::expect_whole(origin, request);
-    const py::gil_scoped_acquire held;
+    const PythonLock held;
     try {
         const py::object made = py::handle(fill)(request.points, request.dimension, request.seed, request.trial);
         const Rows rows = Rows::ensure(made);
@@ -35,8 +37,8 @@ samplers::PointSet call(PyObject* fill, const std::string& name, const samplers:
             throw UserError(
                 fmt::format("{}: returned an array of shape {} (({}, {}) is wanted). Return one row per point.", origin,
                             py::str(rows.attr("shape")).cast<std::string>(), request.points, request.dimension));
-        return samplers::set_of_rows(std::span(rows.data(), static_cast<std::size_t>(rows.size())), request.points,
-                                     request.dimension, origin);
+        samplers::set_of_rows(std::span(rows.data(), static_cast<std::size_t>(rows.size())), request.points,
+                              request.dimension, origin, set);
     } catch (const py::error_already_set& error) {
         throw UserError(fmt::format("{}: raised {}", origin, error.what()));
     }
@@ -52,8 +54,10 @@ std::string add_function(const std::string& name, const std::string& hash, py::f
     traits.nanoseconds = 200;
     // Kept for ever, as samplers are: no lock of the interpreter would be there to give it back at the end.
     PyObject* const function = fill.release().ptr();
-    const auto part = samplers::parts_of(
-        [function, name](const samplers::SetRequest& request) { return call(function, name, request); });
+    const auto part =
+        samplers::parts_of([function, name](const samplers::SetRequest& request, samplers::PointSet& set) {
+            call(function, name, request, set);
+        });
     const auto& entry = samplers::add(
         std::make_unique<samplers::AddedSampler>(
             samplers::AddedSampler::Texts{fmt::format("{}#{}", name, hash), "points that a Python function makes",

@@ -41,9 +41,19 @@ Scene scene_of(const std::string& name, const std::optional<std::string>& text) 
     return studies::make_scene(text ? studies::with_scene_text(name, *text) : name);
 }
 
+/// Matrices of more faces are sparse in Python: most pairs of large scenes do not see each other.
+constexpr Eigen::Index most_dense = 2048;
+
+using Sparse = studies::FormFactorMatrix::Sparse;
+
+/// NumPy's array, or SciPy's CSR where the matrix is large.
+py::object as_array(const Sparse& matrix) {
+    return matrix.rows() > most_dense ? py::cast(matrix) : py::cast(Eigen::MatrixXd(matrix));
+}
+
 struct Factors {
-    Eigen::MatrixXd factors;
-    Eigen::MatrixXd half_widths;
+    Sparse factors;
+    Sparse half_widths;
     std::vector<double> areas;
     std::vector<std::string> names;
     std::size_t missed = 0;
@@ -134,8 +144,8 @@ PYBIND11_MODULE(_core, module) {
     using py::arg;
     py::register_exception_translator(translate);
     py::class_<Factors>(module, "Factors")
-        .def_readonly("factors", &Factors::factors)
-        .def_readonly("half_widths", &Factors::half_widths)
+        .def_property_readonly("factors", [](const Factors& found) { return as_array(found.factors); })
+        .def_property_readonly("half_widths", [](const Factors& found) { return as_array(found.half_widths); })
         .def_readonly("areas", &Factors::areas)
         .def_readonly("names", &Factors::names)
         .def_readonly("missed", &Factors::missed)
@@ -153,13 +163,11 @@ PYBIND11_MODULE(_core, module) {
             return points(name, {n, d, seed, trial}, deadline);
         },
         arg("name"), arg("n"), arg("d"), arg("seed"), arg("trial"), arg("deadline"));
+    module.def("read_scene_file", &ff::studies::read_scene_file, arg("file"));
     module.def(
-        "read_scene_file",
-        [](const std::filesystem::path& file) {
-            return ff::studies::read_text_file(file, ff::studies::FileKind::scene);
-        },
-        arg("file"));
-    module.def("with_faces_of_polygons", &ff::studies::with_faces_of_polygons, arg("text"));
+        "with_faces_of_polygons",
+        [](std::string text) { return ff::studies::with_obj_comment(std::move(text), ff::studies::faces_of_polygons); },
+        arg("text"));
     module.def("add_function", &add_function, arg("name"), arg("hash"), arg("fill"), arg("most_dimension"),
                arg("randomised"));
     module.def("add_estimator", &add_estimator, arg("name"), arg("hash"), arg("estimate"), arg("has_sizes"),

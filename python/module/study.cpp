@@ -8,6 +8,9 @@
 #include "core/support/error.hpp"
 #include "reports/csv/csv.hpp"
 #include "reports/markdown/markdown.hpp"
+#include "reports/pictures/pictures.hpp"
+#include "reports/pictures/ranking_svg.hpp"
+#include "reports/words/answer.hpp"
 #include "studies/outside/outside_code.hpp"
 #include "studies/outside/plugin.hpp"
 #include "studies/readers/text_file.hpp"
@@ -48,6 +51,8 @@ struct StudyTables {
     std::string slopes;
     std::string trials;
     std::string report;  ///< as report.md
+    std::string answer;
+    std::string picture;  ///< SVG of what the answer ranks; empty where it ranks nothing
     std::vector<std::string> warnings;
     bool complete = false;
 };
@@ -74,6 +79,9 @@ StudyTables tables_of(const studies::Store& store, const std::atomic<bool>& stop
     tables.slopes = text_of([&](std::ostream& out) { reports::write_slopes_csv(out, results); });
     tables.trials = text_of([&](std::ostream& out) { reports::write_trials_csv(out, store); });
     tables.report = reports::markdown_report(results);
+    tables.answer = reports::answer(results).text;
+    if (const auto lead = reports::lead_picture(results); lead && lead->kind == "ranking")
+        tables.picture = reports::ranking_svg(*lead);
     tables.warnings = results.findings.plan.warnings;
     tables.complete = store.is_complete();
     return tables;
@@ -145,6 +153,8 @@ void bind_study(py::module_& module) {
         .def_readonly("slopes", &StudyTables::slopes)
         .def_readonly("trials", &StudyTables::trials)
         .def_readonly("report", &StudyTables::report)
+        .def_readonly("answer", &StudyTables::answer)
+        .def_readonly("picture", &StudyTables::picture)
         .def_readonly("warnings", &StudyTables::warnings)
         .def_readonly("complete", &StudyTables::complete);
     module.def("run_study", &run, py::arg("request"), py::arg("folder"), py::arg("threads"), py::arg("progress"));

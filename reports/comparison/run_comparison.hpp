@@ -9,10 +9,10 @@
 
 namespace ff::reports {
 
-/// Two runs side by side. All of these are byte-identical for the same stores.
+/// Two runs side by side. All outputs are byte-identical for the same stores.
 
 /// For the terminal: which run is better, the ratios of errors as a forest plot, a row for each method, size and class
-/// of pairs, what differs in the study files, and what only one has.
+/// of pairs, the differences of the study files, and cells of only one run.
 std::string comparison_text(const studies::RunComparison& comparison, const TextStyle& style);
 
 /// comparison.md
@@ -21,7 +21,7 @@ std::string comparison_markdown(const studies::RunComparison& comparison);
 /// comparison.html, from comparison.mustache
 std::string comparison_html(const studies::RunComparison& comparison, const Templates& templates);
 
-/// What comparison_text says, for programs.
+/// The content of comparison_text, for programs.
 std::string comparison_json(const studies::RunComparison& comparison);
 
 /// The verdict on one method and size in words.

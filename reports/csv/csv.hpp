@@ -16,6 +16,15 @@ void write_slopes_csv(std::ostream& out, const studies::StudyResults& results);
 /// One row per cell, class, kind of interval and number of replicates: how often it contains the exact value.
 void write_coverage_csv(std::ostream& out, const studies::StudyResults& results);
 
+/// Whether measured values, which differ from run to run, are shown, or the others.
+enum class Timed { no, yes };
+
+/// One row per pair of methods at a budget: how many times worse one is.
+void write_comparisons_csv(std::ostream& out, const studies::StudyResults& results, Timed timed);
+
+/// One row per cell, class and claim: how often the claim holds.
+void write_claimed_errors_csv(std::ostream& out, const studies::StudyResults& results);
+
 /// The direct estimate of every pair in every trial, before completion.
 void write_trials_csv(std::ostream& out, const studies::Store& store);
 

@@ -8,10 +8,10 @@
 
 namespace ff::reports {
 
-/// verdicts.csv: one row a comparison.
+/// verdicts.csv: one row per comparison.
 void write_verdicts_csv(std::ostream& out, const studies::CheckResults& check);
 
-/// seed_sweep.csv: one row a gate.
+/// seed_sweep.csv: one row per gate.
 void write_seed_sweep_csv(std::ostream& out, const studies::GatesSpec& spec,
                           std::span<const studies::SeedSweep> sweeps);
 

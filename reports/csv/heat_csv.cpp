@@ -28,4 +28,13 @@ void write_heat_csv(std::ostream& out, const HeatReport& report) {
     }
 }
 
+void write_gebhart_csv(std::ostream& out, const Scene& scene, const std::vector<studies::GebhartFactor>& factors) {
+    out << "from,to,gebhart_low,gebhart_high,script_f_low,script_f_high\n";
+    for (const auto& [from, to, gebhart, script_f] : factors) {
+        out << fmt::format("{},{},{},{},{},{}\n", csv_field(scene.faces[from]),
+                           to < scene.faces.size() ? csv_field(scene.faces[to]) : "", exact(gebhart.low),
+                           exact(gebhart.high), exact(script_f.low), exact(script_f.high));
+    }
+}
+
 }  // namespace ff::reports

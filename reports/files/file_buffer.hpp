@@ -5,8 +5,8 @@
 
 namespace ff::reports {
 
-/// Writes a stream to an open file, and keeps what the system says of the first write that fails. std::filebuf forgets
-/// it, and errno then is of something else.
+/// Writes a stream to an open file, and keeps the system's error code of the first failed write. std::filebuf does not,
+/// and errno may have changed by then.
 class FileBuffer : public std::streambuf {
   public:
     explicit FileBuffer(int descriptor);

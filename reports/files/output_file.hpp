@@ -7,15 +7,15 @@
 
 namespace ff::reports {
 
-/// Writes a file so that it is there whole or not at all: to a new temporary file beside it, synchronised, renamed.
-/// @throws IoError with what the system says
+/// Writes a file completely or not at all: to a new temporary file beside it, synchronised, then renamed.
+/// @throws IoError with the system's message
 void write_file(const std::filesystem::path& file, const std::function<void(std::ostream&)>& write);
-/// The same for a file that `write` fills by itself: it is given the name of an empty one.
+/// The same for a file that `write` fills itself: it receives the name of an empty one.
 void replace_file(const std::filesystem::path& file, const std::function<void(const std::filesystem::path&)>& write);
 void write_file(const std::filesystem::path& file, std::string_view text);
 
-/// What the names of temporary files begin with. One that a killed program has left can be removed once it is certain
-/// that no other program is writing there.
+/// Prefix of the names of temporary files. One left by a killed program can be removed once it is certain that no other
+/// program is writing there.
 inline constexpr std::string_view temporary_prefix = ".ffstudy-part-";
 
 }  // namespace ff::reports

@@ -10,8 +10,8 @@ namespace ff::reports {
 
 using WritePointSet = std::function<void(std::ostream&, const samplers::PointSet&)>;
 
-/// How the first set is written, by the extension: .npy (n, d) of float64; .csv and .dat, a point a line with every
-/// digit; .svg, a square for each pair of coordinates. What the first three hold reads back as the same points.
+/// How the first set is written, by the extension: .npy (n, d) of float64; .csv and .dat, one point per line with all
+/// digits; .svg, a square for each pair of coordinates. The first three read back as the same points.
 /// @throws UserError for another extension
 WritePointSet point_set_format(const std::filesystem::path& file);
 

@@ -6,7 +6,7 @@
 
 namespace ff::reports {
 
-/// summary.html: one row a gate with a picture of its interval in its band. A page by itself, without scripts.
+/// summary.html: one row per gate with a picture of its interval in its band. A single page without scripts.
 std::string gates_html(const studies::CheckResults& check);
 
 }  // namespace ff::reports

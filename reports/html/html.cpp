@@ -3,6 +3,7 @@
 #include "reports/html/html_view.hpp"
 #include "reports/html/scene_drawing.hpp"
 #include "reports/html/security_policy.hpp"
+#include "reports/pictures/picture_values.hpp"
 #include "reports/pictures/pictures.hpp"
 #include "reports/tables/radiosity_tables.hpp"
 #include "reports/tables/tables.hpp"
@@ -16,7 +17,10 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <map>
+#include <optional>
 #include <set>
+#include <string>
 #include <vector>
 
 namespace ff::reports {
@@ -29,6 +33,7 @@ Json published_view(const studies::PublishedResults& published, double alpha, co
     for (std::size_t i = 0; i < published.tables.tables.size(); ++i)
         tables.push_back(table_view(published_table(published, i, alpha)));
     return {{"source", published.tables.source},
+            {"has_figures", !published.tables.figures.empty()},
             {"wrong", texts_view(top.published)},
             {"contradictory", !top.published.empty()},
             {"unlikely", top.unlikely},
@@ -41,8 +46,13 @@ Json published_view(const studies::PublishedResults& published, double alpha, co
 /// The tables of what is asked beyond bias and spread, as far as the study has it.
 Json findings_view(const studies::StudyResults& results) {
     Json tables = Json::array();
-    for (auto* make : {occlusion_table, configurations_table, convergence_table, reductions_table, evenness_table,
-                       coverage_table, error_law_table, spreads_table}) {
+    constexpr auto decisions = [](const studies::StudyResults& all) { return decisions_table(all, false); };
+    constexpr auto contests = [](const studies::StudyResults& all) { return contests_table(all, false); };
+    constexpr auto claims = [](const studies::StudyResults& all) { return claimed_errors_table(all, Claims::all); };
+    using Make = Table (*)(const studies::StudyResults&);
+    for (const Make make : {Make{occlusion_table}, Make{configurations_table}, Make{convergence_table}, Make{decisions},
+                            Make{contests}, Make{reductions_table}, Make{evenness_table}, Make{coverage_table},
+                            Make{claims}, Make{error_law_table}, Make{spreads_table}}) {
         if (const Table table = make(results); !table.rows.empty()) tables.push_back(table_view(table));
     }
     return tables;
@@ -66,6 +76,22 @@ Json pairs_view(const studies::StudyResults& results) {
     return cells;
 }
 
+/// What readers can choose in place of a picture, with the picture itself; empty where there is no choice.
+std::string alternatives_of(const Picture& picture) {
+    if (picture.alternatives.empty()) return {};
+    Json all = Json::array();
+    const auto add = [&](const Picture& each) {
+        all.push_back({{"name", each.name},
+                       {"title", each.title},
+                       {"finding", each.finding},
+                       {"description", each.description},
+                       {"values", Json::parse(each.values)}});
+    };
+    add(picture);
+    for (const Picture& each : picture.alternatives) add(each);
+    return json_in_html(all);
+}
+
 Json picture_view(const Picture& picture, bool is_drawn) {
     return {{"id", picture.id},
             {"kind", picture.kind},
@@ -73,6 +99,7 @@ Json picture_view(const Picture& picture, bool is_drawn) {
             {"finding", picture.finding},
             {"description", picture.description},
             {"values", picture.values},
+            {"alternatives", alternatives_of(picture)},
             {"drawn", is_drawn}};
 }
 
@@ -102,56 +129,120 @@ Json kinds_view(const std::vector<Picture>& pictures, const std::vector<PictureG
     return list;
 }
 
-/// Distributions and patches of methods are most of a report's bytes. Beyond what a page holds, those of the last
-/// methods are left to files. @return how many pictures are left out
-std::size_t leave_out(std::vector<PictureGroup>& groups) {
-    constexpr std::size_t most_bytes = 530'000;
-    std::size_t bytes = 0;
-    for (const PictureGroup& group : groups) {
-        for (const Picture& picture : group.pictures) bytes += picture.values.size();
+/// The texts of rows as numbers of a list: long names stand on the page once.
+std::string packed(const std::string& values) {
+    Json json = Json::parse(values);
+    Json texts = Json::object();
+    for (std::size_t column = 0; column < json["columns"].size(); ++column) {
+        const auto is_empty = [&](const Json& row) { return column >= row.size() || row[column].is_null(); };
+        const auto is_text = [&](const Json& row) { return is_empty(row) || row[column].is_string(); };
+        if (!std::all_of(json["rows"].begin(), json["rows"].end(), is_text)) continue;
+        std::map<std::string, std::size_t> numbers;
+        Json list = Json::array();
+        for (Json& row : json["rows"]) {
+            if (is_empty(row)) continue;
+            const auto [at, is_new] = numbers.try_emplace(row[column], numbers.size());
+            if (is_new) list.push_back(at->first);
+            row[column] = at->second;
+        }
+        texts[std::to_string(column)] = std::move(list);
     }
+    json["texts"] = std::move(texts);
+    return json_in_html(json);
+}
+
+/// All pictures of a page.
+struct PagePictures {
+    std::optional<Picture> lead;
+    std::vector<Picture> pictures;
+    std::vector<PictureGroup> groups;
+    std::size_t left_out = 0;
+};
+
+PagePictures pictures_of_page(const studies::StudyResults& results) {
+    PagePictures page{lead_picture(results), pictures_by_size(results), picture_groups(results)};
+    // What is beside the answer is not shown again.
+    const auto is_lead = [&](const Picture& picture) { return page.lead && picture.id == page.lead->id; };
+    std::erase_if(page.pictures, is_lead);
+    for (PictureGroup& group : page.groups) std::erase_if(group.pictures, is_lead);
+    std::erase_if(page.groups, [](const PictureGroup& group) { return group.pictures.empty(); });
+    const auto pack = [](std::vector<Picture>& pictures) {
+        for (Picture& picture : pictures) picture.values = packed(picture.values);
+    };
+    if (page.lead) {
+        page.lead->values = packed(page.lead->values);
+        pack(page.lead->alternatives);
+    }
+    pack(page.pictures);
+    for (PictureGroup& group : page.groups) pack(group.pictures);
+    return page;
+}
+
+/// Pictures are most of a report's bytes. They are left to files until about so many bytes are saved: those of the last
+/// single methods, distributions and patches first, then the last of all methods together. @return whether any was
+bool leave_out(PagePictures& page, std::size_t bytes) {
+    constexpr std::size_t markup = 800;  // of a picture, beside its texts
     const auto is_large = [](const Picture& picture) {
         return picture.kind == "qq" || picture.kind == "histogram" || picture.kind == "cube";
     };
-    std::size_t left_out = 0;
-    for (auto group = groups.rbegin(); group != groups.rend() && bytes > most_bytes; ++group) {
-        if (group->open) continue;
-        for (const Picture& picture : group->pictures) {
-            if (is_large(picture)) bytes -= picture.values.size();
+    const auto is_any = [](const Picture&) { return true; };
+    const std::size_t before = page.left_out;
+    std::size_t saved = 0;
+    const auto bytes_of = [](const Picture& picture) {
+        return picture.values.size() + 2 * picture.description.size() + 2 * picture.title.size() + markup;
+    };
+    const auto leave = [&](const auto& is_left, bool open) {
+        for (auto group = page.groups.rbegin(); group != page.groups.rend() && saved < bytes; ++group) {
+            if (group->open != open) continue;
+            for (const Picture& picture : group->pictures) {
+                if (is_left(picture)) saved += bytes_of(picture);
+            }
+            page.left_out += std::erase_if(group->pictures, is_left);
         }
-        left_out += std::erase_if(group->pictures, is_large);
+    };
+    leave(is_large, false);
+    leave(is_any, false);
+    leave(is_any, true);
+    std::erase_if(page.groups, [](const PictureGroup& group) { return group.pictures.empty(); });
+    for (; saved < bytes && !page.pictures.empty(); ++page.left_out) {
+        saved += bytes_of(page.pictures.back());
+        page.pictures.pop_back();
+    }
+    return page.left_out > before;
+}
+
+/// Leaves the tables of the last methods, pair by pair, to summary.csv until about so many bytes are saved, or a little
+/// less. @return how many
+std::size_t leave_out_pairs(Json& tables, std::size_t bytes) {
+    std::size_t saved = 0;
+    std::size_t left_out = 0;
+    for (; saved < bytes && !tables.empty(); ++left_out) {
+        saved += tables.back().dump().size();
+        tables.erase(tables.size() - 1);
     }
     return left_out;
 }
 
-void add_pictures(const studies::StudyResults& results, const Templates& templates, Json& view) {
+void add_pictures(const PagePictures& page, const Templates& templates, Json& view) {
     const bool drawn = templates.has("vega.js");
-    const auto lead = lead_picture(results);
-    auto pictures = pictures_by_size(results);
-    auto groups = picture_groups(results);
-    // What is beside the answer is not shown again.
-    const auto is_lead = [&](const Picture& picture) { return lead && picture.id == lead->id; };
-    std::erase_if(pictures, is_lead);
-    for (PictureGroup& group : groups) std::erase_if(group.pictures, is_lead);
-    const std::size_t left_out = leave_out(groups);
-    std::erase_if(groups, [](const PictureGroup& group) { return group.pictures.empty(); });
-    view["left_out"] = left_out > 0 ? Json(fmt::format("{} pictures of the distributions and patches of single methods "
-                                                       "are not on this page: ffstudy figure draws them.",
-                                                       left_out))
-                                    : Json();
+    view["left_out"] = page.left_out > 0 ? Json(fmt::format("{} pictures are not on this page: ffstudy figure draws "
+                                                            "them.",
+                                                            page.left_out))
+                                         : Json();
     view["drawn"] = drawn;
-    view["lead"] = lead ? picture_view(*lead, drawn) : Json();
-    view["pictured"] = !pictures.empty() || !groups.empty();
-    view["pictures"] = pictures_view(pictures, drawn);
+    view["lead"] = page.lead ? picture_view(*page.lead, drawn) : Json();
+    view["pictured"] = !page.pictures.empty() || !page.groups.empty();
+    view["pictures"] = pictures_view(page.pictures, drawn);
     view["groups"] = Json::array();
-    for (const PictureGroup& group : groups) {
+    for (const PictureGroup& group : page.groups) {
         view["groups"].push_back(
             {{"title", group.title}, {"open", group.open}, {"pictures", pictures_view(group.pictures, drawn)}});
     }
     if (!drawn) return;
     view["runtime"] = templates.text("vega.js");
-    if (lead) pictures.push_back(*lead);
-    view["kinds"] = kinds_view(pictures, groups, templates);
+    auto pictures = page.pictures;
+    if (page.lead) pictures.push_back(*page.lead);
+    view["kinds"] = kinds_view(pictures, page.groups, templates);
 }
 
 }  // namespace
@@ -171,6 +262,7 @@ std::string html_report(const studies::StudyResults& results, const Templates& t
     view["findings"] = findings_view(results);
     view["has_findings"] = !view["findings"].empty();
     view["pairs"] = pairs_view(results);
+    view["pairs_left_out"] = Json();
     view["again"] = reproduction_view(results);
 
     const std::string& style = templates.text("report.css");
@@ -178,11 +270,25 @@ std::string html_report(const studies::StudyResults& results, const Templates& t
     view["style"] = style;
     view["script"] = script;
     const std::vector<std::string_view> styles{style};
-    add_pictures(results, templates, view);
+    PagePictures page = pictures_of_page(results);
+    add_pictures(page, templates, view);
     std::vector<std::string_view> scripts{script};
     if (templates.has("vega.js")) scripts.push_back(templates.text("vega.js"));
     view["policy"] = security_policy(styles, scripts);
-    return fill_template(templates, "report", view, escape_html);
+    const auto fill = [&] { return fill_template(templates, "report", view, escape_html); };
+    std::string html = fill();
+    constexpr std::size_t most_bytes = 1'500'000;
+    while (html.size() > most_bytes && leave_out(page, html.size() - most_bytes)) {
+        add_pictures(page, templates, view);
+        html = fill();
+    }
+    std::size_t left_out = 0;
+    while (html.size() > most_bytes && !view["pairs"].empty()) {
+        left_out += leave_out_pairs(view["pairs"], html.size() - most_bytes);
+        view["pairs_left_out"] = fmt::format("{} more methods and sizes are in summary.csv.", left_out);
+        html = fill();
+    }
+    return html;
 }
 
 }  // namespace ff::reports

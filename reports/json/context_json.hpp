@@ -5,7 +5,7 @@
 
 namespace ff::reports {
 
-/// context.json. Host, compiler, dates and timings: what may differ between equal runs.
+/// context.json. Host, compiler, dates and timings: everything that may differ between equal runs.
 std::string context_json(const std::map<std::string, std::string>& context);
 
 }  // namespace ff::reports

@@ -15,11 +15,21 @@ Json faces_json(const FormFactorReport& report) {
     Json faces = Json::array();
     for (std::size_t i = 0; i < report.scene.faces.size(); ++i) {
         const studies::RowSum& sum = report.matrix.rows[i];
-        faces.push_back({{"face", report.scene.faces[i]},
-                         {"area", report.matrix.areas[i]},
-                         {"row_sum", sum.value},
-                         {"row_sum_low", sum.low},
-                         {"row_sum_high", sum.high}});
+        Json face = {{"face", report.scene.faces[i]},
+                     {"area", report.matrix.areas[i]},
+                     {"row_sum", sum.value},
+                     {"row_sum_low", sum.low},
+                     {"row_sum_high", sum.high}};
+        if (!report.scene.closed && !report.scene.empty_box)
+            face.update({{"leaves", 1 - sum.value}, {"leaves_low", 1 - sum.high}, {"leaves_high", 1 - sum.low}});
+        if (report.request.drop > 0) {
+            const studies::DroppedExchange& dropped = sum.dropped;
+            face.update({{"dropped_pairs", dropped.pairs},
+                         {"dropped", dropped.value},
+                         {"dropped_low", dropped.low},
+                         {"dropped_high", dropped.high}});
+        }
+        faces.push_back(std::move(face));
     }
     return faces;
 }
@@ -42,21 +52,23 @@ std::string form_factors_json(const FormFactorReport& report) {
     const studies::FormFactorMatrix& matrix = report.matrix;
     double worst = 0;
     for (const FaceExchange& exchange : matrix.exchanges) worst = std::max(worst, worst_half_width(matrix, exchange));
-    const Json json = {{"scene", report.scene.name},
-                       {"tolerance", report.request.tolerance},
-                       {"level", report.request.level},
-                       {"coverage", report.request.level_of == studies::LevelOf::entry ? "entry" : "matrix"},
-                       {"entry_level", matrix.entry_level},
-                       {"seed", report.request.seed.value},
-                       {"pairs", matrix.pairs()},
-                       {"missed", matrix.missed()},
-                       {"worst_half_width", worst},
-                       {"samples", matrix.samples},
-                       {"rays", matrix.rays},
-                       {"lost_rays", matrix.lost_rays},
-                       {"faces", faces_json(report)},
-                       {"repair", repair_json(report)},
-                       {"warnings", form_factor_warnings(report)}};
+    Json json = {{"scene", report.scene.name},
+                 {"tolerance", report.request.tolerance},
+                 {"level", report.request.level},
+                 {"coverage", report.request.level_of == studies::LevelOf::entry ? "entry" : "matrix"},
+                 {"entry_level", matrix.entry_level},
+                 {"seed", report.request.seed.value},
+                 {"pairs", matrix.pairs()},
+                 {"missed", matrix.missed()},
+                 {"worst_half_width", worst},
+                 {"samples", matrix.samples},
+                 {"rays", matrix.rays},
+                 {"lost_rays", matrix.lost_rays},
+                 {"faces", faces_json(report)},
+                 {"repair", repair_json(report)},
+                 {"warnings", form_factor_warnings(report)}};
+    if (report.request.drop > 0) json.update({{"drop", report.request.drop}, {"dropped", matrix.dropped}});
+    if (report.request.relative > 0) json["relative"] = report.request.relative;
     return json.dump(2) + "\n";
 }
 

@@ -6,7 +6,7 @@
 
 namespace ff::reports {
 
-/// form_factors.json; docs/form-factors.md says what the keys are.
+/// form_factors.json; docs/form-factors.md describes the keys.
 std::string form_factors_json(const FormFactorReport& report);
 
 }  // namespace ff::reports

@@ -223,6 +223,8 @@ std::string results_json(const studies::StudyResults& results) {
     json["slopes"] = slopes_json(results);
     json["heavy_tails"] = heavy_tails_json(results);
     json["variance_reductions"] = reductions_json(results);
+    json["contests"] = contests_json(results);
+    json["claimed_errors"] = claimed_errors_json(results);
     json["coverage"] = coverage_json(results);
     json["until"] = until_json(results);
     Json& checks = json["variance_checks"] = Json::array();

@@ -2,6 +2,9 @@
 
 #include "reports/text/labels.hpp"
 
+#include <cmath>
+#include <utility>
+
 namespace ff::reports {
 namespace {
 
@@ -81,6 +84,61 @@ Json reductions_json(const studies::StudyResults& results) {
                         {"pair_class", ff::name(reduction.pair_class)},
                         {"factor", reduction.factor},
                         {"interval", interval_json(reduction.interval)}});
+    }
+    return rows;
+}
+
+Json contests_json(const studies::StudyResults& results) {
+    const studies::StudyPlan& plan = results.findings.plan;
+    Json rows = Json::array();
+    for (const studies::Contest& contest : results.contests) {
+        if (contest.equal == studies::Equal::processor_time) continue;
+        Json entrants = Json::array();
+        for (const studies::Entrant& entrant : contest.entrants) {
+            const studies::Cell& cell = plan.cells[entrant.cell];
+            entrants.push_back({{"method", plan.spec.methods[cell.method].name},
+                                {"patches_per_face", cell.subdivision.per_part()},
+                                {"samples_per_patch", cell.samples == 0 ? Json(nullptr) : Json(cell.samples)},
+                                {"repeats", entrant.repeats},
+                                {"value", entrant.value},
+                                {"group", entrant.group + 1}});
+        }
+        Json ratios = Json::array();
+        for (const studies::Handicap& handicap : contest.handicaps) {
+            ratios.push_back({{"better", handicap.better},
+                              {"worse", handicap.worse},
+                              {"ratio", handicap.ratio},
+                              {"interval", interval_json(handicap.interval)}});
+        }
+        rows.push_back({{"scene", plan.scenes[contest.scene].name},
+                        {"pair_class", ff::name(contest.pair_class)},
+                        {"equal", studies::name(contest.equal)},
+                        {"budget", contest.budget},
+                        {"entrants", std::move(entrants)},
+                        {"ratios", std::move(ratios)}});
+    }
+    return rows;
+}
+
+Json claimed_errors_json(const studies::StudyResults& results) {
+    const studies::StudyPlan& plan = results.findings.plan;
+    Json rows = Json::array();
+    for (const studies::ClaimedErrors& row : results.claimed_errors) {
+        const studies::Cell& cell = plan.cells[row.cell];
+        // Of a claim of 0 every error is infinitely many times as large, which is no number of JSON.
+        const auto finite = [](double ratio) { return std::isfinite(ratio) ? Json(ratio) : Json(nullptr); };
+        rows.push_back({{"cell", cell_label(plan, cell)},
+                        {"pair_class", ff::name(row.pair_class)},
+                        {"claimant", studies::name(row.claimant)},
+                        {"promised", row.promised},
+                        {"claims", row.claims},
+                        {"held", row.held},
+                        {"worst_pair", quantity_label(plan.scenes[cell.scene], row.worst)},
+                        {"worst_held", row.worst_held},
+                        {"worst_share_interval", interval_json(row.worst_share)},
+                        {"median_ratio", finite(row.median_ratio)},
+                        {"largest_ratio", finite(row.largest_ratio)},
+                        {"finding", row.finding == studies::ClaimFinding::fails ? "fails" : "not_refuted"}});
     }
     return rows;
 }

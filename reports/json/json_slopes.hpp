@@ -5,7 +5,7 @@
 
 namespace ff::reports {
 
-/// One object a ladder; docs/results.md has its keys.
+/// One object per ladder; docs/results.md has its keys.
 Json slopes_json(const studies::StudyResults& results);
 
 }  // namespace ff::reports

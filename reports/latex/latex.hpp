@@ -15,12 +15,12 @@ struct NamedText {
     std::string text;
 };
 
-/// tables.tex, a document that compiles, and the tables that it takes in, one per file of tables/: methods, slopes, the
+/// tables.tex, a document that compiles, and the tables that it includes, one per file of tables/: methods, slopes, the
 /// published tables, claims, the pairs of every cell. Byte-identical for the same store.
 std::vector<NamedText> latex_report(const studies::StudyResults& results, const Templates& templates);
 
-/// One table. Where all columns but the first come in groups of equal titles, as in published tables, the groups stand
-/// one below the other: paper is narrow.
+/// One table. Where all columns except the first form groups of equal titles, as in published tables, the groups are
+/// stacked vertically: paper is narrow.
 std::string latex_table(const Table& table, const Templates& templates);
 
 }  // namespace ff::reports

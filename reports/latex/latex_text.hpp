@@ -4,11 +4,11 @@
 
 namespace ff::reports {
 
-/// Text as LaTeX shows it, in any font encoding: its special characters, ligatures of ASCII and the signs that reports
-/// use are written out, control characters become spaces. Letters of other scripts stay as they are, in UTF-8.
+/// Text escaped for LaTeX, in any font encoding: special characters, ASCII ligatures and the signs that reports use are
+/// written out, control characters become spaces. Letters of other scripts stay UTF-8.
 std::string escape_latex(const std::string& text);
 
-/// The same, with numbers as mathematics sets them: "-7.2e-05" becomes $-7.2\times10^{-5}$.
+/// The same, with numbers set as mathematics: "-7.2e-05" becomes $-7.2\times10^{-5}$.
 std::string latex_with_numbers(const std::string& text);
 
 }  // namespace ff::reports

@@ -65,7 +65,7 @@ Table trials_table(const EnclosureRequest& request, const EnclosureResults& resu
                  {"dominant", true, {}},
                  {"spectral radius", true, {}},
                  {"bias of mean exitance", true, {}},
-                 {"error of the light", true, {}},
+                 {"exitance error", true, {}},
                  {"on the worst surface", true, {}},
                  {"largest correction", true, {}}},
                 {},

@@ -15,7 +15,7 @@ std::string gates_markdown(const studies::CheckResults& check) {
         fmt::format("### Gates of {}: {} passed, {} failed, {} inconclusive{}\n\n", markdown_text(check.spec.name),
                     check.count(Verdict::pass), check.count(Verdict::fail), check.count(Verdict::inconclusive),
                     missing > 0 ? fmt::format(", {} not run", missing) : "");
-    text += fmt::format("False alarm at most {} in all, power {}. Inconclusive is no pass.\n\n",
+    text += fmt::format("False alarm at most {} in all, power {}. Inconclusive is not a pass.\n\n",
                         brief(check.spec.alpha), brief(check.spec.power));
     text += "| verdict | gate | kind | found |\n|---|---|---|---|\n";
     for (const Verdict verdict : {Verdict::fail, Verdict::inconclusive, Verdict::pass}) {

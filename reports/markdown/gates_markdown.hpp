@@ -6,7 +6,7 @@
 
 namespace ff::reports {
 
-/// summary.md: what a pull request is told. One row a gate, those that did not pass first.
+/// summary.md: a comment for a pull request. One row per gate, those that did not pass first.
 std::string gates_markdown(const studies::CheckResults& check);
 
 }  // namespace ff::reports

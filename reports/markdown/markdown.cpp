@@ -18,9 +18,12 @@ std::string markdown_report(const studies::StudyResults& results) {
     out += markdown_section(occlusion_table(results));
     out += markdown_section(configurations_table(results));
     out += slopes_section(results);
+    out += markdown_section(decisions_table(results, false));
+    out += markdown_section(contests_table(results, false));
     out += markdown_section(reductions_table(results));
     out += markdown_section(evenness_table(results));
     out += markdown_section(coverage_table(results));
+    out += markdown_section(claimed_errors_table(results, Claims::all));
     out += radiosity_section(results);
     out += published_tables_section(results);
     out += claims_section(results);

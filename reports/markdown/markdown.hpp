@@ -7,7 +7,7 @@
 namespace ff::reports {
 
 /// report.md: the verdict, the published tables beside ours, claims, and every number behind them. Renders on a code
-/// host. Byte-identical for the same store, but for the marked block of circumstances at the end.
+/// host. Byte-identical for the same store, except for the marked block of circumstances at the end.
 std::string markdown_report(const studies::StudyResults& results);
 
 }  // namespace ff::reports

@@ -41,15 +41,16 @@ const CellFindings* best(const studies::Findings& findings, std::size_t scene, P
     return best;
 }
 
-/// Names of the deterministic methods whose error is rounding at some size.
-std::string exact_methods(const studies::Findings& findings, std::size_t scene, PairClass pair_class) {
+/// Names of the deterministic or the sampled methods whose error is rounding at some size.
+std::string exact_methods(const studies::Findings& findings, std::size_t scene, PairClass pair_class,
+                          bool deterministic) {
     std::vector<std::string> names;
     for (const CellFindings& found : findings.cells) {
         const studies::Cell& cell = findings.plan.cells[found.cell];
         const studies::Method& method = findings.plan.spec.methods[cell.method];
         const auto rmse = found.class_rmse(pair_class);
-        const bool computed = cell.deterministic && !estimator_info(method).exact;
-        if (cell.scene != scene || !computed || !rmse || *rmse >= studies::rounding_error) continue;
+        const bool counts = cell.deterministic == deterministic && !estimator_info(method).exact;
+        if (cell.scene != scene || !counts || !rmse || *rmse >= studies::rounding_error) continue;
         if (std::find(names.begin(), names.end(), method.name) == names.end()) names.push_back(method.name);
     }
     return fmt::format("{}", fmt::join(names, ", "));
@@ -63,8 +64,9 @@ std::string accuracy_line(const studies::Findings& findings, std::size_t scene, 
         const double rmse = *found->class_rmse(pair_class);
         const std::string label = markdown_text(cell_label(findings.plan, findings.plan.cells[found->cell]));
         if (rmse < studies::rounding_error) {
-            parts.push_back(fmt::format("deterministic methods are exact to rounding (**{}**)",
-                                        markdown_text(exact_methods(findings, scene, pair_class))));
+            parts.push_back(fmt::format("{} methods are exact to rounding (**{}**)",
+                                        deterministic ? "deterministic" : "sampled",
+                                        markdown_text(exact_methods(findings, scene, pair_class, deterministic))));
         } else {
             parts.push_back(fmt::format(
                 "{} **{}** (RMSE {})",
@@ -123,8 +125,9 @@ std::string brief_section(const studies::StudyResults& results) {
     if (results.published) {
         for (const std::string& line : published_in_brief(*results.published, 1 - results.findings.plan.spec.level))
             out += fmt::format("- {}\n", markdown_text(line));
-        out += fmt::format("- The {} printed figures contain {} contradictions; see [the audit](#the-audit).\n",
-                           results.published->audit.figures, results.published->audit.contradictions());
+        if (results.published->audit.figures > 0)
+            out += fmt::format("- The {} printed figures contain {} contradictions; see [the audit](#the-audit).\n",
+                               results.published->audit.figures, results.published->audit.contradictions());
     }
     return out + "\n";
 }

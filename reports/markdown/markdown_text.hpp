@@ -5,11 +5,11 @@
 
 namespace ff::reports {
 
-/// Text with names that users gave, as Markdown shows it letter by letter: no tag, link, entity, emphasis or code comes
-/// of it. What needs no escape stays as it is, so that the source is read as easily.
+/// Text with users' names, escaped so that Markdown shows it literally: without tags, links, entities, emphasis or
+/// code. Nothing is escaped needlessly, so that the source stays readable.
 std::string markdown_text(std::string_view text);
 
-/// The same for a cell of a table, which a bar would end.
+/// The same for a table cell, where bars are escaped too.
 std::string markdown_cell(std::string_view text);
 
 /// Lines of code of a language. The fence is longer than any run of backticks in them.

@@ -77,20 +77,30 @@ std::string selftest_markdown(const studies::Selftest& selftest) {
 std::string form_factor_coverage_markdown(const studies::FormFactorCoverage& coverage) {
     const auto& options = coverage.options;
     const std::size_t contradictions = coverage.contradictions();
+    std::string text = fmt::format(
+        "`ffstudy form_factors_selftest --seed {} --seeds {} --tolerance {}` printed what follows. "
+        "Intervals are those of Clopper and Pearson at level {:.5f} (Šidák), so that all rows hold together "
+        "with probability 0.95 if all claims are right. Of {} values that are computed with a bound of the error, in "
+        "all runs, {} lay outside it. {} runs missed the tolerance. **{}**\n\n",
+        options.seed.value, options.seeds, brief(options.tolerance), coverage.level, coverage.exact_pairs,
+        coverage.exact_missed, coverage.out_of_tolerance,
+        contradictions == 0 ? std::string("All claims hold.")
+                            : fmt::format("{} claim(s) do not hold.", contradictions));
+    for (const studies::RateTable* table : coverage.tables()) text += rate_table_markdown(*table, coverage.level);
+    return text;
+}
+
+std::string flow_coverage_markdown(const studies::FlowCoverage& coverage) {
+    const auto& options = coverage.options;
+    const std::size_t contradictions = coverage.contradictions();
     return fmt::format(
-               "`ffstudy form_factors_selftest --seed {} --seeds {} --tolerance {} --level {}` printed what follows. "
-               "Intervals are those of Clopper and Pearson at level {:.5f} (Šidák), so that all rows hold together "
-               "with "
-               "probability 0.95 if all claims are right. Of {} values that are computed with a bound of the error, in "
-               "all runs, {} lay outside it. {} runs missed the tolerance. **{}**\n\n",
-               options.seed.value, options.seeds, brief(options.tolerance), brief(options.level), coverage.level,
-               coverage.exact_pairs, coverage.exact_missed, coverage.out_of_tolerance,
+               "`ffstudy heat_selftest --seed {} --seeds {} --tolerance {}` printed what follows. Intervals "
+               "are those of Clopper and Pearson at level {:.5f} (Šidák), so that all rows hold together with "
+               "probability 0.95 if all claims are right. **{}**\n\n",
+               options.seed.value, options.seeds, brief(options.tolerance), coverage.level,
                contradictions == 0 ? std::string("All claims hold.")
                                    : fmt::format("{} claim(s) do not hold.", contradictions)) +
-           rate_table_markdown(coverage.entries, coverage.level) +
-           rate_table_markdown(coverage.matrices, coverage.level) +
-           (coverage.adversarial.rates.empty() ? std::string()
-                                               : rate_table_markdown(coverage.adversarial, coverage.level));
+           rate_table_markdown(coverage.flows, coverage.level) + rate_table_markdown(coverage.narrower, coverage.level);
 }
 
 }  // namespace ff::reports

@@ -9,19 +9,18 @@ import {compile} from 'vega-lite';
 
 const here = dirname(fileURLToPath(import.meta.url));
 const [out] = process.argv.slice(2);
-const config = JSON.parse(readFileSync(join(here, 'config.json'), 'utf8'));
+const read = file => JSON.parse(readFileSync(join(here, file), 'utf8'));
+const config = read('config.json');
+const lineLabels = read('line_labels.json');
 mkdirSync(out, {recursive: true});
 
 const warnings = [];
 const logger = {level: () => logger, error: text => warnings.push(text), warn: text => warnings.push(text),
                 info: () => logger, debug: () => logger};
 for (const file of readdirSync(here).filter(name => name.endsWith('.vl.json')).sort()) {
-  const {spec} = compile(JSON.parse(readFileSync(join(here, file), 'utf8')), {config, logger});
-  for (const legend of spec.legends ?? []) {
-    if (!legend.shape) continue;
-    legend.fill = 'color';  // Vega-Lite joins both in one legend only where all layers have both
-    delete legend.encode.symbols;
-  }
+  const picture = read(file);
+  picture.layer = picture.layer?.flatMap(layer => layer === 'line_labels' ? lineLabels : [layer]);
+  const {spec} = compile(picture, {config, logger});
   spec.autosize = {type: 'fit-x', contains: 'padding'};  // as wide as there is room, as high as it takes
   writeFileSync(join(out, file.replace('.vl.json', '.json')), JSON.stringify(spec));
   if (warnings.length > 0) throw new Error(`${file}: ${warnings.join('; ')}`);

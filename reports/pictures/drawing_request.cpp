@@ -11,7 +11,11 @@ std::vector<Picture> all_pictures(const studies::StudyResults& results, const Me
     std::vector<Picture> all;
     const auto add = [&](std::vector<Picture> more) { std::move(more.begin(), more.end(), std::back_inserter(all)); };
     auto lead = lead_picture(results, methods);
-    if (lead && lead->kind == "ranking") add({std::move(*lead)});  // others are among those below
+    if (lead && lead->kind == "ranking") {  // others are among those below
+        auto alternatives = std::move(lead->alternatives);
+        add({std::move(*lead)});
+        add(std::move(alternatives));
+    }
     add(pictures_by_size(results, methods));
     if (!methods.names.empty()) return all;  // the others are of one method, or of the scene
     for (PictureGroup& group : picture_groups(results)) add(std::move(group.pictures));

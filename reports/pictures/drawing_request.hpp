@@ -9,12 +9,12 @@
 
 namespace ff::reports {
 
-/// How a figure is drawn on paper. Lines and symbols follow the size of its letters.
+/// How a figure is drawn on paper. Lines and symbols scale with the font size.
 struct FigureStyle {
     double width = 0;              ///< mm
-    std::optional<double> height;  ///< mm; otherwise as its kind has it
+    std::optional<double> height;  ///< mm; empty: the default of its kind
     double font_size = 8;          ///< points
-    std::string font;              ///< a font family; empty: that of reports
+    std::string font;              ///< a font family; empty: the one of reports
 };
 
 /// Every picture of a report, each once.

@@ -1,10 +1,10 @@
-#include "reports/pictures/method_styles.hpp"
-#include "reports/pictures/picture_values.hpp"
 #include "reports/pictures/pictures.hpp"
+#include "reports/pictures/ranking_rows.hpp"
 #include "reports/text/labels.hpp"
 #include "reports/words/answer.hpp"
 #include "reports/words/coverage_words.hpp"
 #include "studies/analysis/configuration_estimates.hpp"
+#include "studies/comparison/decisions.hpp"
 #include "studies/comparison/ranking.hpp"
 
 #include <fmt/format.h>
@@ -18,76 +18,14 @@
 namespace ff::reports {
 namespace {
 
-using Json = nlohmann::ordered_json;
 using studies::Ranked;
 using studies::StudyResults;
-
-constexpr std::size_t most_blocks = 4;
-
-/// Rows of a ranking, in blocks with a heading each.
-class Rows {
-  public:
-    explicit Rows(const MethodChoice& methods) : chosen_(methods) {}
-
-    struct Row {
-        std::string label;
-        std::string method;
-        std::string size;
-        std::optional<double> value;
-        std::optional<stats::Interval> interval;
-        std::optional<double> expected;
-        std::string group;
-    };
-
-    void heading(const std::string& text) {
-        ++blocks_;
-        block_ = text;
-        begun_ = false;
-    }
-    void add(const Row& row) {
-        if (!chosen_.has(row.method)) return;
-        if (!std::exchange(begun_, true)) order_.push_back(block_);
-        ++rows_;
-        if (!row.method.empty()) methods_.insert(row.method);
-        order_.push_back(fmt::format("{}|{}", block_, row.label));
-        values_.add({order_.back(), row.method, row.size, drawn(row.value),
-                     row.interval ? drawn(row.interval->low) : Json(),
-                     row.interval ? drawn(row.interval->high) : Json(),
-                     row.interval ? drawn(row.interval->high) : drawn(row.value), drawn(row.expected), row.group});
-    }
-    [[nodiscard]] std::size_t rows() const { return rows_; }
-    [[nodiscard]] bool full() const { return blocks_ >= most_blocks; }
-    PictureValues& values() { return values_; }
-    [[nodiscard]] const Json& order() const { return order_; }
-    [[nodiscard]] const std::set<std::string>& methods() const { return methods_; }
-
-  private:
-    const MethodChoice& chosen_;
-    bool begun_ = false;  ///< whether the heading of this block stands
-    PictureValues values_{{"row", "method", "size", "value", "low", "high", "end", "expected", "group"}};
-    std::string block_;
-    Json order_ = Json::array();
-    std::size_t blocks_ = 0;
-    std::size_t rows_ = 0;
-    std::set<std::string> methods_;
-};
-
-/// Letters of groups: a for the best; none where all are in one.
-std::string letter(const std::vector<Ranked>& ranked, const Ranked& one) {
-    const bool groups = std::any_of(ranked.begin(), ranked.end(), [](const Ranked& each) { return each.group > 0; });
-    return groups ? std::string(1, static_cast<char>('a' + std::min<std::size_t>(one.group, 25))) : std::string();
-}
-
-std::string heading_of(const studies::StudyPlan& plan, std::size_t scene, PairClass pair_class) {
-    const std::string where = fmt::format("{} pairs", name(pair_class));
-    return plan.scenes.size() == 1 ? where : fmt::format("{}: {}", plan.scenes[scene].name, where);
-}
 
 constexpr std::array all_classes{PairClass::parallel, PairClass::adjacent, PairClass::other};
 
 /// For each class of pairs of each scene.
 template <class Add>
-void for_each_class(const StudyResults& results, Rows& rows, const Add& add) {
+void for_each_class(const StudyResults& results, RankingRows& rows, const Add& add) {
     for (std::size_t scene = 0; scene < results.findings.plan.scenes.size(); ++scene) {
         for (const PairClass pair_class : all_classes) {
             if (!rows.full()) add(scene, pair_class);
@@ -95,7 +33,7 @@ void for_each_class(const StudyResults& results, Rows& rows, const Add& add) {
     }
 }
 
-void add_slopes(const StudyResults& results, Rows& rows) {
+void add_slopes(const StudyResults& results, RankingRows& rows) {
     const studies::StudyPlan& plan = results.findings.plan;
     for_each_class(results, rows, [&](std::size_t scene, PairClass pair_class) {
         const auto ranked = studies::rank_slopes(results.slopes, scene, pair_class, plan.spec.level);
@@ -113,7 +51,7 @@ void add_slopes(const StudyResults& results, Rows& rows) {
     });
 }
 
-void add_errors(const StudyResults& results, Rows& rows) {
+void add_errors(const StudyResults& results, RankingRows& rows) {
     const studies::StudyPlan& plan = results.findings.plan;
     const auto tables = results.published ? results.published->comparisons : std::vector<studies::TableComparison>();
     for_each_class(results, rows, [&](std::size_t scene, PairClass pair_class) {
@@ -131,7 +69,7 @@ void add_errors(const StudyResults& results, Rows& rows) {
     });
 }
 
-void add_variances(const StudyResults& results, Rows& rows) {
+void add_variances(const StudyResults& results, RankingRows& rows) {
     const studies::StudyPlan& plan = results.findings.plan;
     std::set<std::pair<std::size_t, PairClass>> seen;
     for (const studies::VarianceReduction& first : results.reductions) {
@@ -149,7 +87,7 @@ void add_variances(const StudyResults& results, Rows& rows) {
 }
 
 /// The least and the most of each rule and number of replicates, over rows whose variance is finite.
-void add_coverage(const StudyResults& results, Rows& rows) {
+void add_coverage(const StudyResults& results, RankingRows& rows) {
     std::set<studies::IntervalRule> seen;
     for (const studies::Coverage& first : results.coverage) {
         if (!seen.insert(first.rule).second) continue;
@@ -171,7 +109,7 @@ void add_coverage(const StudyResults& results, Rows& rows) {
 }
 
 /// The estimate furthest off in each configuration.
-void add_configurations(const StudyResults& results, Rows& rows) {
+void add_configurations(const StudyResults& results, RankingRows& rows) {
     const studies::StudyPlan& plan = results.findings.plan;
     const auto estimates = studies::configuration_estimates(results.findings);
     std::set<std::string_view> seen;
@@ -191,71 +129,79 @@ void add_configurations(const StudyResults& results, Rows& rows) {
     }
 }
 
-/// What is told about each kind of ranking.
-struct Told {
-    std::string title;
-    std::string axis;
-    std::string finding;
-    bool log = false;
-};
+/// The best methods on each kind of pairs, by the share of scenes.
+void add_choices(const StudyResults& results, RankingRows& rows) {
+    constexpr std::size_t most_methods = 5;
+    const studies::StudyPlan& plan = results.findings.plan;
+    for (const studies::Decision& decision : studies::decide(plan, results.contests, studies::Equal::evaluations)) {
+        if (decision.choices.empty() || rows.full()) continue;
+        rows.heading(decision.may_be_occluded ? fmt::format("{}, maybe occluded", name(decision.pair_class))
+                                              : kind_of_pairs(decision.pair_class, false));
+        for (std::size_t i = 0; i < std::min(most_methods, decision.choices.size()); ++i) {
+            const studies::Choice& choice = decision.choices[i];
+            const std::string& method = plan.spec.methods[choice.method].name;
+            rows.add({method, method, "", static_cast<double>(choice.best) / static_cast<double>(choice.entered),
+                      std::nullopt, std::nullopt, fmt::format("{} of {}", choice.best, choice.entered)});
+        }
+    }
+}
 
-Told told(Subject subject, double level) {
+/// What is told about each kind of ranking.
+RankingText told(Subject subject, const StudyResults& results) {
+    const double level = results.findings.plan.spec.level;
     const std::string bars = fmt::format("Bars: {:g} % intervals.", 100 * level);
-    const std::string groups = fmt::format(
-        " Methods with the same letter cannot be told apart from the first of them ({:g} % over all pairs of "
-        "methods in a block).",
-        100 * (1 - level));
+    const std::string groups = fmt::format(" {}", letters_in_words(level));
+    RankingText text{"answer", "", "", "", {}, false};
+    text.description = answer(results).text;
     switch (subject) {
         case Subject::rates:
-            return {"Convergence rates, steepest first.", "slope of ln(error) on ln(evaluations)",
-                    bars + " Grey ticks: what theory expects at least." + groups, false};
+            text.title = "Convergence rates, steepest first.";
+            text.axis = "slope of ln(error) on ln(evaluations)";
+            text.finding = bars + " Grey ticks: what theory expects at least." + groups;
+            return text;
         case Subject::variances:
-            return {"Variance reduction, largest first.", "variance of random points / variance",
-                    bars + " Grey ticks: no reduction." + groups, true};
+            text.title = "Variance reduction, largest first.";
+            text.axis = "variance of random points / variance";
+            text.finding = bars + " Grey ticks: no reduction." + groups;
+            text.log = true;
+            return text;
         case Subject::coverage:
-            return {"Least coverage of each rule with R replicates.", "share of intervals that contain the exact value",
-                    bars + " Grey ticks: what the intervals promise.", false};
+            text.title = "Least coverage of each rule with R replicates.";
+            text.axis = "share of intervals that contain the exact value";
+            text.finding =
+                bars + " Grey ticks: what the intervals promise. Colour and symbol: the method with least coverage.";
+            text.isolates = false;
+            return text;
+        case Subject::choice:
+            text.title = "The methods that are best in the most scenes.";
+            text.axis = "share of scenes where nothing is shown to be better";
+            text.finding = "At equal evaluations, of the scenes that a method can do.";
+            return text;
         case Subject::configurations:
-            return {"The estimate furthest from its exact value.", "deviation in standard errors",
-                    "Grey ticks: the exact value. Of several methods the largest of all deviations is shown.", false};
+            text.title = "The estimate furthest from its exact value.";
+            text.axis = "deviation in standard errors";
+            text.finding =
+                "Grey ticks: the exact value. Colour and symbol: the method with the largest deviation, which is "
+                "shown.";
+            return text;
         case Subject::light:
         case Subject::occlusion:
         case Subject::publication:
         case Subject::errors:
             break;
     }
-    return {"Error of each method, smallest first.", "RMSE of a run", bars + groups, true};
-}
-
-Picture ranking_picture(const StudyResults& results, Subject subject, const MethodChoice& methods, Rows& rows) {
-    const Told text = told(subject, results.findings.plan.spec.level);
-    const auto styles = method_styles(results, methods);
-    auto names = Json::array();
-    for (const MethodStyle& style : styles) {
-        if (rows.methods().contains(style.method)) names.push_back(style.method);
-    }
-    if (names.size() > 1 && subject != Subject::coverage) rows.values().set("isolate", std::move(names));
-    Json scales = style_scales(styles);
-    scales["y"] = {{"domain", rows.order()}};
-    rows.values().set("scales", std::move(scales));
-    rows.values().set("titles", {{"x", text.axis}});
-    if (text.log) rows.values().set("log", true);
-    Picture picture;
-    picture.id = "answer";
-    picture.kind = "ranking";
-    picture.title = text.title;
-    picture.finding = text.finding;
-    picture.description =
-        fmt::format("A row for each method: {}, with its interval. {}", text.axis, answer(results).text);
-    picture.values = rows.values().text();
-    return picture;
+    text.title = "Error of each method, smallest first.";
+    text.axis = "RMSE of a run";
+    text.finding = bars + groups;
+    text.log = true;
+    return text;
 }
 
 }  // namespace
 
 std::optional<Picture> lead_picture(const StudyResults& results, const MethodChoice& methods) {
     const Subject subject = subject_of(results);
-    Rows rows(methods);
+    RankingRows rows(methods);
     switch (subject) {
         case Subject::light:
             if (const auto group = radiosity_pictures(results); group && !group->pictures.empty())
@@ -267,6 +213,9 @@ std::optional<Picture> lead_picture(const StudyResults& results, const MethodCho
         case Subject::configurations:
             if (!methods.names.empty()) return std::nullopt;  // its rows are about all of them
             subject == Subject::coverage ? add_coverage(results, rows) : add_configurations(results, rows);
+            break;
+        case Subject::choice:
+            add_choices(results, rows);
             break;
         case Subject::rates:
             add_slopes(results, rows);
@@ -280,7 +229,12 @@ std::optional<Picture> lead_picture(const StudyResults& results, const MethodCho
             break;
     }
     if (rows.rows() < 2) return std::nullopt;  // one number needs no picture
-    return ranking_picture(results, subject, methods, rows);
+    Picture picture = ranking_picture(results, told(subject, results), methods, rows);
+    if (subject == Subject::rates) {
+        picture.name = "convergence rates";
+        picture.alternatives = errors_at_sizes(results, methods);
+    }
+    return picture;
 }
 
 }  // namespace ff::reports

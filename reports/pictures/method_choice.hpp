@@ -6,7 +6,7 @@
 
 namespace ff::reports {
 
-/// The methods that a picture shows: those named, or all.
+/// The methods that a picture shows: the named ones, or all.
 struct MethodChoice {
     std::vector<std::string> names;  ///< empty: all
     [[nodiscard]] bool has(const std::string& method) const {

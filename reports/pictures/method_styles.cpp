@@ -1,5 +1,7 @@
 #include "reports/pictures/method_styles.hpp"
 
+#include "core/estimators/added.hpp"
+#include "samplers/added.hpp"
 #include "samplers/sampler.hpp"
 #include "studies/comparison/ranking.hpp"
 
@@ -47,6 +49,11 @@ std::map<std::size_t, double> mean_ranks(const StudyResults& results) {
     return means;
 }
 
+/// Whether it comes from a user: points of a file, a program, a plug-in, a Python function.
+bool is_of_user(const studies::Method& method) {
+    return samplers::find_added(method.sampler) != nullptr || find_added_estimator(method.estimator) != nullptr;
+}
+
 std::set<std::size_t> coloured(const StudyResults& results, const MethodChoice& choice) {
     const auto& methods = results.findings.plan.spec.methods;
     std::set<std::size_t> chosen;
@@ -55,23 +62,29 @@ std::set<std::size_t> coloured(const StudyResults& results, const MethodChoice& 
     }
     if (chosen.size() <= colours.size()) return chosen;
     chosen.clear();
+    std::size_t most = leaders;
+    const auto add = [&](std::size_t method) {
+        if (chosen.size() < most) chosen.insert(method);
+    };
     for (std::size_t scene = 0; results.published && scene < results.findings.plan.scenes.size(); ++scene) {
-        for (const std::size_t cell :
-             studies::compared_cells(results.findings, scene, results.published->comparisons)) {
-            if (chosen.size() < leaders) chosen.insert(results.findings.plan.cells[cell].method);
-        }
+        for (const std::size_t cell : studies::compared_cells(results.findings, scene, results.published->comparisons))
+            add(results.findings.plan.cells[cell].method);
     }
+    most = colours.size();
+    const auto random = std::find_if(methods.begin(), methods.end(), [](const studies::Method& method) {
+        return method.sampler == samplers::yardstick().name;
+    });
+    if (random != methods.end()) add(static_cast<std::size_t>(random - methods.begin()));
     const auto ranks = mean_ranks(results);
     std::vector<std::size_t> order;
     for (const auto& [method, rank] : ranks) order.push_back(method);
     std::stable_sort(order.begin(), order.end(),
                      [&](std::size_t a, std::size_t b) { return ranks.at(a) < ranks.at(b); });
     order.resize(std::min(order.size(), leaders));
-    chosen.insert(order.begin(), order.end());
-    const auto random = std::find_if(methods.begin(), methods.end(), [](const studies::Method& method) {
-        return method.sampler == samplers::yardstick().name;
-    });
-    if (random != methods.end()) chosen.insert(static_cast<std::size_t>(random - methods.begin()));
+    for (const std::size_t method : order) add(method);
+    for (std::size_t i = 0; i < methods.size(); ++i) {
+        if (is_of_user(methods[i])) add(i);
+    }
     return chosen;
 }
 

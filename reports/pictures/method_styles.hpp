@@ -18,8 +18,8 @@ struct MethodStyle {
     bool in_colour = true;  ///< otherwise grey
 };
 
-/// One for each method, in the order of the study. Of more than seven only the random reference, the three with the
-/// best ranks and those that a publication compares are in colour; of chosen methods all are, as far as colours go.
+/// One for each method, in the order of the study. With more than seven, colours go to the ones that a publication
+/// compares, the random reference, the three best-ranked and the user's own, as long as there are colours.
 std::vector<MethodStyle> method_styles(const studies::StudyResults& results, const MethodChoice& methods = {});
 
 /// The scales "color" and "shape" of a picture, for Picture::values.

@@ -1,7 +1,8 @@
 // How a picture's values become a view; shared by report.html and draw_svg.mjs.
 
-/** What the values say about scales and axes: domains and ranges by the name of a scale, titles, a logarithmic x axis. */
-function fit(specification, {log, titles = {}, scales = {}}) {
+/** What the values say about scales and axes: domains and ranges by the name of a scale, titles, a logarithmic x axis, which
+ * stands above a tall picture. */
+function fit(specification, {log, tall, titles = {}, scales = {}}) {
   for (const scale of specification.scales ?? []) {
     if (log && scale.name === 'x') {
       scale.type = 'log';
@@ -11,6 +12,7 @@ function fit(specification, {log, titles = {}, scales = {}}) {
   }
   for (const axis of specification.axes ?? []) {
     if (axis.title && titles[axis.scale]) axis.title = titles[axis.scale];
+    if (tall && axis.orient === 'bottom') axis.orient = 'top';
   }
 }
 
@@ -18,8 +20,9 @@ function fit(specification, {log, titles = {}, scales = {}}) {
 export function prepare(specification, values) {
   const {columns, rows} = values;
   const prepared = structuredClone(specification);
-  const table = prepared.data.find(({name}) => name === 'table');
-  table.values = [...rows, ...(values.labels ?? [])].map(row => Object.fromEntries(columns.map((column, i) => [column, row[i]])));
+  const data = name => prepared.data.find(each => each.name === name);
+  data('table').values = rows.map(row => Object.fromEntries(columns.map((column, i) => [column, row[i]])));
+  if (values.labels) data('labels').values = values.labels;
   fit(prepared, values);
   return prepared;
 }

@@ -12,9 +12,9 @@ PictureValues::PictureValues(const std::vector<std::string>& columns) {
     json_["rows"] = nlohmann::ordered_json::array();
 }
 
-std::string PictureValues::text() const {
+std::string json_in_html(const nlohmann::ordered_json& json) {
     std::string out;
-    for (const char c : json_.dump()) out += c == '<' ? "\\u003c" : std::string(1, c);
+    for (const char c : json.dump()) out += c == '<' ? "\\u003c" : std::string(1, c);
     return out;
 }
 

@@ -9,50 +9,55 @@
 
 namespace ff::reports {
 
-/// A picture of a report: what it shows in words and in numbers. How it is drawn is a file of reports/pictures/.
+/// A picture of a report: its content in words and numbers. A file of reports/pictures/ tells how to draw it.
 struct Picture {
     std::string id;    ///< letters, digits and -; unique in a report, and the name of its file
     std::string kind;  ///< the specification that draws it, e.g. "bias_map"
     std::string title;
     std::string finding;      ///< one sentence, computed from the results
-    std::string description;  ///< for those who cannot see it: what is drawn, and the finding
+    std::string description;  ///< text alternative: what is drawn, and the finding
     /// JSON: `columns`, `rows`; optionally `isolate` (series that can be shown alone), `choose` (`signal`, `label`,
-    /// `values`: what can be chosen, the first at the start), `signals` (values of others), `aspect` (height / width),
-    /// `log` (x axis), `labels` (rows that are drawn and are no data), `titles` (of axes, by scale), `scales` (domain
-    /// and range, by scale).
+    /// `values` to choose from, the first at the start), `signals` (values of others), `aspect` (height / width), `log`
+    /// and `tall` (x axis logarithmic, on top), `labels` (at the ends of lines), `titles` (of axes, by scale), `scales`
+    /// (domain and range, by scale).
     std::string values;
+    std::string name = {};                   ///< its name among the alternatives
+    std::vector<Picture> alternatives = {};  ///< pictures of the same kind to choose instead
 };
 
 /// Pictures that belong together.
 struct PictureGroup {
     std::string title;
-    bool open = false;  ///< whether they are shown at once
+    bool open = false;  ///< whether they are shown initially
     std::vector<Picture> pictures;
 };
 
-/// The one beside the answer; empty where there is nothing to compare. It may be one of the others too.
+/// The picture beside the answer; empty where there is nothing to compare. It may also be one of the others.
 std::optional<Picture> lead_picture(const studies::StudyResults& results, const MethodChoice& methods = {});
+
+/// Errors of all methods at about the same number of evaluations, smallest first; for each number that several have.
+std::vector<Picture> errors_at_sizes(const studies::StudyResults& results, const MethodChoice& methods = {});
 
 /// Error and efficiency against evaluations, over these methods, for each class of pairs.
 std::vector<Picture> pictures_of_scene(const studies::StudyResults& results, std::size_t scene,
                                        const MethodChoice& methods = {});
 
-/// Those of all scenes; in a study of occlusion error against the occluded share instead.
+/// The same for all scenes; in a study of occlusion, error against the occluded fraction instead.
 std::vector<Picture> pictures_by_size(const studies::StudyResults& results, const MethodChoice& methods = {});
 
-/// Of one cell: the unfolded faces, estimates, bias, and the distribution of errors, as far as it has them.
+/// For one cell: the unfolded faces, estimates, bias, and the distribution of errors, as far as available.
 std::vector<Picture> pictures_of_cell(const studies::StudyResults& results, std::size_t cell);
 
-/// Error against the occluded share at the common number of evaluations, for each family of scenes.
+/// Error against the occluded fraction at the common number of evaluations, for each family of scenes.
 std::vector<Picture> occlusion_pictures(const studies::StudyResults& results, const MethodChoice& methods = {});
 
-/// All groups of a report; that of the methods which the verdict compares are open.
+/// All groups of a report; those of the methods that the verdict compares are open.
 std::vector<PictureGroup> picture_groups(const studies::StudyResults& results);
 
-/// Errors of the light, spectral radius, residuals, exitance; empty where the study has no [radiosity].
+/// Exitance errors, spectral radius, residuals, exitance; empty where the study has no [radiosity].
 std::optional<PictureGroup> radiosity_pictures(const studies::StudyResults& results);
 
-/// The unfolded box in radiant exitance, with exact factors and as methods give it, and where that errs.
+/// The radiant exitance on the unfolded box, exact and by each method, and its errors.
 std::vector<Picture> exitance_pictures(const studies::StudyResults& results, std::size_t scene);
 
 std::optional<Picture> unfolded_picture(const studies::StudyResults& results, std::size_t index);

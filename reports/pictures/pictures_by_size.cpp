@@ -1,3 +1,4 @@
+#include "reports/pictures/line_labels.hpp"
 #include "reports/pictures/method_styles.hpp"
 #include "reports/pictures/picture_values.hpp"
 #include "reports/pictures/pictures.hpp"
@@ -9,70 +10,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 #include <vector>
 
 namespace ff::reports {
 namespace {
 
-/// A label at the end of a line, and how high it stands.
-struct Label {
-    std::string method;
-    double log_error = 0;
-};
-
-/// Range of ln(error) that is drawn.
-struct Span {
-    double low = 0;
-    double high = 0;
-};
-
-/// Everything that is drawn of measured errors, and some room.
-Span span_of(const std::vector<SizeSeries>& all, PairClass pair_class) {
-    double low = std::numeric_limits<double>::infinity();
-    double high = -low;
-    for (const SizeSeries& series : all) {
-        for (const SizePoint& point : series.points) {
-            const auto& interval = point.found->class_error(pair_class)->interval;
-            const bool drawn_interval = interval && !point.is_median && interval->low > 0;
-            low = std::min(low, std::log(drawn_interval ? interval->low : point.error));
-            high = std::max(high, std::log(drawn_interval ? interval->high : point.error));
-        }
-    }
-    const double room = std::max(0.06 * (high - low), 0.05);
-    return {low - room, high + room};
-}
-
-/// Moves labels apart until none is over another, and back into the span. @pre there is room for all
-void move_apart(std::vector<Label>& labels, Span span) {
-    constexpr double rows = 20;  // of text, in the height of the picture
-    const double least = (span.high - span.low) / rows;
-    std::stable_sort(labels.begin(), labels.end(),
-                     [](const Label& a, const Label& b) { return a.log_error < b.log_error; });
-    for (std::size_t i = 1; i < labels.size(); ++i)
-        labels[i].log_error = std::max(labels[i].log_error, labels[i - 1].log_error + least);
-    double ceiling = span.high;
-    for (std::size_t i = labels.size(); i-- > 0; ceiling -= least) {
-        labels[i].log_error = std::min(labels[i].log_error, ceiling);
-        ceiling = std::min(ceiling, labels[i].log_error);
-    }
-}
-
-/// Of the methods in colour: those in grey have their names on the buttons below.
-void add_labels(const std::vector<SizeSeries>& all, const std::vector<MethodStyle>& styles, Span span,
-                PictureValues& values) {
-    std::vector<Label> labels;
-    for (const SizeSeries& series : all) {
-        const auto style = std::find_if(styles.begin(), styles.end(),
-                                        [&](const MethodStyle& each) { return each.method == series.method; });
-        if (style->in_colour) labels.push_back({series.method, std::log(series.points.back().error)});
-    }
-    move_apart(labels, span);
-    auto rows = nlohmann::ordered_json::array();
-    for (const Label& label : labels)
-        rows.push_back({label.method, "label", "", nullptr, drawn(std::exp(label.log_error), 4), nullptr, nullptr});
-    values.set("labels", std::move(rows));
+bool in_colour(const std::vector<MethodStyle>& styles, const std::string& method) {
+    return std::any_of(styles.begin(), styles.end(),
+                       [&](const MethodStyle& style) { return style.method == method && style.in_colour; });
 }
 
 std::string where(const studies::StudyPlan& plan, std::size_t scene, PairClass pair_class) {
@@ -88,6 +34,11 @@ nlohmann::ordered_json names_of(const std::vector<SizeSeries>& all) {
 
 nlohmann::ordered_json interval_end(const std::optional<stats::Interval>& interval, double stats::Interval::*end) {
     return interval ? drawn((*interval).*end) : nlohmann::ordered_json();
+}
+
+/// Ends that a logarithmic axis can show.
+std::vector<double> ends_of(const std::optional<stats::Interval>& interval) {
+    return interval && interval->low > 0 ? std::vector{interval->low, interval->high} : std::vector<double>();
 }
 
 /// The two ends of a line with the slope that theory allows, through the middle of the points of a ladder.
@@ -129,6 +80,21 @@ void add_measured(const studies::StudyPlan& plan, PairClass pair_class, const Si
     }
 }
 
+/// Names the lines of methods in colour: those in grey have their names on the buttons below.
+void label_errors(const std::vector<SizeSeries>& all, PairClass pair_class, const std::vector<MethodStyle>& styles,
+                  PictureValues& values) {
+    LineLabels labels(HeightAxis::logarithmic);
+    for (const SizeSeries& series : all) {
+        for (const SizePoint& point : series.points) {
+            labels.make_room(point.error);
+            if (point.is_median) continue;
+            for (const double end : ends_of(point.found->class_error(pair_class)->interval)) labels.make_room(end);
+        }
+        if (in_colour(styles, series.method)) labels.add(series.method, series.method, series.points.back().error);
+    }
+    labels.set(values, style_scales(styles));
+}
+
 /// The point with the smallest RMSE; of medians where there is no other.
 /// @return null where there is no such point
 const SizePoint* least_error(const studies::StudyPlan& plan, const std::vector<SizeSeries>& all, bool deterministic) {
@@ -168,11 +134,7 @@ Picture convergence_picture(const studies::Findings& findings, std::size_t scene
         for (const studies::ClassSlopes* slopes : series.ladders) add_expected(series, *slopes, values);
     }
     values.set("isolate", names_of(all));
-    const Span span = span_of(all, pair_class);
-    add_labels(all, styles, span, values);
-    auto scales = style_scales(styles);
-    scales["y"] = {{"domain", {drawn(std::exp(span.low), 4), drawn(std::exp(span.high), 4)}}};
-    values.set("scales", std::move(scales));
+    label_errors(all, pair_class, styles, values);
     const std::string place = where(findings.plan, scene, pair_class);
     Picture picture;
     picture.id = slug(fmt::format("convergence-{}", place));
@@ -195,11 +157,12 @@ std::optional<Picture> efficiency_picture(const studies::Findings& findings, std
     auto names = nlohmann::ordered_json::array();
     const studies::CellFindings* best = nullptr;
     const studies::CellFindings* least = nullptr;
+    LineLabels labels(HeightAxis::logarithmic);
     const auto efficiency = [&](const studies::CellFindings& found) {
         return found.class_error(pair_class)->efficiency;
     };
     for (const SizeSeries& series : all) {
-        bool any = false;
+        std::optional<double> last;
         for (const SizePoint& point : series.points) {
             const studies::CellFindings& found = *point.found;
             if (!efficiency(found)) continue;
@@ -210,13 +173,17 @@ std::optional<Picture> efficiency_picture(const studies::Findings& findings, std
                         interval_end(error.efficiency_interval, &stats::Interval::high)});
             if (best == nullptr || *efficiency(found) > *efficiency(*best)) best = &found;
             if (least == nullptr || *efficiency(found) < *efficiency(*least)) least = &found;
-            any = true;
+            last = *efficiency(found);
+            labels.make_room(*last);
+            for (const double end : ends_of(error.efficiency_interval)) labels.make_room(end);
         }
-        if (any) names.push_back(series.method);
+        if (!last) continue;
+        names.push_back(series.method);
+        if (in_colour(styles, series.method)) labels.add(series.method, series.method, *last);
     }
     if (best == nullptr || best == least) return std::nullopt;  // one point is no picture
     values.set("isolate", std::move(names));
-    values.set("scales", style_scales(styles));
+    labels.set(values, style_scales(styles));
     const std::string place = where(findings.plan, scene, pair_class);
     Picture picture;
     picture.id = slug(fmt::format("efficiency-{}", place));

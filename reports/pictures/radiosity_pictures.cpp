@@ -1,3 +1,5 @@
+#include "reports/pictures/line_labels.hpp"
+#include "reports/pictures/method_styles.hpp"
 #include "reports/pictures/picture_values.hpp"
 #include "reports/pictures/pictures.hpp"
 #include "reports/text/labels.hpp"
@@ -17,8 +19,15 @@ using studies::Consequences;
 using studies::StudyPlan;
 
 struct Shown {
-    std::string label;
+    std::string method;
+    std::string size;
+    studies::Treatment treatment;
+    bool own = true;  ///< whether the method itself completes the matrix so
     const Consequences* found;
+
+    [[nodiscard]] std::string label() const {
+        return fmt::format("{}, {}, {}", method, size, studies::name(treatment));
+    }
 };
 
 /// What the verdict compares, with each treatment, but for treatments that change nothing.
@@ -32,9 +41,7 @@ std::vector<Shown> shown_of(const studies::StudyResults& results, std::size_t sc
             const bool own = treatment == studies::treatment_of(method.completion);
             if (found == nullptr || found->settings.empty()) continue;
             if (!own && treatment != studies::Treatment::balanced) continue;
-            shown.push_back(
-                {fmt::format("{}, {}, {}", method.name, size_label(plan, plan.cells[cell]), studies::name(treatment)),
-                 found});
+            shown.push_back({method.name, size_label(plan, plan.cells[cell]), treatment, own, found});
         }
     }
     return shown;
@@ -50,44 +57,74 @@ std::string place(const StudyPlan& plan, std::size_t scene) {
     return plan.scenes.size() == 1 ? std::string() : fmt::format(" of {}", plan.scenes[scene].name);
 }
 
-nlohmann::ordered_json names_of(const std::vector<Shown>& shown) {
-    auto names = nlohmann::ordered_json::array();
-    for (const Shown& each : shown) names.push_back(each.label);
-    return names;
-}
+/// Their lines, solid as methods complete their matrices and dashed where these are balanced.
+class Lines {
+  public:
+    Lines(const studies::StudyResults& results, HeightAxis axis) : styles_(method_styles(results)), labels_(axis) {}
+
+    void make_room(double value) { labels_.make_room(value); }
+    void add(const Shown& line, double last, const std::vector<Shown>& all) {
+        if (std::find(methods_.begin(), methods_.end(), line.method) == methods_.end()) methods_.push_back(line.method);
+        const auto style = std::find_if(styles_.begin(), styles_.end(),
+                                        [&](const MethodStyle& each) { return each.method == line.method; });
+        if (!style->in_colour) return;
+        const bool several = std::any_of(all.begin(), all.end(), [&](const Shown& other) {
+            return other.method == line.method && other.size != line.size;
+        });
+        labels_.add(line.method,
+                    line.method + (several ? ", " + line.size : std::string()) + (line.own ? "" : ", balanced"), last);
+    }
+    void set(PictureValues& values) const {
+        values.set("isolate", methods_);
+        labels_.set(values, style_scales(styles_));
+    }
+
+  private:
+    std::vector<MethodStyle> styles_;
+    LineLabels labels_;
+    std::vector<std::string> methods_;
+};
+
+constexpr const char* dashes_in_words = "Dashed: after the matrix is balanced.";
 
 std::optional<Picture> errors_picture(const studies::StudyResults& results, std::size_t scene,
                                       const std::vector<Shown>& shown) {
     const StudyPlan& plan = results.findings.plan;
-    PictureValues values({"method", "reflectance", "absorbed", "rmse", "bias", "negative"});
+    PictureValues values({"method", "size", "treatment", "own", "reflectance", "absorbed", "rmse", "bias", "negative"});
+    Lines lines(results, HeightAxis::logarithmic);
     const Shown* worst = nullptr;
     double largest = 0;
     std::string where;
     for (const Shown& each : shown) {
+        std::optional<double> last;
         for (const studies::SettingFindings& at : each.found->settings) {
             const auto reflectance = same_everywhere(plan, at.setting);
             if (!reflectance || at.exitance.empty()) continue;
             const double rmse = at.light_error.value_or(0);
             if (rmse < 1e-11) continue;  // rounding, or no mean
-            values.add({each.label, drawn(reflectance), drawn(1 - *reflectance), drawn(rmse),
+            values.add({each.method, each.size, studies::name(each.treatment), each.own, drawn(reflectance),
+                        drawn(1 - *reflectance), drawn(rmse),
                         drawn(*at.exitance.front().bias / at.exitance.front().exact), at.negative});
+            lines.make_room(rmse);
+            last = rmse;
             if (rmse <= largest) continue;
             largest = rmse;
             worst = &each;
             where = setting_text(plan, at.setting);
         }
+        if (last) lines.add(each, *last, shown);
     }
     if (worst == nullptr) return std::nullopt;
-    values.set("isolate", names_of(shown));
+    lines.set(values);
     Picture picture;
     picture.id = slug(fmt::format("light-errors{}", place(plan, scene)));
     picture.kind = "light_errors";
-    picture.title = fmt::format("How errors of the light grow with reflectance{}.", place(plan, scene));
-    picture.finding = fmt::format("The largest is {} at reflectance {}, by {}.", percent(largest), where, worst->label);
+    picture.title = fmt::format("How the exitance error grows with reflectance{}.", place(plan, scene));
+    picture.finding = fmt::format("The largest error is {} at reflectance {}: {}. {}", percent(largest), where,
+                                  worst->label(), dashes_in_words);
     picture.description = fmt::format(
         "Relative RMSE of the exitance, over faces and runs, against 1 − reflectance, both logarithmic, a line for "
-        "each method as it is "
-        "completed and balanced. {}",
+        "each method as it completes its matrix, and one after the matrix is balanced. {}",
         picture.finding);
     picture.values = values.text();
     return picture;
@@ -96,29 +133,36 @@ std::optional<Picture> errors_picture(const studies::StudyResults& results, std:
 std::optional<Picture> radius_picture(const studies::StudyResults& results, std::size_t scene,
                                       const std::vector<Shown>& shown) {
     const StudyPlan& plan = results.findings.plan;
-    PictureValues values({"method", "reflectance", "radius", "least", "largest"});
+    PictureValues values({"method", "size", "treatment", "own", "reflectance", "radius", "least", "largest"});
+    Lines lines(results, HeightAxis::linear);
+    lines.make_room(1);
     const Shown* first = nullptr;
     for (const Shown& each : shown) {
+        std::optional<double> last;
         for (const studies::SettingFindings& at : each.found->settings) {
             const auto reflectance = same_everywhere(plan, at.setting);
             if (!reflectance) continue;
             const auto& radius = at.spectral_radius;
-            values.add({each.label, drawn(reflectance), drawn(radius.median, 8), drawn(radius.least, 8),
-                        drawn(radius.largest, 8)});
+            values.add({each.method, each.size, studies::name(each.treatment), each.own, drawn(reflectance),
+                        drawn(radius.median, 8), drawn(radius.least, 8), drawn(radius.largest, 8)});
+            for (const double value : {radius.median, radius.least, radius.largest}) lines.make_room(value);
+            last = radius.median;
         }
+        if (last) lines.add(each, *last, shown);
         if (first == nullptr || each.found->convergent_below.least < first->found->convergent_below.least)
             first = &each;
     }
     if (values.empty()) return std::nullopt;
-    values.set("isolate", names_of(shown));
+    lines.set(values);
     Picture picture;
     picture.id = slug(fmt::format("spectral-radius{}", place(plan, scene)));
     picture.kind = "spectral_radius";
     picture.title = fmt::format("Spectral radius against reflectance{}.", place(plan, scene));
     const double limit = first->found->convergent_below.least;
-    picture.finding = limit < 1 - 1e-12
-                          ? fmt::format("The first to reach 1 is {}, at reflectance {}.", first->label, brief(limit, 4))
-                          : "It stays below 1 for every reflectance below 1, whatever the method.";
+    picture.finding = limit < 1 - 1e-12 ? fmt::format("The first to reach 1 is {}, at reflectance {}.", first->label(),
+                                                      brief(limit, 4))
+                                        : "It stays below 1 for every reflectance below 1, whatever the method.";
+    picture.finding += fmt::format(" {}", dashes_in_words);
     picture.description = fmt::format(
         "Spectral radius of P F, median and range over runs, against the reflectance of all faces, with the line above "
         "which iterations diverge. {}",

@@ -50,7 +50,7 @@ Table configurations_table(const studies::StudyResults& results) {
     Table table{
         "configurations",
         "Against the exact values of the catalogue",
-        fmt::format("Mean over trials, its {:g} % interval by itself, and how many of its standard errors it is off "
+        fmt::format("Mean over trials, its {:g} % interval on its own, and how many of its standard errors it is off "
                     "(of a deterministic method: the error). The verdict is that of the bias test, {:g} % over "
                     "the whole study. A surface that sees itself is estimated by what it sends to another.",
                     100 * plan.spec.level, 100 * (1 - plan.spec.level)),

@@ -1,8 +1,11 @@
 #include "reports/tables/tables.hpp"
+#include "reports/text/idle_columns.hpp"
 #include "reports/text/numbers.hpp"
 #include "reports/words/slope_words.hpp"
 
 #include <fmt/format.h>
+
+#include <utility>
 
 namespace ff::reports {
 namespace {
@@ -51,14 +54,14 @@ Table convergence_table(const studies::StudyResults& results) {
             plan.spec.level, 100 * (1 - plan.spec.level)),
         {{"method", false, ""},
          {"pairs", false, ""},
+         {"verdict", false, ""},
          {"RMSE slope", true, ""},
          {"bootstrap", true, "", true},
          {"from the fit", true, "", true},
          {"lack of fit p", true, "", true},
          {"median slope", true, "", true},
          {"bootstrap", true, "", true},
-         {"theory", false, "", true},
-         {"verdict", false, ""}},
+         {"theory", false, "", true}},
         {},
         {}};
     for (const studies::LadderSlopes& ladder : results.slopes) {
@@ -66,17 +69,17 @@ Table convergence_table(const studies::StudyResults& results) {
         for (const studies::ClassSlopes& found : ladder.classes) {
             table.rows.push_back({{scene + ladder.ladder.label},
                                   {std::string(name(found.pair_class))},
+                                  {finding_in_words(found), mark_of(found)},
                                   {slope(found.rmse)},
                                   {interval_text(found.rmse.interval)},
                                   {interval_text(found.rmse.from_fit)},
                                   {found.rmse.lack_of_fit_p ? p_value(*found.rmse.lack_of_fit_p) : "–"},
                                   {slope(found.median)},
                                   {interval_text(found.median.interval)},
-                                  {theory(found.judged())},
-                                  {finding_in_words(found), mark_of(found)}});
+                                  {theory(found.judged())}});
         }
     }
-    return table;
+    return without_idle_columns(std::move(table));
 }
 
 }  // namespace ff::reports

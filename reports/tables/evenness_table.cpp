@@ -15,23 +15,24 @@ TableCell answer(const stats::Interval& interval) {
 
 Table evenness_table(const studies::StudyResults& results) {
     const studies::StudyPlan& plan = results.findings.plan;
-    Table table{"evenness",
-                "Do measures of evenness predict the errors?",
-                fmt::format("Kendall's rank correlation, over samplers of equal size, of a measure of how unevenly a "
-                            "set of points is spread (mean of a few sets) and the RMSE that it makes; with its "
-                            "interval of level {:g} [kendall1970]. 1: the same order. Samplers are no random sample, "
-                            "and errors are measured with noise, which lowers the correlation.",
-                            plan.spec.level),
-                {{"scene", false, "", true},
-                 {"samples", true, ""},
-                 {"pairs", false, ""},
-                 {"measure", false, ""},
-                 {"samplers", true, "", true},
-                 {"correlation", true, ""},
-                 {"interval", true, "", true},
-                 {"predicts the order", false, ""}},
-                {},
-                {}};
+    Table table{
+        "evenness",
+        "Do measures of evenness predict the errors?",
+        fmt::format("Kendall's rank correlation, over samplers of equal size, of a measure of how unevenly a "
+                    "set of points is spread (mean of a few sets) and the RMSE that it makes; with its "
+                    "interval of level {:g} [kendall1970]. 1: the same order. Samplers are not a random sample, "
+                    "and errors are measured with noise, which lowers the correlation.",
+                    plan.spec.level),
+        {{"scene", false, "", true},
+         {"samples", true, ""},
+         {"pairs", false, ""},
+         {"measure", false, ""},
+         {"samplers", true, "", true},
+         {"correlation", true, ""},
+         {"interval", true, "", true},
+         {"predicts the order", false, ""}},
+        {},
+        {}};
     for (const studies::Evenness& found : results.evenness) {
         const studies::Cell& cell = plan.cells[found.cell];
         const auto& [tau, interval] = found.correlation;

@@ -1,4 +1,5 @@
 #include "reports/tables/tables.hpp"
+#include "reports/text/idle_columns.hpp"
 #include "reports/text/labels.hpp"
 #include "reports/text/numbers.hpp"
 #include "reports/words/coverage_words.hpp"
@@ -7,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <utility>
 
 namespace ff::reports {
 namespace {
@@ -25,22 +27,22 @@ Table error_law_table(const studies::StudyResults& results) {
                 "Closure error (mean row sum − 1) with m patches along an edge, fitted by c/m; the exponent fitted "
                 "freely beside it.",
                 {{"method", false, ""},
-                 {"m", false, ""},
-                 {"closure error", false, ""},
                  {"c", true, ""},
                  {"largest residual of c/m", true, ""},
-                 {"free exponent", true, ""}},
+                 {"free exponent", true, "", true},
+                 {"m", false, "", true},
+                 {"closure error", false, "", true}},
                 {},
                 {}};
     for (const studies::ErrorLaw& law : results.error_laws) {
         std::vector<std::string> errors;
         for (const double error : law.closure_errors) errors.push_back(fmt::format("{:+.6f}", error));
         table.rows.push_back({{law.method + (law.published ? ", as printed" : "")},
-                              {fmt::format("{}", fmt::join(law.m, ", "))},
-                              {fmt::format("{}", fmt::join(errors, ", "))},
                               {fmt::format("{:+.4f}", law.first_order.coefficient)},
                               {fmt::format("{:.2g} %", 100 * law.first_order.largest_residual)},
-                              {law.free ? fmt::format("{:.4f}", law.free->exponent) : "–"}});
+                              {law.free ? fmt::format("{:.4f}", law.free->exponent) : "–"},
+                              {fmt::format("{}", fmt::join(law.m, ", "))},
+                              {fmt::format("{}", fmt::join(errors, ", "))}});
     }
     for (const studies::ErrorLaw& printed : results.error_laws) {
         if (!printed.published) continue;
@@ -55,7 +57,7 @@ Table error_law_table(const studies::StudyResults& results) {
                 printed.method, ratio));
         }
     }
-    return table;
+    return without_idle_columns(std::move(table));
 }
 
 Table reductions_table(const studies::StudyResults& results) {
@@ -68,10 +70,10 @@ Table reductions_table(const studies::StudyResults& results) {
                             "also that of the efficiency per point.",
                             plan.spec.level),
                 {{"method", false, ""},
-                 {"allocation", false, ""},
-                 {"size", false, ""},
                  {"pairs", false, ""},
-                 {"times less variance", true, ""}},
+                 {"times less variance", true, ""},
+                 {"size", false, "", true},
+                 {"allocation", false, "", true}},
                 {},
                 {}};
     for (const studies::VarianceReduction& reduction : results.reductions) {
@@ -79,12 +81,12 @@ Table reductions_table(const studies::StudyResults& results) {
         const studies::Method& method = plan.spec.methods[cell.method];
         const bool shoots = estimator_info(method).observes == Observes::hits;
         table.rows.push_back({{method_label(plan, cell)},
-                              {shoots ? std::string(studies::name(method.allocation)) : "–"},
-                              {size_label(plan, cell)},
                               {std::string(name(reduction.pair_class))},
-                              {factor_text(reduction)}});
+                              {factor_text(reduction)},
+                              {size_label(plan, cell)},
+                              {shoots ? std::string(studies::name(method.allocation)) : "–"}});
     }
-    return table;
+    return without_idle_columns(std::move(table));
 }
 
 Table coverage_table(const studies::StudyResults& results) {
@@ -99,31 +101,31 @@ Table coverage_table(const studies::StudyResults& results) {
             "on average. Marked: significantly short of {0:g} (Šidák over all rows, {1:g} % together).",
             plan.spec.level, 100 * (1 - plan.spec.level)),
         {{"method", false, ""},
-         {"size", false, ""},
          {"pairs", false, ""},
          {"interval", false, ""},
          {"R", true, ""},
-         {"mean trials", true, ""},
-         {"intervals", true, ""},
          {"coverage", true, ""},
-         {"remark", false, ""}},
+         {"remark", false, "", true},
+         {"mean trials", true, "", true},
+         {"intervals", true, "", true},
+         {"size", false, "", true}},
         {},
         {}};
     for (const studies::Coverage& row : results.coverage) {
         const studies::Cell& cell = plan.cells[row.cell];
         const bool infinite = results.findings.cells[row.cell].has_infinite_variance(row.pair_class);
         table.rows.push_back({{method_label(plan, cell)},
-                              {size_label(plan, cell)},
                               {std::string(name(row.pair_class))},
                               {std::string(rule_in_words(row.rule))},
                               {std::to_string(row.replicates)},
-                              {fmt::format("{:.1f}", row.mean_trials)},
-                              {std::to_string(row.intervals)},
                               {fmt::format("{:.4f} [{:.4f}, {:.4f}]", row.share(), row.actual.low, row.actual.high),
                                row.short_of_nominal ? Mark::bad : Mark::none},
-                              {infinite ? "infinite variance" : ""}});
+                              {infinite ? "infinite variance" : ""},
+                              {fmt::format("{:.1f}", row.mean_trials)},
+                              {std::to_string(row.intervals)},
+                              {size_label(plan, cell)}});
     }
-    return table;
+    return without_idle_columns(std::move(table));
 }
 
 Table spreads_table(const studies::StudyResults& results) {
@@ -134,19 +136,19 @@ Table spreads_table(const studies::StudyResults& results) {
                 "patch-to-face factors; row sums likewise. Two-sided χ² tests of every pair and row sum; p adjusted by "
                 "Holm over these and by Šidák over methods and sizes.",
                 {{"method and size", false, ""},
-                 {"quantities", true, ""},
+                 {"verdict", false, ""},
                  {"sampled / exact standard deviation", true, ""},
-                 {"smallest adjusted p", true, ""},
-                 {"verdict", false, ""}},
+                 {"smallest adjusted p", true, "", true},
+                 {"quantities", true, "", true}},
                 {},
                 {}};
     for (const studies::VarianceCheck& check : results.variance_checks) {
         const bool differs = check.adjusted_p < 1 - plan.spec.level;
         table.rows.push_back({{cell_label(plan, plan.cells[check.cell])},
-                              {std::to_string(check.quantities.size())},
+                              {differs ? "differs" : "agrees", differs ? Mark::bad : Mark::good},
                               {fmt::format("{:.3f} to {:.3f}", check.smallest_ratio, check.largest_ratio)},
                               {p_value(check.adjusted_p)},
-                              {differs ? "differs" : "agrees", differs ? Mark::bad : Mark::good}});
+                              {std::to_string(check.quantities.size())}});
     }
     return table;
 }

@@ -89,9 +89,10 @@ Table pairs_table(const studies::StudyResults& results, std::size_t cell_index) 
     const Scene& scene = plan.scenes[cell.scene];
     Table table{fmt::format("pairs-{}", cell_index),
                 fmt::format("{}, pair by pair", cell_label(plan, cell)),
-                cell.deterministic ? "Deterministic: one run says all, and the bias is the error."
-                                   : fmt::format("Intervals: Student t over {} trials, level {:g}, each row by itself.",
-                                                 found.trials, plan.spec.level),
+                cell.deterministic
+                    ? "Deterministic: one run says all, and the bias is the error."
+                    : fmt::format("Intervals: Student t over {} trials, level {:g}, each row on its own.", found.trials,
+                                  plan.spec.level),
                 {{"", false, ""},
                  {"exact", true, "", true},
                  {"mean", true, ""},

@@ -30,15 +30,16 @@ Table occlusion_table(const studies::StudyResults& results) {
     const studies::StudyPlan& plan = results.findings.plan;
     Table table{
         "occlusion",
-        "Errors as the occluded share grows",
-        fmt::format("RMSE of a run on one pair of faces, at the size next to the common number of evaluations, and the "
-                    "slope of ln(error) on ln(N) along all sizes (± half of its {:g} % interval); of methods without "
-                    "a variance the median error. Hidden: the share of the open form factor that does not arrive. "
-                    "Marked: shown to err less than every method of the other kind (sampled, deterministic), {:g} % "
-                    "over all rows together. An evaluation is a ray, which serves all faces, or a value of the "
-                    "kernel, which serves one pair.",
-                    100 * plan.spec.level, 100 * (1 - plan.spec.level)),
-        {{"scene", false, ""}, {"pair", false, ""}, {"hidden", true, ""}, {"exact", true, ""}, {"N", true, ""}},
+        "Errors as the occluded fraction grows",
+        fmt::format(
+            "RMSE of a run on one pair of faces, at the size next to the common number of evaluations, and the "
+            "slope of ln(error) on ln(N) along all sizes (± half of its {:g} % interval); of methods without "
+            "a variance the median error. Occluded: the fraction of the unoccluded form factor that does not arrive. "
+            "Marked: shown to err less than every method of the other kind (sampled, deterministic), {:g} % "
+            "over all rows together. An evaluation is a ray, which serves all faces, or a value of the "
+            "kernel, which serves one pair.",
+            100 * plan.spec.level, 100 * (1 - plan.spec.level)),
+        {{"scene", false, ""}, {"pair", false, ""}, {"occluded", true, ""}, {"exact", true, ""}, {"N", true, ""}},
         {},
         {}};
     if (results.occlusion.empty()) return table;

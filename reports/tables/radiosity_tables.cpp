@@ -97,7 +97,7 @@ Table exitance_table(const studies::StudyResults& results, Between between) {
          {"condition", true, ""},
          {"energy lost (%)", true, ""},
          {"bias of mean exitance", true, ""},
-         {"error of the light", true, ""},
+         {"exitance error", true, ""},
          {between == Between::patches ? "on the worst patch" : "on the worst face", true, ""},
          {"negative light", true, ""}},
         {},

@@ -13,31 +13,45 @@ Table methods_table(const studies::StudyResults& results);
 /// A row for each ladder and class of pairs: slopes with intervals, the rate that theory expects, the verdict.
 Table slopes_table(const studies::StudyResults& results);
 
-/// The same with both intervals of each slope, lack of fit, and what the theory rests on.
+/// The same with both intervals of each slope, lack of fit, and the basis of the theory.
 Table convergence_table(const studies::StudyResults& results);
 
 /// Pairs of faces of the catalogue: estimate, interval, exact value, deviation.
 Table configurations_table(const studies::StudyResults& results);
 
-/// Scenes of families by the share that is hidden: exact value, and every method's error and slope on the pair.
+/// Scenes of families by the occluded fraction: exact value, and every method's error and slope on the pair.
 Table occlusion_table(const studies::StudyResults& results);
 
 /// How the closure error of deterministic methods falls with subdivision, ours and as printed.
 Table error_law_table(const studies::StudyResults& results);
 
-/// Measures of evenness of the points beside the errors that they make.
+/// Measures of the points' evenness beside their errors.
 Table evenness_table(const studies::StudyResults& results);
 
-/// Variances against those of random points.
+/// Variances relative to those of random points.
 Table reductions_table(const studies::StudyResults& results);
 
 /// How often intervals contain the exact value.
 Table coverage_table(const studies::StudyResults& results);
 
+/// All methods against each other, at equal evaluations, processor time and error: for a study with one scene, each
+/// class of pairs and method; for others, the best of each scene.
+/// @param timed  the comparison by measured time, which differs from run to run
+Table contests_table(const studies::StudyResults& results, bool timed);
+
+/// For studies with several scenes: the best method on each kind of pairs, and in how many scenes.
+Table decisions_table(const studies::StudyResults& results, bool timed);
+
+/// Which claims are shown: those stated by methods or studies, or also the errors that one run would suggest.
+enum class Claims { stated, all };
+
+/// How often claimed errors hold.
+Table claimed_errors_table(const studies::StudyResults& results, Claims claims);
+
 /// Sampled standard deviations against exact ones.
 Table spreads_table(const studies::StudyResults& results);
 
-/// A published table: each figure as printed, ours, and where the printed one falls.
+/// A published table: each figure as printed, ours, and the position of the printed one among ours.
 Table published_table(const studies::PublishedResults& published, std::size_t index, double alpha);
 
 /// The publication's claims with verdict and evidence.

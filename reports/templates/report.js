@@ -6,6 +6,13 @@
   if (typeof vega === "undefined") return;
 
   const read = node => JSON.parse(node.textContent);
+
+  // The numbers of a picture, with the texts of rows, which are numbers of lists on the page.
+  const unpacked = ({texts, rows, ...values}) => ({
+    ...values, rows: rows.map(row => row.map((cell, i) => i in texts && cell !== null ? texts[i][cell] : cell)),
+  });
+  const valuesOf = figure => unpacked(read(figure.querySelector(".values")));
+
   const kinds = Object.fromEntries(
     [...document.querySelectorAll("script[data-kind]")].map(node => [node.dataset.kind, read(node)]));
 
@@ -61,23 +68,49 @@
 
   function fillTable(place, {columns, rows}) {
     const cells = (name, texts) => element("tr", {}, ...texts.map(text => element(name, {textContent: text ?? ""})));
-    place.append(element("table", {}, element("thead", {}, cells("th", columns)),
-                         element("tbody", {}, ...rows.map(row => cells("td", row)))));
+    place.replaceChildren(element("table", {}, element("thead", {}, cells("th", columns)),
+                                  element("tbody", {}, ...rows.map(row => cells("td", row)))));
+  }
+
+  // One picture among several is in its place: its words, its numbers and its drawing.
+  function addAlternatives(figure, all, redraw) {
+    const list = element("select", {}, ...all.map(({name}, i) => element("option", {value: i, textContent: name})));
+    list.addEventListener("change", () => {
+      const {title, finding, description, values} = all[list.value];
+      figure.querySelector("figcaption").replaceChildren(element("b", {textContent: title}), ` ${finding}`);
+      figure.querySelector(".canvas").ariaLabel = description;
+      figure.querySelector(".values").textContent = JSON.stringify(values);
+      const table = figure.querySelector("details.data .scroll");
+      if (table.firstChild) fillTable(table, valuesOf(figure));
+      redraw();
+    });
+    figure.querySelector(".canvas").before(element("label", {className: "alternatives"}, "Show ", list));
   }
 
   async function draw(figure) {
     const canvas = figure.querySelector(".canvas");
     const controls = figure.querySelector(".controls");
-    const values = read(figure.querySelector(".values"));
-    const runtime = vega.parse(vega.prepare(kinds[figure.dataset.kind], values), null, {ast: true});
-    const view = new vega.View(runtime, {expr: vega.expressionInterpreter, renderer: "svg", hover: true})
-      .initialize(canvas.appendChild(element("div", {ariaHidden: "true"}))).tooltip(showTip);
-    await vega.settle(view, values, canvas.clientWidth).runAsync();
-    if (values.isolate) addIsolation(controls, view, values.isolate);
-    if (values.choose) addChoice(controls, view, values.choose);
-    addSaving(controls, view, figure.id);
+    let view, values, width;
+    const show = async () => {
+      values = valuesOf(figure);
+      const runtime = vega.parse(vega.prepare(kinds[figure.dataset.kind], values), null, {ast: true});
+      const place = element("div", {ariaHidden: "true"});
+      const next = new vega.View(runtime, {expr: vega.expressionInterpreter, renderer: "svg", hover: true})
+        .initialize(place).tooltip(showTip);
+      width = canvas.clientWidth;
+      await vega.settle(next, values, width).runAsync();
+      view?.finalize();
+      view = next;
+      canvas.replaceChildren(place);
+      controls.replaceChildren();
+      if (values.isolate) addIsolation(controls, view, values.isolate);
+      if (values.choose) addChoice(controls, view, values.choose);
+      addSaving(controls, view, figure.id);
+    };
+    await show();
+    const alternatives = figure.querySelector(".alternatives");
+    if (alternatives) addAlternatives(figure, read(alternatives), show);
     figure.dataset.drawn = "true";
-    let width = canvas.clientWidth;
     new ResizeObserver(() => {
       if (canvas.clientWidth === width || canvas.clientWidth === 0) return;
       width = canvas.clientWidth;
@@ -100,7 +133,7 @@
     const details = figure.querySelector("details.data");
     details.addEventListener("toggle", () => {
       const place = details.querySelector(".scroll");
-      if (!place.firstChild) fillTable(place, read(figure.querySelector(".values")));
+      if (!place.firstChild) fillTable(place, valuesOf(figure));
     });
   }
   window.addEventListener("beforeprint", () => {

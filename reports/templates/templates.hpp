@@ -8,7 +8,7 @@
 
 namespace ff::reports {
 
-/// Files that reports are made with, by name: templates (.mustache), style (.css), scripts (.js), pictures (.json).
+/// The files that reports are made from, by name: templates (.mustache), style (.css), scripts (.js), pictures (.json).
 class Templates {
   public:
     /// All files of these folders; a file of a later folder takes the place of one of the same name before it.

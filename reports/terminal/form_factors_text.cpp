@@ -23,14 +23,6 @@ TableCell cell(std::string text) {
     return {std::move(text), Mark::none};
 }
 
-/// Thousands apart, so that counts of samples can be read.
-std::string count(std::uint64_t number) {
-    std::string digits = std::to_string(number);
-    for (auto at = static_cast<std::ptrdiff_t>(digits.size()) - 3; at > 0; at -= 3)
-        digits.insert(static_cast<std::size_t>(at), " ");
-    return digits;
-}
-
 struct MethodRow {
     std::size_t pairs = 0;
     double worst = 0;
@@ -44,7 +36,8 @@ std::string methods(const FormFactorReport& report, const TextStyle& style) {
         ++row.pairs;
         row.worst = std::max(row.worst, worst_half_width(report.matrix, exchange));
     }
-    if (const std::size_t unseen = report.matrix.pairs() - report.matrix.exchanges.size(); unseen > 0) {
+    const std::size_t listed = report.matrix.exchanges.size() + report.matrix.dropped;
+    if (const std::size_t unseen = report.matrix.pairs() - listed; unseen > 0) {
         const FaceExchange nothing = studies::no_exchange(0, 0);
         rows[{method_of(nothing), reason_of(nothing)}].pairs = unseen;
     }
@@ -55,7 +48,23 @@ std::string methods(const FormFactorReport& report, const TextStyle& style) {
         table.rows.push_back({cell(std::string(key.first)), cell(std::to_string(row.pairs)),
                               cell(key.first == "none" ? "" : brief(row.worst, 2)), cell(std::string(key.second))});
     }
+    if (report.matrix.dropped > 0)
+        table.rows.push_back({cell("dropped"), cell(std::to_string(report.matrix.dropped)), cell(""),
+                              cell(fmt::format("both factors are below {}", brief(report.request.drop)))});
     return text_table(table, style);
+}
+
+/// The row of which most was dropped.
+std::string dropped_text(const FormFactorReport& report) {
+    if (report.matrix.dropped == 0) return "";
+    const auto& rows = report.matrix.rows;
+    const auto most = std::max_element(rows.begin(), rows.end(),
+                                       [](const auto& a, const auto& b) { return a.dropped.value < b.dropped.value; });
+    const studies::DroppedExchange& sum = most->dropped;
+    const double width = std::max(sum.high - sum.value, sum.value - sum.low);
+    return fmt::format("Dropped of a row is at most {} [{}, {}] (face {}, {})\n", to_error(sum.value, width),
+                       to_error(sum.low, width), to_error(sum.high, width),
+                       report.scene.faces[static_cast<std::size_t>(most - rows.begin())], counted(sum.pairs, "pair"));
 }
 
 std::string factors(const FormFactorReport& report, const TextStyle& style) {
@@ -93,12 +102,20 @@ std::string many_row_sums(const FormFactorReport& report) {
     return fmt::format("Row sums from {} to {}\n", words(least), words(most));
 }
 
-std::string verdict(const FormFactorReport& report) {
+std::string tolerance_of(const studies::FormFactorRequest& request) {
+    const std::string absolute = brief(request.tolerance);
+    return request.relative > 0 ? fmt::format("{} or {} % of the factor", absolute, brief(100 * request.relative))
+                                : absolute;
+}
+
+}  // namespace
+
+std::string form_factors_verdict(const FormFactorReport& report) {
     const studies::FormFactorMatrix& matrix = report.matrix;
     const std::size_t missed = matrix.missed();
-    const std::size_t all = matrix.pairs();
-    const std::string tolerance = brief(report.request.tolerance);
-    const std::string pairs = counted(all, "pair") + " of faces";
+    const std::size_t all = matrix.pairs() - matrix.dropped;
+    const std::string tolerance = tolerance_of(report.request);
+    const std::string pairs = counted(all, "pair") + " of faces" + (matrix.dropped > 0 ? " that are kept" : "");
     std::string text;
     if (missed > 0) {
         text = fmt::format("{} of {} {} NOT within {}:", missed, pairs, missed == 1 ? "is" : "are", tolerance);
@@ -118,9 +135,11 @@ std::string verdict(const FormFactorReport& report) {
         }
         text += missed > most_listed ? " and others." : ".";
     }
-    if (matrix.samples > 0) text += fmt::format(" {} samples.", count(matrix.samples));
-    return text + "\n";
+    if (matrix.samples > 0) text += fmt::format(" {} samples.", thousands_apart(matrix.samples));
+    return text;
 }
+
+namespace {
 
 std::string repair_text(const FormFactorReport& report) {
     const auto& repaired = report.matrix.repaired;
@@ -142,11 +161,11 @@ std::string form_factors_text(const FormFactorReport& report, const TextStyle& s
         matrix.surfaces < scene.surfaces.size() ? fmt::format(", joined to {}", matrix.surfaces) : "";
     std::string text = fmt::format(
         "{}: {} of {}{}\ntolerance {}, level {} {}, seed {}\n\n", scene.name, counted(scene.faces.size(), "face"),
-        counted(scene.surfaces.size(), "surface"), joined, brief(request.tolerance), brief(request.level, 10),
+        counted(scene.surfaces.size(), "surface"), joined, tolerance_of(request), brief(request.level, 10),
         request.level_of == studies::LevelOf::entry ? "of each entry" : "of the whole matrix", request.seed.value);
     text += methods(report, style) + "\n";
     text += scene.faces.size() <= most_shown ? factors(report, style) : many_row_sums(report);
-    text += "\n" + verdict(report);
+    text += dropped_text(report) + "\n" + form_factors_verdict(report) + "\n";
     if (matrix.interrupted) text += "Stopped before the sampling was done; pairs by `bounds` have none.\n";
     return text + repair_text(report);
 }

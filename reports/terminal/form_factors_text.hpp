@@ -7,7 +7,10 @@
 
 namespace ff::reports {
 
-/// For the terminal: methods and why, the matrix where it is small, row sums, what misses the tolerance.
+/// Whether all pairs are within the tolerance; if not, which ones are outside.
+std::string form_factors_verdict(const FormFactorReport& report);
+
+/// For the terminal: methods with reasons, the matrix if small, row sums, pairs that miss the tolerance.
 std::string form_factors_text(const FormFactorReport& report, const TextStyle& style = {});
 
 }  // namespace ff::reports

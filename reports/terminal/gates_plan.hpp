@@ -8,7 +8,7 @@
 
 namespace ff::reports {
 
-/// Trials and time of each gate, and of all; of gates on a file of estimates, trials that are needed and there.
+/// Trials and time of each gate, and in total; for gates on a file of estimates, trials needed and available.
 std::string gates_plan(const studies::GatesSpec& spec, std::span<const studies::EstimatesPlan> files,
                        std::span<const studies::GatePlan> plans, unsigned threads);
 

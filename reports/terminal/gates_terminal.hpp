@@ -11,22 +11,22 @@
 
 namespace ff::reports {
 
-/// What is checked, at which risks.
+/// What is checked, and at which risks.
 std::string gates_heading(const studies::GatesSpec& spec);
 
-/// One line: verdict, gate, and the comparison that decided; another with a picture where there are many bins.
+/// One line: verdict, gate, and the deciding comparison; another one with a picture where there are many bins.
 std::string gate_line(const studies::GateResult& result, Colour colour);
 
-/// The same without verdict and name: for messages elsewhere.
+/// The same without verdict and name, for messages elsewhere.
 std::string gate_in_words(const studies::GateResult& result);
 
 /// "band ±0.01", "band 0.5 or more"
 std::string band_in_words(const studies::Band& band);
 
-/// How many passed, failed and are undecided.
+/// How many gates passed, failed and are undecided.
 std::string gates_summary(const studies::CheckResults& check);
 
-/// Of gates on a file of estimates: trials that are needed, and those that are there.
+/// For gates on a file of estimates: trials needed, and trials available.
 std::string estimates_plan(const studies::GatesSpec& spec, std::span<const studies::EstimatesPlan> files);
 
 /// Characters of the longest name of a gate, for the first column of tables.

@@ -1,11 +1,25 @@
 #pragma once
 
+#include "reports/text/table.hpp"
 #include "reports/text/text_style.hpp"
 #include "reports/words/heat_report.hpp"
 
+#include <cstddef>
 #include <string>
 
 namespace ff::reports {
+
+/// A row per face; with more than `most` faces, those with the largest powers, as a remark says.
+Table heat_table(const HeatReport& report, std::size_t most);
+
+/// The certainty: "Every power is within ..."
+std::string heat_verdict(const HeatReport& report);
+
+/// The power that goes to the surroundings, or the sum of powers in a closed scene.
+std::string heat_balance(const HeatReport& report);
+
+/// How many samples went where flows depend on them; empty where they did not.
+std::string heat_effort(const HeatReport& report);
 
 /// For the terminal: a row per face, the balance, how sure it is.
 std::string heat_text(const HeatReport& report, const TextStyle& style = {});

@@ -7,6 +7,7 @@
 #include "reports/text/text_table.hpp"
 #include "reports/words/audit_summary.hpp"
 #include "reports/words/cells_in_between.hpp"
+#include "reports/words/claim_words.hpp"
 #include "reports/words/coverage_words.hpp"
 #include "reports/words/occlusion_words.hpp"
 #include "reports/words/published_summary.hpp"
@@ -27,7 +28,16 @@ namespace {
 
 /// Nothing for a table without rows.
 std::string titled(const Table& table, const TextStyle& style) {
-    return table.rows.empty() ? "" : fmt::format("\n{}\n{}", table.title, text_table(table, style));
+    if (table.rows.empty()) return {};
+    return fmt::format("\n{}\n{}", table.title, text_table(table, style));
+}
+
+/// The same with the sentences below it; these alone where there are no rows.
+std::string explained(const Table& table, const TextStyle& style) {
+    std::string out = titled(table, style);
+    if (out.empty() && !table.remarks.empty()) out = fmt::format("\n{}\n", table.title);
+    for (const std::string& remark : table.remarks) out += remark + "\n";
+    return out;
 }
 
 /// Two significant digits where nothing is known about the error of the third.
@@ -96,14 +106,21 @@ std::string terminal_summary(const studies::StudyResults& results, const TextSty
         out += terminal_plots(results, style);
     }
     for (const auto& lines : {occlusion_in_brief(results), heavy_tails_in_brief(results), reductions_in_brief(results),
-                              coverage_in_brief(results), radiosity_in_brief(results), until_in_brief(results)}) {
+                              coverage_in_brief(results), one_run_errors_in_brief(results), radiosity_in_brief(results),
+                              until_in_brief(results)}) {
         if (!lines.empty()) out += fmt::format("\n{}\n", fmt::join(lines, "\n"));
     }
+    if (results.occlusion.empty()) {
+        out += explained(decisions_table(results, true), style);
+        out += explained(contests_table(results, true), style);
+    }
+    out += explained(claimed_errors_table(results, Claims::stated), style);
     if (results.published) {
         out += fmt::format("\nPublished: {}\n", results.published->tables.source);
         for (const std::string& line : published_in_brief(*results.published, 1 - plan.spec.level))
             out += fmt::format("{}\n", line);
-        out += audit_summary(results.published->tables, results.published->audit);
+        if (!results.published->tables.figures.empty())
+            out += audit_summary(results.published->tables, results.published->audit);
     }
     return out;
 }

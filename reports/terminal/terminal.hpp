@@ -8,10 +8,10 @@
 
 namespace ff::reports {
 
-/// The result in a dozen lines: a row for each method and size, then what the publication comes to.
+/// The result in a dozen lines: a row for each method and size, then the verdict on the publication.
 std::string terminal_summary(const studies::StudyResults& results, const TextStyle& style = {});
 
-/// What a run would do: units, trials, evaluations and expected time.
+/// A run's work in advance: units, trials, evaluations and expected time.
 std::string terminal_plan(const studies::StudyPlan& plan, unsigned threads, const TextStyle& style = {});
 
 }  // namespace ff::reports

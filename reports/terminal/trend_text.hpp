@@ -7,7 +7,7 @@
 
 namespace ff::reports {
 
-/// What was found in a series: "from COMMIT on 1.02 instead of 1 (+2 %), p = 0.001", or that nothing was.
+/// The finding in a series: "from COMMIT on 1.02 instead of 1 (+2 %), p = 0.001", or that nothing was.
 std::string trend_in_words(const studies::Trend& trend);
 
 /// A line for each series, with a small picture of it.

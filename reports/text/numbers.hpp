@@ -8,11 +8,11 @@ namespace ff::reports {
 /// The shortest decimal that reads back as the same double; empty text for no value or one that is not finite.
 std::string exact(std::optional<double> value);
 
-/// As many decimals as the error warrants: its second significant digit is the last one shown. An error of 0,
-/// or one that is no number, shows eight significant digits. With an exponent below 1e-4, unless the error is larger.
+/// As many decimals as the error warrants: its second significant digit is the last one shown. With an error of 0, or
+/// not a number, shows eight digits. Below 1e-4 with an exponent, unless the error is larger.
 std::string to_error(double value, double error);
 
-/// A few significant digits, with an exponent below 1e-4: "0.0123", "7.7e-05".
+/// A few significant digits; values below 1e-4 have an exponent: "0.0123", "7.7e-05".
 std::string brief(double value, int digits = 3);
 
 /// A p-value: two significant digits, "< 1e-10" below that.

@@ -13,11 +13,11 @@ std::string plural(std::size_t count, std::string_view what) {
     return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
 }
 
-/// Lines below a heading, those beyond the twelfth counted.
-std::string listed(std::string_view heading, const std::vector<std::string>& lines) {
+/// Lines below a heading, those beyond the most counted.
+std::string listed(std::string_view heading, const std::vector<std::string>& lines, std::size_t most = most_lines) {
     std::string out = fmt::format("{}:\n", heading);
-    for (std::size_t i = 0; i < std::min(lines.size(), most_lines); ++i) out += fmt::format("  {}\n", lines[i]);
-    if (lines.size() > most_lines) out += fmt::format("  and {} more\n", lines.size() - most_lines);
+    for (std::size_t i = 0; i < std::min(lines.size(), most); ++i) out += fmt::format("  {}\n", lines[i]);
+    if (lines.size() > most) out += fmt::format("  and {} more\n", lines.size() - most);
     return out;
 }
 
@@ -59,7 +59,7 @@ SceneText scene_text(const Scene& scene, const studies::SceneExplanation& explan
     for (const studies::ExplainedEstimator& estimator : explanation.estimators)
         estimators.push_back(estimator.why_not ? fmt::format("not {}: {}", estimator.name, *estimator.why_not)
                                                : estimator.name);
-    text.details += listed("Estimators", estimators);
+    text.details += listed("Estimators", estimators, estimators.size());
     return text;
 }
 

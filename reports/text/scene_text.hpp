@@ -7,7 +7,7 @@
 
 namespace ff::reports {
 
-/// A few facts about a scene for a terminal.
+/// Facts about a scene for a terminal.
 struct SceneText {
     std::string summary;  ///< "6 surfaces, closed"
     std::string details;  ///< in lines: faces with areas, exact values with their origin, estimators

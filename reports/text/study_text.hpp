@@ -6,15 +6,15 @@
 
 namespace ff::reports {
 
-/// A study file for readers. Of a scene's text of more than 60 lines it shows the first 20, and says how many follow.
+/// A study file for readers. Of a scene's text of more than 60 lines only the first 20 are shown.
 struct StudyText {
     std::string text;
-    bool whole = true;  ///< it can be run as it is
+    bool whole = true;  ///< false if shortened; then it cannot be run
 };
 
 StudyText study_text(studies::StudySpec spec);
 
-/// Where all of it is, when it is not whole.
+/// Where to find the whole text of a shortened one.
 inline constexpr const char* whole_study_is_kept =
     "Long texts of scenes are cut short here; results.sqlite holds all of them: sqlite3 results.sqlite \"SELECT value "
     "FROM meta WHERE key = 'study'\" prints the study as a file to run.";

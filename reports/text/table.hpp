@@ -5,7 +5,7 @@
 
 namespace ff::reports {
 
-/// What a reader is to notice about a cell.
+/// What a reader should notice about a cell.
 enum class Mark {
     none,
     misprint,    ///< the audit blames this printed figure
@@ -22,12 +22,12 @@ struct TableCell {
 
 struct TableColumn {
     std::string title;
-    bool number = false;  ///< set flush right
-    std::string group;    ///< equal neighbours share a title above theirs; may be empty
-    bool minor = false;   ///< left out where there is little room; with all of its group
+    bool number = false;  ///< right-aligned
+    std::string group;    ///< title above those of neighbouring columns with the same group; may be empty
+    bool minor = false;   ///< left out where space is short, together with all of its group
 };
 
-/// A table as readers see it, whatever the format: texts, the first column naming the row.
+/// A table independent of format: texts, of which the first column names the row.
 struct Table {
     std::string id;  ///< letters, digits, - and _
     std::string title;

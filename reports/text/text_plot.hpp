@@ -13,8 +13,8 @@ struct PlottedSeries {
     std::vector<std::pair<double, double>> points;
 };
 
-/// A plot of letters for a terminal, both axes logarithmic and without colours: the first series is drawn as a, the
-/// next as b and so on, several at one place as *. The ends of the x axis and the powers of ten of the y axis are
+/// A plot made of letters for a terminal, without colours and with logarithmic axes: the first series is drawn as a,
+/// the next as b and so on, coinciding points as *. The ends of the x axis and the powers of ten of the y axis are
 /// labelled; names follow below. Empty where all points share an x or a y.
 /// @param width, height  of the drawing area, in characters
 /// @pre at most 26 series

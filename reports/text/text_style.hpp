@@ -7,7 +7,7 @@
 
 namespace ff::reports {
 
-/// What a terminal can show. A file, which text goes to as well, has no colours and no last column.
+/// The capabilities of a terminal. A file, as another destination, has no colours and unlimited width.
 struct TextStyle {
     Colour colour = Colour::none;
     std::size_t width = std::numeric_limits<std::size_t>::max();  ///< columns

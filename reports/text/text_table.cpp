@@ -37,9 +37,30 @@ std::vector<SetColumn> set_columns(const Table& table, std::size_t room) {
     return columns;
 }
 
+/// A text on a continuing line, broken between words where it is wider than the terminal.
+std::string folded(const std::string& text, std::size_t room) {
+    std::string out;
+    std::size_t end = indent;
+    std::size_t begin = 0;
+    while (begin < text.size()) {
+        const std::size_t blank = std::min(text.find(' ', begin), text.size());
+        const std::string word = text.substr(begin, blank - begin);
+        const std::size_t width = visible_length(word);
+        if (!out.empty()) {
+            const bool fits = end + 1 + width <= room;
+            out += fits ? " " : "\n" + std::string(indent, ' ');
+            end = fits ? end + 1 : indent;
+        }
+        out += word;
+        end += width;
+        begin = blank + 1;
+    }
+    return out;
+}
+
 /// Without blanks at the end, and without continuing lines that would be blank.
 std::string row_text(const Table& table, const std::vector<SetColumn>& columns, const std::vector<TableCell>& row,
-                     Colour colour) {
+                     const TextStyle& style) {
     std::string out;
     std::size_t blanks = 0;
     for (std::size_t i = 0; i < row.size(); ++i) {
@@ -50,7 +71,8 @@ std::string row_text(const Table& table, const std::vector<SetColumn>& columns, 
         }
         if (table.columns[i].number) blanks += room;
         if (!row[i].text.empty()) {
-            out += std::string(blanks, ' ') + painted(row[i].text, row[i].mark, colour);
+            const std::string text = columns[i].begins_line ? folded(row[i].text, style.width) : row[i].text;
+            out += std::string(blanks, ' ') + painted(text, row[i].mark, style.colour);
             blanks = 0;
         }
         if (!table.columns[i].number) blanks += room;
@@ -79,9 +101,9 @@ std::string text_table(const Table& table, const TextStyle& style) {
         titles.push_back({column.title, Mark::none});
         grouped |= !column.group.empty();
     }
-    std::string out = grouped ? row_text(table, columns, groups, style.colour) : std::string();
-    out += row_text(table, columns, titles, style.colour);
-    for (const auto& row : table.rows) out += row_text(table, columns, row, style.colour);
+    std::string out = grouped ? row_text(table, columns, groups, style) : std::string();
+    out += row_text(table, columns, titles, style);
+    for (const auto& row : table.rows) out += row_text(table, columns, row, style);
     return out;
 }
 

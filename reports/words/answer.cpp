@@ -5,8 +5,10 @@
 #include "reports/words/coverage_words.hpp"
 #include "reports/words/occlusion_words.hpp"
 #include "reports/words/premise.hpp"
+#include "reports/words/published_summary.hpp"
 #include "reports/words/radiosity_words.hpp"
 #include "studies/analysis/configuration_estimates.hpp"
+#include "studies/comparison/decisions.hpp"
 #include "studies/comparison/ranking.hpp"
 
 #include <fmt/format.h>
@@ -14,6 +16,8 @@
 #include <algorithm>
 #include <array>
 #include <set>
+#include <string_view>
+#include <utility>
 
 namespace ff::reports {
 namespace {
@@ -23,9 +27,15 @@ using studies::StudyResults;
 
 constexpr std::array all_classes{PairClass::parallel, PairClass::adjacent, PairClass::other};
 constexpr std::size_t most_clauses = 4;
+constexpr std::size_t most_bytes = 400;  // of several clauses: half the screen of a phone
 
 const std::string& method_of(const studies::StudyPlan& plan, std::size_t cell) {
     return plan.spec.methods[plan.cells[cell].method].name;
+}
+
+std::string on_pairs_of(const studies::StudyPlan& plan, std::size_t scene, std::string_view classes) {
+    const std::string where = fmt::format("on {} pairs", classes);
+    return plan.scenes.size() == 1 ? where : fmt::format("{} of {}", where, plan.scenes[scene].name);
 }
 
 /// Those that cannot be told apart from the best.
@@ -133,6 +143,22 @@ std::vector<std::string> variance_clauses(const StudyResults& results) {
     return clauses;
 }
 
+std::vector<std::string> choice_clauses(const StudyResults& results) {
+    const studies::StudyPlan& plan = results.findings.plan;
+    std::vector<std::string> clauses;
+    for (const studies::Decision& decision : studies::decide(plan, results.contests, studies::Equal::evaluations)) {
+        if (decision.choices.empty()) continue;
+        const studies::Choice& first = decision.choices.front();
+        const bool begins = clauses.empty();
+        clauses.push_back(fmt::format("{}{} on {} ({}{} of {}{})", begins ? "take, at equal evaluations, " : "",
+                                      listed({plan.spec.methods[first.method].name}),
+                                      kind_of_pairs(decision.pair_class, decision.may_be_occluded),
+                                      begins ? "best in " : "", first.best, first.entered,
+                                      begins ? " scenes that it can do" : ""));
+    }
+    return clauses;
+}
+
 std::vector<std::string> configuration_clauses(const StudyResults& results) {
     std::size_t agree = 0;
     std::size_t biased = 0;
@@ -167,15 +193,22 @@ std::vector<std::string> configuration_clauses(const StudyResults& results) {
     return clauses;
 }
 
-/// A clause for each class of pairs of each scene.
+/// A clause for each class of pairs of each scene; classes of which the same is said share one.
 template <class Clause>
 std::vector<std::string> by_class(const StudyResults& results, const Clause& clause) {
+    const studies::StudyPlan& plan = results.findings.plan;
     std::vector<std::string> clauses;
-    for (std::size_t scene = 0; scene < results.findings.plan.scenes.size(); ++scene) {
+    for (std::size_t scene = 0; scene < plan.scenes.size(); ++scene) {
+        std::vector<std::pair<std::string, std::vector<std::string>>> said;  // what, and of which classes
         for (const PairClass pair_class : all_classes) {
-            if (std::string text = clause(results, scene, pair_class); !text.empty())
-                clauses.push_back(std::move(text));
+            const std::string text = clause(results, scene, pair_class);
+            if (text.empty()) continue;
+            const std::string what = text.substr(on_pairs(plan, scene, pair_class).size());
+            if (said.empty() || said.back().first != what) said.push_back({what, {}});
+            said.back().second.emplace_back(name(pair_class));
         }
+        for (auto& [what, classes] : said)
+            clauses.push_back(on_pairs_of(plan, scene, listed(std::move(classes))) + what);
     }
     return clauses;
 }
@@ -195,6 +228,8 @@ std::vector<std::string> clauses_of(const StudyResults& results, Subject subject
         case Subject::publication:
         case Subject::errors:
             break;
+        case Subject::choice:
+            return choice_clauses(results);
         case Subject::configurations:
             return configuration_clauses(results);
         case Subject::rates:
@@ -215,6 +250,8 @@ std::string question_of(Subject subject) {
             return "How often do intervals contain the exact value?";
         case Subject::publication:
             return "Which method is more accurate, and do the published figures hold?";
+        case Subject::choice:
+            return "Which method is best on which kind of pairs?";
         case Subject::configurations:
             return "Do the estimates agree with the exact values?";
         case Subject::rates:
@@ -231,8 +268,12 @@ std::string question_of(Subject subject) {
 std::string sentence(std::vector<std::string> clauses) {
     if (clauses.empty()) return {};
     const std::size_t all = clauses.size();
-    clauses.resize(std::min(all, most_clauses));
-    if (all > most_clauses) clauses.back() += fmt::format(" ({} more below)", all - most_clauses);
+    std::size_t bytes = clauses.front().size();
+    std::size_t taken = 1;
+    while (taken < std::min(all, most_clauses) && bytes + clauses[taken].size() <= most_bytes)
+        bytes += clauses[taken++].size();
+    clauses.resize(taken);
+    if (all > taken) clauses.back() += fmt::format(" ({} more below)", all - taken);
     const bool compound = std::any_of(clauses.begin(), clauses.end(),
                                       [](const std::string& clause) { return clause.find(';') != std::string::npos; });
     for (std::string& clause : clauses) {
@@ -260,9 +301,12 @@ std::string listed(std::vector<std::string> names, std::size_t most) {
     return fmt::format("{} and {}", fmt::join(names, ", "), last);
 }
 
+std::string kind_of_pairs(PairClass pair_class, bool may_be_occluded) {
+    return fmt::format("{}{} pairs", may_be_occluded ? "possibly occluded " : "", name(pair_class));
+}
+
 std::string on_pairs(const studies::StudyPlan& plan, std::size_t scene, PairClass pair_class) {
-    const std::string where = fmt::format("on {} pairs", name(pair_class));
-    return plan.scenes.size() == 1 ? where : fmt::format("{} of {}", where, plan.scenes[scene].name);
+    return on_pairs_of(plan, scene, name(pair_class));
 }
 
 Subject subject_of(const StudyResults& results) {
@@ -271,7 +315,7 @@ Subject subject_of(const StudyResults& results) {
     if (!results.coverage.empty()) return Subject::coverage;
     if (results.published) return Subject::publication;
     if (results.findings.plan.scenes.size() > 1 && !studies::configuration_estimates(results.findings).empty())
-        return Subject::configurations;
+        return results.slopes.empty() || choice_clauses(results).empty() ? Subject::configurations : Subject::choice;
     if (has_ranked_slopes(results)) return Subject::rates;
     if (!results.reductions.empty()) return Subject::variances;
     return Subject::errors;
@@ -284,12 +328,18 @@ Answer answer(const StudyResults& results) {
     std::vector<std::string> sentences;
     if (results.published) {
         if (std::string text = premise(results); !text.empty()) sentences.push_back(std::move(text));
+        if (results.published->tables.figures.empty() && !results.published->claims.empty()) {
+            sentences.push_back(claims_sentence(*results.published));
+            if (results.published->claims.size() == 1) sentences.push_back(results.published->claims.front().evidence);
+        }
     }
     if (std::string text = sentence(clauses_of(results, subject)); !text.empty()) sentences.push_back(std::move(text));
     if (results.published) {
         const studies::AuditReport& audit = results.published->audit;
-        sentences.push_back(fmt::format("The publication's {} printed figures contain {} contradiction{}.",
-                                        audit.figures, audit.contradictions(), audit.contradictions() == 1 ? "" : "s"));
+        if (audit.figures > 0)
+            sentences.push_back(fmt::format("The publication's {} printed figures contain {} contradiction{}.",
+                                            audit.figures, audit.contradictions(),
+                                            audit.contradictions() == 1 ? "" : "s"));
     }
     if (sentences.empty()) sentences.emplace_back("No method of this study can be compared with exact values.");
     out.text = fmt::format("{}", fmt::join(sentences, " "));

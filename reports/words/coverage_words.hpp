@@ -12,10 +12,10 @@ namespace ff::reports {
 std::string_view rule_in_words(studies::IntervalRule rule);
 
 /// A line for each rule and number of replicates: the range of its actual coverage over methods and classes of pairs
-/// that have a variance, and how often it is significantly short of what it promises; a line about those without.
+/// that have a variance, and how often it falls significantly short of the promised level; a line about those without.
 std::vector<std::string> coverage_in_brief(const studies::StudyResults& results);
 
-/// A clause for each rule: whether it keeps what it promises, by the rows whose variance is finite.
+/// A clause for each rule: whether it keeps its promised level, by the rows whose variance is finite.
 std::vector<std::string> coverage_clauses(const studies::StudyResults& results);
 
 }  // namespace ff::reports

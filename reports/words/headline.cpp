@@ -139,7 +139,7 @@ Headline headline(const studies::StudyResults& results) {
         out.numbers.push_back(contest_number(rivalry, describe(results.findings, rivalry)));
     }
     if (KeyNumber bias = bias_number(results.findings); !bias.value.empty()) out.numbers.push_back(std::move(bias));
-    if (results.published) {
+    if (results.published && results.published->audit.figures > 0) {
         const studies::AuditReport& audit = results.published->audit;
         out.published = wrong_in_print(*results.published);
         out.unlikely = published_in_brief(*results.published, 1 - results.findings.plan.spec.level).front();

@@ -1,15 +1,16 @@
 #pragma once
 
-#include "studies/heat/heat.hpp"
+#include "studies/heat/flow_sampling.hpp"
 
 namespace ff::reports {
 
-/// What `ffstudy heat` has found, with what it was asked.
+/// The results of `ffstudy heat`, with the request.
 struct HeatReport {
     const Scene& scene;
     const studies::FormFactorRequest& request;
     const studies::Materials& materials;
     const studies::HeatFlows& flows;
+    const studies::SampledFlows* sampled = nullptr;  ///< how they were, if samples went where flows depend on them
 };
 
 }  // namespace ff::reports

@@ -7,7 +7,7 @@
 
 namespace ff::reports {
 
-/// What a study found beyond the errors of its methods, a sentence each: heavy tails, slopes, variances, coverage,
+/// Findings of a study beyond the errors of its methods, a sentence each: heavy tails, slopes, variances, coverage,
 /// stopping rules, error laws.
 std::vector<std::string> results_in_brief(const studies::StudyResults& results);
 

@@ -2,6 +2,7 @@
 
 #include "reports/text/labels.hpp"
 #include "reports/text/numbers.hpp"
+#include "reports/words/answer.hpp"
 
 #include <fmt/format.h>
 
@@ -102,7 +103,7 @@ std::string series_in_words(const StudyResults& results, const OcclusionSeries& 
         first = end;
     }
     const Scene& scene = results.findings.plan.scenes[series.scenes.front().scene];
-    return fmt::format("{}, {}, at about {} evaluations, least error by hidden share: {}.", series.family,
+    return fmt::format("{}, {}, at about {} evaluations, least error by occluded fraction: {}.", series.family,
                        quantity_label(scene, series.pair), series.evaluations, fmt::join(parts, "; "));
 }
 
@@ -118,7 +119,7 @@ std::vector<std::string> occlusion_in_brief(const StudyResults& results) {
 
 std::string occlusion_clause(const StudyResults& results) {
     const auto& plan = results.findings.plan;
-    const auto tell = [&](const std::vector<const HiddenPair*>& scenes) {
+    const auto tell = [&](const std::vector<const HiddenPair*>& scenes, const char* pair) {
         std::map<std::size_t, int> wins;  // by method
         int undecided = 0;
         for (const HiddenPair* scene : scenes) {
@@ -128,17 +129,21 @@ std::string occlusion_clause(const StudyResults& results) {
                 ++undecided;
         }
         std::vector<std::string> parts;
+        const auto on = [&](int count) {
+            if (scenes.size() == 1) return fmt::format("the only {}", pair);
+            return fmt::format("{} of {}{}", count, scenes.size(), parts.empty() ? fmt::format(" {}s", pair) : "");
+        };
         for (const auto& [method, count] : wins)
-            parts.push_back(fmt::format("{} ({} of {} pairs)", plan.spec.methods[method].name, count, scenes.size()));
-        if (undecided > 0) parts.push_back(fmt::format("none for certain ({} of {} pairs)", undecided, scenes.size()));
-        return fmt::format("{}", fmt::join(parts, " and "));
+            parts.push_back(fmt::format("{} on {}", plan.spec.methods[method].name, on(count)));
+        if (undecided > 0) parts.push_back(fmt::format("none for certain on {}", on(undecided)));
+        return listed(std::move(parts));
     };
     const auto open = scenes_where(results, is_open);
     const auto hidden = scenes_where(results, is_partly_hidden);
     if (hidden.empty()) return {};
-    return fmt::format(
-        "at about as many evaluations, the smallest error where something occludes a part is that of {}{}",
-        tell(hidden), open.empty() ? "" : fmt::format("; with nothing in between, that of {}", tell(open)));
+    return fmt::format("with about the same number of evaluations, the smallest errors are those of {}{}",
+                       tell(hidden, "partly occluded pair"),
+                       open.empty() ? "" : fmt::format("; with nothing in between, {}", tell(open, "pair")));
 }
 
 }  // namespace ff::reports

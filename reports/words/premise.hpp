@@ -6,9 +6,9 @@
 
 namespace ff::reports {
 
-/// Where a deterministic method as described does not give the figures that are printed of it: both errors, what the
-/// methods cost, and what the comparison with the best other method is by ours and by the printed figures. Empty where
-/// there is no such method. @pre the study has published tables
+/// For a deterministic method that, as described, does not give its printed figures: both errors, the costs, and the
+/// comparison with the best other method by our figures and by the printed ones. Empty where there is no such method.
+/// @pre the study has published tables
 std::string premise(const studies::StudyResults& results);
 
 }  // namespace ff::reports

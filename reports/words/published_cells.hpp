@@ -12,13 +12,13 @@ namespace ff::reports {
 /// deterministic value) and the range of a single run; "–" where the study has none.
 std::string ours_text(const studies::FigureComparison& comparison, const std::string& printed);
 
-/// Where a printed figure falls among ours, in words.
+/// The position of a printed figure among ours, in words.
 std::string place_text(const studies::FigureComparison& comparison, const std::string& printed);
 
 /// Whether a run as described gives the figure less often than `alpha` allows over its whole table.
 bool is_surprising(const studies::FigureComparison& comparison, double alpha);
 
-/// Figures that the audit blames for a contradiction.
+/// The figures that the audit blames for a contradiction.
 std::set<std::size_t> blamed_figures(const studies::AuditReport& audit);
 
 }  // namespace ff::reports

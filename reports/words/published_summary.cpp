@@ -26,24 +26,39 @@ std::string surprising_figures(const studies::PublishedResults& published, doubl
     return surprising.empty() ? text : fmt::format("{}: {}", text, fmt::join(surprising, "; "));
 }
 
+/// Of a publication that is judged by its words alone: each of them.
+std::vector<std::string> claims_in_brief(const studies::PublishedResults& published) {
+    std::vector<std::string> lines;
+    for (const studies::JudgedClaim& judged : published.claims)
+        lines.push_back(
+            fmt::format("{}: “{}” {}", studies::name(judged.verdict), judged.claim.statement, judged.evidence));
+    return lines;
+}
+
 }  // namespace
 
-std::vector<std::string> published_in_brief(const studies::PublishedResults& published, double alpha) {
-    std::vector<std::string> lines{surprising_figures(published, alpha)};
+std::string claims_sentence(const studies::PublishedResults& published) {
     const auto count = [&](studies::ClaimVerdict verdict) {
         return std::count_if(published.claims.begin(), published.claims.end(),
                              [&](const auto& claim) { return claim.verdict == verdict; });
     };
-    if (!published.claims.empty()) {
-        const auto printed_only = count(studies::ClaimVerdict::as_printed_only);
-        lines.push_back(fmt::format(
-            "Of the publication's {} claims {} are supported, {}{} refuted, {} inconclusive.", published.claims.size(),
-            count(studies::ClaimVerdict::supported),
-            printed_only == 0
-                ? std::string()
-                : fmt::format("{} only by printed figures that the methods as described do not give, ", printed_only),
-            count(studies::ClaimVerdict::refuted), count(studies::ClaimVerdict::inconclusive)));
-    }
+    if (published.claims.size() == 1)
+        return fmt::format("The publication's claim is {}.", studies::name(published.claims.front().verdict));
+    const auto supported = count(studies::ClaimVerdict::supported);
+    const auto printed_only = count(studies::ClaimVerdict::as_printed_only);
+    return fmt::format(
+        "Of the publication's {} claims {} {} supported, {}{} refuted, {} inconclusive.", published.claims.size(),
+        supported, supported == 1 ? "is" : "are",
+        printed_only == 0
+            ? std::string()
+            : fmt::format("{} only by printed figures that the methods as described do not give, ", printed_only),
+        count(studies::ClaimVerdict::refuted), count(studies::ClaimVerdict::inconclusive));
+}
+
+std::vector<std::string> published_in_brief(const studies::PublishedResults& published, double alpha) {
+    if (published.tables.figures.empty()) return claims_in_brief(published);
+    std::vector<std::string> lines{surprising_figures(published, alpha)};
+    if (!published.claims.empty()) lines.push_back(claims_sentence(published));
     return lines;
 }
 

@@ -44,9 +44,10 @@ std::string light_text(const studies::StudyPlan& plan, const Consequences& found
     const studies::SettingFindings& at = found.settings[setting];
     const std::string where = setting_text(plan, setting);
     const std::size_t impossible = at.negative + at.singular;
-    if (found.trials == 1 && impossible > 0) return fmt::format("at {} no light solves the system", where);
+    if (found.trials == 1 && impossible > 0) return fmt::format("at {} the exitance is negative or undefined", where);
     if (impossible > 0)
-        return fmt::format("at {} no light solves the system in {} of {} trials", where, impossible, at.trials);
+        return fmt::format("at {} the exitance is negative or undefined in {} of {} trials", where, impossible,
+                           at.trials);
     if (!at.light_error) return fmt::format("at {} its error has no mean", where);
     return fmt::format("at {} the exitance error is {}", where, percent(*at.light_error));
 }
@@ -73,7 +74,7 @@ std::vector<std::string> lines_of_scene(const studies::StudyResults& results, st
     return lines;
 }
 
-/// What each treatment leaves of the error of the light.
+/// What each treatment leaves of the exitance error.
 std::string repair_line(const studies::StudyResults& results) {
     const studies::StudyPlan& plan = results.findings.plan;
     const std::size_t told = told_setting(plan);
@@ -92,7 +93,7 @@ std::string repair_line(const studies::StudyResults& results) {
         }
     }
     if (parts.empty()) return {};
-    return fmt::format("What repairs leave of the error of the light at reflectance {}: {}.", setting_text(plan, told),
+    return fmt::format("Exitance error after each repair at reflectance {}: {}.", setting_text(plan, told),
                        fmt::join(parts, "; "));
 }
 
@@ -117,7 +118,7 @@ std::vector<std::string> patch_lines(const studies::StudyResults& results) {
                                              element_text(plan, *found, worst.element)));
             }
             if (errors.empty()) continue;
-            lines.push_back(fmt::format("Between the {} patches of {}, error of the light at reflectance {}: {}.",
+            lines.push_back(fmt::format("Between the {} patches of {}, exitance error at reflectance {}: {}.",
                                         radiating_patches(plan.scenes[scene], plan.cells[cell].subdivision),
                                         cell_label(plan, plan.cells[cell]), setting_text(plan, told),
                                         fmt::join(errors, "; ")));

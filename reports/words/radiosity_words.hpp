@@ -9,10 +9,10 @@
 
 namespace ff::reports {
 
-/// What the errors do to the light, a sentence each; empty where the study has no [radiosity].
+/// The effect of errors on the exitance, a sentence each; empty where the study has no [radiosity].
 std::vector<std::string> radiosity_in_brief(const studies::StudyResults& results);
 
-/// The exitance error of each method that is compared, at the reflectance that is told about.
+/// The exitance error of each compared method, at the reflectance of the headline.
 struct LightInBrief {
     std::string reflectance;
     std::string clause;  ///< "at reflectance 0.9 the exitance error is 27 % with PDM and 0.9 % with SR"
@@ -20,22 +20,22 @@ struct LightInBrief {
 };
 std::optional<LightInBrief> light_in_brief(const studies::StudyResults& results);
 
-/// The cells that a comparison is about: those of the largest cost that several methods share; else all.
+/// The compared cells: those of the largest cost that several methods share; else all.
 std::vector<std::size_t> lit_cells(const studies::StudyPlan& plan, std::size_t scene);
 
 /// "0.9", or "0.998 [0.997, 0.999]": the median and the range over trials, where there are several.
 std::string over_trials_text(const studies::OverTrials& range, std::size_t trials, int digits = 3);
 
-/// Errors relative to the exact value: "1.2 %"; rounding shows as "0 %".
+/// An error relative to the exact value: "1.2 %"; rounding shows as "0 %".
 std::string percent(double share, int digits = 2);
 
-/// Bias of an exitance relative to the exact one: "-0.3 % ± 0.02 %". Trials that are all equal show no ±.
+/// Bias of an exitance relative to the exact one: "-0.3 % ± 0.02 %". Without ± where all trials are equal.
 std::string bias_text(const studies::ExitanceFindings& found);
 
-/// Iterations of a solver, or how many of its runs ended how: "12 [11, 13]", "3 converged, 7 too slow".
+/// Iterations of a solver, or how its runs ended: "12 [11, 13]", "3 converged, 7 too slow".
 std::string iterations_text(const studies::SolverFindings& found);
 
-/// RMSE of an exitance that has a mean, relative to the exact one; 0 of what is black and dark.
+/// RMSE of an exitance that has a mean, relative to the exact one; 0 for a black face without emission.
 double relative_error(const studies::ExitanceFindings& found);
 
 /// The face or patch whose exitance has the largest relative error; null where the exitance has no mean.
@@ -54,7 +54,7 @@ Place place_of(const Scene& scene, Subdivision subdivision, studies::Between bet
 /// "face 3", or "face 3, row 1, column 13".
 std::string element_text(const studies::StudyPlan& plan, const studies::Consequences& found, std::size_t element);
 
-/// Reflectances of a setting as text: "0.9".
+/// The reflectances of a setting as text: "0.9".
 std::string setting_text(const studies::StudyPlan& plan, std::size_t setting);
 
 }  // namespace ff::reports

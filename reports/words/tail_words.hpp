@@ -7,7 +7,7 @@
 
 namespace ff::reports {
 
-/// A line for each method and size whose trials look as if they had no variance.
+/// A line for each method and size whose trials seem to have infinite variance.
 std::vector<std::string> heavy_tails_in_brief(const studies::StudyResults& results);
 
 }  // namespace ff::reports

@@ -7,7 +7,7 @@
 
 namespace ff::reports {
 
-/// What became of a cell of an adaptive study, e.g. "reached: 9.7e-06 with 412 trials".
+/// The outcome for a cell of an adaptive study, e.g. "reached: 9.7e-06 with 412 trials".
 std::string until_in_words(const studies::StudySpec& spec, const studies::UntilOutcome& outcome);
 
 /// The rule in a sentence, then one for all cells that reached it and one for each that did not; empty where the study

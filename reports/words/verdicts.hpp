@@ -13,7 +13,7 @@ std::string bias_in_words(const studies::CellFindings& found);
 /// The equivalence test in words, e.g. "bias within ±0.0002 shown (even ±0.00014)".
 std::string equivalence_in_words(const studies::CellFindings& found);
 
-/// What a reader is to notice about either, wherever it stands: bad where a bias is found, open where nothing is shown.
+/// The mark for either, wherever it appears: bad where a bias is found, open where nothing is shown.
 Mark bias_mark(const studies::CellFindings& found);
 Mark equivalence_mark(studies::EquivalenceFinding finding);
 

@@ -5,7 +5,7 @@
 
 namespace ff::samplers {
 
-/// Control: `sobol` with the last bit reversal forgotten. @see [laine2011]
+/// Control: `sobol` without its last bit reversal. @see [laine2011]
 class SobolDigitsReversed {
   public:
     static constexpr SamplerInfo info{

@@ -4,7 +4,7 @@
 
 namespace ff::samplers {
 
-/// Control: `sobol` from the second point on. @see [owen2022]
+/// Control: `sobol` without its first point. @see [owen2022]
 class SobolFirstDropped {
   public:
     static constexpr SamplerInfo info{
@@ -13,7 +13,8 @@ class SobolFirstDropped {
         .details =
             "Points 1 .. N of the scrambled sequence instead of 0 .. N - 1, as libraries do that take the first point, "
             "the origin, for a nuisance. Every point is still uniform, so nothing is biased; but 2^m points that do "
-            "not begin at a multiple of 2^m are no net, and one point in the wrong place costs 1/N where the error of "
+            "not begin at a multiple of 2^m are not a net, and one point in the wrong place costs 1/N where the error "
+            "of "
             "the net falls faster than that (Owen 2022). Tallies of rays hardly notice.\n"
             "Caught by: a gate on the standard deviation, or on the slope, of a smooth estimate.",
         .reference = "owen2022",

@@ -14,17 +14,17 @@
 
 namespace ff::studies {
 
-/// What the trials say about bias on all distinct pairs of a cell together. The family-wise error rate is that of the
-/// whole study: each of its sampled cells gets an equal (Sidak) share of it.
+/// The evidence on bias from the trials, on all distinct pairs of a cell together. The family-wise error rate is that
+/// of the whole study: each of its sampled cells gets an equal (Sidak) share of it.
 struct BiasFamily {
     std::size_t pairs = 0;            ///< 30 in a box, or 15 under reciprocal completion
-    std::size_t untestable = 0;       ///< of them, pairs without a variance or an exact value
-    std::size_t unknown = 0;          ///< of these, because there is no exact value
-    std::size_t infinite = 0;         ///< of these, because the variance is infinite
-    std::size_t sparse = 0;           ///< of these, because there are too few hits
-    std::size_t undefined = 0;        ///< of these, because some trial gave no number
-    bool few_trials = false;          ///< nothing is tested: too few trials, or no bias that is possible could be found
-    bool constant_and_wrong = false;  ///< some pair has one wrong value in every trial, more often than chance makes it
+    std::size_t untestable = 0;       ///< pairs among them without a variance or an exact value
+    std::size_t unknown = 0;          ///< untestable because there is no exact value
+    std::size_t infinite = 0;         ///< untestable because the variance is infinite
+    std::size_t sparse = 0;           ///< untestable because there are too few hits
+    std::size_t undefined = 0;        ///< untestable because some trial gave no number
+    bool few_trials = false;          ///< nothing is tested: too few trials, or no possible bias is detectable
+    bool constant_and_wrong = false;  ///< some pair has the same wrong value in every trial, beyond chance
     double largest_t = 0;             ///< largest |t|, t = bias / standard error
     Quantity largest_pair;
     double adjusted_p = 1;  ///< smallest p-value, adjusted for pairs (Holm) and cells (Sidak): the family-wise verdict
@@ -41,14 +41,14 @@ enum class EquivalenceFinding { shown, refuted, inconclusive, not_asked };
 /// @param known  known_factors(scene)
 std::optional<double> reference_of(const Scene& scene, const KnownFactors& known, Quantity quantity);
 
-/// Probability that an honest estimator gives one value in every trial that is as wrong as this. Its law is taken to be
-/// unimodal on its lattice, with a mode within one step of the mean, as those of hits are: then no value that lies k
-/// steps from the mean is more likely than 1 / (k + 1). What lies on no lattice is at most one value half of the time.
-/// 1 where the value is the exact one as nearly as the lattice allows.
+/// Probability that an honest estimator gives one value, as wrong as this one, in every trial. Its distribution is
+/// assumed unimodal on its lattice, with a mode within one step of the mean, like that of hits: then a value k steps
+/// from the mean has probability at most 1 / (k + 1). Without a lattice, no value has a probability above 1/2. The
+/// result is 1 where the value is as close to the exact one as the lattice allows.
 double p_of_constant(double bias, std::optional<double> lattice, std::size_t trials);
 
 BiasFinding bias_finding(const BiasFamily& family, double level);
-/// Shown: every pair's interval lies inside the margin. Refuted: some pair's adjusted interval lies outside.
+/// Shown if every pair's interval lies inside the margin; refuted if some pair's adjusted interval lies outside.
 EquivalenceFinding equivalence_finding(const BiasFamily& family, bool refuted);
 
 /// Statistics of one cell.
@@ -67,11 +67,11 @@ struct CellFindings {
     EquivalenceFinding equivalence = EquivalenceFinding::not_asked;
 
     [[nodiscard]] const Summary& summary(Quantity quantity) const;
-    /// Of `class_error`; empty where that is missing, and where it would mean nothing: there is no variance.
+    /// The efficiency of `class_error`; empty where that is missing or there is no variance.
     [[nodiscard]] std::optional<double> class_rmse(PairClass pair_class) const;
-    /// Null where the cell has no such pair or reference, or some trial of one gave no number.
+    /// Null where the cell has no such pair or reference, or some trial of such a pair gave no number.
     [[nodiscard]] const ClassError* class_error(PairClass pair_class) const;
-    /// Whether some pair of the class has estimates without a variance.
+    /// Whether the estimates of some pair of the class have no variance.
     [[nodiscard]] bool has_infinite_variance(PairClass pair_class) const;
 };
 

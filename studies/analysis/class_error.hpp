@@ -15,18 +15,18 @@
 
 namespace ff::studies {
 
-/// How large the error of one run is on the pairs of a class, all of them together. Intervals rest on one value a
-/// trial, so that pairs of a trial may depend on each other.
+/// The error of one run on all pairs of a class together. Intervals rest on one value per trial, so that pairs of a
+/// trial may depend on each other.
 struct ClassError {
     PairClass pair_class = PairClass::other;
     std::size_t pairs = 0;
     std::size_t trials = 0;
-    std::uint64_t evaluations = 0;  ///< N, of a face or of a pair of faces
+    std::uint64_t evaluations = 0;  ///< N, per face or per pair of faces
     VarianceStatus status = VarianceStatus::finite;
-    double rmse = 0;            ///< root mean square over trials and pairs; without a variance, of these trials only
+    double rmse = 0;            ///< root mean square over trials and pairs; without a variance, for these trials only
     double mean_square_se = 0;  ///< standard error of rmse², from trial to trial; 0 without a finite variance
     std::optional<stats::Interval>
-        interval;  ///< of the RMSE: Student's t for the mean square, its root taken; none of few trials
+        interval;  ///< of the RMSE: root of Student's t interval of the mean square; empty for few trials
     double median_abs_error = 0;
     double bias = 0;                                   ///< mean over pairs
     std::optional<stats::Interval> bias_interval;      ///< Student's t
@@ -36,7 +36,7 @@ struct ClassError {
     std::optional<stats::Interval> efficiency_interval;
 };
 
-/// Empty where none of the pairs with an exact value belongs to the class, or there is no trial.
+/// Empty where no pair of the class has an exact value, or there is no trial.
 /// @param pairs  distinct ones
 /// @param status  of the estimates of this class: intervals and efficiency need a finite variance
 /// @param level  of the intervals, in (0, 1)
@@ -44,7 +44,7 @@ std::optional<ClassError> class_error(const CellEstimates& estimates, const Scen
                                       std::span<const Quantity> pairs, PairClass pair_class, VarianceStatus status,
                                       double level);
 
-/// The same of errors, [trial * pairs + pair]; the class is left as it is. @pre at least one trial
+/// The same from errors, [trial * pairs + pair]; the class is not set. @pre at least one trial
 ClassError class_error_of(std::span<const double> errors, std::size_t pairs, std::uint64_t evaluations,
                           VarianceStatus status, double level);
 
@@ -52,10 +52,10 @@ ClassError class_error_of(std::span<const double> errors, std::size_t pairs, std
 std::vector<double> errors_of(const CellEstimates& estimates, std::span<const Quantity> pairs,
                               const KnownFactors& known);
 
-/// Those of the pairs that have an exact value.
+/// The pairs among these that have an exact value.
 std::vector<Quantity> known_pairs(std::span<const Quantity> pairs, const KnownFactors& known);
 
-/// Those of the pairs that belong to the class and face each other: where nothing can pass there is nothing to err.
+/// The pairs of the class that face each other: others are exactly 0, without error.
 std::vector<Quantity> pairs_of_class(const Scene& scene, std::span<const Quantity> pairs, PairClass wanted);
 
 /// ln(second.rmse / first.rmse) of independent trials.

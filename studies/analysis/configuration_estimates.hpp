@@ -9,8 +9,8 @@
 
 namespace ff::studies {
 
-/// What one cell says about a configuration of the catalogue. Of a face with itself all follows from what it sends to
-/// another, by closure.
+/// The estimate of one cell for a configuration of the catalogue. For a face with itself it follows by closure from the
+/// factor to another face.
 struct ConfigurationEstimate {
     const Configuration* configuration = nullptr;
     const CellFindings* found = nullptr;

@@ -9,14 +9,14 @@
 
 namespace ff::studies {
 
-/// How the errors of single runs are distributed, beside a normal distribution of their mean and standard deviation.
+/// The distribution of the errors of single runs, beside a normal one with the same mean and standard deviation.
 struct ErrorShape {
     /// Runs with low <= error < high; the last bin holds its upper end too.
     struct Bin {
         double low = 0;
         double high = 0;
         std::uint64_t runs = 0;
-        double normal = 0;  ///< runs that a normal distribution would give
+        double normal = 0;  ///< expected number of runs under a normal distribution
     };
     /// A quantile in standard deviations from the mean.
     struct QuantilePair {
@@ -33,9 +33,9 @@ struct ErrorShape {
     std::vector<QuantilePair> quantiles;
 };
 
-/// Bins of equal width after Freedman and Diaconis, 8 to 40 of them; of values on a lattice whole multiples of its
-/// spacing, with edges half way between possible values. Quantiles at (k - 1/2) / m, m = 41 or the number of runs where
-/// that is smaller.
+/// Bins of equal width after Freedman and Diaconis, 8 to 40 of them; for values on a lattice, whole multiples of its
+/// spacing, with edges halfway between possible values. Quantiles at (k - 1/2) / m, m = 41 or the number of runs if
+/// smaller.
 /// @param lattice  spacing of possible values
 /// @return empty below 20 values, and for values that are all equal
 std::optional<ErrorShape> error_shape(std::span<const double> values, double reference, std::optional<double> lattice);

@@ -14,17 +14,17 @@
 
 namespace ff::studies {
 
-/// Which size of the error a slope belongs to.
+/// The measure of error that a slope belongs to.
 enum class ErrorSize { rmse, median_abs_error };
 std::string_view name(ErrorSize size);
 
-/// How the error falls with the number of evaluations N: the slope of its logarithm on ln N.
+/// How fast the error falls with the number of evaluations N: the slope of its logarithm on ln N.
 struct Slope {
     std::optional<Quantity> pair;  ///< empty for all pairs of a class together
     PairClass pair_class = PairClass::other;
     ErrorSize error = ErrorSize::rmse;
     VarianceStatus variance = VarianceStatus::finite;
-    std::size_t points = 0;                   ///< sizes behind it
+    std::size_t points = 0;                   ///< sizes in the fit
     std::optional<double> slope;              ///< empty without variance (rmse), or where the error is rounding
     std::optional<stats::Interval> interval;  ///< bootstrap over whole trials; empty for deterministic methods
     std::optional<stats::Interval> from_fit;  ///< from the weights of the fit; rmse only
@@ -36,7 +36,7 @@ struct Slope {
     bool few_trials = false;      ///< at some size: there is neither an interval nor a p
 };
 
-/// What theory and trials together say about a class of pairs.
+/// The comparison of theory and trials for a class of pairs.
 enum class RateFinding {
     as_expected,  ///< no difference found at the study's level, over all classes of all methods together (Holm)
     slower,
@@ -65,8 +65,8 @@ struct LadderSlopes {
     std::vector<Slope> pairs;  ///< rmse and median of every distinct pair
 };
 
-/// Resamples behind the intervals of a ladder's slopes, by the trials of all its sizes together: as many as these
-/// allow, of (resamples + 1) / 40 whole.
+/// Resamples behind the intervals of a ladder's slopes, by the total number of trials: as many as their cost allows,
+/// with (resamples + 1) / 40 whole.
 std::uint32_t resamples_of_ladder(std::uint64_t trials);
 
 /// Slopes of all ladders of a complete study. Pure.

@@ -12,14 +12,14 @@
 
 namespace ff::studies {
 
-/// Statistics of one quantity over all trials of a cell. What does not exist is empty: no interval for a deterministic
-/// method or under infinite variance, no bias without an exact value.
+/// Statistics of one quantity over all trials of a cell. Values that do not exist are empty: no interval for a
+/// deterministic method or under infinite variance, no bias without an exact value.
 struct Summary {
     Quantity quantity;
     std::optional<PairClass> pair_class;  ///< of form factors
     VarianceStatus variance = VarianceStatus::finite;
     std::size_t trials = 0;
-    std::size_t not_finite = 0;  ///< trials that gave infinity or no number; where there are some, the rest is empty
+    std::size_t not_finite = 0;  ///< trials that gave infinity or no number; if there are any, the rest is empty
     std::optional<double> reference;
     std::optional<double> mean;
     std::optional<double> bias;
@@ -43,7 +43,7 @@ struct Summary {
     std::optional<double> efficiency_samples;  ///< 1 / (variance * evaluations per face)
 };
 
-/// What `summarise` needs to know about a quantity besides its values.
+/// What `summarise` needs besides the values of a quantity.
 struct SummaryRequest {
     Quantity quantity;
     std::optional<PairClass> pair_class;

@@ -19,27 +19,27 @@
 namespace ff::studies {
 
 enum class Severity {
-    contradiction,  ///< what is printed cannot all be right
-    note,           ///< worth knowing, nothing is wrong
+    contradiction,  ///< the printed figures cannot all be right
+    note,           ///< worth knowing, but nothing is wrong
 };
 
-/// What one relation says about a blamed figure.
+/// The evidence of one relation about a blamed figure.
 struct Evidence {
     Relation relation = Relation::print;
     std::string text;                  ///< a sentence
-    std::vector<std::size_t> figures;  ///< that it rests on
+    std::vector<std::size_t> figures;  ///< the figures that it rests on
 };
 
-/// Something that is wrong with what is printed.
+/// An error in what is printed.
 struct Finding {
     std::string id;  ///< stable: the same contradiction has the same id in every audit of the same file
     Severity severity = Severity::contradiction;
     Relation relation = Relation::print;  ///< of the first evidence
     std::string statement;                ///< a sentence
-    std::vector<std::size_t> figures;     ///< blamed; may be empty where a statement in words is wrong
+    std::vector<std::size_t> figures;     ///< blamed figures; may be empty where a verbal statement is wrong
     std::vector<Correction> corrections;  ///< of blamed figures, equal ones once
     std::vector<Evidence> evidence;
-    std::vector<std::string> alternatives;  ///< who else may be to blame, a sentence each
+    std::vector<std::string> alternatives;  ///< other possible culprits, a sentence each
     std::vector<std::size_t> involved;      ///< all figures that blame, evidence or alternatives mention, ascending
 };
 
@@ -47,17 +47,17 @@ struct Finding {
 struct RecoveredHits {
     std::size_t figure = 0;
     std::uint64_t rays = 0;              ///< of the figure's face
-    std::optional<HitRange> printed;     ///< that the print alone allows; empty where no whole number is printed so
-    std::optional<HitRange> consistent;  ///< that all relations together allow
+    std::optional<HitRange> printed;     ///< allowed by the printed digits alone; empty where no whole number fits
+    std::optional<HitRange> consistent;  ///< allowed by all relations together
 };
 
-/// Monte Carlo values of one experiment together, misprints corrected.
+/// The Monte Carlo values of one experiment taken together, misprints corrected.
 struct SpreadFinding {
     std::string experiment;
     Spread spread;
 };
 
-/// Everything that an audit finds out. All indices are into the tables' `figures`.
+/// All findings of an audit. All indices are into the tables' `figures`.
 struct AuditReport {
     std::string source;
     std::size_t figures = 0;
@@ -75,18 +75,18 @@ struct AuditReport {
 };
 
 struct AuditOptions {
-    /// Probability that chance alone makes the audit of correct tables report a contradiction: half for single Monte
+    /// Probability that the audit of correct tables reports a contradiction by chance alone: half for single Monte
     /// Carlo values, half for chi-squared tests of experiments.
     double alpha = 1e-4;
 };
 
-/// Finds every contradiction in published tables, from the printed digits alone, and whom to blame for it: the fewest
-/// causes whose correction removes all contradictions, then the one that is nearest to a slip of the pen.
-/// Pure; the same tables give the same report.
+/// Finds every contradiction in published tables, from the printed digits alone, and its likely causes: the fewest
+/// whose correction removes all contradictions, and among these the closest to a slip of the pen. Pure; the same tables
+/// give the same report.
 /// @throws UserError where the scene is unknown or a figure names a face that it does not have
 AuditReport audit(const PublishedTables& tables, const AuditOptions& options = {});
 
-/// The same for many audits of tables of one scene.
+/// The same, for many audits of tables of one scene.
 AuditReport audit(const PublishedTables& tables, const AuditOptions& options, DistributionCache& cache);
 
 }  // namespace ff::studies

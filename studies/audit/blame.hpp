@@ -14,9 +14,9 @@ namespace ff::studies {
 /// A diagnosis with the corrections that it asks for.
 struct JudgedDiagnosis {
     Diagnosis diagnosis;
-    std::vector<Correction> corrections;  ///< one a blamed suspect that has figures
-    /// Powers of ten by which it is unlikely: one a digit that must change, and the improbability of corrected Monte
-    /// Carlo values.
+    std::vector<Correction> corrections;  ///< one per blamed suspect that has figures
+    /// Its improbability in powers of ten: one per digit that must change, plus that of corrected Monte Carlo
+    /// values.
     double improbability = 0;
 };
 

@@ -21,7 +21,7 @@ enum class Relation {
     relative_error,          ///< an error belongs to its value and reference
     sum_of_relative_errors,  ///< the sum over all rows of their errors
     reference,               ///< the reference that errors are relative to
-    closure,                 ///< a face whose rays make up its whole row sums to 1
+    closure,                 ///< the row of a face whose rays all belong to it sums to 1
     parity,                  ///< with reciprocity every pair counts twice in the row sums
     plausibility,            ///< a Monte Carlo value so far off that chance does not explain it
     spread,                  ///< Monte Carlo values that are together too far from or too close to the truth
@@ -30,16 +30,16 @@ enum class Relation {
 
 std::string_view name(Relation relation);
 
-/// Something that may be wrong: figures that print the same quantity with the same digits (one cause, if they are
-/// wrong), or an assumption about the method.
+/// A possible error: figures that print the same quantity with the same digits (one cause, if they are wrong), or an
+/// assumption about the method.
 struct Suspect {
     std::vector<std::size_t> figures;  ///< indices into PublishedTables::figures; empty for an assumption
     std::string assumption;            ///< in words; empty for figures
-    double cost = 1;                   ///< of blaming it
+    double cost = 1;                   ///< cost of blaming it
     double weight = 1;                 ///< of each digit that it must change, against digits of other suspects
 };
 
-/// An unknown true quantity. Where `rays` is given it is a whole number of hits divided by that.
+/// An unknown true quantity. If `rays` is given, it is a whole number of hits divided by `rays`.
 struct Variable {
     Range range;
     std::optional<std::uint64_t> rays;
@@ -73,17 +73,17 @@ struct ConstraintSystem {
     std::vector<Suspect> suspects;
 };
 
-/// Which suspects are taken to be wrong: [suspect].
+/// Which suspects are assumed wrong: [suspect].
 using Blame = std::vector<bool>;
 
-/// The values that one constraint leaves to the variable of its term `term`, given ranges of all variables. Empty
+/// The values that one constraint allows for the variable of its term `term`, given ranges of all variables. Empty
 /// ranges have low > high.
 Range project(const Constraint& constraint, const ConstraintSystem& system, const std::vector<Range>& ranges,
               std::size_t term);
 
-/// Narrows all ranges until no constraint narrows them further, leaving out constraints of blamed suspects.
-/// @return [variable], or empty where the constraints contradict each other. What is returned may still be
-///         contradictory in ways that ranges cannot show; what is empty is contradictory for certain.
+/// Narrows all ranges until no constraint narrows them further, ignoring constraints of blamed suspects.
+/// @return [variable], or empty where the constraints contradict each other. An empty result is a
+///         certain contradiction; ranges may still hide contradictions that they cannot show.
 std::optional<std::vector<Range>> propagate(const ConstraintSystem& system, const Blame& blame);
 
 }  // namespace ff::studies

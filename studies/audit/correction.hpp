@@ -16,18 +16,18 @@ namespace ff::studies {
 struct Correction {
     std::size_t figure = 0;
     std::string printed;
-    std::string meant;             ///< the print nearest to what is printed among those that remain possible
+    std::string meant;             ///< among the prints that remain possible, the nearest to the printed one
     bool certain = false;          ///< no other print remains possible
-    Range values;                  ///< that everything else leaves to the quantity
+    Range values;                  ///< values of the quantity that everything else allows
     std::optional<HitRange> hits;  ///< the same in hits
     int edits = 0;                 ///< digits to change: misprint_distance(printed, meant)
-    double units = 0;              ///< from what is printed to the nearest possible value, in units of its last digit
+    double units = 0;              ///< from the printed to the nearest possible value, in units of the last digit
 };
 
-/// Looks for the print that remains possible and is typographically nearest to what is printed; between equally near
-/// ones, nearest to the middle of the range.
+/// Finds the possible print that is typographically nearest to the printed one; among equally near ones, the nearest to
+/// the middle of the range.
 /// @param rays  of a figure that is hits over rays
-/// @param is_consistent  whether numbers in a range agree with everything else; `values` may be wider than that
+/// @param is_consistent  whether some number in a range agrees with everything else; `values` may be wider
 Correction correct(std::string_view printed, Range values, NumberFormat format, std::optional<std::uint64_t> rays,
                    const std::function<bool(Range)>& is_consistent);
 

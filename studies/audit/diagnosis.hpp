@@ -11,10 +11,10 @@ namespace ff::studies {
 struct Diagnosis {
     std::vector<std::size_t> blamed{};  ///< ascending
     double cost = 0;
-    std::vector<Range> ranges{};  ///< of the variables, from everything that is not blamed
+    std::vector<Range> ranges{};  ///< of the variables, from all constraints that are not blamed
 };
 
-/// The cheapest diagnosis first, then others that cost at most half a figure more (at most `most_diagnoses` in all).
+/// The cheapest diagnosis first, then others that cost at most half a figure more (at most `most_diagnoses` in total).
 /// A consistent system has one empty diagnosis. The first is certain to be cheapest; the search for others gives up
 /// early where very many figures contradict each other.
 ///
@@ -25,8 +25,8 @@ inline constexpr std::size_t most_diagnoses = 12;
 
 std::vector<Diagnosis> diagnose(const ConstraintSystem& system);
 
-/// A minimal set of suspects that cannot all be right, among those not blamed; empty where there is no contradiction.
-/// A system that contradicts itself without any suspect is a bug.
+/// A minimal set of unblamed suspects that cannot all be right; empty where there is no contradiction. A system that
+/// contradicts itself without any suspect is a bug.
 std::vector<std::size_t> find_conflict(const ConstraintSystem& system, const Blame& blame);
 
 }  // namespace ff::studies

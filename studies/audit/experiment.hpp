@@ -19,7 +19,7 @@ struct Experiment {
     std::string method;
     std::uint32_t patches_per_face = 1;
     std::optional<std::uint64_t> samples_per_patch;
-    std::optional<std::uint64_t> rays_per_face;  ///< of a sampling method
+    std::optional<std::uint64_t> rays_per_face;  ///< sampling methods only
     Completion completion = Completion::direct;
     std::vector<std::size_t> figures;  ///< indices into PublishedTables::figures
 };
@@ -30,14 +30,14 @@ std::vector<Experiment> collect_experiments(const PublishedTables& tables);
 /// "SR, 169 patches per face, 625 rays per patch".
 std::string describe(const Experiment& experiment);
 
-/// What a relative error is relative to. Whether its author divided by the stated reference or by the exact value, he
-/// does not say.
+/// The reference of a relative error. Authors do not say whether they divided by the stated reference or by the exact
+/// value.
 struct Reference {
     double value = 0;
     double uncertainty = 0;  ///< distance between the two, 0 where a shortened one was used
 };
 
-/// How figures are printed and what errors are relative to.
+/// How figures are printed, and the references of errors.
 struct Interpretation {
     NumberFormat values;                              ///< of form factors and row sums
     Rounding errors = Rounding::rounded;              ///< of relative errors, which keep their own decimals
@@ -47,7 +47,7 @@ struct Interpretation {
 /// The format of a figure: errors are printed to as many decimals as they show.
 NumberFormat format_of(const Figure& figure, const Interpretation& interpretation);
 
-/// Which variable a figure prints (none for sums of relative errors), and which constraint says so.
+/// The variable that a figure prints (none for sums of relative errors), and the constraint that ties them.
 struct FigureLink {
     std::size_t figure = 0;
     std::optional<Term> quantity;
@@ -60,7 +60,7 @@ struct ExperimentModel {
     std::vector<FigureLink> links;
     std::vector<std::size_t> sums;               ///< [face]: variable
     std::map<std::size_t, Term> pairs;           ///< [from * faces + to]: variable; empty unless a pair is printed
-    std::optional<SrDistribution> distribution;  ///< of a sampling method
+    std::optional<SrDistribution> distribution;  ///< sampling methods only
 };
 
 /// Builds the model.

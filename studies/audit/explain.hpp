@@ -9,8 +9,8 @@
 
 namespace ff::studies {
 
-/// The findings that the first diagnosis amounts to; the others become alternatives. Blamed figures about the same
-/// quantity make one finding.
+/// The findings of the first diagnosis; other diagnoses become alternatives. Blamed figures about the same quantity
+/// make one finding.
 std::vector<Finding> explain_diagnosis(const PublishedTables& tables, const SceneFacts& facts,
                                        const Experiment& experiment, const ExperimentModel& model,
                                        const Interpretation& interpretation,

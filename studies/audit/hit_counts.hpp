@@ -27,13 +27,13 @@ struct SampledFigure {
     std::uint64_t rays = 1;
 };
 
-/// How well a way of printing explains figures that are hits over rays.
+/// How well a number format explains figures that are hits over rays.
 struct FormatEvidence {
     NumberFormat format;
-    std::size_t figures = 0;    ///< that could fail: fewer numbers of hits than prints
-    std::size_t whole = 0;      ///< of these, that are a whole number of hits in this format
-    double expected = 0;        ///< of these, whole by chance if the figures were no fractions of the rays
-    double chance = 1;          ///< probability that chance gives `whole` or more
+    std::size_t figures = 0;    ///< informative figures: there are fewer numbers of hits than prints
+    std::size_t whole = 0;      ///< those among them that are a whole number of hits in this format
+    double expected = 0;        ///< expected number of whole ones if the figures were not fractions of the rays
+    double chance = 1;          ///< probability of `whole` or more by chance
     double log_likelihood = 0;  ///< natural; of all figures, one in fifty being misprinted
 };
 

@@ -27,10 +27,10 @@ struct PrintedNumber {
 /// Empty unless `text` is digits with at most one decimal point, at most 16 characters.
 std::optional<PrintedNumber> parse_printed(std::string_view text);
 
-/// What becomes of the digits that are not printed.
+/// How the digits that are not printed are dropped.
 enum class Rounding { rounded, truncated };
 
-/// How the number of printed digits is fixed. Trailing zeros may be missing or appended in both.
+/// How the number of printed digits is determined. In both, trailing zeros may be missing or appended.
 enum class Layout {
     fixed_decimals,      ///< as C's %.6f
     significant_digits,  ///< as C's %.6g and C++ streams
@@ -50,8 +50,8 @@ std::string describe(NumberFormat format);
 /// Distance between neighbouring numbers that the format can print around `value` >= 0.
 double printed_unit(double value, NumberFormat format);
 
-/// The numbers that are printed as `number`: closed for rounding (a tie may go either way), without the upper end for
-/// truncation. Empty where the format never prints it, because it has more digits than the format.
+/// The numbers that are printed as `number`: a closed range for rounding (ties may go either way), without the upper
+/// end for truncation. Empty where the format cannot print it because it has too many digits.
 std::optional<Range> printed_range(PrintedNumber number, NumberFormat format);
 
 /// `value` >= 0 in the format, trailing zeros kept.

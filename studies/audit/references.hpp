@@ -17,7 +17,7 @@ enum class ReferenceSource {
     shortened,  ///< one of these with fewer digits
 };
 
-/// Which reference the relative errors of one table are relative to, for pairs of one exact value.
+/// The reference of one table's relative errors, for pairs with the same exact value.
 struct InferredReference {
     std::string table;
     std::string pair_class;
@@ -25,13 +25,13 @@ struct InferredReference {
     std::string text;  ///< digits of the reference
     double value = 0;
     std::size_t rows = 0;       ///< different (value, error) rows
-    std::size_t explained = 0;  ///< of these, by this reference
+    std::size_t explained = 0;  ///< rows that this reference explains
     std::string stated;         ///< digits of the stated (printed, else exact) reference
     std::size_t explained_by_stated = 0;
     std::vector<std::size_t> unexplained_by_stated;  ///< figures: relative errors
 };
 
-/// References of all relative errors, and how these are rounded.
+/// The references of all relative errors, and how these are rounded.
 struct ReferenceInference {
     std::vector<InferredReference> references;
     Rounding rounding = Rounding::rounded;
@@ -47,7 +47,7 @@ struct ReferenceInference {
 ReferenceInference infer_references(const PublishedTables& tables, const SceneFacts& facts,
                                     const std::vector<NumberFormat>& formats);
 
-/// Whether a printed error can belong to a printed value. Infinitely precise where a range is a point.
+/// Whether a printed error can belong to a printed value. Exact where a range is a point.
 bool error_fits(Range value, Range percent, double reference);
 
 }  // namespace ff::studies

@@ -20,7 +20,7 @@ struct SampledValue {
     double value = 0;
 };
 
-/// How far Monte Carlo values lie from the truth together, against their exact covariance.
+/// The joint distance of Monte Carlo values from the truth, relative to their exact covariance.
 struct Spread {
     stats::ChiSquared chi_squared;
     double too_far = 1;    ///< P(at least as far)
@@ -28,26 +28,26 @@ struct Spread {
     std::vector<std::size_t> figures;
 };
 
-/// Pairs where there are any, otherwise row sums; each quantity once. Empty where nothing can vary.
+/// Uses pairs if there are any, otherwise row sums; each quantity once. Empty where nothing can vary.
 std::optional<Spread> weigh_spread(const PublishedTables& tables, const SceneFacts& facts,
                                    const SrDistribution& distribution, std::span<const SampledValue> values);
 
-/// A way to understand the columns of a table, judged by its figures.
+/// An interpretation of a table's columns, judged by its figures.
 struct ReadingEvidence {
     std::string table;
     std::string statement;
     std::string stated_in;
-    std::vector<std::uint64_t> rays_per_face{};  ///< one a column
+    std::vector<std::uint64_t> rays_per_face{};  ///< one per column
     FormatEvidence hits{};
-    std::vector<std::optional<Spread>> spread{};  ///< one a column
+    std::vector<std::optional<Spread>> spread{};  ///< one per column
     double log_odds = 0;                          ///< natural, against the likeliest reading of the table
     bool refuted = false;                         ///< less likely than the best one by more than `refuting_odds`
 };
 
 inline constexpr double refuting_odds = 1e4;
 
-/// The columns' own reading ("as the columns say") and all others of every table with readings. A figure is a
-/// whole number of hits from the exact normal distribution, or one in fifty times a misprint.
+/// All readings of every table that has some, beginning with the columns' own ("as the columns say"). The model: a
+/// figure is a whole number of hits from the exact normal distribution, or, with probability 1/50, a misprint.
 std::vector<ReadingEvidence> weigh_readings(const PublishedTables& tables, const SceneFacts& facts, NumberFormat format,
                                             DistributionCache& cache);
 

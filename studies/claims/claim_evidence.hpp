@@ -11,34 +11,35 @@
 
 namespace ff::studies {
 
-/// Whether a claim's list of sizes has one; it speaks of every size where it names none.
+/// Whether a claim's list of sizes contains a size; an empty list stands for every size.
 template <typename Size>
 bool names(const std::vector<Size>& sizes, Size size) {
     return sizes.empty() || std::find(sizes.begin(), sizes.end(), size) != sizes.end();
 }
 
-/// What the claims are judged by: trials of the cells that they name.
+/// The evidence for claims: trials of the cells that they name.
 class ClaimEvidence {
   public:
-    /// @param scene  of the study, the one that the tables are about
+    /// @param scene  the study's scene that the tables are about
     ClaimEvidence(const Store& store, const Findings& findings, const PublishedTables& tables, std::size_t scene)
         : store_(store), findings_(findings), tables_(tables), scene_(scene) {}
 
+    [[nodiscard]] const Store& store() const { return store_; }
     [[nodiscard]] const Findings& findings() const { return findings_; }
     [[nodiscard]] std::size_t scene() const { return scene_; }
 
-    /// Cells of the claim's method number `method` at its sizes, ascending in patches, then samples; those without
-    /// trials are left out.
+    /// The cells of the claim's method number `method` at its sizes, by patches, then samples; those without trials are
+    /// left out.
     [[nodiscard]] std::vector<std::size_t> cells(const PublishedClaim& claim, std::size_t method) const;
 
-    /// Whether a pair that the claim is about has infinite variance with one of its methods, so that no interval holds
-    /// for its mean error.
+    /// Whether one of the claim's methods has infinite variance on one of its pairs, so that no interval holds for the
+    /// mean error.
     [[nodiscard]] bool infinite_variance(const PublishedClaim& claim) const;
 
     /// Sum of relative errors of the row sums in every trial, percent.
     [[nodiscard]] std::vector<double> sum_errors(std::size_t cell) const;
 
-    /// Relative errors of one trial, percent, by pair; a deterministic cell answers for every trial with its only one.
+    /// Relative errors of one trial, percent, by pair; a deterministic cell repeats its only trial.
     [[nodiscard]] std::vector<double> pair_errors(std::size_t cell, std::size_t trial,
                                                   const std::vector<Quantity>& pairs) const;
 
@@ -61,7 +62,7 @@ class ClaimEvidence {
     mutable std::vector<CellEstimates> cache_;
 };
 
-/// How often something happens among independent trials, with its Clopper-Pearson interval.
+/// The frequency of an event among independent trials, with its Clopper-Pearson interval.
 struct Share {
     std::size_t count = 0;
     std::size_t of = 0;

@@ -50,6 +50,7 @@ constexpr std::array kinds{
     Kind{"nonuniform_error", Basis::runs, judge_nonuniform},
     Kind{"no_single_best", Basis::means, judge_division},
     Kind{"best_per_class", Basis::means, judge_advice},
+    Kind{"claimed_errors_hold", Basis::runs, judge_claimed_errors_hold},
 };
 
 }  // namespace

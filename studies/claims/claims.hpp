@@ -11,7 +11,7 @@ namespace ff::studies {
 
 enum class ClaimVerdict {
     supported,
-    as_printed_only,  ///< by the printed figures; by this study's own for the same method it is not
+    as_printed_only,  ///< supported by the printed figures, but not by this study's own for the same method
     refuted,
     inconclusive,
 };
@@ -22,7 +22,7 @@ std::string_view name(ClaimVerdict verdict);
 struct JudgedClaim {
     PublishedClaim claim;
     ClaimVerdict verdict = ClaimVerdict::inconclusive;
-    bool as_printed_only = false;  ///< the verdict rests on printed figures; with this study's own it is another
+    bool as_printed_only = false;  ///< the verdict rests on printed figures; with this study's own it differs
     std::string evidence;          ///< the numbers behind the verdict, with their uncertainty, in sentences
 };
 
@@ -30,7 +30,7 @@ struct JudgedClaim {
 ///
 /// error_falls_with_subdivision, error_falls_with_subdivision_not_always, error_falls_with_samples,
 /// smaller_sum_error, smaller_error, smaller_error_not_always, count_larger_error, uniform_error, nonuniform_error,
-/// no_single_best, best_per_class
+/// no_single_best, best_per_class, claimed_errors_hold
 std::vector<JudgedClaim> judge_claims(const Store& store, const Findings& findings, const PublishedTables& tables);
 
 }  // namespace ff::studies

@@ -23,13 +23,13 @@ struct FigureComparison {
     std::optional<stats::Range> single_run;  ///< 95 % range of one trial
     std::optional<double> z;           ///< (printed - ours) / standard deviation of one trial; form factors and sums
     std::optional<stats::Rank> rank;   ///< among the trials, values equal at the printed precision counted as ties
-    std::optional<double> adjusted_p;  ///< Holm over the sampled figures of the table; 0 where no trial can give it
+    std::optional<double> adjusted_p;  ///< Holm over the table's sampled figures; 0 where no trial can give it
 };
 
 /// A table's figures of one column taken together.
 struct ColumnChiSquared {
     std::size_t column = 0;
-    std::size_t figures = 0;    ///< with those that every run fixes, which the form leaves out
+    std::size_t figures = 0;    ///< including those that every run fixes, which the form leaves out
     stats::QuadraticForm form;  ///< of printed - mean with the covariance of the trials; p by Hotelling's T^2
 };
 
@@ -40,7 +40,7 @@ struct TableComparison {
     std::optional<stats::ChiSquared> together;  ///< Fisher's combination of several columns, which are independent runs
 };
 
-/// The scene of the study that the tables are about; empty where it has none.
+/// The study's scene that the tables are about; empty where it has none.
 std::optional<std::size_t> find_scene(const StudyPlan& plan, const PublishedTables& tables);
 
 /// The cell for a method of this name and size.

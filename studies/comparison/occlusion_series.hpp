@@ -12,7 +12,7 @@ namespace ff::studies {
 
 /// The error of a method on one pair of faces.
 struct PairError {
-    std::size_t cell = 0;        ///< the size of the method whose evaluations are next to the common number
+    std::size_t cell = 0;        ///< the method's size closest to the common number of evaluations
     ClassError error;            ///< of this pair alone
     std::optional<Slope> slope;  ///< along the method's ladder: of the RMSE, of the median where there is no variance
     [[nodiscard]] double size() const {
@@ -20,19 +20,19 @@ struct PairError {
     }
 };
 
-/// One scene of a family: how much is hidden, and how each method errs.
+/// One scene of a family: the occluded fraction, and each method's error.
 struct HiddenPair {
     std::size_t scene = 0;
-    double hidden = 0;  ///< share of the open form factor, 0 to 1
+    double hidden = 0;  ///< occluded fraction of the open form factor, 0 to 1
     double exact = 0;
     std::vector<std::optional<PairError>> methods;  ///< by index into StudySpec::methods
-    std::optional<std::size_t> least;               ///< method with the least error; empty where all are rounding
-    /// Whether `least` errs less than every method of the other kind (sampled, deterministic): at the study's level
-    /// over all scenes of all series together (Bonferroni).
+    std::optional<std::size_t> least;               ///< method with the smallest error; empty where all are rounding
+    /// Whether the error of `least` is smaller than that of every method of the other kind (sampled, deterministic): at
+    /// the study's level over all scenes of all series together (Bonferroni).
     bool decided = false;
 };
 
-/// The same pair of faces in scenes of a family, by ascending share that is hidden.
+/// The same pair of faces in scenes of a family, by ascending occluded fraction.
 struct OcclusionSeries {
     std::string_view family;
     std::string_view measure;
@@ -41,8 +41,8 @@ struct OcclusionSeries {
     std::vector<HiddenPair> scenes;
 };
 
-/// What occlusion does to the methods of a study, for each family (core/configurations/families.hpp) that it has three
-/// scenes of or more. The common number of evaluations is the largest that every method reaches, or comes next to.
+/// The effect of occlusion on the methods of a study, for each family (core/configurations/families.hpp) of which it
+/// has at least three scenes. The common number of evaluations is the largest that all methods reach or come close to.
 /// @param slopes  of all ladders; may be empty
 std::vector<OcclusionSeries> occlusion_series(const Store& store, const Findings& findings,
                                               const std::vector<LadderSlopes>& slopes);

@@ -48,19 +48,17 @@ Measured log_variance_of(const ClassError& error) {
 
 }  // namespace
 
-std::vector<std::size_t> groups_apart(std::span<const Measured> values, double level) {
+std::vector<std::size_t> groups_apart(std::span<const double> values,
+                                      const std::function<bool(std::size_t, std::size_t)>& differ) {
     std::vector<std::size_t> order(values.size());
     std::iota(order.begin(), order.end(), 0);
-    std::stable_sort(order.begin(), order.end(),
-                     [&](std::size_t a, std::size_t b) { return values[a].value < values[b].value; });
-    const auto pairs = static_cast<double>(values.size() * (values.size() - std::min<std::size_t>(values.size(), 1)));
-    const double alpha = (1 - level) / std::max(1.0, pairs / 2);
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return values[a] < values[b]; });
     std::vector<std::size_t> groups(values.size());
     for (std::size_t begun = 0, group = 0; !order.empty(); ++group) {
         begun = order.front();
         std::vector<std::size_t> others;
         for (const std::size_t i : order) {
-            if (i != begun && differ(values[begun], values[i], alpha))
+            if (i != begun && differ(begun, i))
                 others.push_back(i);
             else
                 groups[i] = group;
@@ -68,6 +66,15 @@ std::vector<std::size_t> groups_apart(std::span<const Measured> values, double l
         order = std::move(others);
     }
     return groups;
+}
+
+std::vector<std::size_t> groups_apart(std::span<const Measured> values, double level) {
+    std::vector<double> sizes;
+    for (const Measured& measured : values) sizes.push_back(measured.value);
+    const auto pairs = static_cast<double>(values.size() * (values.size() - std::min<std::size_t>(values.size(), 1)));
+    const double alpha = (1 - level) / std::max(1.0, pairs / 2);
+    return groups_apart(sizes,
+                        [&](std::size_t a, std::size_t b) { return ff::studies::differ(values[a], values[b], alpha); });
 }
 
 RankedSlopes rank_slopes(std::span<const LadderSlopes> ladders, std::size_t scene, PairClass pair_class, double level) {

@@ -5,29 +5,34 @@
 #include "studies/diagnostics/variance_reduction.hpp"
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
 
 namespace ff::studies {
 
-/// A number that takes its place among others.
+/// A number to be ranked.
 struct Measured {
     double value = 0;  ///< the smaller, the better
     double standard_error = 0;
     std::size_t trials = 0;  ///< one less is the degrees of freedom
 };
 
-/// For each value the number of its group, 0 for the best. A group begins with the best value that differs from the
-/// first of the group before, and has all that do not differ from its own first. Values differ by Student's t at
-/// `level` over all pairs of them together (Bonferroni), so that being the best of many is paid for.
+/// The group of each value, 0 for the best. A group begins with the best value that differs from the first of the
+/// previous group, and has all that do not differ from its own first. Values differ by Student's t at `level` over all
+/// pairs of them together (Bonferroni), which corrects for having picked the best of many.
 std::vector<std::size_t> groups_apart(std::span<const Measured> values, double level);
+
+/// The same where `differ` says which of two values (by index) differ.
+std::vector<std::size_t> groups_apart(std::span<const double> values,
+                                      const std::function<bool(std::size_t, std::size_t)>& differ);
 
 /// One of several slopes, errors or variances, ranked.
 struct Ranked {
     std::size_t index = 0;                    ///< into what was ranked
     double value = 0;                         ///< slope, RMSE or factor
-    std::optional<stats::Interval> interval;  ///< by itself; empty for deterministic methods
+    std::optional<stats::Interval> interval;  ///< individual interval; empty for deterministic methods
     std::size_t group = 0;                    ///< see groups_apart
 };
 
@@ -39,12 +44,12 @@ struct RankedSlopes {
 };
 RankedSlopes rank_slopes(std::span<const LadderSlopes> ladders, std::size_t scene, PairClass pair_class, double level);
 
-/// RMSEs of these cells on a class of pairs, least first. Cells without a variance, and sampled ones with few trials,
-/// are left out; errors of rounding are all alike. Ranked::index is a cell.
+/// RMSEs of these cells on a class of pairs, smallest first. Cells without a variance, and sampled ones with few
+/// trials, are left out; errors at the level of rounding count as equal. Ranked::index is a cell.
 std::vector<Ranked> rank_errors(const Findings& findings, std::span<const std::size_t> cells, PairClass pair_class);
 
-/// Variances of all cells that are compared with this random one, least first, the random one itself with a factor of 1
-/// among them. Ranked::index is a cell.
+/// Variances of all cells that are compared with this random one, smallest first, including the random one itself with
+/// a factor of 1. Ranked::index is a cell.
 std::vector<Ranked> rank_reductions(const Findings& findings, std::span<const VarianceReduction> reductions,
                                     std::size_t random_cell, PairClass pair_class);
 

@@ -44,13 +44,6 @@ std::vector<std::size_t> published_rivals(const Findings& findings, const std::v
     return {};
 }
 
-/// A point set that is neither randomised nor a quadrature: its error is that of one throw, which no interval
-/// accompanies, and may be luck.
-bool may_be_luck(const StudyPlan& plan, const Cell& cell) {
-    const Method& method = plan.spec.methods[cell.method];
-    return cell.deterministic && !method.sampler.empty() && samplers::find(method.sampler).info.equal_weights;
-}
-
 /// One cell per method: sampled ones at the size that most of them share, quadratures at the same number of patches.
 std::vector<std::size_t> comparable_cells(const Findings& findings, std::size_t scene) {
     const StudyPlan& plan = findings.plan;
@@ -99,6 +92,11 @@ std::optional<Rivalry> best_two(const Findings& findings, std::size_t scene, Pai
 }
 
 }  // namespace
+
+bool may_be_luck(const StudyPlan& plan, const Cell& cell) {
+    const Method& method = plan.spec.methods[cell.method];
+    return cell.deterministic && !method.sampler.empty() && samplers::find(method.sampler).info.equal_weights;
+}
 
 std::vector<std::size_t> compared_cells(const Findings& findings, std::size_t scene,
                                         const std::vector<TableComparison>& published) {

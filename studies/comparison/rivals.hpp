@@ -18,24 +18,28 @@ struct Rivalry {
     std::size_t better = 0;            ///< index into Findings::cells
     std::optional<std::size_t> worse;  ///< empty where the study has one method only
     std::optional<double> ratio;       ///< RMSE of the worse / RMSE of the better; empty where that is rounding
-    /// Of the ratio, at the study's level over all pairs of methods that the two are the best of (Bonferroni); empty
-    /// where neither varies, and where it is doubtful.
+    /// Interval of the ratio, at the study's level over all pairs of methods from which these two are picked
+    /// (Bonferroni); empty where neither varies, and where it is doubtful.
     std::optional<stats::Interval> interval;
     bool doubtful = false;  ///< one varies without an interval: its variance is infinite, or its trials are few
 
-    /// The interval leaves no doubt which is the better one; where nothing varies, the errors themselves.
+    /// Whether the interval decides which is better; where nothing varies, the errors themselves decide.
     [[nodiscard]] bool decided() const;
 };
 
 /// Errors of form factors below this are rounding.
 inline constexpr double rounding_error = 1e-12;
 
-/// The cells of a scene whose methods are compared, one each, at sizes that allow the comparison. Where tables of a
-/// publication are at hand, the methods and sizes of the last table that sets two methods side by side; otherwise the
-/// cells of the size that most methods share (the largest of several). Closed forms are left out there, and point sets
-/// that are neither randomised nor quadratures.
+/// The cells of a scene whose methods are compared, one each, at sizes that allow the comparison. With published
+/// tables, the methods and sizes of the last table that compares two methods; otherwise the cells of the size that most
+/// methods share (the largest of several), without closed forms and without point sets that are neither randomised nor
+/// quadratures.
 std::vector<std::size_t> compared_cells(const Findings& findings, std::size_t scene,
                                         const std::vector<TableComparison>& published);
+
+/// Whether a point set is neither randomised nor a quadrature: its error is that of a single set, has no interval, and
+/// may be luck.
+bool may_be_luck(const StudyPlan& plan, const Cell& cell);
 
 /// The two best of these cells on each class of pairs of each scene.
 std::vector<Rivalry> find_rivals(const Findings& findings, const std::vector<TableComparison>& published);

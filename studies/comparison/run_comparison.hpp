@@ -13,12 +13,12 @@
 
 namespace ff::studies {
 
-/// What the trials of two runs of one method and size have to do with each other.
+/// How the trials of two runs of one method and size are related.
 enum class Basis {
     independent,          ///< other random numbers: compared by tests
     same_random_numbers,  ///< the same seed and the same points: compared trial by trial, to the bit
     deterministic,        ///< both: compared by value
-    mixed,                ///< one is deterministic, the other is not
+    mixed,                ///< only one of them is deterministic
 };
 
 /// RMSE of a class of pairs in both runs.
@@ -28,14 +28,14 @@ struct RmseRatio {
     double second = 0;
     std::optional<double> ratio;              ///< second / first; empty where one is rounding
     std::optional<LogRatio> logarithm;        ///< of the ratio; independent runs only
-    std::optional<stats::Interval> interval;  ///< of the ratio; those of a comparison hold together
+    std::optional<stats::Interval> interval;  ///< of the ratio; all intervals of a comparison hold together
     double adjusted_p = 1;                    ///< of equal errors, Holm over all tests of the comparison
 };
 
 /// The pair on which two independent runs differ most.
 struct Contrast {
     Quantity pair;
-    double size = 0;        ///< difference of the means, second - first; or ratio of the variances, second / first
+    double size = 0;        ///< difference of means, second - first; or ratio of variances, second / first
     double error = 0;       ///< standard error of the difference; 0 for the ratio
     double adjusted_p = 1;  ///< Holm over all tests of the comparison
 };
@@ -53,33 +53,33 @@ struct CellComparison {
     std::size_t untestable = 0;        ///< pairs without a test: no variance, too few hits, fewer than three trials
     std::optional<Contrast> mean;      ///< independent runs: Welch
     std::optional<Contrast> spread;    ///< independent runs: Brown-Forsythe
-    double detectable_difference = 0;  ///< of means, on the worst pair, at the level of the smallest p and the power
+    double detectable_difference = 0;  ///< of means, on the worst pair, at the level of the smallest p and at the power
     double detectable_ratio = 1;       ///< of standard deviations, the same; approximate
-    std::size_t trials = 0;            ///< that both have; same random numbers only
-    std::size_t differing = 0;         ///< of these, trials with another value of some pair
+    std::size_t trials = 0;            ///< trials that both have; same random numbers only
+    std::size_t differing = 0;         ///< trials in which the value of some pair differs
     double largest_difference = 0;     ///< deterministic only, on `largest_pair`
     Quantity largest_pair;
 };
 
-/// Which run has the smaller RMSEs, where they differ.
+/// Which run has the smaller RMSEs, where they differ significantly.
 struct Lead {
-    std::size_t compared = 0;  ///< RMSEs of a method, size and class of pairs that were tested
-    std::size_t first = 0;     ///< of these, those where the first run's is smaller beyond doubt
+    std::size_t compared = 0;  ///< tested RMSEs, one per method, size and class of pairs
+    std::size_t first = 0;     ///< those where the first run's is significantly smaller
     std::size_t second = 0;
-    std::optional<stats::Interval> ratios;   ///< second / first, from the least limit of all to the largest
-    std::optional<stats::Interval> decided;  ///< the same of those beyond doubt, larger / smaller
+    std::optional<stats::Interval> ratios;   ///< second / first, from the smallest limit to the largest
+    std::optional<stats::Interval> decided;  ///< the same for significant ones, larger / smaller
 };
 
 /// Two runs side by side.
 struct RunComparison {
-    std::array<std::string, 2> names;  ///< of the runs, as their reader knows them
+    std::array<std::string, 2> names;  ///< names by which the user knows the runs
     Findings first;
     Findings second;
     std::vector<CellComparison> cells;    ///< in the order of the first run
     std::vector<std::size_t> only_first;  ///< cells without a counterpart
     std::vector<std::size_t> only_second;
     std::vector<SpecDifference> differences;
-    std::size_t tests = 0;  ///< of means, variances and RMSEs, that share one error rate
+    std::size_t tests = 0;  ///< of means, variances and RMSEs, which share one error rate
     double level = 0.95;    ///< 1 - that error rate; of intervals too
     double power = 0.9;
 
@@ -90,12 +90,12 @@ struct RunComparison {
 /// A method of either run.
 using MethodNames = std::array<std::string, 2>;
 
-/// Compares what two runs have in common, matched by the names of scene and method and by size. Where two independent
-/// runs do the same, the chance that any of their cells is said to be different is at most 1 - level. Level and power
+/// Compares what two runs have in common, matched by the names of scene and method and by size. If two independent runs
+/// are equivalent, the chance that any of their cells is reported as different is at most 1 - level. Level and power
 /// are those of the first study. Pure.
 /// @param names    of the runs
-/// @param methods  compares one method of either, whatever their names; both runs may then be the same
-/// @throws UserError where they have nothing in common, or no such method
+/// @param methods  one method of each run to compare, whatever their names; both runs may then be the same
+/// @throws UserError where the runs have nothing in common, or there is no such method
 RunComparison compare_runs(const Store& first, const Store& second, std::array<std::string, 2> names = {"A", "B"},
                            const std::optional<MethodNames>& methods = {});
 

@@ -12,25 +12,25 @@
 
 namespace ff::studies {
 
-/// How an interval is made of the trials of one group.
+/// The rule by which a group of trials yields an interval.
 enum class IntervalRule {
     student_t,
     normal,
     percentile_bootstrap,
-    two_stage,   ///< Stein's: R trials are the pilot, and fix how many follow
-    look_short,  ///< trials are added to R one by one until Student's interval looks short enough; broken on purpose
+    two_stage,   ///< Stein's: R trials are the pilot and determine how many follow
+    look_short,  ///< trials are added to R one by one until Student's interval is short enough; broken on purpose
 };
 std::string_view name(IntervalRule rule);
 
-/// How often intervals of one kind contain the exact value.
+/// How often intervals of one rule contain the exact value.
 struct Coverage {
     std::size_t cell = 0;
     PairClass pair_class = PairClass::other;
     IntervalRule rule = IntervalRule::student_t;
-    std::uint64_t replicates = 0;  ///< R: trials of a group, or of its first stage
+    std::uint64_t replicates = 0;  ///< R: trials per group, or in its first stage
     std::uint64_t intervals = 0;
     std::uint64_t covered = 0;
-    double mean_trials = 0;         ///< of a group
+    double mean_trials = 0;         ///< per group
     stats::Interval actual;         ///< Clopper-Pearson, of the coverage, at the study's level
     bool short_of_nominal = false;  ///< significantly, at the study's level over all rows together (Sidak)
 

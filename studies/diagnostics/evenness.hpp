@@ -12,11 +12,11 @@
 
 namespace ff::studies {
 
-/// Whether a measure of how evenly points are spread has the order of the errors that they make: over the samplers of
-/// cells that are equal but for it.
+/// Whether a measure of evenness ranks samplers like their errors do: over cells that differ in the sampler
+/// only.
 struct Evenness {
-    std::size_t cell = 0;      ///< one of them, for scene, estimator and size
-    std::size_t methods = 0;   ///< as many
+    std::size_t cell = 0;      ///< one of the cells, for scene, estimator and size
+    std::size_t methods = 0;   ///< number of samplers
     std::string_view measure;  ///< in words
     PairClass pair_class = PairClass::other;
     stats::RankCorrelation correlation;  ///< of the measure and the RMSE; positive where uneven points err more

@@ -6,7 +6,7 @@
 
 namespace ff::studies {
 
-/// One quantity's standard deviation as sampled by the trials, beside the exact one.
+/// The sample standard deviation of one quantity beside the exact one.
 struct VarianceComparison {
     Quantity quantity;
     double exact = 0;  ///< from the exact patch-to-face factors (studies/theory/sr_distribution.hpp)
@@ -23,8 +23,8 @@ struct VarianceCheck {
     double largest_ratio = 1;
 };
 
-/// Every cell whose exact variance is known and that has two trials. One error rate for all of them together: where
-/// every spread is right, the chance that any check has `adjusted_p` below alpha is at most alpha.
+/// Every cell whose exact variance is known and that has two trials. One error rate for all of them together: if every
+/// spread is right, the chance that any `adjusted_p` is below alpha is at most alpha.
 std::vector<VarianceCheck> check_variances(const Findings& findings);
 
 }  // namespace ff::studies

@@ -10,8 +10,8 @@
 
 namespace ff::studies {
 
-/// How many times less variance a cell has than one with as many independent random points, on the pairs of a class
-/// together.
+/// The factor by which a cell's variance is smaller than with as many independent random points, on all pairs of a
+/// class together.
 struct VarianceReduction {
     std::size_t cell = 0;
     std::size_t random_cell = 0;  ///< of sampler "random", with the same scene, estimator, completion and size
@@ -20,7 +20,7 @@ struct VarianceReduction {
     stats::Interval interval;
 };
 
-/// Of theirs.variance / ours.variance: Student's t for the logarithm, from both cells' spread over trials.
+/// Interval of theirs.variance / ours.variance: Student's t for the logarithm, from both cells' spread over trials.
 /// @pre both have a variance, with intervals of the same level
 stats::Interval variance_ratio_interval(const ClassError& ours, const ClassError& theirs);
 

@@ -26,7 +26,7 @@ constexpr std::array scenes{
                 "Faces 1 and 6 are A x B at distance C, faces 2 and 3 are A x C at distance B, faces 4 and 5 are B x C "
                 "at distance A.",
                 "howell"},
-    Description{"FILE", "a scene file beside the study file: .obj, .vs3 or .toml",
+    Description{"FILE", "a scene file beside the study file: .obj, .vs3, .toml or a mesh",
                 "Wavefront OBJ (groups are faces), View3D, or TOML with every shape; what is in each: docs/scenes.md.\n"
                 "Exact values are known of rectangles along the axes that nothing can stand between, and of closed "
                 "convex rooms with\n"

@@ -5,7 +5,7 @@
 
 namespace ff::studies {
 
-/// What something is, for `ffstudy list` and `ffstudy explain`.
+/// A description for `ffstudy list` and `ffstudy explain`.
 struct Description {
     std::string_view name;
     std::string_view summary;
@@ -13,7 +13,7 @@ struct Description {
     std::string_view reference;  ///< key of docs/references.md
 };
 
-/// What a study file chooses from, beside samplers.
+/// The choices of a study file besides samplers.
 struct Choices {
     std::string_view kind;    ///< "estimator"
     std::string_view plural;  ///< "estimators"

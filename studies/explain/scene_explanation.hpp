@@ -23,15 +23,14 @@ struct ExplainedEstimator {
     std::optional<std::string> why_not;
 };
 
-/// What a scene is and what can be done with it.
+/// A description of a scene and of what can be done with it.
 struct SceneExplanation {
-    std::vector<double> areas;          ///< of faces
-    std::vector<std::size_t> surfaces;  ///< of faces, how many
-    std::vector<std::vector<Grid>>
-        grids;                         ///< of the surfaces of faces, each that occurs once; empty where none is divided
-    std::size_t occluders = 0;         ///< surfaces of no face
-    std::vector<ExplainedPair> pairs;  ///< of different faces that face each other, row by row
-    std::size_t unknown_pairs = 0;     ///< that face each other, and have no exact value
+    std::vector<double> areas;             ///< of faces
+    std::vector<std::size_t> surfaces;     ///< number of surfaces of each face
+    std::vector<std::vector<Grid>> grids;  ///< different grids of the surfaces of faces; empty where none is divided
+    std::size_t occluders = 0;             ///< surfaces that belong to no face
+    std::vector<ExplainedPair> pairs;      ///< of different faces that face each other, row by row
+    std::size_t unknown_pairs = 0;         ///< pairs that face each other, without an exact value
     std::vector<ExplainedEstimator> estimators;
 };
 

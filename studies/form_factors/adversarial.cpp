@@ -52,6 +52,11 @@ bool holds(const Surface& near, const Vector3d& place) {
     return inside(place.x(), p.edge_u.x()) && inside(place.y(), p.edge_v.y());
 }
 
+/// Whether no line from a plate to a polygon meets another plate.
+bool is_clear_of(const Surface& plate, const ConvexPolygon& to, const Surface& other) {
+    return Shaft(corners(plate.shape), to).crossed_by(corners(other.shape)) == Shaft::Crossing::none;
+}
+
 /// Whether every line from the far surface through an obstacle meets the near one.
 bool is_caught(const Surface& obstacle, const Surface& far, const Surface& near) {
     for (const Vector3d& through : corners(obstacle.shape)) {
@@ -215,8 +220,7 @@ AdversarialScene draw_adversarial(Obstacle obstacle, Draws& draws) {
                 const ConvexPolygon far_corners = corners(far.shape);
                 bool apart = true;  // no line from the far surface meets two of them
                 for (const Surface& other : in_between) {
-                    apart = apart && Shaft(corners(plate.shape), far_corners).keeps_clear_of(corners(other.shape)) &&
-                            Shaft(corners(other.shape), far_corners).keeps_clear_of(corners(plate.shape));
+                    apart = apart && is_clear_of(plate, far_corners, other) && is_clear_of(other, far_corners, plate);
                 }
                 if (!apart) continue;
                 add(plate, 1);

@@ -1,6 +1,7 @@
 #include "studies/form_factors/choice.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <map>
 #include <utility>
@@ -11,9 +12,6 @@ namespace {
 /// A pilot does not decide on a round that is larger by more than this; a larger pilot does.
 constexpr std::uint64_t farthest_sight = 64;
 constexpr std::uint64_t pilot_growth = 16;
-
-/// A job takes some kilobytes.
-constexpr std::size_t most_pairs_at_once = 16384;
 
 /// Jobs by points, by their pair.
 using PointJobs = std::map<std::size_t, const Job*>;
@@ -73,15 +71,35 @@ Work part_of_row(const Scene& scene, const Aim& aim, const Job& row, const std::
     return work;
 }
 
+/// Rays that a pair is likely to take: as many as show that less than the tolerance hits, and no less than a pilot and
+/// a round.
+double expected_rays(const Aim& aim, std::size_t pair) {
+    constexpr double gain = 10;  // over independent rays, measured: docs/convergence.md
+    const double area = aim.geometry.areas[aim.owner(pair)];
+    const double width = aim.wanted(pair) / area;
+    return std::max({2.0 * randomisations * least_rays, std::log(2 / (1 - aim.level)) / width,
+                     aim.geometry.pairs[pair].most / area / (width * width) / gain});
+}
+
 }  // namespace
 
-std::size_t Aim::owner(std::size_t pair) const {
+std::size_t owner_of(const FacePairs& geometry, std::size_t pair) {
     const FacePair& faces = geometry.pairs[pair];
     return geometry.areas[faces.to] < geometry.areas[faces.from] ? faces.to : faces.from;
 }
 
-double Aim::wanted(std::size_t pair) const {
-    return tolerance * geometry.areas[owner(pair)] - geometry.pairs[pair].bound;
+PairsOfRows pairs_to_sample(const FacePairs& geometry) {
+    PairsOfRows rows;
+    for (std::size_t pair = 0; pair < geometry.pairs.size(); ++pair) {
+        if (geometry.pairs[pair].is_sampled()) rows[owner_of(geometry, pair)].push_back(pair);
+    }
+    return rows;
+}
+
+double Aim::wanted(std::size_t pair, double exchange) const {
+    const FacePair& faces = geometry.pairs[pair];
+    const double tolerance = request.tolerance_between(faces.from, faces.to) * geometry.areas[owner(pair)];
+    return std::max(tolerance, request.relative * exchange) - faces.bound;
 }
 
 std::vector<double> Aim::wanted(const Job& job) const {
@@ -90,18 +108,28 @@ std::vector<double> Aim::wanted(const Job& job) const {
     return result;
 }
 
-std::vector<std::vector<std::size_t>> batches(const Aim& aim) {
-    const FacePairs& geometry = aim.geometry;
-    std::vector<std::vector<std::size_t>> rows(geometry.faces());
-    for (std::size_t pair = 0; pair < geometry.pairs.size(); ++pair) {
-        if (geometry.pairs[pair].is_sampled()) rows[aim.owner(pair)].push_back(pair);
+PairsOfRows rows_to_shoot(const Scene& scene, const Aim& aim, const PairsOfRows& rows,
+                          const std::vector<Work>& by_points, bool are_exact_enough) {
+    constexpr double rounds_of_points = 4;  // the later ones are larger than the first
+    std::map<std::size_t, double> cost_of_points;
+    for (const Work& work : by_points)
+        cost_of_points[aim.owner(work.job.pairs().front())] += rounds_of_points * work.job.cost();
+    PairsOfRows result;
+    for (const auto& [from, pairs] : rows) {
+        bool needs_rays = false;
+        double rays = 0;
+        std::vector<std::size_t> row;
+        for (const std::size_t pair : pairs) {
+            const bool needs = !aim.geometry.pairs[pair].by_points;
+            if (!needs && !are_exact_enough) continue;
+            row.push_back(pair);
+            needs_rays = needs_rays || needs;
+            rays = std::max(rays, expected_rays(aim, pair));
+        }
+        const bool tried =
+            needs_rays || aim.geometry.effort == PointEffort::full || rays * cost_of_ray(scene) < cost_of_points[from];
+        if (!row.empty() && tried) result[from] = std::move(row);
     }
-    std::vector<std::vector<std::size_t>> result(1);
-    for (const std::vector<std::size_t>& row : rows) {
-        if (result.back().size() >= most_pairs_at_once) result.emplace_back();
-        result.back().insert(result.back().end(), row.begin(), row.end());
-    }
-    for (auto& batch : result) std::sort(batch.begin(), batch.end());
     return result;
 }
 

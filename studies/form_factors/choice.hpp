@@ -3,42 +3,57 @@
 #include "studies/form_factors/jobs.hpp"
 
 #include <cstddef>
+#include <map>
 #include <vector>
 
 namespace ff::studies {
 
+/// Places in FacePairs::pairs, by the face that owns the pairs.
+using PairsOfRows = std::map<std::size_t, std::vector<std::size_t>>;
+
+/// The face of a pair from which rays tell more: the smaller.
+std::size_t owner_of(const FacePairs& geometry, std::size_t pair);
+
+/// All pairs that are sampled.
+PairsOfRows pairs_to_sample(const FacePairs& geometry);
+
 /// How far sampling has to go.
 struct Aim {
     const FacePairs& geometry;
-    double tolerance = 0;  ///< of a form factor
-    double level = 0;      ///< of the interval of a first round
+    const FormFactorRequest& request;
+    double level = 0;  ///< of the interval of a first round
+    /// Of each pair the exchange area that is expected, by what is known so far: it decides on sizes, not on intervals.
+    std::vector<double> expected{};
 
-    /// The face of a pair from which rays tell more: the smaller.
-    [[nodiscard]] std::size_t owner(std::size_t pair) const;
-    /// Exchange area that the half width of a pair is to stay below.
-    [[nodiscard]] double wanted(std::size_t pair) const;
+    [[nodiscard]] std::size_t owner(std::size_t pair) const { return owner_of(geometry, pair); }
+    /// What the half width of a pair is to stay below, if its exchange area is as large as that.
+    [[nodiscard]] double wanted(std::size_t pair, double exchange) const;
+    [[nodiscard]] double wanted(std::size_t pair) const { return wanted(pair, expected[pair]); }
     [[nodiscard]] std::vector<double> wanted(const Job& job) const;
 };
-
-/// Pairs to sample, in parts whose jobs are in memory at a time: rows that rays may serve, together at least 16 384
-/// pairs or all there are. Samples of a part do not depend on the others.
-std::vector<std::vector<std::size_t>> batches(const Aim& aim);
 
 /// A job and how far it has come.
 struct Work {
     Job job;
-    std::size_t rounds = 0;  ///< that count, done
-    bool pilot = true;       ///< its next round decides and does not count
+    std::size_t rounds = 0;  ///< completed rounds that count
+    bool pilot = true;       ///< its next round only decides and does not count
     bool has_run = false;
 };
 
-/// Sizes of a job's next round by its last, and whether that is a pilot still.
+/// Pairs for which rays are tried, by the face that rays leave: rows with a pair that points cannot do, or where rays
+/// may cost less than points; all, if there are few pairs.
+/// @param by_points         jobs of those that points can do
+/// @param are_exact_enough  whether rays are, for pairs that points can do
+PairsOfRows rows_to_shoot(const Scene& scene, const Aim& aim, const PairsOfRows& rows,
+                          const std::vector<Work>& by_points, bool are_exact_enough);
+
+/// Sizes of a job's next round from its last one, and whether the next is still a pilot.
 /// @param wanted  half widths of its pairs
 void set_next(Work& work, const std::vector<double>& wanted, double level);
 
-/// After a round of all candidates: for each pair that points can do, points or the rays of its row, such that all
-/// together cost least. Rays serve all pairs of a row at once, so that those that need the most are moved to points as
-/// long as that saves anything.
+/// After a round of all candidates: chooses points or the rays of the row for each pair that points can do, such that
+/// the total cost is least. Rays serve all pairs of a row at once, so the pairs that need most rays are moved to points
+/// as long as that saves anything.
 std::vector<Work> choose_methods(const Scene& scene, const Aim& aim, std::vector<Work> candidates);
 
 }  // namespace ff::studies

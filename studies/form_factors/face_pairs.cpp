@@ -10,7 +10,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <mutex>
+#include <optional>
+#include <utility>
 
 namespace ff::studies {
 namespace {
@@ -30,7 +33,7 @@ bool is_each_looked_at(const Scene& scene) {
 constexpr std::size_t most_pairs_by_points = 256;
 
 /// Of more pairs of faces to sample each is given points by what can pass.
-constexpr std::size_t most_of_full_effort = 512;
+constexpr std::size_t most_of_full_effort = 32;
 
 /// Pairs whose bounds are this near to each other, in tolerances, are not sampled.
 constexpr double near_enough = 0.5;
@@ -58,18 +61,63 @@ struct Partner {
     PairExchange exchange;
 };
 
+/// A pair that is dropped takes little room.
+struct Dropped {
+    std::uint32_t to = 0;
+    float least = 0;
+    float most = 0;
+};
+
+/// What one surface exchanges something with.
+struct Partners {
+    std::vector<Partner> kept;
+    std::vector<Dropped> dropped;
+};
+
+/// By surface, what an exchange has to come to with it in order to be kept. Of surfaces that share a face that cannot
+/// be said before they are added up.
+std::vector<double> least_kept(const Scene& scene, double drop) {
+    std::vector<std::size_t> surfaces(scene.faces.size(), 0);
+    for (const Surface& surface : scene.surfaces) {
+        if (surface.face != no_face) ++surfaces[static_cast<std::size_t>(surface.face)];
+    }
+    std::vector<double> result;
+    for (const Surface& surface : scene.surfaces) {
+        const bool sole = surface.face != no_face && surfaces[static_cast<std::size_t>(surface.face)] == 1;
+        result.push_back(sole ? drop * area(surface.shape) : 0);
+    }
+    return result;
+}
+
+/// The pair if it exchanges less than that, whatever stands in between.
+std::optional<Dropped> dropped(std::size_t to, const PairExchange& exchange, double below) {
+    if (!exchange.area || exchange.area->value + exchange.area->error >= below) return std::nullopt;
+    // Rounded outwards.
+    constexpr auto up = 1 + std::numeric_limits<float>::epsilon();
+    const bool sampled = exchange.method >= ExchangeMethod::points;
+    const double least = sampled ? 0 : std::max(0.0, exchange.area->value - exchange.area->error);
+    return Dropped{static_cast<std::uint32_t>(to), static_cast<float>(least) / up,
+                   static_cast<float>(exchange.area->value + exchange.area->error) * up};
+}
+
 /// Those of one surface among itself and the ones after it.
-std::vector<Partner> partners_of(const Scene& scene, const SceneSight& sight, std::size_t first, double wanted,
-                                 const std::atomic<bool>* stop) {
+/// @param below  by surface: pairs that exchange less than this times the smaller area are dropped; 0: none
+Partners partners_of(const Scene& scene, const SceneSight& sight, WallViews* views, std::size_t first, double wanted,
+                     const std::vector<double>& below, const std::atomic<bool>* stop) {
     const PairExchange unknown{ExchangeMethod::rays, ExchangeReason::many_surfaces, std::nullopt, {}};
-    std::vector<Partner> result;
+    Partners result;
     const Surface& from = scene.surfaces[first];
     for (std::size_t j = first; j < scene.surfaces.size(); ++j) {
         const Surface& to = scene.surfaces[j];
         if (from.face == no_face || to.face == no_face) continue;
-        PairExchange exchange = stop != nullptr && *stop ? unknown : pair_exchange(scene, sight, first, j, wanted);
-        if (exchange.method != ExchangeMethod::none)
-            result.push_back({static_cast<std::uint32_t>(j), std::move(exchange)});
+        PairExchange exchange =
+            stop != nullptr && *stop ? unknown : pair_exchange(scene, sight, first, j, wanted, views);
+        if (exchange.method == ExchangeMethod::none) continue;
+        const double least = j == first ? 0 : std::min(below[first], below[j]);
+        if (const auto little = dropped(j, exchange, least))
+            result.dropped.push_back(*little);
+        else
+            result.kept.push_back({static_cast<std::uint32_t>(j), std::move(exchange)});
     }
     return result;
 }
@@ -121,21 +169,44 @@ void leave_all_to_rays(FacePairs& result) {
     }
 }
 
+/// Surfaces in parts of which each is of one wall, so that what is proved of the wall serves all of them.
+std::vector<std::vector<std::size_t>> wall_parts(const Scene& scene, const SceneSight& sight) {
+    constexpr std::size_t most_in_part = 32;  // there is work for many threads in few walls
+    std::map<std::size_t, std::vector<std::size_t>> open;
+    std::vector<std::vector<std::size_t>> parts;
+    for (std::size_t i = 0; i < scene.surfaces.size(); ++i) {
+        std::vector<std::size_t>& part = open[sight.occluders ? sight.occluders->wall_of(i) : i];
+        part.push_back(i);
+        if (part.size() == most_in_part) parts.push_back(std::exchange(part, {}));
+    }
+    for (auto& [wall, part] : open) {
+        if (!part.empty()) parts.push_back(std::move(part));
+    }
+    return parts;
+}
+
 /// Looks at each pair of surfaces. @return by the first, of those that exchange anything
-std::vector<std::vector<Partner>> look_at_pairs(const Scene& scene, const FacePairs& known,
-                                                const FormFactorRequest& request) {
+std::vector<Partners> look_at_pairs(const Scene& scene, const FacePairs& known, const FormFactorRequest& request) {
     const std::size_t n = scene.surfaces.size();
     const double smallest = *std::min_element(known.areas.begin(), known.areas.end());
     // Errors of all pairs of surfaces add up.
     const double wanted = request.tolerance * smallest / 8 / static_cast<double>(n);
-    std::vector<std::vector<Partner>> rows(n);
+    const std::vector<double> below = least_kept(scene, request.drop);
+    std::vector<Partners> rows(n);
     std::mutex reporting;
     std::size_t looked_at = 0;
-    for_each_index(n, request.threads, [&](std::uint64_t i) {
-        rows[i] = partners_of(scene, known.sight, i, wanted, request.stop);
+    const std::vector<std::vector<std::size_t>> parts = wall_parts(scene, known.sight);
+    for_each_index(parts.size(), request.threads, [&](std::uint64_t part) {
+        std::optional<WallViews> views;
+        if (known.sight.occluders) views.emplace(*known.sight.occluders);
+        std::size_t looked_at_here = 0;
+        for (const std::size_t i : parts[part]) {
+            rows[i] = partners_of(scene, known.sight, views ? &*views : nullptr, i, wanted, below, request.stop);
+            looked_at_here += n - i;
+        }
         if (!request.report) return;
         const std::lock_guard lock(reporting);
-        looked_at += n - i;
+        looked_at += looked_at_here;
         const double share = static_cast<double>(looked_at) / (0.5 * static_cast<double>(n * (n + 1)));
         request.report({FormFactorProgress::Stage::looking, 0, share, 0, 0, pairs_of(known.faces())});
     });
@@ -143,7 +214,7 @@ std::vector<std::vector<Partner>> look_at_pairs(const Scene& scene, const FacePa
 }
 
 /// Sums what surfaces exchange over pairs of faces.
-void add_up(const Scene& scene, std::vector<std::vector<Partner>> rows, FacePairs& result) {
+void add_up(const Scene& scene, std::vector<Partners> rows, FacePairs& result) {
     /// Two surfaces, and their faces in order.
     struct Entry {
         std::uint32_t face, other_face, from, at;
@@ -152,9 +223,13 @@ void add_up(const Scene& scene, std::vector<std::vector<Partner>> rows, FacePair
     std::vector<Entry> entries;
     result.shot.assign(n * n, false);
     for (std::uint32_t i = 0; i < n; ++i) {
-        for (std::uint32_t k = 0; k < rows[i].size(); ++k) {
-            const auto face = static_cast<std::uint32_t>(scene.surfaces[i].face);
-            const auto other = static_cast<std::uint32_t>(scene.surfaces[rows[i][k].to].face);
+        const auto face = static_cast<std::uint32_t>(scene.surfaces[i].face);
+        for (const Dropped& little : std::exchange(rows[i].dropped, {})) {
+            const auto other = static_cast<std::uint32_t>(scene.surfaces[little.to].face);
+            add_dropped(result.dropped, face, other, 0.5 * (little.least + little.most), little.least, little.most);
+        }
+        for (std::uint32_t k = 0; k < rows[i].kept.size(); ++k) {
+            const auto other = static_cast<std::uint32_t>(scene.surfaces[rows[i].kept[k].to].face);
             entries.push_back({std::min(face, other), std::max(face, other), i, k});
         }
     }
@@ -168,7 +243,7 @@ void add_up(const Scene& scene, std::vector<std::vector<Partner>> rows, FacePair
             pair.from = entry.face;
             pair.to = entry.other_face;
         }
-        auto& [to, exchange] = rows[entry.from][entry.at];
+        auto& [to, exchange] = rows[entry.from].kept[entry.at];
         if (exchange.method >= ExchangeMethod::points)
             result.shot[entry.from * n + to] = result.shot[to * n + entry.from] = true;
         const double largest = std::min(area(scene.surfaces[entry.from].shape), area(scene.surfaces[to].shape));
@@ -179,6 +254,17 @@ void add_up(const Scene& scene, std::vector<std::vector<Partner>> rows, FacePair
 
 }  // namespace
 
+void add_dropped(std::vector<DroppedExchange>& faces, std::size_t from, std::size_t to, double value, double low,
+                 double high) {
+    for (const std::size_t face : {from, to}) {
+        DroppedExchange& sum = faces[face];
+        ++sum.pairs;
+        sum.value += value;
+        sum.low += low;
+        sum.high += high;
+    }
+}
+
 std::size_t pairs_of(std::size_t faces) {
     return faces * (faces + 1) / 2;
 }
@@ -187,6 +273,7 @@ FacePairs examine_pairs(const Scene& scene, const FormFactorRequest& request) {
     expect_few_faces(scene);
     FacePairs result;
     result.areas.assign(scene.faces.size(), 0);
+    result.dropped.resize(scene.faces.size());
     for (const Surface& surface : scene.surfaces) {
         if (surface.face != no_face) result.areas[static_cast<std::size_t>(surface.face)] += area(surface.shape);
     }
@@ -200,7 +287,8 @@ FacePairs examine_pairs(const Scene& scene, const FormFactorRequest& request) {
     for (FacePair& pair : result.pairs) {
         const double smaller = std::min(result.areas[pair.from], result.areas[pair.to]);
         pair.most = std::min(pair.most, smaller);
-        settle(pair, request.tolerance * smaller);
+        settle(pair, std::max(request.tolerance_between(pair.from, pair.to) * smaller,
+                              request.relative * std::max(0.0, pair.known - pair.bound)));
         pair.by_points = !pair.sampled.empty() && pair.sampled.size() <= most_pairs_by_points &&
                          std::all_of(pair.sampled.begin(), pair.sampled.end(), [](const SampledPair& sampled) {
                              return sampled.exchange.method == ExchangeMethod::points;

@@ -9,10 +9,10 @@
 
 namespace ff::studies {
 
-/// Of larger matrices what is 0 by geometry is not written, and nothing takes the square of the faces in memory.
+/// For larger matrices, geometric zeros are not written, and nothing takes memory quadratic in the number of faces.
 inline constexpr std::size_t most_dense_faces = 4096;
 
-/// Two surfaces whose exchange has to be sampled, and how often it counts.
+/// Two surfaces whose exchange has to be sampled, and its multiplicity.
 struct SampledPair {
     std::uint32_t from = 0;  ///< index of the surface
     std::uint32_t to = 0;
@@ -20,10 +20,10 @@ struct SampledPair {
     PairExchange exchange;
 };
 
-/// Pairs that so many faces make, each with itself among them.
+/// Number of unordered pairs of this many faces, including each face with itself.
 std::size_t pairs_of(std::size_t faces);
 
-/// Of each face the places of its pairs in a list, by the other face.
+/// For each face, the positions of its pairs in a list, by the other face.
 /// @param pairs  with members `from` and `to`, in the order (0,0), (0,1), .., (1,1), ..
 template <class Pairs>
 std::vector<std::vector<std::uint32_t>> by_face(const Pairs& pairs, std::size_t faces) {
@@ -35,44 +35,58 @@ std::vector<std::vector<std::uint32_t>> by_face(const Pairs& pairs, std::size_t 
     return result;
 }
 
-/// Two faces (or one and itself): what is known of their exchange area, and what is left to be sampled.
+/// Two faces (or one with itself): the known part of their exchange area, and the part left to be sampled.
 struct FacePair {
     std::uint32_t from = 0;  ///< at most `to`
     std::uint32_t to = 0;
     double known = 0;       ///< sum of what is known, in squared units of length
-    double bound = 0;       ///< that it is off by at most
-    double resolution = 0;  ///< what rounding of the scene's largest coordinates may change; 0 where it is little
-    double most = 0;        ///< the exchange area is not larger: as if nothing stood in between
-    bool all_unblocked_known = true;   ///< `most` is the unblocked exchange area, not just what a surface can send
+    double bound = 0;       ///< upper bound of its error
+    double resolution = 0;  ///< possible effect of rounding the scene's largest coordinates; 0 where it is small
+    double most = 0;        ///< upper bound of the exchange area: the unoccluded one
+    bool all_unblocked_known = true;   ///< `most` is the unblocked exchange area, not merely the area of a surface
     std::vector<SampledPair> sampled;  ///< empty where `everything` is sampled
     bool everything = false;           ///< all pairs of surfaces, too many to list
     bool by_points = false;            ///< every sampled pair can be done by points
     ExchangeMethod method = ExchangeMethod::none;         ///< the most expensive that a pair of surfaces needs
-    ExchangeReason reason = ExchangeReason::turned_away;  ///< of that
+    ExchangeReason reason = ExchangeReason::turned_away;  ///< of that method
 
     [[nodiscard]] bool is_sampled() const { return everything || !sampled.empty(); }
 };
 
-/// How much is spent on a pair before anything is known of it by points.
+/// How much is spent on a pair before any points are sampled.
 enum class PointEffort : std::uint8_t {
-    full,   ///< what its tolerance alone may be worth: intervals are sharp from the first round on
-    sized,  ///< by what can pass, in tolerances: for scenes of so many pairs that most of the time would go there
+    full,   ///< by its tolerance alone: intervals are sharp from the first round on
+    sized,  ///< by what can pass, in tolerances: for scenes with so many pairs that this would dominate
 };
 
+/// What a face exchanges with others, all together, that is not kept pair by pair.
+struct DroppedExchange {
+    std::uint64_t pairs = 0;
+    double value = 0;
+    double low = 0;
+    double high = 0;
+};
+
+/// Adds a pair to both of its faces, which are two.
+void add_dropped(std::vector<DroppedExchange>& faces, std::size_t from, std::size_t to, double value, double low,
+                 double high);
+
 struct FacePairs {
-    std::vector<FacePair> pairs;  ///< (0,0), (0,1), .., (1,1), .. without those that cannot see each other
-    std::vector<double> areas;    ///< of the faces
+    /// (0,0), (0,1), .., (1,1), .. without those that cannot see each other, and without those that are dropped.
+    std::vector<FacePair> pairs;
+    std::vector<double> areas;             ///< of the faces
+    std::vector<DroppedExchange> dropped;  ///< by face
     PointEffort effort = PointEffort::full;
     SceneSight sight;  ///< owns the blockers of sampled pairs
-    /// Whether rays between two surfaces count, [from * surfaces + to]; empty where all do.
+    /// Whether rays between two surfaces count, [from * surfaces + to]; empty if all do.
     std::vector<bool> shot;
 
     [[nodiscard]] std::size_t faces() const { return areas.size(); }
 };
 
-/// Sharper methods are taken where their error would show beside the request's tolerance. What has not been looked at
-/// when the request is stopped, is left to be sampled.
-/// @throws UserError for more faces than a matrix is made of
+/// Sharper methods are used where an error would show beside the request's tolerance. Pairs not yet examined when the
+/// request is stopped are left to be sampled.
+/// @throws UserError for more faces than a matrix may have
 FacePairs examine_pairs(const Scene& scene, const FormFactorRequest& request);
 
 }  // namespace ff::studies

@@ -6,6 +6,7 @@
 #include "stats/multiplicity.hpp"
 #include "studies/form_factors/repair.hpp"
 #include "studies/form_factors/rounds.hpp"
+#include "studies/form_factors/sample_pairs.hpp"
 
 #include <fmt/format.h>
 
@@ -27,6 +28,12 @@ void expect_sense(const FormFactorRequest& request) {
         throw UserError(fmt::format("--tolerance {:g} (from {:g}, the rounding of double precision, to 0.5). Try 1e-5.",
                                     request.tolerance, least_tolerance));
     }
+    if (!(request.relative >= 0 && request.relative < 1)) {
+        throw UserError(
+            fmt::format("--relative {:g} (a share of each factor, from 0 to below 1). Try 0.01.", request.relative));
+    }
+    if (!(request.drop >= 0 && request.drop < 1))
+        throw UserError(fmt::format("--drop {:g} (a form factor, from 0 to below 1). Try 1e-6.", request.drop));
     if (!(request.level > 0.5 && request.level <= 1 - 1e-9)) {
         throw UserError(fmt::format("--level {:g} (above 0.5, at most 1 - 1e-9). Try 0.95.", request.level));
     }
@@ -98,10 +105,14 @@ struct RowTerms {
     double level = 0;  ///< the highest of its entries
 };
 
-/// @param row  places of its pairs
-RowTerms row_terms(const FormFactorMatrix& matrix, const FacePairs& geometry,
-                   const std::vector<PairEstimate>& estimates, const std::vector<std::uint32_t>& row) {
+/// @param row     places of its pairs
+/// @param before  what was dropped of it before anything was sampled
+RowTerms row_terms(const FormFactorMatrix& matrix, const FacePairs& geometry, const PairEstimates& estimates,
+                   const std::vector<std::uint32_t>& row, const DroppedExchange& before) {
     RowTerms terms;
+    terms.value = terms.sum.offset = before.value;
+    terms.down = before.value - before.low;
+    terms.up = before.high - before.value;
     for (const std::uint32_t index : row) {
         const FacePair& pair = geometry.pairs[index];
         const PairEstimate& estimate = estimates[index];
@@ -124,9 +135,9 @@ RowTerms row_terms(const FormFactorMatrix& matrix, const FacePairs& geometry,
 }
 
 /// A row's sum: independent randomisations add up, bounds do.
-RowSum row_sum(const FormFactorMatrix& matrix, const FacePairs& geometry, const std::vector<PairEstimate>& estimates,
+RowSum row_sum(const FormFactorMatrix& matrix, const FacePairs& geometry, const PairEstimates& estimates,
                std::size_t row, const std::vector<std::uint32_t>& pairs, double level, double farthest) {
-    const RowTerms terms = row_terms(matrix, geometry, estimates, pairs);
+    const RowTerms terms = row_terms(matrix, geometry, estimates, pairs, geometry.dropped[row]);
     const double area = matrix.areas[row];
     const auto ends = [&](double at) {
         const Estimate found = estimate_of(terms.sum, at);
@@ -141,6 +152,25 @@ RowSum row_sum(const FormFactorMatrix& matrix, const FacePairs& geometry, const 
     const double end = low > 1 + rounding ? high : std::min(1.0, high);
     return {value, std::min(value, std::max(0.0, low)), std::max(value, end),
             least > 1 + rounding || most < 1 - rounding};
+}
+
+/// Drops the pairs that are known to exchange little, now that they have been sampled.
+void drop(FormFactorMatrix& matrix, std::vector<DroppedExchange> dropped, double below) {
+    std::erase_if(matrix.exchanges, [&](const FaceExchange& exchange) {
+        if (exchange.from == exchange.to ||
+            exchange.high >= below * std::min(matrix.areas[exchange.from], matrix.areas[exchange.to]))
+            return false;
+        add_dropped(dropped, exchange.from, exchange.to, exchange.value, exchange.low, exchange.high);
+        return true;
+    });
+    for (std::size_t face = 0; face < matrix.faces(); ++face) {
+        const auto& [pairs, value, low, high] = dropped[face];
+        const double area = matrix.areas[face];
+        matrix.rows[face].dropped = {pairs, value / area, low / area, high / area};
+        matrix.dropped += pairs;
+    }
+    // No face of pairs that are dropped sees itself: a factor to itself that is that small is kept.
+    matrix.dropped /= 2;
 }
 
 /// From the unit that was computed in to the scene's own.
@@ -222,6 +252,13 @@ bool leaks(const FormFactorMatrix& matrix, double tolerance) {
     return static_cast<double>(matrix.lost_rays) > share_of_tolerance * tolerance * static_cast<double>(matrix.rays);
 }
 
+bool is_within(const FormFactorMatrix& matrix, const FaceExchange& exchange, const FormFactorRequest& request) {
+    const double factor = exchange.value / std::min(matrix.areas[exchange.from], matrix.areas[exchange.to]);
+    return !exchange.contradicted &&
+           worst_half_width(matrix, exchange) <=
+               std::max(request.tolerance_between(exchange.from, exchange.to), request.relative * factor);
+}
+
 double worst_half_width(const FormFactorMatrix& matrix, const FaceExchange& exchange) {
     return half_width(exchange) / std::min(matrix.areas[exchange.from], matrix.areas[exchange.to]);
 }
@@ -244,20 +281,21 @@ FormFactorMatrix find_form_factors(const Scene& whole_scene, const FormFactorReq
                              : stats::bonferroni_level(1 - request.level, sampled + matrix.faces());
     matrix.entry_level = 1 - alpha;
 
-    std::vector<PairEstimate> estimates(geometry.pairs.size());
+    PairEstimates estimates(geometry);
     if (sampled > 0 && !matrix.interrupted) {
-        const SamplingOutcome outcome =
+        SamplingOutcome outcome =
             sample_pairs(scene, geometry, request, alpha, request.tolerance >= least_tolerance_of_rays);
-        estimates = outcome.estimates;
+        estimates = std::move(outcome.estimates);
         matrix.samples = outcome.samples;
         matrix.rays = outcome.rays;
         matrix.lost_rays = outcome.lost;
         matrix.interrupted = outcome.interrupted;
+        matrix.left_out = outcome.left_out;
     }
     for (std::size_t p = 0; p < geometry.pairs.size(); ++p) {
         const FacePair& pair = geometry.pairs[p];
         FaceExchange exchange = exchange_of(pair, estimates[p]);
-        exchange.within = !exchange.contradicted && worst_half_width(matrix, exchange) <= request.tolerance;
+        exchange.within = is_within(matrix, exchange, request);
         matrix.exchanges.push_back(exchange);
     }
     const double farthest = farthest_coordinate(whole_scene) / placement.unit;
@@ -265,6 +303,7 @@ FormFactorMatrix find_form_factors(const Scene& whole_scene, const FormFactorReq
     for (std::size_t row = 0; row < matrix.faces(); ++row) {
         matrix.rows.push_back(row_sum(matrix, geometry, estimates, row, rows[row], round_level(alpha, 0), farthest));
     }
+    if (request.drop > 0) drop(matrix, geometry.dropped, request.drop);
     scale_areas(matrix, placement.unit * placement.unit);
     if (request.repair) matrix.repaired = repair(matrix);
     return matrix;

@@ -21,15 +21,15 @@ struct FaceExchange {
     double value = 0;
     double low = 0;
     double high = 0;
-    /// The most expensive that its surfaces took; empty where there was no time to sample it, and the interval is what
-    /// geometry bounds.
+    /// The most expensive method that its surfaces took; empty where there was no time to sample, and the interval is
+    /// the geometric bound.
     std::optional<ExchangeMethod> method;
     ExchangeReason reason = ExchangeReason::turned_away;  ///< of that
-    bool by_rays_of_row = false;                          ///< points would do; the rays of its row serve it as well
-    std::uint64_t samples = 0;                            ///< of the round that the interval is from
-    bool clipped = false;                                 ///< geometry allows less than the samples do
-    bool within = false;                                  ///< the tolerance, in both directions
-    bool contradicted = false;  ///< an independent randomisation says otherwise; the interval holds both
+    bool by_rays_of_row = false;                          ///< points would do, but the rays of its row serve it too
+    std::uint64_t samples = 0;                            ///< of the round that gave the interval
+    bool clipped = false;                                 ///< geometric limits are narrower than the samples' interval
+    bool within = false;                                  ///< within the tolerance, in both directions
+    bool contradicted = false;  ///< an independent randomisation disagrees; the interval contains both
 
     [[nodiscard]] bool is_sampled() const { return !method || *method >= ExchangeMethod::points; }
 };
@@ -39,6 +39,7 @@ struct RowSum {
     double low = 0;
     double high = 0;
     bool excludes_one = false;  ///< at a level at which some row of a closed scene does so by chance in 0.001 of runs
+    DroppedExchange dropped{};  ///< its part that is not kept pair by pair, in factors
 };
 
 struct RepairedFactors {
@@ -46,7 +47,7 @@ struct RepairedFactors {
     bool possible = false;
     double closure_before = 0, closure_after = 0;  ///< largest |row sum - 1|
     double largest_change = 0;
-    std::size_t from = 0, to = 0;  ///< where it is
+    std::size_t from = 0, to = 0;  ///< its position
     std::size_t outside = 0;       ///< repaired entries outside their intervals
 };
 
@@ -60,7 +61,8 @@ double half_width(const FaceExchange& exchange);
 struct FormFactorMatrix {
     std::vector<double> areas;  ///< of the faces
     std::size_t surfaces = 0;   ///< that were left when level ones had been joined
-    /// (0,0), (0,1), .., (1,1), .. without the pairs that cannot see each other, which exchange exactly nothing.
+    /// (0,0), (0,1), .., (1,1), .. without the pairs that cannot see each other, which exchange exactly nothing, and
+    /// without those that are dropped.
     std::vector<FaceExchange> exchanges;
     std::vector<RowSum> rows;
     double entry_level = 0;       ///< of each interval by itself
@@ -68,14 +70,16 @@ struct FormFactorMatrix {
     std::uint64_t lost_rays = 0;  ///< in a closed scene
     std::uint64_t rays = 0;
     bool interrupted = false;
+    std::uint64_t dropped = 0;  ///< pairs
+    std::size_t left_out = 0;   ///< rows that are sampled by another shard: the matrix is not whole
     std::optional<RepairedFactors> repaired;
-    /// What is wrong with the scene (SceneDoubts::faults): intervals hold for it as it is read, which is not what was
-    /// meant. Found by who has the scene as it was written; not stored.
+    /// What is wrong with the scene (SceneDoubts::faults): intervals hold for the scene as read, which is not what was
+    /// meant. Found by callers that have the scene file; not stored.
     std::vector<std::string> faults;
 
     [[nodiscard]] std::size_t faces() const { return areas.size(); }
     [[nodiscard]] std::size_t pairs() const { return pairs_of(faces()); }
-    /// Of a pair of faces in either order, listed or not.
+    /// The exchange of a pair of faces in either order, listed or not.
     [[nodiscard]] FaceExchange exchange(std::size_t a, std::size_t b) const;
     using Sparse = Eigen::SparseMatrix<double, Eigen::RowMajor>;
     [[nodiscard]] Sparse factors() const;
@@ -84,18 +88,21 @@ struct FormFactorMatrix {
     [[nodiscard]] std::size_t missed() const;  ///< pairs of faces that are not within the tolerance
 };
 
-/// Whether nothing speaks against the matrix as a whole: no fault of the scene, and of a closed one no row that cannot
-/// add up to 1 and no leak.
+/// Whether the matrix as a whole is plausible: the scene has no fault, and a closed one has no leak and no row that
+/// cannot add up to 1.
 bool is_trusted(const Scene& scene, const FormFactorMatrix& matrix, double tolerance);
 
-/// Whether more rays were lost than a hundredth of the tolerance is.
+/// Whether the share of lost rays exceeds a hundredth of the tolerance.
 bool leaks(const FormFactorMatrix& matrix, double tolerance);
+
+/// Whether an entry is as accurate as requested.
+bool is_within(const FormFactorMatrix& matrix, const FaceExchange& exchange, const FormFactorRequest& request);
 
 /// The larger half of a pair's interval, as a form factor of its smaller face.
 double worst_half_width(const FormFactorMatrix& matrix, const FaceExchange& exchange);
 
 /// Computes the matrix: exactly where geometry allows it, by sampling elsewhere (docs/form-factors.md). Surfaces of a
-/// face are joined first where they can be (core/geometry/joined_surfaces.hpp).
+/// face are joined first where possible (core/geometry/joined_surfaces.hpp).
 /// @throws UserError
 FormFactorMatrix find_form_factors(const Scene& scene, const FormFactorRequest& request);
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <span>
 
 namespace ff::studies {
 namespace {
@@ -11,7 +12,6 @@ namespace {
 /// one, or one that is not known, no fewer than most_first_points each.
 constexpr std::uint64_t least_first_points = 4;
 constexpr std::uint64_t most_first_points = 256;
-constexpr std::uint64_t least_rays = 4096;
 
 /// How fast half widths fall, at least: slower than measured on whole scenes (docs/convergence.md), so that a round
 /// seldom misses.
@@ -32,8 +32,15 @@ std::uint64_t first_points(const SampledPair& pair, double wanted) {
     std::uint64_t points = most_first_points;
     if (!pair.exchange.area || !(wanted > 0)) return points;
     const double enough = pair.exchange.area->value * pair.times / wanted / 2 / randomisations;
-    while (points > least_first_points && static_cast<double>(points / 2) >= enough) points /= 2;
+    while (points > least_first_points && static_cast<double>(points) / 2 >= enough) points /= 2;
     return points;
+}
+
+std::vector<std::uint64_t> first_sizes(const FacePairs& pairs, std::size_t pair, double wanted) {
+    std::vector<std::uint64_t> sizes;
+    for (const SampledPair& sampled : pairs.pairs[pair].sampled)
+        sizes.push_back(pairs.effort == PointEffort::sized ? first_points(sampled, wanted) : most_first_points);
+    return sizes;
 }
 
 double rate_of_hits(const SampledShare& share) {
@@ -51,18 +58,20 @@ std::uint64_t size_for(std::uint64_t points, double now, double wanted, double r
 }
 
 Job::Job(const Scene& scene, const FacePairs& pairs, std::size_t pair, double wanted)
-    : geometry_(&pairs), pairs_{pair}, point_sums_(randomisations) {
+    : geometry_(&pairs),
+      pairs_{pair},
+      hidden_(pairs.pairs[pair].sampled.size(), false),
+      sizes_(first_sizes(pairs, pair, wanted)),
+      least_sizes_(sizes_),
+      point_sums_(sizes_.size() * randomisations) {
     for (const SampledPair& sampled : pairs.pairs[pair].sampled)
         points_.emplace_back(scene, sampled, wanted / sampled.times, pairs.effort);
-    hidden_.assign(points_.size(), false);
-    for (const SampledPair& sampled : pairs.pairs[pair].sampled)
-        sizes_.push_back(pairs.effort == PointEffort::sized ? first_points(sampled, wanted) : most_first_points);
-    least_sizes_ = sizes_;
 }
 
 Job::Job(const Scene& scene, const FacePairs& pairs, std::size_t from, std::vector<std::size_t> row)
     : geometry_(&pairs),
       pairs_(std::move(row)),
+      cost_of_ray_(ff::studies::cost_of_ray(scene)),
       sizes_{least_rays},
       least_sizes_{least_rays},
       ray_hits_(randomisations) {
@@ -82,7 +91,7 @@ std::uint64_t Job::samples() const {
 }
 
 double Job::cost(const std::vector<std::uint64_t>& sizes) const {
-    if (rays_) return static_cast<double>(randomisations * sizes.front());
+    if (rays_) return cost_of_ray_ * static_cast<double>(randomisations * sizes.front());
     double sum = 0;
     for (std::size_t k = 0; k < sizes.size(); ++k) {
         sum += points_[k].cost() * static_cast<double>(randomisations * sizes[k]);
@@ -98,23 +107,27 @@ bool Job::is_least() const {
     return std::equal(sizes_.begin(), sizes_.end(), least_sizes_.begin(), std::less_equal<>());
 }
 
-void Job::run(const Tracer* tracer, StreamKey key, std::uint32_t randomisation, const std::atomic<bool>* stop) {
+void Job::run(const Tracer* tracer, StreamKey key, std::uint32_t first, std::uint32_t count,
+              const std::atomic<bool>* stop) {
     if (rays_) {
-        ray_hits_[randomisation] = rays_->run(*tracer, key, randomisation, sizes_.front(), stop);
+        for (std::uint32_t r = first; r < first + count; ++r)
+            ray_hits_[r] = rays_->run(*tracer, key, r, sizes_.front(), stop);
         return;
     }
-    std::vector<PointSums> sums;
     for (std::size_t k = 0; k < points_.size(); ++k) {
-        sums.push_back(points_[k].run(key, randomisation, sizes_[k], stop));
+        const std::span<PointSums> own(point_sums_.data() + k * randomisations, randomisations);
+        points_[k].run(key, first, sizes_[k], stop, own.subspan(first, count));
     }
-    point_sums_[randomisation] = std::move(sums);
 }
 
 SampledSum Job::point_sum(std::size_t k, bool hidden) const {
     const double times = geometry_->pairs[pairs_.front()].sampled[k].times;
     const PointSampling::Side side = points_[k].side(hidden);
     SampledShare share{{}, randomisations * sizes_[k], side.unmet, false, 0};
-    for (const auto& sums : point_sums_) share.means.push_back(hidden ? sums[k].hidden : sums[k].visible);
+    for (std::size_t r = 0; r < randomisations; ++r) {
+        const PointSums& sums = point_sums_[k * randomisations + r];
+        share.means.push_back(hidden ? sums.hidden : sums.visible);
+    }
     return {times * side.known.value, {{times * side.sign, std::move(share)}}, times * side.known.error};
 }
 

@@ -5,6 +5,7 @@
 #include "core/visibility/visible_polygon.hpp"
 #include "samplers/sampler.hpp"
 #include "studies/form_factors/sampled_share.hpp"
+#include "studies/form_factors/source_division.hpp"
 
 #include <algorithm>
 #include <memory>
@@ -39,55 +40,54 @@ PointSampling::Side PointSampling::side(bool hidden) const {
 double PointSampling::cost() const {
     // Measured: benchmarks/README.md.
     double sum = 1;
-    for (const SourceCell& cell : cells_.mixed) sum += cell.share * (9 + 3 * static_cast<double>(cell.blockers.size()));
+    for (const SourceCell& cell : cells_.mixed) sum += cell.share * (8 + static_cast<double>(cell.blockers.size()));
     return sum;
 }
 
-PointSums PointSampling::run(StreamKey key, std::uint32_t randomisation, std::uint64_t points,
-                             const std::atomic<bool>* stop) const {
-    PointSums sums;
+void PointSampling::run(StreamKey key, std::uint32_t first, std::uint64_t points, const std::atomic<bool>* stop,
+                        std::span<PointSums> sums) const {
+    std::fill(sums.begin(), sums.end(), PointSums{});
     const std::vector<SourceCell>& cells = cells_.mixed;
-    if (cells.empty()) return sums;
+    if (cells.empty()) return;
     const SurfaceMap map(scene_->surfaces[source_]);
     const VisiblePolygon target(scene_->surfaces[target_], pair_->exchange.blockers);
-    const auto add = [&](const SourceCell& cell, double s, double t) {
+    const auto add = [&](PointSums& sum, const SourceCell& cell, double s, double t) {
         const SurfacePoint place = map.at(s, t);
         const VisiblePolygon::Factors factors = target.from(place.position, place.normal, cell.blockers);
-        const double weight = cell.area / cell.share;
-        sums.visible += weight * std::max(0.0, factors.visible);
-        sums.hidden += weight * std::max(0.0, factors.whole - factors.visible);
+        const double weight = cell.area / cell.share / static_cast<double>(points);
+        sum.visible += weight * std::max(0.0, factors.visible);
+        sum.hidden += weight * std::max(0.0, factors.whole - factors.visible);
     };
     const auto block = std::make_unique_for_overwrite<WeightedBlock>();
     block->dimension = 2;
     const samplers::CatalogueEntry& sobol = samplers::house_sampler();
     // Points on the whole source, and more in rough cells: a place counts by the sum of both densities.
-    const auto visit = [&](std::uint32_t trial, std::uint64_t size, const auto& at) {
+    const auto visit = [&](std::uint32_t first_trial, std::uint64_t size, const auto& at) {
         const auto sampler = sobol.make({.points = size, .dimension = 2});
-        const Stream stream{.key = key, .trial = trial, .source = source_, .target = target_ + 1};
-        for (std::uint64_t first = 0; first < size; first += block->size) {
-            expect_more_time(stop);
-            block->size = static_cast<std::size_t>(std::min<std::uint64_t>(block_capacity, size - first));
-            sampler->fill(stream, first, *block);
-            for (std::size_t i = 0; i < block->size; ++i) at(block->coordinate[0][i], block->coordinate[1][i]);
+        for (std::uint32_t k = 0; k < sums.size(); ++k) {
+            const Stream stream{.key = key, .trial = first_trial + k, .source = source_, .target = target_ + 1};
+            for (std::uint64_t begin = 0; begin < size; begin += block->size) {
+                expect_more_time(stop);
+                block->size = static_cast<std::size_t>(std::min<std::uint64_t>(block_capacity, size - begin));
+                sampler->fill(stream, begin, *block);
+                for (std::size_t i = 0; i < block->size; ++i)
+                    at(sums[k], block->coordinate[0][i], block->coordinate[1][i]);
+            }
         }
     };
-    visit(randomisation, points, [&](double s, double t) {
-        if (const SourceCell* cell = cells_.at(s, t)) add(*cell, s, t);
+    visit(first, points, [&](PointSums& sum, double s, double t) {
+        if (const SourceCell* cell = cells_.at(s, t)) add(sum, *cell, s, t);
     });
-    if (cells_.extra > 0) {
-        const auto extra = static_cast<std::uint64_t>(cells_.extra * static_cast<double>(points));
-        visit(randomisation + randomisations, extra, [&](double x, double y) {
-            const auto after = std::upper_bound(cells.begin(), cells.end(), x, [](double u, const SourceCell& cell) {
-                return u < cell.first + cell.extra;
-            });
-            if (after == cells.end()) return;
-            const double s = after->s0 + (after->s1 - after->s0) * ((x - after->first) / after->extra);
-            add(*after, s, after->t0 + (after->t1 - after->t0) * y);
+    const auto extra = static_cast<std::uint64_t>(cells_.extra * static_cast<double>(points));
+    if (extra == 0) return;
+    visit(first + randomisations, extra, [&](PointSums& sum, double x, double y) {
+        const auto after = std::upper_bound(cells.begin(), cells.end(), x, [](double u, const SourceCell& cell) {
+            return u < cell.first + cell.extra;
         });
-    }
-    sums.visible /= static_cast<double>(points);
-    sums.hidden /= static_cast<double>(points);
-    return sums;
+        if (after == cells.end()) return;
+        const auto [s0, s1, t0, t1] = after->range;
+        add(sum, *after, s0 + (s1 - s0) * ((x - after->first) / after->extra), t0 + (t1 - t0) * y);
+    });
 }
 
 }  // namespace ff::studies

@@ -3,6 +3,7 @@
 #include "samplers/sampler.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <memory>
 
@@ -12,6 +13,11 @@ namespace {
 constexpr std::uint32_t not_wanted = std::numeric_limits<std::uint32_t>::max();
 
 }  // namespace
+
+double cost_of_ray(const Scene& scene) {
+    // Measured: many_surfaces in benchmarks/README.md.
+    return 1 + 0.5 * std::max(0.0, std::log2(static_cast<double>(scene.surfaces.size()) / 8));
+}
 
 bool RaySampling::is_shot(std::uint32_t from, std::uint32_t to) const {
     return pairs_->shot.empty() || pairs_->shot[from * scene_->surfaces.size() + to];

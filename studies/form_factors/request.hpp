@@ -2,48 +2,67 @@
 
 #include "core/points/stream.hpp"
 #include "core/tracing/tracer.hpp"
+#include "studies/form_factors/sampled_row.hpp"
+#include "studies/plan/shard.hpp"
 
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <vector>
 
 namespace ff::studies {
 
-/// What the level of intervals is said of.
+/// What the level of intervals refers to.
 enum class LevelOf {
-    entry,   ///< each entry's by itself
+    entry,   ///< each entry by itself
     matrix,  ///< all entries and row sums at once
 };
 
-/// How far a matrix is.
+/// The progress of a matrix.
 struct FormFactorProgress {
     enum class Stage {
-        looking,  ///< at pairs of surfaces: what is known of them by geometry
-        pilots,   ///< samples that decide on methods and sizes
+        looking,  ///< finding what geometry tells about pairs of surfaces
+        pilots,   ///< samples that choose methods and sizes
         rounds,   ///< samples that intervals are made of
     };
     Stage stage = Stage::looking;
-    std::size_t round = 0;      ///< of those that count for some pair, from 1; 0 before
-    double share = 0;           ///< of the stage or round that is done
+    std::size_t round = 0;      ///< number of the round that counts for some pair, from 1; 0 before
+    double share = 0;           ///< completed share of the stage or round
     std::uint64_t samples = 0;  ///< in all rounds
     std::size_t within = 0;     ///< pairs of faces that are within the tolerance
     std::size_t pairs = 0;      ///< pairs of faces
 };
 
-/// What `ffstudy form_factors` is asked for.
+/// A request to `ffstudy form_factors`.
 struct FormFactorRequest {
     double tolerance = 1e-5;  ///< of every entry: the larger half of its interval
+    double relative = 0;      ///< or this share of the entry, where that is more
+    double drop = 0;          ///< pairs whose factors are both known to be below are not kept one by one
+    /// Of pairs of faces, where they may differ; never below `tolerance`.
+    std::function<double(std::uint32_t from, std::uint32_t to)> tolerance_of{};
     double level = 0.95;
     LevelOf level_of = LevelOf::entry;
     Seed seed;
     std::uint64_t max_samples = 1'000'000'000;  ///< rays and points together
     bool repair = false;
     unsigned threads = 1;
-    const std::atomic<bool>* stop = nullptr;  ///< set by another thread: what is known then is the result
+    const std::atomic<bool>* stop = nullptr;  ///< set by another thread: returns what is known by then
     std::function<std::unique_ptr<Tracer>(const Scene&)> tracer;  ///< of its rays; empty: make_tracer
     std::function<void(const FormFactorProgress&)> report;        ///< called by any thread, one call at a time
+
+    using Receive = std::function<void(SampledRow)>;
+    Shard shard;                                  ///< rows that are sampled; the others are left out
+    std::vector<bool> finished;                   ///< by row: sampled before, and left out; empty: none is
+    std::function<void(const Receive&)> earlier;  ///< passes on rows that were sampled before
+    std::function<void(const Receive&)> others;   ///< passes on rows as other processes send them, to the last
+    std::function<void(const SampledRow&)> keep;  ///< called for each row when it is done
+
+    /// @param from  at most `to`
+    [[nodiscard]] double tolerance_between(std::uint32_t from, std::uint32_t to) const {
+        return tolerance_of ? tolerance_of(from, to) : tolerance;
+    }
 };
 
 }  // namespace ff::studies

@@ -1,45 +1,94 @@
 #pragma once
 
-#include "studies/form_factors/form_factors.hpp"
-#include "studies/form_factors/sampled_share.hpp"
+#include "core/tracing/tracer.hpp"
+#include "studies/form_factors/choice.hpp"
+#include "studies/form_factors/sampled_row.hpp"
 
 #include <cstdint>
-#include <optional>
+#include <map>
+#include <memory>
+#include <mutex>
 #include <vector>
 
 namespace ff::studies {
 
-/// A pair gets at most so many rounds whose interval may be reported.
+/// Most rounds of a pair whose interval may be reported.
 inline constexpr std::size_t most_rounds = 3;
 
 /// Level of the interval of such a round, the first being 0. The rounds share the error rate alpha, so that it does not
-/// matter which of them is reported, or why: nine tenths for the first, which seldom misses, a twentieth for each
-/// other.
+/// matter which of them is reported, or why: nine tenths go to the first, which is seldom followed by another, a
+/// twentieth to each other one.
 double round_level(double alpha, std::size_t round);
 
-/// What sampling found for a pair of faces.
-struct PairEstimate {
-    std::optional<SampledSum> sum;  ///< of the exchange area; empty where no round was completed, or none was needed
-    bool by_points = false;
-    double level = 0;           ///< of its interval
-    std::uint64_t samples = 0;  ///< behind it
-    bool contradicted = false;
-    Estimate other;  ///< of the independent randomisation that contradicts
-};
+/// Samples rows. Pilot rounds decide on points or rays for each pair and on sizes; rounds with randomisations of their
+/// own, most_rounds at most, give the estimates. Every estimate is compared with those of other rounds, by other rays
+/// or points. Samples of a row do not depend on which rows are sampled with it, unless the budget ends.
+class Rounds {
+  public:
+    /// All are kept by reference. @param alpha  1 - level of a pair's interval @param rows  all that there are
+    Rounds(const Scene& scene, const FacePairs& geometry, const FormFactorRequest& request, double alpha,
+           bool rays_are_exact_enough, const PairsOfRows& rows);
 
-struct SamplingOutcome {
-    std::vector<PairEstimate> estimates;  ///< as FacePairs::pairs
-    std::uint64_t samples = 0;
-    std::uint64_t rays = 0;
-    std::uint64_t lost = 0;
-    bool interrupted = false;
-};
+    /// @param budget  samples, at most
+    /// @return whether it came to its end; where it was stopped, pairs may lack estimates
+    /// @throws UserError where nothing has been sampled yet, and the budget is less than the smallest rounds
+    bool sample(const PairsOfRows& rows, std::uint64_t budget);
+    /// What the last call found, row by row.
+    [[nodiscard]] std::vector<SampledRow> result() const;
 
-/// Samples what geometry leaves open. Pilot rounds decide on points or rays for each pair and on sizes; rounds with
-/// randomisations of their own, most_rounds at most, give the estimates. Every estimate is compared with those of other
-/// rounds, by other rays or points.
-/// @param alpha  1 - level of a pair's interval
-SamplingOutcome sample_pairs(const Scene& scene, const FacePairs& geometry, const FormFactorRequest& request,
-                             double alpha, bool rays_are_exact_enough);
+  private:
+    /// An earlier estimate of a pair, for comparison.
+    struct Earlier {
+        std::size_t pair = 0;
+        SampledSum sum;
+    };
+    /// Of a pair that is sampled.
+    struct State {
+        PairEstimate estimate;
+        bool recorded = false;  ///< the estimate is of a round that counts
+        bool done = false;
+    };
+    /// What a thread does at a time.
+    struct Task {
+        std::size_t work = 0;
+        std::uint32_t first = 0;  ///< randomisation
+        std::uint32_t count = 0;
+    };
+
+    const Scene& scene_;
+    const FormFactorRequest& request_;
+    double alpha_;
+    bool rays_are_exact_enough_;
+    std::size_t sampled_ = 0;  ///< pairs of all rows
+    Aim aim_;
+    std::unique_ptr<Tracer> tracer_;
+    std::map<std::size_t, SampledRow> rows_;
+    std::map<std::size_t, State> pairs_;
+    std::vector<Work> work_;
+    std::vector<Earlier> earlier_;
+    std::size_t round_ = 0;
+    bool choosing_ = true;       ///< the first round is that of all candidates
+    bool last_ = false;          ///< the budget ends with this round
+    std::uint64_t left_ = 0;     ///< samples of the budget
+    std::uint64_t samples_ = 0;  ///< in all calls
+    FormFactorProgress progress_;
+    std::mutex reporting_;
+
+    [[nodiscard]] double level(std::size_t rounds_done) const { return round_level(alpha_, rounds_done); }
+    void make_pilots(const PairsOfRows& rows);
+    [[nodiscard]] std::vector<Task> tasks() const;
+    void run_round();
+    void begin_reporting();
+    void report(std::uint64_t done, std::uint64_t all);
+    void evaluate();
+    void remember(const Job& job);
+    void record(const Job& job, std::size_t pair, std::size_t round);
+    void note_unfinished();
+    [[nodiscard]] std::vector<double> missing(const Job& job);
+    [[nodiscard]] std::uint64_t planned() const;
+    void expect_budget();
+    void keep_within_budget();
+    void compare();
+};
 
 }  // namespace ff::studies

@@ -6,12 +6,13 @@
 
 namespace ff::studies {
 
-/// Randomisations of every estimate: so many that Student's interval with 15 degrees of freedom is hardly wider than
+/// Randomisations of every estimate: enough that Student's interval with 15 degrees of freedom is hardly wider than
 /// with many, and its coverage hardly suffers from skewed means.
 inline constexpr std::size_t randomisations = 16;
 
-/// What points can have missed of a mean, by the share p of them that a set of places may be due and still get none: at
-/// most max(rough * p, smooth * p^power). For a quantity in [0, 1] that may jump anywhere it is p.
+/// Upper bound of the part of a mean that points may have missed, where p is the share of points that a set of places
+/// may be entitled to and still get none: max(rough * p, smooth * p^power). For a quantity in [0, 1] that may jump
+/// anywhere it is p.
 struct Unmet {
     double rough = 1;
     double smooth = 0;
@@ -26,7 +27,7 @@ struct SampledShare {
     std::uint64_t points = 0;   ///< of all randomisations together
     Unmet unmet;
     bool hits = false;      ///< values are 0 or 1
-    std::uint64_t met = 0;  ///< of hits: how many
+    std::uint64_t met = 0;  ///< number of hits
 };
 
 /// Sums of shares with factors, as an estimate with an interval.
@@ -34,7 +35,7 @@ struct Estimate {
     double value = 0;
     double down = 0;  ///< the interval is [value - down, value + up]
     double up = 0;
-    double unmet = 0;  ///< part of both that no spread shows
+    double unmet = 0;  ///< part of both that no spread reveals
 
     [[nodiscard]] double half_width() const { return down > up ? down : up; }
 };
@@ -50,12 +51,11 @@ struct SampledSum {
     double offset_error = 0;  ///< bound
 };
 
-/// Clopper and Pearson's upper bound of a probability of which so many points showed nothing.
+/// Clopper and Pearson's upper bound of a probability after this many points without a hit.
 double none_of(std::uint64_t points, double level);
 
-/// A sum with its interval. Randomisation by randomisation its terms add up to independent values: Student's interval.
-/// It knows nothing of what no point has met; that is added, as large as it may be in any one term
-/// (docs/statistics.md).
+/// A sum with its interval. Its terms add up, randomisation by randomisation, to independent values: Student's
+/// interval. What no point has hit is added, as large as it may be in any one term (docs/statistics.md).
 /// @pre all terms have the same number of randomisations
 Estimate estimate_of(const SampledSum& sum, double level);
 

@@ -8,31 +8,33 @@
 #include <atomic>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace ff::studies {
 
-/// Ends a randomisation that nobody waits for any more.
+/// Thrown to end a randomisation that is no longer wanted.
 struct Stopped {};
 
 /// Throws Stopped when the flag is set. Null: never.
 void expect_more_time(const std::atomic<bool>* stop);
 
-/// One randomisation of the exchange area of the parts of a surface that neither see all nor nothing of another.
+/// One randomisation of the exchange area of those parts of a surface that see another one partly.
 struct PointSums {
     double visible = 0;  ///< what passes
-    double hidden = 0;   ///< what is kept from passing
+    double hidden = 0;   ///< what is blocked
 };
 
-/// Places on one of two surfaces (of two polygons, the smaller), scrambled Sobol' points in two dimensions, and more of
-/// them in rough cells: of these the first coordinate chooses the cell, and what is left of it the place.
+/// Places on one of two surfaces (of two polygons, the smaller), by scrambled Sobol' points in two dimensions, with
+/// extra points in rough cells: for those, the first coordinate chooses the cell and its remainder the place.
 class PointSampling {
   public:
-    /// @param wanted  exchange area that matters: parts where points could miss more are divided
+    /// @param wanted  relevant exchange area: parts where points could miss more are divided
     PointSampling(const Scene& scene, const SampledPair& pair, double wanted, PointEffort effort = PointEffort::full);
 
-    [[nodiscard]] PointSums run(StreamKey key, std::uint32_t randomisation, std::uint64_t points,
-                                const std::atomic<bool>* stop) const;
+    /// @param sums  of randomisations from `first` on
+    void run(StreamKey key, std::uint32_t first, std::uint64_t points, const std::atomic<bool>* stop,
+             std::span<PointSums> sums) const;
 
     /// The exchange area is known + sign * (the mean of randomisations).
     struct Side {
@@ -43,9 +45,9 @@ class PointSampling {
     [[nodiscard]] Side side(bool hidden) const;
     [[nodiscard]] bool has_sides() const { return pair_->exchange.area.has_value(); }
 
-    /// Points that a randomisation takes for each that it is asked for.
+    /// Points that a randomisation takes per requested point.
     [[nodiscard]] double evaluations() const { return 1 + cells_.extra; }
-    /// Time of a point, in rays.
+    /// Time of a point, in rays of a scene of few surfaces.
     [[nodiscard]] double cost() const;
 
   private:
@@ -56,11 +58,14 @@ class PointSampling {
     SourceCells cells_;
 };
 
+/// Time of a ray, in rays of a scene of few surfaces.
+double cost_of_ray(const Scene& scene);
+
 /// Rays from one face, by one scrambled Sobol' sequence in four dimensions for all its surfaces: the first coordinate
-/// chooses the surface by its share of the area, and what is left of it the place.
+/// chooses the surface by its share of the area, and its remainder the place.
 class RaySampling {
   public:
-    /// @param targets  faces whose hits are wanted: rays leave the surfaces that exchange something unknown with them
+    /// @param targets  faces whose hits are wanted: rays leave the surfaces with an unknown exchange with them
     RaySampling(const Scene& scene, const FacePairs& pairs, std::size_t from, std::vector<std::size_t> targets);
 
     /// Area that rays leave from.
@@ -87,7 +92,7 @@ class RaySampling {
     std::vector<Source> sources_;  ///< and an end
     double source_area_ = 0;
 
-    /// Of each face its place among the targets, or that it is none.
+    /// Each face's position among the targets, or a mark that it is not one.
     [[nodiscard]] std::vector<std::uint32_t> targets_of_faces() const;
     [[nodiscard]] bool is_shot(std::uint32_t from, std::uint32_t to) const;
 };

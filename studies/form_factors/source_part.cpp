@@ -14,17 +14,17 @@ namespace ff::studies {
 using Eigen::Vector3d;
 using std::numbers::pi;
 
-PartExtent extent_of(const Surface& source, const Vector3d& origin, const SourceCell& cell) {
-    const SurfaceMap map(source);
+PartExtent extent_of(const Surface& source, const SurfaceMap& map, const Vector3d& origin, const SourceRange& range) {
     const auto at = [&](double s, double t) { return Vector3d(map.at(s, t).position - origin); };
     PartExtent part;
-    const double s = (cell.s0 + cell.s1) / 2;
-    const double t = (cell.t0 + cell.t1) / 2;
+    const auto [s0, s1, t0, t1] = range;
+    const double s = range.middle(true);
+    const double t = range.middle(false);
     part.centre = at(s, t);
-    double along_s = (at(cell.s1, t) - at(cell.s0, t)).norm();
-    double along_t = (at(s, cell.t1) - at(s, cell.t0)).norm();
+    double along_s = (at(s1, t) - at(s0, t)).norm();
+    double along_t = (at(s, t1) - at(s, t0)).norm();
     if (!corners(source.shape).empty()) {
-        part.hull = {at(cell.s0, cell.t0), at(cell.s1, cell.t0), at(cell.s1, cell.t1), at(cell.s0, cell.t1)};
+        part.hull = {at(s0, t0), at(s1, t0), at(s1, t1), at(s0, t1)};
         if (part.hull[0] == part.hull[3]) part.hull.pop_back();
         part.centre = Vector3d::Zero();
         for (const Vector3d& corner : part.hull) part.centre += corner / static_cast<double>(part.hull.size());
@@ -43,11 +43,11 @@ PartExtent extent_of(const Surface& source, const Vector3d& origin, const Source
             widest = zone->radius;
             along_s *= pi / 2;
         }
-        along_t = 2 * pi * widest * (cell.t1 - cell.t0);
+        along_t = 2 * pi * widest * (t1 - t0);
         part.size = along_s + along_t;
         part.radius = along_s + along_t / 2;
         if (zone != nullptr) part.turn = part.size / zone->radius;
-        if (std::holds_alternative<Frustum>(shape)) part.turn = 2 * pi * (cell.t1 - cell.t0);
+        if (std::holds_alternative<Frustum>(shape)) part.turn = 2 * pi * (t1 - t0);
         part.turn = std::min(2.0, part.turn);
         for (int corner = 0; corner < 8; ++corner) {
             const Vector3d sides((corner & 1) != 0 ? 1 : -1, (corner & 2) != 0 ? 1 : -1, (corner & 4) != 0 ? 1 : -1);
@@ -56,24 +56,6 @@ PartExtent extent_of(const Surface& source, const Vector3d& origin, const Source
     }
     part.s_longer = along_s >= along_t;
     return part;
-}
-
-double slope_of(const Surface& source, const PartExtent& part, const Edge& edge) {
-    const double nearest = distance(part.centre, {edge.a, edge.b});
-    const double away = nearest - part.radius;
-    if (!(away > 0)) return HUGE_VAL;
-    const Vector3d a = edge.a - part.centre;
-    const Vector3d b = edge.b - part.centre;
-    const double length = (b - a).norm();
-    const double across = a.cross(b).norm();
-    double sum = length / (nearest * nearest);  // the integral of 1 / r^2 along the edge
-    if (across > 0) sum = std::min(sum, std::atan2(across, a.dot(b)) * length / across);
-    double cosine = 1;
-    if (is_flat(source.shape)) {
-        const double height = std::max(source.normal.dot(a), source.normal.dot(b));
-        cosine = std::clamp(height / away, 0.0, 1.0);
-    }
-    return sum * (nearest / away) * (nearest / away) * cosine / pi;
 }
 
 double ball_factor(double area, double distance, double height) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/geometry/scene.hpp"
+#include "core/geometry/surface_map.hpp"
 #include "studies/form_factors/source_cells.hpp"
 
 #include <Eigen/Core>
@@ -9,31 +10,23 @@
 
 namespace ff::studies {
 
-/// How large a part of a surface is, at most. Places are relative to an origin near it.
+/// Bounds of a part of a surface. Places are relative to an origin near it.
 struct PartExtent {
     std::vector<Eigen::Vector3d> hull;  ///< corners of a convex set that holds the part
     Eigen::Vector3d centre;
     double radius = 0;     ///< of a ball around `centre` that holds it
-    double size = 0;       ///< no two places are farther apart
-    double turn = 0;       ///< nor normals
-    bool s_longer = true;  ///< than in t
+    double size = 0;       ///< largest distance of two places
+    double turn = 0;       ///< largest difference of two unit normals
+    bool s_longer = true;  ///< the part is longer in s than in t
 };
 
-PartExtent extent_of(const Surface& source, const Eigen::Vector3d& origin, const SourceCell& cell);
-
-struct Edge {
-    Eigen::Vector3d a;
-    Eigen::Vector3d b;
-};
-
-/// How much a form factor from a place in the part can change, per length that the place moves, for this edge of what
-/// is seen or hidden. The edge is as long as the angle that it subtends, and moves by at most the inverse of its
-/// distance per length.
-double slope_of(const Surface& source, const PartExtent& part, const Edge& edge);
+/// @param map  of the source
+PartExtent extent_of(const Surface& source, const SurfaceMap& map, const Eigen::Vector3d& origin,
+                     const SourceRange& range);
 
 /// An upper bound of the form factor to something of this area.
-/// @param distance  it is nowhere nearer
-/// @param height    nor anywhere higher above the horizon; infinite where there is no horizon
+/// @param distance  its smallest distance
+/// @param height    its largest height above the horizon; infinite without a horizon
 double ball_factor(double area, double distance, double height);
 
 }  // namespace ff::studies

@@ -2,6 +2,7 @@
 
 #include "core/support/contract.hpp"
 #include "studies/form_factors/repair.hpp"
+#include "studies/form_factors/stored_request.hpp"
 #include "studies/form_factors/words.hpp"
 #include "studies/scene_files/scene_file.hpp"
 #include "studies/store/row_digest.hpp"
@@ -15,6 +16,7 @@
 #include <cmath>
 #include <functional>
 #include <memory>
+#include <tuple>
 #include <utility>
 
 namespace ff::studies {
@@ -31,6 +33,8 @@ CREATE TABLE pairs(from_face INTEGER NOT NULL, to_face INTEGER NOT NULL, exchang
   within INTEGER NOT NULL, contradicted INTEGER NOT NULL, PRIMARY KEY(from_face, to_face)) WITHOUT ROWID;
 CREATE TABLE repaired(from_face INTEGER NOT NULL, to_face INTEGER NOT NULL, factor REAL NOT NULL,
   PRIMARY KEY(from_face, to_face)) WITHOUT ROWID;
+CREATE TABLE dropped(face INTEGER PRIMARY KEY, pairs INTEGER NOT NULL, factor REAL NOT NULL, low REAL NOT NULL,
+  high REAL NOT NULL);
 CREATE TABLE warnings(warning TEXT NOT NULL);
 CREATE VIEW form_factors AS
   SELECT a.name AS "from", b.name AS "to", exchange_area / a.area AS factor, low / a.area AS low, high / a.area AS high,
@@ -41,13 +45,9 @@ CREATE VIEW form_factors AS
 )";
 
 constexpr int without_checksum = 1;
-constexpr StoreFormat format{FileKind::form_factor_store,
-                             "matrix of form factors",
-                             "about",
-                             form_factor_schema_version,
-                             without_checksum,
-                             schema,
-                             ""};
+constexpr StoreFormat format{FileKind::form_factor_store, "matrix of form factors", "about",
+                             form_factor_schema_version,  without_checksum,         schema,
+                             "DROP TABLE dropped"};
 
 std::int64_t integer(std::uint64_t value) {
     return static_cast<std::int64_t>(value);
@@ -60,24 +60,17 @@ std::string checksum(const Database& database) {
           "SELECT * FROM pairs ORDER BY from_face, to_face", "SELECT * FROM repaired ORDER BY from_face, to_face",
           "SELECT warning FROM warnings ORDER BY rowid"})
         add_rows(digest, database, sql);
+    // Earlier versions have no such table.
+    if (stored_value(database, format, "drop")) add_rows(digest, database, "SELECT * FROM dropped ORDER BY face");
     return in_hexadecimal(digest);
 }
 
 void write_about(const Database& database, const KeptFormFactors& kept) {
+    write_request(database, format, kept.source, kept.request);
     const FormFactorMatrix& matrix = kept.matrix;
     Statement insert(database.handle(), "INSERT INTO about VALUES(?, ?)");
     const auto write = [&](std::string_view key, auto value) { insert.bind(0, key).bind(1, value).run(); };
-    const std::string_view source = kept.source;
-    const std::size_t end_of_name = std::min(source.find('\n'), source.size());
-    write("schema_version", std::int64_t{format.version});
-    write("scene", source.substr(0, end_of_name));
-    if (has_scene_text(source)) write("scene_text", source.substr(end_of_name + 1));
-    write("tolerance", kept.request.tolerance);
-    write("level", kept.request.level);
-    write("coverage", std::string_view(kept.request.level_of == LevelOf::entry ? "entry" : "matrix"));
     write("entry_level", matrix.entry_level);
-    write("seed", integer(kept.request.seed.value));
-    write("max_samples", integer(kept.request.max_samples));
     write("surfaces", integer(matrix.surfaces));
     write("samples", integer(matrix.samples));
     write("rays", integer(matrix.rays));
@@ -98,6 +91,20 @@ void write_faces(const Database& database, const KeptFormFactors& kept) {
             .bind(4, row.low)
             .bind(5, row.high)
             .bind(6, integer(row.excludes_one ? 1 : 0))
+            .run();
+    }
+}
+
+void write_dropped(const Database& database, const FormFactorMatrix& matrix) {
+    Statement insert(database.handle(), "INSERT INTO dropped VALUES(?, ?, ?, ?, ?)");
+    for (std::size_t face = 0; face < matrix.faces(); ++face) {
+        const DroppedExchange& sum = matrix.rows[face].dropped;
+        if (sum.pairs == 0) continue;
+        insert.bind(0, integer(face + 1))
+            .bind(1, integer(sum.pairs))
+            .bind(2, sum.value)
+            .bind(3, sum.low)
+            .bind(4, sum.high)
             .run();
     }
 }
@@ -135,17 +142,9 @@ class Reader {
     std::filesystem::path file_;
     std::unique_ptr<Database> database_;
 
-    void expect(bool sound, std::string_view what) const {
-        if (!sound) report_damage(file_, fmt::format("{} that no run has written", what));
-    }
+    StoredKeys about_{*database_, format, file_};
 
-    template <class Read>
-    [[nodiscard]] auto about(std::string_view key, Read column) const {
-        Statement query(database_->handle(), "SELECT value FROM about WHERE key = ?");
-        query.bind(0, key);
-        expect(query.step(), key);
-        return std::invoke(column, query, 0);
-    }
+    void expect(bool sound, std::string_view what) const { about_.expect(sound, what); }
 
   public:
     explicit Reader(const std::filesystem::path& file) : file_(file), database_(open_store(file, format)) {}
@@ -154,14 +153,12 @@ class Reader {
         KeptFormFactors kept;
         kept.was_checked = stored_value(*database_, format, "schema_version") != std::to_string(without_checksum);
         if (kept.was_checked) expect_checksums();
-        kept.source = about("scene", &Statement::text);
-        if (const auto text = stored_value(*database_, format, "scene_text"))
-            kept.source = with_scene_text(kept.source, *text);
+        std::tie(kept.source, kept.request) = read_request(about_);
         kept.scene = make_scene(kept.source);
-        read_request(kept.request);
         read_matrix(kept.matrix);
         read_faces(kept.matrix, kept.scene);
         read_pairs(kept.matrix);
+        if (kept.request.drop > 0) read_dropped(kept.matrix);
         read_repaired(kept);
         Statement warnings(database_->handle(), "SELECT warning FROM warnings ORDER BY rowid");
         while (warnings.step()) kept.warnings.push_back(warnings.text(0));
@@ -176,29 +173,13 @@ class Reader {
         expect_sound_context(*database_, file_);
     }
 
-    [[nodiscard]] std::uint64_t count(std::string_view key) const {
-        const std::int64_t value = about(key, &Statement::integer);
-        expect(value >= 0, key);
-        return static_cast<std::uint64_t>(value);
-    }
-
-    void read_request(FormFactorRequest& request) const {
-        request.tolerance = about("tolerance", &Statement::real);
-        request.level = about("level", &Statement::real);
-        request.level_of = about("coverage", &Statement::text) == "entry" ? LevelOf::entry : LevelOf::matrix;
-        request.seed = Seed{count("seed")};
-        request.max_samples = count("max_samples");
-        expect(request.tolerance > 0 && request.tolerance < 1, "a tolerance");
-        expect(request.level > 0 && request.level < 1, "a level");
-    }
-
     void read_matrix(FormFactorMatrix& matrix) const {
-        matrix.entry_level = about("entry_level", &Statement::real);
-        matrix.surfaces = count("surfaces");
-        matrix.samples = count("samples");
-        matrix.rays = count("rays");
-        matrix.lost_rays = count("lost_rays");
-        matrix.interrupted = count("interrupted") != 0;
+        matrix.entry_level = about_.real("entry_level");
+        matrix.surfaces = about_.count("surfaces");
+        matrix.samples = about_.count("samples");
+        matrix.rays = about_.count("rays");
+        matrix.lost_rays = about_.count("lost_rays");
+        matrix.interrupted = about_.count("interrupted") != 0;
     }
 
     void read_faces(FormFactorMatrix& matrix, const Scene& scene) const {
@@ -248,6 +229,20 @@ class Reader {
         }
     }
 
+    void read_dropped(FormFactorMatrix& matrix) const {
+        Statement query(database_->handle(), "SELECT face, pairs, factor, low, high FROM dropped ORDER BY face");
+        while (query.step()) {
+            DroppedExchange& sum = matrix.rows[face(query, 0, matrix.faces())].dropped;
+            expect(query.integer(1) > 0, "a number of pairs");
+            sum = {static_cast<std::uint64_t>(query.integer(1)), query.real(2), query.real(3), query.real(4)};
+            expect(0 <= sum.low && sum.low <= sum.value && sum.value <= sum.high && std::isfinite(sum.high),
+                   "a sum of what was dropped");
+            matrix.dropped += sum.pairs;
+        }
+        expect(matrix.dropped % 2 == 0, "a number of pairs");
+        matrix.dropped /= 2;
+    }
+
     void read_repaired(KeptFormFactors& kept) const {
         if (!stored_value(*database_, format, "repair_possible")) return;
         kept.request.repair = true;
@@ -259,7 +254,7 @@ class Reader {
             const auto j = static_cast<Eigen::Index>(face(query, 1, kept.matrix.faces()));
             factors(i, j) = query.real(2);
         }
-        kept.matrix.repaired = compare_repaired(kept.matrix, std::move(factors), count("repair_possible") != 0);
+        kept.matrix.repaired = compare_repaired(kept.matrix, std::move(factors), about_.count("repair_possible") != 0);
     }
 };
 
@@ -273,6 +268,7 @@ void save_form_factors(const std::filesystem::path& file, const KeptFormFactors&
     write_about(database, kept);
     write_faces(database, kept);
     write_pairs(database, kept.matrix);
+    write_dropped(database, kept.matrix);
     if (kept.matrix.repaired) write_repaired(database, kept.matrix.repaired->factors);
     Statement warning(database.handle(), "INSERT INTO warnings VALUES(?)");
     for (const std::string& text : kept.warnings) warning.bind(0, std::string_view(text)).run();

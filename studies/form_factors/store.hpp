@@ -10,18 +10,18 @@
 namespace ff::studies {
 
 /// Version of the tables; docs/form-factors.md describes them.
-inline constexpr int form_factor_schema_version = 2;
+inline constexpr int form_factor_schema_version = 3;
 
-/// A matrix with all that it is of.
+/// A matrix with its scene and request.
 struct KeptFormFactors {
     std::string
         source;   ///< of the scene: a built-in name, or name and text of a file (studies/scene_files/scene_file.hpp)
-    Scene scene;  ///< made of it
-    FormFactorRequest request;  ///< of which is kept what the result depends on
+    Scene scene;  ///< built from `source`
+    FormFactorRequest request;  ///< only fields that the result depends on are kept
     FormFactorMatrix matrix;
     std::vector<std::string> warnings;
     Context context;
-    bool was_checked = true;  ///< false of a file of an earlier version: damage may have gone unnoticed
+    bool was_checked = true;  ///< false for a file of an earlier version: damage may have gone unnoticed
 };
 
 /// Writes an SQLite file. @pre there is none of that name, or an empty one @throws IoError

@@ -6,13 +6,13 @@
 
 namespace ff::studies {
 
-/// The most expensive method that a pair of faces took; "bounds" where there was no time for any.
+/// The most expensive method that a pair of faces took; "bounds" where there was no time for one.
 std::string_view method_of(const FaceExchange& exchange);
 
-/// Why that one.
+/// The reason for that method.
 std::string_view reason_of(const FaceExchange& exchange);
 
-/// The same backwards: gives an exchange the method and the reason of these words. @return false for unknown words
+/// The inverse: sets the method and the reason of an exchange from these words. @return false for unknown words
 bool set_method(FaceExchange& exchange, std::string_view method, std::string_view reason);
 
 }  // namespace ff::studies

@@ -126,9 +126,11 @@ Baseline parse_baseline(std::string_view text, std::string_view origin) {
         }
         return baseline;
     } catch (const nlohmann::json::exception& error) {
-        throw UserError(fmt::format("{}: is no baseline ({}). Write it with --save-baseline.", origin, error.what()));
+        throw UserError(
+            fmt::format("{}: is not a baseline ({}). Write it with --save-baseline.", origin, error.what()));
     } catch (const UserError& error) {
-        throw UserError(fmt::format("{}: is no baseline ({}). Write it with --save-baseline.", origin, error.what()));
+        throw UserError(
+            fmt::format("{}: is not a baseline ({}). Write it with --save-baseline.", origin, error.what()));
     }
 }
 

@@ -13,9 +13,9 @@
 
 namespace ff::studies {
 
-/// What is kept of one quantity of one cell: enough for every comparison that a later run makes with it.
+/// The saved numbers of one quantity of one cell: enough for every comparison by a later run.
 struct StoredQuantity {
-    std::string cell;  ///< what was run (Cell::canonical and the completion)
+    std::string cell;  ///< identifies what was run (Cell::canonical and the completion)
     Quantity quantity;
     std::uint64_t trials = 0;
     double mean = 0;
@@ -24,10 +24,10 @@ struct StoredQuantity {
     std::optional<stats::Spread> mean_square_error;  ///< about the exact value
 };
 
-/// What is kept of one gate.
+/// The saved numbers of one gate.
 struct StoredGate {
     std::string gate;
-    double seconds_per_trial = 0;  ///< of one core; told, never judged
+    double seconds_per_trial = 0;  ///< on one core; reported, never judged
     std::vector<StoredQuantity> quantities;
 };
 
@@ -39,14 +39,14 @@ struct Baseline {
     [[nodiscard]] const StoredGate* find(std::string_view gate) const;
 };
 
-/// Numbers of one quantity. @param reference  exact value, where there is one
+/// The numbers to save for one quantity. @param reference exact value, where there is one
 StoredQuantity store_quantity(std::string cell, Quantity quantity, std::span<const double> values,
                               std::optional<double> reference);
 
-/// The file's text: JSON, one line a quantity; every number reads back as the same double.
+/// The file's text: JSON, one line per quantity; every number reads back as the same double.
 std::string baseline_json(const Baseline& baseline);
 
-/// @throws UserError with line and column where it is no such file
+/// @throws UserError with line and column where it is not such a file
 Baseline parse_baseline(std::string_view text, std::string_view origin);
 
 }  // namespace ff::studies

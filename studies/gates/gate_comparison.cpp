@@ -169,7 +169,7 @@ void expect_replicates(const GatePlan& plan, std::span<const double> values, Com
     const auto period = stats::find_period(values, plan.levels.fail_alpha);
     if (!period) return;
     row.verdict = Verdict::fail;
-    row.note = fmt::format("trials repeat after {}: they are no replicates", *period);
+    row.note = fmt::format("trials repeat after {}: they are not replicates", *period);
 }
 
 /// One quantity may take one value by chance, where hits are few; not all of a gate.
@@ -184,7 +184,7 @@ void expect_some_spread(const GatePlan& plan, std::span<const CellEstimates> est
     }
     for (Comparison& row : rows) {
         row.verdict = Verdict::fail;
-        row.note = "every trial gave the same values: they are no replicates";
+        row.note = "every trial gave the same values: they are not replicates";
     }
 }
 

@@ -11,7 +11,7 @@
 
 namespace ff::studies {
 
-/// What one comparison of a gate measures.
+/// The quantity that one comparison of a gate measures.
 struct Effect {
     std::vector<std::size_t> cells;  ///< of the plan: one, or the ladder of a slope
     Quantity quantity;               ///< a pair of faces or a row sum; all zeros for lost rays
@@ -20,17 +20,17 @@ struct Effect {
 };
 
 /// All effects of a gate, in the order of cells, then of result tables.
-/// @throws UserError at the gate's place: pairs that are not there, or an infinite variance, or a kind that the method
-/// cannot have
+/// @throws UserError at the gate's place: missing pairs, an infinite variance, or a kind that the method cannot
+/// have
 std::vector<Effect> effects_of(const Gate& gate, const StudyPlan& plan);
 
-/// One value a trial: the estimate, or for reciprocity the difference that should be 0 on average.
+/// One value per trial: the estimate, or, for reciprocity, the difference that should be 0 on average.
 std::vector<double> series(GateKind kind, const Effect& effect, const CellEstimates& estimates, const Scene& scene);
 
 /// The labels of its row in verdicts.csv.
 Comparison labelled(const Gate& gate, const Effect& effect, const StudyPlan& plan);
 
-/// What was run, for baselines: equal text, equal study but for the code.
+/// Identifies what was run, for baselines: equal texts mean equal studies, except for the code.
 std::string identity(const StudyPlan& plan, std::size_t cell);
 
 }  // namespace ff::studies

@@ -10,16 +10,16 @@
 
 namespace ff::studies {
 
-/// What a gate of our own runs.
+/// The experiment of a gate that ffstudy runs itself.
 struct GateExperiment {
     std::vector<std::string> scenes;
     Method method;
 };
 
-/// @pre the gate is not on estimates of another program
+/// @pre the gate does not judge estimates of another program
 const GateExperiment& experiment_of(const Gate& gate);
 
-/// Fills in what a gate runs, and the keys that only our own gates have.
+/// Fills in a gate's experiment, and the keys that only gates with an experiment have.
 /// @throws UserError for keys that are unknown or wrong
 void read_experiment(const TomlReader& reader, Gate& gate);
 

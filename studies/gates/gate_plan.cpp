@@ -42,14 +42,14 @@ void attach_baseline(const Gate& gate, const Baseline* baseline, GatePlan& plan)
     const StoredGate* stored = baseline->find(gate.name);
     if (stored == nullptr)
         throw UserError(
-            fmt::format("{}: has no gate '{}' (nothing to compare with). Save it anew with "
+            fmt::format("{}: has no gate '{}' (nothing to compare with). Save it again with "
                         "--save-baseline.",
                         baseline->origin, gate.name));
     plan.stored_seconds_per_trial = stored->seconds_per_trial;
     if (stored->quantities.size() != plan.effects.size())
         throw UserError(
             fmt::format("{}: gate '{}' had {} quantities, here it has {} (a changed study cannot be "
-                        "compared). Save it anew with --save-baseline.",
+                        "compared). Save it again with --save-baseline.",
                         baseline->origin, gate.name, stored->quantities.size(), plan.effects.size()));
     for (std::size_t i = 0; i < plan.effects.size(); ++i) {
         const StoredQuantity& there = stored->quantities[i];
@@ -57,7 +57,7 @@ void attach_baseline(const Gate& gate, const Baseline* baseline, GatePlan& plan)
         if (there.cell != here || there.quantity != plan.effects[i].quantity)
             throw UserError(
                 fmt::format("{}: gate '{}' was '{}', here it is '{}' (a changed study cannot be compared). "
-                            "Save it anew with --save-baseline.",
+                            "Save it again with --save-baseline.",
                             baseline->origin, gate.name, there.cell, here));
         plan.stored[i] = there;
     }

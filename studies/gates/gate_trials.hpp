@@ -10,26 +10,26 @@
 
 namespace ff::studies {
 
-/// How trials are carried out; verdicts do not depend on it.
+/// How trials are executed; verdicts do not depend on it.
 struct GateRunOptions {
     unsigned threads = 1;
-    const std::atomic<bool>* stop = nullptr;  ///< give up what is in hand
+    const std::atomic<bool>* stop = nullptr;  ///< abandon work in progress
 };
 
-/// Trials of the cells of a plan, kept in memory and prolonged as a gate needs them. Trial t of a cell is the same as
-/// that of a study with this cell and seed.
+/// Trials of the cells of a plan, kept in memory and extended as a gate needs them. Trial t of a cell is the same as in
+/// a study with this cell and seed.
 class GateTrials {
   public:
     /// @pre the plan outlives this
     explicit GateTrials(const StudyPlan& plan);
 
-    /// Carries out what is missing until cell c has `trials[c]` trials.
+    /// Runs missing trials until cell c has `trials[c]` trials.
     /// @return false where it was stopped; the trials are then incomplete
     bool extend(std::span<const std::uint64_t> trials, const GateRunOptions& options);
 
-    /// What the trials so far estimate, completed as the method says.
+    /// The estimates of the trials so far, with the method's completion.
     [[nodiscard]] CellEstimates estimates(std::size_t cell) const;
-    /// Rays and kernel values so far.
+    /// Rays and kernel values computed so far.
     [[nodiscard]] std::uint64_t evaluations() const;
 
   private:

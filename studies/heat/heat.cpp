@@ -21,53 +21,39 @@ double temperature_of_black_body(double power) {
     return std::pow(power / stefan_boltzmann, 0.25);
 }
 
-bool has_bare_surfaces(const Scene& scene) {
-    return std::any_of(scene.surfaces.begin(), scene.surfaces.end(),
-                       [](const Surface& surface) { return surface.face == no_face; });
-}
-
 /// Intervals of the factors, and of what they leave. Every row of a closed scene whose surfaces all belong to faces
 /// adds up to 1; otherwise what is left is seen through openings, or lies on surfaces of no face.
 FactorBounds factor_bounds(const Scene& scene, const FormFactorMatrix& matrix) {
     const auto n = static_cast<Index>(matrix.faces());
-    FactorBounds bounds{Eigen::MatrixXd::Zero(n, n + 1), Eigen::MatrixXd::Zero(n, n + 1)};
+    std::vector<Eigen::Triplet<double>> low;
+    std::vector<Eigen::Triplet<double>> high;
+    const auto set = [&](Index i, Index j, double least, double most) {
+        low.emplace_back(i, j, std::clamp(least, 0.0, 1.0));
+        high.emplace_back(i, j, std::clamp(most, 0.0, 1.0));
+    };
     for (const FaceExchange& exchange : matrix.exchanges) {
-        const auto set = [&](Index i, Index j, double area) {
-            bounds.low(i, j) = std::max(0.0, exchange.low / area);
-            bounds.high(i, j) = std::min(1.0, exchange.high / area);
+        const auto set_from = [&](Index i, Index j, double area) {
+            set(i, j, exchange.low / area, exchange.high / area);
         };
-        set(exchange.from, exchange.to, matrix.areas[exchange.from]);
-        set(exchange.to, exchange.from, matrix.areas[exchange.to]);
+        set_from(exchange.from, exchange.to, matrix.areas[exchange.from]);
+        if (exchange.from != exchange.to) set_from(exchange.to, exchange.from, matrix.areas[exchange.to]);
     }
     for (Index i = 0; i < n; ++i) {
-        const auto row = static_cast<std::size_t>(i);
-        if (scene.closed && !has_bare_surfaces(scene)) continue;
-        bounds.low(i, n) = std::clamp(1 - matrix.rows[row].high, 0.0, 1.0);
-        bounds.high(i, n) = std::clamp(1 - matrix.rows[row].low, 0.0, 1.0);
+        if (!may_see_out(scene)) break;
+        const RowSum& row = matrix.rows[static_cast<std::size_t>(i)];
+        set(i, n, 1 - row.high, 1 - row.low);
     }
+    FactorBounds bounds{FactorBounds::Sparse(n, n + 1), FactorBounds::Sparse(n, n + 1)};
+    bounds.low.setFromTriplets(low.begin(), low.end());
+    bounds.high.setFromTriplets(high.begin(), high.end());
     return bounds;
 }
 
-FaceLaws laws_of(const Materials& materials) {
-    const auto n = static_cast<Index>(materials.faces.size());
-    FaceLaws laws{Eigen::VectorXd(n), Eigen::VectorXd(n), 0};
-    for (Index i = 0; i < n; ++i) {
-        const Material& material = materials.faces[static_cast<std::size_t>(i)];
-        if (material.is_light()) {
-            laws.emitted[i] = material.emission.value_or(0);
-            laws.reflected[i] = *material.reflectance;
-        } else if (material.temperature) {
-            laws.emitted[i] = *material.emissivity * power_of_black_body(*material.temperature);
-            laws.reflected[i] = 1 - *material.emissivity;
-        } else {
-            laws.emitted[i] = *material.flux;
-            laws.reflected[i] = 1;
-        }
+bool sees_out(const FactorBounds& factors) {
+    for (Index i = 0; i < factors.high.rows(); ++i) {
+        if (factors.high.coeff(i, factors.high.rows()) > 0) return true;
     }
-    if (materials.surroundings)
-        laws.surroundings =
-            materials.are_light() ? *materials.surroundings : power_of_black_body(*materials.surroundings);
-    return laws;
+    return false;
 }
 
 void expect_solvable(const Scene& scene, const FactorBounds& factors, const FaceLaws& laws,
@@ -80,11 +66,11 @@ void expect_solvable(const Scene& scene, const FactorBounds& factors, const Face
                 fmt::format("scene '{}': the form factors of face '{}' cannot add up to 1 (between {:.6g} and "
                             "{:.6g}). See the warnings of 'ffstudy form_factors' on this scene.",
                             scene.name, face(i), factors.low.row(i).sum(), factors.high.row(i).sum()));
-        if (!materials.surroundings && !materials.are_light() && factors.high(i, n) > 0)
+        if (!materials.surroundings && !materials.are_light() && factors.high.coeff(i, n) > 0)
             throw UserError(
                 fmt::format("scene '{}': face '{}' sees out of the scene, or a surface of no face, with {:.3g} "
                             "of its radiation. Give surroundings = a temperature in the materials file.",
-                            scene.name, face(i), factors.high(i, n)));
+                            scene.name, face(i), factors.high.coeff(i, n)));
     }
     const auto [absorption, cut_off] = find_absorption(factors, laws);
     if (absorption == Absorption::not_reached)
@@ -93,7 +79,7 @@ void expect_solvable(const Scene& scene, const FactorBounds& factors, const Face
                         "temperatures are determined). Give one of them a temperature.",
                         scene.name, face(cut_off)));
     if (absorption == Absorption::unresolved)
-        throw UserError(
+        throw UnresolvedFlows(
             fmt::format("scene '{}': whether face '{}' sees any face with a temperature is not certain (the "
                         "intervals of its form factors begin at 0). Take a smaller --tolerance.",
                         scene.name, face(cut_off)));
@@ -130,6 +116,41 @@ FaceFlow flow_of(const Material& material, double area, Bounds irradiation, cons
 
 }  // namespace
 
+FaceLaws laws_of(const Materials& materials) {
+    const auto n = static_cast<Index>(materials.faces.size());
+    FaceLaws laws{Eigen::VectorXd(n), Eigen::VectorXd(n), 0};
+    for (Index i = 0; i < n; ++i) {
+        const Material& material = materials.faces[static_cast<std::size_t>(i)];
+        if (material.is_light()) {
+            laws.emitted[i] = material.emission.value_or(0);
+            laws.reflected[i] = *material.reflectance;
+        } else if (material.temperature) {
+            laws.emitted[i] = *material.emissivity * power_of_black_body(*material.temperature);
+            laws.reflected[i] = 1 - *material.emissivity;
+        } else {
+            laws.emitted[i] = *material.flux;
+            laws.reflected[i] = 1;
+        }
+    }
+    if (materials.surroundings)
+        laws.surroundings =
+            materials.are_light() ? *materials.surroundings : power_of_black_body(*materials.surroundings);
+    return laws;
+}
+
+bool may_see_out(const Scene& scene) {
+    return !scene.closed || std::any_of(scene.surfaces.begin(), scene.surfaces.end(),
+                                        [](const Surface& surface) { return surface.face == no_face; });
+}
+
+bool HeatFlows::are_at_rest() const {
+    constexpr double rounding = 1e-9;
+    return std::all_of(faces.begin(), faces.end(), [&](const FaceFlow& face) {
+        const auto [low, high] = face.power;
+        return low <= 0 && high >= 0 && std::max(-low, high) <= rounding * emitted;
+    });
+}
+
 HeatFlows find_heat_flows(const Scene& scene, const FormFactorMatrix& matrix, const Materials& materials,
                           double scale) {
     const FactorBounds factors = factor_bounds(scene, matrix);
@@ -146,11 +167,41 @@ HeatFlows find_heat_flows(const Scene& scene, const FormFactorMatrix& matrix, co
         sum.low += flow.power.low;
         sum.high += flow.power.high;
         found.throughput += std::max(0.0, flow.power.middle());
+        found.emitted += std::max(0.0, laws.emitted[row]) * area;
+        found.worst = std::max(found.worst, flow.power.half_width());
     }
-    if (factors.high.col(factors.high.cols() - 1).maxCoeff() > 0) found.to_surroundings = sum;
+    found.balance = sum;
+    found.reaches_outside = sees_out(factors);
     if (sum.middle() < 0) found.throughput += -sum.middle();  // what the surroundings give off
-    for (const FaceFlow& flow : found.faces) {
-        if (found.throughput > 0) found.worst = std::max(found.worst, flow.power.half_width() / found.throughput);
+    return found;
+}
+
+std::vector<GebhartFactor> find_gebhart_factors(const Scene& scene, const FormFactorMatrix& matrix,
+                                                const Materials& materials) {
+    const FactorBounds factors = factor_bounds(scene, matrix);
+    const auto n = static_cast<Index>(matrix.faces());
+    const bool open = sees_out(factors);
+    const auto columns = static_cast<std::size_t>(open ? n + 1 : n);
+    FaceLaws laws{Eigen::VectorXd::Zero(n), Eigen::VectorXd(n), 0};
+    for (Index i = 0; i < n; ++i) {
+        const Material& material = materials.faces[static_cast<std::size_t>(i)];
+        laws.reflected[i] = material.is_light() ? *material.reflectance : 1 - *material.emissivity;
+    }
+    expect_solvable(scene, factors, laws, materials);
+    const FlowBounds bounds(factors, laws.reflected);
+    std::vector<GebhartFactor> found(columns * matrix.faces());
+    // What leaves a face meets others, where it is absorbed, or reflected and meets others again: an irradiation.
+    for (std::size_t to = 0; to < columns; ++to) {
+        Eigen::VectorXd absorbed = Eigen::VectorXd::Zero(n);
+        const auto column = static_cast<Index>(to);
+        if (column < n) absorbed[column] = 1 - laws.reflected[column];
+        const IrradiationBounds share = bounds.irradiation(absorbed, column < n ? 0 : 1);
+        for (Index from = 0; from < n; ++from) {
+            const Bounds gebhart{std::clamp(share.low[from], 0.0, 1.0), std::clamp(share.high[from], 0.0, 1.0)};
+            const double emissivity = 1 - laws.reflected[from];
+            found[static_cast<std::size_t>(from) * columns + to] = {
+                static_cast<std::size_t>(from), to, gebhart, {emissivity * gebhart.low, emissivity * gebhart.high}};
+        }
     }
     return found;
 }

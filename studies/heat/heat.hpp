@@ -1,7 +1,10 @@
 #pragma once
 
 #include "core/geometry/scene.hpp"
+#include "core/radiosity/flow_bounds.hpp"
+#include "core/support/error.hpp"
 #include "studies/form_factors/form_factors.hpp"
+#include "studies/heat/flow_tolerance.hpp"
 #include "studies/heat/materials.hpp"
 
 #include <cstddef>
@@ -22,31 +25,63 @@ struct Bounds {
     [[nodiscard]] double half_width() const { return (high - low) / 2; }
 };
 
-/// The radiation of one face. Of light: exitance, illuminance and their difference, in the units of the emission.
+/// The radiation of one face. For light: exitance, illuminance and their difference, in the units of the emission.
 struct FaceFlow {
     double area = 0;     ///< m²
     Bounds radiosity;    ///< W/m², emitted and reflected
     Bounds irradiation;  ///< W/m²
-    Bounds net;          ///< W/m², out of the face: radiosity less irradiation
+    Bounds net;          ///< W/m², out of the face: radiosity minus irradiation
     Bounds power;        ///< W, net times area
-    Bounds temperature;  ///< K; of light 0
+    Bounds temperature;  ///< K; 0 for light
     bool given = false;  ///< the temperature was given, and the flux follows; otherwise the reverse
 };
 
 struct HeatFlows {
     std::vector<FaceFlow> faces;
-    std::optional<Bounds> to_surroundings;  ///< W that leave the scene for good; empty where nothing does
-    double throughput = 0;                  ///< W: all that the faces give off, at the middles
-    double worst = 0;                       ///< largest half width of a power, as a share of the throughput
+    Bounds balance;                ///< W: all powers together
+    bool reaches_outside = false;  ///< what the balance leaves is for the surroundings; otherwise it is 0
+    double throughput = 0;         ///< W: all that the faces give off, at the middles
+    double emitted = 0;            ///< W: what they emit, before any of it is reflected or comes back
+    double worst = 0;              ///< W: largest half width of a power
 
-    [[nodiscard]] bool within(double tolerance) const { return worst <= tolerance; }
+    /// Nothing is exchanged, up to rounding, such as between faces of one temperature: no power differs from 0, nor can
+    /// by more than a billionth of what is emitted.
+    [[nodiscard]] bool are_at_rest() const;
+    [[nodiscard]] bool within(const FlowTolerance& tolerance) const {
+        return worst <= tolerance.power(throughput) || are_at_rest();
+    }
 };
+
+/// Whether a face reaches any that has a temperature depends on factors whose intervals begin at 0.
+class UnresolvedFlows : public UserError {
+    using UserError::UserError;
+};
+
+/// How radiosities follow from irradiations, in W/m².
+FaceLaws laws_of(const Materials& materials);
+
+/// Whether rows of the true factors may add up to less than 1: the scene is open, or has surfaces of no face.
+bool may_see_out(const Scene& scene);
 
 /// Solves the radiosity system of grey diffuse faces for all form factors within their intervals
 /// (core/radiosity/flow_bounds.hpp). @param matrix with intervals that hold all at once (LevelOf::matrix)
-/// @param scale metres of a unit of length of the scene
+/// @param scale metres per unit of length of the scene
 /// @throws UserError where a face's radiosity is not determined, the surroundings are needed and not given, the rows of
 ///   a closed scene cannot add up to 1, or a flux leaves a face without a temperature
 HeatFlows find_heat_flows(const Scene& scene, const FormFactorMatrix& matrix, const Materials& materials, double scale);
+
+/// Where the emission of a face is finally absorbed.
+struct GebhartFactor {
+    std::size_t from = 0;
+    std::size_t to = 0;  ///< the number of faces stands for the surroundings
+    Bounds gebhart;      ///< share of the emission of `from` that `to` absorbs, on any path
+    Bounds script_f;     ///< the Gebhart factor times the emissivity of `from`
+};
+
+/// All Gebhart factors, row by row, with limits that hold for all form factors within their intervals. A face's
+/// absorptance is its emissivity, whether a temperature or a flux is given; for light it is 1 - reflectance. One pair
+/// of solutions for each face. @throws UserError as find_heat_flows @see [howell]
+std::vector<GebhartFactor> find_gebhart_factors(const Scene& scene, const FormFactorMatrix& matrix,
+                                                const Materials& materials);
 
 }  // namespace ff::studies

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -14,6 +15,18 @@ namespace ff::studies {
 namespace {
 
 constexpr double coldest_expected = 150;  // K: below that, degrees Celsius are likely
+/// Beyond these, double precision holds no flow.
+constexpr double hottest = 1e9;  // K; the coldest but 0 is its inverse
+constexpr double least_emissivity = 1e-9;
+constexpr double largest = 1e60;  // of fluxes and emissions; smaller than its inverse are 0 or nothing
+
+bool is_temperature(const std::optional<double>& kelvin) {
+    return !kelvin || *kelvin == 0 || (*kelvin <= hottest && *kelvin >= 1 / hottest);
+}
+
+bool is_held(const std::optional<double>& value) {
+    return !value || *value == 0 || (std::abs(*value) <= largest && std::abs(*value) >= 1 / largest);
+}
 constexpr std::array<std::string_view, 5> keys{"emissivity", "temperature", "flux", "reflectance", "emission"};
 
 /// Whether the text is the pattern, in which * stands for any letters.
@@ -27,6 +40,10 @@ bool matches(std::string_view pattern, std::string_view text) {
     return false;
 }
 
+bool is_emissivity(double value) {
+    return value >= least_emissivity && value <= 1;
+}
+
 struct Entry {
     std::string name;
     Material material;
@@ -36,7 +53,8 @@ void expect(bool fine, const TomlReader& reader, std::string_view key, std::stri
     if (!fine) reader.fail(key, problem);
 }
 
-Material read_material(const TomlReader& reader) {
+/// @param may_be_said  emissivities may stand in the scene file
+Material read_material(const TomlReader& reader, bool may_be_said) {
     reader.expect_only(keys);
     Material material{reader.optional_number("emissivity"), reader.optional_number("temperature"),
                       reader.optional_number("flux"), reader.optional_number("reflectance"),
@@ -47,18 +65,21 @@ Material read_material(const TomlReader& reader) {
         expect(*material.reflectance >= 0 && *material.reflectance < 1, reader, "reflectance",
                "(from 0 to below 1). Write it like 0.8.");
         expect(!material.emission || *material.emission >= 0, reader, "emission", "(below 0). Write 0 or more.");
+        expect(is_held(material.emission), reader, "emission", "(0, or from 1e-60 to 1e60). Correct it.");
         return material;
     }
-    expect(material.emissivity.has_value(), reader, "emissivity",
+    expect(material.emissivity.has_value() || may_be_said, reader, "emissivity",
            "(missing; for light give reflectance). Write it like emissivity = 0.8.");
     expect(!material.emission, reader, "emission", "(that of heat follows from the temperature). Leave it out.");
-    expect(*material.emissivity > 0 && *material.emissivity <= 1, reader, "emissivity",
-           "(above 0, at most 1). A mirror is no grey diffuse face; for one that reflects nearly all write 1e-3.");
+    expect(!material.emissivity || is_emissivity(*material.emissivity), reader, "emissivity",
+           "(from 1e-9 to 1). A mirror is no grey diffuse face; for one that reflects nearly all write 1e-3.");
     expect(material.temperature.has_value() != material.flux.has_value(), reader, "temperature",
            material.temperature ? "(a face has a temperature or a flux, not both). Leave one out."
                                 : "(neither temperature nor flux is given). Give one; flux = 0 is adiabatic.");
     expect(!material.temperature || *material.temperature >= 0, reader, "temperature",
            "(kelvin are never negative; add 273.15 to degrees Celsius). Write it like 293.15.");
+    expect(is_temperature(material.temperature), reader, "temperature", "(0, or from 1e-9 to 1e9 K). Correct it.");
+    expect(is_held(material.flux), reader, "flux", "(0, or from 1e-60 to 1e60 in size). Correct it.");
     return material;
 }
 
@@ -68,24 +89,26 @@ void warn_of_cold(std::optional<double> kelvin, std::string_view what, std::vect
                                    what, *kelvin, *kelvin, *kelvin + 273.15));
 }
 
-std::vector<Entry> read_entries(const TomlReader& file) {
+std::vector<Entry> read_entries(const TomlReader& file, bool may_be_said) {
     const auto table = file.optional_table("materials");
     if (!table)
         file.fail("materials", "(missing). Write [materials] and below it: wall = { emissivity = 0.8, flux = 0 }.");
     std::vector<Entry> entries;
     for (const std::string& name : table->keys()) {
         const auto material = table->optional_table(name);
-        entries.push_back({name, read_material(*material)});
+        entries.push_back({name, read_material(*material, may_be_said)});
     }
     return entries;
 }
 
-/// The entry of the face's name, or the only pattern that it matches.
-const Entry* entry_of(const std::string& face, const std::vector<Entry>& entries, std::string_view origin) {
+/// The only one of the entries that is wanted; none where there is none.
+/// @throws UserError where there are two
+template <class Wanted>
+const Entry* only_entry(const std::vector<Entry>& entries, Wanted wanted, const std::string& face,
+                        std::string_view origin) {
     const Entry* found = nullptr;
     for (const Entry& entry : entries) {
-        if (entry.name == face) return &entry;
-        if (!matches(entry.name, face)) continue;
+        if (!wanted(entry.name)) continue;
         if (found != nullptr)
             throw UserError(
                 fmt::format("{}: face '{}' is both '{}' and '{}' (it is not said which). Name the face itself.", origin,
@@ -95,12 +118,59 @@ const Entry* entry_of(const std::string& face, const std::vector<Entry>& entries
     return found;
 }
 
-void expect_used(const std::vector<Entry>& entries, const std::vector<std::string>& faces, std::string_view origin) {
+/// The entry of a face: of its own name, else of its material's, else the pattern that either matches.
+const Entry* entry_of(std::size_t face, const NamedFaces& faces, const std::vector<Entry>& entries,
+                      std::string_view origin) {
+    const std::string& name = faces.names[face];
+    const std::vector<std::string> materials =
+        face < faces.said.size() ? faces.said[face].names : std::vector<std::string>();
+    const auto is_material = [&](const auto& fits) { return std::any_of(materials.begin(), materials.end(), fits); };
+    if (const Entry* own = only_entry(
+            entries, [&](const auto& entry) { return entry == name; }, name, origin))
+        return own;
+    if (const Entry* by_material = only_entry(
+            entries, [&](const auto& entry) { return is_material([&](const auto& one) { return entry == one; }); },
+            name, origin)) {
+        if (materials.size() == 1) return by_material;
+        throw UserError(
+            fmt::format("{}: face '{}' has the materials '{}' (a face has one). Take --faces material, or "
+                        "name the face itself.",
+                        origin, name, fmt::join(materials, "', '")));
+    }
+    return only_entry(
+        entries,
+        [&](const auto& entry) {
+            return matches(entry, name) || is_material([&](const auto& one) { return matches(entry, one); });
+        },
+        name, origin);
+}
+
+/// Fills in what the scene file says of a face. @throws UserError where it says nothing that will do
+void complete(Material& material, std::size_t face, const NamedFaces& faces, std::string_view origin) {
+    if (material.is_light() || material.emissivity) return;
+    const std::string& name = faces.names[face];
+    material.emissivity = said_emissivity(faces.said, face);
+    if (!material.emissivity)
+        throw UserError(fmt::format(
+            "{}: face '{}' has no emissivity (the scene file gives {}). Write it like "
+            "emissivity = 0.8.",
+            origin, name,
+            face < faces.said.size() && !faces.said[face].emissivities.empty() ? "its surfaces different ones"
+                                                                               : "none"));
+    if (!is_emissivity(*material.emissivity))
+        throw UserError(
+            fmt::format("{}: face '{}' has the emissivity {} of the scene file (from 1e-9 to 1 is "
+                        "needed). Write it like emissivity = 0.8.",
+                        origin, name, *material.emissivity));
+}
+
+void expect_used(const std::vector<Entry>& entries, const NamedFaces& faces, std::string_view origin) {
+    std::vector<std::string_view> known(faces.names.begin(), faces.names.end());
+    for (const FaceMaterial& material : faces.said)
+        known.insert(known.end(), material.names.begin(), material.names.end());
     for (const Entry& entry : entries) {
-        bool used = false;
-        for (const std::string& face : faces) used = used || matches(entry.name, face);
-        if (used) continue;
-        const std::vector<std::string_view> known(faces.begin(), faces.end());
+        if (std::any_of(known.begin(), known.end(), [&](std::string_view name) { return matches(entry.name, name); }))
+            continue;
         throw UserError(fmt::format("{}: the scene has no face '{}'. {}See 'ffstudy explain SCENE' for its faces.",
                                     origin, entry.name, did_you_mean(entry.name, known)));
     }
@@ -108,7 +178,12 @@ void expect_used(const std::vector<Entry>& entries, const std::vector<std::strin
 
 }  // namespace
 
-Materials read_materials(std::string_view toml, std::string_view origin, const std::vector<std::string>& faces) {
+std::optional<double> said_emissivity(const std::vector<FaceMaterial>& said, std::size_t face) {
+    if (face >= said.size() || said[face].emissivities.size() != 1) return std::nullopt;
+    return said[face].emissivities.front();
+}
+
+Materials read_materials(std::string_view toml, std::string_view origin, const NamedFaces& faces) {
     const auto table = parse_toml(toml, origin);
     const TomlReader file(table, origin);
     constexpr std::array<std::string_view, 2> sections{"surroundings", "materials"};
@@ -117,19 +192,24 @@ Materials read_materials(std::string_view toml, std::string_view origin, const s
     materials.surroundings = file.optional_number("surroundings");
     if (materials.surroundings && *materials.surroundings < 0)
         file.fail("surroundings", "(below 0). Write kelvin, like 293.15.");
-    const auto entries = read_entries(file);
+    if (!is_held(materials.surroundings)) file.fail("surroundings", "(0, or from 1e-60 to 1e60). Correct it.");
+    const bool may_be_said = std::any_of(faces.said.begin(), faces.said.end(),
+                                         [](const FaceMaterial& said) { return !said.emissivities.empty(); });
+    const auto entries = read_entries(file, may_be_said);
     expect_used(entries, faces, origin);
-    for (const std::string& face : faces) {
-        const Entry* entry = entry_of(face, entries, origin);
+    for (std::size_t i = 0; i < faces.names.size(); ++i) {
+        const std::string& face = faces.names[i];
+        const Entry* entry = entry_of(i, faces, entries, origin);
         if (entry == nullptr)
             throw UserError(
                 fmt::format("{}: face '{}' has no material. Add it, or a pattern like \"*\".", origin, face));
-        materials.faces.push_back(entry->material);
+        complete(materials.faces.emplace_back(entry->material), i, faces, origin);
         if (entry->material.is_light() != materials.are_light())
-            throw UserError(fmt::format(
-                "{}: face '{}' is of light and '{}' of heat (one system has one kind). Give all "
-                "faces the same.",
-                origin, materials.are_light() ? faces.front() : face, materials.are_light() ? face : faces.front()));
+            throw UserError(
+                fmt::format("{}: face '{}' is of light and '{}' of heat (one system has one kind). Give all "
+                            "faces the same.",
+                            origin, materials.are_light() ? faces.names.front() : face,
+                            materials.are_light() ? face : faces.names.front()));
     }
     if (!materials.are_light()) {
         for (const Entry& entry : entries) warn_of_cold(entry.material.temperature, entry.name, materials.warnings);
@@ -138,7 +218,7 @@ Materials read_materials(std::string_view toml, std::string_view origin, const s
     return materials;
 }
 
-Materials load_materials(const std::filesystem::path& file, const std::vector<std::string>& faces) {
+Materials load_materials(const std::filesystem::path& file, const NamedFaces& faces) {
     return read_materials(read_text_file(file, FileKind::materials), file.string(), faces);
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "studies/scene_files/scene_file.hpp"
+
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -8,7 +10,7 @@
 
 namespace ff::studies {
 
-/// What is known of a grey diffuse face. Heat: `emissivity` with `temperature` or `flux`. Light: `reflectance` with
+/// Properties of a grey diffuse face. Heat: `emissivity` with `temperature` or `flux`. Light: `reflectance` with
 /// `emission`.
 struct Material {
     std::optional<double> emissivity;   ///< above 0, at most 1
@@ -23,17 +25,27 @@ struct Material {
 /// The materials of a scene.
 struct Materials {
     std::vector<Material> faces;         ///< in the order of the scene's faces; all heat, or all light
-    std::optional<double> surroundings;  ///< K; for light the radiosity of what lies around
-    std::vector<std::string> warnings;   ///< temperatures that are likely meant in other units
+    std::optional<double> surroundings;  ///< K; for light the radiosity of the surroundings
+    std::vector<std::string> warnings;   ///< temperatures that are probably in other units
 
     [[nodiscard]] bool are_light() const { return !faces.empty() && faces.front().is_light(); }
 };
 
-/// Reads a materials file (docs/heat.md): `[materials]` has a face's name, or a pattern with *, for each entry; a name
-/// goes before patterns. @param faces of the scene
-/// @throws UserError that names the place, and the face that has no material, two, or an incomplete one
-Materials read_materials(std::string_view toml, std::string_view origin, const std::vector<std::string>& faces);
+/// The faces of a scene, with materials from its file.
+struct NamedFaces {
+    const std::vector<std::string>& names;
+    const std::vector<FaceMaterial>& said;  ///< empty: the file states none
+};
 
-Materials load_materials(const std::filesystem::path& file, const std::vector<std::string>& faces);
+/// The emissivity that a scene file gives a face, if it is unique.
+std::optional<double> said_emissivity(const std::vector<FaceMaterial>& said, std::size_t face);
+
+/// Reads a materials file (docs/heat.md): `[materials]` has a name or a pattern with * for each entry. A face's own
+/// name takes precedence over its material in the scene file, and that over patterns. Omitted emissivities are taken
+/// from the scene file.
+/// @throws UserError with the place, and the face with no material, two, or an incomplete one
+Materials read_materials(std::string_view toml, std::string_view origin, const NamedFaces& faces);
+
+Materials load_materials(const std::filesystem::path& file, const NamedFaces& faces);
 
 }  // namespace ff::studies

@@ -116,7 +116,7 @@ class RowReader {
     Eigen::Index face_of(const CsvField& field) const {
         const auto found = index_.find(field.text);
         if (found == index_.end())
-            reader_.fail(field, fmt::format("'{}' is no face of the scene. They are {}.", field.text,
+            reader_.fail(field, fmt::format("'{}' is not a face of the scene. They are {}.", field.text,
                                             fmt::join(scene_.faces, ", ")));
         return found->second;
     }

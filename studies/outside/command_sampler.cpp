@@ -49,8 +49,8 @@ const samplers::CatalogueEntry& load_command_sampler(std::string_view name, cons
     samplers::SamplerInfo traits;
     traits.randomised = program->is_randomised();
     traits.nanoseconds = nanoseconds_of_a_point;
-    const auto fill =
-        samplers::parts_of([program](const SetRequest& request) { return run_for_set(*program, request); });
+    const auto fill = samplers::parts_of(
+        [program](const SetRequest& request, samplers::PointSet& set) { set = run_for_set(*program, request); });
     auto make = [program, fill, randomised = traits.randomised](const samplers::PointSetSpec& spec) {
         program->expect_repeatable("points", [&](Program::Seed seed) {
             return run_for_set(*program, {spec.points, spec.dimension, seed.seed, seed.trial}).coordinate;

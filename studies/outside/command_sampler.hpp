@@ -9,7 +9,7 @@
 namespace ff::studies {
 
 /// Adds a sampler whose sets a program prints, "command:./mine --n {n} --d {d} --seed {seed}"; it runs when points are
-/// asked for. What it prints is read as a file of points is. A sampler of this name that is there already stays.
+/// requested. Its output is read like a file of points. An existing sampler of this name stays.
 /// @throws UserError, IoError as Program does
 const samplers::CatalogueEntry& load_command_sampler(std::string_view name, const std::filesystem::path& folder,
                                                      double deadline = usual_deadline);

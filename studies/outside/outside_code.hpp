@@ -10,28 +10,28 @@
 
 namespace ff::studies {
 
-/// Something that a study file, or a bands file, wants run: it was written by others.
+/// Code that a study file, or a bands file, asks to run: it was written by others.
 struct OutsideCode {
     enum class Kind {
         plugin,     ///< `text` is the path of a library
         sampler,    ///< `text` is "command:…"
-        estimator,  ///< likewise
+        estimator,  ///< the same
     };
     Kind kind = Kind::plugin;
     std::string text;
     std::string place;  ///< "file:line:column"
 };
 
-/// What the text of a file wants run, in its order, each once. Nothing is run. @throws UserError where it is no TOML
+/// The code that a file's text asks to run, in order, each once. Nothing is run. @throws UserError where it is not TOML
 std::vector<OutsideCode> outside_code(std::string_view text, std::string_view origin);
 
-/// Loads a plug-in, or adds the sampler or estimator of a command, so that the file can be read: `parse_study` runs
-/// nothing.
-/// @param folder  of the file  @param deadline  of a command, for one run in seconds
+/// Loads a plug-in, or adds the sampler or estimator of a command, so that the file can be read: `parse_study` itself
+/// runs nothing.
+/// @param folder  of the file @param deadline of a command, seconds per run
 /// @throws UserError, IoError
 void admit(const OutsideCode& code, const std::filesystem::path& folder, double deadline = usual_deadline);
 
-/// A sampler that a user names: of the catalogue, of a plug-in that is loaded, points of a file, or a command.
+/// A sampler that a user names: from the catalogue or a loaded plug-in, points of a file, or a command.
 /// @throws UserError, IoError
 const samplers::CatalogueEntry& sampler_of_user(std::string_view name, double deadline = usual_deadline);
 

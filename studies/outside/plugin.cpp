@@ -4,6 +4,7 @@
 #include "core/support/excerpt.hpp"
 #include "samplers/added.hpp"
 #include "samplers/outside_points.hpp"
+#include "samplers/set_of_rows.hpp"
 #include "studies/point_files/content.hpp"
 #include "studies/readers/printable.hpp"
 
@@ -67,7 +68,7 @@ struct Functions {
                                            text == nullptr ? "" : fmt::format(", \"{}\"", excerpt(text))));
     }
 
-    [[nodiscard]] samplers::PointSet make_set(const SetRequest& request) const {
+    void make_set(const SetRequest& request, samplers::PointSet& set) const {
         const auto d = static_cast<std::uint32_t>(request.dimension);
         expect_whole(origin, request);
         // What is not filled in is then noticed.
@@ -75,7 +76,7 @@ struct Functions {
         expect_none(call(place(request),
                          [&] { return sampler->fill(rows.data(), request.points, d, request.seed, request.trial); }),
                     request);
-        return samplers::set_of_rows(rows, request.points, d, place(request));
+        samplers::set_of_rows(rows, request.points, d, place(request), set);
     }
 
     void fill_block(const SetRequest& request, PointIndex first, PointBlock& block) const {
@@ -122,7 +123,8 @@ const samplers::CatalogueEntry& add_sampler(const ffstudy_sampler& sampler, cons
             functions.fill_block(request, first, block);
         };
     else
-        fill = samplers::parts_of([functions](const SetRequest& request) { return functions.make_set(request); });
+        fill = samplers::parts_of(
+            [functions](const SetRequest& request, samplers::PointSet& set) { functions.make_set(request, set); });
     std::string summary = visible_text(text_or_nothing(sampler.summary));
     std::string details = visible_text(text_or_nothing(sampler.details));
     if (summary.empty()) summary = fmt::format("of the plug-in {}", file);

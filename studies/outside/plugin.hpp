@@ -8,10 +8,10 @@
 namespace ff::studies {
 
 /// Loads a plug-in (include/ffstudy/plugin.h) for the rest of the process, and adds its samplers. Each is found by its
-/// own name, and by NAME#HASH with a hash of the file, which studies keep: a plug-in that was built again is another.
+/// own name, and by NAME#HASH with a hash of the file, which studies store: a rebuilt plug-in is a different one.
 ///
-/// Loading a file runs what it runs when it is loaded: load what is trusted alone.
-/// @param folder  that `path` is relative to
+/// Loading a library runs its start-up code: load only what is trusted.
+/// @param folder  base of a relative `path`
 /// @throws IoError where the file cannot be read; UserError where it is no plug-in, of another version of the
 /// interface,
 ///   has a name that is taken, or was changed since it was loaded

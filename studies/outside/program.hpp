@@ -14,24 +14,24 @@
 
 namespace ff::studies {
 
-/// Seconds that a program may take over one run, where nothing else is said.
+/// Default limit of a program's run, in seconds.
 inline constexpr double usual_deadline = 60;
 
 /// Whether a sampler or an estimator is a program: "command:./mine --seed {seed}".
 bool names_command(std::string_view name);
 
-/// The name with a hash of those files among the words of the command that there are: a program that was changed is
-/// another method. One that has a hash keeps it.
+/// The name with a hash of the existing files among the words of the command: a changed program is a different method.
+/// A name that has a hash keeps it.
 /// @param folder  where the program runs  @throws UserError for a command without words; IoError
 std::string full_command_name(std::string_view name, const std::filesystem::path& folder);
 
-/// The program of a user. Its words are separated by spaces, or quoted, and {names} in them stand for values.
+/// A user's program. Its words are separated by spaces, or quoted, and {names} in them stand for values.
 class Program {
   public:
-    /// What stands for what: {"{n}", "1024"}.
+    /// Replacements: {"{n}", "1024"}.
     using Values = std::vector<std::pair<std::string_view, std::string>>;
 
-    /// What one run depends on beside the values.
+    /// What one run depends on besides the values.
     struct Seed {
         std::uint64_t seed = 0;
         std::uint32_t trial = 0;
@@ -39,29 +39,29 @@ class Program {
 
     /// @param name  "command:…", with or without a hash  @param folder  where it runs  @param deadline  seconds, above
     /// 0
-    /// @throws UserError for a command without words, or for other files than the hash says; IoError
+    /// @throws UserError for a command without words, or for files that do not match the hash; IoError
     Program(std::string_view name, std::filesystem::path folder, double deadline);
 
     [[nodiscard]] const std::string& full_name() const { return full_name_; }
     /// "command:…" without a hash, for messages.
     [[nodiscard]] std::string title() const;
     [[nodiscard]] bool has(std::string_view placeholder) const;
-    /// Whether one process answers many requests, lines on its standard input.
+    /// Whether one process answers many requests, given as lines on its standard input.
     [[nodiscard]] bool takes_requests() const { return has(requests); }
     /// Whether runs differ from trial to trial.
     [[nodiscard]] bool is_randomised() const { return has("{seed}") || has("{trial}") || takes_requests(); }
 
-    /// What it prints. Safe from several threads. @param place  names the run in messages  @param most_output  bytes
+    /// Runs it and returns what it prints. Thread-safe. @param place names the run in messages @param most_output bytes
     /// @throws IoError where it cannot be started, fails, takes too long or prints too much
     [[nodiscard]] std::string run(const std::string& place, Seed seed, Values values, std::uint64_t most_output) const;
 
-    /// What it answers to a request; it is started once for each thread. @pre takes_requests()
-    /// @param size  bytes of an answer, as far as its beginning tells  @throws IoError as `run` does
+    /// Its answer to a request; it is started once per thread. @pre takes_requests()
+    /// @param size  total bytes of an answer, from its beginning @throws IoError as `run` does
     [[nodiscard]] std::string ask(const std::string& place, const std::string& line,
                                   const ChildConversation::Size& size, std::uint64_t most_output) const;
 
-    /// Once, before its first result: two runs with one seed have to agree, and one with another seed has to differ.
-    /// @param what  it prints, in the plural  @param result  of a run, as it is compared
+    /// Called once, before its first result: two runs with one seed have to agree; another seed has to differ.
+    /// @param what  it prints, in the plural @param result of a run, for the comparison
     /// @throws UserError; what `result` throws
     template <class Result>
     void expect_repeatable(std::string_view what, const Result& result) {

@@ -96,6 +96,7 @@ void expect_trials_at_hand(const Method& method, const Cell& cell) {
 
 /// Patches, or ordered pairs of patches of different surfaces with kernels.
 double evaluated_patches(const Method& method, const Scene& scene, Subdivision subdivision) {
+    if (estimator_info(method).points == PointsServe::scene) return 1;
     const auto all = static_cast<double>(subdivision.patches(scene));
     if (estimator_info(method).points != PointsServe::pairs) return all;
     double pairs = all * all;

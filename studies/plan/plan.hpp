@@ -10,7 +10,7 @@
 
 namespace ff::studies {
 
-/// One (scene, method, size) of a study: what a set of trials is made of.
+/// One (scene, method, size) of a study, for which a set of trials is run.
 struct Cell {
     std::size_t scene = 0;   ///< index into StudyPlan::scenes
     std::size_t method = 0;  ///< index into StudySpec::methods
@@ -18,11 +18,11 @@ struct Cell {
     std::uint64_t samples = 0;  ///< rays or points per patch, or points per ordered patch pair; 0 for closed_form
     std::uint64_t trials = 0;   ///< 1 for a deterministic method
     bool deterministic = false;
-    std::string canonical;  ///< names scene, sampler, estimator and size, never their order or the completion
+    std::string canonical;  ///< identifies scene, sampler, estimator and size, never their order or the completion
     StreamKey key;          ///< of `canonical` and the seed
 };
 
-/// Consecutive trials of one cell: the unit of work, of saving and of sharing out.
+/// Consecutive trials of one cell: the unit of work, of saving and of distribution.
 struct WorkUnit {
     std::size_t index = 0;
     std::size_t cell = 0;
@@ -30,7 +30,7 @@ struct WorkUnit {
     std::uint64_t trials = 0;
 };
 
-/// A validated study with every seed and work unit fixed; the same on every machine.
+/// A validated study with every seed and work unit fixed; identical on every machine.
 struct StudyPlan {
     StudySpec spec;
     std::vector<Scene> scenes;
@@ -42,13 +42,13 @@ struct StudyPlan {
 /// @throws UserError where scene, sampler and estimator do not fit
 StudyPlan plan_study(StudySpec spec);
 
-/// Appends the work units of a run of trials of one cell, each of about equal length; their index is their place in
+/// Appends the work units for consecutive trials of one cell, all of about equal length; their index is their place in
 /// `units`.
 void add_units(const StudyPlan& plan, std::size_t cell, std::uint64_t first_trial, std::uint64_t end_trial,
                std::vector<WorkUnit>& units);
 
-/// Points of one sequence of a cell: those of a patch, or of all patches of a part of a surface's grid where one serves
-/// them.
+/// Points of one sequence of a cell: those of one patch, or of all patches of a part of a surface's grid that share a
+/// sequence.
 std::uint64_t points_per_sequence(const Method& method, Subdivision subdivision, std::uint64_t samples);
 
 /// Evaluations (rays, kernel values, or points that see all faces) of one trial of a cell.

@@ -7,7 +7,7 @@
 namespace ff::studies {
 
 /// A share of a study's work units, number `index` (from 1) of `count`. Units are dealt out in turn, so that every
-/// shard gets its part of the long and of the short ones.
+/// shard gets its share of long and short ones.
 struct Shard {
     std::uint64_t index = 1;
     std::uint64_t count = 1;

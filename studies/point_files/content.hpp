@@ -7,13 +7,13 @@
 
 namespace ff::studies {
 
-/// All bytes of a file. @throws IoError where it cannot be read, or is no file
+/// All bytes of a file. @throws IoError where it cannot be read, or is not a file
 std::string read_bytes(const std::filesystem::path& file);
 
-/// 16 hexadecimal digits that follow from the bytes alone: a file may be renamed.
+/// A hash of 16 hexadecimal digits that depends on the bytes alone: a file may be renamed.
 std::string hash_of(const samplers::AddedSampler::Content& content);
 
-/// Whether a text can be such a hash.
+/// Whether a text may be such a hash.
 bool is_hash(std::string_view text);
 
 }  // namespace ff::studies

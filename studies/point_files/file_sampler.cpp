@@ -116,8 +116,10 @@ const samplers::CatalogueEntry& add_file(const Name& name, AddedSampler::Content
                                          samplers::randomisation_names.at(static_cast<std::size_t>(how)), hash);
     if (const AddedSampler* known = samplers::find_added(full)) return known->entry();
     std::map<std::uint64_t, std::shared_ptr<const PointSet>> sets;
+    std::vector<std::uint64_t> sizes;
     for (const auto& [file, bytes] : content) {
         auto set = std::make_shared<const PointSet>(parse_points(bytes, file));
+        if (content.size() == 1 && is_ld_data(bytes)) sizes = nested_sizes(*set);
         const std::uint64_t points = set->points;
         if (!sets.emplace(points, std::move(set)).second)
             throw UserError(fmt::format("{}: {} points (another file of {}{} has as many). Remove one.", file, points,
@@ -126,7 +128,6 @@ const samplers::CatalogueEntry& add_file(const Name& name, AddedSampler::Content
     samplers::SamplerInfo traits;
     traits.most_trials = how == Randomisation::none ? std::uint64_t{1} << 32 : 0;
     traits.randomised = how != Randomisation::none;
-    std::vector<std::uint64_t> sizes;
     for (const auto& [points, set] : sets) {
         sizes.push_back(points);
         traits.most_dimension = std::min(traits.most_dimension, set->dimension);

@@ -16,15 +16,15 @@ bool names_point_file(std::string_view sampler);
 /// Reads points of a file and adds them as a sampler.
 ///
 /// The name is `file:PATH`, `file:PATH#RANDOMISE` or `file:PATH#RANDOMISE#HASH`, where {n} in the last part of PATH
-/// stands for the number of points of a ladder of files. Under the name that is returned, with randomisation and hash,
-/// the same points are found ever after.
-/// @param folder  that PATH is relative to
-/// @param randomise  "" where the name says it, or none
+/// stands for the number of points of a ladder of files. The returned name, with randomisation and hash, always stands
+/// for the same points.
+/// @param folder  base of a relative PATH
+/// @param randomise  "" where the name states it, or for none
 /// @throws IoError where no file can be read; UserError where it holds no points, or not those of the hash
 const samplers::CatalogueEntry& load_point_file(std::string_view name, std::string_view randomise,
                                                 const std::filesystem::path& folder);
 
-/// The same from bytes that a store has kept. @throws UserError unless they are those of the hash in `name`
+/// The same from bytes kept in a store. @throws UserError unless they are those of the hash in `name`
 const samplers::CatalogueEntry& restore_point_file(std::string_view name, samplers::AddedSampler::Content content);
 
 }  // namespace ff::studies

@@ -45,9 +45,10 @@ Quantity parse_quantity(const JsonReader& reader, const JsonValue& value) {
     if (text.starts_with("F ") && dash != std::string::npos && dash > 2 && dash + 1 < text.size()) {
         return {FigureKind::form_factor, text.substr(2, dash - 2), text.substr(dash + 1)};
     }
-    reader.fail(value, fmt::format("\"{}\" is no quantity. Write \"F 1-6\" (a pair of faces), \"sum 1\" (the sum of a "
-                                   "face's form factors) or \"sum of relative errors\".",
-                                   text));
+    reader.fail(value,
+                fmt::format("\"{}\" is not a quantity. Write \"F 1-6\" (a pair of faces), \"sum 1\" (the sum of a "
+                            "face's form factors) or \"sum of relative errors\".",
+                            text));
 }
 
 Quantity read_quantity(const JsonReader& reader, const JsonValue& value, const Scene& scene) {

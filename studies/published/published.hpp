@@ -10,7 +10,7 @@
 
 namespace ff::studies {
 
-/// What a printed figure tells about the faces of a scene.
+/// The quantity that a printed figure states.
 enum class FigureKind {
     form_factor,         ///< F(from, to)
     row_sum,             ///< sum over `to` of F(from, to)
@@ -34,7 +34,7 @@ struct Figure {
     int character = 0;
 };
 
-/// A printed table: `figures` indexes PublishedTables::figures, row by row; an index may be missing (blank cell).
+/// A printed table: `figures` has indices into PublishedTables::figures, row by row; empty for a blank cell.
 struct PublishedTable {
     std::string id;
     std::string title;
@@ -44,7 +44,7 @@ struct PublishedTable {
     std::string note;
 };
 
-/// A claim that the publication makes in words, in the small vocabulary of docs/published-tables.md.
+/// A verbal claim of the publication, in the small vocabulary of docs/published-tables.md.
 struct PublishedClaim {
     std::string id;
     std::string section;
@@ -65,10 +65,10 @@ struct Reading {
     std::string table;
     std::string statement;
     std::string stated_in;                     ///< where the publication says so, e.g. "text"; empty for a conjecture
-    std::vector<std::uint64_t> rays_per_face;  ///< one a column
+    std::vector<std::uint64_t> rays_per_face;  ///< one per column
 };
 
-/// The tables of one publication: what was printed, and what each figure means.
+/// The tables of one publication: the printed figures, and the meaning of each.
 struct PublishedTables {
     std::string source;
     std::string scene;

@@ -26,13 +26,13 @@ struct BiasOrder {
     };
     std::vector<Point> points;
     /// Of ln |bias| on ln N by weighted least squares. Empty where at some size the bias is within three standard
-    /// errors of 0: its logarithm would mean nothing.
+    /// errors of 0: its logarithm would be meaningless.
     std::optional<double> slope;
     std::optional<stats::Interval> interval;
 };
 
-/// Ladders of sampled methods whose number of samples grows; each treatment and setting by itself, where the exitance
-/// has a mean and varies by more than rounding at every size.
+/// For ladders of sampled methods with growing numbers of samples: one result per treatment and setting, where the
+/// exitance has a mean and varies by more than rounding at every size.
 std::vector<BiasOrder> bias_orders(const StudyPlan& plan, const RadiosityResults& results);
 
 }  // namespace ff::studies

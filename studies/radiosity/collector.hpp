@@ -9,7 +9,7 @@
 
 namespace ff::studies {
 
-/// What the trials of one setting say.
+/// Collects the trials of one setting.
 class SettingCollector {
   public:
     explicit SettingCollector(std::size_t setting) { findings_.setting = setting; }
@@ -25,7 +25,7 @@ class SettingCollector {
     std::vector<std::vector<double>> by_element_;  // all together, then each
 };
 
-/// What the trials of a cell say together under one treatment. Matrices come one by one and are not kept.
+/// Collects all trials of a cell under one treatment. Matrices are processed one by one and not kept.
 class ConsequencesCollector {
   public:
     /// @param exitance exact solutions, by setting @param solver_trials how many trials solvers are run on, by setting

@@ -14,12 +14,12 @@
 
 namespace ff::studies {
 
-/// What the rows of a system stand for.
+/// The elements that the rows of a system stand for.
 enum class Between { faces, patches };
 
 std::string_view name(Between between);
 
-/// How a number varies over the trials of a cell.
+/// The distribution of a number over the trials of a cell.
 struct OverTrials {
     double least = 0;
     double median = 0;
@@ -27,8 +27,8 @@ struct OverTrials {
 };
 
 /// The exitance of a face or patch, or the mean of all by area, over the trials: against the solution with exact
-/// factors. Mean, bias and spread are those of single values too, but empty where a trial of several is not convergent:
-/// as the spectral radius passes 1 the exitance passes a pole, and has no mean.
+/// factors. Mean, bias and spread are given for single trials too, but are empty where one of several trials is not
+/// convergent: as the spectral radius passes 1, the exitance passes a pole and has no mean.
 struct ExitanceFindings {
     std::size_t element = 0;  ///< face, or patch in the order of PatchOrder, from 1; 0 for all
     double exact = 0;
@@ -50,13 +50,13 @@ struct SolverFindings {
     std::vector<double> residuals;         ///< of the first trial, after each iteration
 };
 
-/// All trials of a cell, treated alike, at one setting of reflectances.
+/// All trials of a cell under one treatment, at one setting of reflectances.
 struct SettingFindings {
     std::size_t setting = 0;  ///< index into RadiosityRequest::reflectance
     std::size_t trials = 0;
     std::size_t dominant = 0;    ///< trials with G strictly diagonally dominant
     std::size_t convergent = 0;  ///< trials with a spectral radius of P F certainly below 1
-    std::size_t divergent = 0;   ///< certainly 1 or more
+    std::size_t divergent = 0;   ///< those with a spectral radius certainly at least 1
     std::size_t singular = 0;    ///< G singular to working precision: without exitance
     std::size_t negative = 0;    ///< with a solution that is negative somewhere: no exitance
     OverTrials spectral_radius;
@@ -64,19 +64,19 @@ struct SettingFindings {
     OverTrials condition;
     std::optional<OverTrials> energy_defect;  ///< share of the emitted power that is lost; empty if all are singular
     std::vector<ExitanceFindings> exitance;   ///< all together, then each; empty if some trial is singular
-    /// Root mean square over trials and elements of the exitance's error, relative to the mean exact exitance; empty as
-    /// the mean of ExitanceFindings.
+    /// Root mean square over trials and elements of the exitance's error, relative to the mean exact exitance; empty
+    /// where the mean of ExitanceFindings is.
     std::optional<double> light_error;
     std::vector<SolverFindings> solvers;  ///< of the method's own completion only
 };
 
-/// What one treatment of the estimates of one cell leads to.
+/// The results of one treatment of the estimates of one cell.
 struct Consequences {
     std::size_t cell = 0;
     Between between = Between::faces;
     Treatment treatment = Treatment::direct;
     std::size_t trials = 0;
-    std::size_t not_balanced = 0;   ///< trials that no closed reciprocal matrix is near to; they are left out
+    std::size_t not_balanced = 0;   ///< trials for which balancing fails; they are left out
     OverTrials closure_defect;      ///< largest |row sum - 1|
     OverTrials reciprocity_defect;  ///< largest |F_ij - F_ji A_j / A_i|
     OverTrials correction;          ///< largest change of a factor by the treatment
@@ -107,11 +107,11 @@ struct RadiosityResults {
                                            Between between = Between::faces) const;
 };
 
-/// Sends light through the matrix of every trial. @pre the plan has a request; every estimate is finite
+/// Solves the radiosity systems of every trial. @pre the plan has a request; every estimate is finite
 /// @param stop  once true, no further system between patches is begun; null: never
 RadiosityResults evaluate_radiosity(const Store& store, const std::atomic<bool>* stop = nullptr);
 
-/// Trials whose systems between patches are evaluated, and those that should be.
+/// Trials whose systems between patches have been evaluated, and those that should be.
 struct PatchTrials {
     std::uint64_t done = 0;
     std::uint64_t wanted = 0;

@@ -13,7 +13,7 @@
 
 namespace ff::studies {
 
-/// An enclosure some surfaces of which see themselves, by its exact factors.
+/// An enclosure with self-viewing surfaces, given by its exact factors.
 struct NamedEnclosure {
     std::string description;
     std::vector<std::string> surfaces;  ///< labels, in the order of the matrix
@@ -24,7 +24,7 @@ struct NamedEnclosure {
 /// inside R), or a box with a mirror. @param mirror label of the face, of boxes only @throws UserError
 NamedEnclosure find_enclosure(std::string_view name, const std::optional<std::string>& mirror);
 
-/// What `ffstudy enclosure` is asked for.
+/// A request to `ffstudy enclosure`.
 struct EnclosureRequest {
     std::string name;
     std::optional<std::string> mirror;
@@ -41,9 +41,9 @@ struct EnclosureResults {
     std::vector<Consequences> consequences;  ///< by treatment; `cell` means nothing
 };
 
-/// Solves with exact factors, and with those of trials. A ray of a trial is not traced: where a diffuse ray from a
-/// surface falls has the exact factors as its probabilities, mirrors and self-views included, so that independent rays
-/// are drawn from them. @throws UserError
+/// Solves with exact factors, and with those of trials. Rays of a trial are not traced: since the target of a diffuse
+/// ray has the exact factors as its probabilities, mirrors and self-views included, independent rays are drawn from
+/// these. @throws UserError
 EnclosureResults study_enclosure(const EnclosureRequest& request);
 
 }  // namespace ff::studies

@@ -10,14 +10,14 @@
 
 namespace ff::studies {
 
-/// The systems of a scene, between its faces or its patches: all but the factors of a trial.
+/// The systems of a scene, between its faces or its patches, without the factors of a trial.
 struct Lighting {
     Elements elements;
     Eigen::MatrixXd exact;                     ///< form factors
     std::vector<Eigen::VectorXd> reflectance;  ///< by setting, of each element
     Eigen::VectorXd emission;
 
-    /// With these factors instead of the exact ones.
+    /// The system with these factors instead of the exact ones.
     [[nodiscard]] RadiositySystem system(std::size_t setting, Eigen::MatrixXd factors) const;
 };
 
@@ -28,7 +28,7 @@ struct PatchLight {
 };
 
 Eigen::VectorXd face_areas(const Scene& scene);
-/// All pairs of faces; of a face with itself where it sees itself.
+/// All pairs of faces; a face with itself only where it sees itself.
 Sight face_sight(const Scene& scene);
 
 /// @pre the plan has a request

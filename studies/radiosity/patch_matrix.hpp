@@ -10,8 +10,8 @@
 
 namespace ff::studies {
 
-/// Direct factors between the patches of a trial. No store holds them; the trial is done again: it is the same, since
-/// points are addressed. @pre tells_patches_apart @throws Interrupted once `stop` is true
+/// Direct factors between the patches of a trial. They are not stored; the trial is repeated, with identical results,
+/// since points are addressed. @pre tells_patches_apart @throws Interrupted once `stop` is true
 Eigen::MatrixXd trace_patch_factors(const StudyPlan& plan, std::size_t index, std::uint64_t trial,
                                     const std::atomic<bool>* stop = nullptr);
 

@@ -10,7 +10,7 @@ namespace ff::studies {
 /// @pre values not empty
 OverTrials over_trials(std::span<const double> values);
 
-/// Runs every solver on the systems of some trials and keeps what they say together.
+/// Runs every solver on the systems of some trials and collects the results.
 class SolverRuns {
   public:
     void add(const RadiositySystem& system, const SolverOptions& options);

@@ -13,9 +13,9 @@
 
 namespace ff::studies {
 
-/// What is done with the direct estimates of a trial before light is sent through them.
+/// What is done to the direct estimates of a trial before the system is solved.
 enum class Treatment {
-    direct,      ///< nothing: every row from its own samples
+    direct,      ///< nothing: every row comes from its own samples
     reciprocal,  ///< the lower triangle from the upper one
     normalised,  ///< the reciprocal matrix, every row divided by its sum
     balanced,    ///< least squares on all direct estimates: closed, reciprocal, nonnegative
@@ -27,7 +27,7 @@ inline constexpr std::array all_treatments{Treatment::direct, Treatment::recipro
 
 std::string_view name(Treatment treatment);
 
-/// The treatment that is a method's own completion.
+/// The treatment that corresponds to a method's own completion.
 Treatment treatment_of(Completion completion);
 
 /// The faces or patches that a matrix is between.
@@ -36,24 +36,24 @@ struct Elements {
     Sight sight;
 };
 
-/// What is known of the errors of direct estimates.
+/// Known error statistics of direct estimates.
 struct Uncertainty {
-    Eigen::VectorXd rays;  ///< of each element, where factors are shares of counted hits; else empty
-    std::vector<Eigen::MatrixXd> covariances;  ///< of each row over trials; empty where they are not known
+    Eigen::VectorXd rays;                      ///< per element, where factors are shares of counted hits; else empty
+    std::vector<Eigen::MatrixXd> covariances;  ///< of each row over trials; empty where unknown
 };
 
 /// Direct estimates of all trials of a cell, between faces.
 struct TrialMatrices {
     std::vector<std::uint64_t> numbers;  ///< of the trials
     std::vector<Eigen::MatrixXd> direct;
-    Uncertainty errors;                ///< by all trials
+    Uncertainty errors;                ///< from all trials
     std::vector<RowScatter> scatters;  ///< of each row; empty where there are no covariances
 };
 
-/// By all trials but one, which it is for: the error of a trial that has a part in its own weights looks too small.
+/// From all trials but the one it is used for: the error of a trial that enters its own weights seems too small.
 Uncertainty errors_without(const TrialMatrices& trials, std::size_t trial, const Sight& sight);
 
-/// Trials that covariances are measured from, at least.
+/// Fewest trials from which covariances are estimated.
 inline constexpr std::size_t least_trials_of_covariances = 30;
 
 TrialMatrices load_matrices(const Store& store, std::size_t cell);

@@ -1,8 +1,13 @@
 #include "studies/readers/csv_reader.hpp"
 
 #include "core/support/error.hpp"
+#include "core/support/excerpt.hpp"
+#include "core/support/nearest_name.hpp"
+#include "studies/readers/words.hpp"
 
 #include <fmt/format.h>
+
+#include <algorithm>
 
 namespace ff::studies {
 
@@ -77,6 +82,22 @@ void CsvReader::quoted(CsvField& field) {
 
 void CsvReader::fail(const CsvField& field, std::string_view problem) const {
     throw UserError(fmt::format("{}:{}:{}: {}", origin_, field.line, field.column, problem));
+}
+
+std::vector<std::optional<std::size_t>> find_columns(const CsvReader& reader, const std::vector<CsvField>& header,
+                                                     std::span<const std::string_view> names) {
+    std::vector<std::optional<std::size_t>> places(names.size());
+    for (std::size_t i = 0; i < header.size(); ++i) {
+        const std::string_view text = trimmed(header[i].text);
+        const auto known = std::find(names.begin(), names.end(), text);
+        if (known == names.end())
+            reader.fail(header[i], fmt::format("column '{}' is unknown. {}The columns are {}, between commas.",
+                                               excerpt(text), did_you_mean(text, names), fmt::join(names, ", ")));
+        auto& place = places[static_cast<std::size_t>(known - names.begin())];
+        if (place) reader.fail(header[i], fmt::format("column '{}' stands twice. Keep one.", text));
+        place = i;
+    }
+    return places;
 }
 
 }  // namespace ff::studies

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -15,7 +17,7 @@ struct CsvField {
 };
 
 /// Records of a CSV text [rfc4180]: fields between commas, quoted where they hold commas, quotes (doubled) or line
-/// ends. Line ends may be LF or CR LF, a byte order mark may come first, and empty lines are passed over.
+/// ends. Line ends may be LF or CR LF, a byte order mark may come first, and empty lines are skipped.
 class CsvReader {
   public:
     /// @throws UserError for a text in UTF-16
@@ -41,5 +43,10 @@ class CsvReader {
     std::size_t line_ = 1;
     std::size_t column_ = 1;
 };
+
+/// Where each named column stands in a header, in the order of `names`; empty where it does not.
+/// @throws UserError for a column of another name, or one that stands twice
+std::vector<std::optional<std::size_t>> find_columns(const CsvReader& reader, const std::vector<CsvField>& header,
+                                                     std::span<const std::string_view> names);
 
 }  // namespace ff::studies

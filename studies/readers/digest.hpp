@@ -7,8 +7,8 @@
 
 namespace ff::studies {
 
-/// A number that tells data from the same data with an error: any single changed word changes it, and what else differs
-/// gives the same with probability 2^-64. No protection against intent.
+/// A checksum: any single changed word changes it, and other differences go unnoticed with probability 2^-64. It does
+/// not protect against intent.
 class Digest {
   public:
     Digest& add(std::uint64_t word);

@@ -14,7 +14,7 @@
 namespace ff::studies {
 namespace {
 
-constexpr std::size_t kinds = 9;
+constexpr std::size_t kinds = 11;
 
 struct Words {
     std::string_view name;
@@ -29,7 +29,9 @@ constexpr std::array<Words, kinds> words_of_kinds{
     Words{"a file of estimates", "ffstudy check BANDS.toml --estimates {}"},
     Words{"a result store", "ffstudy report {}"},
     Words{"a store of form factors", "ffstudy form_factors --load {}"},
+    Words{"a file of sampled rows", "ffstudy merge {} --out DIR"},
     Words{"a materials file", "ffstudy heat SCENE --materials {}"},
+    Words{"a file of points", "ffstudy convergence --sampler file:{}"},
 };
 
 const Words& words_of(FileKind kind) {
@@ -50,6 +52,16 @@ constexpr std::array<std::pair<std::string_view, FileKind>, 6> headings{{{"[stud
                                                                          {"[[surface]]", FileKind::scene},
                                                                          {"[materials]", FileKind::materials}}};
 
+constexpr std::array<std::pair<std::string_view, std::string_view>, 8> beginnings_of_foreign{
+    {{"\x89PNG", "a PNG picture"},
+     {"\xff\xd8\xff", "a JPEG picture"},
+     {"%PDF", "a PDF document"},
+     {"PK\x03\x04", "a ZIP archive (as .npz is)"},
+     {"\x1f\x8b", "compressed by gzip"},
+     {"\xfd\x37zXZ", "compressed by xz"},
+     {"\x7f\x45LF", "a program or a library"},
+     {"SQLite format 3", "a SQLite database"}}};
+
 /// A vertex, a face or a surface of OBJ and View3D.
 bool begins_geometry(const std::vector<std::string_view>& words) {
     constexpr std::array<std::string_view, 4> first{"v", "V", "f", "S"};
@@ -68,6 +80,7 @@ void mark_store(std::string_view bytes, Marks& marks) {
     const auto has = [&](std::string_view part) { return bytes.find(part) != std::string_view::npos; };
     if (has("CREATE TABLE meta(")) mark(marks, FileKind::result_store);
     if (has("CREATE TABLE about(")) mark(marks, FileKind::form_factor_store);
+    if (has("CREATE TABLE rows(face")) mark(marks, FileKind::kept_rows);
 }
 
 void mark_lines(std::string_view text, Marks& marks) {
@@ -95,7 +108,9 @@ bool is_table_header(std::string_view line) {
 Marks marks_of(std::string_view bytes) {
     Marks marks{};
     const std::size_t first = bytes.find_first_not_of(" \t\r\n");
-    if (bytes.starts_with("SQLite format 3")) {
+    if (bytes.starts_with("\x93NUMPY") || bytes.starts_with("FFPOINTS")) {
+        mark(marks, FileKind::points);
+    } else if (bytes.starts_with("SQLite format 3")) {
         mark_store(bytes, marks);
     } else if (first != std::string_view::npos && bytes[first] == '{') {
         mark_json(bytes, marks);
@@ -116,6 +131,13 @@ std::optional<FileKind> kind_of(std::string_view bytes) {
 
 std::string_view name_of(FileKind kind) {
     return words_of(kind).name;
+}
+
+std::string_view name_of_foreign(std::string_view bytes) {
+    for (const auto& [magic, name] : beginnings_of_foreign) {
+        if (bytes.starts_with(magic)) return name;
+    }
+    return {};
 }
 
 std::string command_for(FileKind kind, const std::filesystem::path& file) {

@@ -8,19 +8,35 @@
 namespace ff::studies {
 
 /// Files that commands take.
-enum class FileKind { study, bands, scene, tables, baseline, estimates, result_store, form_factor_store, materials };
+enum class FileKind {
+    study,
+    bands,
+    scene,
+    tables,
+    baseline,
+    estimates,
+    result_store,
+    form_factor_store,
+    kept_rows,
+    materials,
+    points,
+};
 
-/// What kind of file these bytes are, by the lines that only that kind has; empty where no line tells.
+/// The kind of a file, recognised by lines that only this kind has; empty where no line is typical.
 std::optional<FileKind> kind_of(std::string_view bytes);
 
 /// "a scene file"
 std::string_view name_of(FileKind kind);
 
+/// What a file is that no command takes, by the bytes that it begins with: "a PNG picture". Empty where they do not
+/// tell.
+std::string_view name_of_foreign(std::string_view bytes);
+
 /// The command that takes the file: "ffstudy form_factors FILE"
 std::string command_for(FileKind kind, const std::filesystem::path& file);
 
-/// @throws UserError where the bytes are of another kind than is wanted, with the command that takes them. What has
-///   no mark of any kind is left to the parser of the kind that is wanted.
+/// @throws UserError where the bytes are recognised as a kind other than the expected one, with the command that takes
+///   them. Unrecognised bytes are left to the parser of the expected kind.
 void expect_kind(FileKind wanted, std::string_view bytes, const std::filesystem::path& file);
 
 }  // namespace ff::studies

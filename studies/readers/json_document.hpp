@@ -12,7 +12,7 @@ struct TextPosition {
     int column = 1;
 };
 
-/// A JSON value that knows where it stands, so that messages about its meaning can point at it.
+/// A JSON value with its position, so that messages about its meaning can point at it.
 struct JsonValue {
     enum class Kind { null, boolean, number, string, array, object };
 

@@ -11,8 +11,8 @@
 
 namespace ff::studies {
 
-/// Takes typed values out of a JSON document. Whatever is not as it must be is a UserError that says where it stands,
-/// what is wrong and what to do. `key` names a value in messages, `what` an object.
+/// Extracts typed values from a JSON document. Anything invalid is a UserError that says where it is, what is wrong and
+/// what to do. `key` names a value in messages, `what` an object.
 class JsonReader {
   public:
     /// @param origin names the document; outlives the reader
@@ -20,7 +20,7 @@ class JsonReader {
 
     [[noreturn]] void fail(const JsonValue& at, const std::string& message) const;
 
-    /// The value is an object and has no other keys than these.
+    /// Requires that the value is an object with no keys other than these.
     void expect_object(const JsonValue& value, std::string_view what,
                        std::initializer_list<std::string_view> keys) const;
 
@@ -32,7 +32,7 @@ class JsonReader {
     /// A whole number from 1 to `largest`, at most 2^53.
     std::uint64_t count(const JsonValue& value, std::string_view key, double largest) const;
     bool flag(const JsonValue& value, std::string_view key) const;
-    /// Position of the value in a list of words.
+    /// The index of the value in a list of words.
     std::size_t choice(const JsonValue& value, std::string_view key,
                        std::initializer_list<std::string_view> words) const;
     /// A string of digits with at most one decimal point, as printed.

@@ -16,9 +16,12 @@
 namespace ff::studies {
 namespace {
 
-void expect_utf8(std::string_view text, const std::filesystem::path& file) {
+void expect_utf8(std::string_view text, const std::filesystem::path& file, FileKind wanted) {
     const std::size_t at = std::min(find_no_utf8(text), text.find('\0'));
     if (at == std::string_view::npos) return;
+    if (const auto foreign = name_of_foreign(text); !foreign.empty())
+        throw UserError(
+            fmt::format("{}: {} ({} is wanted here). Check the name.", file.string(), foreign, name_of(wanted)));
     const std::string_view before = text.substr(0, at);
     throw UserError(fmt::format(
         "{}:{}:{}: the byte 0x{:02x} is not {} (no other encoding is read). Save the file as UTF-8.", file.string(),
@@ -43,7 +46,7 @@ std::string read_text_file(const std::filesystem::path& file, FileKind wanted) {
     constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
     if (bytes.starts_with(byte_order_mark)) bytes.erase(0, byte_order_mark.size());
     expect_kind(wanted, bytes, file);
-    expect_utf8(bytes, file);
+    expect_utf8(bytes, file, wanted);
     return bytes;
 }
 

@@ -12,7 +12,7 @@
 namespace ff::studies {
 
 /// A table of a TOML file, read with messages that name file, line and column. Every key has to be read or listed:
-/// `expect_only` refuses the others.
+/// `expect_only` rejects the others.
 class TomlReader {
   public:
     TomlReader(const toml::table& table, std::string_view origin) : table_(&table), origin_(origin) {}
@@ -45,12 +45,12 @@ class TomlReader {
     [[nodiscard]] std::vector<TomlReader> tables(std::string_view key) const;
     [[nodiscard]] std::optional<TomlReader> optional_table(std::string_view key) const;
 
-    /// The file, as it was given.
+    /// The file name as given.
     [[nodiscard]] std::string_view origin() const { return origin_; }
     /// All keys, in alphabetical order.
     [[nodiscard]] std::vector<std::string> keys() const;
 
-    /// Where the table begins.
+    /// The position where the table begins.
     [[nodiscard]] std::uint64_t line() const { return table_->source().begin.line; }
 
     /// "origin:line:column" of the value of `key`, or of the table where it is missing.

@@ -9,7 +9,7 @@
 
 namespace ff::studies {
 
-/// Without blanks and line ends before and after.
+/// The text without leading and trailing blanks and line ends.
 inline std::string_view trimmed(std::string_view text) {
     constexpr std::string_view blanks = " \t\r\n";
     const std::size_t first = text.find_first_not_of(blanks);

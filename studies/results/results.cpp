@@ -26,6 +26,8 @@ StudyResults evaluate(const Store& store, const std::atomic<bool>* stop) {
         results.reductions = compare_with_random(results.findings);
         results.coverage = measure_coverage(store);
         results.until = until_outcomes(store);
+        results.contests = hold_contests(store, results.findings);
+        results.claimed_errors = judge_claimed_errors(store);
         if (results.findings.plan.spec.radiosity) {
             results.radiosity = evaluate_radiosity(store, stop);
             results.bias_orders = bias_orders(results.findings.plan, *results.radiosity);

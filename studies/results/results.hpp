@@ -6,8 +6,10 @@
 #include "studies/claims/claims.hpp"
 #include "studies/claims/comparison.hpp"
 #include "studies/claims/error_law.hpp"
+#include "studies/comparison/contests.hpp"
 #include "studies/comparison/occlusion_series.hpp"
 #include "studies/comparison/rivals.hpp"
+#include "studies/diagnostics/claimed_errors.hpp"
 #include "studies/diagnostics/coverage.hpp"
 #include "studies/diagnostics/evenness.hpp"
 #include "studies/diagnostics/heavy_tails.hpp"
@@ -24,7 +26,7 @@
 
 namespace ff::studies {
 
-/// What a study says about the tables of a publication.
+/// The results of a study about the tables of a publication.
 struct PublishedResults {
     PublishedTables tables;
     std::vector<TableComparison> comparisons;
@@ -32,7 +34,7 @@ struct PublishedResults {
     AuditReport audit;
 };
 
-/// Everything that reports show, made from a store alone. Context (host, dates) stands apart.
+/// Everything that reports show, computed from a store alone. Context (host, dates) is kept apart.
 struct StudyResults {
     Findings findings;
     std::vector<LadderSlopes> slopes;
@@ -45,13 +47,15 @@ struct StudyResults {
     std::vector<VarianceCheck> variance_checks;
     std::vector<ErrorLaw> error_laws;
     std::vector<Rivalry> rivals;
+    std::vector<Contest> contests;
+    std::vector<ClaimedErrors> claimed_errors;
     std::optional<RadiosityResults> radiosity;  ///< empty too where a study is not complete, or a trial gave no number
     std::vector<BiasOrder> bias_orders;         ///< of the exitance
     std::optional<PublishedResults> published;  ///< empty too where a trial gave no number
     Context context;
 };
 
-/// Pure but for the reading of the store: the same observations give the same results to the bit.
+/// Pure, except that it reads the store: the same observations give the same results to the bit.
 /// @param stop  once true, no further system between patches is begun (one may take minutes), and what is found so far
 ///              is kept; null: never
 StudyResults evaluate(const Store& store, const std::atomic<bool>* stop = nullptr);

@@ -66,7 +66,7 @@ Observation observation_of(const Statement& row) {
     const auto* const name = std::find(observable::all.begin(), observable::all.end(), row.text(0));
     Observation observation{*name, static_cast<int>(row.integer(1)), static_cast<int>(row.integer(2)),
                             static_cast<std::uint64_t>(row.integer(3)), row.integer(4)};
-    if (*name == observable::estimate)
+    if (*name == observable::estimate || *name == observable::claim)
         observation.value = row.is_number(4) ? row.real(4) : std::numeric_limits<double>::quiet_NaN();
     return observation;
 }

@@ -2,31 +2,53 @@
 
 #include "studies/plan/plan.hpp"
 #include "studies/run/run.hpp"
+#include "studies/store/store.hpp"
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
+#include <vector>
 
 namespace ff::studies {
 
-/// Processor time that a run measures of methods whose cost no table knows: programs and functions of a user.
+/// Key of a Context under which measured costs are kept.
+inline constexpr std::string_view costs_key = "processor_time";
+
+/// The measured cost of the trials of a cell.
+struct MeasuredCost {
+    std::uint64_t trials = 0;
+    double seconds = 0;          ///< of all of them
+    double squared_seconds = 0;  ///< sum of the squares of each one's
+
+    [[nodiscard]] double mean() const { return seconds / static_cast<double>(trials); }
+    /// Relative standard error of the mean, from trial to trial; 0 for one trial. It does not include influences of the
+    /// machine that are common to all trials of a cell.
+    [[nodiscard]] double relative_error() const;
+};
+
+/// Processor time measured in a run, by cell.
 class MeasuredCosts {
   public:
-    explicit MeasuredCosts(const StudyPlan& plan) : plan_(plan) {}
+    explicit MeasuredCosts(const StudyPlan& plan) : plan_(plan), of_cells_(plan.cells.size()) {}
 
     void add(const Progress& progress);
 
-    /// "mine at 64: 0.0312 s, mine at 256: 0.124 s" by method and size, over all scenes and patches; empty where
-    /// nothing was measured.
+    /// The costs of methods without a table of costs, i.e. programs and functions of a user: "mine at 64: 0.0312 s,
+    /// mine at 256: 0.124 s" by method and size, over all scenes and patches; empty where nothing was measured.
     [[nodiscard]] std::string in_words() const;
 
+    /// For a Context: entries "KEY:TRIALS:SECONDS:SQUARES", separated by "; " like the values of several runs, which
+    /// all count. KEY is the key of the cell's random numbers, with the tracer if one is chosen. Empty where nothing
+    /// was measured.
+    [[nodiscard]] std::string in_context() const;
+
   private:
-    struct Sum {
-        std::uint64_t trials = 0;
-        double seconds = 0;
-    };
     const StudyPlan& plan_;
-    std::map<std::pair<std::size_t, std::uint64_t>, Sum> sums_;  ///< by method and size
+    std::vector<MeasuredCost> of_cells_;
 };
+
+/// The costs in a store's context, by cell of its plan; empty for cells without any.
+std::vector<std::optional<MeasuredCost>> measured_costs(const StudyPlan& plan, const Context& context);
 
 }  // namespace ff::studies

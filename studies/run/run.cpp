@@ -184,6 +184,7 @@ void run_round(Store& store, const Worker& worker, const std::vector<const WorkU
         progress.evaluations += unit.trials * evaluations_per_trial(plan, plan.cells[unit.cell]);
         progress.unit = unit.index;
         progress.processor_seconds = record->processor_seconds;
+        progress.processor_seconds_squared = record->processor_seconds_squared;
         if (options.report) options.report(progress);
     }
 }

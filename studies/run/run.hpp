@@ -10,45 +10,46 @@
 
 namespace ff::studies {
 
-/// How far a run has come; `evaluations` are rays and kernel values.
+/// The progress of a run; `evaluations` are rays and kernel values.
 struct Progress {
     std::size_t units_done = 0;
     std::size_t units = 0;
-    double expected_seconds_done = 0;  ///< by the plan's cost table, of one core
+    double expected_seconds_done = 0;  ///< on one core, by the plan's cost table
     double expected_seconds = 0;
-    std::uint64_t evaluations = 0;  ///< in this run
-    std::size_t unit = 0;           ///< the one saved last
-    double processor_seconds = 0;   ///< of it, as measured; 0 where another process carried it out
+    std::uint64_t evaluations = 0;         ///< in this run
+    std::size_t unit = 0;                  ///< the last saved one
+    double processor_seconds = 0;          ///< measured for that unit; 0 where another process ran it
+    double processor_seconds_squared = 0;  ///< sum over its trials of the square of each one's
 };
 
-/// Takes a finished unit; false where nobody waits for it any more.
+/// Takes a finished unit; returns false where it is no longer wanted.
 using Deliver = std::function<bool(UnitRecord)>;
 
 struct RunOptions {
     unsigned threads = 1;
     Shard shard;                                  ///< only the units of this share are carried out and counted
-    Shard process;                                ///< of them, what this process does of what is missing
-    std::function<void(const Deliver&)> others;   ///< delivers what other processes do; called on a thread of its own
-    const std::atomic<bool>* stop = nullptr;      ///< once true, begin no unit and return when those in hand are saved
-    const std::atomic<bool>* drop = nullptr;      ///< once true, those in hand are dropped: a trial can take hours
+    Shard process;                                ///< this process's part of the missing ones
+    std::function<void(const Deliver&)> others;   ///< delivers the results of other processes; called on its own thread
+    const std::atomic<bool>* stop = nullptr;      ///< once true, begin no unit and return when current ones are saved
+    const std::atomic<bool>* drop = nullptr;      ///< once true, units in progress are dropped: a trial can take hours
     std::function<void(const Progress&)> report;  ///< called on the calling thread after each saved unit
 };
 
-/// Most records that wait to be saved at a time.
+/// Most records waiting to be saved at a time.
 constexpr std::size_t units_waiting(unsigned threads) {
     return 2 * std::size_t{threads} + 2;
 }
 
 enum class RunOutcome { complete, stopped };
 
-/// Carries out the units of the plan that the store does not hold yet and saves each in one transaction.
-/// The saved observations do not depend on threads, order or interruptions. Memory is bounded: a few units wait to be
-/// saved at any time, whatever the number of trials.
-/// @throws what a unit or the store throws, what was saved stays; UserError where the system starts too few threads
+/// Runs the units of the plan that the store does not hold yet and saves each in one transaction. The saved
+/// observations do not depend on threads, order or interruptions. Memory is bounded: a few units wait to be saved at
+/// any time, whatever the number of trials.
+/// @throws what a unit or the store throws (saved units stay); UserError where the system starts too few threads
 RunOutcome run_study(Store& store, const RunOptions& options);
 
-/// Carries out this process's part of the units that are not finished, for another process that has the store.
-/// `hand_over` gets each record on the calling thread. @throws what a unit or `hand_over` throws
+/// Runs this process's part of the unfinished units, for another process that owns the store. `hand_over` gets each
+/// record on the calling thread. @throws what a unit or `hand_over` throws
 void carry_out_units(const StudyPlan& plan, const std::vector<bool>& finished, const RunOptions& options,
                      const std::function<void(const UnitRecord&)>& hand_over);
 

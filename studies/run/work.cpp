@@ -20,11 +20,12 @@ namespace {
 /// Whether a pair of faces is observed: of a face with itself only where it sees itself.
 using Observed = std::vector<bool>;  // by face
 
-void add_matrix(const Eigen::MatrixXd& factors, const Observed& with_itself, std::uint64_t trial, UnitRecord& record) {
-    for (int i = 0; i < factors.rows(); ++i) {
-        for (int j = 0; j < factors.cols(); ++j) {
+void add_matrix(const Eigen::MatrixXd& values, std::string_view observable, const Observed& with_itself,
+                std::uint64_t trial, UnitRecord& record) {
+    for (int i = 0; i < values.rows(); ++i) {
+        for (int j = 0; j < values.cols(); ++j) {
             if (i != j || with_itself[static_cast<std::size_t>(i)])
-                record.observations.push_back({observable::estimate, i + 1, j + 1, trial, factors(i, j)});
+                record.observations.push_back({observable, i + 1, j + 1, trial, values(i, j)});
         }
     }
 }
@@ -129,18 +130,21 @@ UnitRecord Worker::carry_out(const WorkUnit& unit, BegunUnit begun) const {
                        .samples = cell.samples,
                        .options = estimator_options(*tools.method),
                        .key = cell.key};
-    const double begin = processor_seconds();
     for (std::uint64_t trial = unit.first_trial + begun.trials; trial < unit.first_trial + unit.trials; ++trial) {
         task.trial = static_cast<std::uint32_t>(trial);
+        const double begin = processor_seconds();
         tools.estimator->observe(task, outcome, totals);
+        const double seconds = processor_seconds() - begin;
+        record.processor_seconds += seconds;
+        record.processor_seconds_squared += seconds * seconds;
         if (tools.counts_hits) {
             add_tally(outcome.rays, tools.with_itself, trial, record);
         } else {
             add_rays(outcome.rays, trial, record);
-            add_matrix(outcome.estimates, tools.with_itself, trial, record);
+            add_matrix(outcome.estimates, observable::estimate, tools.with_itself, trial, record);
+            add_matrix(outcome.claims, observable::claim, tools.with_itself, trial, record);
         }
     }
-    record.processor_seconds = processor_seconds() - begin;
     record.patch_hits = std::move(totals.hits.hits);
     record.patch_hits_squared = std::move(totals.hits.hits_squared);
     for (const double sum : totals.factors.factors) record.patch_hits.push_back(std::bit_cast<std::uint64_t>(sum));

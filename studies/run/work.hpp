@@ -13,13 +13,13 @@ namespace ff::studies {
 /// The points of a cell. Null where its method takes none.
 std::unique_ptr<PointSource> make_points(const Method& method, const Cell& cell);
 
-/// The first trials of a unit that an earlier study has carried out.
+/// The first trials of a unit, from an earlier study.
 struct BegunUnit {
     std::uint64_t trials = 0;
     UnitRecord record;
 };
 
-/// Carries out work units of a plan. Safe to use from several threads: nothing is changed after construction.
+/// Runs work units of a plan. Safe to use from several threads: immutable after construction.
 class Worker {
   public:
     /// @param stop  once true, `carry_out` throws `Interrupted`; null: never
@@ -28,7 +28,7 @@ class Worker {
     Worker(const Worker&) = delete;
     Worker& operator=(const Worker&) = delete;
 
-    /// A pure function of plan and unit, whether or not some of its trials are there. @throws Interrupted
+    /// A pure function of plan and unit, whether or not some of its trials exist already. @throws Interrupted
     [[nodiscard]] UnitRecord carry_out(const WorkUnit& unit, BegunUnit begun = {}) const;
 
   private:

@@ -7,12 +7,12 @@
 
 namespace ff::studies {
 
-/// How evenly the points of a set are spread: the smaller, the more so.
+/// Measures of the evenness of a point set: the smaller, the more even.
 struct EvennessOfSet {
-    std::optional<std::uint32_t> t_value;       ///< empty where the number of points is no power of the base, or large
+    std::optional<std::uint32_t> t_value;       ///< empty unless the number of points is a small power of the base
     std::optional<double> l2_star_discrepancy;  ///< empty for more than `most_quadratic` points
     std::optional<double> centred_discrepancy;  ///< likewise
-    double largest_gap = 0;                     ///< of an axis
+    double largest_gap = 0;                     ///< on any axis
 };
 
 inline constexpr std::uint64_t most_quadratic = 1u << 14;

@@ -11,36 +11,36 @@ namespace ff::studies {
 
 enum class SamplerVerdict { pass, fail, inconclusive };
 
-/// One thing that is asked of a sampler.
+/// One requirement on a sampler.
 struct SamplerCheck {
     std::string name;
     SamplerVerdict verdict = SamplerVerdict::pass;
     std::string found;
 };
 
-/// What to look at, and both risks of all statistical checks together.
+/// What to check, and both risks of all statistical checks together.
 struct SamplerCheckRequest {
     std::uint64_t points = 0;
     std::size_t dimension = max_dimension;
     std::uint64_t trials = 0;  ///< 0: as many as `usual_trials` says
     std::uint64_t seed = 1;
-    double alpha = 1e-3;  ///< of failing a sound sampler, over all statistical checks (Holm)
-    double power = 0.99;  ///< of finding, in one check, the effect that must not be missed
+    double alpha = 1e-3;  ///< of rejecting a sound sampler, over all statistical checks (Holm)
+    double power = 0.99;  ///< of detecting, in one check, the effect that must not be missed
 };
 
 struct SamplerChecks {
     std::uint64_t trials = 0;
     std::vector<SamplerCheck> checks;
-    std::vector<std::string> not_asked;  ///< with the reason
+    std::vector<std::string> not_asked;  ///< checks left out, with the reason
 };
 
-/// Trials that take about a second, no more than there are.
+/// Trials that take about a second, limited to those available.
 std::uint64_t usual_trials(const samplers::SamplerInfo& info, std::uint64_t points);
 
-/// Asks of any sampler what the contract asks of those in the catalogue: the same bits from any first point, points in
-/// [0, 1), a stratified axis where its sizes promise it; of a randomised one also uniform coordinates and pairs of them
-/// in a point picked at random, unbiased means of known integrals, and trials without serial correlation.
-/// @throws UserError where the size cannot be done, or points have weights
+/// Checks any sampler against the contract of the catalogue: the same bits from any first point, points in [0, 1), a
+/// stratified axis where its sizes promise it; for a randomised one also uniform coordinates, and uniform pairs of
+/// them, in a randomly picked point, unbiased means of known integrals, and trials without serial correlation.
+/// @throws UserError where the size is impossible, or points have weights
 SamplerChecks check_sampler(const samplers::CatalogueEntry& sampler, const SamplerCheckRequest& request);
 
 }  // namespace ff::studies

@@ -20,8 +20,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double least_share_of_area = 1e-12;  // of the square of the extent
-constexpr double most_bend = 1e-6;             // of a polygon out of its plane, relative to its size
+constexpr double most_bend = 1e-6;  // of a polygon out of its plane, relative to its size
 constexpr double parallelogram_gap = 1e-12;
 constexpr std::array<std::string_view, 3> labels_of_sums{"all", "sum", "sum_re"};
 constexpr double largest_length = 1e30;  // squares of areas are numbers, in single precision lengths too

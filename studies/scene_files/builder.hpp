@@ -10,14 +10,17 @@
 
 namespace ff::studies {
 
-/// Collects the surfaces of a scene file, and refuses those that cannot be computed with, by file and line.
+/// Least area of a surface relative to its squared extent.
+inline constexpr double least_share_of_area = 1e-12;
+
+/// Collects the surfaces of a scene file, and rejects unusable ones by file and line.
 class SceneBuilder {
   public:
-    /// @param name  of the file, for messages and as the scene's
+    /// @param name  of the file, for messages and as the scene's name
     explicit SceneBuilder(std::string_view name) : name_(name) {}
 
-    /// The face of that name, a new one where there is none.
-    /// @throws UserError where tables and files cannot have the name
+    /// The face of that name; a new one if there is none.
+    /// @throws UserError where the name cannot be used in tables and files
     int face(const std::string& label, std::uint64_t line);
 
     /// @throws UserError where the surface has no area, a number is not finite or too large
@@ -39,7 +42,7 @@ class SceneBuilder {
     std::string name_;
     Scene scene_;
     std::unordered_map<std::string, int> faces_;
-    std::vector<std::uint64_t> lines_;  ///< of each surface
+    std::vector<std::uint64_t> lines_;  ///< one per surface
 };
 
 }  // namespace ff::studies

@@ -1,15 +1,24 @@
 #pragma once
 
-#include "core/geometry/scene.hpp"
+#include "studies/scene_files/scene_file.hpp"
 
+#include <filesystem>
+#include <string>
 #include <string_view>
 
 namespace ff::studies {
 
 /// Each reads the text of a scene file; `name` is the file's, for messages.
 /// @throws UserError "name:line: problem (why). Suggestion."
-Scene read_toml_scene(std::string_view name, std::string_view text);
-Scene read_obj_scene(std::string_view name, std::string_view text);
-Scene read_vs3_scene(std::string_view name, std::string_view text);
+SceneWithMaterials read_toml_scene(std::string_view name, std::string_view text);
+SceneWithMaterials read_obj_scene(std::string_view name, std::string_view text);
+SceneWithMaterials read_vs3_scene(std::string_view name, std::string_view text);
+
+/// Whether a file name is that of a mesh: .stl, .ply, .off, .gltf or .glb.
+bool names_mesh(std::string_view name);
+
+/// A mesh as the text of an OBJ file. Its groups are the nodes that contain polygons, by name, with `usemtl` where the
+/// file names materials; degenerate polygons are left out. @throws UserError, IoError
+std::string mesh_as_obj(const std::filesystem::path& file);
 
 }  // namespace ff::studies

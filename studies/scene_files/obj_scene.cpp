@@ -24,6 +24,7 @@
 #include <string>
 #include <string_view>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 namespace ff::studies {
@@ -35,12 +36,6 @@ constexpr std::string_view occluder_group = "occluder";
 /// The loader counts the corners of a polygon in a byte.
 constexpr std::size_t most_corners = 255;
 
-/// A comment that says that every ray hits something.
-constexpr std::string_view closed_comment = "closed";
-
-/// A comment that says that every polygon is a face of its own.
-constexpr std::array<std::string_view, 2> polygons_comment{"faces", "polygon"};
-
 /// Lines that the loader gets. It computes with what stands in others, and not always with care.
 constexpr std::array<std::string_view, 6> shape_keywords{"v", "vt", "vn", "f", "g", "o"};
 
@@ -48,8 +43,11 @@ constexpr std::array<std::string_view, 6> shape_keywords{"v", "vt", "vn", "f", "
 struct Lines {
     std::string of_shapes;
     std::vector<std::uint64_t> of_polygon;
+    std::vector<std::string> materials;            ///< by first use; the first is that of no name
+    std::vector<std::size_t> material_of_polygon;  ///< in `materials`
     bool closed = false;
     bool faces_of_polygons = false;
+    bool faces_of_materials = false;
 };
 
 /// The loader reads what begins like a number, and wraps what does not fit.
@@ -76,6 +74,8 @@ void expect_indices(const SceneBuilder& builder, std::uint64_t line, const std::
 /// @throws UserError at a coordinate that is no number, at a corner that is no index, and at a group without polygons
 Lines read_lines(const SceneBuilder& builder, std::string_view text) {
     Lines lines;
+    lines.materials.emplace_back();
+    std::size_t material = 0;
     std::string group;
     std::uint64_t group_line = 0;  // of a group that has no polygon yet
     const auto expect_polygons = [&] {
@@ -98,29 +98,41 @@ Lines read_lines(const SceneBuilder& builder, std::string_view text) {
                 builder.fail(number, fmt::format("more than {} corners. Divide the polygon.", most_corners));
             expect_indices(builder, number, words);
             lines.of_polygon.push_back(number);
+            lines.material_of_polygon.push_back(material);
             group_line = 0;
         } else if (words[0] == "g" && words.size() > 1) {
             expect_polygons();
             group = words[1];
             group_line = number;
-        } else if (words.size() == 2 && words[0] == "#" && words[1] == closed_comment) {
-            lines.closed = true;
-        } else if (words.size() == 3 && words[0] == "#" &&
-                   std::equal(words.begin() + 1, words.end(), polygons_comment.begin())) {
-            lines.faces_of_polygons = true;
+        } else if (words[0] == "usemtl" && words.size() > 1) {
+            material = static_cast<std::size_t>(std::find(lines.materials.begin(), lines.materials.end(), words[1]) -
+                                                lines.materials.begin());
+            if (material == lines.materials.size()) lines.materials.emplace_back(words[1]);
+        } else if (words[0] == "#") {
+            const std::string comment = fmt::format("{}", fmt::join(words.begin() + 1, words.end(), " "));
+            lines.closed = lines.closed || comment == closed_scene;
+            lines.faces_of_polygons = lines.faces_of_polygons || comment == faces_of_polygons;
+            lines.faces_of_materials = lines.faces_of_materials || comment == faces_of_materials;
         }
     });
     expect_polygons();
     return lines;
 }
 
-}  // namespace
-
-std::string with_faces_of_polygons(std::string text) {
-    return text + fmt::format("\n# {}\n", fmt::join(polygons_comment, " "));
+/// Notes the name of a polygon's material, if it has one.
+void add_name(std::vector<FaceMaterial>& materials, std::size_t face, const std::string& name) {
+    if (face >= materials.size()) materials.resize(face + 1);
+    auto& known = materials[face].names;
+    if (!name.empty() && std::find(known.begin(), known.end(), name) == known.end()) known.push_back(name);
 }
 
-Scene read_obj_scene(std::string_view name, std::string_view text) {
+}  // namespace
+
+std::string with_obj_comment(std::string text, std::string_view comment) {
+    return text + fmt::format("\n# {}\n", comment);
+}
+
+SceneWithMaterials read_obj_scene(std::string_view name, std::string_view text) {
     SceneBuilder builder(name);
     const Lines lines = read_lines(builder, text);
     tinyobj::ObjReaderConfig config;
@@ -133,15 +145,17 @@ Scene read_obj_scene(std::string_view name, std::string_view text) {
     const auto& vertices = reader.GetAttrib().vertices;
     std::size_t polygon = 0;
     std::unordered_map<std::string, std::size_t> polygons_of;  // a group
+    std::vector<FaceMaterial> materials;
     for (const tinyobj::shape_t& shape : reader.GetShapes()) {
         const std::string label = shape.name.empty() ? "1" : shape.name;
         const std::uint64_t first_line = polygon < lines.of_polygon.size() ? lines.of_polygon[polygon] : 1;
-        const bool divided = lines.faces_of_polygons && label != occluder_group;
+        const bool divided = (lines.faces_of_polygons || lines.faces_of_materials) && label != occluder_group;
         int face = no_face;
         if (label != occluder_group && !divided) face = builder.face(label, first_line);
         std::size_t first = 0;
         for (const auto corners_of_polygon : shape.mesh.num_face_vertices) {
             if (polygon >= lines.of_polygon.size()) break;
+            const std::string& material = lines.materials[lines.material_of_polygon[polygon]];
             const std::uint64_t line = lines.of_polygon[polygon++];
             std::vector<Eigen::Vector3d> corners;
             for (std::size_t i = 0; i < corners_of_polygon; ++i) {
@@ -154,11 +168,18 @@ Scene read_obj_scene(std::string_view name, std::string_view text) {
                 corners.emplace_back(place[0], place[1], place[2]);
             }
             first += corners_of_polygon;
-            if (divided) face = builder.face(fmt::format("{}.{}", label, ++polygons_of[label]), line);
+            if (divided) {
+                const std::string& part = lines.faces_of_materials && !material.empty() ? material : label;
+                face = builder.face(lines.faces_of_polygons ? fmt::format("{}.{}", part, ++polygons_of[part]) : part,
+                                    line);
+            }
             builder.add_polygon(corners, face, line);
+            if (face != no_face) add_name(materials, static_cast<std::size_t>(face), material);
         }
     }
-    return builder.finish(lines.closed);
+    Scene scene = builder.finish(lines.closed);
+    materials.resize(scene.faces.size());
+    return {std::move(scene), std::move(materials)};
 }
 
 }  // namespace ff::studies

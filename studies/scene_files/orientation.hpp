@@ -7,7 +7,7 @@
 
 namespace ff::studies {
 
-/// Where rays from both sides of each face end. Sides: 0 the one that radiates, 1 the back.
+/// Where rays from both sides of each face end. Sides: 0 is the radiating one, 1 the back.
 struct SideProbes {
     explicit SideProbes(std::size_t count) : faces(count), ends(4 * count * count), rays(2 * count), lost(2 * count) {}
 
@@ -16,7 +16,7 @@ struct SideProbes {
     std::vector<std::size_t> rays;  ///< [2 * face + side]
     std::vector<std::size_t> lost;  ///< [2 * face + side]
 
-    /// Rays from one side of a face that ended on one side of another.
+    /// Number of rays from one side of a face that ended on one side of another.
     [[nodiscard]] std::size_t& met(std::size_t from, std::size_t side, std::size_t to, std::size_t on) {
         return ends[((2 * from + side) * faces + to) * 2 + on];
     }
@@ -25,13 +25,13 @@ struct SideProbes {
     }
 };
 
-/// Shoots 64 rays from both sides of each surface of a face, of every so many where there are more than 1000. The same
-/// rays for the same scene.
+/// Shoots 64 rays from both sides of each surface of a face, or of a subset where there are more than 1000 surfaces.
+/// The same rays for the same scene.
 SideProbes probe_sides(const Scene& scene);
 
-/// The faces that seem to face the wrong way: with them turned round, at most a tenth as many rays end on backs (or, of
-/// a closed scene, nowhere), and at least half of those on fronts. Empty where fewer than one ray in 20 ends so, or
-/// where turning faces does not explain it.
+/// The faces that seem to be reversed: with them flipped, at most a tenth as many rays end on backs (or, in a closed
+/// scene, nowhere), and at least half of those on fronts. Empty where fewer than one ray in 20 ends so, or where
+/// flipping does not explain it.
 std::vector<std::size_t> turned_faces(const SideProbes& probes, bool closed);
 
 }  // namespace ff::studies

@@ -2,52 +2,81 @@
 
 #include "core/geometry/scene.hpp"
 
+#include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace ff::studies {
 
-/// Scenes that users write: TOML (surfaces of every shape), Wavefront OBJ and View3D's .vs3 (polygons); docs/scenes.md.
+/// Scenes that users write: TOML (surfaces of every shape), Wavefront OBJ, View3D's .vs3 and meshes (polygons);
+/// docs/scenes.md.
 ///
-/// A study names a scene file beside it. What it reads there becomes part of the study: in a spec, such a scene is the
-/// name, a line break and the text of the file, so that stores need no other file and changed text is another study.
+/// A study names a scene file beside it, whose text becomes part of the study: in a spec, such a scene is the name, a
+/// line break and the text of the file, so that stores need no other file and a changed text is a different study.
 
-/// Whether a scene is a file: the name ends with .toml, .obj or .vs3, or the text is there.
+/// Whether a scene is a file: the name ends with .toml, .obj, .vs3 or an ending of meshes, or has the text.
 bool names_scene_file(std::string_view scene);
 
-/// Whether the text is there.
+/// ".obj, .toml, .vs3, .stl, .ply, .off, .gltf, .glb"
+std::string scene_extensions_in_words();
+
+/// The text of a scene file; a mesh is converted to OBJ. @throws UserError, IoError
+std::string read_scene_file(const std::filesystem::path& file);
+
+/// Whether the scene includes its text.
 bool has_scene_text(std::string_view scene);
 
-/// Name and text as one. @pre the name has no line break
+/// Name and text combined. @pre the name has no line break
 std::string with_scene_text(std::string_view name, std::string_view text);
 
-/// The text of an OBJ file with the comment that makes every polygon a face of its own.
-std::string with_faces_of_polygons(std::string text);
+/// Comments of OBJ files: every polygon, or every material, is a face of its own; every ray hits something.
+inline constexpr std::string_view faces_of_polygons = "faces polygon";
+inline constexpr std::string_view faces_of_materials = "faces material";
+inline constexpr std::string_view closed_scene = "closed";
 
-/// The file of a scene that is one, without the mirrors behind it.
+/// The text of an OBJ file, or of a converted mesh, with such a comment.
+std::string with_obj_comment(std::string text, std::string_view comment);
+
+/// Whether a file of that name is read as OBJ.
+bool is_read_as_obj(std::string_view name);
+
+/// The file name of a scene from a file, without the mirrors that follow it.
 std::string scene_file(std::string_view scene);
 
 /// Names a scene with some of its faces as mirrors: "cube mirrors:6", with '+' between faces. @pre no text
 std::string with_mirrors_named(std::string_view scene, const std::vector<std::string>& faces);
 
-/// A built-in scene, or that of a file whose text is there.
-/// @throws UserError "name:line: face: problem (why). Suggestion."
-Scene make_scene(std::string_view scene);
-
-/// What speaks against a scene as it is.
-struct SceneDoubts {
-    /// With which results are not what was meant: a closed scene leaks, faces lie over each other in one plane, or no
-    /// face sees another but their backs do.
-    std::vector<std::string> faults;
-    std::vector<std::string> notes;  ///< what may be meant, with what is assumed
+/// What a scene file states about a face besides its shape.
+struct FaceMaterial {
+    std::vector<std::string> names;    ///< of materials (usemtl), in order; a face may have several
+    std::vector<double> emissivities;  ///< of its surfaces (.vs3), each different value once
 };
 
-/// Looks for surfaces that lie over each other, and shoots a few rays from both sides of each face, at most of a
-/// thousand surfaces; of more than 65536 surfaces none.
+struct SceneWithMaterials {
+    Scene scene;
+    std::vector<FaceMaterial> materials;  ///< of the faces, in their order; empty where the file has none
+};
+
+/// A built-in scene, or one from a file whose text is included.
+/// @throws UserError "name:line: face: problem (why). Suggestion."
+Scene make_scene(std::string_view scene);
+SceneWithMaterials make_scene_with_materials(std::string_view scene);
+
+/// Doubts about a scene.
+struct SceneDoubts {
+    /// Faults, with which results are not what was meant: a closed scene leaks, coplanar faces overlap, or no face sees
+    /// another but their backs do.
+    std::vector<std::string> faults;
+    std::vector<std::string> notes;  ///< possible misunderstandings, with what is assumed
+};
+
+/// Looks for coplanar overlaps, and shoots a few rays from both sides of each face, from at most a thousand surfaces;
+/// none where there are more than 65536 surfaces.
 SceneDoubts examine_scene(const Scene& scene);
 
-/// Faults and notes together.
+/// Faults followed by notes.
 std::vector<std::string> doubts_about(const Scene& scene);
 
 }  // namespace ff::studies

@@ -9,10 +9,10 @@
 
 namespace ff::studies {
 
-/// Whether OBJ and .vs3 can say a scene: all surfaces are polygons, and the names of faces single words.
+/// Whether OBJ and .vs3 can express a scene: all surfaces are polygons, and names of faces are single words.
 bool is_of_polygons(const Scene& scene);
 
-/// Corners of a flat surface with corners, counter-clockwise as seen from the side that it radiates to.
+/// Corners of a polygon, counter-clockwise as seen from its radiating side.
 std::vector<Eigen::Vector3d> rim(const Surface& surface);
 
 /// A scene as the text of a file which the program reads back as the same surfaces and faces; grids are left out where

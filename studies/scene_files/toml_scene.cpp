@@ -142,7 +142,7 @@ Surface read_surface(const TomlReader& reader) {
 
 }  // namespace
 
-Scene read_toml_scene(std::string_view name, std::string_view text) {
+SceneWithMaterials read_toml_scene(std::string_view name, std::string_view text) {
     const toml::table root = parse_toml(text, name);
     const TomlReader file(root, name);
     static constexpr std::array<std::string_view, 2> known{"closed", "surface"};
@@ -155,7 +155,7 @@ Scene read_toml_scene(std::string_view name, std::string_view text) {
         surface.grid = read_grid(reader);
         builder.add(std::move(surface), reader.line());
     }
-    return builder.finish(flag(file, "closed"));
+    return {builder.finish(flag(file, "closed")), {}};
 }
 
 }  // namespace ff::studies

@@ -5,8 +5,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace ff::studies {
@@ -55,7 +57,11 @@ class Vs3Reader {
         }
     }
 
-    Scene finish() { return builder_.finish(closed_); }
+    SceneWithMaterials finish() {
+        Scene scene = builder_.finish(closed_);
+        materials_.resize(scene.faces.size());
+        return {std::move(scene), std::move(materials_)};
+    }
 
   private:
     [[nodiscard]] long number(std::uint64_t line, const Words& words, std::size_t at) const {
@@ -122,6 +128,14 @@ class Vs3Reader {
                 line,
                 fmt::format("surface {} is there twice (others could mean either). Give one another number.", index));
         builder_.add_polygon(corners(line, words), face, line);
+        if (const auto emissivity = words.size() > 8 ? finite_number(words[8]) : std::nullopt)
+            add_emissivity(static_cast<std::size_t>(face), *emissivity);
+    }
+
+    void add_emissivity(std::size_t face, double emissivity) {
+        if (face >= materials_.size()) materials_.resize(face + 1);
+        auto& known = materials_[face].emissivities;
+        if (std::find(known.begin(), known.end(), emissivity) == known.end()) known.push_back(emissivity);
     }
 
     void read_control(const Words& words) {
@@ -133,13 +147,14 @@ class Vs3Reader {
     SceneBuilder builder_;
     std::map<long, Eigen::Vector3d> vertices_;
     std::map<long, int> faces_;  ///< by number of a surface
+    std::vector<FaceMaterial> materials_;
     bool closed_ = false;
     bool ended_ = false;
 };
 
 }  // namespace
 
-Scene read_vs3_scene(std::string_view name, std::string_view text) {
+SceneWithMaterials read_vs3_scene(std::string_view name, std::string_view text) {
     Vs3Reader reader(name);
     for_each_line(text, [&](std::uint64_t line, const Words& words) { reader.read_line(line, words); });
     return reader.finish();

@@ -8,10 +8,10 @@
 
 namespace ff::studies {
 
-/// A band that the noise does not see: a point null hypothesis.
+/// A band far narrower than the noise: a point null hypothesis.
 inline constexpr double narrow_band = 1e-4;
 
-/// Adds rates to a table, each measured as often.
+/// Adds rates to a table, each from the same number of repetitions.
 struct Bench {
     const Repetitions& repetitions;
     std::uint64_t times;

@@ -16,7 +16,7 @@ namespace {
 /// Of one trial, so that effects are in units of it.
 constexpr double sigma = 1;
 constexpr double wide = 1;        // a band far wider than the noise of a mean: only one of its ends can be crossed
-constexpr double narrow = 1e-12;  // one that the noise does not see: a point null hypothesis
+constexpr double narrow = 1e-12;  // far narrower than the noise: a point null hypothesis
 
 struct Experiment {
     std::size_t trials = 0;
@@ -66,11 +66,10 @@ void measure_false_alarms(const Bench& bench, Calibration& calibration) {
     RateTable& table = calibration.false_alarms;
     table.title = "False alarms";
     table.text =
-        "Gates on the mean of normal trials. At the end of a band that is wide beside the noise only one end of the "
-        "interval can leave it, so that a gate of level α fails in α/2 of all runs there, and in fewer inside; a band "
-        "that is narrow beside the noise leaves both ends, and the rate is α. The last rows are wrong passes: an "
-        "effect "
-        "at the end of the band passes in 5 %.";
+        "Gates on the mean of normal trials. Where the band is wide compared with the noise, only one end of the "
+        "interval can leave it, so that with an effect at the end of the band a gate of level α fails in α/2 of all "
+        "runs, and in fewer with an effect inside; where it is narrow, both ends can, and the rate is α. The last rows "
+        "are wrong passes: an effect at the end of the band passes in 5 % of runs.";
     for (const double alpha : {0.05, 0.01, 1e-4}) {
         for (const std::size_t trials : {10u, 100u}) {
             const std::string gate = fmt::format("α = {}, {} trials", alpha, trials);
@@ -100,8 +99,8 @@ void measure_power(const Bench& bench, Calibration& calibration) {
     RateTable& table = calibration.power;
     table.title = "Power";
     table.text =
-        "A bias beyond the band by exactly what is called detectable fails as often as the power says, and a method "
-        "without bias passes as often as it was planned to.";
+        "A bias that exceeds the band by exactly the stated detectable amount fails as often as the power says, and a "
+        "method without bias passes as often as planned.";
     for (const double power : {0.5, 0.9, 0.99}) {
         constexpr std::size_t trials = 50;
         Levels levels = levels_at(0.01);

@@ -16,7 +16,7 @@ struct PValues {
     double p = 0;         ///< of that distance
 };
 
-/// The rule of gates (verdict.hpp) on trials whose distribution is known: false alarms, passes that should not be,
+/// The rule of gates (verdict.hpp) on trials with a known distribution: false alarms, wrong passes,
 /// power.
 struct Calibration {
     RateTable false_alarms;

@@ -47,8 +47,8 @@ class CoverageTable {
     CoverageTable(const Repetitions& repetitions, std::uint64_t times) : repetitions_(repetitions), times_(times) {
         table_.title = "Coverage of intervals";
         table_.text =
-            "How often an interval of nominal level 0.95 holds the true value. *At least* is claimed where a method is "
-            "conservative by construction, nothing where it is approximate or only there for comparison.";
+            "How often an interval of nominal level 0.95 contains the true value. *At least* is claimed where a method "
+            "is conservative by construction, nothing where it is approximate or serves for comparison only.";
     }
 
     /// Of the mean (or, with `of_variance`, of the variance 1).

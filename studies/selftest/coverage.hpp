@@ -7,7 +7,7 @@
 
 namespace ff::studies {
 
-/// How often each interval method holds the true value, for data it is made for and for some that it is not.
+/// How often each interval method contains the true value, for data that it is designed for and for others.
 /// @param times  repetitions of each row; the slow ones (bootstraps) are repeated a tenth as often
 RateTable measure_coverage(const Repetitions& repetitions, std::uint64_t times);
 

@@ -60,7 +60,7 @@ void measure_controls(const Laboratory& laboratory, const GatesSpec& controls, D
         "each are such that the planned power against this control is at least {:g}.",
         laboratory.seeds, controls.power);
     detection.sound.title = "Their sound counterparts";
-    detection.sound.text = "The same gates on what the control would be if it were not broken.";
+    detection.sound.text = "The same gates on the sound methods that the controls break.";
     for (std::size_t i = 0; i < controls.gates.size(); ++i) {
         const Gate& gate = controls.gates[i];
         const std::string what = fmt::format("{} ({})", gate.name, name(gate.kind));
@@ -107,9 +107,10 @@ void measure_edges(const Repetitions& repetitions, std::uint64_t seeds, Detectio
     constexpr double narrow = 1e-12;  // a point null hypothesis
     detection.edge.title = "False alarms of whole gates";
     detection.edge.text =
-        "The whole way from bands file to verdict: 50 trials of 1000 random rays, a new seed each time, the reference "
-        "moved so that the bias is exactly what the row says. α/2 at an end of the band, α for a point null, as above. "
-        "The last rows have all three looks: a point null on all 30 pairs together, which share α, and wrong passes.";
+        "From bands file to verdict: 50 trials of 1000 random rays, a new seed each time, the reference shifted so "
+        "that the bias is exactly as stated in the row. As above, the rate is α/2 at an end of the band and α for a "
+        "point null. The last rows use all three looks: a point null on all 30 pairs together, which share α, and "
+        "wrong passes.";
     const Laboratory laboratory{repetitions, 10 * seeds};
     for (const double alpha : {0.05, 0.01}) {
         for (const auto& [text, bias, band, rate] :

@@ -10,15 +10,15 @@
 
 namespace ff::studies {
 
-/// Whether the controls are caught, and what is sound is not.
+/// Whether controls are caught and sound methods are not.
 struct Detection {
     RateTable caught;                  ///< how often each control fails its gate
     RateTable sound;                   ///< how often its sound counterpart fails the same gate, and passes it
-    RateTable edge;                    ///< gates on our own trials with the effect at the end of the band
-    std::vector<std::string> refused;  ///< messages of gates that are refused before anything is run
+    RateTable edge;                    ///< gates on the program's own trials with the effect at the end of the band
+    std::vector<std::string> refused;  ///< messages of gates refused before anything is run
 };
 
-/// Runs every gate of `controls` (studies/built_in/gates/controls.toml), one a control, with `seeds` seeds.
+/// Runs every gate of `controls` (studies/built_in/gates/controls.toml), one per control, with `seeds` seeds.
 Detection measure_detection(const GatesSpec& controls, const Repetitions& repetitions, std::uint64_t seeds);
 
 }  // namespace ff::studies

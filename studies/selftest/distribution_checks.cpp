@@ -105,9 +105,9 @@ RateTable measure_counts(const Repetitions& repetitions, std::uint64_t times) {
         .title = "Distributions of counts",
         .text =
             "Gates of kind `distribution` on 5000 counts in 20 cells, alike or with one cell of 0.5 %, α = 0.01: "
-            "without a difference in a band that the noise does not see; at the end of a band of 0.1, by a little in "
-            "all cells or by much in the rare one; of a few events; power; and how often the interval of 90 % holds "
-            "the distance.",
+            "without a difference and a band far narrower than the noise; at the end of a band of 0.1, by a small "
+            "difference in all cells or a large one in the rare cell; with few events; power; and how often the 90 % "
+            "interval contains the distance.",
         .rates = {}};
     const Bench bench{repetitions, times, table};
     constexpr std::size_t n = 5000;
@@ -173,9 +173,8 @@ RateTable measure_values(const Repetitions& repetitions, std::uint64_t times) {
     RateTable table{
         .title = "Distributions of values",
         .text =
-            "Uniform numbers against the uniform distribution, and two files of them, α = 0.01. At the end of a "
-            "band of 0.05 that share of the numbers is almost 0, which is as hard on the tail as can be. Intervals "
-            "are those of 90 %.",
+            "Uniform numbers against the uniform distribution, and two files of them, α = 0.01. At the end of a band "
+            "of 0.05, that share of the numbers is almost 0, the worst case for the tail. Intervals have level 90 %.",
         .rates = {}};
     const Bench bench{repetitions, times, table};
     constexpr double width = 0.05;

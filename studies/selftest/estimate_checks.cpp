@@ -3,6 +3,7 @@
 #include "core/support/error.hpp"
 #include "stats/multiplicity.hpp"
 #include "studies/analysis/analysis.hpp"
+#include "studies/selftest/bench.hpp"
 #include "studies/selftest/made_up_files.hpp"
 #include "studies/verdicts/estimate_gates.hpp"
 #include "studies/verdicts/measurement.hpp"
@@ -16,19 +17,7 @@
 namespace ff::studies {
 namespace {
 
-constexpr double narrow = 1e-4;  // a band that the noise does not see: a point null hypothesis
-constexpr double wide = 1e9;     // one that every interval lies in
-
-struct Bench {
-    const Repetitions& repetitions;
-    std::uint64_t times;
-    RateTable& table;
-
-    template <class Event>
-    void add(const std::string& what, RateClaim claim, double claimed, const Event& event) const {
-        table.rates.push_back({what, repetitions.count(times, what, event), claim, claimed});
-    }
-};
+constexpr double wide = 1e9;  // one that every interval lies in
 
 /// Verdict of a file on a gate for its mean; empty where it is refused.
 std::optional<Verdict> judge_file(std::vector<double> values, double truth, const Band& band, double alpha) {
@@ -54,7 +43,7 @@ RateTable measure_skewed(const Repetitions& repetitions, std::uint64_t times) {
                     .text =
                         "Files without bias under a band far narrower than the noise, so that both ends can be "
                         "left and the rate may be α; and wrong passes, the effect at the upper or the lower end of "
-                        "a band that is wide beside the noise.",
+                        "a band that is wide compared with the noise.",
                     .rates = {}};
     const Bench bench{repetitions, times, table};
     for (const Law& law :
@@ -63,8 +52,8 @@ RateTable measure_skewed(const Repetitions& repetitions, std::uint64_t times) {
             for (const double alpha : {1e-2, 1e-4}) {
                 bench.add(fmt::format("fails: {}, {} estimates, α = {}", law.name, n, alpha), RateClaim::at_most, alpha,
                           [&, n, alpha](stats::Draws& draws) {
-                              return judge_file(draw_file(law, n, draws), law.mean, {-narrow, narrow}, alpha) ==
-                                     Verdict::fail;
+                              return judge_file(draw_file(law, n, draws), law.mean, {-narrow_band, narrow_band},
+                                                alpha) == Verdict::fail;
                           });
             }
         }
@@ -80,11 +69,11 @@ RateTable measure_skewed(const Repetitions& repetitions, std::uint64_t times) {
         }
     }
     for (const std::size_t n : {30u, 50u, 100u, 200u}) {
-        bench.add(
-            fmt::format("fails: normal, {} estimates, α = 0.0001, bias of one σ", n), RateClaim::none, 0,
-            [n](stats::Draws& draws) {
-                return judge_file(draw_file(normal_law(), n, draws), -1, {-narrow, narrow}, 1e-4) == Verdict::fail;
-            });
+        bench.add(fmt::format("fails: normal, {} estimates, α = 0.0001, bias of one σ", n), RateClaim::none, 0,
+                  [n](stats::Draws& draws) {
+                      return judge_file(draw_file(normal_law(), n, draws), -1, {-narrow_band, narrow_band}, 1e-4) ==
+                             Verdict::fail;
+                  });
     }
     return table;
 }

@@ -8,7 +8,7 @@
 
 namespace ff::studies {
 
-/// What becomes of files of estimates that are not normal and independent, and of trials that all give one value.
+/// Verdicts on files of estimates that are not normal and independent, and on trials that all give one value.
 /// @param times  repetitions of a row; slow ones are repeated less often
 std::vector<RateTable> measure_estimate_checks(const Repetitions& repetitions, std::uint64_t times);
 

@@ -65,12 +65,12 @@ Verdict look_until_decided(const Looking& how, double bias, double band, stats::
 }
 
 RateTable measure_ledger(const Repetitions& repetitions, std::uint64_t times) {
-    RateTable table{.title = "Looking again",
-                    .text =
-                        "One value, looked at until the gate passes or fails: reruns on new data that each have all of "
-                        "alpha, and the looks of `--again`, which share it by each rule of spending, on new data or on "
-                        "all data so far. α = 0.01.",
-                    .rates = {}};
+    RateTable table{
+        .title = "Looking again",
+        .text =
+            "One value, judged again until the gate passes or fails: reruns on new data with all of alpha each, and "
+            "looks with `--again`, which share it by each spending rule, on new data or on all data so far. α = 0.01.",
+        .rates = {}};
     const Bench bench{repetitions, times, table};
     struct Case {
         std::string what;
@@ -85,10 +85,9 @@ RateTable measure_ledger(const Repetitions& repetitions, std::uint64_t times) {
           Case{"--again, obrien_fleming, 5 looks", {Spending::obrien_fleming, planned, false}},
           Case{"--again, obrien_fleming, 5 looks, all data", {Spending::obrien_fleming, planned, true}}}) {
         const RateClaim claim = c.how.spending ? RateClaim::at_most : RateClaim::none;
-        bench.add(c.what + ": fails without bias, a band that the noise does not see", claim, alpha,
-                  [how = c.how](stats::Draws& draws) {
-                      return look_until_decided(how, 0, narrow_band, draws) == Verdict::fail;
-                  });
+        bench.add(c.what + ": fails without bias, point null", claim, alpha, [how = c.how](stats::Draws& draws) {
+            return look_until_decided(how, 0, narrow_band, draws) == Verdict::fail;
+        });
         bench.add(c.what + ": passes at the end of a band of 3", claim, 0.05,
                   [how = c.how](stats::Draws& draws) { return look_until_decided(how, 3, 3, draws) == Verdict::pass; });
         if (!c.how.with_earlier_data) continue;

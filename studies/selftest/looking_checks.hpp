@@ -8,8 +8,8 @@
 
 namespace ff::studies {
 
-/// What becomes of gates that are looked at until they are decided: with all of alpha each time, with the shares of a
-/// ledger, and with confidence sequences.
+/// Verdicts on gates that are looked at until decided: with all of alpha each time, with the shares of a ledger, and
+/// with confidence sequences.
 std::vector<RateTable> measure_looking_checks(const Repetitions& repetitions, std::uint64_t times);
 
 }  // namespace ff::studies

@@ -23,9 +23,9 @@ Law poisson_law(double mean);
 Law log_normal_law(double sigma);
 Law zero_inflated_law();
 
-/// Counts whose variance is far above their mean: those of a Poisson law whose mean is squared normal.
+/// Counts whose variance is far above their mean: Poisson counts with a squared normal mean.
 Law clustered_counts_law(double mean);
-/// Of infinite variance (Pareto of this index), and without even a mean.
+/// With infinite variance (Pareto of this index), and without even a mean.
 Law pareto_law(double index);
 Law cauchy_law();
 Law normal_law();
@@ -35,7 +35,7 @@ Law printed(const Law& law);
 
 std::vector<double> draw_file(const Law& law, std::size_t n, stats::Draws& draws);
 
-/// Normal, each like the one before; correlation 1 is a random walk that begins at 0.
+/// Normal and serially correlated; correlation 1 is a random walk that begins at 0.
 std::vector<double> draw_chain(double correlation, std::size_t n, double mean, stats::Draws& draws);
 
 }  // namespace ff::studies

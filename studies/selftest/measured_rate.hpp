@@ -8,7 +8,7 @@
 
 namespace ff::studies {
 
-/// What is claimed of a rate.
+/// The claim about a rate.
 enum class RateClaim {
     equal,
     at_most,
@@ -16,7 +16,7 @@ enum class RateClaim {
     none,  ///< shown for comparison
 };
 
-/// How often something happened among independent repetitions, beside how often it should.
+/// The frequency of an event among independent repetitions, beside the claimed one.
 struct MeasuredRate {
     std::string what;
     stats::Proportion counts;
@@ -30,7 +30,7 @@ stats::Interval interval_of(const MeasuredRate& rate, double level);
 /// Whether the claim is compatible with the interval. A claim of `none` always is.
 bool holds(const MeasuredRate& rate, double level);
 
-/// Rates that belong together, with what they are about.
+/// Rates that belong together, with their subject.
 struct RateTable {
     std::string title;
     std::string text;  ///< a sentence or two above the table

@@ -16,7 +16,7 @@ struct Repetitions {
     Seed seed;
     unsigned threads = 1;
 
-    /// How often `event` is true; it is given the random numbers of one repetition and called on several threads.
+    /// How often `event` is true; it receives the random numbers of one repetition and is called on several threads.
     [[nodiscard]] stats::Proportion count(std::uint64_t times, std::string_view what,
                                           const std::function<bool(stats::Draws&)>& event) const;
 
@@ -28,7 +28,7 @@ struct Repetitions {
 /// A standard normal number.
 double draw_normal(stats::Draws& draws);
 
-/// An exponential number of mean 1.
+/// An exponential number with mean 1.
 double draw_exponential(stats::Draws& draws);
 
 }  // namespace ff::studies

@@ -195,7 +195,8 @@ RateTable measure_rules(const Repetitions& repetitions, std::uint64_t times) {
     RateTable table{
         .title = "Rules of others",
         .text =
-            "What maintainers have reported, rebuilt with their figures: 3 standard errors in 10 configurations "
+            "Rules that maintainers have reported, reproduced with their figures: 3 standard errors in 10 "
+            "configurations "
             "(openmc#2267, one push in 37), five retries (OpenShadingLanguage#1558), and 3 standard errors over a "
             "thousand reruns (qmcpack#1067, 8 failed), for which errors of 20 blocks stand here as an example. Biases "
             "are in standard errors. Our rule is beside each, at α = 1e-4, and 0.0027 beside the last.",

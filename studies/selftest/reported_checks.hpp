@@ -8,8 +8,8 @@
 
 namespace ff::studies {
 
-/// What becomes of means with standard errors: arrays of bins under each combination, stated errors that are right and
-/// wrong, and, beside our rule, rules that other projects have reported to use.
+/// Verdicts on means with standard errors: arrays of bins under each combination, right and wrong stated errors, and,
+/// beside our rule, rules that other projects report using.
 /// @param times  repetitions of a row; those on many bins are repeated less often
 std::vector<RateTable> measure_reported_checks(const Repetitions& repetitions, std::uint64_t times);
 

@@ -11,7 +11,7 @@
 
 namespace ff::studies {
 
-/// Listed and explained beside the studies that are files.
+/// Listed and explained along with the studies that are files.
 inline constexpr Description selftest_description{
     "gates_selftest", "Check the gates and intervals themselves: what is broken is caught, what is sound is not",
     "Runs every control ('ffstudy list controls') through its gate with many seeds, and its sound counterpart beside "
@@ -24,16 +24,16 @@ inline constexpr Description selftest_description{
 struct SelftestOptions {
     Seed seed{1};
     std::uint64_t repetitions = 20'000;  ///< of every rate on made-up trials
-    std::uint64_t seeds = 200;           ///< with which every control is run
+    std::uint64_t seeds = 200;           ///< seeds with which every control is run
     unsigned threads = 1;
 };
 
-/// The checks checked: what gates and intervals promise, beside what they do.
+/// A test of the checks: what gates and intervals promise, and what they do.
 struct Selftest {
     SelftestOptions options;
     Detection detection;
     Calibration calibration;
-    std::vector<RateTable> estimates;  ///< files that are skewed, correlated, heavy-tailed, repeated
+    std::vector<RateTable> estimates;  ///< skewed, correlated, heavy-tailed, repeated files
     RateTable coverage;
     double level = 0;  ///< of the interval of one rate, such that all of them hold together with probability 0.99
 

@@ -9,15 +9,15 @@
 
 namespace ff::studies {
 
-/// What `ffstudy convergence` is asked for: every sampler with one estimator, on the same ladder of sizes; 64 trials
-/// and seed 1 unless the command line says otherwise.
+/// A request to `ffstudy convergence`: every sampler with one estimator, on the same ladder of sizes; 64 trials and
+/// seed 1 unless the command line says otherwise.
 struct ConvergenceRequest {
     std::vector<std::string> scenes{"cube"};
     std::vector<std::string> samplers;
     std::string estimator = "ray_shooting";
-    std::string samples = "2^6..2^16";  ///< a patch; as in a study file
+    std::string samples = "2^6..2^16";  ///< per patch, as in a study file
     std::uint32_t patches_per_face = 1;
-    std::optional<std::string> allocation;  ///< a study file's default where it is empty
+    std::optional<std::string> allocation;  ///< empty: a study file's default
     std::optional<std::string> completion;
     std::optional<std::string> map;
 };
@@ -25,7 +25,7 @@ struct ConvergenceRequest {
 /// @throws UserError that names the key, which is the option's name, but no place
 StudySpec make_convergence_study(const ConvergenceRequest& request);
 
-/// The command that asks for it; options of every run follow.
+/// The command that requests it; options of every run follow.
 std::string convergence_command(const ConvergenceRequest& request);
 
 }  // namespace ff::studies

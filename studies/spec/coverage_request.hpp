@@ -7,7 +7,7 @@ namespace ff::studies {
 
 class TomlReader;
 
-/// [coverage] of a study file: numbers of trials, each from 3 up, of which the study's trials make two groups at least.
+/// [coverage] of a study file: numbers of trials, each at least 3 and at most half of the study's trials.
 /// @throws UserError
 std::vector<std::uint64_t> read_coverage(const TomlReader& reader, std::uint64_t trials);
 

@@ -10,24 +10,24 @@ namespace ff::studies {
 
 class TomlReader;
 
-/// [radiosity] of a study file: the systems that the form factors of every trial are put into.
+/// [radiosity] of a study file: the systems to solve with the form factors of every trial.
 struct RadiosityRequest {
-    /// Settings, each solved for by itself: one number for all faces, or one for each face of the scene; 0, or
+    /// Settings, each solved for separately: one number for all faces, or one for each face of the scene; 0, or
     /// from 1e-30 to 1 - 1e-9.
     std::vector<std::vector<double>> reflectance{{0.1}, {0.5}, {0.9}, {0.99}, {0.999}};
     /// Emitted exitance: one number for all faces, or one for each; 0, or from 1e-30 to 1e30; not all 0. Empty: 1 on
     /// the last face.
     std::vector<double> emission;
     double tolerance = 1e-6;           ///< of the solvers' residual, relative to the largest emission; in (0, 1)
-    std::uint64_t solver_trials = 10;  ///< how many trials of a cell the solvers are run on, at most
-    std::uint64_t patch_trials = 0;    ///< how many trials of a cell are put into systems between patches too, at most
+    std::uint64_t solver_trials = 10;  ///< most trials of a cell that the solvers are run on
+    std::uint64_t patch_trials = 0;    ///< most trials of a cell that also give systems between patches
     auto operator<=>(const RadiosityRequest&) const = default;
 };
 
 /// @throws UserError
 RadiosityRequest read_radiosity(const TomlReader& reader);
 
-/// The section as a study file has it.
+/// The section as text of a study file.
 std::string to_toml(const RadiosityRequest& request);
 
 /// Numbers separated by commas, of the command line; `option` names it in messages. @throws UserError

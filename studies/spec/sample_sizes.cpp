@@ -31,7 +31,7 @@ std::uint64_t read_count(std::string_view text) {
         hat == std::string_view::npos ? std::optional<std::uint64_t>(1) : whole_number(text.substr(hat + 1));
     if (!base || !exponent) {
         throw UserError(
-            fmt::format("('{}' is no number of points). Write 1000, 5^4, or a range 2^6..2^16.", excerpt(text)));
+            fmt::format("('{}' is not a number of points). Write 1000, 5^4, or a range 2^6..2^16.", excerpt(text)));
     }
     std::uint64_t value = std::min<std::uint64_t>(*base, 1);
     if (*base > 1) {

@@ -9,8 +9,8 @@
 namespace ff::studies {
 
 /// Numbers of points as a user writes them: "1000", "5^4", several separated by commas, and ranges "2^6..2^16", which
-/// stand for the sizes in them that the sampler is made for, about one an octave (samplers/size_ladder.hpp).
-/// @throws UserError "(why). Suggestion.", to be put behind the text and its place
+/// stand for the sizes within them that the sampler is made for, about one per octave (samplers/size_ladder.hpp).
+/// @throws UserError "(why). Suggestion.", to append to the text and its place
 std::vector<std::uint64_t> read_sample_sizes(std::string_view text, const samplers::SamplerInfo& sampler,
                                              std::size_t dimension);
 

@@ -1,5 +1,6 @@
 #include "studies/spec/spec.hpp"
 
+#include "core/estimators/added.hpp"
 #include "core/support/error.hpp"
 #include "core/support/nearest_name.hpp"
 #include "samplers/sampler.hpp"
@@ -30,7 +31,7 @@
 namespace ff::studies {
 namespace {
 
-using Keys = std::array<std::string_view, 13>;
+using Keys = std::array<std::string_view, 14>;
 
 constexpr std::uint64_t max_samples = 1ULL << 32;  // a stream addresses points with 32 bits
 constexpr std::uint32_t max_patches_per_face = 1u << 20;
@@ -123,8 +124,11 @@ std::vector<Size> read_sizes(const TomlReader& reader, const samplers::SamplerIn
                          : from_sampler ? read_samples(reader, *sampler, estimator.info.dimension)
                                         : none;
     for (const std::uint32_t patches : read_patches_per_face(reader)) {
-        if (estimator.info.whole_faces && patches > 1)
-            reader.fail("patches_per_face", "(a program gets whole faces). Remove the key.");
+        if (estimator.info.whole_faces && patches > 1) {
+            const bool program = find_added_estimator(estimator.info.name) != nullptr;
+            reader.fail("patches_per_face", fmt::format("({} gets whole faces). Remove the key.",
+                                                        program ? "a program" : method.estimator));
+        }
         for (const std::uint64_t count : samples) {
             const std::uint64_t sharing = method.allocation == Allocation::face ? patches : 1;
             if (from_sampler) check_samples(reader, *sampler, count, sharing, estimator.info.dimension);
@@ -176,7 +180,7 @@ void expect_unique_sizes(const TomlReader& reader, const Method& method) {
 Method read_method(const TomlReader& reader, std::span<const std::string_view> other_keys) {
     static constexpr Keys own_keys{
         "name", "sampler", "randomise", "estimator",        "completion",        "allocation", "tracer",
-        "map",  "nodes",   "sizes",     "patches_per_face", "samples_per_patch", "trials"};
+        "map",  "nodes",   "sizes",     "patches_per_face", "samples_per_patch", "trials",     "claimed_error"};
     std::vector<std::string_view> known(own_keys.begin(), own_keys.end());
     known.insert(known.end(), other_keys.begin(), other_keys.end());
     reader.expect_only(known);
@@ -202,6 +206,9 @@ Method read_method(const TomlReader& reader, std::span<const std::string_view> o
     method.tracer = choice(reader, "tracer", tracer_names, TracerChoice::automatic, sound_tracers);
     method.map = choice(reader, "map", map_names, PointMap::uniform);
     method.nodes = read_nodes(reader, sampler, estimator);
+    method.claimed_error = reader.optional_number("claimed_error");
+    if (method.claimed_error && !(*method.claimed_error > 0))
+        reader.fail("claimed_error", "(no method keeps an error of 0). Give what it claims, as 1e-4.");
 
     const auto own_trials = [](const TomlReader& table) {
         const auto trials = table.optional_count("trials");
@@ -308,7 +315,7 @@ StudySpec parse_study(std::string_view text, std::string_view origin) {
 void read_named_files(StudySpec& spec, const std::filesystem::path& folder) {
     for (std::string& scene : spec.scenes) {
         if (!names_scene_file(scene) || has_scene_text(scene)) continue;
-        scene = with_scene_text(scene, read_text_file(folder / scene_file(scene), FileKind::scene));
+        scene = with_scene_text(scene, read_scene_file(folder / scene_file(scene)));
         static_cast<void>(make_scene(scene));  // refused before it is run
     }
     if (spec.published) {

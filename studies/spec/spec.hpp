@@ -18,7 +18,7 @@ namespace ff::studies {
 /// How the face-to-face matrix is filled from direct estimates.
 enum class Completion {
     direct,      ///< every row from its own samples
-    reciprocal,  ///< (j, i) with j > i follows from (i, j): A_j F_ji = A_i F_ij; what the paper does
+    reciprocal,  ///< (j, i) with j > i follows from (i, j): A_j F_ji = A_i F_ij, as in the paper
 };
 
 std::string_view name(Completion completion);
@@ -26,7 +26,7 @@ std::string_view name(Allocation allocation);
 std::string_view name(TracerChoice tracer);
 std::string_view name(PointMap map);
 
-/// Gauss-Legendre nodes a side on the source and on the target patch.
+/// Gauss-Legendre nodes per side on the source and on the target patch.
 struct Nodes {
     std::uint32_t source = 0;
     std::uint32_t target = 0;  ///< 0 where points lie on the source alone
@@ -51,16 +51,17 @@ struct Method {
     TracerChoice tracer = TracerChoice::automatic;
     PointMap map = PointMap::uniform;
     std::optional<Nodes> nodes;
+    std::optional<double> claimed_error;  ///< upper bound of every factor's error, as claimed by the method's author
     std::vector<Size> sizes;
     auto operator<=>(const Method&) const = default;
 };
 
-/// What the estimator of a method declares.
+/// The declaration of a method's estimator.
 const EstimatorInfo& estimator_info(const Method& method);
 
-/// Whether trials differ: by the sampler, or by points of the estimator's own.
+/// Whether trials differ: by the sampler, or by the estimator's own points.
 bool is_randomised(const Method& method);
-/// What the method chose of it.
+/// The method's choice of the estimator's options.
 EstimatorOptions estimator_options(const Method& method);
 
 /// A tables file that a study is compared with; its text is kept with the results.
@@ -70,13 +71,13 @@ struct Published {
     auto operator<=>(const Published&) const = default;
 };
 
-/// What becomes of a method in a scene that it cannot be used in.
+/// How to treat a method in a scene that it cannot be used in.
 enum class Inapplicable {
-    refuse,  ///< the study is
-    skip,    ///< the method is left out there, with a warning
+    refuse,  ///< refuse the study
+    skip,    ///< leave the method out there, with a warning
 };
 
-/// What a study file says. Everything that results depend on is here.
+/// The content of a study file. Everything that results depend on is here.
 struct StudySpec {
     std::string name;
     std::string title;
@@ -86,10 +87,10 @@ struct StudySpec {
     Seed seed;
     double level = 0.95;  ///< of every interval, and 1 - the family-wise error rate of the bias tests; in (0.5, 1)
     double power = 0.9;   ///< at which minimum detectable biases are stated; in [0.5, 1 - 1e-9]
-    std::optional<double> equivalence_margin;  ///< |bias| to be shown smaller than this, in units of the form factor
+    std::optional<double> equivalence_margin;  ///< |bias| is to be shown smaller than this, in units of the form factor
     std::vector<Method> methods;
-    std::optional<StoppingRule> until;    ///< of an adaptive study; `trials` is then the most that are run
-    std::vector<std::uint64_t> coverage;  ///< numbers of trials whose intervals are to be checked; may be empty
+    std::optional<StoppingRule> until;    ///< of an adaptive study, whose `trials` is an upper limit
+    std::vector<std::uint64_t> coverage;  ///< numbers of trials for which to check intervals; may be empty
     std::optional<RadiosityRequest> radiosity;
     std::optional<Published> published;
     auto operator<=>(const StudySpec&) const = default;
@@ -97,11 +98,11 @@ struct StudySpec {
 
 class TomlReader;
 
-/// A [[method]] table, or one with more keys than a method has.
+/// Reads a [[method]] table, or one with more keys than a method has.
 /// @throws UserError
 Method read_method(const TomlReader& reader, std::span<const std::string_view> other_keys = {});
 
-/// The scenes that `scene` names: one or a list, none twice.
+/// The scenes that `scene` names: one or a list without repetitions.
 /// @throws UserError
 std::vector<std::string> read_scenes(const TomlReader& reader);
 
@@ -113,7 +114,7 @@ StudySpec parse_study(std::string_view text, std::string_view origin);
 /// @throws IoError, UserError
 StudySpec load_study(const std::filesystem::path& file);
 
-/// The spec as a study file in canonical form: `parse_study(to_toml(spec))` is `spec`, but for the text of the tables.
+/// The spec as a study file in canonical form: `parse_study(to_toml(spec))` is `spec`, without the text of the tables.
 std::string to_toml(const StudySpec& spec);
 
 }  // namespace ff::studies

@@ -11,11 +11,11 @@ namespace ff::studies {
 struct SpecDifference {
     std::string place;  ///< "study", or the name of a method
     std::string key;
-    std::string first;  ///< as in a study file; empty where it is not there
+    std::string first;  ///< as in a study file; empty where absent
     std::string second;
 };
 
-/// What the study files of two runs say differently; seeds and numbers of trials included, sizes left out.
+/// Differences between the study files of two runs, including seeds and numbers of trials, but not sizes.
 std::vector<SpecDifference> differences_of(const StudySpec& first, const StudySpec& second);
 
 }  // namespace ff::studies

@@ -6,7 +6,7 @@
 
 namespace ff::studies {
 
-/// What study files call the choices of a method or a study, in the order of the enumerators.
+/// Names in study files for the choices of a method or a study, in the order of the enumerators.
 inline constexpr std::array<std::string_view, 2> completion_names{"direct", "reciprocal"};
 inline constexpr std::array<std::string_view, 2> allocation_names{"patch", "face"};
 inline constexpr std::array<std::string_view, 2> map_names{"uniform", "graded"};

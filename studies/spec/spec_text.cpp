@@ -22,6 +22,7 @@ std::string to_toml(const StudySpec& spec) {
         out += fmt::format("estimator = \"{}\"\ncompletion = \"{}\"\n", method.estimator, name(method.completion));
         if (estimator.has_allocation()) out += fmt::format("allocation = \"{}\"\n", name(method.allocation));
         if (estimator.has_tracer) out += fmt::format("tracer = \"{}\"\n", name(method.tracer));
+        if (method.claimed_error) out += fmt::format("claimed_error = {}\n", *method.claimed_error);
         if (method.map != PointMap::uniform) out += fmt::format("map = \"{}\"\n", name(method.map));
         if (method.nodes) {
             const auto [source, target] = *method.nodes;

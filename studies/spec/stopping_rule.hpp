@@ -6,15 +6,15 @@
 
 namespace ff::studies {
 
-/// What an adaptive study runs for.
+/// The goal of an adaptive study.
 enum class StoppingGoal {
     rmse,  ///< root mean squared error of the mean over all trials, on every pair
-    ci,    ///< half-width of the interval of the bias, at the study's level, on every pair by itself
+    ci,    ///< half-width of the interval of the bias, at the study's level, for each pair individually
 };
 std::string_view name(StoppingGoal goal);
 
-/// When a cell has trials enough: Stein's two stages (stats/two_stage.hpp). The spread of the pilot's trials fixes how
-/// many are run in all, at most the study's `trials`.
+/// When a cell has enough trials: Stein's two stages (stats/two_stage.hpp). The spread of the pilot's trials determines
+/// the total number, at most the study's `trials`.
 struct StoppingRule {
     StoppingGoal goal = StoppingGoal::rmse;
     double target = 0;         ///< in units of the form factor, > 0
@@ -22,7 +22,7 @@ struct StoppingRule {
     auto operator<=>(const StoppingRule&) const = default;
 };
 
-/// Below this the spread of the pilot says too little, and no mean squared error could be promised.
+/// With fewer, the pilot's spread tells too little, and no mean squared error could be promised.
 inline constexpr std::uint64_t fewest_pilot_trials = 5;
 
 class TomlReader;

@@ -5,8 +5,8 @@
 
 namespace ff::studies {
 
-/// How SQLite keeps a transaction whole. A write-ahead log is faster and needs memory shared between processes, which
-/// network file systems do not give; a rollback journal, synchronised in full, works on all of them.
+/// How SQLite makes transactions atomic. A write-ahead log is faster but needs memory shared between processes, which
+/// network file systems do not offer; a fully synchronised rollback journal works everywhere.
 enum class Journal { write_ahead, rollback };
 
 /// By the type that statfs(2) names: a rollback journal on network and user-space file systems.

@@ -14,7 +14,8 @@ inline constexpr std::string_view hits = "hits";  ///< rays from a face that hit
 inline constexpr std::string_view rays = "rays";  ///< rays shot from a face; to_face is 0
 inline constexpr std::string_view lost = "lost";  ///< rays from a face that hit nothing; to_face is 0; absent where 0
 inline constexpr std::string_view estimate = "estimate";  ///< a form factor estimated directly, a real number
-inline constexpr std::array all{hits, rays, lost, estimate};
+inline constexpr std::string_view claim = "claim";        ///< the estimator's claimed bound of that estimate's error
+inline constexpr std::array all{hits, rays, lost, estimate, claim};
 }  // namespace observable
 
 /// One observed value of one trial. Faces count from 1, in the order of the scene; 0 means none.
@@ -26,13 +27,14 @@ struct Observation {
     std::variant<std::int64_t, double> value;
 };
 
-/// What a work unit leaves behind.
+/// The result of a work unit.
 struct UnitRecord {
     std::size_t unit = 0;
     std::vector<Observation> observations;
     std::vector<std::uint64_t> patch_hits;  ///< sum over the unit's trials, [patch * faces + face]; may be empty
     std::vector<std::uint64_t> patch_hits_squared;  ///< sum of squares
-    double processor_seconds = 0;                   ///< measured by the process that carried it out; not stored
+    double processor_seconds = 0;                   ///< measured by the process that ran it; not stored
+    double processor_seconds_squared = 0;           ///< sum over trials of squared seconds
 };
 
 }  // namespace ff::studies

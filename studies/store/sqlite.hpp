@@ -29,7 +29,7 @@ class Statement {
 
     /// True where there is a row to read.
     bool step();
-    /// Steps a statement without rows and makes it ready for the next use.
+    /// Runs a statement without rows and resets it for the next use.
     void run();
 
     [[nodiscard]] std::int64_t integer(int column) const;
@@ -46,11 +46,11 @@ class Statement {
     sqlite3_stmt* statement_ = nullptr;
 };
 
-/// The name by which SQLite finds a file: absolute, since it takes "file:x" for a URI. @throws IoError where it is too
+/// The name of a file for SQLite: absolute, since "file:x" would be read as a URI. @throws IoError where it is too
 /// long
 std::string sqlite_name(const std::filesystem::path& file);
 
-/// One SQLite file. Every failure is an IoError that names it; a UserError where it is no SQLite file at all.
+/// One SQLite file. Every failure is an IoError that names it; a UserError where it is not an SQLite file at all.
 class Database {
   public:
     enum class Mode { create_or_open, read_only };
@@ -60,19 +60,19 @@ class Database {
     Database& operator=(const Database&) = delete;
 
     void execute(const char* sql) const;
-    /// The same; false where another program that has the file open is in the way.
+    /// The same; false where another program has the file open and prevents it.
     [[nodiscard]] bool execute_unless_busy(const char* sql);
-    /// The same; waits even where SQLite would refuse at once, because two programs wait for each other.
+    /// The same; waits even where SQLite would refuse at once because two programs wait for each other.
     void execute_in_turn(const char* sql);
     /// Runs `copy` as one transaction, with the tables of another SQLite file readable as source.TABLE.
     void copy_from(const std::filesystem::path& source, const std::function<void()>& copy) const;
-    /// Rows that the last statement inserted.
+    /// Number of rows that the last statement inserted.
     [[nodiscard]] std::int64_t changes() const;
-    /// Whether what a write-ahead log holds stays there when the file is closed.
+    /// Whether a write-ahead log keeps its contents when the file is closed.
     void keep_log_on_close(bool keep);
-    /// Whether the file lies no longer where it was opened. SQLite would go on writing to it unseen.
+    /// Whether the file is no longer where it was opened. SQLite would silently continue writing to it.
     [[nodiscard]] bool has_moved() const;
-    /// As it was opened, made absolute; empty for one in memory.
+    /// The path as opened, made absolute; empty for a database in memory.
     [[nodiscard]] std::string file() const;
     [[nodiscard]] sqlite3* handle() const { return handle_; }
 

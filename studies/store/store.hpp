@@ -17,32 +17,32 @@ namespace ff::studies {
 /// Version of the tables in a store; docs/results.md describes them.
 inline constexpr int store_schema_version = 2;
 
-/// What is known about the circumstances of a run: host, compiler, dates. Outside the promise of repeatability.
+/// The circumstances of a run: host, compiler, dates. Not covered by the promise of repeatability.
 using Context = std::map<std::string, std::string>;
 
-/// Adds what differs: each different value of a key once, in order, separated by "; ".
+/// Adds new values: each different value of a key once, in order, separated by "; ".
 void add_context(Context& all, const Context& more);
 
-/// The saved result of a study: its spec, and the trial records. One SQLite file; one transaction a work unit.
+/// The saved result of a study: its spec, and the trial records. One SQLite file; one transaction per work unit.
 class Store {
   public:
     /// Memory that SQLite may use for pages while a study is run.
     static constexpr std::uint64_t page_cache_bytes = 64ULL << 20;
 
-    /// Creates the file for this plan, or opens it to go on where it stopped.
+    /// Creates the file for this plan, or opens it to resume.
     /// @throws UserError where the file belongs to another study, with what differs; IoError
     static Store create_or_resume(const std::filesystem::path& file, const StudyPlan& plan);
-    /// The same with a journal of the caller's choice; the other one takes what suits the file system.
+    /// The same with a journal of the caller's choice; the first one chooses what suits the file system.
     static Store create_or_resume(const std::filesystem::path& file, const StudyPlan& plan, Journal journal);
-    /// Opens an existing file to read. @throws UserError where it is no store, or a newer one; IoError where it is
+    /// Opens an existing file to read. @throws UserError where it is not a store, or a newer one; IoError where it is
     /// damaged or cannot be read
     static Store open(const std::filesystem::path& file);
 
     /// Saves a unit in one transaction; saving it again changes nothing. @throws IoError; then nothing of it is saved
     void commit(const UnitRecord& record);
     void set_context(const Context& context);
-    /// Leaves one self-contained file, which can be read from a folder that cannot be written. @return false where
-    /// another program has the file open: then its log stays beside it
+    /// Leaves one self-contained file, which can be read even in a read-only folder. @return false where another
+    /// program has the file open: then its log stays beside it
     bool seal();
 
     [[nodiscard]] const StudyPlan& plan() const { return plan_; }
@@ -56,11 +56,11 @@ class Store {
     [[nodiscard]] bool is_complete() const;
     /// Numbers of the trials of a cell that are saved, ascending.
     [[nodiscard]] std::vector<std::uint64_t> saved_trial_numbers(std::size_t cell) const;
-    /// How many they are.
+    /// The number of these trials.
     [[nodiscard]] std::uint64_t saved_trials(std::size_t cell) const;
 
-    /// Values of one observable of one pair of faces (numbers from 1; 0 for none), by ascending trial. What is no
-    /// number comes back as NaN.
+    /// Values of one observable of one pair of faces (numbers from 1; 0 for none), by ascending trial. Values that are
+    /// not numbers come back as NaN.
     struct Series {
         std::vector<std::uint64_t> trial;
         std::vector<double> value;
@@ -76,7 +76,7 @@ class Store {
     bool was_checked_ = true;
 };
 
-/// What the study of a store differs in from another; empty where they are the same. @throws UserError, IoError
+/// The difference between a store's study and another one; empty where they are the same. @throws UserError, IoError
 std::string difference_of_study(const std::filesystem::path& file, const StudySpec& wanted);
 
 /// @throws UserError unless the store, read from `file`, is of this study, with what differs

@@ -133,7 +133,7 @@ class Rows {
         const Digest digest = digest_of(observable, from, to, trial);
         SavedUnit& unit = units_[*index];
         unit.digest += row.is_number(5) ? with_value(digest, row.real(5)) : Digest(digest).add(row.text(5)).value();
-        if (observable == observable::estimate) return;
+        if (observable == observable::estimate || observable == observable::claim) return;
         if (!row.is_number(5) || row.integer(5) < 0) refuse("a negative number");
         std::vector<std::int64_t>& arrived = arrived_[from];
         arrived.resize(trials_[cell]);

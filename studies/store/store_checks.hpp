@@ -13,7 +13,7 @@ namespace ff::studies {
 /// The unit that a trial belongs to; units are in the order of cells and trials. Empty where there is none.
 std::optional<std::size_t> unit_of(const StudyPlan& plan, std::size_t cell, std::uint64_t trial);
 
-/// What is saved with a unit, to notice that its rows have changed.
+/// The checksum saved with a unit, to notice changes of its rows.
 std::int64_t checksum(const WorkUnit& unit, const UnitRecord& record);
 
 enum class Checksums { saved, none };
@@ -23,7 +23,7 @@ enum class Checksums { saved, none };
 void expect_rows_of_plan(const Database& database, const std::filesystem::path& file, const StudyPlan& plan,
                          Checksums checksums);
 
-/// Saves those that units lack, of rows as they are.
+/// Saves missing checksums, computed from the present rows.
 void add_checksums(const Database& database, const std::filesystem::path& file, const StudyPlan& plan);
 
 }  // namespace ff::studies

@@ -30,7 +30,7 @@ void expect_own_tables(const Database& database, const std::filesystem::path& fi
                        int version) {
     Database model(":memory:", Database::Mode::create_or_open);
     model.execute(format.schema);
-    if (version == format.oldest) model.execute(format.to_oldest);
+    if (version < format.version) model.execute(format.to_oldest);
     const Definitions there = definitions(database);
     for (const auto& [table, sql] : definitions(model)) {
         const auto found = there.find(table);

@@ -11,15 +11,15 @@
 
 namespace ff::studies {
 
-/// What tells one kind of SQLite file of this program from another, and its versions from each other.
+/// Identifies a kind of SQLite file of this program, and its version.
 struct StoreFormat {
     FileKind kind;
     std::string_view what;  ///< "result store", for messages
     std::string_view keys;  ///< its table of keys and values, one of them schema_version
-    int version;            ///< that this program writes
-    int oldest;             ///< that it reads
+    int version;            ///< written by this program
+    int oldest;             ///< oldest version that it reads
     const char* schema;     ///< SQL that makes its tables
-    const char* to_oldest;  ///< SQL that makes the oldest version's of these
+    const char* to_oldest;  ///< SQL that makes of these what all earlier versions have
 };
 
 /// The value of a key; empty where there is none.
@@ -33,11 +33,11 @@ int expect_readable(const Database& database, const std::filesystem::path& file,
 /// @throws IoError unless SQLite finds every page and row in order
 void expect_intact(const Database& database, const std::filesystem::path& file);
 
-/// A file that was made whole has no log. SQLite would believe one that is put beside it.
+/// A sealed file has no log. SQLite would trust one that is placed beside it.
 /// @throws IoError where there is one
 void expect_no_log_of_another(const std::filesystem::path& file);
 
-/// Opens a file to read it, when all of that holds. @throws IoError also where there is none
+/// Opens a file for reading if all of that holds. @throws IoError also where there is none
 std::unique_ptr<Database> open_store(const std::filesystem::path& file, const StoreFormat& format);
 
 [[noreturn]] void report_damage(const std::filesystem::path& file, const std::string& what);

@@ -5,10 +5,10 @@
 
 namespace ff::studies {
 
-/// Keeps what a study's estimators from outside declare, so that reports and merging need only the store.
+/// Stores the declarations of a study's outside estimators, so that reports and merging need only the store.
 void write_added_estimators(Database& database, const StudySpec& spec);
 
-/// Adds the estimators that a stored study names; one that is there already stays.
+/// Adds the estimators that a stored study names; existing ones stay.
 void restore_added_estimators(const Database& database);
 
 }  // namespace ff::studies

@@ -5,7 +5,7 @@
 
 namespace ff::studies {
 
-/// Whether a method can do a scene.
+/// Checks that a method can be used in a scene.
 /// @throws UserError with the reason that its estimator gives
 void expect_applicable(const Method& method, const Scene& scene);
 

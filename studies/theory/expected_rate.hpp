@@ -8,7 +8,7 @@
 
 namespace ff::studies {
 
-/// What theory says about the error of a sampler with N points: N^rate (ln N)^log_power.
+/// The error of a sampler with N points in theory: N^rate (ln N)^log_power.
 struct ExpectedRate {
     double rate = 0;
     double log_power = 0;      ///< at most; 0 where there are no logarithms
@@ -17,7 +17,7 @@ struct ExpectedRate {
     std::string_view source;   ///< key of docs/references.md
     std::string_view because;  ///< in a few words
 
-    /// The slowest slope that a straight line through sizes about `size` may show: that of N^rate (ln N)^log_power
+    /// The slowest expected slope of a straight line through sizes about `size`: that of N^rate (ln N)^log_power
     /// there.
     [[nodiscard]] double slowest(double size) const;
 };

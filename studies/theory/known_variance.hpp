@@ -14,13 +14,13 @@ enum class VarianceStatus {
     finite,
     infinite,
     none,       ///< deterministic
-    sparse,     ///< finite, but of so few hits in all trials together that neither t nor chi-squared holds
+    sparse,     ///< finite, but with too few hits in all trials together for t or chi-squared to hold
     undefined,  ///< some trial gave infinity or no number at all: there is no statistic
 };
 
-/// What theory knows about the variance of a quantity. A pair of faces has none with the area kernel when any two of
-/// its patches touch so that the kernel's tail index is 2 or less (core/estimators/graded_map), and a sum none when one
-/// of its terms has none.
+/// The theory of a quantity's variance. With the area kernel, a pair of faces has none when any two of its patches
+/// touch such that the kernel's tail index is 2 or less (core/estimators/graded_map); a sum has none when one of its
+/// terms has none.
 VarianceStatus known_variance(const Method& method, const Scene& scene, Quantity quantity);
 
 /// Whether a counted quantity has too few hits, or misses, in all trials together for Student's t to hold.

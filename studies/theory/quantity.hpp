@@ -4,10 +4,10 @@
 
 namespace ff::studies {
 
-/// What a row of results is about.
+/// The kind of quantity in a row of results.
 enum class QuantityKind { form_factor, row_sum, sum_relative_error };
 
-/// A quantity that every trial of a cell gives one value of. Faces count from 1; 0 where there is none.
+/// A quantity with one value per trial of a cell. Faces count from 1; 0 for none.
 struct Quantity {
     QuantityKind kind = QuantityKind::form_factor;
     int from = 0;

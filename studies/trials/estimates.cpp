@@ -133,9 +133,10 @@ CellEstimates complete(const StudyPlan& plan, std::size_t cell_index, Completion
     estimates.faces = scene.faces.size();
     estimates.trial_numbers = std::move(direct.trial_numbers);
     estimates.factors = std::move(direct.values);
-    estimates.evaluations_per_face = cell.subdivision.per_part() * cell.samples;
-    if (estimator_info(method).points == PointsServe::pairs)
-        estimates.evaluations_per_face *= cell.subdivision.per_part();
+    estimates.evaluations_per_face = cell.samples;
+    const PointsServe points = estimator_info(method).points;
+    if (points != PointsServe::scene) estimates.evaluations_per_face *= cell.subdivision.per_part();
+    if (points == PointsServe::pairs) estimates.evaluations_per_face *= cell.subdivision.per_part();
     const bool shoots = estimator_info(method).observes == Observes::hits;
     const bool counted = shoots && has_one_surface_a_face(scene);
     if (shoots && scene.closed) estimates.lost_rays = direct.lost_rays;  // out of an open scene rays may go

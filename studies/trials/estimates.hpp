@@ -18,19 +18,19 @@ struct CellEstimates {
     std::vector<std::vector<double>> row_sums;  ///< [from - 1]
     std::vector<double> sum_relative_error;     ///< percent, over all faces; empty in an open scene
     std::vector<double>
-        rays;  ///< [(from - 1) * faces + to - 1], that a trial's hits are of; empty where none are counted
+        rays;  ///< [(from - 1) * faces + to - 1], rays behind a trial's hits; empty where none are counted
     std::uint64_t lost_rays = 0;
     /// N: rays from or points on a face, or kernel values of a face pair, in a trial; where surfaces have grids, of
     /// each part or pair of parts.
     std::uint64_t evaluations_per_face = 0;
 
     [[nodiscard]] const std::vector<double>& values(Quantity quantity) const;
-    /// What the values of a pair or a row are multiples of, for equal face areas; empty where hits are not counted.
+    /// The lattice spacing of the values of a pair or a row, for equal face areas; empty where hits are not counted.
     [[nodiscard]] std::optional<double> lattice(Quantity quantity) const;
     [[nodiscard]] std::size_t trials() const { return row_sums.empty() ? 0 : row_sums.front().size(); }
 };
 
-/// What was observed of one cell, before completion.
+/// The observations of one cell, before completion.
 struct DirectEstimates {
     std::vector<std::uint64_t> trial_numbers;
     /// [(from - 1) * faces + to - 1], by trial: estimates, or hits where they are counted. Diagonal empty.
@@ -43,7 +43,7 @@ struct DirectEstimates {
 /// The estimates of a cell, completed. Only pairs with from < to are used under reciprocal completion.
 CellEstimates complete(const StudyPlan& plan, std::size_t cell, Completion completion, DirectEstimates direct);
 
-/// Reads the direct estimates of a cell and completes them as its method says. The same rays serve both completions.
+/// Reads the direct estimates of a cell and completes them by its method. The same rays serve both completions.
 CellEstimates load_estimates(const Store& store, std::size_t cell);
 
 /// The same with a completion of the caller's choice.

@@ -10,8 +10,8 @@
 
 namespace ff::studies {
 
-/// Calls `task`, and names the gate where a statistic lies beyond what Boost.Math computes.
-/// @throws UserError at the gate's place; what else `task` throws
+/// Calls `task`, and names the gate where a statistic is out of Boost.Math's range.
+/// @throws UserError at the gate's place; anything else that `task` throws
 template <class Task>
 auto at_gate(const Gate& gate, const Task& task) {
     const auto named = [&gate](const std::exception& error) {

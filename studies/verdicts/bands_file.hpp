@@ -9,11 +9,11 @@
 
 namespace ff::studies {
 
-/// Reads scenes, method and what else our own gates have from the table of one, and refuses unknown keys.
+/// Reads scenes, method and other keys of a gate with an experiment from its table, and rejects unknown keys.
 using ReadExperiment = std::function<void(const TomlReader&, Gate&)>;
 
 /// Parses the text of a bands file (docs/gates.md); `origin` names it in messages.
-/// @param read_experiment  of a gate without a quantity; null where there are no experiments: such gates are refused
+/// @param read_experiment  for gates without a quantity; null: such gates are rejected
 /// @throws UserError "origin:line:column: problem (why). Suggestion."
 GatesSpec parse_bands(std::string_view text, std::string_view origin, const ReadExperiment& read_experiment);
 

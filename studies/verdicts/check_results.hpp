@@ -7,14 +7,14 @@
 
 namespace ff::studies {
 
-/// The gates of a file as far as they are done; every report is made from it.
+/// The finished gates of a file; every report is made from it.
 struct CheckResults {
     GatesSpec spec;
-    std::vector<GateResult> results;  ///< in the order in which they were done; found by their name
+    std::vector<GateResult> results;  ///< in the order of completion; found by name
 
     [[nodiscard]] bool complete() const { return results.size() == spec.gates.size(); }
     [[nodiscard]] std::size_t count(Verdict verdict) const;
-    /// Of all gates together; those that have not run are inconclusive.
+    /// The verdict of all gates together; those that have not run are inconclusive.
     [[nodiscard]] Verdict verdict() const;
 };
 

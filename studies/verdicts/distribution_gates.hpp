@@ -10,18 +10,18 @@
 
 namespace ff::studies {
 
-/// Values of each sample from which Anderson and Darling's statistic of two has its limiting distribution.
+/// Fewest values per sample for which Anderson and Darling's two-sample statistic has its limiting distribution.
 inline constexpr std::size_t fewest_of_two = 20;
 
-/// How far the distribution of independent values is from a known one, in Kolmogorov's distance. Below it is limited by
-/// Anderson and Darling's test, of "the distance is at most this" for any such distance; above by the band of
-/// Dvoretzky, Kiefer and Wolfowitz. Nothing is known of the least distance that fails. @pre not empty
+/// The distance of the distribution of independent values from a known one, in Kolmogorov's metric. Its lower limit
+/// comes from Anderson and Darling's test of "the distance is at most this", its upper limit from the band of
+/// Dvoretzky, Kiefer and Wolfowitz. The least distance that fails is unknown. @pre not empty
 Measurement measure_distribution(std::span<const double> values, const KnownLaw& law, const Levels& levels);
 
-/// The same of two samples.
+/// The same for two samples.
 Measurement measure_distributions(std::span<const double> first, std::span<const double> second, const Levels& levels);
 
-/// Values that pass with the power where the distributions are the same: of each of `samples` samples.
+/// Number of values, in each of `samples` samples, with which equal distributions pass with the given power.
 std::uint64_t values_for_distance(double band, const Levels& levels, std::size_t samples);
 
 /// Counts in bins against shares or against the counts of a second file, by Cohen's w (stats/count_distance.hpp).

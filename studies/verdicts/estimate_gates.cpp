@@ -56,7 +56,7 @@ void refuse_repeats(const EstimateSeries& series, const std::string& origin) {
                            smallest_magnitude));
     if (const auto period = stats::find_period(values, repeat_alpha))
         refuse(series, origin, *period,
-               fmt::format("repeat from here on those from line {} on (repeated trials are no trials). {}.",
+               fmt::format("repeat from here on those from line {} on (repeated trials are not trials). {}.",
                            series.lines.front(), how_it_happens));
     const auto repeats = stats::find_repeats(values);
     if (repeats && repeats->p < repeat_alpha)
@@ -125,7 +125,7 @@ void expect_bounded(const Gate& gate, const EstimateSeries& series, const std::s
         if (gate.bounds.holds(series.values[i])) continue;
         refuse(series, origin, i,
                fmt::format("leave the bounds {:g} to {:g} of gate \"{}\" ({:g}; no interval holds where an assumption "
-                           "does not). Correct the bounds, for all data anew.",
+                           "does not). Correct the bounds, for all data again.",
                            gate.bounds.low, gate.bounds.high, gate.name, series.values[i]));
     }
 }

@@ -47,18 +47,7 @@ Header read_header(CsvReader& reader, std::string_view origin) {
     if (!reader.next(record))
         throw UserError(fmt::format("{}:1:1: the file is empty (no estimates). Begin it with the line {}.", origin,
                                     fmt::join(column_names, ",")));
-    std::array<std::optional<std::size_t>, column_names.size()> found;
-    for (std::size_t i = 0; i < record.size(); ++i) {
-        const std::string_view text = trimmed(record[i].text);
-        const auto* const known = std::find(column_names.begin(), column_names.end(), text);
-        if (known == column_names.end())
-            reader.fail(record[i],
-                        fmt::format("column '{}' is unknown. {}The columns are {}, between commas.", excerpt(text),
-                                    did_you_mean(text, column_names), fmt::join(column_names, ", ")));
-        auto& place = found.at(static_cast<std::size_t>(known - column_names.begin()));
-        if (place) reader.fail(record[i], fmt::format("column '{}' stands twice. Keep one.", text));
-        place = i;
-    }
+    const auto found = find_columns(reader, record, column_names);
     Header header{};
     for (std::size_t i = 0; i < found.size(); ++i) {
         if (!found[i])

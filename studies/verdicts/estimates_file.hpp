@@ -13,19 +13,19 @@ namespace ff::studies {
 struct EstimateSeries {
     std::string quantity;
     std::vector<double> values;
-    std::vector<std::size_t> lines;  ///< of the file, by value
+    std::vector<std::size_t> lines;  ///< line in the file of each value
 };
 
-/// Estimates that some program made: a CSV file with the columns trial, quantity and estimate.
+/// Estimates from any program: a CSV file with the columns trial, quantity and estimate.
 struct EstimatesFile {
     std::string origin;  ///< names the file in messages
     std::vector<EstimateSeries> series;
 };
 
-/// Fewer trials of a quantity are refused: neither their spread nor their independence can be judged.
+/// Fewest trials of a quantity: of fewer, neither spread nor independence can be judged.
 inline constexpr std::size_t fewest_estimates = 10;
 
-/// Parses the text of a file of estimates; the columns may stand in any order, and so may the rows.
+/// Parses the text of a file of estimates; columns and rows may be in any order.
 /// @throws UserError "origin:line:column: problem (why). Suggestion." for missing, unknown or doubled columns, missing
 ///         or non-numeric cells, a trial that gives a quantity twice, and too few rows
 EstimatesFile parse_estimates(std::string_view text, std::string_view origin);

@@ -18,11 +18,11 @@ namespace ff::studies {
 inline constexpr double largest_magnitude = 1e75;
 inline constexpr double smallest_magnitude = 1e-75;
 
-/// Smallest risks that are computed: of a file, and of one comparison when it is shared.
+/// Smallest supported risks: of a file, and of one comparison after sharing.
 inline constexpr double smallest_alpha = 1e-12;
 inline constexpr double smallest_shared_alpha = 1e-14;
 
-/// What a gate watches. The effect that its band speaks of stands behind each.
+/// What a gate checks. Each comment states the effect that its band refers to.
 enum class GateKind {
     bias,         ///< mean estimate minus reference
     std,          ///< standard deviation of a trial over the reference
@@ -30,36 +30,36 @@ enum class GateKind {
     closure,      ///< mean row sum minus 1 (minus the exact sum in an open scene)
     reciprocity,  ///< mean of F_ij - A_j F_ji / A_i
     lost_rays,    ///< share of rays that hit nothing
-    coverage,     ///< share of confidence intervals that hold the exact value
+    coverage,     ///< share of confidence intervals that contain the exact value
     slope,        ///< rate of the RMSE along a ladder of sizes
     efficiency,   ///< 1 / (variance * evaluations) over the baseline's
 
-    // Of what another program reports.
-    equal,         ///< mean minus that of a second file
+    // For what another program reports.
+    equal,         ///< mean minus the mean in a second file
     std_error,     ///< spread of means between runs over the standard errors that they state
     distribution,  ///< distance between distributions: Kolmogorov's of values, Cohen's w of counts
 };
 
 std::string_view name(GateKind kind);
 
-/// How the bins of an array answer to one alpha.
+/// How the bins of an array share one alpha.
 enum class Combination {
     holm,         ///< each bin at its share: names the bins
     simes,        ///< all together, for bins that are independent or vary in the same direction
     cauchy,       ///< all together, for bins that are correlated in any way
-    chi_squared,  ///< all together, by a covariance that is known
+    chi_squared,  ///< all together, by a known covariance
 };
 
 std::string_view name(Combination combination);
 
-/// What is assumed of the values of a gate that may be looked at after every one of them.
+/// The assumption about the values of a gate that may be judged after every value.
 enum class Anytime {
-    no,       ///< it may not
+    no,       ///< it may not be judged so
     normal,   ///< independent and normal, e.g. means of many samples
     bounded,  ///< between two bounds, each with the same mean whatever came before
 };
 
-/// How looks at a commit share alpha. Nothing is assumed of how their data hang together.
+/// How looks at a commit share alpha. Nothing is assumed about the dependence of their data.
 enum class Spending {
     halving,         ///< look k has 1 / 2^k of it; as many looks as there may be
     pocock,          ///< `looks` of them, with about as much each [lan1983]
@@ -68,7 +68,7 @@ enum class Spending {
 
 std::string_view name(Spending spending);
 
-/// What the effect is measured from.
+/// The reference of the effect.
 enum class Against {
     exact,     ///< computed from the scene
     number,    ///< `reference` in the bands file
@@ -84,8 +84,8 @@ std::string_view name(IntervalMethod method);
 /// Counts hits within one trial, instead of taking the mean of several.
 bool is_binomial(IntervalMethod method);
 
-/// Scenes and a method: what our own gates run (gates/gate_experiment.hpp). Judging what others report needs none of
-/// it.
+/// Scenes and a method, which gates on the program's own trials run (gates/gate_experiment.hpp). Judging others'
+/// reports does not need it.
 struct GateExperiment;
 
 /// One [[gate]] of a bands file.

@@ -18,7 +18,7 @@ struct Comparison {
     std::optional<std::uint64_t> samples_per_patch;
     std::string from_face;
     std::string to_face;
-    std::string quantity;  ///< what the value is, e.g. "bias"
+    std::string quantity;  ///< the meaning of the value, e.g. "bias"
     Band band;
     std::optional<Measurement> measurement;  ///< empty where the trials cannot carry an interval; `note` says why
     Verdict verdict = Verdict::inconclusive;
@@ -27,24 +27,24 @@ struct Comparison {
     std::string note;
 };
 
-/// What a gate found.
+/// The result of a gate.
 struct GateResult {
     std::string gate;
     GateKind kind = GateKind::bias;
     Verdict verdict = Verdict::inconclusive;
     std::vector<Comparison> comparisons;
-    std::uint64_t looks = 1;        ///< at which it was decided
-    std::uint64_t evaluations = 0;  ///< rays and kernel values, those of the pilot included
-    std::string note;               ///< in words, what decided or what is missing
+    std::uint64_t looks = 1;        ///< look at which it was decided
+    std::uint64_t evaluations = 0;  ///< rays and kernel values, including the pilot's
+    std::string note;               ///< what decided, or what is missing, in words
     std::size_t compared = 0;       ///< bins behind the verdict, where only the worst are among the comparisons
     std::vector<std::uint64_t> scores = {};  ///< of bins by standardised difference (standardised_bins.hpp)
 };
 
-/// The verdict of its comparisons together; a gate without any is inconclusive.
+/// The joint verdict of its comparisons; a gate without any is inconclusive.
 Verdict verdict_of(const std::vector<Comparison>& comparisons);
 
-/// The comparison that speaks most against a pass: one that fails, else one that is undecided, else the one whose
-/// interval comes closest to the end of its band.
+/// The worst comparison: one that fails, else an undecided one, else the one whose interval comes closest to the end of
+/// its band.
 /// @pre not empty
 const Comparison& decisive(const std::vector<Comparison>& comparisons);
 

@@ -16,10 +16,10 @@ struct HistoryRow {
     std::string quantity;
     double mean = 0;
     double standard_error = 0;
-    double n = 0;                ///< behind the error; 0 where not told
+    double n = 0;                ///< samples behind the error; 0 where not stated
     std::optional<double> cost;  ///< in any unit
 
-    /// Of a single trial; empty where n is not told.
+    /// Standard deviation of a single trial; empty where n is not stated.
     [[nodiscard]] std::optional<double> spread() const;
 };
 
@@ -30,10 +30,10 @@ using History = std::vector<HistoryRow>;
 History parse_history(std::string_view text, std::string_view origin);
 std::string history_csv(const History& history);
 
-/// What is kept of a file of trials.
+/// The entries to keep from a file of trials.
 History summarise(const EstimatesFile& file, const std::string& commit);
 
-/// What is kept of a file of means: quantities with one bin and one run. The others are named in `left_out`.
+/// The entries to keep from a file of means: quantities with one bin and one run. The others are named in `left_out`.
 History summarise(const ReportedFile& file, const std::string& commit, std::vector<std::string>& left_out);
 
 /// Whether the history has this commit already.

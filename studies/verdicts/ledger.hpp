@@ -14,7 +14,7 @@ namespace ff::studies {
 struct LedgerLook {
     std::string commit;
     std::string bands;  ///< digest of the bands file
-    std::string data;   ///< digest of what was judged: estimates, or the seed of our own trials
+    std::string data;   ///< digest of what was judged: estimates, or the seed of the program's own trials
     Verdict verdict = Verdict::inconclusive;
 };
 
@@ -25,22 +25,22 @@ using Ledger = std::vector<LedgerLook>;
 Ledger parse_ledger(std::string_view text, std::string_view origin);
 std::string ledger_csv(const Ledger& ledger);
 
-/// What earlier looks at a commit mean for the next.
+/// The effect of earlier looks at a commit on the next one.
 struct NextLook {
     std::size_t number = 1;  ///< 1 for the first
-    bool failed = false;     ///< at an earlier one: the risk of that is spent, and no later look takes it back
+    bool failed = false;     ///< an earlier look failed: its risk is spent, and no later look can undo it
     bool repeated = false;   ///< the same data were judged before
-    Verdict earlier = Verdict::inconclusive;  ///< of these data
+    Verdict earlier = Verdict::inconclusive;  ///< verdict on the same data
 };
 NextLook next_look(const Ledger& ledger, const LedgerLook& look);
 
-/// The share of both alphas that a look has, by the file's `spending`: shares of all looks add up to at most 1, so that
-/// a false alarm at any of them is as rare as alpha, on whatever data the looks are.
+/// A look's share of both alphas, by the file's `spending`: shares of all looks add up to at most 1, so that the risk
+/// of a false alarm at any of them is at most alpha, whatever the data of the looks.
 /// @param number  from 1 on    @pre no more than `looks`, unless alpha is halved
 double share_of_look(const GatesSpec& spec, std::size_t number);
 
-/// The file at a look: alpha and pass_alpha are shares.
-/// @throws UserError where all looks are spent, or the share is too small to be computed
+/// The file at a look, with shares of alpha and pass_alpha.
+/// @throws UserError where all looks are used up, or the share is too small
 GatesSpec at_look(GatesSpec spec, std::size_t number);
 
 }  // namespace ff::studies

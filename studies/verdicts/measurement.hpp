@@ -14,9 +14,9 @@
 namespace ff::studies {
 
 /// How each kind of effect is measured. Numbers in, numbers out: nothing here knows where the values come from. Empty
-/// where the values cannot carry an interval (too few, or all equal).
+/// where the values do not support an interval (too few, or all equal).
 
-/// What a mean is compared with.
+/// The reference of a mean.
 struct MeanReference {
     double value = 0;
     double standard_error = 0;                                 ///< 0 for an exact value
@@ -28,9 +28,9 @@ struct MeanReference {
 std::optional<Measurement> measure_mean(const stats::Moments& moments, const MeanReference& reference, const Band& band,
                                         const Levels& levels);
 
-/// The same for values of which nothing is known beforehand: they may be skewed (stats/skewed_mean.hpp), and each may
-/// resemble the one before.
-/// @param correlation  of the values in their order; that of independent ones by default
+/// The same for arbitrary values, which may be skewed (stats/skewed_mean.hpp) and serially
+/// correlated.
+/// @param correlation  of the values in order; by default that of independent ones
 std::optional<Measurement> measure_unknown_mean(std::span<const double> values, const MeanReference& reference,
                                                 const Band& band, const Levels& levels,
                                                 const std::optional<stats::Autocorrelation>& correlation = {});
@@ -48,7 +48,7 @@ Measurement measure_proportion(const stats::Proportion& counts, const Band& band
 /// Rate of the RMSE along a ladder.
 std::optional<Measurement> measure_slope(std::span<const stats::Rung> ladder, const Band& band, const Levels& levels);
 
-/// A value that does not vary: one evaluation decides.
+/// A deterministic value: one evaluation decides.
 Measurement measure_exactly(double value, const Band& band);
 
 }  // namespace ff::studies

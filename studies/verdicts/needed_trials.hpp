@@ -8,17 +8,17 @@
 
 namespace ff::studies {
 
-/// Trials of one look with which a gate without effect passes with the power of `levels` on all its comparisons
-/// together: each may miss a share (1 - power) / comparisons. Empty where no number of trials is enough.
+/// Trials per look with which a gate without effect passes all its comparisons together with the power of `levels`:
+/// each may fail with probability (1 - power) / comparisons. Empty where no number of trials is enough.
 
 /// A mean, normal or nearly so. With skewness g the t interval's error rate at fail_alpha is off by a factor of about
 /// exp(z^3 g / (3 sqrt(T))); trials are added until it is below 2.
-/// @param sigma  of a trial, >= 0     @param reference_se  of what the mean is compared with
+/// @param sigma  of a trial, >= 0 @param reference_se standard error of the reference
 /// @param half_width  of the band around 0, > 0
 std::optional<std::uint64_t> trials_for_mean(double half_width, double sigma, double skewness, double reference_se,
                                              const Levels& levels, std::size_t comparisons);
 
-/// Whether there is such a number, which is quicker to say.
+/// Whether there is such a number, which is faster to decide.
 bool can_decide_mean(double half_width, double sigma, double reference_se, const Levels& levels,
                      std::size_t comparisons);
 
@@ -36,7 +36,7 @@ std::optional<std::uint64_t> trials_for_proportion(const Band& band, double prob
 std::optional<std::uint64_t> trials_for_slope(const Band& band, std::span<const double> sizes, double kurtosis_factor,
                                               const Levels& levels, std::size_t comparisons);
 
-/// Rays among which one is lost with the power where a share `rate` is.
+/// Number of rays of which, with the given power, at least one is lost if a share `rate` is.
 double rays_for_loss(double rate, const Levels& levels);
 
 }  // namespace ff::studies

@@ -10,19 +10,19 @@
 
 namespace ff::studies {
 
-/// The effect in one bin, of what another program reports. A million of them are judged in a second, so intervals are
-/// made for the worst alone.
+/// The effect in one bin of another program's report. A million of them are judged per second, so intervals are
+/// computed only for the worst.
 struct BinEffect {
     double value = 0;          ///< a difference, or a ratio
     double error = 0;          ///< of a difference: its standard error, > 0
     double freedom = 0;        ///< of that error, or of a ratio's numerator; may be infinite
     double freedom_below = 0;  ///< of a ratio's denominator; may be infinite
     Band band;
-    std::uint32_t name = 0;  ///< of the bin, as the caller numbers it
+    std::uint32_t name = 0;  ///< number of the bin, chosen by the caller
 };
 
-/// What effects are: differences are judged by Student's t, ratios of standard deviations by F, and ratios of variances
-/// (efficiencies) by F too.
+/// Kinds of effects: differences are judged by Student's t, ratios of standard deviations and of variances
+/// (efficiencies) by F.
 enum class EffectScale { difference, ratio_of_deviations, ratio_of_variances };
 
 /// The bins of one gate.
@@ -38,8 +38,8 @@ double p_value(const BinEffect& bin, EffectScale scale);
 /// Both intervals of one bin.
 Measurement measure_bin(const BinEffect& bin, EffectScale scale, const Levels& levels);
 
-/// All bins under one verdict. Fail: by Holm some bin, by a global test the bins together lie outside the band at
-/// `alpha`. Pass: each bin's passing interval lies inside (an intersection-union test).
+/// One verdict for all bins. Fail: some bin (by Holm), or all bins together (by a global test), lie outside the band at
+/// `alpha`. Pass: every bin's passing interval lies inside (an intersection-union test).
 struct BinsVerdict {
     Verdict verdict = Verdict::inconclusive;
     double p = 1;                    ///< of all bins together
@@ -52,8 +52,8 @@ inline constexpr std::size_t most_named = 100;
 /// @param alpha  of this gate, for all its bins    @pre at least one bin
 BinsVerdict judge_bins(const BinEffects& effects, Combination combine, double alpha, double pass_alpha);
 
-/// Standardised differences value / error are counted in steps of half a standard error from -8 to 8; what lies beyond
-/// is counted in the first and in the last.
+/// Counts standardised differences value / error in steps of half a standard error from -8 to 8; values beyond are
+/// counted in the first and the last step.
 inline constexpr double score_step = 0.5;
 inline constexpr double largest_score = 8;
 std::vector<std::uint64_t> count_scores(const std::vector<BinEffect>& bins);

@@ -112,7 +112,7 @@ void compare_means(Comparing& comparing, const Bins* against) {
         const Mean reference = against != nullptr ? mean_of(against->runs_of(bin)) : number;
         if (own.error == 0) {
             if (own.value != 0)
-                refuse(gate, fmt::format("bin '{}' of {} has the same mean in every run (repeated runs are no runs). "
+                refuse(gate, fmt::format("bin '{}' of {} has the same mean in every run (repeated runs are not runs). "
                                          "Give every run a seed of its own.",
                                          comparing.bins.name(bin), comparing.bins.file->origin));
             ++comparing.empty;
@@ -257,7 +257,7 @@ void compare_errors(Comparing& comparing) {
         const Standardised found = standardise(runs);
         if (found.square_sum == 0)
             refuse(comparing.gate,
-                   fmt::format("bin '{}' of {} has the same mean in every run (repeated runs are no runs). "
+                   fmt::format("bin '{}' of {} has the same mean in every run (repeated runs are not runs). "
                                "Give every run a seed of its own.",
                                bins.name(bin), bins.file->origin));
         const double ratio = std::sqrt(found.square_sum / static_cast<double>(bins.runs - 1));

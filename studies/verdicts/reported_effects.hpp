@@ -9,22 +9,22 @@
 
 namespace ff::studies {
 
-/// Everything that the words of a verdict are made from.
+/// Everything that the text of a verdict is made from.
 struct Comparing {
     const Gate& gate;
     Bins bins;
     BinEffects effects;
-    std::size_t empty = 0;      ///< bins that no sample fell into
-    bool contradicted = false;  ///< runs scatter more than errors say that a verdict would trust: there is none
+    std::size_t empty = 0;      ///< bins without any sample
+    bool contradicted = false;  ///< runs scatter more than their trusted errors allow: there is no verdict
     std::string note;
 };
 
-/// After a semicolon, where there is a note already.
+/// Appends to the note, after a semicolon if there is one already.
 void add_note(std::string& note, std::string_view text);
 
-/// The effect in each bin, with what has to be said about it.
+/// The effect in each bin, with notes.
 /// @param against  null where the reference is a number
-/// @throws UserError where the file has not what the kind needs
+/// @throws UserError where the file lacks what the kind needs
 Comparing effects_of(const Gate& gate, const Bins& bins, const Bins* against);
 
 }  // namespace ff::studies

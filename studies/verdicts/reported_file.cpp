@@ -28,7 +28,7 @@ constexpr std::array<std::string_view, 9> column_names{"quantity", "mean", "stan
 constexpr std::array<Column, 3> values{mean, count, share};  // in the order of Holds
 
 /// Where each column stands in a record.
-using Header = std::array<std::optional<std::size_t>, column_names.size()>;
+using Header = std::vector<std::optional<std::size_t>>;
 
 /// By the columns that are there; means where none of them is.
 Holds held(const Header& header) {
@@ -42,18 +42,7 @@ Header read_header(CsvReader& reader, std::string_view origin, Errors errors) {
             fmt::format("{}:1:1: the file is empty (nothing would be compared). Begin it with the line "
                         "quantity,mean,standard_error.",
                         origin));
-    Header header;
-    for (std::size_t i = 0; i < record.size(); ++i) {
-        const std::string_view text = trimmed(record[i].text);
-        const auto* const known = std::find(column_names.begin(), column_names.end(), text);
-        if (known == column_names.end())
-            reader.fail(record[i],
-                        fmt::format("column '{}' is unknown. {}The columns are {}, between commas.", excerpt(text),
-                                    did_you_mean(text, column_names), fmt::join(column_names, ", ")));
-        auto& place = header.at(static_cast<std::size_t>(known - column_names.begin()));
-        if (place) reader.fail(record[i], fmt::format("column '{}' stands twice. Keep one.", text));
-        place = i;
-    }
+    Header header = find_columns(reader, record, column_names);
     const Column value = values.at(static_cast<std::size_t>(held(header)));
     std::vector<Column> needed{quantity, value};
     if (value == mean && errors == Errors::required) needed.push_back(standard_error);

@@ -10,25 +10,25 @@
 
 namespace ff::studies {
 
-/// What stands in the column of values.
+/// The meaning of the column of values.
 enum class Holds { means, counts, shares };
 
-/// What a code reports of one bin in one run. A million of them are common, hence the narrow members.
+/// A code's report of one bin in one run. A million of them are common, hence the narrow members.
 struct ReportedRow {
     double mean = 0;            ///< or the count, or the share
     double standard_error = 0;  ///< of the mean; 0 where the file has none
-    double n = 0;               ///< samples or batches behind it; 0 where not told
-    double cost = 0;            ///< seconds, or whatever the code counts; 0 where not told
+    double n = 0;               ///< samples or batches behind it; 0 where not stated
+    double cost = 0;            ///< seconds, or whatever the code counts; 0 where not stated
     std::uint64_t run = 0;
     std::uint32_t name = 0;  ///< index into ReportedFile::names: the bin, or the quantity where it has no bins
     std::uint32_t line = 0;
 
-    /// A bin that no sample fell into: no mean and no spread.
+    /// Whether a bin has no sample, hence neither mean nor spread.
     [[nodiscard]] bool is_empty() const { return mean == 0 && standard_error == 0; }
 };
 
 /// Means with standard errors as another program reports them: a CSV file with the columns quantity, mean and
-/// standard_error, and, where there are, n, cost, bin and run. Or a histogram: quantity, bin and count, or share.
+/// standard_error, and optionally n, cost, bin and run. Or a histogram: quantity, bin and count, or share.
 struct ReportedFile {
     std::string origin;  ///< names the file in messages
     Holds holds = Holds::means;
@@ -44,21 +44,21 @@ struct ReportedFile {
     [[nodiscard]] std::string_view name_of(const ReportedRow& row) const { return names[row.name]; }
 };
 
-/// Whether standard errors have to be there. Exact values have none.
+/// Whether standard errors are required. Exact values have none.
 enum class Errors { required, optional };
 
 /// Whether the text begins with the header of such a file rather than with that of a file of trials.
 bool reports_means(std::string_view text);
 
-/// @throws UserError "origin:line:column: problem (why). Suggestion." for columns and cells that are wrong, standard
-///   errors that are negative, or 0 beside a mean that is not, rows that stand twice, and a file without rows
+/// @throws UserError "origin:line:column: problem (why). Suggestion." for wrong columns and cells, standard errors that
+///   are negative, or 0 beside a nonzero mean, duplicate rows, and a file without rows
 ReportedFile parse_reported(std::string_view text, std::string_view origin, Errors errors);
 
 /// @throws IoError, UserError
 ReportedFile load_reported(const std::filesystem::path& file, Errors errors);
 
-/// Rows of the quantity that is wanted. @throws UserError at `place` where the file has no such quantity, with the
-/// nearest one
+/// The rows of a quantity. @throws UserError at `place` where the file has no such quantity, with the nearest
+/// one
 std::span<const ReportedRow> find_rows(const ReportedFile& file, std::string_view wanted, std::string_view place);
 
 }  // namespace ff::studies

@@ -6,16 +6,16 @@
 
 namespace ff::studies {
 
-/// Runs of a bin from which their own spread is the error of their mean; fewer rest on the errors that they state.
+/// From this many runs of a bin on, their spread gives the error of their mean; fewer rely on stated errors.
 inline constexpr std::size_t enough_runs = 10;
 
-/// Runs from which the errors that they state can be judged.
+/// Fewest runs from which stated errors can be judged.
 inline constexpr std::size_t fewest_runs = 5;
 
-/// A gate on what another program reports.
+/// Judges a gate on another program's report.
 /// @param against  a second such file, null where none is given
-/// @throws UserError where nothing, or nothing that belongs together, would be compared: a missing column or file,
-///   bins that only one file has, runs and files that hold the same numbers
+/// @throws UserError where there is nothing comparable: a missing column or file, bins that only one file has, runs or
+///   files that hold the same numbers
 GateResult judge_reported(const GatesSpec& spec, const Gate& gate, const ReportedFile& file,
                           const ReportedFile* against);
 

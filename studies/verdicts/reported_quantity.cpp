@@ -28,7 +28,7 @@ void refuse_equal_runs(const Gate& gate, const Bins& bins) {
         if (equal && filled >= telling)
             throw UserError(fmt::format(
                 "{}: runs {} and {} of '{}' hold the same numbers in all {} bins (a run repeated "
-                "is no second run). Give every run a seed of its own.",
+                "is not a second run). Give every run a seed of its own.",
                 bins.file->origin, bins.rows[run - 1].run, bins.rows[run].run, gate.quantity, bins.count()));
     }
 }

@@ -22,11 +22,11 @@ struct Bins {
     [[nodiscard]] std::string_view name(std::size_t bin) const { return file->name_of(rows[bin * runs]); }
 };
 
-/// @throws UserError where the bins do not have the same runs each, and where two runs hold the same numbers: they were
-///   given the same random numbers
+/// @throws UserError where bins have different runs, and where two runs hold the same numbers, i.e. used the same
+///   random numbers
 Bins bins_of(const Gate& gate, const ReportedFile& file);
 
-/// @throws UserError where the two do not have the same bins, or hold the same numbers
+/// @throws UserError where the two have different bins, or hold the same numbers
 void expect_comparable(const Gate& gate, const Bins& ours, const Bins& theirs);
 
 }  // namespace ff::studies

@@ -7,11 +7,11 @@
 
 namespace ff::studies {
 
-/// What codes do wrong when they report a mean and its error, recognised by the size of the discrepancy. Hints, never
-/// verdicts: in words with a full stop, empty where nothing fits.
+/// Common mistakes of codes in reporting a mean and its error, recognised by the size of the discrepancy. Hints, never
+/// verdicts: a sentence with a full stop, empty where nothing fits.
 
 /// @param ratio  spread of means between runs over the errors stated    @param error  a typical one as stated
-/// @param n      samples behind a mean; 0 where not told
+/// @param n      samples behind a mean; 0 where not stated
 std::string fault_of_errors(double ratio, double error, double n);
 
 /// Sums instead of means: one file's values are n times the other's, in all bins together.

@@ -10,7 +10,7 @@
 
 namespace ff::studies {
 
-/// Verdicts of one gate over many seeds. Each seed is a check of its own: nothing is repeated until it passes.
+/// Verdicts of one gate over many seeds. Each seed is an independent check: nothing is repeated until it passes.
 struct SeedSweep {
     std::string gate;
     std::uint64_t seeds = 0;
@@ -18,7 +18,7 @@ struct SeedSweep {
     std::uint64_t inconclusive = 0;
 };
 
-/// How often a gate did something, against how often it may.
+/// How often a gate had some outcome, and how often it may.
 struct SweepRate {
     double rate = 0;
     stats::Interval interval;  ///< Clopper-Pearson, level 0.95
@@ -28,10 +28,10 @@ struct SweepRate {
 
 void add_verdict(SeedSweep& sweep, Verdict verdict);
 
-/// Failures against the gate's share of alpha: what is allowed where all effects lie inside their bands.
+/// Failures against the gate's share of alpha, which is allowed where all effects lie inside their bands.
 SweepRate failure_rate(const SeedSweep& sweep, const GatesSpec& spec);
 
-/// Undecided runs against 1 - power: what is allowed where there is no effect.
+/// Undecided runs against 1 - power, which is allowed where there is no effect.
 SweepRate inconclusive_rate(const SeedSweep& sweep, const GatesSpec& spec);
 
 }  // namespace ff::studies

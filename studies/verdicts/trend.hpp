@@ -12,22 +12,22 @@
 
 namespace ff::studies {
 
-/// What of a quantity may drift.
+/// The property of a quantity that may drift.
 enum class TrendOf { mean, spread, cost };
 
 std::string_view name(TrendOf what);
 
-/// One series over the commits of a history, and where its level changes.
+/// One series over the commits of a history, and the change of its level.
 struct Trend {
     std::string quantity;
     TrendOf what = TrendOf::mean;
     std::vector<std::string> commits;
     std::vector<double> values;
     std::vector<double> errors;                ///< of means; else empty
-    std::optional<stats::ChangePoint> change;  ///< the largest, be it significant or not
+    std::optional<stats::ChangePoint> change;  ///< the largest, significant or not
     double adjusted_p = 1;                     ///< Holm, over all series of the history
     bool changed = false;
-    std::string note;  ///< why it was not tested; empty where it was
+    std::string note;  ///< why it was not tested; empty if it was
 };
 
 struct TrendOptions {
@@ -36,8 +36,8 @@ struct TrendOptions {
 };
 
 /// Means, spreads and costs of all quantities. Spreads and costs are tested by their logarithms. A series is not tested
-/// where it is too short for any change to be found, and where n differs between its runs by more than a fifth: then
-/// its orders are not equally likely.
+/// where it is too short for any change to be found, or where n differs between its runs by more than a fifth: then its
+/// orders are not equally likely.
 std::vector<Trend> find_trends(const History& history, const TrendOptions& options);
 
 }  // namespace ff::studies

@@ -7,13 +7,13 @@
 
 namespace ff::studies {
 
-/// What a gate says. Inconclusive is not a pass: the trials were too few to tell.
+/// The verdict of a gate. Inconclusive is not a pass: the trials were too few to tell.
 enum class Verdict { pass, fail, inconclusive };
 
 /// "pass", "fail" or "inconclusive".
 std::string_view name(Verdict verdict);
 
-/// The values of an effect that are tolerated; an end may be infinite.
+/// The tolerated values of an effect; an end may be infinite.
 struct Band {
     double low = 0;
     double high = 0;
@@ -24,12 +24,12 @@ struct Band {
 
 /// The risks of one comparison at one look.
 struct Levels {
-    double fail_alpha = 1e-4;  ///< of calling an effect inside the band outside; two-sided, already shared
-    double pass_alpha = 0.05;  ///< of calling an effect at or beyond one end of the band inside
+    double fail_alpha = 1e-4;  ///< of calling an effect outside that lies inside; two-sided, already shared
+    double pass_alpha = 0.05;  ///< of calling an effect inside that lies at or beyond one end of the band
     double power = 0.9;        ///< at which minimum detectable effects are stated
 };
 
-/// An effect as measured: its value, and the two intervals that decide.
+/// A measured effect: its value, and the two intervals that decide.
 struct Measurement {
     double value = 0;
     stats::Interval passing;  ///< level 1 - 2 pass_alpha: has to lie inside the band
@@ -37,18 +37,18 @@ struct Measurement {
     /// Effect beyond the band's upper end (its lower one where that is infinite) that fails with the power.
     double minimum_detectable = 0;
 
-    // Values too skewed for so few: a limit of an interval that proves nothing.
+    // Limits that prove nothing, because the values are too skewed for their number.
     bool passing_is_open = false;  ///< the effect is not shown to lie inside
     bool below_is_open = false;    ///< the failing interval's lower limit: no effect above the band is shown
     bool above_is_open = false;    ///< its upper limit
 };
 
 /// The rule of every gate, whose null hypothesis is composite ("inside the band"). Fail: the failing interval lies
-/// wholly outside. Pass: the passing interval lies inside. Otherwise, or without measurement, inconclusive. A limit
-/// that is open decides nothing.
+/// wholly outside. Pass: the passing interval lies inside. Otherwise, or without a measurement, inconclusive. An open
+/// limit decides nothing.
 Verdict judge(const std::optional<Measurement>& measurement, const Band& band);
 
-/// Several comparisons under one verdict: fail if one fails, pass if all pass.
+/// One verdict for several comparisons: fail if one fails, pass if all pass.
 Verdict together(Verdict a, Verdict b);
 
 }  // namespace ff::studies

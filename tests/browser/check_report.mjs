@@ -1,13 +1,15 @@
 // check_report.mjs CHROMIUM REPORT.html [SCREENSHOTS]: opens a report as its readers do, and exits with 1 if anything is
 // wrong. With a folder, screenshots are left in it.
 
-import {mkdirSync} from 'node:fs';
+import {mkdirSync, statSync} from 'node:fs';
 import {join} from 'node:path';
 import {pathToFileURL} from 'node:url';
 import * as checks from './checks.mjs';
 import {open, withChromium} from './page.mjs';
 
 const {answer, names, pictures, tooltips, isolation, choices, keyboard, saving, tables, accessibility} = checks;
+
+const mostBytes = 1.5e6;
 
 /** How it is looked at, and what is asked then. */
 const views = [
@@ -19,6 +21,7 @@ const views = [
 /** What of `report` is wrong; `only` names the checks of the first view that are made, all where it is not given. */
 export async function problemsOf(browser, report, {screenshots, only} = {}) {
   const found = [];
+  if (statSync(report).size > mostBytes) found.push(`it has ${statSync(report).size} bytes`);
   for (const view of only ? views.slice(0, 1) : views) {
     const {page, problems} = await open(browser, report, view);
     const picture = (what, options) =>

@@ -19,7 +19,7 @@ TEST(CoordinatesAreUniform, CatchesOriginsInTheMiddleOfThePatch) {
     EXPECT_FALSE(coordinates_are_uniform(find("patch_centres")));
 }
 
-TEST(PairsAreUniform, CatchesEqualCoordinatesWhichEachByItselfAreFine) {
+TEST(PairsAreUniform, CatchesEqualCoordinatesThatAreEachUniform) {
     EXPECT_FALSE(pairs_are_uniform(entry<EqualCoordinates>()));
     EXPECT_TRUE(coordinates_are_uniform(entry<EqualCoordinates>()));
 }

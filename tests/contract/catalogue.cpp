@@ -81,7 +81,7 @@ TEST_P(RandomisedSampler, IntegratesWithoutBias) {
 class IndependentSampler : public testing::TestWithParam<CatalogueEntry> {};
 INSTANTIATE_TEST_SUITE_P(Catalogue, IndependentSampler, testing::ValuesIn(independent), name_of);
 
-TEST_P(IndependentSampler, HasFreeSuccessivePoints) {
+TEST_P(IndependentSampler, HasIndependentSuccessivePoints) {
     EXPECT_TRUE(successive_points_are_free(GetParam()));
 }
 

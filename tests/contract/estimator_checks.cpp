@@ -22,13 +22,24 @@ constexpr std::uint32_t fewest_trials = 64;
 constexpr std::uint32_t most_trials = 2048;
 
 std::uint64_t samples(const EstimatorInfo& info) {
-    return info.points == PointsServe::pairs ? 256 : info.points == PointsServe::patches ? 1024 : 0;
+    switch (info.points) {
+        case PointsServe::pairs:
+            return 256;
+        case PointsServe::patches:
+            return 1024;
+        case PointsServe::scene:
+            return 8192;
+        case PointsServe::nothing:
+            break;
+    }
+    return 0;
 }
 
-/// Of an estimator with points of its own: the least number, from 10 000 on, that it takes.
+/// Of an estimator with points of its own: the least number that it takes, from 10 000 on, or from 200 on for a pair of
+/// patches.
 std::uint64_t own_points(const EstimatorEntry& estimator) {
     if (!estimator.info.own_points) return 0;
-    std::uint64_t size = 10'000;
+    std::uint64_t size = estimator.info.points == PointsServe::pairs ? 200 : 10'000;
     while (!estimator.size_problem(size).empty()) ++size;
     return size;
 }
@@ -40,7 +51,7 @@ class Ready {
         : scene_(std::move(scene)),
           estimator_(entry.make(scene_, TracerChoice::automatic)),
           samples_(own_points(entry)),
-          grid_{entry.info.own_points ? 8u : 2u} {
+          grid_{entry.info.own_points && entry.info.points != PointsServe::pairs ? 8u : 2u} {
         if (entry.info.takes_points())
             points_ =
                 samplers::find(samplers::yardstick().name).make({samples(entry.info), entry.info.dimension, 0, 0});
@@ -94,10 +105,12 @@ AssertionResult declares_itself(const EstimatorEntry& estimator) {
         if (text.empty()) return AssertionFailure() << info.name << " leaves a text empty";
     }
     if (info.dimension > max_dimension) return AssertionFailure() << "points of " << info.dimension << " coordinates";
-    if (info.takes_points() != (info.points != PointsServe::nothing))
+    if (!info.own_points && info.takes_points() != (info.points != PointsServe::nothing))
         return AssertionFailure() << info.dimension << " coordinates, but `points` says otherwise";
     if (info.own_points && (info.takes_points() || estimator.size_problem(0).empty()))
         return AssertionFailure() << "points of its own beside those of a sampler, or none at all";
+    if (estimator.info.claims_errors && estimator.info.observes == Observes::hits)
+        return AssertionFailure() << "errors are claimed of estimates";
     if (info.observes == Observes::hits && info.points != PointsServe::patches)
         return AssertionFailure() << "hits are of rays from patches";
     if (!(estimator.nanoseconds({}, scene_for(estimator)) > 0)) return AssertionFailure() << "costs nothing";

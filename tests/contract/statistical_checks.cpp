@@ -19,7 +19,7 @@ using Point = std::array<std::uint32_t, max_dimension>;
 // Of each single test. A sampler has some 25 of them, so 40 samplers raise a false alarm once in a million runs.
 constexpr double alpha = 1e-9;
 constexpr std::uint32_t draws = 60'000;
-constexpr std::uint32_t trials = 500;
+constexpr std::uint32_t trials = 640;
 
 Stream stream_of(std::uint32_t trial) {
     return {.key = {20261120, 42}, .trial = trial, .source = trial % 7, .target = trial % 3};
@@ -162,7 +162,7 @@ AssertionResult integrates_without_bias(const CatalogueEntry& sampler) {
         for (std::uint32_t trial = 0; trial < trials; ++trial) {
             means.push_back(mean_over_set(*source, stream_of(trial), integrands[f]));
         }
-        // 0.03 of the integral is what 500 trials of 256 independent points show; better sets show less.
+        // 0.03 of the integral is what 640 trials of 256 independent points show; better sets show less.
         if (const auto result = unbiased(means, 1, {.alpha = alpha, .detects = 0.03, .power = 0.99}); !result)
             return AssertionFailure() << "integrand " << f << ": " << result.message();
     }

@@ -50,6 +50,18 @@ def test_files_are_scenes():
     assert found.sparse().shape == (6, 6)
 
 
+def test_large_matrices_are_sparse():
+    count = 2049  # squares in a plane, which do not see each other, but for the first two
+    corners = numpy.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]], dtype=float)
+    vertices = numpy.concatenate([corners + [2 * number, 0, 0] for number in range(count)])
+    vertices[4:8] = corners[::-1] + [0, 0, 1]
+    found = ffstudy.form_factors(vertices=vertices, faces=numpy.arange(4 * count).reshape(-1, 4), tolerance=1e-3)
+    assert found.factors.shape == found.half_widths.shape == (count, count)
+    assert found.factors.format == "csr" and found.factors[0, 1] == pytest.approx(OPPOSITE, abs=1e-3)
+    assert f"<p>{count} × {count + 1}</p>" in found._repr_html_()
+    assert found.sparse().nnz == found.factors.nnz
+
+
 @pytest.mark.parametrize("arguments, message", [
     ({}, "a scene, or vertices and faces"),
     ({"scene": "cube", "vertices": VERTICES, "faces": FACES}, "a scene, or vertices and faces"),

@@ -38,6 +38,47 @@ def test_tables_are_frames():
     assert list(frame.columns)[:3] == ["study", "scene", "method"]
 
 
+def test_a_study_is_its_keys_too():
+    method = {"name": "m", "sampler": "sobol", "estimator": "ray_shooting", "samples_per_patch": [16, 64]}
+    of_keys = ffstudy.Study(name="s", scene="cube", trials=20, seed=numpy.int64(1), methods=[method]).run()
+    assert same(of_keys.summary, ffstudy.Study(study_text()).run().summary)
+    for arguments in ({}, {"text": study_text(), "methods": [method]}):
+        with pytest.raises(ffstudy.InputError, match="a text, or methods"):
+            ffstudy.Study(**arguments)
+    with pytest.raises(ffstudy.InputError, match="trails"):
+        ffstudy.Study(scene="cube", trails=20, seed=1, methods=[method]).run()
+
+
+def test_notebooks_show_the_answer_and_its_picture():
+    methods = [{"name": name, "sampler": name, "estimator": "ray_shooting", "samples_per_patch": 64}
+               for name in ("random", "sobol")]
+    found = ffstudy.Study(scene="cube", trials=20, seed=1, methods=methods).run()
+    shown = found._repr_html_()
+    assert "pairs" in found.answer and found.answer in shown
+    assert found.picture.startswith("<svg") and found.picture in shown
+
+
+def test_errors_are_plotted_on_request():
+    class Axes:
+        lines = {}
+
+        def plot(self, sizes, errors, style, label):
+            self.lines[label] = (list(sizes), list(errors))
+
+        def set(self, **texts):
+            self.texts = texts
+
+        def legend(self):
+            pass
+
+    found = ffstudy.Study(study_text()).run()
+    axes = found.plot("parallel", Axes())
+    rows = found.summary[(found.summary["pair_class"] == "parallel") & (found.summary["samples_per_patch"] == 64)]
+    assert axes.lines["m"][0] == [16, 64]
+    assert axes.lines["m"][1][1] == pytest.approx(numpy.sqrt(numpy.mean(rows["rmse"] ** 2)))
+    assert "parallel pairs" in axes.texts["ylabel"]
+
+
 def test_errors_have_places():
     with pytest.raises(ffstudy.InputError) as error:
         ffstudy.Study(study_text().replace("trials = 20", "trials = 1"), "mine.toml").run()

@@ -35,7 +35,7 @@ ffstudy check bands.toml --baseline base.json --out changed
 expect_refused_here "a changed study cannot be compared"
 echo '{}' >none.json
 ffstudy check bands.toml --baseline none.json
-expect_refused_here "none.json: is no baseline"
+expect_refused_here "none.json: is not a baseline"
 ffstudy check bands.toml --baseline missing.json
 expect_status 3
 ffstudy check bands.toml --baseline base.json --save-baseline base.json

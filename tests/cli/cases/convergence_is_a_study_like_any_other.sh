@@ -35,7 +35,7 @@ expect_refused 2 "gauss_legendre (it has nodes instead of sizes"
 ffstudy convergence --sampler faure --samples 130..600
 expect_refused 2 "no size that faure is made for lies in this range"
 ffstudy convergence --sampler sobol --samples 2^6..
-expect_refused 2 "'' is no number of points"
+expect_refused 2 "'' is not a number of points"
 ffstudy convergence --sampler sobol --estimator shooting
 expect_refused 2 "estimator = 'shooting' is unknown"
 ffstudy convergence --sampler sobol --trials 1 --save-study mine.toml

@@ -20,6 +20,7 @@ for signal in INT TERM USR1; do
     kill -$signal $process
     wait $process || status=$?
     expect_status 130
+    expect_stderr "stopping: finishing the work units in progress"
     expect_stderr "Run the same command again to resume."
     expect_in_file $signal/report.md "Partial result"
     ffstudy run "$folder/study.toml" --out $signal

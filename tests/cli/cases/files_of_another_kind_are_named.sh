@@ -18,6 +18,9 @@ cp "$folder/kept/results.sqlite" "$files/store"
 ffstudy form_factors cube --out "$folder/factors" --quiet
 expect_status 0
 cp "$folder/factors/form_factors.sqlite" "$files/factors"
+ffstudy points sobol --n 16 --out "$folder/points.npy"
+expect_status 0
+cp "$folder/points.npy" "$files/points"
 
 # what KIND: how it is named; taken_by KIND FILE: the command that is suggested.
 what() {
@@ -25,6 +28,7 @@ what() {
         study) echo "a study file" ;; bands) echo "a bands file" ;; toml_scene | obj | vs3) echo "a scene file" ;;
         tables) echo "a tables file" ;; baseline) echo "a baseline" ;; estimates) echo "a file of estimates" ;;
         store) echo "a result store" ;; factors) echo "a store of form factors" ;;
+        points) echo "a file of points" ;;
     esac
 }
 taken_by() {
@@ -32,7 +36,7 @@ taken_by() {
         study) echo "run $2" ;; bands) echo "check $2" ;; toml_scene | obj | vs3) echo "form_factors $2" ;;
         tables) echo "audit $2" ;; baseline) echo "check BANDS.toml --baseline $2" ;;
         estimates) echo "check BANDS.toml --estimates $2" ;; store) echo "report $2" ;;
-        factors) echo "form_factors --load $2" ;;
+        factors) echo "form_factors --load $2" ;; points) echo "convergence --sampler file:$2" ;;
     esac
 }
 
@@ -40,7 +44,7 @@ taken_by() {
 refuse() {
     local wanted=$1 kind file
     shift
-    for kind in study bands toml_scene obj vs3 tables baseline estimates store factors; do
+    for kind in study bands toml_scene obj vs3 tables baseline estimates store factors points; do
         [ "$(what $kind)" != "$(what "$wanted")" ] || continue
         file=$files/$kind
         [ "$wanted" != obj ] || { file=$folder/$kind.obj && cp "$files/$kind" "$file"; }
@@ -48,6 +52,17 @@ refuse() {
         expect_refused 2 "$file: $(what $kind) ($(what "$wanted") is wanted here). Run 'ffstudy $(taken_by $kind "$file")'."
     done
 }
+# What no command takes is named too.
+foreign() {
+    printf "$1" >"$folder/picture"
+    ffstudy run "$folder/picture"
+    expect_refused 2 "picture: $2 (a study file is wanted here). Check the name."
+}
+foreign '\x89PNG\r\n\x1a\n\0' "a PNG picture"
+foreign 'PK\x03\x04\0' "a ZIP archive (as .npz is)"
+foreign 'SQLite format 3\0' "a SQLite database"
+foreign '\x7fELF\0' "a program or a library"
+
 refuse study run {}
 refuse study radiosity {}
 refuse bands check {}
@@ -62,7 +77,7 @@ refuse obj form_factors {}
 refuse obj explain {}
 
 # A file where a command is wanted.
-for kind in study bands toml_scene obj vs3 tables baseline estimates store factors; do
+for kind in study bands toml_scene obj vs3 tables baseline estimates store factors points; do
     ffstudy "$files/$kind"
     expect_refused 2 "'$files/$kind' is $(what $kind), not a command. Run 'ffstudy $(taken_by $kind "$files/$kind")'."
 done
@@ -71,7 +86,7 @@ done
 ffstudy form_factors "$files/study"
 expect_refused 2 "a study file (a scene file is wanted here). Run 'ffstudy run $files/study'."
 ffstudy form_factors "$files/obj"
-expect_refused 2 "its extension names no scene format. Rename it to .obj, .toml or .vs3."
+expect_refused 2 "its extension names no scene format (.obj, .toml, .vs3, .stl, .ply, .off, .gltf, .glb). Rename it."
 mkfifo "$folder/fifo"
 ffstudy report "$folder/fifo"
 expect_refused 3 "fifo: a FIFO, not a file."

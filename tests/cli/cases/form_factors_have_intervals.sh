@@ -5,7 +5,7 @@ source "$(dirname "$0")/../harness.sh"
 
 # The furnace of the documents gives what they show.
 blocks obj "$root/docs/scenes.md" >furnace.obj
-blocks "" "$root/docs/form-factors.md" | sed '1d' >"$folder/promised"
+blocks "" "$root/docs/form-factors.md" 1 | sed '1d' >"$folder/promised"
 [ "$(wc -l <"$folder/promised")" -gt 15 ] || fail "docs/form-factors.md does not show the furnace"
 ffstudy form_factors furnace.obj --repair --out results/furnace
 expect_status 0

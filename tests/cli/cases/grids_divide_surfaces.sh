@@ -12,7 +12,9 @@ for command in "explain strip.toml" "run light.toml"; do
     ffstudy $command
     expect_status 0
     promised "$command" >"$folder/promised"
-    expect_equal_files "$folder/promised" "$folder/stdout"
+    # What methods do at equal processor time, below, differs from run to run.
+    head -n "$(wc -l <"$folder/promised")" "$folder/stdout" >"$folder/shown"
+    expect_equal_files "$folder/promised" "$folder/shown"
 done
 
 # wall FACE CORNER EDGE_U EDGE_V GRID [LINE]

@@ -5,14 +5,92 @@ source "$(dirname "$0")/../harness.sh"
 
 # The example is what the program prints.
 blocks obj "$root/docs/scenes.md" 1 >furnace.obj
-blocks toml "$root/docs/heat.md" >materials.toml
-blocks "" "$root/docs/heat.md" | sed '1d' >"$folder/promised"
+page=$root/docs/heat.md
+blocks toml "$page" 1 >materials.toml
+blocks "" "$page" 1 | sed '1d' >"$folder/promised"
 ffstudy heat furnace.obj --materials materials.toml --out heat
 expect_status 0
 expect_equal_files "$folder/promised" "$folder/stdout"
-[ "$(wc -l <heat/heat.csv)" -eq $(($(grep -c . "$folder/promised") - 2)) ] || fail "expected a row per face"
+[ "$(wc -l <heat/heat.csv)" -eq $(($(grep -c . "$folder/promised") - 3)) ] || fail "expected a row per face"
 ffstudy heat furnace.obj --materials materials.toml --out again --threads 1
 expect_equal_files heat/heat.csv again/heat.csv
+
+# Samples where powers depend on them; from a mesh in millimetres to the answer.
+promise() { blocks "" "$page" "$1" | sed '1d' >"$folder/promised_$1"; }
+promise 2
+ffstudy heat furnace.obj --materials materials.toml --tolerance-of flux --tolerance 0.001%
+expect_status 0
+expect_equal_files "$folder/promised_2" "$folder/stdout"
+blocks obj "$page" >oven.obj
+blocks toml "$page" 2 >oven.toml
+promise 3
+promise 4
+ffstudy heat oven.obj --materials oven.toml --scale 0.001 --tolerance-of flux --tolerance 0.1%
+expect_status 0
+expect_equal_files "$folder/promised_3" "$folder/stdout"
+ffstudy heat oven.obj --materials oven.toml --scale 0.001 --tolerance-of flux --tolerance 0.1% --faces polygon --out oven
+expect_status 0
+expect_equal_files "$folder/promised_4" "$folder/stdout"
+expect_in_file oven/report.html "tolerance 0.1% of powers"
+sum=$(awk -F, '/^load/ {sum -= ($9 + $10) / 2} END {printf "%.0f", sum}' oven/heat.csv)
+grep -Fq "together take up $sum W" "$page" || fail "docs/heat.md does not say that the load takes up $sum W"
+{
+    printf '[materials]\n"block.*" = { emissivity = 0.8, temperature = 1200 }\n'
+    printf '"roof.*" = { emissivity = 0.6, temperature = 400 }\n'
+    for face in floor south east north west; do printf '"%s.*" = { emissivity = 0.9, flux = 0 }\n' $face; done
+} >polygons.toml
+ffstudy heat furnace.obj --materials polygons.toml --faces polygon
+for power in "397477" "398074"; do
+    grep -Fq "${power::3} ${power:3} W" "$page" || fail "docs/heat.md does not say $power"
+done
+expect_stdout "-397477"
+ffstudy heat furnace.obj --materials materials.toml --tolerance-of flux --tolerance 1e-7 --max-samples 2000000
+expect_status 4
+ffstudy heat furnace.obj --materials materials.toml --tolerance-of flux --flow-tolerance 1%
+expect_status 2
+expect_stderr "Give --tolerance alone"
+for wrong in 2 0 5kW; do
+    ffstudy heat furnace.obj --materials materials.toml --tolerance-of flux --tolerance $wrong
+    expect_status 2
+    expect_stderr "Write 0.001, 0.1% or 40W"
+done
+ffstudy heat furnace.obj --materials materials.toml --tolerance 0.1%
+expect_status 2
+expect_stderr "--tolerance-of flux"
+
+# Nothing is exchanged between faces of one temperature, and that is known.
+printf '[materials]\n"*" = { emissivity = 0.7, temperature = 600 }\n' >alike.toml
+for of in factor flux; do
+    ffstudy heat furnace.obj --materials alike.toml --tolerance-of $of
+    expect_status 0
+    expect_stdout "Nothing is exchanged"
+done
+
+# The same from a kept matrix, whose intervals have to hold all at once; Gebhart factors add up to 1.
+ffstudy form_factors furnace.obj --simultaneous --tolerance 1e-4 --out kept --quiet
+ffstudy heat --load kept --materials materials.toml --out loaded --gebhart
+expect_equal_files "$folder/promised" "$folder/stdout"
+expect_equal_files heat/heat.csv loaded/heat.csv
+/usr/bin/python3 - <<'PYTHON' || fail "expected rows of Gebhart factors that can add up to 1, and script-F by reciprocity"
+import csv
+rows = list(csv.DictReader(open("loaded/gebhart.csv")))
+areas = {r["face"]: float(r["area"]) for r in csv.DictReader(open("loaded/heat.csv"))}
+assert len(rows) == 49
+for face in areas:
+    ends = [sum(float(r[f"gebhart_{end}"]) for r in rows if r["from"] == face) for end in ("low", "high")]
+    assert 0.99 < ends[0] <= 1 <= ends[1] < 1.01, (face, ends)
+script = {(r["from"], r["to"]): (float(r["script_f_low"]), float(r["script_f_high"])) for r in rows}
+for (a, b), (low, high) in script.items():
+    back = script[b, a]
+    assert areas[a] * low <= areas[b] * back[1] and areas[b] * back[0] <= areas[a] * high, (a, b)
+PYTHON
+ffstudy form_factors furnace.obj --tolerance 1e-3 --out one_by_one --quiet
+ffstudy heat --load one_by_one --materials materials.toml
+expect_status 2
+expect_stderr "Run 'ffstudy form_factors' again with --simultaneous."
+ffstudy heat --materials materials.toml
+expect_status 2
+expect_stderr "SCENE is missing"
 
 # A tolerance that the form factors do not allow.
 ffstudy heat furnace.obj --materials materials.toml --tolerance 0.01 --flow-tolerance 1e-6

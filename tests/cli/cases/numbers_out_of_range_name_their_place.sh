@@ -40,7 +40,7 @@ expect_status 0
 for freedom in 1e308 1e-300; do
     sed "0,/\"freedom\":[0-9.e+-]*/s//\"freedom\":$freedom/" base.json >damaged.json
     ffstudy check base.toml --baseline damaged.json
-    refused "damaged.json: is no baseline (gate 'faster', quantity 1: freedom"
+    refused "damaged.json: is not a baseline (gate 'faster', quantity 1: freedom"
 done
 
 # Levels and numbers of seeds.

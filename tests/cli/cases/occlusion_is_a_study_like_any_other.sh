@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The study of occlusion as docs/occlusion.md shows it: with few trials the same scenes, hidden shares, exact values and
+# The study of occlusion as docs/occlusion.md shows it: with few trials the same scenes, occluded fractions, exact values and
 # errors of the deterministic method.
 page=$(cd "$(dirname "$0")/../../.." && pwd)/docs/occlusion.md
 source "$(dirname "$0")/../harness.sh"
@@ -12,10 +12,10 @@ rows <"$page" >"$folder/promised"
 [ "$(wc -l <"$folder/promised")" -eq 17 ] || fail "docs/occlusion.md does not show the study"
 expect_equal_files "$folder/promised" "$folder/shown"
 expect_stdout "PDM: the error falls with slope "
-expect_stdout "squares_blocked, F 1-2, at about 8192 evaluations, least error by hidden share: PDM"
+expect_stdout "squares_blocked, F 1-2, at about 8192 evaluations, least error by occluded fraction: PDM"
 expect_in_file results/occlusion/report.html 'id="occlusion-squares-blocked'
 expect_in_file results/occlusion/report.html '<svg class="scene"'
-expect_in_file results/occlusion/report.md "Errors as the occluded share grows"
+expect_in_file results/occlusion/report.md "Errors as the occluded fraction grows"
 
 # A scene is explained by what is known of it, built in or in a file.
 ffstudy explain squares_blocked:0.25

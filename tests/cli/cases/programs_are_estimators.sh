@@ -90,7 +90,7 @@ refuse 2 exact 'prints the same estimates for every seed'
 refuse 2 garbage 'does not begin with the line from,to,estimate'
 refuse 2 gap "no line from face '2' to '5'"
 refuse 2 twice 'this pair stands here again'
-refuse 2 stranger "'ceiling' is no face of the scene. They are 1, 2"
+refuse 2 stranger "'ceiling' is not a face of the scene. They are 1, 2"
 refuse 2 nan "estimate = 'nan' (not a finite number)"
 study seeded 'command:python3 fixed.py seeded {scene} {seed} {trial}'
 ffstudy run seeded.toml

@@ -16,6 +16,29 @@ expect_valid small/results.json
 ffstudy sr_vs_pdm --trials 2 --out paper
 expect_status 0
 expect_valid paper/results.json
+# Faces that see themselves, and a method that claims its errors.
+cat >"$folder/other.toml" <<END
+[study]
+name = "other"
+scene = ["hemisphere", "cube"]
+trials = 20
+seed = 1
+inapplicable = "skip"
+
+[[method]]
+name = "rays"
+sampler = "sobol"
+estimator = "ray_shooting"
+samples_per_patch = [16, 64, 256]
+
+[[method]]
+name = "adaptive"
+estimator = "adaptive_contour"
+samples_per_patch = [60, 90]
+END
+ffstudy run "$folder/other.toml" --out other
+expect_status 0
+expect_valid other/results.json
 # A shard that lacks whole cells.
 ffstudy run "$folder/study.toml" --shard 1/7 --out part
 ffstudy report part
@@ -29,7 +52,8 @@ json.dump(r, open('changed.json', 'w'))"
 for change in "r['more'] = 1" "del r['seed']" "r['schema'] = 'ffstudy.results/2'" "cell['trials'] = -1" \
     "cell['summaries'][0]['mean'] = 'much'" "del cell['bias_test']['alpha']" "cell['trials'] = 1.5" \
     "cell['summaries'][0]['bias_interval']['low'] = None" "cell['summaries'][0]['mean'] = float('nan')" \
-    "cell['summaries'][0]['mean'] = float('inf')"; do
+    "cell['summaries'][0]['mean'] = float('inf')" "r['contests'][0]['equal'] = 'processor_time'" \
+    "r['contests'][0]['ratios'][0]['ratio'] = 0.5" "del r['claimed_errors'][0]['held']"; do
     change "$change"
     expect_invalid changed.json "$change"
 done

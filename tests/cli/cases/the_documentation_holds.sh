@@ -54,7 +54,7 @@ for text in "$folder/stdout" "$root/docs/catalogue.md"; do
 done
 rows <"$folder/stdout" >"$folder/shown"
 rows <"$root/docs/catalogue.md" >"$folder/promised"
-[ "$(wc -l <"$folder/promised")" -eq 174 ] || fail "docs/catalogue.md does not show the study"
+[ "$(wc -l <"$folder/promised")" -eq 259 ] || fail "docs/catalogue.md does not show the study"
 expect_equal_files "$folder/promised" "$folder/shown"
 
 # So does the example of docs/gates.md.

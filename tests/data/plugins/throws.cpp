@@ -1,6 +1,7 @@
 // A plug-in in C++ that throws, as it must not.
 #include <ffstudy/plugin.h>
 
+#include <cstdint>
 #include <stdexcept>
 #include <string>
 

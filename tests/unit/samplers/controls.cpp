@@ -44,7 +44,7 @@ TEST(PatchCentres, MovesTheOriginsOfRandomRaysAndNothingElse) {
     EXPECT_TRUE(same_column(centred, random, 3));
 }
 
-TEST(SameSeed, IsRandomInItsFirstTrialAndForEver) {
+TEST(SameSeed, RepeatsItsFirstTrialForever) {
     for (std::size_t d = 0; d < 4; ++d) {
         EXPECT_TRUE(same_column(points_of("same_seed", 7), points_of("random", 0), d));
         EXPECT_FALSE(same_column(points_of("same_seed", 7), points_of("random", 7), d));
@@ -56,7 +56,7 @@ TEST(SobolFirstDropped, BeginsAtTheSecondPoint) {
         EXPECT_TRUE(same_column(points_of("sobol_first_dropped", 0, 5), points_of("sobol", 0, 6), d));
 }
 
-TEST(SobolDigitsReversed, IsSobolBackwards) {
+TEST(SobolDigitsReversed, IsSobolWithReversedDigits) {
     const PointBlock backwards = points_of("sobol_digits_reversed");
     const PointBlock sobol = points_of("sobol");
     for (std::uint32_t bit = 0; bit < 32; ++bit) {

@@ -5,7 +5,7 @@
 namespace ff::samplers {
 namespace {
 
-TEST(WeighEqually, PutsPointsIntoTheMiddleOfTheirCells) {
+TEST(WeighEqually, PlacesPointsInTheCentresOfTheirCells) {
     PointBlock cells;
     cells.dimension = 2;
     cells.size = 2;

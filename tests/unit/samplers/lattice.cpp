@@ -124,7 +124,7 @@ TEST(LatticeVector, HasTheWorstCaseErrorsThatTheDetailsState) {
     EXPECT_NEAR(std::sqrt((std::pow(7.0 / 6, 4) - 1) / 256), 5.8e-2, 0.05e-2);
 }
 
-TEST(LatticeVector, IsBetterThanOneThatNobodyChose) {
+TEST(LatticeVector, IsBetterThanAnArbitraryOne) {
     const Vector diagonal{1, 3, 5, 7};
     for (unsigned m = 6; m <= 14; ++m) {
         EXPECT_LT(worst_case_error(Lattice::generating_vector, m), worst_case_error(diagonal, m));

@@ -29,7 +29,7 @@ TEST(AndersonDarling, TailHasThePublishedCriticalValues) {
 }
 
 // The largest part of the sum is half a chi-squared number; the others multiply its tail by sqrt(3) in the limit.
-TEST(AndersonDarling, TailIsRightFarOut) {
+TEST(AndersonDarling, TailIsAccurateForSmallPValues) {
     for (const double z : {50.0, 200.0})
         EXPECT_NEAR(anderson_darling_tail(z) / (std::sqrt(3) * std::erfc(std::sqrt(z))), 1, 0.5 / z);
     EXPECT_EQ(anderson_darling_tail(0), 1);
@@ -37,7 +37,7 @@ TEST(AndersonDarling, TailIsRightFarOut) {
 }
 
 // By hand: -3 - (ln .25 + ln .25 + 3 (ln .5 + ln .5) + 5 (ln .75 + ln .75)) / 3 with the formula of the definition.
-TEST(AndersonDarling, StatisticIsThatOfItsDefinition) {
+TEST(AndersonDarling, StatisticMatchesItsDefinition) {
     const std::vector<double> u{0.25, 0.5, 0.75};
     double sum = 0;
     for (std::size_t i = 0; i < 3; ++i)
@@ -45,7 +45,7 @@ TEST(AndersonDarling, StatisticIsThatOfItsDefinition) {
     EXPECT_NEAR(anderson_darling(u, 0), -3 - sum / 3, 1e-14);
 }
 
-TEST(AndersonDarling, ToleranceNeverAddsAndCoversTheDistance) {
+TEST(AndersonDarling, ToleranceNeverIncreasesTheStatisticAndCoversTheDistance) {
     const auto u = sorted_uniform(50, 1);
     double before = anderson_darling(u, 0);
     for (const double tolerance : {0.01, 0.05, 0.1, 0.2}) {
@@ -66,7 +66,7 @@ TEST(AndersonDarling, ImpossibleValuesAreInfinitelyFarWithoutATolerance) {
 }
 
 // N M - n i over the pooled order a b a b: 1, 0, 1 of 4 values, each squared over i (N - i), over n m.
-TEST(AndersonDarling, OfTwoSamplesIsThatOfItsDefinition) {
+TEST(AndersonDarling, TwoSampleStatisticMatchesItsDefinition) {
     const std::vector<double> a{1, 3};
     const std::vector<double> b{2, 4};
     EXPECT_NEAR(anderson_darling(a, b, 0), (4.0 / 3 + 0 + 4.0 / 3) / 4, 1e-14);
@@ -74,7 +74,7 @@ TEST(AndersonDarling, OfTwoSamplesIsThatOfItsDefinition) {
     EXPECT_EQ(kolmogorov_distance(a, b), 0.5);
 }
 
-TEST(AndersonDarling, EqualValuesOfTwoSamplesAreOneStep) {
+TEST(AndersonDarling, TiesBetweenSamplesCountAsOneStep) {
     const std::vector<double> a{1, 1, 2};
     EXPECT_EQ(anderson_darling(a, a, 0), 0);
     EXPECT_EQ(kolmogorov_distance(a, a), 0);

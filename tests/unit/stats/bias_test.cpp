@@ -28,7 +28,7 @@ TEST(BiasTest, IsEmptyForTooFewOrEqualValues) {
     EXPECT_FALSE(test_equivalence(moments_of(std::array{1.0, 1.0}), 1, 0.05));
 }
 
-TEST(BiasTest, PIsNotZeroFarOut) {
+TEST(BiasTest, PValueIsNotZeroFarInTheTail) {
     std::mt19937_64 engine(1);
     const auto test = test_bias(moments_of(test::normal_sample(400, engine, 1), 0));  // t near 20
     EXPECT_GT(test->p, 0);

@@ -19,7 +19,7 @@ TEST(DistanceToBox, IsMahalanobisDistanceOfAPoint) {
     EXPECT_NEAR(distance_to_box(Numbers{1, 0}, Numbers{0, 0}, Numbers{0, 0}, covariance).value(), 1 / 0.64, 1e-12);
 }
 
-TEST(DistanceToBox, IsThatOfTheNearestPointByTheCovariance) {
+TEST(DistanceToBox, UsesTheNearestPointInTheMetricOfTheCovariance) {
     // The second coordinate is free: the nearest point has y = r x, at a distance of 1, and not y = 0.
     const Numbers covariance{1, 0.6, 0.6, 1};
     EXPECT_NEAR(distance_to_box(Numbers{1, 0}, Numbers{0, -9}, Numbers{0, 9}, covariance).value(), 1, 1e-8);
@@ -72,7 +72,7 @@ TEST(DistanceToBox, KeepsTheLevelOfATestAtAPointAndAtACornerOfTheBox) {
     EXPECT_LE(rejections(0.5, 0.5), 39);
 }
 
-TEST(DistanceToBox, SeesWhatLiesBeyondTheBox) {
+TEST(DistanceToBox, DetectsPointsOutsideTheBox) {
     EXPECT_GE(rejections(0.1, 1.5), 1900);
 }
 

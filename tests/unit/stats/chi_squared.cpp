@@ -46,7 +46,7 @@ Eigen::MatrixXd multinomial_covariance(const Eigen::VectorXd& p, double rays) {
     return (variances - p * p.transpose()) / rays;
 }
 
-TEST(CombineDeviations, OfASingularCovarianceIsPearsonsChiSquared) {
+TEST(CombineDeviations, EqualsPearsonsChiSquaredForASingularCovariance) {
     const Eigen::Vector4d p(0.2, 0.25, 0.25, 0.3);
     const std::array<std::uint64_t, 4> counts{18, 25, 30, 27};
     const std::array shares{-0.02, 0.0, 0.05, -0.03};

@@ -36,7 +36,7 @@ TEST(CountDistance, NeverPoolsWhatIsImpossibleOutOfSight) {
     EXPECT_TRUE(found->impossible);
 }
 
-TEST(CountDistance, OfTwoFilesIsSymmetric) {
+TEST(CountDistance, IsSymmetricInTwoFiles) {
     const std::vector<double> a{30, 20, 50};
     const std::vector<double> b{300, 250, 450};
     const auto ab = count_distance_of_two(a, b);
@@ -62,7 +62,7 @@ TEST(CountDistance, IntervalEndsWhereTheTailsReachItsLevel) {
     EXPECT_EQ(distance_interval(*none, 0.9).low, 0);
 }
 
-TEST(CountDistance, SaysLittleOfFewThatAgree) {
+TEST(CountDistance, IsUncertainForFewAgreeingEvents) {
     const auto few = count_distance(std::vector<double>{6, 6}, std::vector<double>{0.5, 0.5});
     const auto many = count_distance(std::vector<double>{6000, 6000}, std::vector<double>{0.5, 0.5});
     EXPECT_EQ(few->statistic, 0);
@@ -70,7 +70,7 @@ TEST(CountDistance, SaysLittleOfFewThatAgree) {
     EXPECT_LT(distance_interval(*many, 0.9).high, 0.03);
 }
 
-TEST(CountDistance, WhatIsDetectableIsRejectedWithThePower) {
+TEST(CountDistance, DetectableDistancesAreRejectedWithThePower) {
     auto found = count_distance(std::vector<double>{250, 250, 250, 250}, quarters);
     ASSERT_TRUE(found);
     const double far = detectable_distance(*found, 0.1, 0.01, 0.9);

@@ -20,12 +20,12 @@ TEST(Simes, IsTheLeastScaledOrderStatistic) {
     EXPECT_DOUBLE_EQ(simes(p), 0.04);
 }
 
-TEST(Simes, OfOneTestIsItsPValue) {
+TEST(Simes, EqualsThePValueOfASingleTest) {
     std::array<double, 1> p{0.2};
     EXPECT_DOUBLE_EQ(simes(p), 0.2);
 }
 
-TEST(CauchyCombination, OfOneSmallPValueIsThatPValue) {
+TEST(CauchyCombination, EqualsASingleSmallPValue) {
     const std::array<double, 1> p{1e-9};
     // Within what is taken off: ln(1e9 / pi) / pi of 3e8.
     EXPECT_NEAR(cauchy_combination(p) / 1e-9, 1, 1e-7);
@@ -37,7 +37,7 @@ TEST(CauchyCombination, IsNotOutweighedByCertainties) {
     EXPECT_NEAR(cauchy_combination(p) / 1e-6, 1, 1e-4);
 }
 
-TEST(CauchyCombination, IsZeroWhereAPValueIs) {
+TEST(CauchyCombination, IsZeroIfAPValueIsZero) {
     const std::array<double, 2> p{0, 1};
     EXPECT_EQ(cauchy_combination(p), 0);
 }

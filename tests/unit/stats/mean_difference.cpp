@@ -31,13 +31,13 @@ TEST(MeanDifference, KeepsItsDigitsFarFromZero) {
     EXPECT_NEAR(far->p, near->p, 1e-3);  // spacing of doubles near 10^6: 1e-10, in differences of 1e-6
 }
 
-TEST(MeanDifference, TakesASampleThatNeverVaries) {
+TEST(MeanDifference, AcceptsAConstantSample) {
     const std::array constant{3.0, 3.0, 3.0};
     const auto test = test_means_welch(moments_of(constant), moments_of(second));
     EXPECT_NEAR(test->freedom, 4, 1e-14);
 }
 
-TEST(MeanDifference, IsEmptyWhereNothingSpreads) {
+TEST(MeanDifference, IsEmptyWithoutSpread) {
     const std::array constant{3.0, 3.0, 3.0};
     EXPECT_FALSE(test_means_welch(moments_of(constant), moments_of(constant)));
     EXPECT_FALSE(test_means_welch(moments_of(std::array{1.0}), moments_of(second)));

@@ -21,12 +21,12 @@ void expect_near(const std::vector<double>& actual, const std::vector<double>& e
 
 // R: p <- c(.01, .04, .03, .005, .5); p.adjust(p, "holm"); 1 - (1 - p)^5
 // (figures from the same formulas in numpy)
-TEST(AdjustedPValues, AreThoseOfR) {
+TEST(AdjustedPValues, AgreeWithR) {
     expect_near(holm(p), {0.04, 0.09, 0.09, 0.025, 0.5});
     expect_near(sidak(p), {0.0490099501, 0.1846273024, 0.1412659743, 0.024751246878125, 0.96875});
 }
 
-TEST(AdjustedPValues, OfOneOrNoTestAreUnchanged) {
+TEST(AdjustedPValues, AreUnchangedForOneOrNoTest) {
     const std::array one{0.3};
     for (const auto adjust : {holm, sidak}) {
         expect_near(adjust(one), {0.3});

@@ -21,7 +21,7 @@ TEST(RankCorrelation, CountsPairsThatAgree) {
     EXPECT_NEAR(rank_correlation(Numbers{1, 1, 2, 3, 4, 5}, Numbers{1, 2, 3, 4, 5, 6}, 0.95)->tau, 0.9660918, 1e-7);
 }
 
-TEST(RankCorrelation, IsNotCertainOfAFewThatAgree) {
+TEST(RankCorrelation, IsUncertainForFewAgreeingPairs) {
     const auto same = rank_correlation(Numbers{1, 2, 3, 4, 5, 6}, Numbers{1, 2, 3, 4, 5, 6}, 0.95);
     EXPECT_EQ(same->tau, 1);
     EXPECT_NEAR(same->interval.high, 1, 1e-12);
@@ -31,7 +31,7 @@ TEST(RankCorrelation, IsNotCertainOfAFewThatAgree) {
     EXPECT_NEAR(opposite->interval.high, -same->interval.low, 1e-12);
 }
 
-TEST(RankCorrelation, IsEmptyOfTooFewAndOfEqualValues) {
+TEST(RankCorrelation, IsEmptyForTooFewOrEqualValues) {
     EXPECT_FALSE(rank_correlation(Numbers{1, 2, 3, 4, 5}, Numbers{1, 2, 3, 4, 5}, 0.95));
     EXPECT_FALSE(rank_correlation(Numbers{1, 1, 1, 1, 1, 1}, Numbers{1, 2, 3, 4, 5, 6}, 0.95));
 }
@@ -51,7 +51,7 @@ int held(std::size_t n, double tau, const Draw& draw) {
 }
 
 // Fewer than 3733 of 4000 have a probability of 1e-4 or less at a coverage of 0.95; at 0.92, of 0.999.
-TEST(RankCorrelation, IntervalsHoldAtLeastAsOftenAsTheySay) {
+TEST(RankCorrelation, IntervalsCoverAtTheirLevel) {
     for (const std::size_t n : {8u, 14u, 40u}) {
         for (const double correlation : {0.0, 0.5, 0.9}) {
             std::normal_distribution<double> normal;

@@ -135,7 +135,7 @@ TEST(FindPeriod, FindsTwoEqualHalvesOfCoarseCounts) {
     EXPECT_EQ(find_period(values, 1e-6), 50u);
 }
 
-TEST(FindPeriod, SeesNoneInWhatChanceMakes) {
+TEST(FindPeriod, FindsNoneInRandomRepeats) {
     std::mt19937_64 engine(7);
     EXPECT_FALSE(find_period(test::normal_sample(1000, engine), 1e-6));
     EXPECT_FALSE(find_period(std::vector<double>(1000, 0.0), 1e-6));  // hits so rare that none was seen

@@ -23,7 +23,7 @@ TEST(Autocorrelations, AreThoseOfAShortSeries) {
     EXPECT_THAT(autocorrelations(values, 2), testing::ElementsAre(testing::DoubleEq(0.4), testing::DoubleEq(-0.1)));
 }
 
-TEST(SerialTest, AlarmsAtMostAsOftenAsItSays) {
+TEST(SerialTest, KeepsItsFalseAlarmRate) {
     std::mt19937_64 engine(1);
     for (const std::size_t n : {12u, 60u, 400u}) {
         const auto alarms =
@@ -40,7 +40,7 @@ TEST(SerialTest, HoldsForSkewedValues) {
     EXPECT_TRUE(test::has_probability_at_most(alarms, 4000, 0.055, {.alpha = 1e-4, .detects = 0.03}));
 }
 
-TEST(SerialTest, FindsTheCorrelationThatItSaysItFinds) {
+TEST(SerialTest, FindsTheStatedDetectableCorrelation) {
     std::mt19937_64 engine(3);
     constexpr std::size_t n = 200;
     const auto found = test::count_events(1000, [&] {
@@ -51,14 +51,14 @@ TEST(SerialTest, FindsTheCorrelationThatItSaysItFinds) {
     EXPECT_TRUE(test::has_probability_at_least(found, 1000, 0.9, {.alpha = 1e-4, .detects = 0.06}));
 }
 
-TEST(SerialTest, FindsWhatComesBackAfterFiveValues) {
+TEST(SerialTest, FindsAPeriodOfFiveValues) {
     std::mt19937_64 engine(4);
     std::vector<double> values = test::normal_sample(200, engine);
     for (std::size_t i = 5; i < values.size(); ++i) values[i] += values[i - 5];
     EXPECT_LT(test_serial_correlation(values)->p, 1e-6);
 }
 
-TEST(SerialTest, SaysNothingOfFewOrEqualValues) {
+TEST(SerialTest, IsEmptyForFewOrEqualValues) {
     EXPECT_FALSE(test_serial_correlation(std::vector<double>{1, 2, 3}));
     EXPECT_FALSE(test_serial_correlation(std::vector<double>(20, 1.0)));
 }

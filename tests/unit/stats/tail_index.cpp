@@ -66,7 +66,7 @@ TEST(TailFit, IsEmptyWithoutEnoughOrTooDiscreteValues) {
     EXPECT_FALSE(fit_tail_hill(std::array{2.0, 2.0, 2.0}, 2));
 }
 
-TEST(TailFit, OfBoundedValuesHasNoIndex) {
+TEST(TailFit, HasNoIndexForBoundedValues) {
     std::mt19937_64 engine(5);
     const auto fit = fit_tail(test::sample(std::uniform_real_distribution<double>(), 5000, engine));
     EXPECT_LT(fit->shape, -0.7);  // -1 for uniform values

@@ -72,7 +72,7 @@ TEST(TwoStage, KeepsItsCoverageOfNormalValues) {
 }
 
 // The same assertion, turned round, on a rule that is broken: it covers about .88.
-TEST(TwoStage, StoppingWhereTheIntervalLooksShortDoesNot) {
+TEST(TwoStage, StoppingAtAShortIntervalLosesCoverage) {
     std::mt19937_64 engine(2);
     std::normal_distribution<double> normal;
     const Law law = [&] { return normal(engine); };

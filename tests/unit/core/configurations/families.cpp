@@ -106,7 +106,7 @@ TEST(SceneFamilies, AgreeWithWhatPointsSeeThroughAHole) {
               rounding);
 }
 
-TEST(SceneFamilies, BeginAndEndWithAllAndNothing) {
+TEST(SceneFamilies, RangeFromUnoccludedToFullyOccluded) {
     EXPECT_DOUBLE_EQ(of_family("squares_blocked:0"), of_family("cube_opposite_faces"));
     EXPECT_NEAR(of_family("squares_blocked:1"), 0, 1e-17);
     EXPECT_EQ(of_family("squares_through_aperture:0"), 0);
@@ -147,7 +147,7 @@ TEST(SceneFamilies, IncludeTheScenesOfTheCatalogue) {
     EXPECT_FALSE(family_member(built_in_scene("hemisphere")));
 }
 
-TEST(SceneFamilies, RefuseMeasuresThatAreNone) {
+TEST(SceneFamilies, RefuseInvalidMeasures) {
     EXPECT_THROW(built_in_scene("squares_blocked:1.5"), UserError);
     EXPECT_THROW(built_in_scene("squares_blocked:-0.1"), UserError);
     EXPECT_THROW(built_in_scene("squares_blocked:nan"), UserError);
@@ -179,7 +179,7 @@ TEST(HiddenShare, GrowsWithTheBlocker) {
     EXPECT_FALSE(hidden_share(discs, known_factors(discs), 0, 1));
 }
 
-TEST(KnownFactors, AreThoseOfPairsThatNothingCanStandBetween) {
+TEST(KnownFactors, CoverPairsThatNothingCanStandBetween) {
     const KnownFactors room = known_factors(built_in_scene("l_shaped_room"));
     EXPECT_TRUE(room.at(0, 1));   // by its formula
     EXPECT_TRUE(room.at(0, 5));   // walls that meet at a right angle

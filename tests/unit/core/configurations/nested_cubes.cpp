@@ -94,13 +94,13 @@ TEST(NestedCubes, AgreeWithClippedShadows) {
     EXPECT_GT(std::abs(blocked_share(1.0 / 3) - blocked_share(1.0 / 3 + 1e-13)), 2e-15);
 }
 
-TEST(NestedCubes, OfAnySizeAreTheSame) {
+TEST(NestedCubes, DoNotDependOnTheUnit) {
     EXPECT_PRED3(test::near, nested_cubes_opposite_factor(2, 6), nested_cubes_opposite_factor(1, 3), 1e-18L);
     const long double opposite = nested_cubes_opposite_factor(2, 6);
     EXPECT_PRED3(test::near, opposite + 4 * nested_cubes_adjacent_factor(2, 6) + 1 / 9.0L, 1, 1e-18L);
 }
 
-TEST(NestedCubes, GoOverIntoTheEmptyCubeAndIntoASlit) {
+TEST(NestedCubes, TendToTheEmptyCubeAndToASlit) {
     EXPECT_PRED3(test::near, nested_cubes_opposite_factor(1e-6L, 1),
                  parallel_exchange_area<long double>({0, 1}, {0, 1}, {0, 1}, {0, 1}, 1), 1e-11L);
     const long double nearly_full = nested_cubes_opposite_factor(0.999L, 1);

@@ -44,6 +44,40 @@ Real element_aside_to_disc(Real radius, Real distance, Real aside) {
     return (1 - (squares - radius * radius) / std::sqrt(sum * sum - 4 * aside * aside * radius * radius)) / 2;
 }
 
+// By the kernel over the heights of both and the angle between them; what two points are apart in height counts alone.
+TEST(CoaxialCylinders, AreTheIntegralOverWhatTheInnerOneHides) {
+    for (const auto& [inner, outer, height] : {std::array<Real, 3>{1, 2, 2}, {1, 1.5, 4}, {2, 3, 1}}) {
+        const auto over_heights = [&, height = height](const auto& of_angle, Real low, Real high) {
+            return integral(
+                [&](Real t) {
+                    return 4 * (1 - t / height) * integral([&](Real angle) { return of_angle(angle, t); }, low, high);
+                },
+                0, height);
+        };
+        const Real r1 = inner;
+        const Real r2 = outer;
+        const Real rim = std::acos(r1 / r2);
+        const Real to_inner = over_heights(
+            [&](Real angle, Real t) {
+                const Real squares = r1 * r1 + r2 * r2 - 2 * r1 * r2 * std::cos(angle) + t * t;
+                return r1 * (r2 - r1 * std::cos(angle)) * (r2 * std::cos(angle) - r1) / (pi * squares * squares);
+            },
+            0, rim);
+        EXPECT_PRED3(test::near, outer_cylinder_to_inner_factor(r1, r2, height), to_inner, 100 * rounding);
+        const Real hidden = over_heights(
+            [&](Real angle, Real t) {
+                const Real rise = r2 * (1 - std::cos(angle));
+                const Real squares = 2 * r2 * rise + t * t;
+                return r2 * rise * rise / (pi * squares * squares);
+            },
+            2 * rim, pi);
+        EXPECT_PRED3(test::near, outer_cylinder_to_itself_factor(r1, r2, height),
+                     cylinder_wall_to_itself_factor(r2, height) - hidden, 100 * rounding);
+    }
+    EXPECT_THROW(outer_cylinder_to_inner_factor(2, 1, 1), UserError);
+    EXPECT_THROW(outer_cylinder_to_itself_factor(1, 1, 1), UserError);
+}
+
 TEST(CoaxialDiscs, AreTheIntegralOverTheFirstDisc) {
     for (const auto& [r1, r2, h] : {std::array<Real, 3>{1, 1, 1}, {1, 2, 1}, {2, 1, 1}, {0.5, 3, 2}, {1, 1, 4}}) {
         const Real by_kernel =
@@ -102,7 +136,7 @@ TEST(SphereToDisc, IsTheShareOfAllDirections) {
     }
 }
 
-TEST(SphereCap, ReceivesAlikeFromEveryPoint) {
+TEST(SphereCap, ReceivesEquallyFromEveryPoint) {
     // Inside a sphere the kernel is the same for all pairs of points: cosines are r / 2R.
     constexpr Real radius = 1.5L;
     for (const Real angle : {0.1L, 1.0L, 3.0L}) {
@@ -115,7 +149,7 @@ TEST(SphereCap, ReceivesAlikeFromEveryPoint) {
     EXPECT_THROW(sphere_cap_factor(1, 2.5L), UserError);
 }
 
-TEST(ConcentricSpheres, KeepTheRest) {
+TEST(ConcentricSpheres, SatisfyClosure) {
     EXPECT_PRED3(test::near, outer_sphere_to_itself_factor(1, 2) + 0.25L, 1, rounding);
     EXPECT_THROW(outer_sphere_to_itself_factor(2, 2), UserError);
 }
@@ -148,7 +182,7 @@ TEST(ConeWall, IsTheIntegralOverItsRings) {
     }
 }
 
-TEST(RoundConfigurations, RefuseLengthsThatAreNone) {
+TEST(RoundConfigurations, RefuseInvalidLengths) {
     for (const Real wrong :
          {0.0L, -1.0L, std::numeric_limits<Real>::infinity(), std::numeric_limits<Real>::quiet_NaN()}) {
         const std::vector<std::function<Real()>> formulas{

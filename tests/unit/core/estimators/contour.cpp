@@ -55,7 +55,7 @@ TEST(Contour, IsRightBetweenTriangles) {
     EXPECT_NEAR(with_nodes(scene, 12, 2)(0, 1), 0.115049228149611, 1e-8);
 }
 
-TEST(Contour, RefusesWhatLiesPartlyBehind) {
+TEST(Contour, RefusesTargetsPartlyBehind) {
     EXPECT_NE(Contour::refusal({}, *configuration_scene("l_shaped_room")).find("behind the plane of another"),
               std::string::npos);
 }

@@ -111,7 +111,7 @@ TEST(GradedMap, LeavesTheEstimateUnbiased) {
     }
 }
 
-TEST(GradedMap, IsNoHelpToQuadrature) {
+TEST(GradedMap, DoesNotHelpQuadrature) {
     // The ridge where points face each other across the edge stays, and the weights of the map sharpen it.
     const Scene cube = make_box(6, 6, 6);
     const Eigen::MatrixXd exact = *exact_form_factors(cube);

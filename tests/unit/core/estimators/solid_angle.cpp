@@ -1,7 +1,7 @@
 #include "core/estimators/solid_angle.hpp"
 
 #include "core/geometry/box.hpp"
-#include "tests/support/philox_points.hpp"
+#include "tests/support/estimator_trials.hpp"
 
 #include <gtest/gtest.h>
 #include <Eigen/Geometry>
@@ -84,29 +84,17 @@ TEST(DirectionIn, HasTheMeanDirectionOfAnOctant) {
     for (const double mean : Vector3d(sum / (n * n))) EXPECT_NEAR(mean, 0.5, 1e-4);
 }
 
-/// The estimates of one trial.
-Eigen::MatrixXd estimate(const Scene& scene, std::uint64_t samples, std::uint32_t trial = 0) {
-    const test::PhiloxPoints points(samples);
-    Outcome outcome;
-    PatchTotals totals;
-    SolidAngle(scene, TracerChoice::automatic)
-        .observe(
-            {.subdivision = {1}, .points = &points, .samples = samples, .options = {}, .key = {1, 2}, .trial = trial},
-            outcome, totals);
-    return outcome.estimates;
-}
-
 // In a far small target the cosine and the solid angle hardly change: one point is right to the size over the distance.
 TEST(SolidAngle, NeedsOnePointOfASmallTarget) {
     Scene scene;
     scene.faces = {"near", "far"};
     scene.surfaces = {{Parallelogram{{0, 0, 0}, {1e-3, 0, 0}, {0, 1e-3, 0}}, {0, 0, 1}, 0},
                       {Parallelogram{{0, 0, 1}, {0, 1e-3, 0}, {1e-3, 0, 0}}, {0, 0, -1}, 1}};
-    EXPECT_NEAR(estimate(scene, 1)(0, 1) * std::numbers::pi / 1e-6, 1, 1e-5);
+    EXPECT_NEAR(test::observe<SolidAngle>(scene, 1, 1).estimates(0, 1) * std::numbers::pi / 1e-6, 1, 1e-5);
 }
 
 TEST(SolidAngle, GivesNoFactorAboveTwo) {
-    const Eigen::MatrixXd factors = estimate(make_box(1, 1, 1e-3), 64);
+    const Eigen::MatrixXd factors = test::observe<SolidAngle>(make_box(1, 1, 1e-3), 1, 64).estimates;
     EXPECT_LE(factors.maxCoeff(), 2);
     EXPECT_TRUE(factors.diagonal().isZero(0));
 }

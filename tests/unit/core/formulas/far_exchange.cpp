@@ -55,7 +55,7 @@ TEST(FarExchange, AgreesWithTheContourIntegralWithinBothErrors) {
                 quadrature->error + static_cast<double>(contour.error));
 }
 
-TEST(FarExchange, IsNotForWhatIsNearOrCrossesAPlane) {
+TEST(FarExchange, IsEmptyForNearOrCrossingPolygons) {
     EXPECT_FALSE(far_exchange_area(square({0, 0, 0}, {1, 0, 0}, {0, 1, 0}), square({0, 0, 9}, {0, 1, 0}, {1, 0, 0})));
     EXPECT_FALSE(far_exchange_area(square({0, 0, 0}, {0.01, 0, 0}, {0, 0.01, 0}),
                                    square({0, 1, -0.005}, {0.01, 0, 0}, {0, 0, 0.01})));

@@ -261,7 +261,7 @@ TEST(PolygonExchangeArea, IsZeroWhereNothingIsInFront) {
     EXPECT_EQ(polygon_exchange_area<double>(floor, {{0, 0, 0}, {0, 1, 0}, {1, 0, 0}}).value, 0);  // its own back
 }
 
-TEST(PolygonExchangeArea, TakesBaysAndCountsOnlyWhatIsInFront) {
+TEST(PolygonExchangeArea, HandlesBaysAndCountsOnlyThePartInFront) {
     // An L of three unit squares, the sum of its parts; tilted so that one of them is partly behind.
     const Polygon3 floor{{0, 0, 0}, {3, 0, 0}, {3, 3, 0}, {0, 3, 0}};
     const auto at = [](double x, double y) { return Vector3d(3 - 0.5 * y, x, y - 0.25); };

@@ -172,7 +172,7 @@ TEST(PolygonFactor, WeighsAndAddsPoints) {
     EXPECT_NEAR(sum_polygon_factors(points, polygon), expected, 1e-14);
 }
 
-TEST(Horizon, CutsOffWhatLiesBelow) {
+TEST(Horizon, ClipsEverythingBelow) {
     const Polygon half = clip_at_horizon(wall(0, 1, 0, -2, 1));
     EXPECT_EQ(half.size(), 4u);
     for (const Vector3d& vertex : half) EXPECT_GE(vertex.z(), 0);

@@ -11,6 +11,7 @@ namespace ff {
 namespace {
 
 using Eigen::Vector3d;
+using Crossing = Shaft::Crossing;
 
 ConvexPolygon rectangle(const Vector3d& corner, const Vector3d& u, const Vector3d& v) {
     return {corner, corner + u, corner + u + v, corner + v};
@@ -21,22 +22,23 @@ const ConvexPolygon ceiling_square = rectangle({0, 0, 1}, {1, 0, 0}, {0, 1, 0});
 
 TEST(Shaft, SeesWhatIsBesideIt) {
     const Shaft shaft(floor_square, ceiling_square);
-    EXPECT_TRUE(shaft.keeps_clear_of(rectangle({1.1, 0, 0.5}, {1, 0, 0}, {0, 1, 0})));
-    EXPECT_TRUE(shaft.keeps_clear_of(rectangle({1, 0, 0.2}, {1, 0, 0}, {0, 1, 0}))) << "it touches";
-    EXPECT_TRUE(shaft.keeps_clear_of(rectangle({0, 0, 1.01}, {1, 0, 0}, {0, 1, 0}))) << "above";
-    EXPECT_FALSE(shaft.keeps_clear_of(rectangle({0.99, 0.99, 0.5}, {1, 0, 0}, {0, 1, 0})));
+    EXPECT_EQ(shaft.crossed_by(rectangle({1.1, 0, 0.5}, {1, 0, 0}, {0, 1, 0})), Crossing::none);
+    EXPECT_EQ(shaft.crossed_by(rectangle({1, 0, 0.2}, {1, 0, 0}, {0, 1, 0})), Crossing::none) << "it touches";
+    EXPECT_EQ(shaft.crossed_by(rectangle({0, 0, 1.01}, {1, 0, 0}, {0, 1, 0})), Crossing::none) << "above";
+    EXPECT_EQ(shaft.crossed_by(rectangle({0.99, 0.99, 0.5}, {1, 0, 0}, {0, 1, 0})), Crossing::some);
     // From a small place to the ceiling the shaft is narrow below: no plane across an axis would show it.
     const ConvexPolygon place = rectangle({0.5, 0.5, 0}, {1e-3, 0, 0}, {0, 1e-3, 0});
-    EXPECT_TRUE(Shaft(place, ceiling_square).keeps_clear_of(rectangle({0.51, 0.5, 1e-3}, {1e-3, 0, 0}, {0, 1e-3, 0})));
-    EXPECT_FALSE(
-        Shaft(place, ceiling_square).keeps_clear_of(rectangle({0.501, 0.5, 1e-3}, {1e-3, 0, 0}, {0, 1e-3, 0})));
+    EXPECT_EQ(Shaft(place, ceiling_square).crossed_by(rectangle({0.51, 0.5, 1e-3}, {1e-3, 0, 0}, {0, 1e-3, 0})),
+              Crossing::none);
+    EXPECT_EQ(Shaft(place, ceiling_square).crossed_by(rectangle({0.501, 0.5, 1e-3}, {1e-3, 0, 0}, {0, 1e-3, 0})),
+              Crossing::some);
 }
 
 TEST(Shaft, IsClosedByWhatAllItsLinesCross) {
     const Shaft shaft(floor_square, ceiling_square);
-    EXPECT_TRUE(shaft.is_closed_by(rectangle({-0.1, -0.1, 0.5}, {1.2, 0, 0}, {0, 1.2, 0})));
-    EXPECT_FALSE(shaft.is_closed_by(rectangle({0.1, -0.1, 0.5}, {1.2, 0, 0}, {0, 1.2, 0})));
-    EXPECT_FALSE(shaft.is_closed_by(rectangle({-9, -9, 1.5}, {20, 0, 0}, {0, 20, 0}))) << "beyond it";
+    EXPECT_EQ(shaft.crossed_by(rectangle({-0.1, -0.1, 0.5}, {1.2, 0, 0}, {0, 1.2, 0})), Crossing::all);
+    EXPECT_EQ(shaft.crossed_by(rectangle({0.1, -0.1, 0.5}, {1.2, 0, 0}, {0, 1.2, 0})), Crossing::some);
+    EXPECT_EQ(shaft.crossed_by(rectangle({-9, -9, 1.5}, {20, 0, 0}, {0, 20, 0})), Crossing::none) << "beyond it";
 }
 
 // Lines at random through random polygons: a proof is never contradicted, and there are proofs of both kinds.
@@ -54,9 +56,8 @@ TEST(Shaft, ProvesOnlyWhatHoldsForEveryLine) {
         const ConvexPolygon to = any({0, 0, 2}, 0.5);
         const ConvexPolygon polygon = any({0, 0, draw(0.3, 1.7)}, std::exp(draw(-3, 1)));
         const Shaft shaft(from, to);
-        const bool is_clear = shaft.keeps_clear_of(polygon);
-        const bool is_closed = shaft.is_closed_by(polygon);
-        EXPECT_FALSE(is_clear && is_closed);
+        const bool is_clear = shaft.crossed_by(polygon) == Crossing::none;
+        const bool is_closed = shaft.crossed_by(polygon) == Crossing::all;
         clear += is_clear;
         closed += is_closed;
         const auto place_on = [&](const ConvexPolygon& p) -> Vector3d {
@@ -81,10 +82,12 @@ TEST(Shaft, ProvesOnlyWhatHoldsForEveryLine) {
 }
 
 TEST(Shaft, MeasuresDistances) {
-    EXPECT_DOUBLE_EQ(distance({0.5, 0.5, 2}, floor_square), 2);
-    EXPECT_DOUBLE_EQ(distance({4, 0.5, 4}, floor_square), 5);
-    EXPECT_DOUBLE_EQ(distance({4, 5, 0}, floor_square), 5);
-    EXPECT_DOUBLE_EQ(area(floor_square), 1);
+    const Vector3d normal = twice_area(floor_square);
+    EXPECT_EQ(normal, Vector3d(0, 0, 2));
+    EXPECT_DOUBLE_EQ(distance({0.5, 0.5, 2}, floor_square, normal), 2);
+    EXPECT_DOUBLE_EQ(distance({4, 0.5, 4}, floor_square, normal), 5);
+    EXPECT_DOUBLE_EQ(distance({4, 5, 0}, floor_square, normal), 5);
+    EXPECT_DOUBLE_EQ(distance({0, 3, 4}, {-1, 0, 0}, {1, 0, 0}), 5);
 }
 
 }  // namespace

@@ -54,7 +54,7 @@ TEST(CorrelatedRepair, KeepsWhatIsRightAndFindsNothingWhereNothingIs) {
 
 // Errors that are opposite in two factors of a row cancel in their sum, and one way is far noisier than the other: a
 // method that knows both has less left than one that takes the errors for those of counted hits.
-TEST(CorrelatedRepair, UsesWhatTheSamplerIsGoodAt) {
+TEST(CorrelatedRepair, UsesTheCovarianceOfTheSampler) {
     const Eigen::MatrixXd exact = test::lit_cube(0).factors;
     const Eigen::VectorXd ones = Eigen::VectorXd::Ones(6);
     std::mt19937_64 engine(2);
@@ -82,7 +82,7 @@ TEST(CorrelatedRepair, UsesWhatTheSamplerIsGoodAt) {
     EXPECT_LT(known, 0.7 * taken_for_hits);
 }
 
-TEST(CovarianceOfRow, TakesNoHitForNoCertainty) {
+TEST(CovarianceOfRow, KeepsPairsWithoutHitsUncertain) {
     Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(40, 4);
     for (Eigen::Index t = 0; t < 40; ++t) {
         const double error = t % 2 == 0 ? 0 : 0.01;

@@ -47,7 +47,7 @@ TEST(BalancedFactors, AreReciprocalClosedAndNowhereNegative) {
     }
 }
 
-TEST(BalancedFactors, AreWhatTheyWereWhereNothingIsWrong) {
+TEST(BalancedFactors, LeaveExactFactorsUnchanged) {
     const RadiositySystem box = test::lit_box();
     const Balanced result = balance(box.factors, weights_of_values(box.factors), box.areas);
     EXPECT_LT((result.factors - box.factors).cwiseAbs().maxCoeff(), 1e-13);
@@ -55,7 +55,7 @@ TEST(BalancedFactors, AreWhatTheyWereWhereNothingIsWrong) {
 }
 
 // No other reciprocal, closed, nonnegative matrix is nearer: small steps that keep the constraints only lead away.
-TEST(BalancedFactors, AreTheNearest) {
+TEST(BalancedFactors, AreTheLeastSquaresSolution) {
     const Eigen::MatrixXd estimates = test::shot_factors(12, 2);  // some pairs without a hit
     ASSERT_GT((estimates.array() == 0).count(), 6);
     const Eigen::VectorXd areas = Eigen::VectorXd::Ones(6);
@@ -134,7 +134,7 @@ TEST(BalancedFactors, StayZeroBetweenPatchesWithoutSight) {
     EXPECT_GT(balance(estimates, hit_weights(estimates, 100), ones).factors(0, 1), 0) << "broken on purpose";
 }
 
-TEST(BalancedFactors, AreNotFoundWhereThereAreNone) {
+TEST(BalancedFactors, AreEmptyWhereNoneExist) {
     const Eigen::VectorXd areas = Eigen::Vector3d(10, 1, 1);  // flat patches that cannot fill the view of the first
     Eigen::MatrixXd estimates(3, 3);
     estimates << 0, 0.5, 0.5, 0.9, 0, 0.1, 0.9, 0.1, 0;

@@ -225,14 +225,14 @@ TEST(TracedMirrors, AreFlatShapesOfAnyKind) {
 }
 
 // Between opposite mirrors rays may be reflected for ever: those that have been 64 times are lost, and few are.
-TEST(TracedMirrors, LoseRaysThatNeverEnd) {
+TEST(TracedMirrors, LoseEndlessRays) {
     const Scene scene = mirrored("cube", {"1", "6"});
     EXPECT_FALSE(exact_room_factors(scene));
     const auto tally = traced(scene, TracerChoice::automatic, 20000);
     for (std::size_t i = 0; i < 4; ++i) EXPECT_LE(tally.lost[i], 8u);
 }
 
-TEST(RoomsWithoutExactFactors, AreTold) {
+TEST(RoomsWithoutExactFactors, AreReported) {
     Scene open = cylinder(1, 2);
     open.closed = false;
     EXPECT_FALSE(exact_room_factors(open));

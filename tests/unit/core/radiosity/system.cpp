@@ -54,7 +54,7 @@ TEST(EnergyBalance, IsEvenForExactFactorsAndNotForOthers) {
     EXPECT_GT(balance().defect(), 1e-3);
 }
 
-TEST(PhysicalSystem, IsAskedFor) {
+TEST(PhysicalSystem, IsRequired) {
     const auto refuses = [](auto change) {
         RadiositySystem system = test::lit_box();
         change(system);

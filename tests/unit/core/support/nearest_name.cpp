@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::array<std::string_view, 5> samplers{"random", "random_mt", "stratified", "sobol", "halton"};
 
-TEST(NearestName, MendsALetterInsertedDeletedReplacedOrSwapped) {
+TEST(NearestName, CorrectsAnInsertedDeletedReplacedOrSwappedLetter) {
     EXPECT_EQ(nearest_name("sobbol", samplers), "sobol");
     EXPECT_EQ(nearest_name("sobl", samplers), "sobol");
     EXPECT_EQ(nearest_name("sobel", samplers), "sobol");
@@ -44,7 +44,7 @@ TEST(NearestName, IsEmptyWhereNothingIsNear) {
     EXPECT_EQ(nearest_name("sobol", {}), "");
 }
 
-TEST(DidYouMean, IsASentenceWithASpaceBehindOrNothing) {
+TEST(DidYouMean, IsASentenceWithATrailingSpaceOrEmpty) {
     EXPECT_EQ(did_you_mean("cub", std::array<std::string_view, 2>{"box", "cube"}), "Did you mean 'cube'? ");
     EXPECT_EQ(did_you_mean("qwertz", std::array<std::string_view, 2>{"box", "cube"}), "");
 }

@@ -24,7 +24,7 @@ TEST(ProcessorTime, IsThatOfTheThreadAndOfProgramsThatItWaitedFor) {
     EXPECT_GE(processor_seconds() - begin, 0.209);
 }
 
-TEST(ProcessorTime, LeavesOutWhatIsNotToBeCounted) {
+TEST(ProcessorTime, ExcludesUncountedWork) {
     const double begin = processor_seconds();
     {
         const UncountedTime checks;

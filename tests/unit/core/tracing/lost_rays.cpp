@@ -100,7 +100,7 @@ void shoot_at_edges(const Scene& scene, std::uint32_t repeats, Losses& losses) {
     }
 }
 
-TEST(LostRays, AreNoneBetweenEdgesAndCorners) {
+TEST(LostRays, DoNotOccurAtEdgesAndCorners) {
     Losses losses;
     shoot_at_edges(make_box(6, 6, 6), 7, losses);
     shoot_at_edges(make_box(3, 1.1, 0.7), 7, losses);

@@ -9,7 +9,10 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <random>
+#include <utility>
 
 namespace ff {
 namespace {
@@ -30,7 +33,23 @@ void add_tiles(Scene& scene, const Vector3d& corner, const Vector3d& u, const Ve
     }
 }
 
-/// Walls of tiles and single plates of any size, some of them along the axes, anywhere in a unit cube.
+/// A box with its radiating sides outside, or inside; up to two of its sides are missing, some are tiled.
+void add_box(Scene& scene, std::mt19937& engine, const Vector3d& corner, const std::array<Vector3d, 3>& edges) {
+    std::uniform_int_distribution<int> side(0, 11);
+    const std::array<int, 2> missing = {side(engine), side(engine)};
+    const bool outward = side(engine) > 2;
+    for (int k = 0; k < 6; ++k) {
+        if (k == missing[0] || (k == missing[1] && side(engine) < 3)) continue;
+        const auto axis = static_cast<std::size_t>(k / 2);
+        Vector3d u = edges[(axis + 1) % 3];
+        Vector3d v = edges[(axis + 2) % 3];
+        const bool far = k % 2 == 1;
+        if ((u.cross(v).dot(edges[axis]) > 0) != (far == outward)) std::swap(u, v);
+        add_tiles(scene, far ? Vector3d(corner + edges[axis]) : corner, u, v, side(engine) < 2 ? 2 : 1);
+    }
+}
+
+/// Walls of tiles, boxes and single plates of any size, some of them along the axes, anywhere in a unit cube.
 Scene random_scene(std::mt19937& engine) {
     std::uniform_real_distribution<double> coordinate(0, 1);
     const auto place = [&] { return Vector3d(coordinate(engine), coordinate(engine), coordinate(engine)); };
@@ -42,6 +61,14 @@ Scene random_scene(std::mt19937& engine) {
     };
     Scene scene;
     while (scene.surfaces.size() < 24) {
+        if (coordinate(engine) < 0.25) {
+            const double size = coordinate(engine) < 0.5 ? 0.3 : 0.8;
+            const std::array<Vector3d, 3> edges = {edge(), edge(), size * edge()};
+            const double thinnest = std::min({edges[0].norm(), edges[1].norm(), edges[2].norm()});
+            if (std::abs(edges[0].cross(edges[1]).dot(edges[2])) > 0.05 * thinnest * thinnest * thinnest)
+                add_box(scene, engine, place() - (edges[0] + edges[1] + edges[2]) / 2, edges);
+            continue;
+        }
         const Vector3d u = edge();
         const Vector3d v = edge() * (coordinate(engine) < 0.3 ? 0.05 : 1);
         if (u.cross(v).norm() < 1e-4) continue;
@@ -114,6 +141,22 @@ TEST(Occluders, HideWhatAllSurfacesHide) {
     EXPECT_EQ(seen.seen_of_hidden, 0u);
 }
 
+// A lamp flush under the lid of a closed box shines at the bottom, not at the floor below.
+TEST(Occluders, OfABodyHideWhatLiesInThePlaneOfItsSide) {
+    Scene scene;
+    add_tiles(scene, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, 1);
+    add_tiles(scene, {.4, .4, .7}, {0, .2, 0}, {.2, 0, 0}, 1);
+    const Vector3d low(.2, .2, .3);
+    const Vector3d high(.8, .8, .7);
+    const Vector3d x(.6, 0, 0);
+    const Vector3d y(0, .6, 0);
+    const Vector3d z(0, 0, .4);
+    for (const auto& [u, v] : {std::pair(y, x), std::pair(z, y), std::pair(x, z)}) add_tiles(scene, low, u, v, 1);
+    for (const auto& [u, v] : {std::pair(x, y), std::pair(y, z), std::pair(z, x)}) add_tiles(scene, high, -u, -v, 1);
+    const Occluders occluders(scene);
+    EXPECT_TRUE(occluders.between(0, 1).all_hidden || occluders.between(0, 1).occluders.size() >= 5);
+}
+
 TEST(Occluders, AreMissedWhereOneIsLeftOut) {
     EXPECT_GT(look_at_scenes(true).differences, 1000u);
 }
@@ -148,6 +191,38 @@ TEST(Occluders, AreWallsWhateverFacesTheirTilesAre) {
     EXPECT_TRUE(occluders.between(0, 1).all_hidden) << "by 64 tiles, none of which does alone";
     const std::size_t tile = 2 + 8 * 4 + 4;
     EXPECT_TRUE(occluders.between(1, tile).occluders.empty()) << "a tile does not stand before its own wall";
+}
+
+/// The unit square from `corner` on, divided into tiles that are smaller the nearer they are to it. The last is the
+/// smallest, and lies at the corner.
+void add_tiles_towards_corner(Scene& scene, const Vector3d& corner, const Vector3d& u, const Vector3d& v,
+                              int halvings) {
+    double size = 1;
+    const auto add = [&](const Vector3d& at, double along_u, double along_v) {
+        const auto face = static_cast<int>(scene.surfaces.size());
+        scene.surfaces.push_back(parallelogram_of(at, along_u * u, along_v * v, face));
+    };
+    for (int k = 0; k < halvings; ++k) {
+        size /= 2;
+        add(corner + size * v, 2 * size, size);
+        add(corner + size * u, size, size);
+    }
+    add(corner, size, size);
+}
+
+TEST(Occluders, AreSeenBesideTheSmallestTileOfAWall) {
+    Scene scene;
+    constexpr int halvings = 30;
+    add_tiles_towards_corner(scene, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, halvings);
+    const std::size_t floor_tile = scene.surfaces.size() - 1;
+    add_tiles_towards_corner(scene, {0, 0, 0}, {0, 1, 0}, {0, 0, 1}, halvings);
+    const std::size_t wall_tile = scene.surfaces.size() - 1;
+    const double size = std::ldexp(1.0, -halvings);
+    const double height = 1e-3 * size;  // 1e-12 of the walls
+    scene.surfaces.push_back(parallelogram_of({0, 0, height}, {size, 0, 0}, {0, size, 0}, no_face));
+    const Occluders occluders(scene);
+    ASSERT_EQ(occluders.surfaces().size(), 3u) << "each wall is one occluder";
+    EXPECT_EQ(occluders.between(floor_tile, wall_tile).occluders.size(), 1u);
 }
 
 }  // namespace

@@ -42,7 +42,7 @@ TEST(Contact, KnowsShapesThatAreNoParallelograms) {
     EXPECT_EQ(closest_contact(test::closed_can(), 0, 1), Contact::none);
 }
 
-TEST(SeesItself, WhatIsHollowOrBent) {
+TEST(SeesItself, HoldsForConcaveAndFoldedFaces) {
     const Scene can = test::closed_can();
     EXPECT_FALSE(sees_itself(can, 0));
     EXPECT_TRUE(sees_itself(can, 2));

@@ -28,7 +28,7 @@ Surface ceiling() {
 
 const Vector3d up = Vector3d::UnitZ();
 
-TEST(VisiblePolygon, SeesAllOfWhatNothingHides) {
+TEST(VisiblePolygon, SeesAllOfAnUnoccludedPolygon) {
     // reference_configurations.csv, R12: element parallel to a unit square, corner on its normal
     const VisiblePolygon square(ceiling(), {});
     const auto factors = square.from({0, 0, 0}, up);
@@ -66,7 +66,7 @@ TEST(VisiblePolygon, CountsShadowsThatOverlapOnce) {
     }
 }
 
-TEST(VisiblePolygon, IsNotHinderedByWhatLiesBehindItOrTheHorizon) {
+TEST(VisiblePolygon, IgnoresObstaclesBehindItOrBelowTheHorizon) {
     const Surface above = rectangle({-1, -1, 1.5}, {3, 0, 0}, {0, 3, 0});
     const Surface below = rectangle({-1, -1, -0.5}, {3, 0, 0}, {0, 3, 0});
     const Surface edge_on = rectangle({0.3, -1, -1}, {0, 3, 0}, {0, 0, 3});

@@ -64,7 +64,7 @@ TEST_F(WriteFile, FailsWhereTheStreamDoes) {
     EXPECT_EQ(files(), 0u);
 }
 
-TEST_F(WriteFile, TellsTheReasonWhateverFailedSince) {
+TEST_F(WriteFile, ReportsTheFirstFailure) {
     const test::FullDisk full;
     try {
         write_file(file, [](std::ostream& out) {
@@ -79,7 +79,7 @@ TEST_F(WriteFile, TellsTheReasonWhateverFailedSince) {
     EXPECT_EQ(files(), 0u);
 }
 
-TEST_F(WriteFile, KeepsOutOfTheWayOfOthersThatWriteTheSameFile) {
+TEST_F(WriteFile, DoesNotDisturbOthersThatWriteTheSameFile) {
     std::ofstream(file.string() + ".part") << "the user's own";
     write_file(file, [&](std::ostream& out) {
         out << "outer";

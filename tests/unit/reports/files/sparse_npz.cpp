@@ -18,7 +18,7 @@ std::string npz(const Sparse& matrix) {
 }
 
 // That NumPy reads it, tests/cli/cases/form_factors_have_intervals.sh shows.
-TEST(SparseNpz, HoldsTheValuesAndNothingOfTheClock) {
+TEST(SparseNpz, HoldsTheValuesButNoTimes) {
     Sparse matrix(3, 3);
     const std::vector<Eigen::Triplet<double>> entries{{0, 2, 0.25}, {2, 0, 0.5}};
     matrix.setFromTriplets(entries.begin(), entries.end());
@@ -30,7 +30,7 @@ TEST(SparseNpz, HoldsTheValuesAndNothingOfTheClock) {
     EXPECT_EQ(npz(matrix), bytes);
 }
 
-TEST(SparseNpz, OfNothingIsAnArchive) {
+TEST(SparseNpz, WritesAnArchiveForAnEmptyMatrix) {
     Sparse matrix(4, 4);
     EXPECT_NE(npz(matrix).find("'shape': (0,)"), std::string::npos);
 }

@@ -39,7 +39,7 @@ TEST(HtmlReport, LoadsNothing) {
     EXPECT_THAT(text, Not(HasSubstr("unsafe")));
 }
 
-TEST(HtmlReport, HasNoNumberThatIsNone) {
+TEST(HtmlReport, HasNoNanOrInfinity) {
     for (const auto* results : {&test::small_results(), &test::published_results()}) {
         EXPECT_FALSE(
             std::regex_search(html_report(*results, shipped_templates()), std::regex(">[^<]*\\b(nan|inf)\\b")));

@@ -8,6 +8,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+
 namespace ff::reports {
 namespace {
 
@@ -71,6 +73,35 @@ TEST(ResultsJson, HoldsThePublishedTablesAndClaims) {
     EXPECT_EQ(published.at("tables").at(0).at("figures").size(),
               10u);  // two columns of four pairs, and two sums of one
     EXPECT_EQ(published.at("claims").at(0).at("id"), "c");
+}
+
+TEST(ResultsJson, SetsEveryPairOfMethodsSideBySideButForMeasuredTime) {
+    const auto& contests = test::small_results().contests;
+    const auto timed = std::count_if(contests.begin(), contests.end(), [](const studies::Contest& contest) {
+        return contest.equal == studies::Equal::processor_time;
+    });
+    ASSERT_EQ(small().at("contests").size(), contests.size() - static_cast<std::size_t>(timed));
+    ASSERT_FALSE(small().at("contests").empty());
+    for (const json& contest : small().at("contests")) {
+        const json& entrants = contest.at("entrants");
+        EXPECT_EQ(contest.at("ratios").size(), entrants.size() * (entrants.size() - 1) / 2);
+        for (const json& ratio : contest.at("ratios")) {
+            const double better = entrants.at(ratio.at("better").get<std::size_t>()).at("value");
+            const double worse = entrants.at(ratio.at("worse").get<std::size_t>()).at("value");
+            EXPECT_EQ(ratio.at("ratio").get<double>(), worse / better);
+        }
+    }
+}
+
+TEST(ResultsJson, SaysHowOftenClaimedErrorsHold) {
+    const auto& expected = test::small_results().claimed_errors;
+    ASSERT_FALSE(expected.empty());
+    ASSERT_EQ(small().at("claimed_errors").size(), expected.size());
+    for (std::size_t i = 0; i < expected.size(); ++i) {
+        const json& row = small().at("claimed_errors").at(i);
+        EXPECT_EQ(row.at("held"), expected[i].held);
+        EXPECT_EQ(row.at("finding") == "fails", expected[i].finding == studies::ClaimFinding::fails);
+    }
 }
 
 TEST(ResultsJson, IsTheSameEveryTime) {

@@ -56,7 +56,7 @@ TEST(MarkdownReport, HasTablesOfEqualRows) {
     }
 }
 
-TEST(MarkdownReport, HasNoNumberThatIsNone) {
+TEST(MarkdownReport, HasNoNanOrInfinity) {
     for (const auto* results : {&test::small_results(), &test::published_results()}) {
         const std::string text = markdown_report(*results);
         EXPECT_FALSE(std::regex_search(text, std::regex("\\b(nan|inf)\\b"))) << text;
@@ -101,7 +101,7 @@ TEST(MarkdownReport, RepeatsNoFiguresOfTheRowAbove) {
     EXPECT_THAT(text, HasSubstr("| 4 - 5 | ″ | ″ | ″ | 0.200000"));
 }
 
-TEST(MarkdownReport, ShowsTheWorstPairOfEveryCellAndTOfAll) {
+TEST(MarkdownReport, ShowsTheWorstPairOfEveryCellAndTheLargestT) {
     const std::string text = markdown_report(test::small_results());
     const auto& findings = test::small_results().findings;
     for (const studies::CellFindings& found : findings.cells) {

@@ -78,7 +78,7 @@ TEST(ConvergencePicture, ShowsMediansWhereTheVarianceIsInfinite) {
 TEST(ConvergencePicture, NamesEachLineAtItsEnd) {
     std::vector<std::string> names;
     const json values = convergence("adjacent-pairs");
-    for (const json& label : values["labels"]) names.push_back(label[0]);
+    for (const json& label : values["labels"]) names.push_back(label["method"]);
     EXPECT_THAT(names, testing::IsSupersetOf({"rays", "kernel"}));
 }
 

@@ -20,7 +20,7 @@ TEST(Mustache, EscapesTextAndLeavesTriplesAlone) {
               "&lt;a href=&quot;&#39;&amp;&quot;&gt; <a href=\"'&\">");
 }
 
-TEST(Mustache, KnowsListsPartsAndWhatIsAbsent) {
+TEST(Mustache, HandlesListsPartialsAndMissingValues) {
     const Json view{{"list", {{{"x", "1"}}, {{"x", "2"}}}}, {"empty", ""}, {"none", nullptr}, {"no", false}};
     EXPECT_EQ(fill("{{#list}}{{>part}}{{/list}}", view), "[1][2]");
     EXPECT_EQ(fill("{{#empty}}a{{/empty}}{{#none}}b{{/none}}{{#no}}c{{/no}}{{^no}}d{{/no}}", view), "d");

@@ -21,7 +21,7 @@ TEST(TerminalSummary, HasALineForEveryCell) {
     EXPECT_THAT(text, testing::Not(HasSubstr("LOST")));
 }
 
-TEST(TerminalSummary, PaintsEveryStatementAsTheReportDoes) {
+TEST(TerminalSummary, ColoursStatementsLikeTheReport) {
     studies::StudyResults results = test::small_results();
     for (studies::CellFindings& found : results.findings.cells) {
         if (!found.bias) continue;
@@ -34,7 +34,7 @@ TEST(TerminalSummary, PaintsEveryStatementAsTheReportDoes) {
     EXPECT_THAT(text, HasSubstr("\033[33mbias within"));
 }
 
-TEST(TerminalSummary, ShoutsALostRay) {
+TEST(TerminalSummary, HighlightsALostRay) {
     studies::StudyResults results = test::small_results();
     results.findings.cells[0].lost_rays = 1;
     EXPECT_THAT(terminal_summary(results), HasSubstr("1 rays LOST"));

@@ -55,6 +55,15 @@ TEST(TextTable, StaysWithinAnyWidthThatHoldsItsCells) {
     }
 }
 
+TEST(TextTable, BreaksACellThatIsWiderThanTheTerminal) {
+    Table table;
+    table.columns = {{"method", false, ""}, {"verdict", false, ""}};
+    table.rows = {{{"sobol"}, {"different: the errors of the two runs differ by a factor of 2"}}};
+    EXPECT_EQ(
+        text_table(table, {Colour::none, 30}),
+        "method\n    verdict\nsobol\n    different: the errors of\n    the two runs differ by a\n    factor of 2\n");
+}
+
 TEST(TextTable, CountsNoColoursAsColumns) {
     EXPECT_NE(text_table(errors(), {Colour::ansi, 41}).find("2e-3  \033[32mno bias found\033[0m\n"), std::string::npos);
 }

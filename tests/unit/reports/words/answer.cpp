@@ -9,6 +9,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <utility>
+#include <vector>
+
 namespace ff::reports {
 namespace {
 
@@ -34,7 +37,7 @@ TEST(Answer, NamesTheSmallestErrorOfEachClassOfPairs) {
     EXPECT_THAT(said.text, HasSubstr("on adjacent pairs of cube"));
 }
 
-TEST(Answer, BeginsWithWhatAMethodAsDescribedDoesNotGive) {
+TEST(Answer, BeginsWithThePremise) {
     const std::string text = answer(test::published_results()).text;
     EXPECT_THAT(text, StartsWith("PDM as described does not give the figures printed for it"));
     EXPECT_THAT(text, HasSubstr("times by the printed ones"));
@@ -72,9 +75,58 @@ samples_per_patch = 64
     EXPECT_THAT(answer(results).text, Not(HasSubstr("smallest")));
 }
 
-TEST(Answer, IsTheFirstThingThatMarkdownSays) {
+TEST(Answer, ComesFirstInMarkdown) {
     const std::string text = markdown_report(test::small_results());
     EXPECT_LT(text.find("*Which method has the smallest error?*"), text.find("## In brief"));
+}
+
+/// The results of a study whose publication has these claims and no figures.
+studies::StudyResults with_claims(std::vector<studies::JudgedClaim> claims) {
+    studies::StudyResults results = test::published_results();
+    results.published->tables.figures.clear();
+    results.published->audit = {};
+    results.published->comparisons.clear();
+    results.published->claims = std::move(claims);
+    return results;
+}
+
+TEST(Answer, BeginsWithTheVerdictOnClaimsWithoutFigures) {
+    studies::JudgedClaim holds{.claim = {}, .verdict = studies::ClaimVerdict::supported, .evidence = "3 of 3 hold."};
+    const auto one = with_claims({holds});
+    EXPECT_THAT(answer(one).text, StartsWith("The publication's claim is supported. 3 of 3 hold. "));
+    EXPECT_THAT(answer(one).text, Not(HasSubstr("contradiction")));
+    for (const KeyNumber& number : headline(one).numbers) EXPECT_NE(number.label, "contradictions in print");
+    studies::JudgedClaim fails = holds;
+    fails.verdict = studies::ClaimVerdict::refuted;
+    EXPECT_THAT(answer(with_claims({holds, fails})).text,
+                StartsWith("Of the publication's 2 claims 1 is supported, 1 refuted, 0 inconclusive. "));
+}
+
+TEST(Answer, SaysTheSameOfSeveralClassesOnce) {
+    const auto results = results_of("trials = 30", R"([[method]]
+name = "contour"
+estimator = "contour"
+sampler = "gauss_legendre"
+nodes = 16
+)");
+    EXPECT_THAT(answer(results).text, StartsWith("On parallel and adjacent pairs contour is exact to rounding."));
+}
+
+TEST(InBrief, SaysNoClauseTwice) {
+    const auto results = results_of("trials = 30", R"([[method]]
+name = "contour"
+estimator = "contour"
+sampler = "gauss_legendre"
+nodes = 16
+[[method]]
+name = "control variate"
+estimator = "control_variate"
+sampler = "random"
+samples_per_patch = 64
+)");
+    const std::string text = markdown_report(results);
+    EXPECT_THAT(text, HasSubstr("deterministic methods are exact to rounding (**contour**); sampled methods are exact "
+                                "to rounding (**control variate**)"));
 }
 
 TEST(Headline, CountsContradictionsAsItListsThem) {

@@ -156,7 +156,7 @@ TEST(InfiniteVariance, LeavesAdjacentPairsWithoutIntervalAndTest) {
     EXPECT_EQ(found.equivalence, EquivalenceFinding::inconclusive);
 }
 
-TEST(InfiniteVariance, IsMendedByTheGradedMap) {
+TEST(InfiniteVariance, IsRemovedByTheGradedMap) {
     const Store store = test::run(
         plan_of(study_text("trials = 30",
                            "[[method]]\nname = \"kernel\"\nsampler = \"random\"\nestimator = \"area_kernel\"\n"
@@ -183,7 +183,7 @@ TEST(Bias, IsFoundWhereAllTrialsGiveOneWrongValue) {
     EXPECT_EQ(found(0).bias_finding, BiasFinding::untestable);
 }
 
-TEST(Bias, IsNotFoundInEqualHitsThatChanceMakes) {
+TEST(Bias, IsNotFoundInHitsThatAgreeByChance) {
     // Every pair has the same hits in all trials, 2.5 of 256 away from the expected ones: at most a third of all
     // trials give these, so 3^(1 - T) a pair, over 30 pairs.
     const std::string rays =
@@ -232,7 +232,7 @@ TEST(FewTrials, GiveEstimatesWithoutVerdicts) {
     EXPECT_TRUE(enough.cells.at(0).class_errors.front().interval);
 }
 
-TEST(Bias, ThatNoFormFactorCanHaveIsNotCalledDetectable) {
+TEST(Bias, IsNotCalledDetectableWhereItIsImpossible) {
     // In each of five trials another face gets all rays: what could be detected is beyond 1.
     const StudyPlan plan = plan_of(study_text("trials = 5", many_rays()));
     const Store store = test::fill(plan, [](std::size_t, std::uint64_t trial, int from, int to) {
@@ -256,7 +256,7 @@ TEST(Bias, IsNotTestedWithTooFewHits) {
     EXPECT_EQ(found.summary({pair, 1, 2}).variance, VarianceStatus::sparse);
 }
 
-TEST(Analysis, OfADeterministicMethodTestsNothing) {
+TEST(Analysis, TestsNothingForADeterministicMethod) {
     const Store store = test::run(plan_of(study_text(
         "trials = 30\nequivalence_margin = 0.1",
         "[[method]]\nname = \"PDM\"\nsampler = \"gauss_legendre\"\nestimator = \"area_kernel\"\nnodes = 2")));
@@ -288,7 +288,7 @@ TEST(Analysis, ReportsALostRay) {
     EXPECT_EQ(analyse_cell(store, 0).lost_rays, 1u);
 }
 
-TEST(Analysis, OfAnUnfinishedStudySaysSo) {
+TEST(Analysis, ReportsThatAStudyIsUnfinished) {
     const StudyPlan plan = plan_of(study_text("trials = 16", many_rays() + "[[method]]\nname = \"e\"\nestimator = "
                                                                            "\"closed_form\"\n"));
     const Store store = Store::create_or_resume(test::in_memory, plan);
@@ -314,7 +314,7 @@ TEST(Analysis, MeasuresFromTheExactFactorsOfTheScene) {
     EXPECT_EQ(found.summary({QuantityKind::sum_relative_error, 0, 0}).reference, std::nullopt);
 }
 
-TEST(Analysis, MeasuresFromTheExactFactorsThatThereAre) {
+TEST(Analysis, UsesTheAvailableExactFactors) {
     const Store store = test::run(
         plan_of("[study]\nname = \"t\"\nscene = \"l_shaped_room\"\ntrials = 40\nseed = 1\n" + std::string(few_rays)));
     const CellFindings found = analyse_cell(store, 0);

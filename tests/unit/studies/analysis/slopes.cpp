@@ -68,7 +68,7 @@ TEST(Slopes, AreThoseOfTheErrors) {
 }
 
 // Correlation 1: six pairs say no more than one, and the interval has to be as wide.
-TEST(Slopes, OfAClassAllowForPairsThatGoTogether) {
+TEST(Slopes, OfAClassAllowForCorrelatedPairs) {
     const auto plan = ladder_plan("halton", "area_kernel");
     const auto apart = slopes_of(made_up(plan, -1, 0));
     const auto together = slopes_of(made_up(plan, -1, 1));

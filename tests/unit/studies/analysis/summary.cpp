@@ -101,13 +101,13 @@ TEST(Summary, WithoutAReferenceHasNoBias) {
     EXPECT_FALSE(s.bias || s.bias_se || s.bias_interval || s.rmse || s.relative_error_percent || s.median_abs_error);
 }
 
-TEST(Summary, OfNothingIsEmpty) {
+TEST(Summary, IsEmptyWithoutTrials) {
     const Summary s = summarise({}, request());
     EXPECT_EQ(s.trials, 0u);
     EXPECT_FALSE(s.mean || s.bias || s.min || s.std);
 }
 
-TEST(Summary, OfOneTrialHasNoSpread) {
+TEST(Summary, HasNoSpreadForOneTrial) {
     const std::array one{0.21};
     const Summary s = summarise(one, request());
     EXPECT_EQ(s.mean, 0.21);

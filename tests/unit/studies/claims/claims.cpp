@@ -177,7 +177,7 @@ TEST(Counts, UseThePrintedErrorsOfTheOtherMethodFirst) {
                 testing::Not(testing::HasSubstr("printed")));
 }
 
-TEST(NotAlwaysSmaller, WantsAPairOnWhichItErrsMore) {
+TEST(NotAlwaysSmaller, NeedsAPairWithALargerError) {
     const auto not_always = claim("smaller_error_not_always", {"A", "D"}, "adjacent");
     EXPECT_EQ(verdict({large, small, small, large}, not_always), ClaimVerdict::supported);
     EXPECT_NE(verdict({Errors{1e-6, 1e-6}, small, small, large}, not_always), ClaimVerdict::supported);
@@ -194,7 +194,7 @@ TEST(NonuniformError, HoldsForIndependentErrorsOnly) {
     EXPECT_EQ(verdict({small, small, small, large}, claim("nonuniform_error", {"D"})), ClaimVerdict::refuted);
 }
 
-TEST(Division, WantsEachMethodBestOnItsClass) {
+TEST(Division, NeedsEachMethodBestOnItsClass) {
     for (const char* kind : {"no_single_best", "best_per_class"}) {
         const auto division = claim(kind, {"A", "B"});
         EXPECT_EQ(verdict({Errors{1e-4, 1e-3}, small, Errors{1e-3, 1e-4}, small}, division), ClaimVerdict::supported);
@@ -203,7 +203,7 @@ TEST(Division, WantsEachMethodBestOnItsClass) {
     }
 }
 
-TEST(Division, MakesNoWinnerOfRounding) {
+TEST(Division, DeclaresNoWinnerAmongRoundingErrors) {
     const auto division = claim("best_per_class", {"D", "A"});
     const auto found = judged(trials({large, small, large, Errors{1e-15, 1e-2}}), division);
     EXPECT_EQ(found.verdict, ClaimVerdict::supported);

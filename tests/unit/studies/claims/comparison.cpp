@@ -74,7 +74,7 @@ PublishedTables an_honest_run() {
                  first({QuantityKind::row_sum, 2, 0}), first({QuantityKind::sum_relative_error, 0, 0}));
 }
 
-TEST(Comparison, OfAnHonestRunFindsNothingUnusual) {
+TEST(Comparison, FindsNothingUnusualInAnHonestRun) {
     const TableComparison table = compared(an_honest_run());
     ASSERT_EQ(table.figures.size(), 5u);
     for (const FigureComparison& c : table.figures) {
@@ -98,7 +98,7 @@ TEST(Comparison, MeasuresInStandardDeviationsOfOneRun) {
     EXPECT_GT(c.figures[0].single_run->high, *s.mean);
 }
 
-TEST(Comparison, OfAMisprintGivesAnExtremeScore) {
+TEST(Comparison, GivesAMisprintAnExtremeScore) {
     const TableComparison c = compared(table("0.299999", "0.200000", "1.0", "1.000000", "1.0"));
     EXPECT_GT(c.figures[0].z.value(), 5);
     EXPECT_LT(c.figures[0].adjusted_p.value(), 1e-6);
@@ -106,7 +106,7 @@ TEST(Comparison, OfAMisprintGivesAnExtremeScore) {
     EXPECT_LT(c.chi_squared.at(0).form.chi_squared.p, 1e-6);
 }
 
-TEST(Comparison, UnderInfiniteVarianceIsByRankAlone) {
+TEST(Comparison, UsesRanksAloneUnderInfiniteVariance) {
     Findings infinite = findings();
     for (Summary& summary : infinite.cells[0].summaries) summary.variance = VarianceStatus::infinite;
     const auto table = compare_with_published(store(), infinite, an_honest_run()).at(0);
@@ -118,7 +118,7 @@ TEST(Comparison, UnderInfiniteVarianceIsByRankAlone) {
     EXPECT_TRUE(table.chi_squared.empty());
 }
 
-TEST(Comparison, OfASumThatClosureFixesIsEqualOrImpossible) {
+TEST(Comparison, TreatsSumsFixedByClosureAsEqualOrImpossible) {
     EXPECT_EQ(compared(table("0.2", "0.2", "1.0", "1.0", "1.0")).figures[2].adjusted_p, 1.0);
     const FigureComparison wrong = compared(table("0.2", "0.2", "0.999", "1.0", "1.0")).figures[2];
     EXPECT_EQ(wrong.z, std::nullopt);
@@ -139,7 +139,7 @@ TEST(Comparison, AdjustsForAllSampledFiguresOfATable) {
     EXPECT_NEAR(c.figures[0].adjusted_p.value() / (5 * alone), 1, 1e-9);
 }
 
-TEST(Comparison, OfADeterministicMethodIsPlain) {
+TEST(Comparison, ComparesDeterministicMethodsByValue) {
     const TableComparison c = compared(table("0.2", "0.2", "1.0", "1.0", "1.0", "PDM"));
     EXPECT_TRUE(c.figures[0].deterministic);
     EXPECT_TRUE(c.figures[0].ours);
@@ -161,7 +161,7 @@ TEST(Comparison, RefusesAFaceThatTheSceneDoesNotHave) {
     EXPECT_THROW(static_cast<void>(compare_with_published(store(), findings(), tables)), UserError);
 }
 
-TEST(FindScene, ComparesWhatScenesAreNotTheirNames) {
+TEST(FindScene, ComparesGeometryInsteadOfNames) {
     PublishedTables tables = an_honest_run();
     EXPECT_EQ(find_scene(store().plan(), tables), 0u);
     tables.scene = "box:6x6x6";

@@ -43,7 +43,7 @@ TEST(ErrorLaw, FallsSixOrAHundredTimesWhereNodesDoNotFaceEachOther) {
     EXPECT_NEAR(law("[5, 2]").first_order.coefficient, 0.0029, 1e-4);
 }
 
-TEST(ErrorLaw, OfPrintedRowSumsStandsBeside) {
+TEST(ErrorLaw, IsAlsoFoundForPrintedRowSums) {
     const auto plan = plan_of(study_text("trials = 2",
                                          "[[method]]\nname = \"PDM\"\nsampler = \"gauss_legendre\"\n"
                                          "nodes = 2\nestimator = \"area_kernel\"\npatches_per_face = 4"));

@@ -47,7 +47,7 @@ std::vector<OcclusionSeries> series_of(const StudyPlan& plan, Rule rule) {
     return occlusion_series(store, findings, fit_slopes(store, findings));
 }
 
-TEST(OcclusionSeries, TellsWhoErrsLeastAsMoreIsHidden) {
+TEST(OcclusionSeries, FindsTheSmallestErrorAsOcclusionGrows) {
     // At 4096 evaluations points err by 1.6e-5; the rule by 1.2e-6 in the open and 1.2e-3 behind the blocker.
     const auto all = series_of(plan(), [](double hidden) { return hidden == 0 ? 1e-5 : 1e-2; });
     ASSERT_EQ(all.size(), 1u);

@@ -23,13 +23,13 @@ TEST(GroupsApart, HoldOnlyEqualValuesWhereNothingVaries) {
     EXPECT_THAT(groups_apart(values, 0.95), ElementsAre(1, 0, 0));
 }
 
-TEST(GroupsApart, OfNothingAreNone) {
+TEST(GroupsApart, AreEmptyForNoValues) {
     EXPECT_TRUE(groups_apart({}, 0.95).empty());
 }
 
 /// 14 values of the same mean are told apart in at most 5 % of cases: 400 repetitions give 20 on average, and more than
 /// 40 with probability 1e-5. Without the correction for pairs, the least and the largest differ in more than half.
-TEST(GroupsApart, AreOneWhereAllAreAlike) {
+TEST(GroupsApart, AreASingleGroupForIndistinguishableValues) {
     std::mt19937_64 random(20250);
     std::normal_distribution<double> normal;
     int apart = 0;
@@ -68,7 +68,7 @@ TEST(RankedSlopes, HaveWiderIntervalsWhereNoStraightLineFits) {
     EXPECT_EQ(rank_slopes(ladders, 0, PairClass::parallel, 0.95).slopes[1].group, 0u);
 }
 
-TEST(RankedSlopes, AreAllOfMediansWhereOneHasNoVariance) {
+TEST(RankedSlopes, UseMediansForAllWhereOneHasNoVariance) {
     std::vector<LadderSlopes> ladders(2);
     ladders[0].classes = {slope_of(-0.5, 0.1, 1, false)};
     ladders[1].classes = {slope_of(-1, 0.1, 1, false)};

@@ -48,7 +48,7 @@ TEST(Rivals, AreUndecidedWhereTheirErrorsAreAlike) {
     EXPECT_FALSE(parallel(rivals).decided());
 }
 
-TEST(Rivals, AreNotPointSetsThatAreNotRandomised) {
+TEST(Rivals, ExcludeUnrandomisedPointSets) {
     const auto plan = test::plan_of(test::study_text("trials = 70", R"([[method]]
 name = "one throw"
 sampler = "sobol_raw"
@@ -71,7 +71,7 @@ samples_per_patch = 64
     }
 }
 
-TEST(Rivals, OfASingleMethodAreNone) {
+TEST(Rivals, AreEmptyForASingleMethod) {
     const auto plan = test::plan_of(test::study_text("trials = 10", R"([[method]]
 name = "A"
 sampler = "random"

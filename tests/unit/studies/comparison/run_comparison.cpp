@@ -136,7 +136,7 @@ TEST(RunComparison, SetsTwoMethodsOfOneRunSideBySide) {
     for (const RmseRatio& ratio : comparison.cells.front().ratios) EXPECT_LT(ratio.interval->high, 1);
 }
 
-TEST(RunComparison, NamesTheMethodsThereAre) {
+TEST(RunComparison, ListsAvailableMethods) {
     const Store store = made("random", 1, 5, better);
     const std::string message = test::message_of<UserError>([&] {
         static_cast<void>(compare_runs(store, store, {"A", "B"}, MethodNames{"rays", "bettre"}));

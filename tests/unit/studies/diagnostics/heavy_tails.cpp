@@ -32,14 +32,14 @@ std::vector<HeavyTail> found_for(double index) {
     return find_heavy_tails(store, analyse(store));
 }
 
-TEST(HeavyTails, AreFoundWhereTrialsHaveNoVariance) {
+TEST(HeavyTails, AreFoundForInfiniteVariance) {
     const auto found = found_for(1.2);
     ASSERT_EQ(found.size(), 1u);
     EXPECT_EQ(found.front().pair, (Quantity{QuantityKind::form_factor, 1, 6}));
     EXPECT_LT(found.front().index, 2);
 }
 
-TEST(HeavyTails, AreNotFoundWhereTheyHaveOne) {
+TEST(HeavyTails, AreNotFoundForFiniteVariance) {
     EXPECT_TRUE(found_for(6).empty());
 }
 

@@ -79,7 +79,7 @@ TEST(VarianceCheck, ExpectsTheStratifiedVarianceOfRaysFromPatches) {
     }
 }
 
-TEST(VarianceCheck, HasNothingToSayOfOtherEstimators) {
+TEST(VarianceCheck, SkipsOtherEstimators) {
     const auto plan = plan_of(study_text("trials = 4",
                                          "[[method]]\nname = \"k\"\nsampler = \"random\"\n"
                                          "estimator = \"area_kernel\"\nsamples_per_patch = 10"));

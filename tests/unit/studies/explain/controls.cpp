@@ -17,7 +17,7 @@ Eigen::MatrixXd bias_of_patch_centres(const Scene& scene, std::uint32_t m) {
     return expected - *exact_form_factors(scene);
 }
 
-TEST(PatchCentres, AreBiasedByWhatTheProgramsPagesSay) {
+TEST(PatchCentres, AreBiasedAsDocumented) {
     const Scene cube = built_in_scene("cube");
     const auto fine = bias_of_patch_centres(cube, 13);
     EXPECT_NEAR(fine(0, 5), 1.785e-4, 5e-8);

@@ -104,7 +104,7 @@ constexpr std::uint64_t moves = 8;
 
 // What is off by more than two tolerances is found surely: in single precision at the origin of coordinates it was
 // beyond 10^5 sizes, and at sizes of 10^19 all factors were 0.
-TEST(FormFactorPlaces, DoNotMatterToACan) {
+TEST(FormFactorPlaces, DoNotMatterForACylinder) {
     Moves random(16);
     for (std::uint64_t seed = 1; seed <= moves; ++seed) {
         const Scene scene = random.next().of(can());
@@ -121,7 +121,7 @@ TEST(FormFactorPlaces, DoNotMatterToACan) {
     }
 }
 
-TEST(FormFactorPlaces, DoNotMatterToAFurnishedRoom) {
+TEST(FormFactorPlaces, DoNotMatterForAFurnishedRoom) {
     const Scene room = furnished_room();
     const FormFactorMatrix here = matrix_of(room, 1);
     Moves random(3);

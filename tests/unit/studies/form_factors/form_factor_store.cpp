@@ -43,7 +43,7 @@ g between
 f 7 8 9
 )";
 
-KeptFormFactors found(std::string source, bool repaired) {
+KeptFormFactors found(std::string source, bool repaired, double drop = 0) {
     KeptFormFactors kept;
     kept.source = std::move(source);
     kept.scene = make_scene(kept.source);
@@ -52,6 +52,7 @@ KeptFormFactors found(std::string source, bool repaired) {
     kept.request.level_of = LevelOf::matrix;
     kept.request.seed = Seed{7};
     kept.request.repair = repaired;
+    kept.request.drop = drop;
     kept.matrix = find_form_factors(kept.scene, kept.request);
     kept.warnings = {"first", "second"};
     kept.context = {{"host", "here"}};
@@ -69,14 +70,17 @@ void expect_equal(const FaceExchange& a, const FaceExchange& b) {
 
 void expect_equal(const FormFactorMatrix& a, const FormFactorMatrix& b) {
     EXPECT_EQ(a.areas, b.areas);
-    EXPECT_EQ(std::tuple(a.surfaces, a.samples, a.rays, a.lost_rays, a.interrupted, a.entry_level),
-              std::tuple(b.surfaces, b.samples, b.rays, b.lost_rays, b.interrupted, b.entry_level));
+    EXPECT_EQ(std::tuple(a.surfaces, a.samples, a.rays, a.lost_rays, a.interrupted, a.entry_level, a.dropped),
+              std::tuple(b.surfaces, b.samples, b.rays, b.lost_rays, b.interrupted, b.entry_level, b.dropped));
     ASSERT_EQ(a.exchanges.size(), b.exchanges.size());
     for (std::size_t p = 0; p < a.exchanges.size(); ++p) expect_equal(a.exchanges[p], b.exchanges[p]);
     ASSERT_EQ(a.rows.size(), b.rows.size());
     for (std::size_t i = 0; i < a.rows.size(); ++i) {
         EXPECT_EQ(std::tuple(a.rows[i].value, a.rows[i].low, a.rows[i].high, a.rows[i].excludes_one),
                   std::tuple(b.rows[i].value, b.rows[i].low, b.rows[i].high, b.rows[i].excludes_one));
+        const DroppedExchange& c = a.rows[i].dropped;
+        const DroppedExchange& d = b.rows[i].dropped;
+        EXPECT_EQ(std::tuple(c.pairs, c.value, c.low, c.high), std::tuple(d.pairs, d.value, d.low, d.high));
     }
     ASSERT_EQ(a.repaired.has_value(), b.repaired.has_value());
     if (!a.repaired) return;
@@ -200,6 +204,23 @@ TEST_F(FormFactorStore, WithOneFlippedBitIsRefusedOrGivesTheSameMatrix) {
     }
 }
 
+TEST_F(FormFactorStore, GivesBackWhatWasDropped) {
+    const KeptFormFactors saved = found("nested_cubes", false, 0.2);
+    ASSERT_GT(saved.matrix.dropped, 0u);
+    save(saved);
+    const KeptFormFactors read = load_form_factors(file());
+    EXPECT_EQ(read.request.drop, 0.2);
+    expect_equal(read.matrix, saved.matrix);
+}
+
+TEST_F(FormFactorStore, IsReadWithoutTheTableOfWhatWasDropped) {
+    save(kept);
+    Database database(file(), Database::Mode::create_or_open);
+    database.execute("DROP TABLE dropped");
+    database.execute(test::form_factors_as_version_1);
+    expect_equal(load_form_factors(file()).matrix, kept.matrix);
+}
+
 TEST_F(FormFactorStore, IsRepairedAfterwardsAsTheRunWouldHave) {
     KeptFormFactors plain = found("nested_cubes", false);
     save(plain);
@@ -216,8 +237,8 @@ TEST_F(FormFactorStore, IsRefusedWhereItIsSomethingElse) {
     save(kept);
     EXPECT_THAT(message_of<UserError>([&] { Store::open(file()); }),
                 HasSubstr("a store of form factors (a result store is wanted here)"));
-    Database(file(), Database::Mode::create_or_open).execute("UPDATE about SET value = 3 WHERE key = 'schema_version'");
-    EXPECT_THAT(refusal<UserError>(), HasSubstr("schema version 3 (this program reads 1 to 2)"));
+    Database(file(), Database::Mode::create_or_open).execute("UPDATE about SET value = 4 WHERE key = 'schema_version'");
+    EXPECT_THAT(refusal<UserError>(), HasSubstr("schema version 4 (this program reads 1 to 3)"));
 }
 
 TEST_F(FormFactorStore, IsRefusedWhereItIsDamaged) {

@@ -84,7 +84,7 @@ TEST(FormFactors, DoNotDependOnThreads) {
     }
 }
 
-TEST(FormFactors, SayWhatABudgetLeavesOut) {
+TEST(FormFactors, ReportWhatABudgetLeavesOut) {
     const Scene scene = built_in_scene("coaxial_discs_equal");
     FormFactorRequest request = request_of(1e-5);
     request.max_samples = 2'000'000;
@@ -95,6 +95,24 @@ TEST(FormFactors, SayWhatABudgetLeavesOut) {
     const FaceExchange& exchange = matrix.exchange(0, 1);
     EXPECT_GT(exchange.high - exchange.low, 2e-5 * matrix.areas[0]);
     request.max_samples = 1000;
+    EXPECT_THROW(find_form_factors(scene, request), UserError);
+}
+
+TEST(FormFactors, MeetARelativeToleranceWhereItIsLarger) {
+    FormFactorRequest request = request_of(1e-7);
+    const Scene scene = built_in_scene("squares_blocked");
+    request.relative = 0.01;
+    const FormFactorMatrix coarse = find_form_factors(scene, request);
+    const FaceExchange& exchange = coarse.exchange(0, 1);
+    EXPECT_EQ(coarse.missed(), 0u);
+    EXPECT_LE(worst_half_width(coarse, exchange), 0.01 * factor(coarse, 0, 1));
+    EXPECT_NEAR(factor(coarse, 0, 1), *known_form_factor(scene, 0, 1), worst_half_width(coarse, exchange));
+    request.relative = 0.001;
+    const FormFactorMatrix fine = find_form_factors(scene, request);
+    EXPECT_EQ(fine.missed(), 0u);
+    EXPECT_LE(worst_half_width(fine, fine.exchange(0, 1)), 0.001 * factor(fine, 0, 1));
+    EXPECT_GT(worst_half_width(fine, fine.exchange(0, 1)), 1e-6) << "what is not asked for is not paid for";
+    request.relative = 1;
     EXPECT_THROW(find_form_factors(scene, request), UserError);
 }
 
@@ -135,7 +153,7 @@ TEST(FormFactors, HoldWhenTheyAreStopped) {
     EXPECT_FALSE(test::has_probability_at_least(held_by_halves, 200, 0.95, risk));
 }
 
-TEST(FormFactors, SayHowFarTheyAre) {
+TEST(FormFactors, ReportTheirProgress) {
     using Stage = FormFactorProgress::Stage;
     FormFactorRequest request = request_of(1e-3);
     std::vector<FormFactorProgress> told;
@@ -154,7 +172,7 @@ TEST(FormFactors, SayHowFarTheyAre) {
     }
 }
 
-TEST(FormFactors, StayBelowWhatNothingInBetweenWouldLetThrough) {
+TEST(FormFactors, StayBelowTheUnoccludedValue) {
     // One blocker hides all: that is proved, not sampled.
     Scene scene = built_in_scene("squares_blocked");
     Parallelogram& blocker = parallelogram(scene.surfaces[2]);
@@ -192,7 +210,7 @@ TEST(FormFactors, AreRepairedToCloseWithinTheirIntervals) {
     EXPECT_THROW(find_form_factors(built_in_scene("squares_blocked"), request), UserError) << "it is open";
 }
 
-TEST(FormFactors, RefuseWhatCannotBeMet) {
+TEST(FormFactors, RefuseUnattainableTolerances) {
     const Scene round = built_in_scene("coaxial_discs_equal");
     for (const double tolerance : {0.0, -1.0, 1e-15, 0.5, std::numeric_limits<double>::quiet_NaN()}) {
         EXPECT_THROW(find_form_factors(round, request_of(tolerance)), UserError) << tolerance;

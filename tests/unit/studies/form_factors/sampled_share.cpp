@@ -40,7 +40,7 @@ TEST(SampledShare, AddsUpWithinRandomisations) {
     EXPECT_DOUBLE_EQ(sum.unmet, none_of(4000, 0.9)) << "points of both share what they may be due and not meet";
 }
 
-TEST(SampledShare, IsNotCertainWithoutHits) {
+TEST(SampledShare, StaysUncertainWithoutHits) {
     const double unmet = stats::clopper_pearson_interval({.hits = 0, .trials = 4000}, 0.95).high;
     EXPECT_NEAR(none_of(4000, 0.95), unmet, 1e-15);
     for (const std::uint64_t count : {0U, 500U, 1000U}) {
@@ -50,7 +50,7 @@ TEST(SampledShare, IsNotCertainWithoutHits) {
     }
 }
 
-TEST(SampledShare, AllowsForAsMuchAsPointsMayHaveMissed) {
+TEST(SampledShare, AllowsForWhatPointsMayHaveMissed) {
     SampledShare share{{0.25, 0.25, 0.25, 0.25}, 4000, {.rough = 0.1, .smooth = 7, .power = 1.5}, false, 0};
     const double p = none_of(4000, 0.95);
     EXPECT_DOUBLE_EQ(estimate_of({0, {{-2, share}}}, 0.95).half_width(), 2 * 7 * std::pow(p, 1.5));

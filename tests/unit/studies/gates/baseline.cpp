@@ -33,9 +33,10 @@ std::string refusal_of(std::string_view from, std::string_view to) {
 
 TEST(ParseBaseline, NamesGateQuantityAndNumberThatCannotBe) {
     EXPECT_EQ(refusal_of("", ""), "accepted");
-    EXPECT_THAT(refusal_of("90.5", "1e308"),
-                HasSubstr("base.json: is no baseline (gate 'g', quantity 2: freedom = 1e+308 (not from 0.5 to the 100 "
-                          "trials)). Write it with --save-baseline."));
+    EXPECT_THAT(
+        refusal_of("90.5", "1e308"),
+        HasSubstr("base.json: is not a baseline (gate 'g', quantity 2: freedom = 1e+308 (not from 0.5 to the 100 "
+                  "trials)). Write it with --save-baseline."));
     EXPECT_THAT(refusal_of("90.5", "1e-9"), HasSubstr("freedom = 1e-09"));
     EXPECT_THAT(refusal_of("1e-6", "1e308"), HasSubstr("mean_square = 1e+308"));
     EXPECT_THAT(refusal_of("1e-6", "5e-324"), HasSubstr("mean_square"));
@@ -43,7 +44,7 @@ TEST(ParseBaseline, NamesGateQuantityAndNumberThatCannotBe) {
     EXPECT_THAT(refusal_of("0.2", "1e308"), HasSubstr("mean = 1e+308"));
     EXPECT_THAT(refusal_of("0.001", "-1"), HasSubstr("standard_error = -1"));
     EXPECT_THAT(refusal_of("\"trials\": 100", "\"trials\": 0"), HasSubstr("trials = 0"));
-    EXPECT_THAT(refusal_of("\"trials\": 100", "\"trials\": 1e30"), HasSubstr("is no baseline"));
+    EXPECT_THAT(refusal_of("\"trials\": 100", "\"trials\": 1e30"), HasSubstr("is not a baseline"));
 }
 
 }  // namespace

@@ -102,7 +102,7 @@ TEST(GateRun, SaysWhatDecided) {
     ASSERT_TRUE(row.measurement);
     EXPECT_GT(row.measurement->minimum_detectable, row.band.high);
     EXPECT_EQ(result.comparisons.size(), 30u);
-    EXPECT_THAT(check(one_gate("bias", "band = 0.005", same_seed)).note, HasSubstr("no replicates"));
+    EXPECT_THAT(check(one_gate("bias", "band = 0.005", same_seed)).note, HasSubstr("not replicates"));
 }
 
 TEST(GateRun, ExtendsAnUndecidedGateInLooks) {
@@ -249,7 +249,7 @@ TEST(BaselineRun, RefusesAChangedStudy) {
     EXPECT_THAT(refusal(one_gate("std", "band = 0.3\nreference = \"baseline\"", sobol)), HasSubstr("none is given"));
 }
 
-TEST(BaselineRun, RefusesFilesThatAreNone) {
+TEST(BaselineRun, RefusesFilesThatAreNotBaselines) {
     for (const char* text :
          {"", "{}", "[]", R"({"schema": "ffstudy.baseline/1"})", R"({"schema": "other", "gates": []})",
           R"({"schema": "ffstudy.baseline/1", "gates": [{"gate": 1}]})"}) {

@@ -14,7 +14,7 @@ const std::vector<std::string> room{"floor", "ceiling", "wall_north", "wall_sout
 
 std::string refusal(std::string_view toml) {
     try {
-        read_materials(toml, "m.toml", room);
+        read_materials(toml, "m.toml", {room, {}});
     } catch (const UserError& error) {
         return error.what();
     }
@@ -30,7 +30,7 @@ wall_south = { emissivity = 0.5, temperature = 350 }
 ceiling = { emissivity = 1, temperature = 300 }
 floor = { emissivity = 0.8, flux = 12.5 }
 )",
-                                          "m.toml", room);
+                                          "m.toml", {room, {}});
     EXPECT_EQ(materials.faces[2].flux, 0);
     EXPECT_EQ(materials.faces[3].temperature, 350);
     EXPECT_EQ(materials.faces[0].flux, 12.5);
@@ -48,7 +48,10 @@ TEST(Materials, ThatAreWrongAreRefusedByName) {
         refusal("[materials]\n\"*\" = { emissivity = 0.5, flux = 0 }\n\"wall*\" = { emissivity = 1, flux = 0 }\n"),
         HasSubstr("is both"));
     EXPECT_THAT(refusal("[materials]\n\"*\" = { emissivity = 0, flux = 0 }\n"), HasSubstr("m.toml:2:"));
-    EXPECT_THAT(refusal("[materials]\n\"*\" = { emissivity = 1.5, flux = 0 }\n"), HasSubstr("above 0, at most 1"));
+    EXPECT_THAT(refusal("[materials]\n\"*\" = { emissivity = 0.5, temperature = 1e200 }\n"),
+                HasSubstr("1e-9 to 1e9 K"));
+    EXPECT_THAT(refusal("[materials]\n\"*\" = { reflectance = 0.5, emission = 1e-310 }\n"), HasSubstr("1e-60 to 1e60"));
+    EXPECT_THAT(refusal("[materials]\n\"*\" = { emissivity = 1.5, flux = 0 }\n"), HasSubstr("from 1e-9 to 1"));
     EXPECT_THAT(refusal("[materials]\n\"*\" = { emissivity = 0.5 }\n"), HasSubstr("neither temperature nor flux"));
     EXPECT_THAT(refusal("[materials]\n\"*\" = { emissivity = 0.5, flux = 0, temperature = 3 }\n"),
                 HasSubstr("not both"));
@@ -60,9 +63,102 @@ TEST(Materials, ThatAreWrongAreRefusedByName) {
     EXPECT_THAT(refusal("surroundings = 300\n"), HasSubstr("materials"));
 }
 
+/// Two boxes of one polygon each would do: only names matter.
+constexpr const char* tiles = R"(
+v 0 0 0
+v 1 0 0
+v 1 1 0
+v 0 1 0
+v 0 0 1
+v 1 0 1
+v 1 1 1
+v 0 1 1
+g floor
+usemtl brick
+f 1 2 3 4
+g ceiling
+usemtl steel
+f 5 8 7
+usemtl glass
+f 5 7 6
+g wall
+usemtl brick
+f 1 5 6 2
+)";
+
+SceneWithMaterials scene_of(const std::string& name, std::string_view text) {
+    return make_scene_with_materials(with_scene_text(name, text));
+}
+
+TEST(Materials, AreFoundByTheNamesOfUsemtl) {
+    const auto [scene, said] = scene_of("tiles.obj", tiles);
+    const auto read = [&](const char* toml) { return read_materials(toml, "m.toml", {scene.faces, said}); };
+    const auto materials = read(R"(
+[materials]
+brick = { emissivity = 0.9, temperature = 300 }
+wall = { emissivity = 0.5, temperature = 400 }
+"*" = { emissivity = 0.1, temperature = 500 }
+)");
+    EXPECT_EQ(materials.faces[0].emissivity, 0.9) << "by its material";
+    EXPECT_EQ(materials.faces[1].emissivity, 0.1) << "by the pattern";
+    EXPECT_EQ(materials.faces[2].emissivity, 0.5) << "its own name goes first";
+    EXPECT_THAT(
+        [&] {
+            read(
+                "[materials]\nsteel = { emissivity = 0.3, flux = 0 }\n\"*\" = { emissivity = 0.1, temperature = 5 }\n");
+        },
+        testing::ThrowsMessage<UserError>(HasSubstr("face 'ceiling' has the materials 'steel', 'glass'")));
+    EXPECT_THAT([&] { read("[materials]\nbrik = { emissivity = 0.3, flux = 0 }\n"); },
+                testing::ThrowsMessage<UserError>(HasSubstr("Did you mean 'brick'?")));
+}
+
+TEST(Materials, AreFacesOnRequest) {
+    const auto [scene, said] = scene_of("tiles.obj", with_obj_comment(tiles, faces_of_materials));
+    EXPECT_THAT(scene.faces, testing::ElementsAre("brick", "steel", "glass"));
+    EXPECT_EQ(scene.surfaces.size(), 4u);
+}
+
+constexpr const char* plates = R"(
+F 3
+V 1 0 0 0
+V 2 1 0 0
+V 3 1 1 0
+V 4 0 1 0
+V 5 0 0 1
+V 6 1 0 1
+V 7 1 1 1
+V 8 0 1 1
+S 1 1 2 3 4 0 0 0.25 floor
+S 2 5 8 7 0 0 0 0.75 ceiling
+S 3 5 7 6 0 0 2 EMISSIVITY ceiling
+)";
+
+SceneWithMaterials plates_with(const std::string& emissivity) {
+    std::string text = plates;
+    text.replace(text.find("EMISSIVITY"), std::string_view("EMISSIVITY").size(), emissivity);
+    return scene_of("plates.vs3", text);
+}
+
+TEST(Materials, TakeTheEmissivitiesOfView3d) {
+    constexpr const char* toml =
+        "surroundings = 0\n[materials]\nfloor = { temperature = 300 }\nceiling = { temperature = 400 }\n";
+    const auto read = [](const SceneWithMaterials& made, const char* text) {
+        return read_materials(text, "m.toml", {made.scene.faces, made.materials});
+    };
+    const auto materials = read(plates_with("0.75"), toml);
+    EXPECT_EQ(materials.faces[0].emissivity, 0.25);
+    EXPECT_EQ(materials.faces[1].emissivity, 0.75);
+    EXPECT_THAT([&] { read(plates_with("0.5"), toml); },
+                testing::ThrowsMessage<UserError>(HasSubstr("face 'ceiling' has no emissivity (the scene file gives "
+                                                            "its surfaces different ones)")));
+    EXPECT_EQ(
+        read(plates_with("0.5"), "[materials]\n\"*\" = { emissivity = 1, temperature = 300 }\n").faces[1].emissivity, 1)
+        << "the materials file goes first";
+}
+
 TEST(Materials, WarnOfDegreesCelsius) {
     const auto materials =
-        read_materials("[materials]\n\"*\" = { emissivity = 0.5, temperature = 20 }\n", "m.toml", room);
+        read_materials("[materials]\n\"*\" = { emissivity = 0.5, temperature = 20 }\n", "m.toml", {room, {}});
     ASSERT_EQ(materials.warnings.size(), 1u);
     EXPECT_THAT(materials.warnings[0], HasSubstr("293.15 K"));
 }

@@ -27,7 +27,7 @@ TEST(Shard, IsReadFromIndexAndCount) {
     EXPECT_TRUE(parse_shard("1/1").is_whole());
 }
 
-TEST(Shard, ThatIsNoneIsRefused) {
+TEST(Shard, RefusesMalformedShares) {
     for (const char* text :
          {"", "1", "0/1", "2/1", "1/0", "-1/2", "1/2/3", "1 /2", "a/2", "1/2x", "1/99999999999999999999"})
         EXPECT_THROW(parse_shard(text), UserError) << text;

@@ -2,8 +2,10 @@
 
 #include "core/support/error.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstring>
 #include <string>
 #include <vector>
@@ -80,12 +82,31 @@ TEST(PointFile, ReadsTextWithSetsBetweenMarks) {
               (std::vector<std::uint32_t>{quarter, 0, 2 * quarter, 3 * quarter, 2 * quarter, 2 * quarter, 0, 0}));
 }
 
-// Point i of a lattice of 8 points with the vector (1, 3): (i / 8, 3 i / 8 mod 1).
+// Point i of a lattice of 9 points with the vector (1, 4): (i / 9, 4 i / 9 mod 1).
 TEST(PointFile, MakesLattices) {
-    const auto set = parse_points("# lattice\n2 # dimension\n8\n1\n3\n", "lattice.txt");
-    for (std::uint32_t i = 0; i < 8; ++i) {
-        EXPECT_EQ(set.row(0, 0)[i], i << 29);
-        EXPECT_EQ(set.row(0, 1)[i], 3 * i % 8 << 29);
+    const auto set = parse_points("# lattice\n2 # dimension\n9\n1\n4\n", "lattice.txt");
+    for (std::uint64_t i = 0; i < 9; ++i) {
+        EXPECT_EQ(set.row(0, 0)[i], (i << 32) / 9);
+        EXPECT_EQ(set.row(0, 1)[i], (4 * i % 9 << 32) / 9);
+    }
+}
+
+// The first 2^m points of a lattice with the vector (1, 3) are the lattice of 2^m points with that vector.
+TEST(PointFile, OrdersLatticesInBaseTwoAsSequences) {
+    for (const char* const modulus : {"8", "4294967296"}) {
+        const auto set = parse_points(fmt::format("# lattice\n2\n{}\n1\n3\n", modulus), "lattice.txt");
+        EXPECT_EQ(set.points, std::min(std::stoull(modulus), 1ull << 22));
+        EXPECT_EQ(set.row(0, 0)[1], 1u << 31);
+        for (const std::uint32_t n : {2u, 4u, 8u}) {
+            std::vector<bool> taken(n);
+            for (std::uint32_t i = 0; i < n; ++i) {
+                const std::uint64_t multiple = std::uint64_t{set.row(0, 0)[i]} * n >> 32;
+                EXPECT_EQ(set.row(0, 0)[i], (multiple << 32) / n);
+                EXPECT_EQ(set.row(0, 1)[i], (3 * multiple % n << 32) / n);
+                taken[multiple] = true;
+            }
+            EXPECT_EQ(std::count(taken.begin(), taken.end(), true), n);
+        }
     }
 }
 
@@ -100,6 +121,34 @@ TEST(PointFile, MakesDigitalNetsWithAnyNumberOfDigits) {
         EXPECT_EQ(set.row(0, 0)[6], 3u << 29);
         for (std::uint32_t i = 0; i < 8; ++i) EXPECT_EQ(set.row(0, 1)[i], i << 29);
     }
+}
+
+// The files of LDData name the number of points where the format has that of columns; dnetup has the first row's digit
+// lowest. One net in three ways.
+TEST(PointFile, ReadsDigitalNetsAsLDDataHasThem) {
+    const auto net = parse_points("# dnet\n2\n2\n7\n8\n128 64 32 16 8 4 2\n2 4 8 16 32 64 128\n", "net.txt");
+    EXPECT_EQ(net.points, 128u);
+    EXPECT_EQ(net.row(0, 0)[1], 1u << 31);
+    for (const char* const text : {"# dnet\n2\n2\n128\n8\n128 64 32 16 8 4 2\n2 4 8 16 32 64 128\n",
+                                   "# dnetup\n2\n2\n128\n8\n1 2 4 8 16 32 64\n64 32 16 8 4 2 1\n"})
+        EXPECT_EQ(parse_points(text, "net.txt").coordinate, net.coordinate);
+}
+
+TEST(PointFile, TakesTheBeginningOfLongDigitalSequences) {
+    std::string text = "# dnetup\n2\n1\n4294967296\n64\n";
+    for (int c = 0; c < 32; ++c) text += fmt::format("{} ", (std::uint64_t{1} << 63) + (std::uint64_t{1} << c));
+    const auto net = parse_points(text, "sequence.txt");
+    EXPECT_EQ(net.points, 1u << 22);
+    EXPECT_EQ(net.row(0, 0)[1], 1u << 31);
+    EXPECT_EQ(net.row(0, 0)[6], 3u << 29);
+}
+
+// Of van der Corput's sequence every power of 2; of i / n none but one point.
+TEST(PointFile, KnowsWhichBeginningsOfASetAreSetsThemselves) {
+    const auto sequence = parse_points("# dnetup\n2\n1\n3\n3\n1 2 4\n", "sequence.txt");
+    EXPECT_EQ(nested_sizes(sequence), (std::vector<std::uint64_t>{1, 2, 4}));
+    const auto net = parse_points("# dnetup\n2\n2\n3\n3\n1 2 4\n4 2 1\n", "net.txt");
+    EXPECT_EQ(nested_sizes(net), (std::vector<std::uint64_t>{1}));
 }
 
 }  // namespace

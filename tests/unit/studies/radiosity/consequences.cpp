@@ -60,7 +60,7 @@ TEST(Consequences, OfDirectRaysKeepDominanceAtEveryReflectance) {
     EXPECT_GT(direct.reciprocity_defect.least, 0);
 }
 
-TEST(Consequences, OfReciprocalRaysNeedNot) {
+TEST(Consequences, OfReciprocalRaysMayLoseDominance) {
     const Consequences& reciprocal = of(0, Treatment::reciprocal);
     EXPECT_LT(reciprocal.dominant_below.median, 0.999);
     EXPECT_LT(reciprocal.settings.back().dominant, 100u);
@@ -91,7 +91,7 @@ TEST(Consequences, OfPdmLoseDominanceAboveTheReciprocalOfARowSum) {
     EXPECT_EQ(found.settings.front().solvers.front().converged, 1u);
 }
 
-TEST(Consequences, OfExactFactorsAreNone) {
+TEST(Consequences, VanishForExactFactors) {
     for (const Treatment treatment : all_treatments) {
         if (treatment == Treatment::weighted) continue;  // a single trial shows no covariance
         const Consequences& found = of(2, treatment);
@@ -103,7 +103,7 @@ TEST(Consequences, OfExactFactorsAreNone) {
     }
 }
 
-TEST(Treatments, MendWhatTheyPromise) {
+TEST(Treatments, RemoveTheDefectsThatTheyPromiseToRemove) {
     EXPECT_LT(of(0, Treatment::normalised).closure_defect.largest, 1e-14);
     EXPECT_GT(of(0, Treatment::normalised).reciprocity_defect.median, 1e-4);
     const Consequences& balanced = of(0, Treatment::balanced);
@@ -204,7 +204,7 @@ TEST(PatchConsequences, HaveExactSolutionsThatSettle) {
     }
 }
 
-TEST(PatchConsequences, MendWhatTheyPromise) {
+TEST(PatchConsequences, RemoveTheDefectsThatTheyPromiseToRemove) {
     const auto of = [](Treatment treatment) -> const Consequences& {
         return *between_patches().find(1, treatment, Between::patches);
     };
@@ -266,7 +266,7 @@ TEST(RadiosityCost, GrowsWithTheSquareOfThePatches) {
 }
 
 // Uniform light in a uniform box hides all errors of rows that sum to 1: e / (1 - rho) in every trial.
-TEST(Consequences, OfAFurnaceAreNone) {
+TEST(Consequences, VanishForAFurnace) {
     const auto results =
         evaluate_radiosity(test::run(lit_plan("trials = 20", rays, "reflectance = [0.5, 0.99]\nemission = 2\n")));
     for (const SettingFindings& at : results.find(0, Treatment::direct)->settings) {
@@ -316,7 +316,7 @@ samples_per_patch = [100, 200, 400]
     EXPECT_LT(reciprocal.interval->width(), 0.3) << "or the slope would say nothing";
 }
 
-TEST(RadiosityRequest, RefusesWhatNoRoomHas) {
+TEST(RadiosityRequest, RefusesUnphysicalValues) {
     const auto message = [](std::string_view light) {
         return test::message_of<UserError>([&] { lit_plan("trials = 4", rays, light); });
     };
@@ -338,7 +338,7 @@ TEST(RadiosityRequest, RefusesWhatNoRoomHas) {
     EXPECT_EQ(message("reflectance = [0.5, [0.1, 0.2, 0.3, 0.4, 0.5, 0]]"), "nothing thrown");
 }
 
-TEST(RadiosityRequest, WantsAClosedScene) {
+TEST(RadiosityRequest, NeedsAClosedScene) {
     Scene scene = lit_plan("trials = 4", rays).scenes.front();
     EXPECT_NO_THROW(expect_fitting(RadiosityRequest(), scene));
     scene.closed = false;

@@ -29,7 +29,7 @@ EnclosureRequest mirrored(const std::string& name, std::uint64_t trials = 0) {
 
 // In a furnace every surface has the exitance e / (1 - rho), whatever sees itself or a mirror, and with factors of rays
 // as well: their rows sum to 1.
-TEST(EnclosureStudy, OfAFurnaceIsExact) {
+TEST(EnclosureStudy, IsExactForAFurnace) {
     for (EnclosureRequest furnace : {request("cylinder:1x2", 5), request("cap:1x0.5", 5), request("cone:1x1", 5),
                                      request("spheres:2x1", 5), mirrored("cube", 5), mirrored("box:2x1x0.5", 5)}) {
         furnace.light.emission = {3};
@@ -83,7 +83,7 @@ TEST(EnclosureStudy, KeepsDominanceWithDirectRowsAndBalances) {
     }
 }
 
-TEST(EnclosureStudy, IsTheSameAgainAndOtherWithAnotherSeed) {
+TEST(EnclosureStudy, DependsOnTheSeed) {
     EnclosureRequest other = request("cone:1x1", 10);
     const auto error = [&] { return study_enclosure(other).consequences[0].factor_error.median; };
     const double first = error();
@@ -92,7 +92,7 @@ TEST(EnclosureStudy, IsTheSameAgainAndOtherWithAnotherSeed) {
     EXPECT_NE(error(), first);
 }
 
-TEST(FindEnclosure, RefusesWhatIsNone) {
+TEST(FindEnclosure, RefusesUnknownEnclosures) {
     const auto message = [](const std::string& name, const std::optional<std::string>& mirror = {}) {
         return test::message_of<UserError>([&] { (void)find_enclosure(name, mirror); });
     };

@@ -51,7 +51,7 @@ TEST(CsvReader, TakesQuotedCommasQuotesAndLineEndsForText) {
     EXPECT_THAT(read("\"\",x\n"), ElementsAre(Texts{"", "x"}));
 }
 
-TEST(CsvReader, PassesOverAByteOrderMark) {
+TEST(CsvReader, SkipsAByteOrderMark) {
     EXPECT_THAT(read("\xef\xbb\xbf"
                      "a,b\n"),
                 ElementsAre(Texts{"a", "b"}));
@@ -75,7 +75,7 @@ TEST(CsvReader, RefusesQuotesThatDoNotMatch) {
                 HasSubstr("UTF-16"));
 }
 
-TEST(CsvReader, ReadsNothingFromNothing) {
+TEST(CsvReader, ReadsNoRecordFromAnEmptyText) {
     EXPECT_THAT(read(""), testing::IsEmpty());
     EXPECT_THAT(read("\r\n\n"), testing::IsEmpty());
 }

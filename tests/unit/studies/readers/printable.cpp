@@ -7,7 +7,7 @@
 namespace ff::studies {
 namespace {
 
-TEST(Printable, ShowsWhatMovesOrHidesTextAsEscapes) {
+TEST(Printable, EscapesCharactersThatMoveOrHideText) {
     EXPECT_EQ(visible_text("a\x1b[31m\n\x7f"), "a\\x1b[31m\\x0a\\x7f");
     EXPECT_EQ(visible_text("a\u202eb\u2028c\u009b\u2066\ufeff"), "a\\u202eb\\u2028c\\u009b\\u2066\\ufeff");
     EXPECT_EQ(visible_text(std::string("\xff\0\xe2\x80", 4)), "\\xff\\x00\\xe2\\x80");

@@ -73,7 +73,7 @@ TEST_F(Merge, GivesTheRowsOfOneRunForAnySplit) {
     }
 }
 
-TEST_F(Merge, NamesMissingAndDoubledUnits) {
+TEST_F(Merge, NamesMissingAndDuplicateUnits) {
     Store target = Store::create_or_resume(file("target"), five_units());
     const auto second = shard("second", {2, 3});
     const auto outcome = merge_stores({second, second}, target);
@@ -90,7 +90,7 @@ TEST_F(Merge, AsksForNoLockOnItsSources) {
     EXPECT_THAT(merge_stores({whole}, target).missing, IsEmpty());
 }
 
-TEST_F(Merge, AgainChangesNothing) {
+TEST_F(Merge, IsIdempotent) {
     Store target = Store::create_or_resume(file("target"), five_units());
     const auto first = shard("first", {1, 2});
     const auto second = shard("second", {2, 2});
@@ -123,7 +123,7 @@ TEST_F(Merge, MissesNothingOfAnAdaptiveStudyThatReachedItsGoal) {
     EXPECT_FALSE(target.is_complete()) << "it should not have needed all trials";
 }
 
-TEST_F(Merge, RefusesADoubledUnitWithOtherContent) {
+TEST_F(Merge, RefusesADuplicateUnitWithDifferentContent) {
     const auto whole = shard("whole", {1, 1});
     for (const char* damage : {"UPDATE observations SET value = 0 WHERE observable = 'hits' AND cell = 1 AND trial = 2",
                                "UPDATE observations SET value = value * (1 + 1e-15) WHERE cell = 4",

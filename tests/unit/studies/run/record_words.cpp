@@ -8,7 +8,7 @@
 namespace ff::studies {
 namespace {
 
-TEST(RecordWords, GiveTheSameRecordAgain) {
+TEST(RecordWords, RestoreTheRecord) {
     UnitRecord record;
     record.unit = 7;
     record.observations = {{observable::hits, 1, 2, 3, std::int64_t{-4}},
@@ -34,7 +34,7 @@ TEST(RecordWords, GiveTheSameRecordAgain) {
     EXPECT_TRUE(std::signbit(std::get<double>(again.observations[4].value)));
 }
 
-TEST(RecordWords, OfAnEmptyRecordAreItsHead) {
+TEST(RecordWords, HoldOnlyTheHeadOfAnEmptyRecord) {
     EXPECT_EQ(to_words({}).size(), 4u);
     EXPECT_TRUE(from_words(to_words({})).observations.empty());
 }

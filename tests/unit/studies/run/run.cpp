@@ -57,7 +57,7 @@ TEST_F(Run, GivesOtherRowsForAnotherSeed) {
     EXPECT_NE(rows_of(file("a")), rows_of(file("b")));
 }
 
-TEST_F(Run, GoesOnAfterAStopAtAnyUnit) {
+TEST_F(Run, ResumesAfterAStopAtAnyUnit) {
     const StudyPlan plan = mixed_plan();
     test::run(plan, file("whole"));
     const auto rows = rows_of(file("whole"));
@@ -88,7 +88,7 @@ TEST_F(Run, DoesNothingWhereAllIsDone) {
     EXPECT_EQ(run_study(store, options), RunOutcome::complete);
 }
 
-TEST_F(Run, StopsAtOnceWhereItIsTold) {
+TEST_F(Run, StopsAtOnceOnRequest) {
     const std::atomic<bool> stop{true};
     RunOptions options;
     options.stop = &stop;
@@ -117,7 +117,7 @@ TEST_F(Run, KeepsOnlyAFewUnitsInMemoryWhileTheDiskIsSlow) {
     EXPECT_LE(saved, 1u + (2 * threads + 2) + 2 * threads);  // reported + waiting + in hand
 }
 
-TEST_F(Run, FinishesUnitsInHandUnlessTheyAreToBeDropped) {
+TEST_F(Run, FinishesCurrentUnitsUnlessToldToDropThem) {
     // A unit of some 0.2 s; the second is in hand while the first is reported.
     const StudyPlan plan =
         plan_of(study_text("trials = 3",
@@ -182,7 +182,7 @@ TEST_F(Run, ReportsProgressThatGrowsToTheEnd) {
     EXPECT_EQ(reports.back().evaluations, evaluations);
 }
 
-TEST_F(Run, TrialsOfACellDoNotDependOnHowMany) {
+TEST_F(Run, TrialsOfACellDoNotDependOnTheirNumber) {
     const auto plan = [](std::string_view trials) {
         return plan_of(study_text("trials = " + std::string(trials),
                                   "[[method]]\nname = \"a\"\nsampler = \"random\"\nestimator = \"ray_shooting\"\n"

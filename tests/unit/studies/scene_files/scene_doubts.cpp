@@ -46,7 +46,7 @@ Scene read(const std::string& text) {
 
 const std::vector<std::size_t> all{0, 1, 2, 3, 4, 5};
 
-TEST(SceneDoubts, AreNoneOfASoundRoom) {
+TEST(SceneDoubts, AreEmptyForASoundRoom) {
     for (const bool closed : {false, true}) {
         const SceneDoubts doubts = examine_scene(read(room(closed, {})));
         EXPECT_THAT(doubts.faults, IsEmpty());
@@ -80,7 +80,7 @@ TEST(SceneDoubts, AreFaultsWhereNoFaceSeesAnother) {
     EXPECT_THAT(examine_scene(read(room(false, {0, 1, 2, 4, 5}))).faults, ElementsAre(HasSubstr("face outwards")));
 }
 
-TEST(SceneDoubts, AreOneFaultOfARoomWithAHole) {
+TEST(SceneDoubts, ReportOneFaultForARoomWithAHole) {
     std::string text = room(true, {});
     text = text.substr(0, text.find("g west"));
     EXPECT_THAT(examine_scene(read(text)).faults, ElementsAre(HasSubstr("rays meet nothing")));
@@ -112,7 +112,7 @@ TEST(SceneDoubts, NameAnOccluderThatLiesOnAFace) {
                 ElementsAre(AllOf(HasSubstr("an occluder lies on face 'a'"), HasSubstr("16 % of it"))));
 }
 
-TEST(SceneDoubts, TakeWhatIsBackToBackForAThinWall) {
+TEST(SceneDoubts, TreatSurfacesBackToBackAsAThinWall) {
     const SceneDoubts doubts =
         doubts_of(plates + square("under", "[0, 0, 0]", 1.001, true) + square("c", "[0, 0, -1]", 1));
     EXPECT_THAT(doubts.faults, IsEmpty());

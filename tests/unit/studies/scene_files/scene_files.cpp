@@ -127,7 +127,7 @@ TEST(SceneFiles, KeyStreamsByGridsAndWithoutThemAsBefore) {
     EXPECT_NE(read("a.toml", plates_with("grid = [2, 3]")).canonical, divided);
 }
 
-TEST(SceneFiles, RefuseWhatIsNoGrid) {
+TEST(SceneFiles, RefuseInvalidGrids) {
     const auto message = [](std::string_view line) { return refusal("a.toml", plates_with(line)); };
     EXPECT_EQ(message("grid = [0, 1]"),
               "a.toml:4:8: grid = [ 0, 1 ] (a surface has 1 to 1024 parts each way). Write [4, 1].");
@@ -169,7 +169,7 @@ surface = [
     EXPECT_DOUBLE_EQ(face_area(scene, 5), 4 * pi);
 }
 
-TEST(SceneFiles, TakeGroupsAsFacesAndOccludersAsNone) {
+TEST(SceneFiles, TakeGroupsAsFacesButNotOccluders) {
     const Scene scene = read("a.obj", std::string(plates_obj) + "g occluder\nf 1 2 6 5\ng floor\nf 1 2 7\n");
     EXPECT_EQ(scene.faces.size(), 2u);
     EXPECT_EQ(scene.surfaces[2].face, no_face);

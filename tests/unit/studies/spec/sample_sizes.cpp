@@ -41,10 +41,10 @@ TEST(SampleSizes, OfARangeAreThoseTheSamplerIsMadeFor) {
 }
 
 TEST(SampleSizes, AreRefusedWithTheReason) {
-    EXPECT_THAT(refusal("many"), HasSubstr("'many' is no number of points"));
-    EXPECT_THAT(refusal(""), HasSubstr("'' is no number of points"));
-    EXPECT_THAT(refusal("2^x"), HasSubstr("'2^x' is no number of points"));
-    EXPECT_THAT(refusal("-4..8"), HasSubstr("'-4' is no number of points"));
+    EXPECT_THAT(refusal("many"), HasSubstr("'many' is not a number of points"));
+    EXPECT_THAT(refusal(""), HasSubstr("'' is not a number of points"));
+    EXPECT_THAT(refusal("2^x"), HasSubstr("'2^x' is not a number of points"));
+    EXPECT_THAT(refusal("-4..8"), HasSubstr("'-4' is not a number of points"));
     for (const std::string_view text : {"0", "0^3", "2^33", "1e9^1", "3^99999999999", "99999999999999999999"}) {
         EXPECT_NE(refusal(text), "") << text;
     }
@@ -77,7 +77,7 @@ samples_per_patch = "2^6..2^"
                                       "study.toml"));
         FAIL() << "accepted";
     } catch (const UserError& error) {
-        EXPECT_THAT(error.what(), HasSubstr("study.toml:10:21: samples_per_patch = '2^6..2^' ('2^' is no number"));
+        EXPECT_THAT(error.what(), HasSubstr("study.toml:10:21: samples_per_patch = '2^6..2^' ('2^' is not a number"));
     }
 }
 

@@ -159,7 +159,7 @@ TEST(Spec, SizesASequenceForTheWholeFaceWhereOneServesIt) {
                 HasSubstr("study.toml:11:21: samples_per_patch = 2147483648 (a sequence has at most"));
 }
 
-TEST(Spec, RefusesOneSequenceForAFaceWherePartsOfItAreBiased) {
+TEST(Spec, RefusesASharedSequenceWhosePartsAreBiased) {
     std::size_t refused = 0;
     for (const auto& entry : samplers::catalogue()) {
         if (entry.info.sizes != samplers::Sizes::fourth_power) continue;
@@ -186,7 +186,8 @@ TEST(Spec, RefusesNodesOutOfRange) {
     EXPECT_THAT(message("[5, 65]"), HasSubstr("1 to 64 nodes"));
     EXPECT_THAT(message("[5, 5, 5]"), HasSubstr("source and target patch"));
     EXPECT_THAT(message("5\nsamples_per_patch = 10"), HasSubstr("takes no samples"));
-    EXPECT_THAT(message("5\nallocation = \"face\""), HasSubstr("only ray_shooting and point_to_polygon have it"));
+    EXPECT_THAT(message("5\nallocation = \"face\""),
+                HasSubstr("only ray_shooting, point_to_polygon and visible_polygon have it"));
 }
 
 TEST(Spec, PutsThePointsOfPointToPolygonOnTheSourceAlone) {
@@ -204,7 +205,7 @@ TEST(Spec, PutsThePointsOfPointToPolygonOnTheSourceAlone) {
     EXPECT_THAT(refusal(text("sampler = \"stratified\"\nsamples_per_patch = 26")), HasSubstr("25 = 5^2 or 36 = 6^2"));
     EXPECT_EQ(refusal(text("sampler = \"sobol\"\nsamples_per_patch = 16\nallocation = \"face\"")), "");
     EXPECT_THAT(refusal(text("sampler = \"sobol\"\nsamples_per_patch = 16\ntracer = \"box\"")),
-                HasSubstr("only ray_shooting, hemicube and cubic_tetrahedron have it"));
+                HasSubstr("only ray_shooting, hemicube, cubic_tetrahedron and single_plane have it"));
 }
 
 TEST(Spec, HasAMapForTheAreaKernelOnly) {
@@ -234,11 +235,11 @@ TEST(Spec, RefusesTwoMethodsOfOneName) {
 
 TEST(Spec, RefusesAnUnknownEstimatorOrNone) {
     EXPECT_THAT(refusal(study_text("trials = 9", "[[method]]\nname = \"a\"\nestimator = \"ray_shoting\"")),
-                HasSubstr("Did you mean 'ray_shooting'? Known: ray_shooting, area_kernel, "));
+                HasSubstr("Did you mean 'ray_shooting'? Known: ray_shooting, global_lines, area_kernel, "));
     EXPECT_THAT(refusal(study_text("trials = 9", "[[method]]\nname = \"a\"")), HasSubstr("Choose one of ray_shooting"));
 }
 
-TEST(Spec, SuggestsNothingWhereNothingIsNear) {
+TEST(Spec, MakesNoSuggestionWithoutANearName) {
     const auto unlike = refusal(study_text("trials = 9\nqwertzuiop = 1", rays));
     EXPECT_THAT(unlike, HasSubstr("unknown key 'qwertzuiop'"));
     EXPECT_THAT(unlike, testing::Not(HasSubstr("''")));

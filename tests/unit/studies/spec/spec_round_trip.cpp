@@ -69,6 +69,7 @@ Method any_method(std::string name) {
     method.estimator = estimators()[*rc::gen::inRange<std::size_t>(0, estimators().size())].info.name;
     const EstimatorInfo& estimator = estimator_info(method);
     method.completion = *rc::gen::element(Completion::direct, Completion::reciprocal);
+    if (*rc::gen::arbitrary<bool>()) method.claimed_error = any_fraction();
     if (!estimator.takes_points()) {
         method.sizes = any_sizes(false);
         for (Size& size : method.sizes) {
@@ -95,6 +96,7 @@ Method any_method(std::string name) {
     }
     if (estimator.has_map) method.map = *rc::gen::element(PointMap::uniform, PointMap::graded);
     method.sizes = any_sizes(!quadrature);
+    if (estimator.whole_faces) method.sizes.resize(1);
     return method;
 }
 

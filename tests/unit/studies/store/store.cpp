@@ -245,7 +245,7 @@ TEST_F(StoreFile, IsTheSameWithARollbackJournal) {
     EXPECT_EQ(test::rows_of(folder.path() / "rollback"), test::rows_of(folder.path() / "log"));
 }
 
-TEST_F(StoreFile, GoesOnWithTheJournalOfItsNewPlace) {
+TEST_F(StoreFile, SwitchesToTheJournalOfItsNewFolder) {
     Store::create_or_resume(file(), plan(), Journal::write_ahead).commit({0, {}, {}, {}});
     execute("DELETE FROM units");
     Store store = Store::create_or_resume(file(), plan(), Journal::rollback);

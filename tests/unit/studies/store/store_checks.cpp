@@ -104,7 +104,7 @@ TEST_F(StoreRows, ThatAreNotAsTheyWereSavedAreRefused) {
     EXPECT_THAT(refusal(), HasSubstr("the context is not as it was saved"));
 }
 
-TEST_F(StoreRows, OfNoSuchNameOrFaceAreRefused) {
+TEST_F(StoreRows, WithUnknownNamesOrFacesAreRefused) {
     for (const char* sql : {"INSERT INTO observations VALUES(0, 'hitz', 1, 2, 0, 100)",
                             "INSERT INTO observations VALUES(0, 'hits', 7, 2, 0, 100)",
                             "INSERT INTO observations VALUES(0, 'hits', 1, -1, 0, 100)"}) {

@@ -79,7 +79,7 @@ TEST_F(StoreChecksums, AreNotNeededToReadAnEarlierVersion) {
     EXPECT_EQ(store.series(0, observable::hits, 1, 2).value.front(), before);
 }
 
-TEST_F(StoreChecksums, AreAddedToAnEarlierVersionThatIsGoneOnWith) {
+TEST_F(StoreChecksums, AreAddedWhenAnEarlierVersionIsResumed) {
     const auto whole = folder.path() / "whole.sqlite";
     test::run(small_plan(), whole);
     Store::create_or_resume(file(), small_plan());

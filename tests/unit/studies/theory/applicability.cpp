@@ -38,12 +38,12 @@ Scene occluded_scene() {
     return scene;
 }
 
-TEST(Applicability, LetsEveryEstimatorIntoABox) {
+TEST(Applicability, AllowsEveryEstimatorInABox) {
     for (const EstimatorEntry& estimator : estimators())
         EXPECT_EQ(refusal(method_of(estimator.info.name), make_box(2, 1, 0.5)), "");
 }
 
-TEST(Applicability, IsRefusedToWhatDoesNotSeeOccluders) {
+TEST(Applicability, RefusesEstimatorsThatIgnoreOccluders) {
     for (const std::string_view estimator : {"closed_form", "point_to_polygon"}) {
         const std::string message = refusal(method_of(estimator), occluded_scene());
         EXPECT_THAT(message, HasSubstr("method 'a': " + std::string(estimator) + " cannot be used in scene 'room'"));

@@ -58,7 +58,7 @@ TEST(KnownVariance, IsNoBetterWithTheGradedMapForTriangles) {
     EXPECT_EQ(of_pair(kernel(PointMap::graded), scene, 1, 2), VarianceStatus::infinite);
 }
 
-TEST(KnownVariance, OfASumIsInfiniteWithOneOfItsTerms) {
+TEST(KnownVariance, IsInfiniteForASumWithAnInfiniteTerm) {
     const Scene box = make_box(3, 2, 1);
     const Quantity row{QuantityKind::row_sum, 1, 0};
     const Quantity all{QuantityKind::sum_relative_error, 0, 0};

@@ -96,7 +96,7 @@ TEST(BandsFile, RefusesRisksThatAreNotComputed) {
     EXPECT_EQ(with_alpha("1e-12"), "accepted");
 }
 
-TEST(BandsFile, RefusesNumbersWhosePowersAreNoNumbers) {
+TEST(BandsFile, RefusesNumbersWhosePowersOverflow) {
     for (const std::string_view band : {"1e80", "1e-80", "5e-324"})
         EXPECT_THAT(refusal(gate("bias", fmt::format("band = {}", band))), HasSubstr("Choose another unit")) << band;
     EXPECT_THAT(refusal(gate("bias", "band = 1\nreference = 1e200")), HasSubstr("reference"));

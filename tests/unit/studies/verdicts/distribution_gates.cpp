@@ -109,7 +109,7 @@ TEST(DistributionGates, ValuesPassFailOrAreTooFew) {
     EXPECT_THROW(judge_estimates(spec_of(gate), gate, old, &old), UserError);
 }
 
-TEST(KnownLaw, RefusesWhatIsNotGivenInNumbers) {
+TEST(KnownLaw, RefusesMissingParameters) {
     std::string problem;
     EXPECT_FALSE(parse_law("normal", problem));
     EXPECT_THAT(problem, HasSubstr("fitted to the values"));

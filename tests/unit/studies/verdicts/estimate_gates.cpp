@@ -113,7 +113,7 @@ TEST(JudgeEstimates, PassesNothingOfInfiniteVariance) {
     EXPECT_THAT(result.note, HasSubstr("infinite variance"));
 }
 
-TEST(JudgeEstimates, DoesNotPassCauchyValuesOfAnUsualFile) {
+TEST(JudgeEstimates, DoesNotPassCauchyValuesInATypicalFile) {
     std::mt19937_64 engine(3);
     std::cauchy_distribution<double> cauchy;
     int passes = 0;
@@ -127,7 +127,7 @@ TEST(JudgeEstimates, DoesNotPassCauchyValuesOfAnUsualFile) {
     EXPECT_LE(passes, 3);  // one file in a hundred may look harmless: more than 3 of 40 with probability 4e-4
 }
 
-TEST(JudgeEstimates, DoesNotPassWhatHangsOnOneTrial) {
+TEST(JudgeEstimates, DoesNotPassAMeanDominatedByOneTrial) {
     for (const std::size_t n : {20u, 50u, 100u, 1000u}) {
         std::vector<double> values(n, truth);
         values[n / 3] += 1e-4;
@@ -175,7 +175,7 @@ TEST(JudgeEstimates, FailsAgainstAReferenceInAnotherUnit) {
     }
 }
 
-TEST(JudgeEstimates, RefusesSpreadsWhosePowersAreNoNumbers) {
+TEST(JudgeEstimates, RefusesSpreadsWhosePowersOverflow) {
     std::vector<double> values = estimates(50, 0);
     for (double& value : values) value = (value - truth) * 1e-90;
     EXPECT_THAT(refusal_of(file_of(values)), HasSubstr("spread by less than 1e-75"));

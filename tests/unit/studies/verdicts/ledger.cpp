@@ -18,7 +18,7 @@ TEST(Ledger, IsReadAsItWasWritten) {
     EXPECT_EQ(read[1].data, "3");
 }
 
-TEST(Ledger, RefusesLinesThatAreNone) {
+TEST(Ledger, RefusesMalformedLines) {
     EXPECT_THAT([] { parse_ledger("commit,bands,data,verdict\na,b\n", "l.csv"); },
                 testing::ThrowsMessage<UserError>(HasSubstr("l.csv:2:1: not a line of a ledger")));
     EXPECT_THAT([] { parse_ledger("commit,bands,data,verdict\na,b,c,green\n", "l.csv"); },

@@ -117,7 +117,7 @@ TEST(MeasureSlope, FindsTheSlopeOfALadder) {
     EXPECT_FALSE(measure_slope(ladder, {-0.7, -0.3}, levels));
 }
 
-TEST(MeasureExact, DecidesByItself) {
+TEST(MeasureExact, DecidesWithOneEvaluation) {
     EXPECT_EQ(judge(measure_exactly(0.5, {-1, 1}), {-1, 1}), Verdict::pass);
     EXPECT_EQ(judge(measure_exactly(1.5, {-1, 1}), {-1, 1}), Verdict::fail);
 }

@@ -60,7 +60,7 @@ TEST(NeededTrials, GrowWithComparisonsAndSkewness) {
     EXPECT_EQ(*trials_for_mean(1, 0, 0, 0, levels, 1), 32u);
 }
 
-TEST(NeededTrials, OfHopelessBandsDoNotExist) {
+TEST(NeededTrials, AreEmptyForHopelessBands) {
     EXPECT_FALSE(trials_for_mean(1e-12, 1, 0, 0, levels, 1));
     EXPECT_FALSE(trials_for_ratio({0.9, 1.1}, 0, 10, levels, 1));
     EXPECT_FALSE(trials_for_proportion({0.5, 0.9}, 0.5, levels, 1));

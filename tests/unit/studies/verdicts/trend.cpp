@@ -68,7 +68,7 @@ TEST(History, IsReadAsItWasWritten) {
     EXPECT_FALSE(has_commit(read, "c3"));
 }
 
-TEST(History, RefusesWhatIsNone) {
+TEST(History, RefusesFilesThatAreNotHistories) {
     EXPECT_THROW(parse_history("a,b\n1,2\n", "h.csv"), UserError);
     EXPECT_THROW(parse_history("commit,quantity,mean,standard_error,n,cost\nc,x,nan,1,1,1\n", "h.csv"), UserError);
     EXPECT_THROW(parse_history("commit,quantity,mean,standard_error,n,cost\nc,x,1,-1,1,1\n", "h.csv"), UserError);

@@ -1,8 +1,11 @@
-#include "core/estimators/hemicube.hpp"
+#include "core/estimators/pixel_directions.hpp"
 
 #include "core/estimators/cubic_tetrahedron.hpp"
+#include "core/estimators/hemicube.hpp"
+#include "core/estimators/single_plane.hpp"
 #include "core/exact/exact.hpp"
 #include "core/geometry/box.hpp"
+#include "tests/support/estimator_trials.hpp"
 
 #include <gtest/gtest.h>
 
@@ -37,13 +40,10 @@ TEST(CubicTetrahedron, HasPixelsThatAddUpToOne) {
 // [howell, B-3].
 TEST(Hemicube, SeesTheLidAsThePointInTheMiddleDoes) {
     const Scene cube = make_box(1, 1, 1);
-    Outcome outcome;
-    PatchTotals totals;
-    Hemicube(cube, TracerChoice::automatic)
-        .observe({.subdivision = {1}, .samples = 786432, .options = {}, .key = {}}, outcome, totals);
+    const Eigen::MatrixXd factors = test::observe<Hemicube>(cube, 1, 786432).estimates;
     const double x = 0.5 / std::sqrt(1.25);
     const double exact = 4 * (2 * x * std::atan(x)) / (2 * std::numbers::pi);
-    EXPECT_NEAR(outcome.estimates(0, 5), exact, 1e-3);
+    EXPECT_NEAR(factors(0, 5), exact, 1e-3);
 }
 
 TEST(Hemicube, ConvergesWithPatchesToTheFactorOfFaces) {
@@ -51,11 +51,7 @@ TEST(Hemicube, ConvergesWithPatchesToTheFactorOfFaces) {
     const Eigen::MatrixXd exact = *exact_form_factors(cube);
     double before = 1;
     for (const std::uint32_t m : {1u, 4u, 16u}) {
-        Outcome outcome;
-        PatchTotals totals;
-        Hemicube(cube, TracerChoice::automatic)
-            .observe({.subdivision = {m}, .samples = 12288, .options = {}, .key = {}}, outcome, totals);
-        const double error = (outcome.estimates - exact).cwiseAbs().maxCoeff();
+        const double error = (test::observe<Hemicube>(cube, m, 12288).estimates - exact).cwiseAbs().maxCoeff();
         EXPECT_LT(error, before / 2) << m;
         before = error;
     }
@@ -67,6 +63,25 @@ TEST(Hemicube, SaysWhichSizesThereAre) {
     EXPECT_EQ(Hemicube::size_problem(0), "(a hemicube has 3 r^2 pixels, r even). Try 12.");
     EXPECT_EQ(CubicTetrahedron::size_problem(1000),
               "(a cubic tetrahedron has 3 r (r - 1) / 2 pixels). Try 975 or 1053.");
+}
+
+// Four times a rectangle over a corner, five times as wide as high [howell, B-3]: 0.9683. The midpoint rule falls as
+// 1 / r^2 towards it.
+TEST(SinglePlane, HasPixelsThatAddUpToWhatIsAboveItsRim) {
+    const double x = SinglePlane::reach;
+    const double part = x / std::sqrt(1 + x * x);
+    const double whole = 4 * (2 * part * std::atan(part)) / (2 * std::numbers::pi);
+    EXPECT_NEAR(whole, 0.9683, 1e-4);
+    const double coarse = std::abs(sum(SinglePlane::pixels(std::uint64_t{128} * 128)) - whole);
+    const double fine = std::abs(sum(SinglePlane::pixels(std::uint64_t{512} * 512)) - whole);
+    EXPECT_LT(coarse, 1e-3);
+    EXPECT_NEAR(coarse / fine, 16, 0.5);
+}
+
+TEST(SinglePlane, SaysWhichSizesThereAre) {
+    EXPECT_EQ(SinglePlane::size_problem(1024), "");
+    EXPECT_EQ(SinglePlane::size_problem(1000), "(a single plane has r^2 pixels, r even). Try 900 or 1024.");
+    EXPECT_NE(SinglePlane::size_problem(0), "");
 }
 
 }  // namespace

@@ -9,7 +9,7 @@ small_study 20 >"$folder/study.toml"
 ffstudy radiosity "$folder/study.toml" --reflectance 0.5,0.95 --emission 0,0,0,0,0,1 --out lit
 expect_status 0
 expect_stdout "I − P F keeps diagonal dominance at every reflectance below 1; at 0.95 the exitance error is"
-expect_stdout "What repairs leave of the error of the light at reflectance 0.95: "
+expect_stdout "Exitance error after each repair at reflectance 0.95: "
 grep -Fq "## What the errors do to the light" lit/report.md || fail "report.md says nothing of light"
 /usr/bin/python3 "$here/validate_results" lit/results.json || fail "results.json breaks the schema"
 

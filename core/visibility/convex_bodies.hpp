@@ -1,0 +1,54 @@
+#pragma once
+
+#include "core/geometry/scene.hpp"
+#include "core/geometry/shaft.hpp"
+
+#include <Eigen/Core>
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace ff {
+
+/// Convex bodies bounded by polygons of a scene that radiate outwards, such as boxes and prisms. One side may be
+/// missing, like the bottom of a building on the ground. A straight line enters a body through a side that it meets
+/// from the front, so that from outside the other sides hide nothing more.
+class ConvexBodies {
+  public:
+    explicit ConvexBodies(const std::vector<Surface>& surfaces);
+
+    /// The body that a surface, given by its index, is a side of.
+    [[nodiscard]] std::optional<std::uint32_t> of(std::size_t surface) const;
+
+    /// Whether each line from a polygon that meets this side of a body has met another side before. Conservative:
+    /// nothing is concluded for a polygon in the plane of a side.
+    /// @param side  index of the surface, which is a side of a body
+    [[nodiscard]] bool is_met_before(std::size_t side, std::span<const Eigen::Vector3d> from) const;
+
+    /// Whether a body blocks all lines between two convex polygons. Conservative: lines that only touch it count as
+    /// unblocked.
+    [[nodiscard]] bool hides_all(std::uint32_t body, std::span<const Eigen::Vector3d> from,
+                                 std::span<const Eigen::Vector3d> to) const;
+
+  private:
+    /// Places behind it have normal * v < offset.
+    struct Plane {
+        Eigen::Vector3d normal;  ///< unit length, out of the body
+        double offset = 0;
+    };
+    struct Body {
+        std::vector<Plane> sides;
+        std::optional<Plane> missing;
+        double size = 0;  ///< of a box around it
+    };
+    std::vector<Body> bodies_;
+    std::vector<std::uint32_t> body_of_;  ///< of each surface
+    std::vector<Plane> planes_;           ///< of each surface
+    double room_ = 0;                     ///< allowance for the rounding of corners
+
+    class Finder;
+};
+
+}  // namespace ff

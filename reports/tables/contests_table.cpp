@@ -1,0 +1,200 @@
+#include "reports/tables/tables.hpp"
+#include "reports/text/labels.hpp"
+#include "reports/text/numbers.hpp"
+#include "reports/words/answer.hpp"
+
+#include "studies/comparison/contests.hpp"
+#include "studies/comparison/decisions.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+namespace ff::reports {
+namespace {
+
+using studies::Contest;
+using studies::Equal;
+
+/// "evaluations", "processor time"
+std::string_view in_words(Equal equal) {
+    switch (equal) {
+        case Equal::evaluations:
+            return "equal evaluations";
+        case Equal::processor_time:
+            return "equal processor time";
+        case Equal::error:
+            break;
+    }
+    return "equal error";
+}
+
+std::string budget_in_words(const Contest& contest) {
+    switch (contest.equal) {
+        case Equal::evaluations:
+            return fmt::format("{:g} evaluations", contest.budget);
+        case Equal::processor_time:
+            return fmt::format("{:.3g} s", contest.budget);
+        case Equal::error:
+            break;
+    }
+    return fmt::format("RMSE {:.3g}", contest.budget);
+}
+
+/// The method; with its patches where it enters with several numbers of them.
+std::string name_of(const studies::StudyPlan& plan, const Contest& contest, std::size_t entrant) {
+    const studies::Cell& cell = plan.cells[contest.entrants[entrant].cell];
+    const std::string& name = plan.spec.methods[cell.method].name;
+    const auto same = std::count_if(contest.entrants.begin(), contest.entrants.end(),
+                                    [&](const auto& other) { return plan.cells[other.cell].method == cell.method; });
+    return same > 1 ? fmt::format("{} ({} patches)", name, cell.subdivision.per_part()) : name;
+}
+
+/// "b  2.31 [2.10, 2.55]": the group, and the ratio to the first.
+std::string standing(const Contest& contest, std::size_t entrant) {
+    const char group = static_cast<char>('a' + std::min<std::size_t>(contest.entrants[entrant].group, 25));
+    if (entrant == 0) return fmt::format("{}  1", group);
+    const auto found = std::find_if(contest.handicaps.begin(), contest.handicaps.end(), [&](const auto& handicap) {
+        return handicap.better == 0 && handicap.worse == entrant;
+    });
+    if (!found->interval) return fmt::format("{}  {:.3g}", group, found->ratio);
+    return fmt::format("{}  {:.3g} [{:.3g}, {:.3g}]", group, found->ratio, found->interval->low, found->interval->high);
+}
+
+std::string kind_of(PairClass pair_class, bool may_be_occluded) {
+    return fmt::format("{}{}", name(pair_class), may_be_occluded ? ", maybe occluded" : "");
+}
+
+std::vector<Equal> shown(bool timed) {
+    return timed ? std::vector{Equal::evaluations, Equal::processor_time, Equal::error}
+                 : std::vector{Equal::evaluations, Equal::error};
+}
+
+constexpr std::string_view measured_elsewhere =
+    "What methods do in equal processor time differs from run to run: the run printed it, and "
+    "comparisons_by_time.csv has it.";
+
+/// Of a study with one scene.
+Table side_by_side(const studies::StudyResults& results, bool timed) {
+    const studies::StudyPlan& plan = results.findings.plan;
+    Table table{"side-by-side",
+                "Methods side by side",
+                "How many times the smallest mean square error each method makes at equal cost, and how many times the "
+                "least evaluations it takes to an equal error. Methods that are not shown to differ from the first of "
+                "their group share its letter.",
+                {{"method", false, ""}, {"pairs", false, ""}},
+                {},
+                {}};
+    std::vector<std::vector<const Contest*>> columns;
+    for (const Equal equal : shown(timed)) {
+        auto contests = studies::main_contests(results.contests, equal);
+        if (contests.empty()) continue;
+        table.columns.push_back({std::string(in_words(equal)), false, ""});
+        columns.push_back(std::move(contests));
+    }
+    if (columns.empty()) return table;
+    for (const Contest* lead : columns.front()) {
+        std::vector<std::string> budgets;
+        std::vector<const Contest*> contests;
+        for (const auto& column : columns) {
+            const auto found = std::find_if(column.begin(), column.end(), [&](const Contest* contest) {
+                return contest->pair_class == lead->pair_class;
+            });
+            contests.push_back(found == column.end() ? nullptr : *found);
+            if (contests.back() != nullptr) budgets.push_back(budget_in_words(*contests.back()));
+        }
+        std::set<std::string> seen;
+        for (const Contest* contest : contests) {
+            for (std::size_t i = 0; contest != nullptr && i < contest->entrants.size(); ++i) {
+                const std::string method = name_of(plan, *contest, i);
+                if (!seen.insert(method).second) continue;
+                std::vector<TableCell> row{{method}, {std::string(name(lead->pair_class))}};
+                for (const Contest* column : contests) {
+                    std::string text = "–";
+                    for (std::size_t k = 0; column != nullptr && k < column->entrants.size(); ++k) {
+                        if (name_of(plan, *column, k) == method) text = standing(*column, k);
+                    }
+                    row.push_back({text});
+                }
+                table.rows.push_back(std::move(row));
+            }
+        }
+        table.remarks.push_back(fmt::format("On {} pairs: {}.", name(lead->pair_class), fmt::join(budgets, ", ")));
+    }
+    table.remarks.push_back(
+        fmt::format("Intervals of level {:g} hold together for all pairs of methods and all sizes in a column, of a "
+                    "class of pairs (Bonferroni). All of them: comparisons.csv.",
+                    plan.spec.level));
+    if (!timed) table.remarks.emplace_back(measured_elsewhere);
+    if (timed && studies::main_contests(results.contests, Equal::processor_time).empty())
+        table.remarks.emplace_back("No processor time was measured of these trials.");
+    return table;
+}
+
+/// Of a study with several: the best of each.
+Table best_of_scenes(const studies::StudyResults& results, Equal equal) {
+    const studies::StudyPlan& plan = results.findings.plan;
+    Table table{"best-of-scenes",
+                fmt::format("The best methods of each scene, at {}", in_words(equal)),
+                "Methods that are not shown to be worse than the one with the smallest mean square error, and the "
+                "first that is: how many times as large its mean square error is.",
+                {{"scene", false, ""}, {"pairs", false, ""}, {"best", false, ""}, {"next", false, ""}},
+                {},
+                {}};
+    for (const Contest* contest : studies::main_contests(results.contests, equal)) {
+        std::vector<std::string> best;
+        std::string next = "–";
+        for (std::size_t i = 0; i < contest->entrants.size(); ++i) {
+            if (contest->entrants[i].group == 0) best.push_back(name_of(plan, *contest, i));
+            if (contest->entrants[i].group > 0 && next == "–")
+                next = fmt::format("{}: {}", name_of(plan, *contest, i), standing(*contest, i).substr(3));
+        }
+        const Scene& scene = plan.scenes[contest->scene];
+        table.rows.push_back({{scene.name},
+                              {kind_of(contest->pair_class, studies::may_be_occluded(scene, contest->pair_class))},
+                              {listed(best)},
+                              {next}});
+    }
+    return table;
+}
+
+}  // namespace
+
+Table contests_table(const studies::StudyResults& results, bool timed) {
+    if (results.findings.plan.scenes.size() == 1) return side_by_side(results, timed);
+    const bool measured = timed && !studies::main_contests(results.contests, Equal::processor_time).empty();
+    return best_of_scenes(results, measured ? Equal::processor_time : Equal::evaluations);
+}
+
+Table decisions_table(const studies::StudyResults& results, bool timed) {
+    const studies::StudyPlan& plan = results.findings.plan;
+    const bool measured = timed && !studies::main_contests(results.contests, Equal::processor_time).empty();
+    const Equal equal = measured ? Equal::processor_time : Equal::evaluations;
+    Table table{
+        "decisions",
+        fmt::format("Which method to take, at {}", in_words(equal)),
+        "Of each kind of pairs the methods that are best in the most scenes: nothing is shown to have a smaller "
+        "mean square error. In parentheses in how many of the scenes that they can do, and how many times the "
+        "smallest mean square error they make where they do worst.",
+        {{"pairs", false, ""}, {"scenes", true, ""}, {"take", false, ""}, {"or", false, ""}},
+        {},
+        {}};
+    for (const studies::Decision& decision : studies::decide(plan, results.contests, equal)) {
+        const auto text = [&](std::size_t place) -> std::string {
+            if (place >= decision.choices.size()) return "–";
+            const studies::Choice& choice = decision.choices[place];
+            return fmt::format("{} ({} of {}, at worst {:.2g})", plan.spec.methods[choice.method].name, choice.best,
+                               choice.entered, choice.largest_handicap);
+        };
+        table.rows.push_back({{kind_of(decision.pair_class, decision.may_be_occluded)},
+                              {std::to_string(decision.scenes)},
+                              {text(0)},
+                              {text(1)}});
+    }
+    if (!timed && !table.rows.empty()) table.remarks.emplace_back(measured_elsewhere);
+    return table;
+}
+
+}  // namespace ff::reports

@@ -1,0 +1,282 @@
+#include "studies/comparison/contests.hpp"
+
+#include "core/support/contract.hpp"
+#include "stats/distributions.hpp"
+#include "studies/comparison/ranking.hpp"
+#include "studies/comparison/rivals.hpp"
+#include "studies/run/measured_costs.hpp"
+#include "studies/trials/estimates.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numeric>
+#include <set>
+#include <utility>
+
+namespace ff::studies {
+namespace {
+
+constexpr std::size_t certain = std::numeric_limits<std::size_t>::max();
+
+/// One size of a method on a class of pairs.
+struct Rung {
+    std::size_t cell = 0;
+    double cost = 0;         ///< evaluations or seconds of a trial
+    double cost_error = 0;   ///< standard error of its logarithm
+    double mean_square = 0;  ///< not below that of rounding
+    double error = 0;        ///< standard error of its logarithm
+    std::size_t trials = certain;
+    bool repeatable = false;  ///< the mean of several trials has a smaller error
+};
+
+using Costs = std::vector<std::optional<MeasuredCost>>;  // by cell
+
+/// Sizes of a method that differ in cost, by ascending cost.
+using Contender = std::vector<Rung>;
+
+/// An entrant with what its value is off by.
+struct Placed {
+    Entrant entrant;
+    double error = 0;  ///< standard error of the logarithm of its value
+    std::size_t trials = certain;
+};
+
+std::optional<Rung> rung_of(const Findings& findings, std::size_t index, PairClass pair_class) {
+    const CellFindings& found = findings.cells[index];
+    const Cell& cell = findings.plan.cells[found.cell];
+    const ClassError* error = found.class_error(pair_class);
+    if (error == nullptr || found.has_infinite_variance(pair_class)) return std::nullopt;
+    if (estimator_info(findings.plan.spec.methods[cell.method]).exact || may_be_luck(findings.plan, cell))
+        return std::nullopt;
+    Rung rung{.cell = found.cell, .mean_square = std::pow(std::max(error->rmse, rounding_error), 2)};
+    if (cell.deterministic || error->rmse < rounding_error) return rung;
+    if (!error->interval) return std::nullopt;
+    rung.error = error->mean_square_se / rung.mean_square;
+    rung.trials = error->trials;
+    rung.repeatable = found.bias_finding != BiasFinding::biased;
+    return rung;
+}
+
+/// All sizes of each method, or of each number of patches where those have several sizes.
+std::vector<Contender> contenders(const Findings& findings, const Costs& costs, std::size_t scene, PairClass pair_class,
+                                  Equal equal) {
+    const StudyPlan& plan = findings.plan;
+    std::map<std::pair<std::size_t, std::uint32_t>, std::vector<Rung>> of_patches;
+    for (std::size_t i = 0; i < plan.cells.size(); ++i) {
+        const Cell& cell = plan.cells[i];
+        if (cell.scene != scene) continue;
+        auto rung = rung_of(findings, i, pair_class);
+        if (!rung) continue;
+        if (equal == Equal::processor_time) {
+            if (!costs[i]) continue;
+            rung->cost = costs[i]->mean();
+            rung->cost_error = costs[i]->relative_error();
+        } else {
+            rung->cost = static_cast<double>(evaluations_per_trial(plan, cell));
+        }
+        if (rung->cost > 0) of_patches[{cell.method, cell.subdivision.m}].push_back(*rung);
+    }
+    std::set<std::size_t> grow_by_samples;
+    for (const auto& [of, rungs] : of_patches) {
+        if (rungs.size() > 1) grow_by_samples.insert(of.first);
+    }
+    std::map<std::pair<std::size_t, std::uint32_t>, Contender> ladders;
+    for (const auto& [of, rungs] : of_patches) {
+        Contender& ladder = ladders[{of.first, grow_by_samples.contains(of.first) ? of.second : 0}];
+        ladder.insert(ladder.end(), rungs.begin(), rungs.end());
+    }
+    std::vector<Contender> all;
+    for (auto& [of, ladder] : ladders) {
+        std::stable_sort(ladder.begin(), ladder.end(), [](const Rung& a, const Rung& b) { return a.cost < b.cost; });
+        all.push_back(std::move(ladder));
+    }
+    return all;
+}
+
+std::optional<Placed> at_budget(const Contender& contender, double budget) {
+    const Rung* largest = nullptr;
+    for (const Rung& rung : contender) {
+        if (rung.cost <= budget * (1 + 1e-9)) largest = &rung;
+    }
+    if (largest == nullptr) return std::nullopt;
+    const double repeats = largest->repeatable ? std::max(1.0, budget / largest->cost) : 1;
+    return Placed{{largest->cell, repeats, largest->mean_square / repeats, 0},
+                  std::hypot(largest->error, largest->repeatable ? largest->cost_error : 0),
+                  largest->trials};
+}
+
+/// What a mean square error takes.
+std::optional<Placed> to_error(const Contender& contender, double target) {
+    const Rung& last = contender.back();
+    if (last.mean_square > target) {
+        if (!last.repeatable) return std::nullopt;
+        const double repeats = last.mean_square / target;
+        return Placed{{last.cell, repeats, last.cost * repeats, 0}, last.error, last.trials};
+    }
+    for (std::size_t i = contender.size() - 1; i-- > 0;) {
+        const Rung& above = contender[i];
+        const Rung& below = contender[i + 1];
+        if (above.mean_square < target || above.mean_square <= below.mean_square) continue;
+        const double fall = std::log(above.mean_square / below.mean_square);
+        const double way = std::log(above.mean_square / target) / fall;
+        const double stretch = std::log(below.cost / above.cost);
+        return Placed{{way < 1 ? above.cell : below.cell, 1, above.cost * std::exp(way * stretch), 0},
+                      std::hypot((1 - way) * above.error, way * below.error) * stretch / fall,
+                      std::min(above.trials, below.trials)};
+    }
+    const bool alone = contender.size() == 1 && last.mean_square == target;
+    return alone ? std::optional(Placed{{last.cell, 1, last.cost, 0}, last.error, last.trials}) : std::nullopt;
+}
+
+/// Of the contender with the most sizes, and one for all.
+std::vector<double> budgets(const std::vector<Contender>& all, Equal equal) {
+    const auto longest = std::max_element(all.begin(), all.end(),
+                                          [](const Contender& a, const Contender& b) { return a.size() < b.size(); });
+    std::vector<double> budgets;
+    double for_all = equal == Equal::error ? std::numeric_limits<double>::infinity() : 0;
+    if (equal == Equal::error) {
+        for (const Rung& rung : *longest) budgets.push_back(rung.mean_square);
+        for (const Contender& each : all) for_all = std::min(for_all, each.back().mean_square);
+    } else {
+        for (const Rung& rung : *longest) budgets.push_back(rung.cost);
+        for (const Contender& each : all) for_all = std::max(for_all, each.front().cost);
+    }
+    budgets.push_back(for_all);
+    std::sort(budgets.begin(), budgets.end());
+    budgets.erase(std::unique(budgets.begin(), budgets.end()), budgets.end());
+    return budgets;
+}
+
+/// Mean square error of the pairs of a class in each trial.
+std::vector<double> squares_of(const Store& store, std::size_t cell, PairClass pair_class) {
+    const StudyPlan& plan = store.plan();
+    const Scene& scene = plan.scenes[plan.cells[cell].scene];
+    const KnownFactors known = known_factors(scene);
+    const auto pairs = pairs_of_class(
+        scene,
+        known_pairs(distinct_pairs(scene.faces.size(), plan.spec.methods[plan.cells[cell].method].completion), known),
+        pair_class);
+    const auto errors = errors_of(load_estimates(store, cell), pairs, known);
+    std::vector<double> squares(errors.size() / pairs.size(), 0.0);
+    for (std::size_t i = 0; i < errors.size(); ++i)
+        squares[i / pairs.size()] += errors[i] * errors[i] / static_cast<double>(pairs.size());
+    return squares;
+}
+
+/// Covariance of the logarithms of both mean square errors where trials have the same random numbers, else 0.
+double shared_noise(const Store& store, std::size_t a, std::size_t b, PairClass pair_class) {
+    const StudyPlan& plan = store.plan();
+    const Cell& one = plan.cells[a];
+    const Cell& other = plan.cells[b];
+    if (a == b || one.deterministic || one.key != other.key || one.trials != other.trials) return 0;
+    const auto x = squares_of(store, a, pair_class);
+    const auto y = squares_of(store, b, pair_class);
+    const auto n = static_cast<double>(x.size());
+    const double mean_x = std::accumulate(x.begin(), x.end(), 0.0) / n;
+    const double mean_y = std::accumulate(y.begin(), y.end(), 0.0) / n;
+    double sum = 0;
+    for (std::size_t i = 0; i < std::min(x.size(), y.size()); ++i) sum += (x[i] - mean_x) * (y[i] - mean_y);
+    return mean_x > 0 && mean_y > 0 ? sum / (n * (n - 1) * mean_x * mean_y) : 0;
+}
+
+/// The contests of a scene and class at one thing equal, whose intervals hold together.
+class Family {
+  public:
+    Family(const Store& store, Contest kind, const std::vector<Contender>& all) : store_(&store) {
+        if (all.size() < 2) return;
+        for (const double budget : budgets(all, kind.equal)) {
+            std::vector<Placed> placed;
+            for (const Contender& contender : all) {
+                if (auto entrant =
+                        kind.equal == Equal::error ? to_error(contender, budget) : at_budget(contender, budget))
+                    placed.push_back(*entrant);
+            }
+            if (placed.size() < 2) continue;
+            std::stable_sort(placed.begin(), placed.end(),
+                             [](const Placed& a, const Placed& b) { return a.entrant.value < b.entrant.value; });
+            pairs_ += static_cast<double>(placed.size() * (placed.size() - 1)) / 2;
+            kind.budget = kind.equal == Equal::error ? std::sqrt(budget) : budget;
+            contests_.push_back(kind);
+            placed_.push_back(std::move(placed));
+        }
+    }
+
+    std::vector<Contest> decide(double level) {
+        for (std::size_t i = 0; i < contests_.size(); ++i) decide(contests_[i], placed_[i], level);
+        return std::move(contests_);
+    }
+
+  private:
+    void decide(Contest& contest, const std::vector<Placed>& placed, double level) const {
+        const std::size_t n = placed.size();
+        std::vector<bool> differ(n * n, false);
+        std::vector<double> values;
+        for (std::size_t a = 0; a < n; ++a) {
+            contest.entrants.push_back(placed[a].entrant);
+            values.push_back(placed[a].entrant.value);
+            for (std::size_t b = a + 1; b < n; ++b) {
+                const Handicap handicap = compare(contest, placed, a, b, level);
+                differ[a * n + b] = handicap.interval ? handicap.interval->low > 1 : handicap.ratio > 1 + 1e-9;
+                contest.handicaps.push_back(handicap);
+            }
+        }
+        const auto groups = groups_apart(
+            values, [&](std::size_t a, std::size_t b) { return differ[std::min(a, b) * n + std::max(a, b)]; });
+        for (std::size_t a = 0; a < n; ++a) contest.entrants[a].group = groups[a];
+    }
+
+    [[nodiscard]] Handicap compare(const Contest& contest, const std::vector<Placed>& placed, std::size_t a,
+                                   std::size_t b, double level) const {
+        const Placed& better = placed[a];
+        const Placed& worse = placed[b];
+        Handicap handicap{a, b, worse.entrant.value / better.entrant.value, std::nullopt};
+        const double shared = contest.equal == Equal::error
+                                  ? 0
+                                  : shared_noise(*store_, better.entrant.cell, worse.entrant.cell, contest.pair_class);
+        const double variance = better.error * better.error + worse.error * worse.error - 2 * shared;
+        const std::size_t trials = std::min(better.trials, worse.trials);
+        if (trials == certain) return handicap;
+        const LogRatio ratio{std::log(handicap.ratio), std::sqrt(std::max(0.0, variance)), trials};
+        handicap.interval = ratio_interval(ratio, 1 - (1 - level) / pairs_);
+        handicap.interval->level = level;
+        return handicap;
+    }
+
+    const Store* store_;
+    std::vector<Contest> contests_;
+    std::vector<std::vector<Placed>> placed_;
+    double pairs_ = 0;  ///< of entrants, in all contests
+};
+
+}  // namespace
+
+std::string_view name(Equal equal) {
+    switch (equal) {
+        case Equal::evaluations:
+            return "evaluations";
+        case Equal::processor_time:
+            return "processor_time";
+        case Equal::error:
+            break;
+    }
+    return "error";
+}
+
+std::vector<Contest> hold_contests(const Store& store, const Findings& findings) {
+    const Costs costs = measured_costs(findings.plan, store.context());
+    std::vector<Contest> contests;
+    for (std::size_t scene = 0; scene < findings.plan.scenes.size(); ++scene) {
+        for (const PairClass pair_class : {PairClass::parallel, PairClass::adjacent, PairClass::other}) {
+            for (const Equal equal : {Equal::evaluations, Equal::processor_time, Equal::error}) {
+                Family family(store, {scene, pair_class, equal, 0, {}, {}},
+                              contenders(findings, costs, scene, pair_class, equal));
+                for (Contest& contest : family.decide(findings.plan.spec.level)) contests.push_back(std::move(contest));
+            }
+        }
+    }
+    return contests;
+}
+
+}  // namespace ff::studies

@@ -1,0 +1,57 @@
+#pragma once
+
+#include "core/visibility/pair_class.hpp"
+#include "stats/interval.hpp"
+#include "studies/analysis/analysis.hpp"
+
+#include <cstddef>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+namespace ff::studies {
+
+/// What is equal for the methods in a comparison.
+enum class Equal {
+    evaluations,     ///< of a trial, over all faces
+    processor_time,  ///< as measured
+    error,           ///< a target RMSE
+};
+std::string_view name(Equal equal);
+
+/// A method at a budget: the largest of its sizes that the budget allows, repeated until the budget is used up. For a
+/// target error, the evaluations needed: by log-log interpolation between two sizes, beyond the largest by
+/// repetition.
+struct Entrant {
+    std::size_t cell = 0;   ///< index into StudyPlan::cells
+    double repeats = 1;     ///< runs whose mean is taken; 1 for deterministic and biased methods
+    double value = 0;       ///< mean square error, or evaluations at equal error
+    std::size_t group = 0;  ///< from 0; see groups_apart (studies/comparison/ranking.hpp)
+};
+
+/// How much worse one entrant is than another.
+struct Handicap {
+    std::size_t better = 0;  ///< index into Contest::entrants; the worse one comes later there
+    std::size_t worse = 0;
+    double ratio = 1;                         ///< of their values, at least 1
+    std::optional<stats::Interval> interval;  ///< empty where neither varies
+};
+
+/// All methods of a study on a class of pairs of a scene, at one budget. Intervals hold together for all pairs of
+/// entrants and all budgets of a scene and class (Bonferroni), so that being the best of many is paid for.
+struct Contest {
+    std::size_t scene = 0;
+    PairClass pair_class = PairClass::other;
+    Equal equal = Equal::evaluations;
+    double budget = 0;              ///< evaluations, seconds, or an RMSE
+    std::vector<Entrant> entrants;  ///< best first; two at least
+    std::vector<Handicap> handicaps;
+};
+
+/// Budgets are those of the method with the most sizes, plus one that all methods can use. Closed forms, unrandomised
+/// point sets (whose single error may be luck), and sizes without a variance or with few trials are left out. Contests
+/// at equal processor time need measured costs. By scene, class, what is equal, and budget, ascending. Methods that
+/// share their random numbers (they differ in completion only) are compared trial by trial.
+std::vector<Contest> hold_contests(const Store& store, const Findings& findings);
+
+}  // namespace ff::studies

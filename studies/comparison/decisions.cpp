@@ -1,0 +1,84 @@
+#include "studies/comparison/decisions.hpp"
+
+#include "core/exact/known_factors.hpp"
+#include "core/visibility/facing.hpp"
+#include "core/visibility/occlusion.hpp"
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <tuple>
+#include <utility>
+
+namespace ff::studies {
+namespace {
+
+void add_contest(const StudyPlan& plan, const Contest& contest, std::map<std::size_t, Choice>& choices) {
+    std::set<std::size_t> counted;  // a method may enter with several numbers of patches: its best counts
+    for (std::size_t i = 0; i < contest.entrants.size(); ++i) {
+        const Entrant& entrant = contest.entrants[i];
+        const std::size_t method = plan.cells[entrant.cell].method;
+        if (!counted.insert(method).second) continue;
+        Choice& choice = choices[method];
+        choice.method = method;
+        ++choice.entered;
+        if (entrant.group == 0) ++choice.best;
+        choice.largest_handicap = std::max(choice.largest_handicap, entrant.value / contest.entrants.front().value);
+    }
+}
+
+}  // namespace
+
+std::vector<const Contest*> main_contests(std::span<const Contest> contests, Equal equal) {
+    std::map<std::pair<std::size_t, PairClass>, const Contest*> chosen;
+    for (const Contest& contest : contests) {
+        if (contest.equal != equal) continue;
+        const Contest*& best = chosen[{contest.scene, contest.pair_class}];
+        const auto says_more = [&] {
+            if (contest.entrants.size() != best->entrants.size())
+                return contest.entrants.size() > best->entrants.size();
+            return equal != Equal::error;  // budgets ascend
+        };
+        if (best == nullptr || says_more()) best = &contest;
+    }
+    std::vector<const Contest*> result;
+    for (const auto& [of, contest] : chosen) result.push_back(contest);
+    return result;
+}
+
+bool may_be_occluded(const Scene& scene, PairClass wanted) {
+    const KnownFactors known = known_factors(scene);
+    for (int i = 0; i < static_cast<int>(scene.faces.size()); ++i) {
+        for (int j = 0; j < static_cast<int>(scene.faces.size()); ++j) {
+            if (i == j || !known.at(i, j) || !face_each_other(scene, i, j) || pair_class(scene, i, j) != wanted)
+                continue;
+            if (ff::may_be_occluded(scene, i, j)) return true;
+        }
+    }
+    return false;
+}
+
+std::vector<Decision> decide(const StudyPlan& plan, std::span<const Contest> contests, Equal equal) {
+    if (plan.scenes.size() < 2) return {};
+    std::map<std::pair<PairClass, bool>, std::pair<std::size_t, std::map<std::size_t, Choice>>> kinds;
+    for (const Contest* contest : main_contests(contests, equal)) {
+        const bool occluded = may_be_occluded(plan.scenes[contest->scene], contest->pair_class);
+        auto& [scenes, choices] = kinds[{contest->pair_class, occluded}];
+        ++scenes;
+        add_contest(plan, *contest, choices);
+    }
+    std::vector<Decision> decisions;
+    for (const auto& [kind, found] : kinds) {
+        Decision& decision = decisions.emplace_back();
+        std::tie(decision.pair_class, decision.may_be_occluded) = kind;
+        decision.equal = equal;
+        decision.scenes = found.first;
+        for (const auto& [method, choice] : found.second) decision.choices.push_back(choice);
+        std::stable_sort(decision.choices.begin(), decision.choices.end(), [](const Choice& a, const Choice& b) {
+            return a.best != b.best ? a.best > b.best : a.largest_handicap < b.largest_handicap;
+        });
+    }
+    return decisions;
+}
+
+}  // namespace ff::studies

@@ -1,0 +1,139 @@
+#include "studies/diagnostics/claimed_errors.hpp"
+
+#include "core/exact/known_factors.hpp"
+#include "stats/binomial.hpp"
+#include "stats/distributions.hpp"
+#include "stats/quantiles.hpp"
+#include "studies/analysis/class_error.hpp"
+#include "studies/trials/estimates.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+namespace ff::studies {
+namespace {
+
+constexpr double rounding = 1e-12;
+
+/// Who claims something of a method.
+std::vector<Claimant> claimants(const Method& method, bool counts_hits) {
+    std::vector<Claimant> found;
+    if (estimator_info(method).claims_errors) found.push_back(Claimant::estimator);
+    if (method.claimed_error) found.push_back(Claimant::study);
+    if (counts_hits && is_randomised(method)) found.push_back(Claimant::one_run);
+    return found;
+}
+
+/// What is claimed of a pair, by trial.
+std::vector<double> claims_on(const Store& store, const CellEstimates& estimates, Quantity pair, Claimant claimant) {
+    const StudyPlan& plan = store.plan();
+    const auto& values = estimates.values(pair);
+    std::vector<double> claims;
+    switch (claimant) {
+        case Claimant::estimator:
+            return store.series(estimates.cell, observable::claim, pair.from, pair.to).value;
+        case Claimant::study:
+            claims.assign(values.size(), *plan.spec.methods[plan.cells[estimates.cell].method].claimed_error);
+            return claims;
+        case Claimant::one_run:
+            break;
+    }
+    const double quantile = stats::normal_critical((1 - plan.spec.level) / 2);
+    const auto index =
+        static_cast<std::size_t>(pair.from - 1) * estimates.faces + static_cast<std::size_t>(pair.to - 1);
+    for (const double value : values)
+        claims.push_back(quantile * std::sqrt(std::max(0.0, value * (1 - value)) / estimates.rays[index]));
+    return claims;
+}
+
+/// What holds on one pair.
+struct PairClaims {
+    std::uint64_t held = 0;
+    std::vector<double> ratios;  ///< of errors to claims
+};
+
+PairClaims compare(const std::vector<double>& values, const std::vector<double>& claims, double exact) {
+    PairClaims found;
+    for (std::size_t trial = 0; trial < values.size(); ++trial) {
+        const double error = std::abs(values[trial] - exact);
+        const bool holds = error <= std::max(claims[trial], rounding);
+        if (holds) ++found.held;
+        if (error <= rounding)
+            found.ratios.push_back(0);
+        else
+            found.ratios.push_back(claims[trial] > 0 ? error / claims[trial] : std::numeric_limits<double>::infinity());
+    }
+    return found;
+}
+
+std::optional<ClaimedErrors> judge(const Store& store, const CellEstimates& estimates, const KnownFactors& known,
+                                   PairClass pair_class, Claimant claimant) {
+    const StudyPlan& plan = store.plan();
+    const Cell& cell = plan.cells[estimates.cell];
+    const Scene& scene = plan.scenes[cell.scene];
+    const auto all = distinct_pairs(scene.faces.size(), plan.spec.methods[cell.method].completion);
+    const auto pairs = pairs_of_class(scene, known_pairs(all, known), pair_class);
+    if (pairs.empty() || estimates.trials() == 0) return std::nullopt;
+    const double level = plan.spec.level;
+    ClaimedErrors found;
+    found.cell = estimates.cell;
+    found.pair_class = pair_class;
+    found.claimant = claimant;
+    found.promised = claimant == Claimant::one_run ? level : 1;
+    std::vector<double> ratios;
+    std::uint64_t fewest = std::numeric_limits<std::uint64_t>::max();
+    for (const Quantity pair : pairs) {
+        const auto of_pair = compare(estimates.values(pair), claims_on(store, estimates, pair, claimant),
+                                     known.at(pair.from - 1, pair.to - 1).value());
+        found.claims += of_pair.ratios.size();
+        found.held += of_pair.held;
+        ratios.insert(ratios.end(), of_pair.ratios.begin(), of_pair.ratios.end());
+        if (of_pair.held >= fewest) continue;
+        fewest = of_pair.held;
+        found.worst = pair;
+    }
+    found.worst_held = fewest;
+    found.worst_share = stats::clopper_pearson_interval({fewest, estimates.trials()},
+                                                        1 - (1 - level) / static_cast<double>(pairs.size()));
+    found.median_ratio = *stats::median_absolute_error(ratios, 0);
+    found.largest_ratio = *std::max_element(ratios.begin(), ratios.end());
+    const bool wrong = claimant == Claimant::one_run ? found.worst_share.high < level : found.held < found.claims;
+    found.finding = wrong ? ClaimFinding::fails : ClaimFinding::holds;
+    return found;
+}
+
+}  // namespace
+
+std::string_view name(Claimant claimant) {
+    switch (claimant) {
+        case Claimant::estimator:
+            return "estimator";
+        case Claimant::study:
+            return "study";
+        case Claimant::one_run:
+            break;
+    }
+    return "one_run";
+}
+
+std::vector<ClaimedErrors> judge_claimed_errors(const Store& store) {
+    const StudyPlan& plan = store.plan();
+    std::vector<ClaimedErrors> all;
+    for (std::size_t i = 0; i < plan.cells.size(); ++i) {
+        const Method& method = plan.spec.methods[plan.cells[i].method];
+        const bool shoots = estimator_info(method).observes == Observes::hits;
+        if (claimants(method, shoots).empty()) continue;
+        const CellEstimates estimates = load_estimates(store, i);
+        const KnownFactors known = known_factors(plan.scenes[plan.cells[i].scene]);
+        for (const Claimant claimant : claimants(method, !estimates.rays.empty())) {
+            for (const PairClass pair_class : {PairClass::parallel, PairClass::adjacent, PairClass::other}) {
+                if (auto found = judge(store, estimates, known, pair_class, claimant)) all.push_back(*found);
+            }
+        }
+    }
+    return all;
+}
+
+}  // namespace ff::studies

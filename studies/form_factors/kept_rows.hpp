@@ -1,0 +1,44 @@
+#pragma once
+
+#include "studies/form_factors/request.hpp"
+#include "studies/form_factors/sampled_row.hpp"
+#include "studies/store/sqlite.hpp"
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace ff::studies {
+
+/// Version of the file's tables.
+inline constexpr int kept_rows_schema_version = 1;
+
+/// Rows of a matrix that have been sampled, kept in a file one by one: a run that is resumed takes them from there, and
+/// those of several shards together are all rows. Survives the end of the process at any moment.
+class KeptRows {
+  public:
+    /// Makes the file, or opens one of the same scene and request.
+    /// @param source  of the scene (studies/scene_files/scene_file.hpp)
+    /// @throws UserError where it is of another matrix, or no such file; IoError
+    KeptRows(const std::filesystem::path& file, const std::string& source, const FormFactorRequest& request);
+
+    /// A row that is there already stays as it is.
+    void keep(const SampledRow& row) const;
+    /// Passes on every row. @throws IoError where one is damaged
+    void read(const std::function<void(SampledRow)>& receive) const;
+    /// Takes in the rows of another file of the same matrix. @throws UserError, IoError
+    void take(const std::filesystem::path& file) const;
+    /// Faces whose rows are there, in order.
+    [[nodiscard]] std::vector<std::uint32_t> faces() const;
+
+  private:
+    std::filesystem::path file_;
+    Database database_;
+};
+
+/// What such a file is of: source of the scene, and request. @throws UserError, IoError
+std::pair<std::string, FormFactorRequest> matrix_of_kept_rows(const std::filesystem::path& file);
+
+}  // namespace ff::studies

@@ -1,0 +1,138 @@
+#include "studies/form_factors/sample_pairs.hpp"
+
+#include "core/support/error.hpp"
+#include "studies/form_factors/rounds.hpp"
+
+#include <fmt/format.h>
+
+#include <exception>
+#include <thread>
+#include <utility>
+
+namespace ff::studies {
+namespace {
+
+/// Rows whose jobs are in memory at a time, with at least so many pairs or all there are.
+PairsOfRows next_batch(PairsOfRows& rows) {
+    constexpr std::size_t most_pairs_at_once =
+        512;  // a job takes some kilobytes, and what is not done is lost where the process ends
+    PairsOfRows batch;
+    for (std::size_t pairs = 0; pairs < most_pairs_at_once && !rows.empty();) {
+        pairs += rows.begin()->second.size();
+        batch.insert(rows.extract(rows.begin()));
+    }
+    return batch;
+}
+
+class RowSampling {
+  public:
+    RowSampling(const Scene& scene, const FacePairs& geometry, const FormFactorRequest& request, double alpha,
+                bool rays_are_exact_enough)
+        : request_(request),
+          rows_(pairs_to_sample(geometry)),
+          rounds_(scene, geometry, request, alpha, rays_are_exact_enough, rows_),
+          outcome_{PairEstimates(geometry)} {}
+
+    SamplingOutcome run() {
+        PairsOfRows own = rows_;
+        if (request_.earlier) {
+            request_.earlier([&](const SampledRow& row) {
+                take(row);
+                own.erase(row.row);
+            });
+        }
+        outcome_.left_out = own.size();
+        std::erase_if(own, [&](const auto& row) { return !is_own(row.first); });
+        const std::vector<SampledRow> received = while_others_send([&] {
+            while (!own.empty() && !outcome_.interrupted) {
+                const PairsOfRows batch = next_batch(own);
+                sample(batch, own.empty());
+            }
+        });
+        for (const SampledRow& row : received) {
+            take(row);
+            --outcome_.left_out;
+        }
+        return std::move(outcome_);
+    }
+
+  private:
+    const FormFactorRequest& request_;
+    const PairsOfRows rows_;
+    Rounds rounds_;
+    SamplingOutcome outcome_;
+
+    [[nodiscard]] bool is_own(std::size_t row) const {
+        return request_.shard.holds(row) && (row >= request_.finished.size() || !request_.finished[row]);
+    }
+
+    /// Does some work. @return rows of other processes, when all have come
+    template <class Work>
+    std::vector<SampledRow> while_others_send(Work work) const {
+        std::vector<SampledRow> received;
+        std::exception_ptr failure;
+        {
+            std::jthread listener;
+            if (request_.others) {
+                listener = std::jthread([&] {
+                    try {
+                        request_.others([&](SampledRow row) { received.push_back(std::move(row)); });
+                    } catch (...) {
+                        failure = std::current_exception();
+                    }
+                });
+            }
+            work();
+        }
+        if (failure) std::rethrow_exception(failure);
+        return received;
+    }
+
+    /// Of the budget it may take half of what is left: later rows need some as well.
+    void sample(const PairsOfRows& batch, bool is_last) {
+        const std::uint64_t left =
+            request_.max_samples > outcome_.samples ? request_.max_samples - outcome_.samples : 0;
+        const bool complete = rounds_.sample(batch, is_last ? left : left / 2);
+        for (const SampledRow& row : rounds_.result()) {
+            take(row);
+            if (!complete) continue;
+            --outcome_.left_out;
+            if (request_.keep) request_.keep(row);
+        }
+        outcome_.interrupted = !complete;
+    }
+
+    void take(const SampledRow& row) {
+        const auto found = rows_.find(row.row);
+        bool fits = found != rows_.end() && row.estimates.size() == found->second.size();
+        for (std::size_t k = 0; fits && k < row.estimates.size(); ++k) {
+            const auto& [pair, estimate] = row.estimates[k];
+            fits = pair == found->second[k];
+            if (fits) outcome_.estimates[pair] = estimate;
+        }
+        if (!fits) {
+            throw UserError(
+                fmt::format("row {} was sampled for another matrix (by another version of ffstudy?). Begin again in "
+                            "another folder.",
+                            row.row + 1));
+        }
+        outcome_.samples += row.samples;
+        outcome_.rays += row.rays;
+        outcome_.lost += row.lost;
+    }
+};
+
+}  // namespace
+
+PairEstimates::PairEstimates(const FacePairs& geometry) {
+    std::uint32_t sampled = 0;
+    for (const FacePair& pair : geometry.pairs) places_.push_back(pair.is_sampled() ? ++sampled : 0);
+    estimates_.resize(sampled + 1);
+}
+
+SamplingOutcome sample_pairs(const Scene& scene, const FacePairs& geometry, const FormFactorRequest& request,
+                             double alpha, bool rays_are_exact_enough) {
+    return RowSampling(scene, geometry, request, alpha, rays_are_exact_enough).run();
+}
+
+}  // namespace ff::studies

@@ -1,0 +1,39 @@
+#pragma once
+
+#include "studies/form_factors/sampled_share.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace ff::studies {
+
+/// What sampling found for a pair of faces.
+struct PairEstimate {
+    std::optional<SampledSum> sum;  ///< of the exchange area; empty where no round was completed, or none was needed
+    bool by_points = false;
+    double level = 0;           ///< of its interval
+    std::uint64_t samples = 0;  ///< behind it
+    bool contradicted = false;
+    Estimate other;  ///< of the independent randomisation that contradicts
+};
+
+/// What sampling found for the pairs of a row that are estimated from it, the smaller of their faces. It does not
+/// depend on other rows, so that processes can share rows out, and a run can be resumed.
+struct SampledRow {
+    std::uint32_t row = 0;                                          ///< its face
+    std::vector<std::pair<std::uint32_t, PairEstimate>> estimates;  ///< by the pair's place in FacePairs::pairs
+    std::uint64_t samples = 0;
+    std::uint64_t rays = 0;
+    std::uint64_t lost = 0;  ///< rays
+};
+
+/// As 64-bit words, for a file or another process of the same program.
+std::vector<std::uint64_t> to_words(const SampledRow& row);
+
+/// What `to_words` made these of; empty where it has not.
+std::optional<SampledRow> sampled_row(std::span<const std::uint64_t> words);
+
+}  // namespace ff::studies

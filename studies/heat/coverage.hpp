@@ -1,0 +1,26 @@
+#pragma once
+
+#include "studies/form_factors/coverage.hpp"
+#include "studies/selftest/measured_rate.hpp"
+
+#include <cstddef>
+
+namespace ff::studies {
+
+/// How often the limits of `find_heat_flows` contain known flows.
+struct FlowCoverage {
+    FormFactorCoverageOptions options;
+    RateTable flows;     ///< all powers and temperatures of a scene at once
+    RateTable narrower;  ///< the same with a tenth of the width, for comparison
+    double level = 0;    ///< of the interval of one rate, such that all hold together with 0.95 (Sidak)
+
+    [[nodiscard]] std::size_t contradictions() const;  ///< rates below the level
+};
+
+/// Computes the flows of each scene of the catalogue all of whose form factors are known, and some of which are
+/// sampled, with many seeds, and those of the cube, an annulus and a furnace (known_flows.hpp). Faces have different
+/// emissivities and temperatures; every third is adiabatic. Exact flows are those of the exact form factors; of the
+/// furnace limits have to hold the interval of its reference.
+FlowCoverage measure_flow_coverage(const FormFactorCoverageOptions& options);
+
+}  // namespace ff::studies

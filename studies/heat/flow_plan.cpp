@@ -1,0 +1,294 @@
+#include "studies/heat/flow_plan.hpp"
+
+#include <Eigen/IterativeLinearSolvers>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numeric>
+#include <utility>
+
+namespace ff::studies {
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+using Sparse = FormFactorMatrix::Sparse;
+
+VectorXd solve(const Sparse& system, const VectorXd& right) {
+    Eigen::BiCGSTAB<Sparse> solver;
+    constexpr double fine_enough = 1e-9;
+    solver.setTolerance(fine_enough);
+    solver.compute(system);
+    return solver.solve(right);
+}
+
+/// How powers change with exchange areas, near the mean factors of a matrix.
+class Sensitivity {
+  public:
+    Sensitivity(const Scene& scene, const FormFactorMatrix& matrix, const Materials& materials, double scale)
+        : matrix_(matrix), laws_(laws_of(materials)) {
+        const auto n = static_cast<Index>(matrix.faces());
+        Sparse factors = matrix.factors();
+        VectorXd out = VectorXd::Zero(n);
+        const VectorXd sums = factors * VectorXd::Ones(n);
+        if (may_see_out(scene))
+            out = (1 - sums.array()).max(0);
+        else
+            factors = sums.cwiseInverse().asDiagonal() * factors;
+        Sparse system(n, n);
+        system.setIdentity();
+        system -= Sparse(factors * laws_.reflected.asDiagonal());
+        system_ = system;
+        adjoint_ = system_.transpose();
+        const VectorXd irradiation = solve(system_, factors * laws_.emitted + laws_.surroundings * out);
+        radiosity_ = laws_.emitted + laws_.reflected.cwiseProduct(irradiation);
+        areas_ = Eigen::Map<const VectorXd>(matrix.areas.data(), n) * scale * scale;
+        power_ = areas_.cwiseProduct(radiosity_ - irradiation);
+        absorbing_ = areas_.cwiseProduct((1 - laws_.reflected.array()).matrix());
+        find_contrasts(may_see_out(scene));
+    }
+
+    [[nodiscard]] bool is_known() const { return radiosity_.allFinite(); }
+    [[nodiscard]] const VectorXd& absorbing() const { return absorbing_; }  ///< m²
+    [[nodiscard]] double throughput() const { return power_.cwiseMax(0).sum() + std::max(0.0, -power_.sum()); }
+
+    /// W: half widths of all powers. @param half_widths  of exchange areas
+    [[nodiscard]] VectorXd widths(const std::vector<double>& half_widths) const {
+        VectorXd of_rows = VectorXd::Zero(areas_.size());
+        for (std::size_t p = 0; p < half_widths.size(); ++p) {
+            const auto [from, to] = ends(p);
+            of_rows[from] += half_widths[p] * contrasts_[p].first;
+            if (from != to) of_rows[to] += half_widths[p] * contrasts_[p].second;
+        }
+        return absorbing_.cwiseProduct(solve(system_, of_rows));
+    }
+
+    /// Of each pair: W of all powers with these weights, for each unit of its half width.
+    [[nodiscard]] std::vector<double> importance(const VectorXd& weights) const {
+        const VectorXd of_rows = solve(adjoint_, weights.cwiseProduct(absorbing_));
+        std::vector<double> result;
+        for (std::size_t p = 0; p < contrasts_.size(); ++p) {
+            const auto [from, to] = ends(p);
+            const double one_way = of_rows[from] * contrasts_[p].first;
+            result.push_back(std::max(0.0, from == to ? one_way : one_way + of_rows[to] * contrasts_[p].second));
+        }
+        return result;
+    }
+
+  private:
+    const FormFactorMatrix& matrix_;
+    FaceLaws laws_;
+    Sparse system_;
+    Sparse adjoint_;
+    VectorXd radiosity_;
+    VectorXd areas_;
+    VectorXd power_;
+    VectorXd absorbing_;
+    std::vector<std::pair<double, double>> contrasts_;  ///< of each pair: irradiation of `from`, and of `to`, by area
+
+    [[nodiscard]] std::pair<Index, Index> ends(std::size_t p) const {
+        return {matrix_.exchanges[p].from, matrix_.exchanges[p].to};
+    }
+
+    /// What the errors of a row are weighed against: its radiosities' median, weighted by half widths.
+    [[nodiscard]] double median(const std::vector<std::uint32_t>& row, std::size_t face, bool sees_out) const {
+        std::vector<std::pair<double, double>> values;
+        for (const std::uint32_t p : row) {
+            const FaceExchange& pair = matrix_.exchanges[p];
+            const std::size_t other = pair.from == face ? pair.to : pair.from;
+            values.emplace_back(radiosity_[static_cast<Index>(other)], half_width(pair));
+        }
+        const RowSum& sum = matrix_.rows[face];
+        if (sees_out) values.emplace_back(laws_.surroundings, (sum.high - sum.low) / 2 * matrix_.areas[face]);
+        std::sort(values.begin(), values.end());
+        double all = 0;
+        for (const auto& value : values) all += value.second;
+        double below = 0;
+        for (const auto& value : values) {
+            below += value.second;
+            if (below >= all / 2) return value.first;
+        }
+        return 0;
+    }
+
+    void find_contrasts(bool sees_out) {
+        if (!is_known()) return;
+        const auto rows = by_face(matrix_.exchanges, matrix_.faces());
+        contrasts_.resize(matrix_.exchanges.size());
+        for (std::size_t face = 0; face < rows.size(); ++face) {
+            const double middle = median(rows[face], face, sees_out);
+            for (const std::uint32_t p : rows[face]) {
+                const FaceExchange& pair = matrix_.exchanges[p];
+                const auto contrast_to = [&](std::uint32_t other) {
+                    return std::abs(radiosity_[other] - middle) / matrix_.areas[face];
+                };
+                if (pair.from == face) contrasts_[p].first = contrast_to(pair.to);
+                if (pair.to == face) contrasts_[p].second = contrast_to(pair.from);
+            }
+        }
+    }
+};
+
+bool has_choice(const FaceExchange& pair) {
+    return pair.is_sampled() || pair.method == ExchangeMethod::bounds;
+}
+
+double smaller_area(const FormFactorMatrix& matrix, const FaceExchange& pair) {
+    return std::min(matrix.areas[pair.from], matrix.areas[pair.to]);
+}
+
+/// Pairs that are sampled at once: those of a face by the rays that leave it, others each by itself.
+struct Groups {
+    std::vector<std::size_t> of;  ///< of each pair its group
+    std::vector<double> samples;  ///< of each group
+
+    /// The largest value of each group. @param values  one for each pair
+    [[nodiscard]] std::vector<double> largest(const std::vector<double>& values) const {
+        std::vector<double> result(samples.size());
+        for (std::size_t p = 0; p < of.size(); ++p) result[of[p]] = std::max(result[of[p]], values[p]);
+        return result;
+    }
+};
+
+Groups groups_of(const FormFactorMatrix& matrix) {
+    constexpr double least = 1024;  // of pairs that were not sampled yet
+    Groups groups;
+    std::map<std::uint32_t, std::size_t> by_rays;
+    for (const FaceExchange& pair : matrix.exchanges) {
+        const std::uint32_t smaller = matrix.areas[pair.to] < matrix.areas[pair.from] ? pair.to : pair.from;
+        std::size_t group = groups.samples.size();
+        if (pair.method == ExchangeMethod::rays) group = by_rays.try_emplace(smaller, group).first->second;
+        if (group == groups.samples.size()) groups.samples.push_back(0);
+        groups.of.push_back(group);
+        groups.samples[group] =
+            std::max({groups.samples[group], has_choice(pair) ? least : 0, static_cast<double>(pair.samples)});
+    }
+    return groups;
+}
+
+/// Samples grow by this power of 1 / half width, found with one tolerance after the other: of points in the room with a
+/// block of docs/scenes.md, of rays in an annulus.
+double growth(const FaceExchange& pair) {
+    constexpr double of_points = 0.66;
+    constexpr double of_rays = 1.33;
+    return pair.method == ExchangeMethod::rays ? of_rays : of_points;
+}
+
+/// Half widths of exchange areas that minimise the samples for powers of these weights, up to a common factor.
+struct Allocation {
+    std::vector<double> shape;
+    std::vector<double> least, most;
+
+    [[nodiscard]] std::vector<double> at(double factor) const {
+        std::vector<double> result;
+        for (std::size_t p = 0; p < shape.size(); ++p)
+            result.push_back(std::clamp(factor * shape[p], least[p], std::max(least[p], most[p])));
+        return result;
+    }
+};
+
+/// Makes the widest power as wide as the target, or as near as the limits allow.
+std::vector<double> scaled(const Sensitivity& sensitivity, const Allocation& allocation, double target) {
+    constexpr int steps = 8;
+    double factor = 1;
+    std::vector<double> result = allocation.at(factor);
+    for (int i = 0; i < steps; ++i) {
+        const double width = sensitivity.widths(result).maxCoeff();
+        if (!(width > 0)) break;
+        factor *= target / width;
+        result = allocation.at(factor);
+    }
+    return result;
+}
+
+}  // namespace
+
+std::optional<std::vector<double>> plan_flows(const Scene& scene, const FormFactorMatrix& matrix,
+                                              const Materials& materials, double scale, const FlowTolerance& tolerance,
+                                              double floor) {
+    const Sensitivity sensitivity(scene, matrix, materials, scale);
+    if (!sensitivity.is_known()) return std::nullopt;
+    const double target = tolerance.power(sensitivity.throughput());
+    const Groups groups = groups_of(matrix);
+    const std::size_t pairs = matrix.exchanges.size();
+    Allocation allocation{std::vector<double>(pairs), std::vector<double>(pairs), std::vector<double>(pairs)};
+    for (std::size_t p = 0; p < pairs; ++p) {
+        const FaceExchange& pair = matrix.exchanges[p];
+        if (!has_choice(pair)) continue;
+        allocation.most[p] = half_width(pair);
+        allocation.least[p] = floor * smaller_area(matrix, pair);
+    }
+    VectorXd weights = VectorXd::Ones(sensitivity.absorbing().size());
+    std::vector<double> best;
+    double least_cost = std::numeric_limits<double>::infinity();
+    constexpr int rounds = 8;
+    for (int i = 0; i < rounds; ++i) {
+        const std::vector<double> importance = sensitivity.importance(weights);
+        std::vector<double> widths_now(groups.samples.size());  // that each group adds to the weighted powers
+        for (std::size_t p = 0; p < pairs; ++p) widths_now[groups.of[p]] += importance[p] * allocation.most[p];
+        for (std::size_t p = 0; p < pairs; ++p) {
+            const std::size_t group = groups.of[p];
+            const double share = widths_now[group] > 0 ? std::sqrt(groups.samples[group] / widths_now[group]) : 1;
+            allocation.shape[p] = share * allocation.most[p];
+        }
+        const std::vector<double> half_widths = scaled(sensitivity, allocation, target);
+        std::vector<double> growths(pairs);
+        for (std::size_t p = 0; p < pairs; ++p) {
+            if (half_widths[p] > 0) growths[p] = allocation.most[p] / half_widths[p];
+        }
+        const std::vector<double> growth_of_group = groups.largest(growths);
+        const double cost =
+            std::inner_product(groups.samples.begin(), groups.samples.end(), growth_of_group.begin(), 0.);
+        if (cost < least_cost) {
+            least_cost = cost;
+            best = half_widths;
+        }
+        const VectorXd widths = sensitivity.widths(half_widths);
+        if (!(widths.maxCoeff() > 0)) break;
+        weights = weights.cwiseProduct(widths / widths.maxCoeff());
+    }
+    if (best.empty()) return std::nullopt;
+    for (std::size_t p = 0; p < pairs; ++p) best[p] /= smaller_area(matrix, matrix.exchanges[p]);
+    // Rays for the widest pair of a face make the others as narrow as they have to be; asked for each, chance would
+    // have the pair decide whose pilot was the narrowest.
+    const std::vector<double> of_group = groups.largest(best);
+    for (std::size_t p = 0; p < pairs; ++p) best[p] = of_group[groups.of[p]];
+    return best;
+}
+
+std::optional<double> even_samples(const Scene& scene, const FormFactorMatrix& matrix, const FormFactorMatrix& first,
+                                   const Materials& materials, double scale) {
+    const Sensitivity sensitivity(scene, matrix, materials, scale);
+    if (!sensitivity.is_known()) return std::nullopt;
+    std::vector<double> now;
+    std::vector<double> even;  // with a tolerance of 1
+    for (const FaceExchange& pair : matrix.exchanges) {
+        if (pair.by_rays_of_row) return std::nullopt;  // points take over where more is wanted
+        now.push_back(has_choice(pair) ? half_width(pair) : 0);
+        even.push_back(has_choice(pair) ? smaller_area(matrix, pair) : 0);
+    }
+    const double tolerance = sensitivity.widths(now).maxCoeff() / sensitivity.widths(even).maxCoeff();
+    std::vector<double> growths(now.size());
+    std::vector<double> least(now.size());
+    for (std::size_t p = 0; p < now.size(); ++p) {
+        if (now[p] > 0) growths[p] = std::pow(now[p] / (tolerance * even[p]), growth(matrix.exchanges[p]));
+        least[p] = static_cast<double>(first.exchanges[p].samples);
+    }
+    const Groups groups = groups_of(matrix);
+    const std::vector<double> growth_of_group = groups.largest(growths);
+    const std::vector<double> least_of_group = groups.largest(least);
+    double spent = 0;
+    double needed = 0;
+    for (std::size_t g = 0; g < groups.samples.size(); ++g) {
+        const double samples = groups.samples[g];
+        spent += samples;
+        needed += std::max(samples * growth_of_group[g], std::min(samples, least_of_group[g]));
+    }
+    if (!(spent > 0) || !std::isfinite(needed)) return std::nullopt;
+    // Pilots are in proportion.
+    return static_cast<double>(matrix.samples) * needed / spent;
+}
+
+}  // namespace ff::studies

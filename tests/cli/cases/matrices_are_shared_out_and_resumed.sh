@@ -1,0 +1,97 @@
+#!/usr/bin/env bash
+# A matrix of many faces: shards and killed runs come to the bytes of one run.
+source "$(dirname "$0")/../harness.sh"
+
+# Two walls of six by six tiles, every tile a face of its own, and a plate between them.
+awk 'function quad(x0, x1, y0, y1, z) {
+    printf "v %g %g %g\nv %g %g %g\nv %g %g %g\nv %g %g %g\ng f%d\n", x0, y0, z, x1, y0, z, x1, y1, z, x0, y1, z, ++faces
+    print z < 1 ? "f -4 -3 -2 -1" : "f -4 -1 -2 -3"
+}
+BEGIN {
+    for (i = 0; i < 6; ++i) for (j = 0; j < 6; ++j) { quad(i, i + 1, j, j + 1, 0); quad(i, i + 1, j, j + 1, 4) }
+    quad(2.2, 3.7, 1.9, 4.4, 2)
+}' >"$folder/tiles.obj"
+options=("$folder/tiles.obj" --tolerance 2e-5)
+
+expect_same_matrix() {
+    local file
+    [ "$(ls "$1")" = "$(ls "$2")" ] || fail "expected the same files in $1 and $2"
+    for file in form_factors.json matrix.csv form_factors.npz half_widths.npz areas.npy; do
+        expect_equal_files "$1/$file" "$2/$file"
+    done
+}
+
+ffstudy form_factors "${options[@]}" --out whole
+expect_status 0
+[ ! -e whole/rows.sqlite ] || fail "expected the rows to be gone when the matrix is whole"
+
+for i in 1 2 3; do
+    ffstudy form_factors "${options[@]}" --shard $i/3 --threads $i --out part$i
+    expect_status 0
+    expect_stdout "shard $i/3 is complete: part$i/rows.sqlite"
+    [ "$(ls part$i)" = rows.sqlite ] || fail "expected a shard to leave its rows only"
+done
+ffstudy merge part3 part1/rows.sqlite --out merged
+expect_status 4
+expect_stderr "rows of the matrix are missing. Merge again with the shards that hold them"
+ffstudy merge part3 part1/rows.sqlite part2 part1 --out merged
+expect_status 0
+expect_no_stderr
+expect_same_matrix whole merged
+
+# Shards that follow each other in one folder are a whole run.
+for i in 2 3 1; do ffstudy form_factors "${options[@]}" --shard $i/3 --out together; done
+expect_same_matrix whole together
+
+# Killed again and again, and stopped by limits.
+RANDOM=5
+rounds=0
+until [ -e killed/areas.npy ]; do
+    "$program" form_factors "${options[@]}" --threads 1 --out killed >/dev/null 2>"$folder/stderr" </dev/null &
+    process=$!
+    sleep "0.$((RANDOM % 10))"
+    kill -9 $process 2>/dev/null || true
+    wait $process 2>/dev/null || true
+    [ $((++rounds)) -lt 8 ] || break
+done
+ffstudy form_factors "${options[@]}" --max-memory 1M --out killed
+[ "$status" -eq 130 ] || [ -e killed/areas.npy ] || fail "expected the limit of memory to stop the run"
+ffstudy form_factors "${options[@]}" --out killed
+expect_status 0
+expect_same_matrix whole killed
+
+# Rows of another matrix are not taken, nor damaged ones.
+ffstudy form_factors "$folder/tiles.obj" --tolerance 3e-5 --out part1
+expect_status 2
+expect_stderr "rows of another matrix (its tolerance is "
+ffstudy merge part1 part2 part3 --out part1
+expect_status 2
+expect_stderr "one of the shards lies there"
+cp -r part1 damaged
+printf 'XXXXXXXX' | dd of=damaged/rows.sqlite bs=1 seek=$(($(stat -c %s damaged/rows.sqlite) - 60)) conv=notrunc 2>/dev/null
+ffstudy merge damaged part2 part3 --out from_damaged
+expect_status 3
+expect_stderr "damaged"
+
+ffstudy form_factors "${options[@]}" --dry-run
+expect_status 0
+expect_stdout "73 faces of "
+expect_stdout "of processor time"
+expect_no_stderr
+ffstudy form_factors "${options[@]}" --shard 1/2
+expect_status 2
+expect_stderr "--shard"
+
+# Pairs with small factors are summed up, not listed.
+ffstudy form_factors "${options[@]}" --drop 0.01 --out dropped
+expect_status 0
+expect_stdout "both factors are below 0.01"
+expect_stdout "Dropped of a row is at most "
+expect_in_file dropped/form_factors.json '"dropped_high": '
+expect_in_file dropped/form_factors.json '"leaves_low": '
+cp "$folder/stdout" "$folder/text"
+ffstudy form_factors --load dropped
+expect_equal_files "$folder/text" "$folder/stdout"
+ffstudy form_factors --load dropped --repair
+expect_status 2
+expect_stderr "--repair: the matrix was made with --drop 0.01"

@@ -1,0 +1,100 @@
+#!/usr/bin/env bash
+# STL, PLY, OFF and glTF are scenes: a room in each has the exact factors of the box.
+source "$(dirname "$0")/../harness.sh"
+
+/usr/bin/python3 - <<'PYTHON'
+import base64, json, struct
+size = (4, 3, 2.5)
+corners = [(x, y, z) for z in (0, 1) for x, y in ((0, 0), (1, 0), (1, 1), (0, 1))]
+places = [tuple(a * b for a, b in zip(corner, size)) for corner in corners]
+walls = {"floor": (0, 1, 2, 3), "roof": (4, 7, 6, 5), "south": (0, 4, 5, 1), "east": (1, 5, 6, 2),
+         "north": (2, 6, 7, 3), "west": (3, 7, 4, 0)}
+triangles = {name: [q[:3], (q[0], q[2], q[3])] for name, q in walls.items()}
+with open("room.stl", "w") as file:
+    for name, two in triangles.items():
+        facets = "".join("facet normal 0 0 0\nouter loop\n" + "".join("vertex %g %g %g\n" % places[i] for i in t) +
+                         "endloop\nendfacet\n" for t in two)
+        file.write(f"solid {name}\n{facets}endsolid {name}\n")
+with open("binary.stl", "wb") as file:
+    every = [t for two in triangles.values() for t in two]
+    file.write(bytes(80) + struct.pack("<I", len(every)))
+    for t in every:
+        file.write(bytes(12) + b"".join(struct.pack("<3f", *places[i]) for i in t) + bytes(2))
+listed = "".join("%g %g %g\n" % p for p in places) + "".join("4 %d %d %d %d\n" % q for q in walls.values())
+open("room.off", "w").write("OFF\n8 6 0\n" + listed)
+open("room.ply", "w").write("ply\nformat ascii 1.0\nelement vertex 8\n" +
+                            "".join(f"property float {c}\n" for c in "xyz") +
+                            "element face 6\nproperty list uchar int vertex_indices\nend_header\n" + listed)
+# A node for each wall of a unit cube, whose scale makes it the room; one is mirrored, with its corners turned round.
+data, views, accessors, meshes, nodes = b"", [], [], [], []
+for name, quad in walls.items():
+    scale = [-s if name == "east" and k == 1 else s for k, s in enumerate(size)]
+    points = [[p / s for p, s in zip(places[i], scale)] for i in quad]
+    order = (0, 2, 1, 0, 3, 2) if name == "east" else (0, 1, 2, 0, 2, 3)
+    for bytes_, kind, count, type_ in ((b"".join(struct.pack("<3f", *p) for p in points), 5126, 4, "VEC3"),
+                                       (struct.pack("<6H", *order), 5123, 6, "SCALAR")):
+        views.append({"buffer": 0, "byteOffset": len(data), "byteLength": len(bytes_)})
+        accessors.append({"bufferView": len(views) - 1, "componentType": kind, "count": count, "type": type_})
+        data += bytes_
+    accessors[-2] |= {"min": [min(c) for c in zip(*points)], "max": [max(c) for c in zip(*points)]}
+    meshes.append({"primitives": [{"attributes": {"POSITION": len(accessors) - 2}, "indices": len(accessors) - 1,
+                                   "material": 0 if name in ("floor", "roof") else 1}]})
+    nodes.append({"name": name, "mesh": len(meshes) - 1, "scale": scale})
+json.dump({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": list(range(6))}], "nodes": nodes,
+           "meshes": meshes, "materials": [{"name": "red brick"}, {"name": "steel"}], "accessors": accessors,
+           "bufferViews": views, "buffers": [{"byteLength": len(data), "uri": "data:application/octet-stream;base64," +
+                                              base64.b64encode(data).decode()}]}, open("room.gltf", "w"))
+PYTHON
+
+ffstudy form_factors box:4x3x2.5 --out box --quiet
+expect_status 0
+# expect_box FOLDER: the factors are those of the box, whose faces are in another order.
+expect_box() {
+    /usr/bin/python3 - "$1" <<'PYTHON' || fail "expected the factors of the box in $1"
+import numpy, sys
+order = [0, 5, 1, 3, 2, 4]  # of the box, as floor, roof, south, east, north, west; opposite walls are alike
+assert abs(numpy.load("box/areas.npy")[order] - numpy.load(f"{sys.argv[1]}/areas.npy")).max() < 1e-12
+found = numpy.load(f"{sys.argv[1]}/form_factors.npy")
+assert abs(found - numpy.load("box/form_factors.npy")[numpy.ix_(order, order)]).max() < 1e-12, found
+PYTHON
+}
+for file in room.stl room.gltf; do
+    ffstudy form_factors $file --closed --out of_$file
+    expect_status 0
+    expect_stdout "F from           to floor            to roof           to south            to east"
+    expect_box of_$file
+done
+ffstudy form_factors binary.stl --closed
+expect_status 0
+expect_stdout "1 face of 12 surfaces, joined to 6"
+for file in room.ply room.off; do
+    ffstudy form_factors $file --closed --faces polygon --out of_$file
+    expect_status 0
+    expect_box of_$file
+done
+
+# Materials are faces, and names in a materials file; the store needs the mesh no longer.
+ffstudy form_factors room.gltf --closed --faces material --out materials
+expect_status 0
+expect_stdout "red_brick"
+printf '[materials]\nred_brick = { emissivity = 0.9, temperature = 300 }\nsteel = { emissivity = 0.3, temperature = 400 }\n' >m.toml
+ffstudy heat room.gltf --closed --materials m.toml
+expect_status 0
+expect_stdout "floor"
+rm room.gltf
+ffstudy form_factors --load materials
+expect_status 0
+
+# A study has meshes, too.
+mv room.stl "$folder" && rm -r ./*
+ffstudy explain "$folder/room.stl"
+expect_status 0
+expect_stdout "roof: area 12"
+
+echo "solid nothing" >"$folder/bad.stl"
+ffstudy form_factors "$folder/bad.stl" --out out
+expect_refused 2 "cannot be read as a mesh"
+ffstudy form_factors missing.glb --out out
+expect_refused 3 "missing.glb: cannot be read (No such file or directory)"
+ffstudy form_factors cube --faces material
+expect_refused 2 "neither an OBJ file nor a mesh"

@@ -1,0 +1,97 @@
+#include "core/visibility/convex_bodies.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+
+#include <array>
+#include <vector>
+
+namespace ff {
+namespace {
+
+using Eigen::Vector3d;
+
+Surface side(const Vector3d& corner, const Vector3d& u, const Vector3d& v) {
+    return {Parallelogram{corner, u, v}, u.cross(v).normalized(), no_face};
+}
+
+/// The unit cube, radiating outwards: floor, roof, and the four walls.
+std::vector<Surface> cube() {
+    const Vector3d x(1, 0, 0);
+    const Vector3d y(0, 1, 0);
+    const Vector3d z(0, 0, 1);
+    const Vector3d o = Vector3d::Zero();
+    return {side(o, y, x), side(z, x, y), side(o, z, y), side(x, y, z), side(o, x, z), side(y, z, x)};
+}
+
+std::vector<Vector3d> square_at(double height, double size) {
+    return {{-size, -size, height}, {size, -size, height}, {size, size, height}, {-size, size, height}};
+}
+
+constexpr std::size_t roof = 1;
+constexpr std::size_t wall = 3;  // x = 1
+
+TEST(ConvexBodies, AreClosedOrLackOneSide) {
+    std::vector<Surface> sides = cube();
+    for (std::size_t k = 0; k < sides.size(); ++k) EXPECT_EQ(ConvexBodies(sides).of(k), 0u);
+    sides.erase(sides.begin());
+    for (std::size_t k = 0; k < sides.size(); ++k) EXPECT_EQ(ConvexBodies(sides).of(k), 0u) << "without a floor";
+    sides.pop_back();
+    for (std::size_t k = 0; k < sides.size(); ++k) EXPECT_FALSE(ConvexBodies(sides).of(k)) << "without a wall too";
+}
+
+TEST(ConvexBodies, ExcludeBodiesThatRadiateInwards) {
+    std::vector<Surface> sides = cube();
+    for (Surface& surface : sides) surface.normal *= -1;
+    for (std::size_t k = 0; k < sides.size(); ++k) EXPECT_FALSE(ConvexBodies(sides).of(k));
+}
+
+TEST(ConvexBodies, StandOnAFloorThatIsNoSideOfThem) {
+    std::vector<Surface> sides = cube();
+    sides.erase(sides.begin());
+    sides.push_back(side({1, 0, 0}, {1, 0, 0}, {0, 1, 0}));  // shares an edge with the wall
+    const ConvexBodies bodies(sides);
+    EXPECT_EQ(bodies.of(0), 0u);
+    EXPECT_FALSE(bodies.of(sides.size() - 1));
+}
+
+TEST(ConvexBodies, AreLookedAtFromTheirNearSides) {
+    const ConvexBodies bodies(cube());
+    const std::vector<Vector3d> above = square_at(3, 0.1);
+    EXPECT_FALSE(bodies.is_met_before(roof, above));
+    EXPECT_TRUE(bodies.is_met_before(0, above)) << "the floor, after the roof or a wall";
+    EXPECT_FALSE(bodies.is_met_before(0, square_at(0.5, 0.1))) << "half of that square is inside";
+    EXPECT_FALSE(bodies.is_met_before(0, square_at(1, 0.1))) << "a lamp below the roof, which is at its back";
+}
+
+TEST(ConvexBodies, AreEnteredWhereASideIsMissing) {
+    std::vector<Surface> sides = cube();
+    sides.erase(sides.begin());
+    const ConvexBodies bodies(sides);
+    const std::vector<Vector3d> below = square_at(-1, 0.1);
+    EXPECT_FALSE(bodies.is_met_before(roof - 1, below)) << "nothing stands before the roof there";
+    const std::vector<Vector3d> beside = {{3, 0, 0.1}, {3, 1, 0.1}, {3, 1, 0.9}, {3, 0, 0.9}};
+    EXPECT_TRUE(bodies.is_met_before(1, beside)) << "the far wall, after the near one";
+    EXPECT_FALSE(bodies.is_met_before(wall - 1, beside));
+}
+
+TEST(ConvexBodies, HideWhatNoneOfTheirSidesHidesAlone) {
+    const ConvexBodies bodies(cube());
+    // Diagonal lines between upright squares enter by either of two walls.
+    const auto upright = [](double sign) {
+        const Vector3d middle(0.5 + sign, 0.5 + sign, 0.5);
+        const Vector3d across(0.1, -0.1, 0);
+        const Vector3d up(0, 0, 0.1);
+        return std::vector<Vector3d>{middle - across - up, middle + across - up, middle + across + up,
+                                     middle - across + up};
+    };
+    EXPECT_TRUE(bodies.hides_all(0, upright(-1), upright(1)));
+    EXPECT_FALSE(bodies.hides_all(0, square_at(3, 0.1), square_at(2, 0.1))) << "both are above it";
+    std::vector<Vector3d> higher = upright(1);
+    for (Vector3d& corner : higher) corner.z() += 3;
+    EXPECT_FALSE(bodies.hides_all(0, upright(-1), higher)) << "some lines pass over it";
+}
+
+}  // namespace
+}  // namespace ff
