@@ -11,7 +11,7 @@ namespace {
 
 /// The most digits of which all values fit 32 bits; more are drawn, not computed.
 template <std::uint32_t base>
-constexpr std::size_t max_digits = [] {
+constexpr std::size_t max_computed_digits = [] {
     std::size_t digits = 0;
     for (std::uint64_t size = base; size < max_points; size *= base) ++digits;
     return digits;
@@ -42,7 +42,7 @@ std::uint32_t permute(std::uint32_t digit, std::uint32_t word) {
 /// The first digits, scrambled, as one integer. The nodes of the tree are numbered as in faure.cpp: the root is 0, the
 /// children of n are base * n + 1 and following.
 template <std::uint32_t base>
-std::uint32_t scramble(const FaureDigits& digits, std::size_t count, const NodeKey& key) {
+std::uint32_t scramble_digits(const FaureDigits& digits, std::size_t count, const NodeKey& key) {
     std::uint32_t value = 0;
     std::uint32_t node = 0;
     for (std::size_t j = 0; j < count; ++j) {
@@ -56,7 +56,7 @@ std::uint32_t scramble(const FaureDigits& digits, std::size_t count, const NodeK
 
 template <std::uint32_t base>
 FaureInBase<base>::FaureInBase(const PointSetSpec& spec)
-    : digits_(std::min<std::size_t>(count_digits(spec.points, base), max_digits<base>)) {}
+    : digits_(std::min<std::size_t>(count_digits(spec.points, base), max_computed_digits<base>)) {}
 
 template <std::uint32_t base>
 void FaureInBase<base>::fill(const Stream& stream, PointIndex first, PointBlock& block) const {
@@ -76,7 +76,7 @@ void FaureInBase<base>::fill(const Stream& stream, PointIndex first, PointBlock&
                 digits[0] = digits[0] + 1 == base ? 0 : digits[0] + 1;
             }
             std::uint32_t& x = block.coordinate[d][i];
-            x = place_in_cell(scramble<base>(digits, digits_, key), width, x);
+            x = place_in_cell(scramble_digits<base>(digits, digits_, key), width, x);
         }
     }
 }

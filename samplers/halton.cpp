@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::array<std::uint32_t, max_dimension> bases{2, 3, 5, 7};
 constexpr std::uint32_t max_base = 7;
-constexpr std::uint32_t max_digits = 32;  // of a 32-bit index, in base 2
+constexpr std::uint32_t max_index_digits = 32;  // of a 32-bit index, in base 2
 
 /// What each digit, permuted, adds to the coordinate times 2^64.
 using DigitValues = std::array<std::uint64_t, max_base>;
@@ -59,7 +59,7 @@ class RadicalInverse {
     }
 
   private:
-    static constexpr std::uint32_t tail_block = max_digits / 4;
+    static constexpr std::uint32_t tail_block = max_index_digits / 4;
 
     static std::uint32_t block_index(std::size_t d, std::uint32_t block) {
         return static_cast<std::uint32_t>(d) * 16 + block;
@@ -81,9 +81,10 @@ class RadicalInverse {
 
     std::uint32_t base_;
     std::uint32_t digits_;
-    std::array<DigitValues, max_digits> values_;
-    std::array<std::uint32_t, max_digits> digit_{};
-    std::array<std::uint64_t, max_digits + 1> sum_from_{};  ///< of digits j and higher, the endless zeros included
+    std::array<DigitValues, max_index_digits> values_;
+    std::array<std::uint32_t, max_index_digits> digit_{};
+    std::array<std::uint64_t, max_index_digits + 1>
+        sum_from_{};  ///< of digits j and higher, the endless zeros included
 };
 
 }  // namespace

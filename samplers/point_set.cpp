@@ -26,7 +26,7 @@ ByteTables draw_matrix(const Stream& stream, std::size_t d) {
     return sums;
 }
 
-std::uint32_t multiply(const ByteTables& sums, std::uint32_t x) {
+std::uint32_t multiply_by_bytes(const ByteTables& sums, std::uint32_t x) {
     return sums[0][x & 255u] ^ sums[1][x >> 8 & 255u] ^ sums[2][x >> 16 & 255u] ^ sums[3][x >> 24];
 }
 
@@ -89,7 +89,7 @@ void randomise(Randomisation how, const Stream& stream, std::size_t d, std::span
         case Randomisation::lms: {
             const ByteTables matrix = draw_matrix(stream, d);
             const std::uint32_t shift = word(32);
-            for (std::uint32_t& x : row) x = multiply(matrix, x) ^ shift;
+            for (std::uint32_t& x : row) x = multiply_by_bytes(matrix, x) ^ shift;
             return;
         }
         case Randomisation::owen: {

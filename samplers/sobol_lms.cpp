@@ -21,7 +21,7 @@ Matrices draw_matrices(const Stream& stream, std::uint32_t columns) {
     return matrices;
 }
 
-std::uint32_t multiply(const Matrices& matrices, std::size_t d, std::uint32_t digits) {
+std::uint32_t multiply_by_columns(const Matrices& matrices, std::size_t d, std::uint32_t digits) {
     std::uint32_t product = 0;
     for (; digits != 0; digits &= ~(0x80000000u >> std::countl_zero(digits))) {
         product ^= matrices[static_cast<std::size_t>(std::countl_zero(digits))][d];
@@ -40,7 +40,7 @@ void SobolLms::fill(const Stream& stream, PointIndex first, PointBlock& block) c
         std::array<std::uint32_t, 33> step{};  // from a point to the next, by the number of trailing ones of its index
         std::uint32_t sum = 0;
         for (std::size_t j = 0; j < bits; ++j) {
-            const std::uint32_t direction = multiply(matrices, d, sobol_directions[d][j]);
+            const std::uint32_t direction = multiply_by_columns(matrices, d, sobol_directions[d][j]);
             if ((first >> j & 1u) != 0) x ^= direction;
             step[j] = sum ^= direction;
         }

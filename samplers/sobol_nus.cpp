@@ -5,7 +5,7 @@
 namespace ff::samplers {
 namespace {
 
-std::uint32_t scramble(std::uint32_t coordinate, const Stream& stream, std::size_t dimension) {
+std::uint32_t scramble_coordinate(std::uint32_t coordinate, const Stream& stream, std::size_t dimension) {
     std::uint32_t result = 0;
     for (unsigned depth = 0; depth < 32; ++depth) {
         // A leading 1 before the digits above makes the number of a node unique over all depths.
@@ -22,7 +22,8 @@ std::uint32_t scramble(std::uint32_t coordinate, const Stream& stream, std::size
 void SobolNus::fill(const Stream& stream, PointIndex first, PointBlock& block) const {
     for (std::size_t d = 0; d < block.dimension; ++d) {
         for (std::size_t i = 0; i < block.size; ++i) {
-            block.coordinate[d][i] = scramble(sobol_coordinate(static_cast<std::uint32_t>(first + i), d), stream, d);
+            block.coordinate[d][i] =
+                scramble_coordinate(sobol_coordinate(static_cast<std::uint32_t>(first + i), d), stream, d);
         }
     }
 }

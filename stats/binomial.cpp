@@ -14,7 +14,7 @@ namespace {
 
 using Binomial = boost::math::binomial;
 
-void expect_valid(Proportion counts) {
+void expect_valid_counts(Proportion counts) {
     FF_EXPECT(counts.trials >= 1 && counts.hits <= counts.trials);
 }
 
@@ -61,7 +61,7 @@ double upper_bound(Proportion counts, double tail) {
 }  // namespace
 
 Interval clopper_pearson_interval(Proportion counts, double level) {
-    expect_valid(counts);
+    expect_valid_counts(counts);
     FF_EXPECT(0 < level && level < 1);
     const double tail = (1 - level) / 2;
     const double low = lower_bound(counts, tail);
@@ -70,7 +70,7 @@ Interval clopper_pearson_interval(Proportion counts, double level) {
 }
 
 Interval wilson_interval(Proportion counts, double level) {
-    expect_valid(counts);
+    expect_valid_counts(counts);
     const double n = static_cast<double>(counts.trials);
     const double p = share(counts);
     const double z = normal_critical((1 - level) / 2);
@@ -84,14 +84,14 @@ Interval wilson_interval(Proportion counts, double level) {
 }
 
 Interval wald_interval(Proportion counts, double level) {
-    expect_valid(counts);
+    expect_valid_counts(counts);
     const double p = share(counts);
     const double half = normal_critical((1 - level) / 2) * std::sqrt(p * (1 - p) / static_cast<double>(counts.trials));
     return interval(p - half, p + half, level, "wald", counts);
 }
 
 double binomial_upper_p(Proportion counts, double probability) {
-    expect_valid(counts);
+    expect_valid_counts(counts);
     FF_EXPECT(0 <= probability && probability <= 1);
     if (counts.hits == 0) return 1;
     const Binomial law(static_cast<double>(counts.trials), probability);
@@ -99,14 +99,14 @@ double binomial_upper_p(Proportion counts, double probability) {
 }
 
 double binomial_lower_p(Proportion counts, double probability) {
-    expect_valid(counts);
+    expect_valid_counts(counts);
     FF_EXPECT(0 <= probability && probability <= 1);
     const Binomial law(static_cast<double>(counts.trials), probability);
     return cdf(law, static_cast<double>(counts.hits));
 }
 
 double binomial_two_sided_p(Proportion counts, double probability) {
-    expect_valid(counts);
+    expect_valid_counts(counts);
     FF_EXPECT(0 <= probability && probability <= 1);
     if (probability == 0 || probability == 1) return share(counts) == probability ? 1 : 0;
 

@@ -24,7 +24,7 @@ struct Cell {
 };
 
 /// Merges ascending cells until each expects at least `least`.
-std::vector<Cell> pool(std::vector<Cell> cells, double least) {
+std::vector<Cell> pool_smallest(std::vector<Cell> cells, double least) {
     std::sort(cells.begin(), cells.end(), [](const Cell& a, const Cell& b) { return a.expected < b.expected; });
     std::vector<Cell> pooled;
     Cell open;
@@ -98,7 +98,7 @@ std::optional<GoodnessOfFit> test_goodness_of_fit(std::span<const std::uint64_t>
         if (probabilities[i] > 0) cells.push_back({total * probabilities[i], static_cast<double>(counts[i])});
         test.impossible = test.impossible || (probabilities[i] == 0 && counts[i] > 0);
     }
-    cells = pool(std::move(cells), least_expected);
+    cells = pool_smallest(std::move(cells), least_expected);
     test.cells = cells.size();
     if (test.impossible) {
         test.chi_squared = {.statistic = std::numeric_limits<double>::infinity(),

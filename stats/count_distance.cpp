@@ -20,7 +20,8 @@ struct Cells {
 
 /// From the first cell on, each takes its successors until enough are expected; what remains joins the last.
 template <class Expected>
-Cells pool(std::span<const double> first, std::span<const double> second, const Expected& expected, double least) {
+Cells pool_neighbours(std::span<const double> first, std::span<const double> second, const Expected& expected,
+                      double least) {
     Cells cells;
     double a = 0;
     double b = 0;
@@ -107,7 +108,7 @@ std::optional<CountDistance> count_distance(std::span<const double> counts, std:
     for (std::size_t i = 0; i < counts.size(); ++i) found.impossible |= counts[i] > 0 && shares[i] == 0;
     std::vector<double> expected(shares.begin(), shares.end());
     for (double& value : expected) value *= found.draws;
-    const Cells cells = pool(
+    const Cells cells = pool_neighbours(
         counts, expected, [](double, double e) { return e; }, least_expected);
     if (cells.first.size() < 2) return std::nullopt;
     const LogRatios ratios = log_ratios(cells.first, cells.second);
@@ -124,7 +125,7 @@ std::optional<CountDistance> count_distance_of_two(std::span<const double> first
     const double n = sum_of(first);
     const double m = sum_of(second);
     if (n == 0 || m == 0) return std::nullopt;
-    const Cells cells = pool(
+    const Cells cells = pool_neighbours(
         first, second, [&](double a, double b) { return (a + b) * std::min(n, m) / (n + m); }, least_expected);
     if (cells.first.size() < 2) return std::nullopt;
     std::vector<double> of_first(cells.first.size());

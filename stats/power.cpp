@@ -64,7 +64,7 @@ std::size_t least_trials(const Predicate& enough) {
 }
 
 /// Bias in standard errors of the mean.
-double standardise(double bias, double sigma, std::size_t trials) {
+double in_standard_errors(double bias, double sigma, std::size_t trials) {
     return bias * std::sqrt(static_cast<double>(trials)) / sigma;
 }
 
@@ -87,7 +87,7 @@ double power_for_each(double power, std::size_t pairs) {
     return 1 - (1 - power) / static_cast<double>(pairs);
 }
 
-void expect_valid([[maybe_unused]] Risks risks) {
+void expect_valid_risks([[maybe_unused]] Risks risks) {
     FF_EXPECT(0 < risks.alpha && risks.alpha < risks.power && risks.power <= 1 - 1e-9);
 }
 
@@ -96,12 +96,13 @@ void expect_valid([[maybe_unused]] Risks risks) {
 double bias_test_power(double bias, double sigma, std::size_t trials, double alpha) {
     FF_EXPECT(sigma > 0 && trials >= 2);
     const double freedom = static_cast<double>(trials - 1);
-    return rejection_probability(standardise(bias, sigma, trials), freedom, student_critical(freedom, alpha / 2));
+    return rejection_probability(in_standard_errors(bias, sigma, trials), freedom,
+                                 student_critical(freedom, alpha / 2));
 }
 
 double minimum_detectable_bias(double sigma, std::size_t trials, Risks risks) {
     FF_EXPECT(sigma >= 0 && trials >= 2);
-    expect_valid(risks);
+    expect_valid_risks(risks);
     const double freedom = static_cast<double>(trials - 1);
     const double critical = student_critical(freedom, risks.alpha / 2);
     const double shift = reach(risks.power, [&](double x) { return rejection_probability(x, freedom, critical); });
@@ -111,13 +112,13 @@ double minimum_detectable_bias(double sigma, std::size_t trials, Risks risks) {
 double equivalence_power(double margin, double bias, double sigma, std::size_t trials, double alpha) {
     FF_EXPECT(margin > 0 && sigma > 0 && trials >= 2 && alpha < 0.5);
     const double freedom = static_cast<double>(trials - 1);
-    return acceptance_probability(standardise(margin, sigma, trials), standardise(bias, sigma, trials), freedom,
-                                  student_critical(freedom, alpha));
+    return acceptance_probability(in_standard_errors(margin, sigma, trials), in_standard_errors(bias, sigma, trials),
+                                  freedom, student_critical(freedom, alpha));
 }
 
 double equivalence_margin(double sigma, std::size_t trials, Risks risks, std::size_t pairs) {
     FF_EXPECT(sigma >= 0 && trials >= 2 && pairs >= 1 && risks.alpha < 0.5);
-    expect_valid(risks);
+    expect_valid_risks(risks);
     const double freedom = static_cast<double>(trials - 1);
     const double critical = student_critical(freedom, risks.alpha);
     const double margin = reach(power_for_each(risks.power, pairs),
@@ -127,7 +128,7 @@ double equivalence_margin(double sigma, std::size_t trials, Risks risks, std::si
 
 std::size_t trials_for_equivalence(double margin, double sigma, Risks risks, std::size_t pairs) {
     FF_EXPECT(margin > 0 && pairs >= 1);
-    expect_valid(risks);
+    expect_valid_risks(risks);
     const double power = power_for_each(risks.power, pairs);
     return least_trials(
         [&](std::size_t trials) { return equivalence_power(margin, 0, sigma, trials, risks.alpha) >= power; });
@@ -135,7 +136,7 @@ std::size_t trials_for_equivalence(double margin, double sigma, Risks risks, std
 
 double minimum_detectable_shift(double probability, std::size_t trials, Risks risks) {
     FF_EXPECT(0 < probability && probability < 1 && trials >= 1);
-    expect_valid(risks);
+    expect_valid_risks(risks);
     const double sd = std::sqrt(probability * (1 - probability) / static_cast<double>(trials));
     return (normal_critical(risks.alpha / 2) + normal_critical(1 - risks.power)) * sd;
 }

@@ -9,7 +9,7 @@
 namespace ff::stats {
 namespace {
 
-constexpr std::size_t fewest = 4;  // from which on there is a kurtosis
+constexpr std::size_t fewest_with_kurtosis = 4;
 
 double effective_freedom(double freedom, double excess_kurtosis) {
     return freedom / (1 + std::max(0.0, excess_kurtosis) / 2);
@@ -31,7 +31,7 @@ std::optional<Spread> spread_about(std::span<const double> values, double refere
     double sum4 = 0;
     double scale = 0;
     for (const double value : values) scale = std::max(scale, std::abs(value - reference));
-    if (values.size() < fewest || scale == 0) return std::nullopt;
+    if (values.size() < fewest_with_kurtosis || scale == 0) return std::nullopt;
     for (const double value : values) {
         const double square = (value - reference) / scale * ((value - reference) / scale);
         sum2 += square;

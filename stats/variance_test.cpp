@@ -9,7 +9,7 @@
 namespace ff::stats {
 namespace {
 
-constexpr std::size_t fewest = 3;
+constexpr std::size_t fewest_in_a_sample = 3;
 
 /// Moments of |x - median|.
 Moments absolute_deviations(std::span<const double> values) {
@@ -22,7 +22,7 @@ Moments absolute_deviations(std::span<const double> values) {
 }  // namespace
 
 std::optional<VarianceTest> test_variances_brown_forsythe(std::span<const double> a, std::span<const double> b) {
-    if (a.size() < fewest || b.size() < fewest) return std::nullopt;
+    if (a.size() < fewest_in_a_sample || b.size() < fewest_in_a_sample) return std::nullopt;
     const Moments from_a = absolute_deviations(a);
     const Moments from_b = absolute_deviations(b);
     const double size_a = static_cast<double>(a.size());

@@ -1,17 +1,21 @@
 #include "core/configurations/aperture.hpp"
 
+#include "core/configurations/kink.hpp"
 #include "core/configurations/parameters.hpp"
+#include "core/configurations/pi.hpp"
 #include "core/formulas/rectangle_formulas.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <numbers>
 #include <vector>
 
 namespace ff {
 namespace {
+
+constexpr Interval unit{0, 1};
+constexpr Interval three{0, 3};
 
 /// The interval of places x on the first rectangle, from where a ray that ends `u` further meets an interval a fraction
 /// of the way on: it moves by -fraction for every unit of u.
@@ -32,12 +36,6 @@ long double common_length(const Conditions& conditions, long double u) {
     }
     return std::max(0.0L, high - low);
 }
-
-/// A place where a piecewise linear function changes its slope, and by how much.
-struct Kink {
-    long double place = 0;
-    long double change = 0;
-};
 
 /// The kinks of common_length over u: among the places where two ends of intervals meet.
 std::vector<Kink> kinks_of(const Conditions& conditions) {
@@ -86,7 +84,23 @@ long double exchange_area_through_aperture(const Interval& x_from, const Interva
         for (const auto& [v, y_change] : y_kinks)
             sum += x_change * y_change * parallel_corner(std::abs(u), std::abs(v), gap);
     }
-    return std::max(0.0L, sum / (2 * std::numbers::pi_v<long double>));
+    return std::max(0.0L, sum / (2 * pi));
+}
+
+long double squares_through_aperture_factor(long double edge) {
+    const long double half = edge / 2;
+    const Interval hole{0.5L - half, 0.5L + half};
+    return edge == 0 ? 0 : exchange_area_through_aperture(unit, unit, unit, unit, 1, {hole, hole, 0.5});
+}
+
+long double squares_blocked_factor(long double edge) {
+    const long double open = parallel_exchange_area<long double>(unit, unit, unit, unit, 1);
+    return std::max(0.0L, open - squares_through_aperture_factor(edge));
+}
+
+long double l_shaped_room_exchange_area(long double depth) {
+    const long double gap = 1 + depth;
+    return exchange_area_through_aperture(three, three, unit, three, gap, {unit, three, 1 / gap});
 }
 
 }  // namespace ff

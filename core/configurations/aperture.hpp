@@ -22,4 +22,15 @@ struct Aperture {
 long double exchange_area_through_aperture(const Interval& x_from, const Interval& y_from, const Interval& x_to,
                                            const Interval& y_to, long double gap, const Aperture& aperture);
 
+/// The same as a factor, between opposite unit squares 1 apart, through a square hole of this edge, 0 to 1, in the
+/// middle of a plate halfway between them.
+long double squares_through_aperture_factor(long double edge);
+
+/// Between the same squares, past a square of this edge in place of the hole.
+long double squares_blocked_factor(long double edge);
+
+/// From the wall of 3 x 3 of an L-shaped room to the end of 1 x 3 of the other leg, which is `depth` behind the corner.
+/// The mouth of the leg is the aperture.
+long double l_shaped_room_exchange_area(long double depth);
+
 }  // namespace ff

@@ -6,6 +6,7 @@
 #include "core/configurations/endless.hpp"
 #include "core/configurations/families.hpp"
 #include "core/configurations/nested_cubes.hpp"
+#include "core/configurations/pi.hpp"
 #include "core/configurations/polygons.hpp"
 #include "core/configurations/rectangle_element.hpp"
 #include "core/configurations/scenes.hpp"
@@ -16,7 +17,6 @@
 
 #include <algorithm>
 #include <array>
-#include <numbers>
 #include <string>
 
 namespace ff {
@@ -25,10 +25,6 @@ namespace {
 using enum ConfigurationKind;
 namespace scenes = configuration_scenes;
 
-constexpr long double pi = std::numbers::pi_v<long double>;
-constexpr Interval unit{0, 1};
-constexpr Interval three{0, 3};
-
 /// Identical rectangles x by y, opposite each other.
 long double opposite_rectangles(long double x, long double y, long double gap) {
     return parallel_exchange_area<long double>({0, x}, {0, y}, {0, x}, {0, y}, gap) / (x * y);
@@ -36,12 +32,7 @@ long double opposite_rectangles(long double x, long double y, long double gap) {
 
 /// Rectangles at right angles with a common edge of length 1, `from` and `to` wide.
 long double perpendicular_rectangles(long double from, long double to) {
-    return perpendicular_exchange_area<long double>(unit, unit, {0, from}, {0, to}) / from;
-}
-
-long double squares_through_aperture() {
-    constexpr Interval middle{0.25, 0.75};
-    return exchange_area_through_aperture(unit, unit, unit, unit, 1, {middle, middle, 0.5});
+    return perpendicular_exchange_area<long double>({0, 1}, {0, 1}, {0, from}, {0, to}) / from;
 }
 
 constexpr std::array catalogue{
@@ -110,20 +101,16 @@ constexpr std::array catalogue{
     Configuration{"O01", "squares_blocked",
                   "opposite unit squares 1 apart, with a square of side 0.5 in the middle between them",
                   "C-11 less what an aperture lets through", "ehlert1993", surfaces, true,
-                  [] { return opposite_rectangles(1, 1, 1) - squares_through_aperture(); },
-                  [] { return scenes::squares_blocked(0.5); }},
+                  [] { return squares_blocked_factor(0.5L); }, [] { return scenes::squares_blocked(0.5); }},
     Configuration{"O01c", "squares_through_aperture",
                   "opposite unit squares 1 apart, through a square hole of side 0.5 in a plate between them",
                   "piecewise linear cross-sections, integrated against the corner function of C-13", "ehlert1993",
-                  surfaces, true, [] { return squares_through_aperture(); },
+                  surfaces, true, [] { return squares_through_aperture_factor(0.5L); },
                   [] { return scenes::squares_through_aperture(0.5); }},
     Configuration{"O03", "l_shaped_room",
                   "long wall of 3 x 3 to the far short wall of 1 x 3 of an L-shaped room, past the corner",
                   "as through an aperture, the mouth of the leg", "ehlert1993", surfaces, true,
-                  [] {
-                      return exchange_area_through_aperture(three, three, unit, three, 3, {unit, three, 1.0L / 3}) / 9;
-                  },
-                  [] { return scenes::l_shaped_room(2); }},
+                  [] { return l_shaped_room_exchange_area(2) / 9; }, [] { return scenes::l_shaped_room(2); }},
     Configuration{"O05", "concentric_spheres", "sphere of radius 2, inside, to itself past one of radius 1",
                   "1 - (r1 / r2)^2, by reciprocity and closure", "howell", surfaces, true,
                   [] { return outer_sphere_to_itself_factor(1, 2); }, [] { return scenes::concentric_spheres(); }, 0,

@@ -1,14 +1,12 @@
 #include "core/configurations/cylinder_and_cone.hpp"
 
 #include "core/configurations/parameters.hpp"
+#include "core/configurations/pi.hpp"
 
 #include <cmath>
-#include <numbers>
 
 namespace ff {
 namespace {
-
-constexpr long double pi = std::numbers::pi_v<long double>;
 
 void expect_coaxial(long double inner, long double outer, long double height) {
     expect_positive("coaxial cylinders", {{"inner radius", inner}, {"outer radius", outer}, {"height", height}});

@@ -1,14 +1,13 @@
 #include "core/configurations/endless.hpp"
 
 #include "core/configurations/parameters.hpp"
+#include "core/configurations/pi.hpp"
 
 #include <cmath>
-#include <numbers>
 
 namespace ff {
 
 long double wedge_factor(long double angle) {
-    constexpr long double pi = std::numbers::pi_v<long double>;
     expect_valid(angle >= 0 && angle <= pi, "wedge", "the angle is not between 0 and pi radians.");
     const long double sine = std::sin((pi - angle) / 4);  // 1 - cos(x) = 2 sin(x / 2)^2
     return 2 * sine * sine;

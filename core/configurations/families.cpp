@@ -3,7 +3,6 @@
 #include "core/configurations/aperture.hpp"
 #include "core/configurations/nested_cubes.hpp"
 #include "core/configurations/scenes.hpp"
-#include "core/formulas/rectangle_formulas.hpp"
 #include "core/support/error.hpp"
 #include "core/support/excerpt.hpp"
 
@@ -21,25 +20,12 @@ namespace scenes = configuration_scenes;
 
 using Factor = std::optional<long double>;
 
-constexpr Interval unit{0, 1};
-constexpr Interval three{0, 3};
-constexpr long double cube_edge = 6;
+constexpr long double outer_edge = 6;  // of nested cubes
 /// Of a leg: shorter ones are wrinkles, of longer ones the factor is too small for the digits of its formula.
 constexpr double least_depth = 1e-3;
 constexpr double most_depth = 100;
 constexpr double least_inner_edge = 1e-3;
 constexpr double most_inner_edge = 5.99;
-
-long double opposite_squares() {
-    return parallel_exchange_area<long double>(unit, unit, unit, unit, 1);
-}
-
-/// Halfway between opposite unit squares 1 apart.
-long double through_hole(double edge) {
-    const auto half = static_cast<long double>(edge) / 2;
-    const Interval hole{0.5L - half, 0.5L + half};
-    return edge == 0 ? 0 : exchange_area_through_aperture(unit, unit, unit, unit, 1, {hole, hole, 0.5});
-}
 
 /// Of faces 0 and 1, alike.
 Factor of_pair(long double factor, int from, int to) {
@@ -47,27 +33,25 @@ Factor of_pair(long double factor, int from, int to) {
 }
 
 Factor squares_blocked(double edge, int from, int to) {
-    return of_pair(std::max(0.0L, opposite_squares() - through_hole(edge)), from, to);
+    return of_pair(squares_blocked_factor(edge), from, to);
 }
 
 Factor squares_through_aperture(double edge, int from, int to) {
-    return of_pair(through_hole(edge), from, to);
+    return of_pair(squares_through_aperture_factor(edge), from, to);
 }
 
-/// From the long wall of 3 x 3 to the end of 1 x 3 and back. The mouth of the leg is the aperture.
+/// From the long wall of 3 x 3 to the end of 1 x 3 and back.
 Factor l_shaped_room(double depth, int from, int to) {
     if (std::min(from, to) != 0 || std::max(from, to) != 1) return std::nullopt;
-    const long double gap = 1 + static_cast<long double>(depth);
-    const long double exchange = exchange_area_through_aperture(three, three, unit, three, gap, {unit, three, 1 / gap});
-    return exchange / (from == 0 ? 9 : 3);
+    return l_shaped_room_exchange_area(depth) / (from == 0 ? 9 : 3);
 }
 
 /// Between faces of the outer cube.
 Factor nested_cubes(double inner, int from, int to) {
     if (from == to || std::max(from, to) > 5) return std::nullopt;
     constexpr std::array opposite{2, 3, 0, 1, 5, 4};
-    return opposite.at(static_cast<std::size_t>(from)) == to ? nested_cubes_opposite_factor(inner, cube_edge)
-                                                             : nested_cubes_adjacent_factor(inner, cube_edge);
+    return opposite.at(static_cast<std::size_t>(from)) == to ? nested_cubes_opposite_factor(inner, outer_edge)
+                                                             : nested_cubes_adjacent_factor(inner, outer_edge);
 }
 
 constexpr std::array families{

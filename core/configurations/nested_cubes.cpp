@@ -1,6 +1,8 @@
 #include "core/configurations/nested_cubes.hpp"
 
+#include "core/configurations/kink.hpp"
 #include "core/configurations/parameters.hpp"
+#include "core/configurations/pi.hpp"
 #include "core/formulas/rectangle_formulas.hpp"
 
 #include <boost/math/quadrature/gauss.hpp>
@@ -8,12 +10,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 
 namespace ff {
 namespace {
-
-constexpr long double pi = std::numbers::pi_v<long double>;
 
 /// The integral of f over 0 <= v <= height(u), low <= u <= high.
 template <class Function, class Height>
@@ -33,9 +32,6 @@ long double blocked_share(long double inner) {
     const long double clipped = (1 - inner) / (1 + inner);  // larger offsets take part of the shadow off the face
 
     // The box around the shadow is as wide as inner (1 + |u|), and beyond `clipped` as the face's rest, 1 - |u|.
-    struct Kink {
-        long double place, change;
-    };
     const std::array<Kink, 5> kinks{Kink{-1, 1}, Kink{-clipped, -1 - inner}, Kink{0, 2 * inner},
                                     Kink{clipped, -1 - inner}, Kink{1, 1}};
     long double box = 0;

@@ -19,12 +19,11 @@ namespace ff {
 namespace {
 
 using Eigen::Vector3d;
-using Edge = DirectedEdge<double>;
 using Kronrod = boost::math::quadrature::gauss_kronrod<double, 15>;
 using Gauss = boost::math::quadrature::gauss<double, 7>;
 
 constexpr std::uint64_t nodes = 15;
-constexpr std::uint64_t edges = 4;
+constexpr std::uint64_t edges_of_rim = 4;
 
 /// A part of an edge of the source, from one share of its length to another.
 struct Panel {
@@ -39,18 +38,18 @@ bool claims_less(const Panel& a, const Panel& b) {
     return a.claim < b.claim;
 }
 
-std::array<Edge, edges> rim(const PatchView& patch) {
+std::array<DirectedEdge<double>, edges_of_rim> directed_rim(const PatchView& patch) {
     const std::array<Vector3d, 4> corners = counter_clockwise(patch);
-    std::array<Edge, edges> rim;
-    for (std::size_t k = 0; k < edges; ++k) rim[k] = {corners[k], corners[(k + 1) % edges]};
+    std::array<DirectedEdge<double>, edges_of_rim> rim;
+    for (std::size_t k = 0; k < edges_of_rim; ++k) rim[k] = {corners[k], corners[(k + 1) % edges_of_rim]};
     return rim;
 }
 
 /// The contour integral between two patches.
 class ContourIntegral {
   public:
-    explicit ContourIntegral(const PatchPair& pair) : from_(rim(pair.from)), to_(rim(pair.to)) {
-        for (std::size_t edge = 0; edge < edges; ++edge) panels_.push_back(integrate(edge, 0, 1));
+    explicit ContourIntegral(const PatchPair& pair) : from_(directed_rim(pair.from)), to_(directed_rim(pair.to)) {
+        for (std::size_t edge = 0; edge < edges_of_rim; ++edge) panels_.push_back(integrate(edge, 0, 1));
         std::make_heap(panels_.begin(), panels_.end(), claims_less);
     }
 
@@ -81,7 +80,7 @@ class ContourIntegral {
         const Vector3d along = from_[edge].end - from_[edge].begin;
         const Vector3d place = from_[edge].begin + share * along;
         double sum = 0;
-        for (const Edge& other : to_) {
+        for (const DirectedEdge<double>& other : to_) {
             const Vector3d across = other.end - other.begin;
             const double length = across.norm();
             if (length > 0) sum += along.dot(across) / length * log_distance_integral(place, other);
@@ -108,8 +107,8 @@ class ContourIntegral {
         return {edge, low, high, half * kronrod, half * std::max(std::abs(kronrod - gauss), rounding)};
     }
 
-    std::array<Edge, edges> from_;
-    std::array<Edge, edges> to_;
+    std::array<DirectedEdge<double>, edges_of_rim> from_;
+    std::array<DirectedEdge<double>, edges_of_rim> to_;
     std::vector<Panel> panels_;  ///< a heap, the one that claims most first
 };
 
@@ -120,7 +119,7 @@ std::string AdaptiveContour::refusal(const EstimatorOptions& options, const Scen
 }
 
 std::string AdaptiveContour::size_problem(std::uint64_t samples) {
-    constexpr std::uint64_t least = edges * nodes;
+    constexpr std::uint64_t least = edges_of_rim * nodes;
     constexpr std::uint64_t step = 2 * nodes;
     if (samples >= least && (samples - least) % step == 0) return {};
     const std::uint64_t below = samples < least ? 0 : samples - (samples - least) % step;
@@ -134,7 +133,7 @@ double AdaptiveContour::nanoseconds(const EstimatorOptions& /*options*/, const S
 }
 
 void AdaptiveContour::observe(const EstimatorTask& task, Outcome& outcome, PatchTotals& /*totals*/) const {
-    const std::uint64_t halvings = (task.samples - edges * nodes) / (2 * nodes);
+    const std::uint64_t halvings = (task.samples - edges_of_rim * nodes) / (2 * nodes);
     const auto averages = average_pair_values(
         *scene_, task, [&](const PatchPair& pair, const Stream& /*stream*/) -> BoundedValue<double> {
             ContourIntegral integral(pair);

@@ -166,7 +166,7 @@ struct Offsets {
     }
 };
 
-void add(SurfacePair& pair, std::size_t source, double transfer) {
+void add_to_source(SurfacePair& pair, std::size_t source, double transfer) {
     pair.transfer += transfer;
     pair.of_source[source] += transfer;
 }
@@ -177,7 +177,7 @@ void sum_in_sight(const PointSource& points, const WeightedBlock& block, Surface
         points.checkpoint();
         for (std::size_t j = 0; j < pair.to->patches(); ++j) {
             const double transfer = transfer_in_sight(pair, i, j, block);
-            add(pair, i, transfer);
+            add_to_source(pair, i, transfer);
             if (!pair.of_target.empty()) pair.of_target[j] += transfer;
         }
     }
@@ -203,7 +203,7 @@ void sum_with_common_points(const PointSource& points, const Stream& stream, Poi
             for (std::size_t i = 0; i < pair.from->corners.size(); ++i) {
                 points.checkpoint();
                 all.collect(pair, i, graded[k].targets[i]);
-                add(pair, i, sum_transfer(*separations, all.offsets, pair.normals(), all.sums));
+                add_to_source(pair, i, sum_transfer(*separations, all.offsets, pair.normals(), all.sums));
                 for (std::size_t n = 0; n < all.sums.size(); ++n) pair.of_target[all.targets[n]] += all.sums[n];
             }
             auto touching = graded[k].pairs.begin();
@@ -211,7 +211,7 @@ void sum_with_common_points(const PointSource& points, const Stream& stream, Poi
                 for (const std::size_t j : graded[k].targets[i]) {
                     *graded_block = *block;
                     const double transfer = graded_transfer(*touching++, pair.normals(), *graded_block, *separations);
-                    add(pair, i, transfer);
+                    add_to_source(pair, i, transfer);
                     if (!pair.of_target.empty()) pair.of_target[j] += transfer;
                 }
             }
@@ -230,7 +230,7 @@ void sum_with_own_points(const PointSource& points, Stream stream, PointMap map,
                 stream.target = pair.to->first_patch + j + 1;
                 if (!pair.is_plain()) {
                     for_each_block(points, stream, *block,
-                                   [&] { add(pair, i, transfer_in_sight(pair, i, j, *block)); });
+                                   [&] { add_to_source(pair, i, transfer_in_sight(pair, i, j, *block)); });
                     continue;
                 }
                 const Eigen::Vector3d offset = pair.to->corners[j] - pair.from->corners[i];
@@ -238,10 +238,10 @@ void sum_with_own_points(const PointSource& points, Stream stream, PointMap map,
                     map == PointMap::graded ? grade_pair(patch_at(*pair.from, i), patch_at(*pair.to, j)) : std::nullopt;
                 for_each_block(points, stream, *block, [&] {
                     if (graded) {
-                        add(pair, i, graded_transfer(*graded, pair.normals(), *block, *separations));
+                        add_to_source(pair, i, graded_transfer(*graded, pair.normals(), *block, *separations));
                     } else {
                         separate(pair.from->shape, pair.to->shape, *block, *separations);
-                        add(pair, i, sum_transfer(*separations, {&offset, 1}, pair.normals()));
+                        add_to_source(pair, i, sum_transfer(*separations, {&offset, 1}, pair.normals()));
                     }
                 });
             }

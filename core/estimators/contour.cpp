@@ -17,23 +17,23 @@ namespace {
 
 using Eigen::Vector3d;
 
-struct Edge {
+struct RimEdge {
     Vector3d begin;
     Vector3d along;
 };
 
 /// The rim of a patch, counter-clockwise as seen from the side that it radiates to.
-std::array<Edge, 4> rim(const PatchView& patch) {
+std::array<RimEdge, 4> rim(const PatchView& patch) {
     const std::array<Vector3d, 4> corners = counter_clockwise(patch);
-    std::array<Edge, 4> edges;
+    std::array<RimEdge, 4> edges;
     for (std::size_t k = 0; k < 4; ++k) edges[k] = {corners[k], corners[(k + 1) % 4] - corners[k]};
     return edges;
 }
 
 /// Two edges whose distances count.
 struct EdgePair {
-    Edge from;
-    Edge to;
+    RimEdge from;
+    RimEdge to;
     double product = 0;
 };
 
@@ -50,8 +50,8 @@ RimPair pair_up(const PatchPair& pair) {
     const auto to = rim(pair.to);
     RimPair rims;
     rims.squared_unit = (pair.from.at(0.5, 0.5).position - pair.to.at(0.5, 0.5).position).squaredNorm();
-    for (const Edge& a : from) {
-        for (const Edge& b : to) {
+    for (const RimEdge& a : from) {
+        for (const RimEdge& b : to) {
             const double product = a.along.dot(b.along);
             if (product == 0) continue;
             const double size = a.along.norm();

@@ -7,21 +7,12 @@
 #include "core/visibility/mirrors.hpp"
 #include "core/visibility/occlusion.hpp"
 
-#include <Eigen/Geometry>
+#include <Eigen/Core>
 
-#include <algorithm>
 #include <numbers>
 
 namespace ff {
 namespace {
-
-/// The corners of a polygon, counter-clockwise as seen from the side that it radiates to.
-Corners<double> rim(const Surface& surface) {
-    Corners<double> corners = ff::corners(surface.shape);
-    const Eigen::Vector3d turn = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
-    if (turn.dot(surface.normal) < 0) std::reverse(corners.begin(), corners.end());
-    return corners;
-}
 
 Eigen::MatrixXd unoccluded_factors(const Scene& scene) {
     const auto faces = static_cast<Eigen::Index>(scene.faces.size());
@@ -31,7 +22,8 @@ Eigen::MatrixXd unoccluded_factors(const Scene& scene) {
         for (const Surface& to : scene.surfaces) {
             if (!is_of_face(to) || !face_each_other(from, to)) continue;
             factors(from.face, to.face) +=
-                polygon_exchange_area(rim(from), rim(to)).value / face_area(scene, from.face);
+                polygon_exchange_area(corners_of<double>(from), corners_of<double>(to)).value /
+                face_area(scene, from.face);
         }
     }
     return factors;

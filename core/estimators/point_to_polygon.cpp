@@ -32,7 +32,7 @@ struct SourceFrame {
 };
 
 /// The corners of a surface, counter-clockwise as seen from the side of its normal.
-Polygon corners(const Surface& surface) {
+Polygon outline(const Surface& surface) {
     const auto& [corner, edge_u, edge_v] = parallelogram(surface);
     Polygon polygon{corner, corner + edge_u, corner + edge_u + edge_v, corner + edge_v};
     if (edge_u.cross(edge_v).dot(surface.normal) < 0) std::reverse(polygon.begin(), polygon.end());
@@ -40,7 +40,7 @@ Polygon corners(const Surface& surface) {
 }
 
 /// A surface that a source sees some of.
-struct Target {
+struct SeenSurface {
     std::size_t surface = 0;
     Polygon polygon;  ///< in the frame of the source, above its horizon
 };
@@ -49,13 +49,13 @@ struct Target {
 struct SeenFrom {
     std::uint32_t surface;
     SourceFrame frame;
-    std::vector<Target> targets;
+    std::vector<SeenSurface> targets;
 
     SeenFrom(const Scene& scene, std::uint32_t source) : surface(source), frame(scene.surfaces[source]) {
         for (std::size_t t = 0; t < scene.surfaces.size(); ++t) {
             const Surface& target = scene.surfaces[t];
             if (target.face == no_face || !face_each_other(scene.surfaces[source], target)) continue;
-            Polygon polygon = corners(target);
+            Polygon polygon = outline(target);
             for (Eigen::Vector3d& vertex : polygon) vertex = frame.point(vertex);
             targets.push_back({t, clip_at_horizon(polygon)});
         }
@@ -95,7 +95,7 @@ Eigen::MatrixXd point_to_polygon(const Scene& scene, Subdivision subdivision, co
         scene, task, 2, [&](SourcePatch at, const WeightedBlock& block, std::span<double> sums) {
             if (!source || source->surface != at.surface) source.emplace(scene, at.surface);
             place(source->frame, patch(parallelogram(scene.surfaces[at.surface]), at.grid, at.index), block, *placed);
-            for (const Target& target : source->targets)
+            for (const SeenSurface& target : source->targets)
                 sums[target.surface] += sum_polygon_factors(*placed, target.polygon);
         });
 }

@@ -28,7 +28,7 @@ Vector3d along_arc(const Vector3d& from, const Vector3d& direction, double verse
 }
 
 /// A patch that is looked at from places of another.
-struct Target {
+struct TargetPatch {
     std::array<Vector3d, 4> corners;
     Vector3d normal;
     std::array<double, 2> twice_area;  ///< of the triangles (0, 1, 2) and (0, 2, 3)
@@ -36,7 +36,7 @@ struct Target {
     double height;
     bool is_rectangle;
 
-    explicit Target(const PatchView& patch) : corners(patch.corners()), normal(patch.surface->normal) {
+    explicit TargetPatch(const PatchView& patch) : corners(patch.corners()), normal(patch.surface->normal) {
         for (std::size_t k = 0; k < 2; ++k)
             twice_area[k] = (corners[k + 1] - corners[0]).cross(corners[k + 2] - corners[0]).norm();
         const Vector3d u = corners[1] - corners[0];
@@ -54,7 +54,7 @@ struct Look {
     double half_area = 0;
 };
 
-Look look_at_rectangle(const Target& target, const Vector3d& place, double distance, double s, double t) {
+Look look_at_rectangle(const TargetPatch& target, const Vector3d& place, double distance, double s, double t) {
     const Vector3d u = (target.corners[1] - target.corners[0]) / target.width;
     const Vector3d v = (target.corners[3] - target.corners[0]) / target.height;
     const Vector3d corner = target.corners[0] - place;
@@ -65,7 +65,7 @@ Look look_at_rectangle(const Target& target, const Vector3d& place, double dista
 }
 
 /// In two triangles: the first coordinate says in which, and where in it.
-Look look_at_triangles(const Target& target, const Vector3d& place, double distance, double s, double t) {
+Look look_at_triangles(const TargetPatch& target, const Vector3d& place, double distance, double s, double t) {
     std::array<Vector3d, 4> to;
     for (std::size_t k = 0; k < to.size(); ++k) to[k] = target.corners[k] - place;
     const std::array triangles{spherical_triangle(to[1], to[0], to[2], distance * target.twice_area[0]),
@@ -80,7 +80,7 @@ Look look_at_triangles(const Target& target, const Vector3d& place, double dista
 }
 
 /// Solid angle times cosine over pi in one direction from a place; 0 where something hides the target.
-double value_at(const PatchPair& pair, const Target& target, const SurfacePoint& place, double s, double t) {
+double value_at(const PatchPair& pair, const TargetPatch& target, const SurfacePoint& place, double s, double t) {
     const double distance = (place.position - target.corners[0]).dot(target.normal);
     if (!(distance > 0)) return 0;
     const auto look = target.is_rectangle ? look_at_rectangle : look_at_triangles;
@@ -143,7 +143,7 @@ std::optional<Integrand> SolidAngle::integrand(const EstimatorOptions& /*options
 void SolidAngle::observe(const EstimatorTask& task, Outcome& outcome, PatchTotals& /*totals*/) const {
     outcome.estimates =
         average_over_pairs(*scene_, task, info.dimension, [](const PatchPair& pair, const WeightedBlock& block) {
-            const Target target(pair.to);
+            const TargetPatch target(pair.to);
             double sum = 0;
             for (std::size_t i = 0; i < block.size; ++i) {
                 const SurfacePoint place = pair.from.at(block.coordinate[0][i], block.coordinate[1][i]);

@@ -7,7 +7,7 @@
 #include "core/visibility/mirrors.hpp"
 #include "core/visibility/occlusion.hpp"
 
-#include <Eigen/Geometry>
+#include <Eigen/Core>
 
 #include <algorithm>
 #include <cstddef>
@@ -20,22 +20,13 @@ namespace {
 
 constexpr std::size_t most_polygons = 64;
 
-/// Corners counter-clockwise as seen from the side that radiates.
-Corners<long double> corners_of(const Surface& surface) {
-    Corners<long double> result;
-    for (const Eigen::Vector3d& corner : corners(surface.shape)) result.push_back(corner.cast<long double>());
-    const Vector3<long double> normal = (result[1] - result[0]).cross(result[2] - result[0]);
-    if (normal.dot(surface.normal.cast<long double>()) < 0) std::reverse(result.begin(), result.end());
-    return result;
-}
-
 std::optional<Eigen::MatrixXd> polygons_exchange(const Scene& scene) {
     const std::size_t n = scene.surfaces.size();
     if (n > most_polygons || !is_convex(scene)) return std::nullopt;
     std::vector<Corners<long double>> polygons;
     for (const Surface& surface : scene.surfaces) {
         if (corners(surface.shape).empty()) return std::nullopt;
-        polygons.push_back(corners_of(surface));
+        polygons.push_back(corners_of<long double>(surface));
     }
     Eigen::MatrixXd areas = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(n), static_cast<Eigen::Index>(n));
     for (std::size_t i = 0; i < n; ++i) {

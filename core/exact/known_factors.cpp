@@ -13,7 +13,7 @@ namespace ff {
 namespace {
 
 /// Of more surfaces pairs of faces are not looked at one by one: it takes the cube of their number.
-constexpr std::size_t most_surfaces = 128;
+constexpr std::size_t most_surfaces_pair_by_pair = 128;
 
 }  // namespace
 
@@ -44,7 +44,7 @@ KnownFactors known_factors(const Scene& scene) {
     KnownFactors known(scene.faces.size());
     const auto all = exact_room_factors(scene);
     if (all) known = KnownFactors(*all);
-    const bool pair_by_pair = !all && mirrors(scene).empty() && scene.surfaces.size() <= most_surfaces;
+    const bool pair_by_pair = !all && mirrors(scene).empty() && scene.surfaces.size() <= most_surfaces_pair_by_pair;
     const auto faces = static_cast<int>(scene.faces.size());
     for (int from = 0; from < faces; ++from) {
         for (int to = 0; to < faces; ++to) {

@@ -1,44 +1,22 @@
 #include "core/exact/pair_exchange.hpp"
 
 #include "core/exact/exact.hpp"
+#include "core/exact/squared_extent.hpp"
 #include "core/formulas/far_exchange.hpp"
 #include "core/formulas/polygon_exchange.hpp"
 #include "core/visibility/facing.hpp"
 #include "core/visibility/occlusion.hpp"
-
-#include <Eigen/Geometry>
 
 #include <algorithm>
 
 namespace ff {
 namespace {
 
-using Eigen::Vector3d;
-
 /// Each is cut out of every piece of a polygon; of more, rays cost less.
 constexpr std::size_t most_blockers = 64;
 
 bool is_polygon(const Surface& surface) {
     return !corners(surface.shape).empty();
-}
-
-/// Corners counter-clockwise as seen from the side that radiates.
-template <class Real>
-Corners<Real> corners_of(const Surface& surface) {
-    Corners<Real> result;
-    for (const Vector3d& corner : corners(surface.shape)) result.push_back(corner.template cast<Real>());
-    const Vector3<Real> across = (result[1] - result[0]).cross(result[2] - result[1]);
-    if (across.dot(surface.normal.template cast<Real>()) < 0) std::reverse(result.begin(), result.end());
-    return result;
-}
-
-/// Squared diagonal of the box around both.
-double squared_extent(const Surface& from, const Surface& to) {
-    Eigen::AlignedBox3d box;
-    for (const Surface* surface : {&from, &to}) {
-        for (const Vector3d& corner : corners(surface->shape)) box.extend(corner);
-    }
-    return box.diagonal().squaredNorm();
 }
 
 BoundedValue<double> contour_exchange(const Surface& from, const Surface& to, double wanted) {

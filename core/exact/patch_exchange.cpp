@@ -1,10 +1,11 @@
 #include "core/exact/patch_exchange.hpp"
 
 #include "core/exact/exact.hpp"
+#include "core/exact/squared_extent.hpp"
 #include "core/formulas/polygon_exchange.hpp"
 #include "core/geometry/aligned_rectangle.hpp"
 
-#include <Eigen/Geometry>
+#include <Eigen/Core>
 
 #include <algorithm>
 #include <array>
@@ -70,27 +71,9 @@ class Offsets {
     std::array<std::size_t, 4> last_;
 };
 
-/// Corners counter-clockwise as seen from the side that radiates.
-Corners<double> corners_of(const Parallelogram& p, const Vector3d& normal) {
-    Corners<double> corners{p.corner, p.corner + p.edge_u, p.corner + p.edge_u + p.edge_v, p.corner + p.edge_v};
-    if (p.edge_u.cross(p.edge_v).dot(normal) < 0) std::reverse(corners.begin(), corners.end());
-    return corners;
-}
-
-/// Squared diagonal of the box around both.
-double squared_extent(const Corners<double>& a, const Corners<double>& b) {
-    Eigen::AlignedBox3d box;
-    for (const Vector3d& corner : a) box.extend(corner);
-    for (const Vector3d& corner : b) box.extend(corner);
-    return box.diagonal().squaredNorm();
-}
-
 BoundedValue<double> exchange_of(const Surface& from, const Surface& to) {
-    const auto from_corners = corners_of(parallelogram(from), from.normal);
-    const auto to_corners = corners_of(parallelogram(to), to.normal);
-    if (const auto exact = exact_exchange_area(from, to))
-        return {*exact, 1e-15 * squared_extent(from_corners, to_corners)};
-    return polygon_exchange_area<double>(from_corners, to_corners);
+    if (const auto exact = exact_exchange_area(from, to)) return {*exact, 1e-15 * squared_extent(from, to)};
+    return polygon_exchange_area<double>(corners_of<double>(from), corners_of<double>(to));
 }
 
 }  // namespace

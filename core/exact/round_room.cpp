@@ -19,7 +19,7 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double tolerance = 1e-12;  // of the room's size, and of angles
-constexpr std::size_t most_surfaces = 64;
+constexpr std::size_t most_rings = 64;
 
 /// A circle around the axis.
 struct Rim {
@@ -145,7 +145,7 @@ long double exchange(const Rim& a, const Rim& b, double size) {
 }  // namespace
 
 std::optional<Eigen::MatrixXd> round_room_exchange(const Scene& scene) {
-    if (!scene.closed || scene.surfaces.empty() || scene.surfaces.size() > most_surfaces) return std::nullopt;
+    if (!scene.closed || scene.surfaces.empty() || scene.surfaces.size() > most_rings) return std::nullopt;
     Axis axis = axis_of(scene.surfaces.front().shape);
     if (is_flat(scene.surfaces.front().shape)) axis.direction = scene.surfaces.front().normal;
     const double size = std::sqrt(area(scene.surfaces.front().shape)) + axis.origin.norm();

@@ -1,5 +1,7 @@
 #include "core/formulas/edge_integral.hpp"
 
+#include "core/formulas/limits.hpp"
+
 #include <Eigen/Geometry>
 
 #include <boost/math/quadrature/gauss.hpp>
@@ -17,18 +19,6 @@ namespace {
 
 template <class Real>
 constexpr Real epsilon = std::numeric_limits<Real>::epsilon();
-
-/// ln(x) for squared distances, and 0 for 0: only for factors that vanish there.
-template <class Real>
-Real limited_log(Real x) {
-    return x > 0 ? std::log(x) : Real{0};
-}
-
-/// h * atan(x / h), and its limit 0 for h = 0. @pre h >= 0
-template <class Real>
-Real h_atan(Real x, Real h) {
-    return h > 0 ? h * std::atan(x / h) : Real{0};
-}
 
 /// An edge by arc length: begin + s * direction, 0 <= s <= length.
 template <class Real>
@@ -51,7 +41,7 @@ Real integral_from(const Vector3<Real>& place, const Line<Real>& line) {
     const Vector3<Real> height = from_begin - foot * line.direction;
     const Real hh = height.squaredNorm();
     const Real h = std::sqrt(hh);
-    const auto antiderivative = [&](Real x) { return x / 2 * limited_log(x * x + hh) + h_atan(x, h); };
+    const auto antiderivative = [&](Real x) { return x / 2 * limited_log(x * x + hh) + x_atan(h, x); };
     return antiderivative(line.length - foot) + antiderivative(foot);
 }
 
@@ -64,7 +54,7 @@ BoundedValue<Real> parallel_integral(std::array<Real, 2> s, std::array<Real, 2> 
     for (std::size_t i = 0; i < 2; ++i) {
         for (std::size_t j = 0; j < 2; ++j) {
             const Real u = s[i] - t[j];
-            const Real term = (u * u - pp) / 4 * limited_log(u * u + pp) + u * h_atan(u, apart) - u * u / 4;
+            const Real term = (u * u - pp) / 4 * limited_log(u * u + pp) + u * x_atan(apart, u) - u * u / 4;
             sum.value += i == j ? -term : term;
             sum.error += 8 * epsilon<Real> * std::abs(term);
         }

@@ -29,7 +29,7 @@ struct Node {
 };
 
 /// A polygon as corner + s u + s^k t v with 0 <= s, t <= 1: a parallelogram with k = 0, a triangle with k = 1.
-struct Polygon {
+struct SpannedPolygon {
     Vector3d corner, u, v;
     bool is_triangle = false;
 
@@ -41,10 +41,11 @@ struct Polygon {
     }
 };
 
-std::optional<Polygon> polygon_of(const Surface& surface) {
+std::optional<SpannedPolygon> polygon_of(const Surface& surface) {
     if (const auto* p = std::get_if<Parallelogram>(&surface.shape))
-        return Polygon{p->corner, p->edge_u, p->edge_v, false};
-    if (const auto* p = std::get_if<Triangle>(&surface.shape)) return Polygon{p->a, p->b - p->a, p->c - p->b, true};
+        return SpannedPolygon{p->corner, p->edge_u, p->edge_v, false};
+    if (const auto* p = std::get_if<Triangle>(&surface.shape))
+        return SpannedPolygon{p->a, p->b - p->a, p->c - p->b, true};
     return std::nullopt;
 }
 
@@ -61,7 +62,7 @@ std::array<std::array<double, 2>, nodes> rule() {
     return result;
 }
 
-std::vector<Node> nodes_of(const Polygon& polygon) {
+std::vector<Node> nodes_of(const SpannedPolygon& polygon) {
     std::vector<Node> result;
     const double whole = polygon.u.cross(polygon.v).norm();
     const Vector3d start = polygon.corner - polygon.middle();

@@ -67,6 +67,15 @@ void shrink(Corners<Real>& polygon, const Vector3<Real>& origin, Real unit) {
 }  // namespace
 
 template <class Real>
+Corners<Real> corners_of(const Surface& surface) {
+    Corners<Real> result;
+    for (const Eigen::Vector3d& corner : corners(surface.shape)) result.push_back(corner.template cast<Real>());
+    const Vector3<Real> across = (result[1] - result[0]).cross(result[2] - result[1]);
+    if (across.dot(surface.normal.template cast<Real>()) < 0) std::reverse(result.begin(), result.end());
+    return result;
+}
+
+template <class Real>
 BoundedValue<Real> polygon_exchange_area(Corners<Real> from, Corners<Real> to) {
     FF_EXPECT(from.size() >= 3 && to.size() >= 3);
     const Vector3<Real> origin = from[0];
@@ -102,6 +111,8 @@ Real polygon_area(const Corners<Real>& polygon) {
     return doubled_area(polygon).norm() / 2;
 }
 
+template Corners<double> corners_of(const Surface&);
+template Corners<long double> corners_of(const Surface&);
 template BoundedValue<double> polygon_exchange_area(Corners<double>, Corners<double>);
 template BoundedValue<long double> polygon_exchange_area(Corners<long double>, Corners<long double>);
 template double polygon_area(const Corners<double>&);

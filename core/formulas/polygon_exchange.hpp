@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/formulas/edge_integral.hpp"
+#include "core/geometry/scene.hpp"
 
 #include <vector>
 
@@ -9,6 +10,10 @@ namespace ff {
 /// The corners of a plane polygon, counter-clockwise as seen from the side that it radiates to.
 template <class Real>
 using Corners = std::vector<Vector3<Real>>;
+
+/// Those of a surface. @pre a parallelogram or a triangle
+template <class Real>
+Corners<Real> corners_of(const Surface& surface);
 
 /// Exchange area A_1 F_12 of two plane polygons in any relative position, in squared units of length, by the contour
 /// integral: 1 / (2 pi) times the integral of ln r over both rims. Only the parts in front of each other count. Callers

@@ -1,5 +1,6 @@
 #include "core/formulas/rectangle_formulas.hpp"
 
+#include "core/formulas/limits.hpp"
 #include "core/support/contract.hpp"
 
 #include <algorithm>
@@ -33,18 +34,6 @@ Real largest(const Distances<Real>& values) {
 template <class Real>
 Real unit_of_length(Real length) {
     return std::scalbn(Real{1}, std::ilogb(length));
-}
-
-/// x * atan(y / x), and its limit 0 for x = 0. @pre x >= 0, y >= 0
-template <class Real>
-Real x_atan(Real x, Real y) {
-    return x > 0 ? x * std::atan(y / x) : Real{0};
-}
-
-/// log(x), and 0 for x = 0: only for factors that vanish faster than the logarithm grows.
-template <class Real>
-Real limited_log(Real x) {
-    return x > 0 ? std::log(x) : Real{0};
 }
 
 /// One corner term of the formula for parallel rectangles; the slants are sqrt(u^2 + z^2) and sqrt(v^2 + z^2).

@@ -16,7 +16,7 @@ using Eigen::Index;
 using Eigen::VectorXd;
 using Sparse = FactorBounds::Sparse;
 
-constexpr double rounding = std::numeric_limits<double>::epsilon();
+constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
 /// The matrix within the intervals whose rows add up to 1 and weigh `values` (of all columns) most.
 void choose(const FactorBounds& factors, const VectorXd& values, Sparse& chosen) {
@@ -46,13 +46,13 @@ void choose(const FactorBounds& factors, const VectorXd& values, Sparse& chosen)
 }
 
 /// Solves x = constant + F reflected x + known for a matrix F between faces.
-VectorXd solve(const Sparse& chosen, const VectorXd& reflected, const VectorXd& known, const VectorXd& guess) {
+VectorXd fixed_point(const Sparse& chosen, const VectorXd& reflected, const VectorXd& known, const VectorXd& guess) {
     const Index n = chosen.rows();
     Sparse system(n, n);
     system.setIdentity();
     system -= Sparse(chosen.leftCols(n) * reflected.asDiagonal());
     Eigen::BiCGSTAB<Sparse> solver;
-    solver.setTolerance(rounding);
+    solver.setTolerance(epsilon);
     constexpr Eigen::Index most_iterations = 500;
     solver.setMaxIterations(most_iterations);
     solver.compute(system);
@@ -77,11 +77,11 @@ void approach(const FactorBounds& factors, const VectorXd& reflected, double con
         const double growth = (image - values).maxCoeff();
         const double scale = std::max(
             {image.cwiseAbs().maxCoeff(), radiosity.cwiseAbs().maxCoeff(), std::numeric_limits<double>::min()});
-        take(values, std::max(0.0, growth) + static_cast<double>(n + 1) * rounding * scale);
+        take(values, std::max(0.0, growth) + static_cast<double>(n + 1) * epsilon * scale);
         if (i > 0 && growth <= tolerance * scale) return;
         VectorXd known(n + 1);
         known << emitted, surroundings;
-        values = solve(chosen, reflected, VectorXd::Constant(n, constant) + chosen * known, image);
+        values = fixed_point(chosen, reflected, VectorXd::Constant(n, constant) + chosen * known, image);
         if (!values.allFinite()) values = image;  // the solver broke down: a step is made without it
     }
 }

@@ -1,5 +1,6 @@
 #include "core/support/child_process.hpp"
 
+#include "core/support/descriptor.hpp"
 #include "core/support/error.hpp"
 #include "core/support/processor_time.hpp"
 
@@ -28,36 +29,10 @@ namespace {
 constexpr std::size_t kept_of_errors = 2000;
 constexpr int milliseconds_between_looks = 5;
 
-/// A file descriptor of this process.
-class Descriptor {
-  public:
-    explicit Descriptor(int number = -1) : number_(number) {}
-    ~Descriptor() { close(); }
-    Descriptor(const Descriptor&) = delete;
-    Descriptor& operator=(const Descriptor&) = delete;
-    Descriptor(Descriptor&& other) noexcept : number_(std::exchange(other.number_, -1)) {}
-    Descriptor& operator=(Descriptor&&) = delete;
-
-    [[nodiscard]] int number() const { return number_; }
-    [[nodiscard]] bool is_open() const { return number_ >= 0; }
-    void close() {
-        if (number_ >= 0) ::close(number_);
-        number_ = -1;
-    }
-
-  private:
-    int number_;
-};
-
 [[noreturn]] void fail_to_start(const std::string& program, int error) {
     throw IoError(fmt::format("{}: cannot be started ({}). Check its name and its installation.", program,
                               std::generic_category().message(error)));
 }
-
-struct Pipe {
-    Descriptor read;
-    Descriptor write;
-};
 
 Pipe make_pipe(const std::string& program) {
     std::array<int, 2> ends{};

@@ -4,6 +4,7 @@
 #include "core/support/contract.hpp"
 #include "core/tracing/rays.hpp"
 #include "core/tracing/tracer.hpp"
+#include "core/visibility/level_overlaps.hpp"
 #include "core/visibility/mirrors.hpp"
 #include "core/visibility/touching.hpp"
 
@@ -14,9 +15,6 @@
 
 namespace ff {
 namespace {
-
-/// How much nearer to the middle of its surface a ray's second attempt starts, and how much larger rims are then.
-constexpr double second_attempt = 0x1p-20;
 
 /// Larger than a surface by what rims are, and by rounding.
 std::vector<Eigen::AlignedBox3d> boxes_of(const std::vector<Surface>& surfaces) {
@@ -31,9 +29,6 @@ std::vector<Eigen::AlignedBox3d> boxes_of(const std::vector<Surface>& surfaces) 
     return boxes;
 }
 
-/// By this share of a scene's largest coordinate, planes that are the same may lie apart for rounding alone.
-constexpr double rounding = 0x1p-46;
-
 struct Found {
     std::uint32_t surface = no_surface;
     Meeting meeting;
@@ -47,7 +42,7 @@ class DoubleTracer final : public Tracer {
           tree_(boxes_of(scene.surfaces)),
           closed_(scene.closed),
           faces_(scene.faces.size()),
-          gap_(rounding * farthest_coordinate(scene)) {}
+          gap_(level_rounding * farthest_coordinate(scene)) {}
 
     [[nodiscard]] std::string_view name() const override { return "double"; }
 

@@ -30,11 +30,8 @@ constexpr std::size_t packet = 8;
 /// geometry, and a filter excludes the source.
 constexpr std::size_t mask_bits = 32;
 
-/// How much nearer to the middle of its surface a ray's second attempt starts, and how much larger rims are then.
-constexpr double second_attempt = 0x1p-20;
-
 /// By this share of a scene's largest coordinate, origins, corners and meetings may be off for rounding alone.
-constexpr double rounding = 0x1p-21;
+constexpr double place_rounding = 0x1p-21;
 
 void require_no_error(const embree::Device& device, const char* what) {
     if (const RTCError error = rtcGetDeviceError(device.get()); error != RTC_ERROR_NONE)
@@ -119,7 +116,7 @@ void intersect_round(const RTCIntersectFunctionNArguments* arguments) {
 }
 
 /// What Embree found.
-struct Found {
+struct EmbreeHit {
     std::uint32_t surface = no_surface;
     float time = 0;
     float u = 0;
@@ -144,11 +141,11 @@ class EmbreeTracer final : public Tracer {
     template <class Visit>
     void intersect(const RayPointers& rays, std::size_t count, std::uint32_t source, Visit visit) const;
     /// @param shift  by which share the ray starts nearer to the middle of its source, among rims larger by as much
-    [[nodiscard]] Found intersect_one(const Line& line, std::uint32_t source, double shift) const;
-    [[nodiscard]] Found unless_beneath_source(const Found& found, const Line& line, std::uint32_t source) const;
+    [[nodiscard]] EmbreeHit intersect_one(const Line& line, std::uint32_t source, double shift) const;
+    [[nodiscard]] EmbreeHit unless_beneath_source(const EmbreeHit& found, const Line& line, std::uint32_t source) const;
 
     [[nodiscard]] bool is_from_behind(std::uint32_t surface, float u, const Eigen::Vector3d& direction) const;
-    [[nodiscard]] bool is_received(const Found& found) const {
+    [[nodiscard]] bool is_received(const EmbreeHit& found) const {
         return is_of_face(surfaces_[found.surface]) && !found.from_behind;
     }
     /// A round source is told by core/geometry/line_meets where it is not met again.
@@ -177,7 +174,7 @@ EmbreeTracer::EmbreeTracer(const Scene& scene)
     scene_.reset(rtcNewScene(device_.get()));
     rtcSetSceneFlags(scene_.get(), RTC_SCENE_FLAG_ROBUST);
     rtcSetSceneBuildQuality(scene_.get(), RTC_BUILD_QUALITY_HIGH);
-    for (const Surface& surface : surfaces_) gap_ = std::max(gap_, rounding * largest_coordinate(surface));
+    for (const Surface& surface : surfaces_) gap_ = std::max(gap_, place_rounding * largest_coordinate(surface));
     group_surfaces();
     for (unsigned i = 0; i < groups_.size(); ++i) attach(groups_[i], i);
     rtcCommitScene(scene_.get());
@@ -258,16 +255,17 @@ void EmbreeTracer::intersect(const RayPointers& rays, std::size_t count, std::ui
             if (p.hit.geomID[i] != RTC_INVALID_GEOMETRY_ID) {
                 const std::uint32_t surface = groups_[p.hit.geomID[i]].surfaces[p.hit.primID[i]];
                 const bool from_behind = is_from_behind(surface, p.hit.u[i], direction_of(rays, first + i));
-                const Found found{surface, p.ray.tfar[i], p.hit.u[i], p.hit.v[i], from_behind};
+                const EmbreeHit found{surface, p.ray.tfar[i], p.hit.u[i], p.hit.v[i], from_behind};
                 visit(first + i, from_behind ? unless_beneath_source(found, line_of(rays, first + i), source) : found);
             } else {
-                visit(first + i, closed_ ? intersect_one(line_of(rays, first + i), source, second_attempt) : Found{});
+                visit(first + i,
+                      closed_ ? intersect_one(line_of(rays, first + i), source, second_attempt) : EmbreeHit{});
             }
         }
     }
 }
 
-Found EmbreeTracer::intersect_one(const Line& line, std::uint32_t source, double shift) const {
+EmbreeHit EmbreeTracer::intersect_one(const Line& line, std::uint32_t source, double shift) const {
     Context context{};
     embree::init(context.query);
     context.source = source;
@@ -286,7 +284,7 @@ Found EmbreeTracer::intersect_one(const Line& line, std::uint32_t source, double
 /// A rounded origin may lie on the edge of a neighbour that is level with the source or turned away from it, or a
 /// little beneath both: then the ray meets the neighbour's back before it has risen above the source. It starts once
 /// more, from as far above.
-Found EmbreeTracer::unless_beneath_source(const Found& found, const Line& line, std::uint32_t source) const {
+EmbreeHit EmbreeTracer::unless_beneath_source(const EmbreeHit& found, const Line& line, std::uint32_t source) const {
     const Eigen::Vector3d up = normal_at(surfaces_[source], line.origin);
     const double risen = static_cast<double>(found.time) * up.dot(line.direction);
     return risen <= gap_ ? intersect_one({line.origin + 2 * gap_ * up, line.direction}, source, 0) : found;
@@ -304,7 +302,7 @@ void EmbreeTracer::shoot(std::uint32_t source, Grid grid, std::uint32_t patch, c
     RayBlock rays;
     generate_ray_block(surfaces_.at(source), grid, patch, block, rays);
     const RayPointers pointers = pointers_to(rays);
-    intersect(pointers, block.size, source, [&](std::size_t /*i*/, const Found& found) {
+    intersect(pointers, block.size, source, [&](std::size_t /*i*/, const EmbreeHit& found) {
         if (found.surface == no_surface) {
             ++hits[faces_];
         } else if (is_received(found)) {
@@ -316,7 +314,7 @@ void EmbreeTracer::shoot(std::uint32_t source, Grid grid, std::uint32_t patch, c
 void EmbreeTracer::trace(const RayBatch& rays, std::span<Hit> hits) const {
     FF_EXPECT(hits.size() >= rays.size());
     const RayPointers pointers = pointers_to(rays);
-    intersect(pointers, rays.size(), rays.source, [&](std::size_t i, const Found& found) {
+    intersect(pointers, rays.size(), rays.source, [&](std::size_t i, const EmbreeHit& found) {
         Hit& hit = hits[i] = {.surface = found.surface};
         if (found.surface == no_surface) return;
         hit.received = is_received(found);

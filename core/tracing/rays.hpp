@@ -10,6 +10,9 @@
 
 namespace ff {
 
+/// How much nearer to the middle of its surface a ray's second attempt starts, and how much larger rims are then.
+inline constexpr double second_attempt = 0x1p-20;
+
 /// A parallelogram in single precision, with the directions that rays are built from: `tangent` along edge_u,
 /// `bitangent` perpendicular to it on the side of edge_v, and the normal, all of unit length.
 struct SurfaceFrame {

@@ -2,6 +2,7 @@
 
 #include "core/support/contract.hpp"
 #include "core/visibility/facing.hpp"
+#include "core/visibility/rounding_room.hpp"
 #include "core/visibility/touching.hpp"
 
 #include <Eigen/Geometry>
@@ -15,37 +16,34 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Room for rounding, relative to the patches.
-constexpr double tolerance = 1e-12;
-
 /// Of scenes with more, contacts are not looked for: no estimator that suffers from them can do as many pairs.
-constexpr std::size_t most_surfaces = 4096;
+constexpr std::size_t most_surfaces_for_contacts = 4096;
 
 /// The sides of one patch that an edge or a corner belongs to.
 using Sides = std::array<Side, 2>;
 
-struct Edge {
+struct PatchEdge {
     Vector3d begin;
     Vector3d along;
     Sides sides;
 };
 
-struct Corner {
+struct PatchCorner {
     Vector3d place;
     Sides sides;
 };
 
-std::array<Edge, 4> edges_of(const Parallelogram& p) {
-    return {Edge{p.corner, p.edge_v, {Side::low, Side::neither}},
-            Edge{p.corner + p.edge_u, p.edge_v, {Side::high, Side::neither}},
-            Edge{p.corner, p.edge_u, {Side::neither, Side::low}},
-            Edge{p.corner + p.edge_v, p.edge_u, {Side::neither, Side::high}}};
+std::array<PatchEdge, 4> edges_of(const Parallelogram& p) {
+    return {PatchEdge{p.corner, p.edge_v, {Side::low, Side::neither}},
+            PatchEdge{p.corner + p.edge_u, p.edge_v, {Side::high, Side::neither}},
+            PatchEdge{p.corner, p.edge_u, {Side::neither, Side::low}},
+            PatchEdge{p.corner + p.edge_v, p.edge_u, {Side::neither, Side::high}}};
 }
 
-std::array<Corner, 4> corners_of(const Parallelogram& p) {
-    return {Corner{p.corner, {Side::low, Side::low}}, Corner{p.corner + p.edge_u, {Side::high, Side::low}},
-            Corner{p.corner + p.edge_v, {Side::low, Side::high}},
-            Corner{p.corner + p.edge_u + p.edge_v, {Side::high, Side::high}}};
+std::array<PatchCorner, 4> corners_of(const Parallelogram& p) {
+    return {PatchCorner{p.corner, {Side::low, Side::low}}, PatchCorner{p.corner + p.edge_u, {Side::high, Side::low}},
+            PatchCorner{p.corner + p.edge_v, {Side::low, Side::high}},
+            PatchCorner{p.corner + p.edge_u + p.edge_v, {Side::high, Side::high}}};
 }
 
 /// Half of the longer diagonal.
@@ -57,7 +55,7 @@ Vector3d centre(const Parallelogram& p) {
     return p.corner + (p.edge_u + p.edge_v) / 2;
 }
 
-bool overlap(const Edge& a, const Edge& b, double gap) {
+bool overlap(const PatchEdge& a, const PatchEdge& b, double gap) {
     const double length = a.along.norm();
     const Vector3d direction = a.along / length;
     const Vector3d begin = b.begin - a.begin;
@@ -68,7 +66,7 @@ bool overlap(const Edge& a, const Edge& b, double gap) {
 }
 
 /// Whether a place lies on a patch, rim included.
-bool lies_on(const Vector3d& place, const Parallelogram& p, double gap) {
+bool lies_on_patch(const Vector3d& place, const Parallelogram& p, double gap) {
     const Vector3d normal = p.edge_u.cross(p.edge_v);
     const double squared = normal.squaredNorm();
     const Vector3d offset = place - p.corner;
@@ -89,7 +87,7 @@ Contact contact_of_shapes(const Surface& from, const Surface& to) {
     const auto look_at = [&](const Surface& a, const Surface& b) {
         const std::vector<Vector3d> of_a = corners(a.shape);
         for (const Vector3d& corner : of_a) {
-            const double gap = tolerance * ((of_a[1] - of_a[0]).norm() + (of_a[2] - of_a[1]).norm());
+            const double gap = rounding_room * ((of_a[1] - of_a[0]).norm() + (of_a[2] - of_a[1]).norm());
             if (!lies_on(corner, b, gap)) continue;
             contact = std::max(contact, Contact::point);
             for (const Vector3d& other : corners(b.shape)) {
@@ -112,23 +110,23 @@ Contact contact_of(const Surface& from, const Surface& to) {
 
 Touch find_touch(const Parallelogram& from, const Parallelogram& to) {
     const double reach = radius(from) + radius(to);
-    const double gap = tolerance * reach;
+    const double gap = rounding_room * reach;
     if ((centre(from) - centre(to)).squaredNorm() > (reach + gap) * (reach + gap)) return {};
-    for (const Edge& a : edges_of(from)) {
-        for (const Edge& b : edges_of(to)) {
+    for (const PatchEdge& a : edges_of(from)) {
+        for (const PatchEdge& b : edges_of(to)) {
             if (overlap(a, b, gap)) return touch(Contact::edge, a.sides, b.sides);
         }
     }
-    for (const Corner& a : corners_of(from)) {
-        for (const Corner& b : corners_of(to)) {
+    for (const PatchCorner& a : corners_of(from)) {
+        for (const PatchCorner& b : corners_of(to)) {
             if ((a.place - b.place).norm() <= gap) return touch(Contact::vertex, a.sides, b.sides);
         }
     }
-    for (const Corner& a : corners_of(from)) {
-        if (lies_on(a.place, to, gap)) return {Contact::point, {}};
+    for (const PatchCorner& a : corners_of(from)) {
+        if (lies_on_patch(a.place, to, gap)) return {Contact::point, {}};
     }
-    for (const Corner& b : corners_of(to)) {
-        if (lies_on(b.place, from, gap)) return {Contact::point, {}};
+    for (const PatchCorner& b : corners_of(to)) {
+        if (lies_on_patch(b.place, from, gap)) return {Contact::point, {}};
     }
     return {};
 }
@@ -137,7 +135,7 @@ Contact closest_contact(const Scene& scene, int from_face, int to_face) {
     FF_EXPECT(from_face >= 0 && static_cast<std::size_t>(from_face) < scene.faces.size());
     FF_EXPECT(to_face >= 0 && static_cast<std::size_t>(to_face) < scene.faces.size());
     Contact closest = Contact::none;
-    if (scene.surfaces.size() > most_surfaces) return closest;
+    if (scene.surfaces.size() > most_surfaces_for_contacts) return closest;
     for (const Surface& from : scene.surfaces) {
         if (from.face != from_face) continue;
         for (const Surface& to : scene.surfaces) {

@@ -18,7 +18,7 @@ using Eigen::Vector3d;
 constexpr std::uint32_t no_body = std::numeric_limits<std::uint32_t>::max();
 
 /// Joining surfaces rounds their corners (core/geometry/joined_surfaces.hpp), by this share of the largest coordinate.
-constexpr double rounding = 1e-11;
+constexpr double corner_rounding = 1e-11;
 
 /// Sides meet where corners are this near to each other. What is missed stays single surfaces.
 constexpr double same_corner = 1e-9;
@@ -34,14 +34,6 @@ ConvexPolygon outline(const Surface& surface) {
     return polygon;
 }
 
-using Corner = std::array<std::int64_t, 3>;
-
-struct Edge {
-    std::size_t surface = 0;
-    Vector3d from, to;
-    bool alone = true;  ///< no other surface has it in the same direction
-};
-
 }  // namespace
 
 /// Joins surfaces along common edges, and keeps what is convex.
@@ -56,7 +48,7 @@ class ConvexBodies::Finder {
             const Vector3d normal = surface.normal.normalized();
             result.planes_.push_back({normal, outlines_.back().empty() ? 0 : normal.dot(outlines_.back().front())});
         }
-        result.room_ = rounding * farthest;
+        result.room_ = corner_rounding * farthest;
         step_ = same_corner * farthest;
         std::iota(parent_.begin(), parent_.end(), std::size_t{0});
         find_edges();
@@ -76,6 +68,14 @@ class ConvexBodies::Finder {
     }
 
   private:
+    using Corner = std::array<std::int64_t, 3>;
+
+    struct Edge {
+        std::size_t surface = 0;
+        Vector3d from, to;
+        bool alone = true;  ///< no other surface has it in the same direction
+    };
+
     ConvexBodies& result_;
     std::vector<ConvexPolygon> outlines_;
     std::map<std::pair<Corner, Corner>, Edge> edges_;

@@ -2,6 +2,8 @@
 
 #include "core/geometry/surface_map.hpp"
 #include "core/visibility/mirrors.hpp"
+#include "core/visibility/rounding_room.hpp"
+#include "core/visibility/touching.hpp"
 
 #include <Eigen/Geometry>
 
@@ -11,13 +13,7 @@
 namespace ff {
 namespace {
 
-/// Room for rounding, relative to the surfaces.
-constexpr double tolerance = 1e-12;
-
-constexpr std::size_t most_surfaces = 4096;
-
-/// Beyond so many pairs of surfaces a relation is not looked for.
-constexpr std::size_t most_pairs = 1u << 22;
+constexpr std::size_t most_surfaces_pair_by_pair = 4096;
 
 std::vector<const Surface*> surfaces_of(const Scene& scene, int face) {
     std::vector<const Surface*> own;
@@ -42,7 +38,7 @@ bool is_hollow(const Surface& surface) {
     return !is_flat(surface.shape) && facing(surface.shape) == Facing::inward;
 }
 
-double size(const Surface& surface) {
+double summed_extents(const Surface& surface) {
     double sum = 0;
     for (Eigen::Index axis = 0; axis < 3; ++axis) {
         const Extent along = extent(surface, Eigen::Vector3d::Unit(axis));
@@ -76,7 +72,7 @@ bool face_each_other(const Surface& a, const Surface& b) {
 bool face_each_other(const Scene& scene, int from_face, int to_face) {
     const auto from = surfaces_of(scene, from_face);
     const auto to = surfaces_of(scene, to_face);
-    if (from.size() * to.size() > most_pairs || !mirrors(scene).empty()) return true;
+    if (from.size() * to.size() > most_surface_pairs || !mirrors(scene).empty()) return true;
     return std::any_of(from.begin(), from.end(), [&](const Surface* a) {
         return std::any_of(to.begin(), to.end(), [&](const Surface* b) { return face_each_other(*a, *b); });
     });
@@ -86,7 +82,7 @@ bool sees_itself(const Scene& scene, int face) {
     if (sees_itself_in_mirrors(scene, face)) return true;
     const auto own = surfaces_of(scene, face);
     if (std::any_of(own.begin(), own.end(), [](const Surface* surface) { return is_hollow(*surface); })) return true;
-    if (own.size() > most_surfaces) return true;
+    if (own.size() > most_surfaces_pair_by_pair) return true;
     for (const Surface* a : own) {
         for (const Surface* b : own) {
             if (a < b && face_each_other(*a, *b)) return true;
@@ -96,13 +92,13 @@ bool sees_itself(const Scene& scene, int face) {
 }
 
 bool is_convex(const Scene& scene) {
-    if (scene.surfaces.size() > most_surfaces || scene.surfaces.empty()) return false;
+    if (scene.surfaces.size() > most_surfaces_pair_by_pair || scene.surfaces.empty()) return false;
     double smallest = std::numeric_limits<double>::max();
-    for (const Surface& surface : scene.surfaces) smallest = std::min(smallest, size(surface));
+    for (const Surface& surface : scene.surfaces) smallest = std::min(smallest, summed_extents(surface));
     for (const Surface& plane : scene.surfaces) {
         if (!is_flat(plane.shape)) return false;
         for (const Surface& surface : scene.surfaces) {
-            if (heights(plane, surface).low < -tolerance * smallest) return false;
+            if (heights(plane, surface).low < -rounding_room * smallest) return false;
         }
     }
     return true;

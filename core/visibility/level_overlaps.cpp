@@ -3,6 +3,7 @@
 #include "core/geometry/box_tree.hpp"
 #include "core/geometry/line_meets.hpp"
 #include "core/geometry/placement.hpp"
+#include "core/geometry/shaft.hpp"
 #include "core/geometry/surface_map.hpp"
 
 #include <Eigen/Geometry>
@@ -15,17 +16,15 @@ namespace ff {
 namespace {
 
 using Eigen::Vector3d;
-using Polygon = std::vector<Vector3d>;
 
-constexpr double rounding = 0x1p-46;
 /// Of the smaller surface: less is what adjacent surfaces cover for rounding.
 constexpr double least_share = 1e-6;
 /// Places of a disc along each of its coordinates.
 constexpr int lattice = 32;
 
 /// The part of a convex polygon on the side of a plane that `inwards` points to.
-Polygon clipped(const Polygon& polygon, const Vector3d& corner, const Vector3d& inwards) {
-    Polygon result;
+ConvexPolygon part_towards(const ConvexPolygon& polygon, const Vector3d& corner, const Vector3d& inwards) {
+    ConvexPolygon result;
     for (std::size_t k = 0; k < polygon.size(); ++k) {
         const Vector3d& a = polygon[k];
         const Vector3d& b = polygon[(k + 1) % polygon.size()];
@@ -38,18 +37,18 @@ Polygon clipped(const Polygon& polygon, const Vector3d& corner, const Vector3d& 
     return result;
 }
 
-double area_along(const Polygon& polygon, const Vector3d& normal) {
+double area_along(const ConvexPolygon& polygon, const Vector3d& normal) {
     double sum = 0;
     for (std::size_t k = 1; k + 1 < polygon.size(); ++k)
         sum += (polygon[k] - polygon[0]).cross(polygon[k + 1] - polygon[0]).dot(normal);
     return std::abs(sum) / 2;
 }
 
-double common_area_of_polygons(const Surface& a, const Polygon& of_a, const Polygon& of_b) {
+double common_area_of_polygons(const Surface& a, const ConvexPolygon& of_a, const ConvexPolygon& of_b) {
     Vector3d upwards = (of_a[1] - of_a[0]).cross(of_a[2] - of_a[1]);
-    Polygon common = of_b;
+    ConvexPolygon common = of_b;
     for (std::size_t k = 0; k < of_a.size() && common.size() >= 3; ++k)
-        common = clipped(common, of_a[k], upwards.cross(of_a[(k + 1) % of_a.size()] - of_a[k]));
+        common = part_towards(common, of_a[k], upwards.cross(of_a[(k + 1) % of_a.size()] - of_a[k]));
     return common.size() < 3 ? 0 : area_along(common, a.normal);
 }
 
@@ -78,8 +77,8 @@ bool lie_in_one_plane(const Surface& a, const Surface& b, double gap) {
 }
 
 double common_area(const Surface& a, const Surface& b) {
-    const Polygon of_a = corners(a.shape);
-    const Polygon of_b = corners(b.shape);
+    const ConvexPolygon of_a = corners(a.shape);
+    const ConvexPolygon of_b = corners(b.shape);
     if (!of_a.empty() && !of_b.empty()) return common_area_of_polygons(a, of_a, of_b);
     return std::max(covered_share(a, b) * area(a.shape), covered_share(b, a) * area(b.shape));
 }
@@ -87,7 +86,7 @@ double common_area(const Surface& a, const Surface& b) {
 std::vector<LevelOverlap> level_overlaps(const Scene& scene) {
     std::vector<Eigen::AlignedBox3d> boxes;
     for (const Surface& surface : scene.surfaces) boxes.push_back(box_around(surface));
-    const double gap = rounding * farthest_coordinate(scene);
+    const double gap = level_rounding * farthest_coordinate(scene);
     const BoxTree tree(boxes);
     std::vector<LevelOverlap> overlaps;
     for (std::uint32_t i = 0; i < boxes.size(); ++i) {

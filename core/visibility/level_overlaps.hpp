@@ -7,6 +7,9 @@
 
 namespace ff {
 
+/// By this share of a scene's largest coordinate, planes that are the same may lie apart for rounding alone.
+inline constexpr double level_rounding = 0x1p-46;
+
 /// Two coplanar surfaces that overlap. Coordinates do not tell which of them hides the other.
 struct LevelOverlap {
     std::uint32_t first = 0;  ///< index of a surface

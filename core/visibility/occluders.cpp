@@ -37,7 +37,7 @@ bool is_polygon(const Surface& surface) {
 }
 
 /// Whether nothing of a box lies in front of a plane.
-bool is_behind(const AlignedBox3d& box, const Vector3d& normal, double plane) {
+bool box_is_behind(const AlignedBox3d& box, const Vector3d& normal, double plane) {
     return normal.dot(box.center()) + normal.cwiseAbs().dot(box.sizes()) / 2 < plane;
 }
 
@@ -182,7 +182,7 @@ Occluders::Between Occluders::between_walls(std::size_t from, std::size_t to) co
         stack.pop_back();
         const Node& node = nodes_[at];
         if ((node.box.min().array() > box.max().array()).any() || (node.box.max().array() < box.min().array()).any() ||
-            is_behind(node.box, a.normal, plane_a) || is_behind(node.box, b.normal, plane_b))
+            box_is_behind(node.box, a.normal, plane_a) || box_is_behind(node.box, b.normal, plane_b))
             continue;
         if (node.upper == 0) {
             for (std::uint32_t k = node.first; k < node.first + node.count; ++k) {

@@ -14,7 +14,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr std::size_t most_surfaces = 512;
+constexpr std::size_t most_surfaces_for_blockers = 512;
 
 struct Pair {
     const Surface& from;
@@ -33,7 +33,7 @@ double length(const Extent& extent) {
 }
 
 /// What computing a surface's extent may be off by: it grows with the surface, and what it may hide does not.
-double rounding(const Extent& extent) {
+double rounding_of(const Extent& extent) {
     return 4 * std::numeric_limits<double>::epsilon() * std::max(std::abs(extent.low), std::abs(extent.high));
 }
 
@@ -43,7 +43,7 @@ bool is_parted(const Surface& surface, const Pair& pair, const Vector3d& directi
     const Extent own = extent(surface, direction);
     const Extent others = pair.along(direction);
     const double room =
-        pair.room * length(others) - (own.high == others.low || own.low == others.high ? 0 : rounding(own));
+        pair.room * length(others) - (own.high == others.low || own.low == others.high ? 0 : rounding_of(own));
     return own.high <= others.low + room || own.low >= others.high - room;
 }
 
@@ -52,7 +52,7 @@ bool is_behind(const Surface& surface, const Surface& flat, const Pair& pair) {
     if (!is_flat(flat.shape)) return false;
     const Extent own = extent(surface, flat.normal);
     const Extent plane = extent(flat, flat.normal);
-    const double room = pair.room * length(pair.along(flat.normal)) - (own.high == plane.high ? 0 : rounding(own));
+    const double room = pair.room * length(pair.along(flat.normal)) - (own.high == plane.high ? 0 : rounding_of(own));
     return own.high <= plane.high + room;
 }
 
@@ -83,7 +83,7 @@ std::vector<const Surface*> possible_blockers(const Scene& scene, const Surface&
 
 bool may_be_occluded(const Scene& scene) {
     if (scene.empty_box) return false;
-    if (scene.surfaces.size() > most_surfaces) return true;
+    if (scene.surfaces.size() > most_surfaces_for_blockers) return true;
     for (const Surface& from : scene.surfaces) {
         if (!is_of_face(from)) continue;
         for (const Surface& to : scene.surfaces) {
@@ -96,7 +96,7 @@ bool may_be_occluded(const Scene& scene) {
 
 bool may_be_occluded(const Scene& scene, int from_face, int to_face) {
     if (scene.empty_box) return false;
-    if (scene.surfaces.size() > most_surfaces) return true;
+    if (scene.surfaces.size() > most_surfaces_for_blockers) return true;
     std::vector<const Surface*> from;
     std::vector<const Surface*> to;
     for (const Surface& surface : scene.surfaces) {

@@ -1,15 +1,13 @@
 #pragma once
 
 #include "core/geometry/scene.hpp"
+#include "core/visibility/rounding_room.hpp"
 
 #include <Eigen/Core>
 
 #include <vector>
 
 namespace ff {
-
-/// Allowance for rounding, relative to a pair of surfaces.
-inline constexpr double rounding_room = 1e-12;
 
 /// Whether a third surface is proved not to stand between two: it lies behind one of them, its plane has both on one
 /// side, or a plane across a coordinate axis or one of the normals separates it from both.

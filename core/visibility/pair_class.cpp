@@ -12,7 +12,7 @@
 namespace ff {
 namespace {
 
-std::size_t surfaces_of(const Scene& scene, int face) {
+std::size_t count_surfaces(const Scene& scene, int face) {
     return static_cast<std::size_t>(
         std::count_if(scene.surfaces.begin(), scene.surfaces.end(), [&](const Surface& s) { return s.face == face; }));
 }
@@ -67,7 +67,7 @@ PairClass pair_class(const Scene& scene, int from_face, int to_face) {
     FF_EXPECT(from_face >= 0 && static_cast<std::size_t>(from_face) < scene.faces.size());
     FF_EXPECT(to_face >= 0 && static_cast<std::size_t>(to_face) < scene.faces.size());
     if (from_face == to_face) return PairClass::self;
-    if (surfaces_of(scene, from_face) * surfaces_of(scene, to_face) > most_surface_pairs) return PairClass::other;
+    if (count_surfaces(scene, from_face) * count_surfaces(scene, to_face) > most_surface_pairs) return PairClass::other;
     const std::vector<Boxed> of_from = boxed_surfaces(scene, from_face);
     const std::vector<Boxed> of_to = boxed_surfaces(scene, to_face);
     bool all_parallel = true;

@@ -1,6 +1,8 @@
 #include "core/visibility/touching.hpp"
 
+#include "core/geometry/shaft.hpp"
 #include "core/geometry/surface_map.hpp"
+#include "core/visibility/rounding_room.hpp"
 
 #include <Eigen/Dense>
 
@@ -14,10 +16,6 @@ namespace ff {
 namespace {
 
 using Eigen::Vector3d;
-using Polygon = std::vector<Vector3d>;
-
-/// Room for rounding, relative to the surfaces.
-constexpr double tolerance = 1e-12;
 
 struct StraightLine {
     Vector3d point;
@@ -32,17 +30,17 @@ struct Stretch {
 
 constexpr Stretch nowhere{0, 0};
 
-double size(const Polygon& polygon) {
+double size_of(const ConvexPolygon& polygon) {
     return (polygon[1] - polygon[0]).norm() + (polygon[2] - polygon[1]).norm();
 }
 
-Vector3d normal(const Polygon& polygon) {
+Vector3d normal(const ConvexPolygon& polygon) {
     return (polygon[1] - polygon[0]).cross(polygon[2] - polygon[1]).normalized();
 }
 
 /// Calls visit(a corner, the unit vector from the edge that begins there to the inside) for each edge.
 template <class Visit>
-void for_each_edge(const Polygon& polygon, Visit visit) {
+void for_each_edge(const ConvexPolygon& polygon, Visit visit) {
     const Vector3d upwards = normal(polygon);
     for (std::size_t i = 0; i < polygon.size(); ++i) {
         visit(polygon[i], upwards.cross(polygon[(i + 1) % polygon.size()] - polygon[i]).normalized());
@@ -50,7 +48,7 @@ void for_each_edge(const Polygon& polygon, Visit visit) {
 }
 
 /// Where the planes of two polygons meet. @pre they are not parallel
-StraightLine common_line(const Surface& a, const Polygon& of_a, const Surface& b, const Polygon& of_b) {
+StraightLine common_line(const Surface& a, const ConvexPolygon& of_a, const Surface& b, const ConvexPolygon& of_b) {
     const Vector3d direction = a.normal.cross(b.normal).normalized();
     // Measured from a's corner, so that rounding is relative to the surfaces and not to the origin.
     Eigen::Matrix3d planes;
@@ -60,13 +58,13 @@ StraightLine common_line(const Surface& a, const Polygon& of_a, const Surface& b
 }
 
 /// The part of a line of its plane that lies on a convex polygon, rim included.
-Stretch inside(const StraightLine& line, const Polygon& polygon) {
+Stretch inside(const StraightLine& line, const ConvexPolygon& polygon) {
     Stretch part;
-    const double gap = tolerance * size(polygon);
+    const double gap = rounding_room * size_of(polygon);
     for_each_edge(polygon, [&](const Vector3d& corner, const Vector3d& inwards) {
         const double start = (line.point - corner).dot(inwards);
         const double slope = line.direction.dot(inwards);
-        if (std::abs(slope) <= tolerance) {
+        if (std::abs(slope) <= rounding_room) {
             if (start < -gap) part = nowhere;
         } else if (slope > 0) {
             part.begin = std::max(part.begin, -start / slope);
@@ -77,12 +75,12 @@ Stretch inside(const StraightLine& line, const Polygon& polygon) {
     return part;
 }
 
-bool polygons_meet(const Surface& a, const Polygon& of_a, const Surface& b, const Polygon& of_b) {
+bool polygons_meet(const Surface& a, const ConvexPolygon& of_a, const Surface& b, const ConvexPolygon& of_b) {
     const StraightLine line = common_line(a, of_a, b, of_b);
     const Stretch on_a = inside(line, of_a);
     const Stretch on_b = inside(line, of_b);
     const double length = std::min(on_a.end, on_b.end) - std::max(on_a.begin, on_b.begin);
-    return length > tolerance * std::min(size(of_a), size(of_b));
+    return length > rounding_room * std::min(size_of(of_a), size_of(of_b));
 }
 
 struct Ring {
@@ -108,19 +106,19 @@ std::vector<Ring> rims(const Surface& surface) {
 }
 
 /// Three places of a circle fix it; a fourth tells a circle from what only crosses the surface.
-bool lies_on(const Ring& ring, const Surface& surface) {
+bool ring_lies_on(const Ring& ring, const Surface& surface) {
     const Vector3d x = perpendicular(ring.axis);
     const Vector3d y = ring.axis.normalized().cross(x);
     const std::array<Vector3d, 4> directions{x, Vector3d(0.6 * y - 0.8 * x), Vector3d(-y),
                                              Vector3d(0.28 * x + 0.96 * y)};
     return std::all_of(directions.begin(), directions.end(), [&](const Vector3d& direction) {
-        return lies_on(ring.centre + ring.radius * direction, surface, tolerance * ring.radius);
+        return lies_on(ring.centre + ring.radius * direction, surface, rounding_room * ring.radius);
     });
 }
 
 bool has_rim_on(const Surface& a, const Surface& b) {
     const std::vector<Ring> all = rims(a);
-    return std::any_of(all.begin(), all.end(), [&](const Ring& ring) { return lies_on(ring, b); });
+    return std::any_of(all.begin(), all.end(), [&](const Ring& ring) { return ring_lies_on(ring, b); });
 }
 
 }  // namespace
@@ -147,7 +145,7 @@ bool lies_on(const Vector3d& place, const Surface& surface, double gap) {
         return std::abs(offset.norm() - zone->radius) <= gap && height >= zone->low * zone->radius - gap &&
                height <= zone->high * zone->radius + gap;
     }
-    const Polygon polygon = corners(surface.shape);
+    const ConvexPolygon polygon = corners(surface.shape);
     bool inside = std::abs((place - polygon[0]).dot(surface.normal)) <= gap;
     for_each_edge(polygon, [&](const Vector3d& corner, const Vector3d& inwards) {
         inside = inside && (place - corner).dot(inwards) >= -gap;
@@ -156,13 +154,13 @@ bool lies_on(const Vector3d& place, const Surface& surface, double gap) {
 }
 
 bool are_parallel(const Surface& a, const Surface& b) {
-    return is_flat(a.shape) && is_flat(b.shape) && a.normal.cross(b.normal).norm() <= tolerance;
+    return is_flat(a.shape) && is_flat(b.shape) && a.normal.cross(b.normal).norm() <= rounding_room;
 }
 
 bool meet_along_line(const Surface& a, const Surface& b) {
     if (are_parallel(a, b)) return false;
-    const Polygon of_a = corners(a.shape);
-    const Polygon of_b = corners(b.shape);
+    const ConvexPolygon of_a = corners(a.shape);
+    const ConvexPolygon of_b = corners(b.shape);
     if (!of_a.empty() && !of_b.empty()) return polygons_meet(a, of_a, b, of_b);
     return has_rim_on(a, b) || has_rim_on(b, a);
 }

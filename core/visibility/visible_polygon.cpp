@@ -17,11 +17,11 @@ namespace {
 
 using Eigen::Vector3d;
 /// Few corners, so that none of them is allocated.
-using Polygon = boost::container::small_vector<Vector3d, 10>;
+using SmallPolygon = boost::container::small_vector<Vector3d, 10>;
 
 /// Relative to `place`.
-Polygon seen_from(const Vector3d& place, std::span<const Vector3d> polygon) {
-    Polygon result;
+SmallPolygon seen_from(const Vector3d& place, std::span<const Vector3d> polygon) {
+    SmallPolygon result;
     result.resize(polygon.size(), Vector3d::Zero());
     for (std::size_t k = 0; k < polygon.size(); ++k) result[k] = polygon[k] - place;
     return result;
@@ -33,7 +33,7 @@ struct Heights {
     bool some_above = false;
     bool some_below = false;
 
-    Heights(const Polygon& polygon, const Vector3d& normal) {
+    Heights(const SmallPolygon& polygon, const Vector3d& normal) {
         values.resize(polygon.size(), boost::container::default_init);
         for (std::size_t k = 0; k < polygon.size(); ++k) {
             values[k] = normal.dot(polygon[k]);
@@ -44,8 +44,8 @@ struct Heights {
 };
 
 /// The part of a convex polygon that is above a plane through the origin (sign 1), or below (-1).
-Polygon part_of(const Polygon& polygon, const Heights& heights, double sign) {
-    Polygon part;
+SmallPolygon part_of(const SmallPolygon& polygon, const Heights& heights, double sign) {
+    SmallPolygon part;
     part.resize(2 * polygon.size(), Vector3d::Zero());  // rounding may make more than two crossings
     std::size_t size = 0;
     std::size_t before = polygon.size() - 1;
@@ -62,7 +62,7 @@ Polygon part_of(const Polygon& polygon, const Heights& heights, double sign) {
 }
 
 /// Takes the part where normal * v < 0 off a convex polygon. @return whether there is one; what is left may be empty
-bool cut(Polygon& polygon, const Vector3d& normal) {
+bool cut(SmallPolygon& polygon, const Vector3d& normal) {
     const Heights heights(polygon, normal);
     if (!heights.some_below) return false;
     if (heights.some_above)
@@ -73,17 +73,17 @@ bool cut(Polygon& polygon, const Vector3d& normal) {
 }
 
 /// The same. @return that part
-Polygon cut_off(Polygon& polygon, const Vector3d& normal) {
+SmallPolygon cut_off(SmallPolygon& polygon, const Vector3d& normal) {
     const Heights heights(polygon, normal);
     if (!heights.some_below) return {};
     if (!heights.some_above) return std::exchange(polygon, {});
-    Polygon lower = part_of(polygon, heights, -1);
+    SmallPolygon lower = part_of(polygon, heights, -1);
     polygon = part_of(polygon, heights, 1);
     return lower;
 }
 
 /// Lambert's formula from the origin. @pre the polygon is above the horizon
-double factor_of(const Polygon& polygon, const Vector3d& normal) {
+double factor_of(const SmallPolygon& polygon, const Vector3d& normal) {
     double sum = 0;
     for (std::size_t k = 0; k < polygon.size(); ++k) {
         const Vector3d& a = polygon[k];
@@ -96,19 +96,19 @@ double factor_of(const Polygon& polygon, const Vector3d& normal) {
 }
 
 /// Room for the rounding of a triple product, relative to the lengths of its factors.
-constexpr double rounding = 4e-15;
+constexpr double product_rounding = 4e-15;
 
 /// Planes through the origin and the edges of a polygon, normals towards its inside; none where it is seen edge-on, or
 /// so nearly that rounding decides where its inside is.
-Polygon sides_of(const Polygon& polygon) {
+SmallPolygon sides_of(const SmallPolygon& polygon) {
     Vector3d middle = Vector3d::Zero();
     for (const Vector3d& corner : polygon) middle += corner;
-    Polygon sides;
+    SmallPolygon sides;
     for (std::size_t k = 0; k < polygon.size(); ++k) {
         const Vector3d& a = polygon[k];
         const Vector3d& b = polygon[k + 1 == polygon.size() ? 0 : k + 1];
         Vector3d side = a.cross(b);
-        const double room = rounding * rounding * a.squaredNorm() * b.squaredNorm();
+        const double room = product_rounding * product_rounding * a.squaredNorm() * b.squaredNorm();
         if (side.squaredNorm() <= room) continue;  // two corners in one
         const double height = side.dot(middle);
         if (height * height <= room * middle.squaredNorm()) return {};
@@ -118,7 +118,7 @@ Polygon sides_of(const Polygon& polygon) {
     return sides;
 }
 
-bool is_outside(const Polygon& piece, const Polygon& sides) {
+bool is_outside(const SmallPolygon& piece, const SmallPolygon& sides) {
     return std::any_of(sides.begin(), sides.end(), [&](const Vector3d& side) {
         return std::all_of(piece.begin(), piece.end(), [&](const Vector3d& v) { return side.dot(v) <= 0; });
     });
@@ -126,8 +126,8 @@ bool is_outside(const Polygon& piece, const Polygon& sides) {
 
 /// Factor of the part of a convex piece that is in a shadow, given by the planes of its sides.
 /// @param factor  of the whole piece
-double factor_of_hidden(const Polygon& piece, double factor, const Polygon& shadow, const Vector3d& normal) {
-    Polygon hidden = piece;
+double factor_of_hidden(const SmallPolygon& piece, double factor, const SmallPolygon& shadow, const Vector3d& normal) {
+    SmallPolygon hidden = piece;
     bool differs = false;
     for (const Vector3d& side : shadow) {
         differs = cut(hidden, side) || differs;
@@ -137,7 +137,7 @@ double factor_of_hidden(const Polygon& piece, double factor, const Polygon& shad
 }
 
 /// Factor of what is seen of a convex piece past shadows.
-double factor_of_visible(Polygon piece, std::span<const Polygon> shadows, const Vector3d& normal) {
+double factor_of_visible(SmallPolygon piece, std::span<const SmallPolygon> shadows, const Vector3d& normal) {
     while (!shadows.empty() && is_outside(piece, shadows.front())) shadows = shadows.subspan(1);
     if (shadows.size() < 2) {
         const double factor = factor_of(piece, normal);
@@ -145,7 +145,7 @@ double factor_of_visible(Polygon piece, std::span<const Polygon> shadows, const 
     }
     double sum = 0;
     for (const Vector3d& side : shadows.front()) {
-        Polygon outside = cut_off(piece, side);
+        SmallPolygon outside = cut_off(piece, side);
         if (!outside.empty()) sum += factor_of_visible(std::move(outside), shadows.subspan(1), normal);
         if (piece.empty()) break;
     }
@@ -168,7 +168,7 @@ VisiblePolygon::VisiblePolygon(const Surface& target, const std::vector<const Su
     // What lies behind the target's plane is in nobody's way.
     const Vector3d origin = target_.front();
     for (const Surface* blocker : blockers) {
-        Polygon part = seen_from(origin, around(*blocker));
+        SmallPolygon part = seen_from(origin, around(*blocker));
         cut(part, target_normal_);
         std::vector<Vector3d>& kept = blockers_.emplace_back();
         for (const Vector3d& corner : part) kept.emplace_back(origin + corner);
@@ -184,16 +184,16 @@ VisiblePolygon::Factors VisiblePolygon::from(const Vector3d& place, const Vector
 VisiblePolygon::Factors VisiblePolygon::from(const Vector3d& place, const Vector3d& normal,
                                              std::span<const std::uint32_t> blockers) const {
     if (target_normal_.dot(target_.front() - place) >= 0) return {};
-    Polygon whole = seen_from(place, target_);
+    SmallPolygon whole = seen_from(place, target_);
     cut(whole, normal);
     if (whole.empty()) return {};
-    const Polygon cone = sides_of(whole);
-    boost::container::small_vector<Polygon, 4> shadows;
+    const SmallPolygon cone = sides_of(whole);
+    boost::container::small_vector<SmallPolygon, 4> shadows;
     for (const std::uint32_t index : blockers) {
-        Polygon blocker = seen_from(place, blockers_[index]);
+        SmallPolygon blocker = seen_from(place, blockers_[index]);
         if (is_outside(blocker, cone)) continue;
         cut(blocker, normal);
-        Polygon sides = sides_of(blocker);
+        SmallPolygon sides = sides_of(blocker);
         if (!sides.empty() && !is_outside(whole, sides)) shadows.push_back(std::move(sides));
     }
     // Corners run clockwise as seen from the place that the polygon's normal points to.

@@ -16,14 +16,14 @@ namespace {
 using studies::StudyPlan;
 
 /// study .. between
-std::string cell_fields(const StudyPlan& plan, const studies::Consequences& found) {
+std::string system_fields(const StudyPlan& plan, const studies::Consequences& found) {
     const studies::Cell& cell = plan.cells[found.cell];
     return fmt::format("{},{},{},{},{},{}", csv_field(plan.spec.name), csv_field(plan.scenes[cell.scene].name),
                        csv_field(plan.spec.methods[cell.method].name), cell.subdivision.per_part(),
                        cell.samples == 0 ? std::string() : std::to_string(cell.samples), studies::name(found.between));
 }
 
-constexpr std::string_view cell_columns = "study,scene,method,patches_per_face,samples_per_patch,between";
+constexpr std::string_view system_columns = "study,scene,method,patches_per_face,samples_per_patch,between";
 
 /// Three columns: label of the face, row and column of the patch.
 std::string element_fields(const StudyPlan& plan, const studies::Consequences& found, std::size_t element) {
@@ -61,7 +61,7 @@ void for_each_solver(const studies::StudyResults& results,
         for (const auto& found : system.solvers) row(prefix, found);
     }
     for (const studies::Consequences& found : results.radiosity->consequences) {
-        const std::string cell = cell_fields(results.findings.plan, found);
+        const std::string cell = system_fields(results.findings.plan, found);
         for (const studies::SettingFindings& at : found.settings) {
             const std::string prefix = fmt::format("{},{}", cell, setting_field(plan, at.setting));
             for (const auto& solver : at.solvers) row(prefix, solver);
@@ -79,11 +79,11 @@ bool is_written(std::size_t iteration, std::size_t last) {
 }  // namespace
 
 void write_matrices_csv(std::ostream& out, const studies::StudyResults& results) {
-    out << fmt::format("{},treatment,trials,not_balanced,{},{},{},{},{},{}\n", cell_columns,
+    out << fmt::format("{},treatment,trials,not_balanced,{},{},{},{},{},{}\n", system_columns,
                        columns_of("closure_defect"), columns_of("reciprocity_defect"), columns_of("correction"),
                        columns_of("factor_error"), columns_of("dominant_below"), columns_of("convergent_below"));
     for (const studies::Consequences& found : results.radiosity->consequences) {
-        const std::string cell = cell_fields(results.findings.plan, found);
+        const std::string cell = system_fields(results.findings.plan, found);
         const auto some = [&](const studies::OverTrials& range) {
             return fields_of(found.trials > 0 ? std::optional(range) : std::nullopt);
         };
@@ -99,9 +99,9 @@ void write_systems_csv(std::ostream& out, const studies::StudyResults& results) 
         "{},treatment,reflectance,trials,dominant,convergent,divergent,singular,negative,{},spectral_radius_"
         "uncertainty,"
         "{},{},light_error\n",
-        cell_columns, columns_of("spectral_radius"), columns_of("condition"), columns_of("energy_defect"));
+        system_columns, columns_of("spectral_radius"), columns_of("condition"), columns_of("energy_defect"));
     for (const studies::Consequences& found : results.radiosity->consequences) {
-        const std::string cell = cell_fields(results.findings.plan, found);
+        const std::string cell = system_fields(results.findings.plan, found);
         for (const studies::SettingFindings& at : found.settings) {
             out << fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", cell, studies::name(found.treatment),
                                setting_field(results.findings.plan, at.setting), at.trials, at.dominant, at.convergent,
@@ -113,12 +113,12 @@ void write_systems_csv(std::ostream& out, const studies::StudyResults& results) 
 }
 
 void write_exitance_csv(std::ostream& out, const studies::StudyResults& results) {
-    out << cell_columns
+    out << system_columns
         << ",treatment,reflectance,trials,face,row,column,exact,mean,bias,bias_ci_low,bias_ci_high,interval_method,"
            "level,std,rmse,q025,median,q975\n";
     const StudyPlan& plan = results.findings.plan;
     for (const studies::Consequences& found : results.radiosity->consequences) {
-        const std::string cell = cell_fields(results.findings.plan, found);
+        const std::string cell = system_fields(results.findings.plan, found);
         for (const studies::SettingFindings& at : found.settings) {
             for (const studies::ExitanceFindings& e : at.exitance) {
                 const auto& interval = e.bias_interval;
@@ -134,8 +134,8 @@ void write_exitance_csv(std::ostream& out, const studies::StudyResults& results)
 }
 
 void write_solvers_csv(std::ostream& out, const studies::StudyResults& results) {
-    out << cell_columns << ",reflectance,solver,runs,converged,diverged,stalled,exhausted," << columns_of("iterations")
-        << ",flops\n";
+    out << system_columns << ",reflectance,solver,runs,converged,diverged,stalled,exhausted,"
+        << columns_of("iterations") << ",flops\n";
     for_each_solver(results, [&](const std::string& prefix, const studies::SolverFindings& found) {
         out << fmt::format("{},{},{},{},{},{},{},{},{}\n", prefix, ff::name(found.solver), found.runs, found.converged,
                            found.diverged, found.stalled, found.exhausted, fields_of(found.iterations),
@@ -144,7 +144,7 @@ void write_solvers_csv(std::ostream& out, const studies::StudyResults& results) 
 }
 
 void write_residuals_csv(std::ostream& out, const studies::StudyResults& results) {
-    out << cell_columns << ",reflectance,solver,iteration,residual\n";
+    out << system_columns << ",reflectance,solver,iteration,residual\n";
     for_each_solver(results, [&](const std::string& prefix, const studies::SolverFindings& found) {
         for (std::size_t i = 0; i < found.residuals.size(); ++i) {
             if (!is_written(i, found.residuals.size() - 1)) continue;

@@ -12,10 +12,10 @@
 namespace ff::reports {
 namespace {
 
-constexpr double width = 300;
-constexpr double height = 24;
+constexpr double band_width = 300;
+constexpr double band_height = 24;
 
-constexpr const char* style =
+constexpr const char* gates_style =
     "td.pass{color:#1a6b2b}td.fail{color:#a4161a;font-weight:bold}td.inconclusive{color:#7a5200;font-weight:bold}";
 
 /// Values to places, so that all that is finite is seen.
@@ -24,7 +24,7 @@ struct Scale {
     double high = 1;
 
     [[nodiscard]] double operator()(double value) const {
-        return width * std::clamp((value - low) / (high - low), 0.0, 1.0);
+        return band_width * std::clamp((value - low) / (high - low), 0.0, 1.0);
     }
 };
 
@@ -45,24 +45,24 @@ Scale scale_of(const studies::Comparison& row) {
 void add_bar(pugi::xml_node svg, double from, double to, double thickness, const char* colour) {
     pugi::xml_node bar = svg.append_child("rect");
     set_attribute(bar, "x", fmt::format("{:.1f}", from));
-    set_attribute(bar, "y", fmt::format("{:.1f}", (height - thickness) / 2));
+    set_attribute(bar, "y", fmt::format("{:.1f}", (band_height - thickness) / 2));
     set_attribute(bar, "width", fmt::format("{:.1f}", std::max(1.0, to - from)));
     set_attribute(bar, "height", fmt::format("{:g}", thickness));
     set_attribute(bar, "fill", colour);
 }
 
 /// The band in grey; on it the failing interval thin, the passing one thick, the value as a line.
-void add_picture(pugi::xml_node cell, const studies::Comparison& row) {
+void add_band_picture(pugi::xml_node cell, const studies::Comparison& row) {
     if (!row.measurement) {
         cell.text().set("–");
         return;
     }
     const studies::Measurement& m = *row.measurement;
     const Scale scale = scale_of(row);
-    pugi::xml_node svg = add_svg(cell, width, height,
+    pugi::xml_node svg = add_svg(cell, band_width, band_height,
                                  fmt::format("{}, interval {} to {}, {}", brief(m.value), brief(m.passing.low),
                                              brief(m.passing.high), band_in_words(row.band)));
-    add_bar(svg, scale(row.band.low), scale(row.band.high), height, "#d9e6f2");
+    add_bar(svg, scale(row.band.low), scale(row.band.high), band_height, "#d9e6f2");
     add_bar(svg, scale(m.failing.low), scale(m.failing.high), 2, "#555");
     add_bar(svg, scale(m.passing.low), scale(m.passing.high), 8, "#1f5a99");
     add_bar(svg, scale(m.value), scale(m.value), 16, "#000");
@@ -72,7 +72,7 @@ void add_picture(pugi::xml_node cell, const studies::Comparison& row) {
 
 std::string gates_html(const studies::CheckResults& check) {
     using studies::Verdict;
-    HtmlPage page = begin_page("Gates of " + check.spec.name, style);
+    HtmlPage page = begin_page("Gates of " + check.spec.name, gates_style);
     pugi::xml_node body = page.body;
     add_element(body, "p", gates_summary(check));
     add_element(
@@ -89,7 +89,7 @@ std::string gates_html(const studies::CheckResults& check) {
             pugi::xml_node row = table.append_child("tr");
             set_attribute(add_element(row, "td", std::string(name(verdict))), "class", std::string(name(verdict)));
             add_element(row, "td", result.gate);
-            add_picture(row.append_child("td"), decisive(result.comparisons));
+            add_band_picture(row.append_child("td"), decisive(result.comparisons));
             add_element(row, "td", gate_in_words(result));
         }
     }

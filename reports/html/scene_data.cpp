@@ -19,9 +19,9 @@ using Eigen::Vector3d;
 using Json = nlohmann::ordered_json;
 
 constexpr std::size_t most_polygons = 30'000;
-constexpr std::size_t most_rows = 300;
-constexpr int rings = 8;      // of facets on a round surface
-constexpr int segments = 24;  // of a ring
+constexpr std::size_t most_matrix_rows = 300;
+constexpr int facet_rings = 8;  // on a round surface
+constexpr int facets_per_ring = 24;
 
 /// Fewer digits: a page is to be sent on.
 double short_number(double value, int digits) {
@@ -40,14 +40,14 @@ void add_polygon(Json& polygons, int face, const std::vector<Vector3d>& corners)
 
 void add_facets(Json& polygons, int face, const Surface& surface) {
     const SurfaceMap map(surface);
-    for (int i = 0; i < rings; ++i) {
-        for (int k = 0; k < segments; ++k) {
+    for (int i = 0; i < facet_rings; ++i) {
+        for (int k = 0; k < facets_per_ring; ++k) {
             const auto at = [&](int s, int t) {
-                return map.at(s / double{rings}, t % segments / double{segments}).position;
+                return map.at(s / double{facet_rings}, t % facets_per_ring / double{facets_per_ring}).position;
             };
             std::vector<Vector3d> corners{at(i, k), at(i + 1, k), at(i + 1, k + 1), at(i, k + 1)};
             const Vector3d normal = (corners[2] - corners[0]).cross(corners[3] - corners[1]);
-            const Vector3d outwards = map.at((i + 0.5) / rings, (k + 0.5) / segments).normal;
+            const Vector3d outwards = map.at((i + 0.5) / facet_rings, (k + 0.5) / facets_per_ring).normal;
             if (normal.dot(outwards) < 0) std::reverse(corners.begin(), corners.end());
             add_polygon(polygons, face, corners);
         }
@@ -105,7 +105,7 @@ Json quantities_json(const FormFactorReport& report, const HeatReport* heat) {
 
 Json matrix_json(const FormFactorReport& report) {
     const std::size_t faces = report.scene.faces.size();
-    const std::size_t step = (faces + most_rows - 1) / most_rows;
+    const std::size_t step = (faces + most_matrix_rows - 1) / most_matrix_rows;
     std::vector<std::map<std::size_t, std::pair<double, double>>> rows((faces + step - 1) / step);
     const auto add = [&](std::size_t from, std::size_t to, const studies::FaceExchange& exchange) {
         const double area = report.matrix.areas[from];

@@ -23,17 +23,18 @@ using Eigen::Vector3d;
 using Line = std::vector<Vector2d>;
 
 constexpr std::size_t most_surfaces = 2000;
-constexpr int segments = 36;  // of a ring
-constexpr int spokes = 4;     // lines between rings
-constexpr double width = 240;
-constexpr double margin = 12;
+constexpr int ring_segments = 36;
+constexpr int spokes = 4;  // lines between rings
+constexpr double drawing_width = 240;
+constexpr double drawing_margin = 12;
 
-/// Directions to the right and up in the drawing, for a view from azimuth 35 and height 25 degrees: no edge of a cube
-/// hides another one.
+/// Directions to the right and up in the drawing, for a view from azimuth 35 and elevation 25 degrees: no edge of a
+/// cube hides another one.
 const double azimuth = 35 * std::numbers::pi / 180;
-const double height = 25 * std::numbers::pi / 180;
+const double elevation = 25 * std::numbers::pi / 180;
 const Vector3d right(-std::sin(azimuth), std::cos(azimuth), 0);
-const Vector3d up(-std::sin(height) * std::cos(azimuth), -std::sin(height) * std::sin(azimuth), std::cos(height));
+const Vector3d up(-std::sin(elevation) * std::cos(azimuth), -std::sin(elevation) * std::sin(azimuth),
+                  std::cos(elevation));
 
 /// y downwards as in SVG.
 Vector2d project(const Vector3d& place) {
@@ -50,7 +51,8 @@ Line outline(const std::vector<Vector3d>& corners) {
 /// Around a round surface at s.
 Line ring(const SurfaceMap& map, double s) {
     Line line;
-    for (int i = 0; i <= segments; ++i) line.push_back(project(map.at(s, i % segments / double{segments}).position));
+    for (int i = 0; i <= ring_segments; ++i)
+        line.push_back(project(map.at(s, i % ring_segments / double{ring_segments}).position));
     return line;
 }
 
@@ -77,7 +79,7 @@ std::vector<Line> lines_of(const Surface& surface) {
                               round({0.0, 1.0}, 1);
                           },
                           [&](const SphereZone&) {
-                              round({0.0, 0.5, 1.0}, segments / 2);
+                              round({0.0, 0.5, 1.0}, ring_segments / 2);
                           }},
                surface.shape);
     return lines;
@@ -90,7 +92,7 @@ struct Drawn {
 };
 
 /// The box around all lines.
-struct Frame {
+struct DrawingFrame {
     Vector2d low = Vector2d::Constant(std::numeric_limits<double>::infinity());
     Vector2d high = -low;
 
@@ -98,13 +100,13 @@ struct Frame {
         low = low.cwiseMin(point);
         high = high.cwiseMax(point);
     }
-    /// Units of the drawing in one of the scene: the larger side is `width`.
+    /// Units of the drawing in one of the scene: the larger side is `drawing_width`.
     [[nodiscard]] double scale() const {
         const double size = (high - low).maxCoeff();
-        return size > 0 ? width / size : 1;
+        return size > 0 ? drawing_width / size : 1;
     }
     [[nodiscard]] Vector2d at(const Vector2d& point) const {
-        return (point - low) * scale() + Vector2d::Constant(margin);
+        return (point - low) * scale() + Vector2d::Constant(drawing_margin);
     }
 };
 
@@ -123,7 +125,7 @@ std::vector<const Surface*> largest_surfaces(const Scene& scene) {
 
 std::string scene_drawing(const Scene& scene) {
     std::vector<Drawn> drawn;
-    Frame frame;
+    DrawingFrame frame;
     const std::size_t step = (scene.surfaces.size() + most_surfaces - 1) / most_surfaces;
     for (std::size_t i = 0; i < scene.surfaces.size(); i += step) {
         drawn.push_back({&scene.surfaces[i], lines_of(scene.surfaces[i])});
@@ -131,7 +133,7 @@ std::string scene_drawing(const Scene& scene) {
             for (const Vector2d& point : line) frame.add(point);
         }
     }
-    const Vector2d size = frame.at(frame.high) + Vector2d::Constant(margin);
+    const Vector2d size = frame.at(frame.high) + Vector2d::Constant(drawing_margin);
     std::string out = fmt::format(
         "<svg class=\"scene\" role=\"img\" aria-label=\"line drawing of {}\" viewBox=\"0 0 {:.1f} {:.1f}\" "
         "width=\"{:.0f}\" height=\"{:.0f}\" fill=\"none\" stroke=\"currentColor\">",

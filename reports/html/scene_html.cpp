@@ -20,11 +20,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t most_rows = 1000;
-
-TableCell cell(std::string text) {
-    return {std::move(text), Mark::none};
-}
+constexpr std::size_t most_listed_faces = 1000;
 
 /// Areas and sums of rows.
 Table faces_table(const FormFactorReport& report) {
@@ -34,22 +30,24 @@ Table faces_table(const FormFactorReport& report) {
         {},      {}};
     const bool drops = report.request.drop > 0;
     if (drops) table.columns.push_back({"dropped of it", true, {}});
-    for (std::size_t face = 0; face < std::min(most_rows, report.scene.faces.size()); ++face) {
+    for (std::size_t face = 0; face < std::min(most_listed_faces, report.scene.faces.size()); ++face) {
         const studies::RowSum& sum = report.matrix.rows[face];
         const double width = std::max(sum.high - sum.value, sum.value - sum.low);
-        table.rows.push_back({cell(report.scene.faces[face]), cell(brief(report.matrix.areas[face], 6)),
-                              cell(to_error(sum.value, width)),
-                              cell(fmt::format("{} to {}", to_error(sum.low, width), to_error(sum.high, width)))});
+        table.rows.push_back(
+            {plain_cell(report.scene.faces[face]), plain_cell(brief(report.matrix.areas[face], 6)),
+             plain_cell(to_error(sum.value, width)),
+             plain_cell(fmt::format("{} to {}", to_error(sum.low, width), to_error(sum.high, width)))});
         const double half = std::max(sum.dropped.high - sum.dropped.value, sum.dropped.value - sum.dropped.low);
-        if (drops) table.rows.back().push_back(cell(to_error(sum.dropped.value, half) + " ± " + brief(half, 2)));
+        if (drops) table.rows.back().push_back(plain_cell(to_error(sum.dropped.value, half) + " ± " + brief(half, 2)));
     }
-    if (report.scene.faces.size() > most_rows)
-        table.remarks.push_back(fmt::format("The first {} faces, of {}.", most_rows, report.scene.faces.size()));
+    if (report.scene.faces.size() > most_listed_faces)
+        table.remarks.push_back(
+            fmt::format("The first {} faces, of {}.", most_listed_faces, report.scene.faces.size()));
     return table;
 }
 
 Table flows_table(const HeatReport& heat) {
-    Table table = heat_table(heat, most_rows);
+    Table table = heat_table(heat, most_listed_faces);
     table.title = "Flows";
     table.note = "± is half of an interval; all hold at once.";
     return table;

@@ -11,9 +11,9 @@
 namespace ff::reports {
 namespace {
 
-constexpr double width = 720;
-constexpr double height = 160;
-constexpr double margin = 12;
+constexpr double trend_width = 720;
+constexpr double trend_height = 160;
+constexpr double trend_margin = 12;
 
 struct Point {
     double x = 0;
@@ -21,21 +21,22 @@ struct Point {
 };
 
 /// Places of runs and values in the picture.
-struct Frame {
+struct TrendFrame {
     double low = 0;
     double high = 1;
     std::size_t runs = 1;
 
     [[nodiscard]] double x(double run) const {
-        return margin + (width - 2 * margin) * run / static_cast<double>(std::max<std::size_t>(1, runs - 1));
+        return trend_margin +
+               (trend_width - 2 * trend_margin) * run / static_cast<double>(std::max<std::size_t>(1, runs - 1));
     }
     [[nodiscard]] double y(double value) const {
-        return height - margin - (height - 2 * margin) * (value - low) / (high - low);
+        return trend_height - trend_margin - (trend_height - 2 * trend_margin) * (value - low) / (high - low);
     }
 };
 
-Frame frame_of(const studies::Trend& trend) {
-    Frame frame{trend.values.front(), trend.values.front(), trend.values.size()};
+TrendFrame frame_of(const studies::Trend& trend) {
+    TrendFrame frame{trend.values.front(), trend.values.front(), trend.values.size()};
     for (std::size_t i = 0; i < trend.values.size(); ++i) {
         const double error = trend.errors.empty() ? 0 : trend.errors[i];
         frame.low = std::min(frame.low, trend.values[i] - error);
@@ -53,15 +54,15 @@ void add_line(pugi::xml_node svg, Point from, Point to, const char* colour, cons
     set_attribute(line, "stroke-width", thickness);
 }
 
-void add_picture(pugi::xml_node body, const studies::Trend& trend) {
-    const Frame frame = frame_of(trend);
-    pugi::xml_node svg = add_svg(body, width, height,
+void add_trend_picture(pugi::xml_node body, const studies::Trend& trend) {
+    const TrendFrame frame = frame_of(trend);
+    pugi::xml_node svg = add_svg(body, trend_width, trend_height,
                                  fmt::format("{} of {} over {} runs, {} to {}", name(trend.what), trend.quantity,
                                              trend.values.size(), brief(frame.low), brief(frame.high)));
     if (trend.changed) {
         const auto first = static_cast<double>(trend.change->first);
         const double last = static_cast<double>(trend.values.size() - 1);
-        add_line(svg, {frame.x(first - 0.5), 0}, {frame.x(first - 0.5), height}, "#a4161a", "1");
+        add_line(svg, {frame.x(first - 0.5), 0}, {frame.x(first - 0.5), trend_height}, "#a4161a", "1");
         add_line(svg, {frame.x(0), frame.y(trend.change->before)},
                  {frame.x(first - 0.5), frame.y(trend.change->before)}, "#a4161a", "2");
         add_line(svg, {frame.x(first - 0.5), frame.y(trend.change->after)},
@@ -92,7 +93,7 @@ std::string trend_html(const std::vector<studies::Trend>& trends, double alpha) 
     for (const studies::Trend& trend : trends) {
         add_element(page.body, "h2", fmt::format("{}, {}", trend.quantity, name(trend.what)));
         add_element(page.body, "p", trend_in_words(trend));
-        add_picture(page.body, trend);
+        add_trend_picture(page.body, trend);
     }
     return page_text(page);
 }

@@ -1,44 +1,23 @@
 #include "reports/json/gates_json.hpp"
 
-#include <nlohmann/json.hpp>
-
-#include <cmath>
+#include "reports/json/json_values.hpp"
 
 namespace ff::reports {
 namespace {
-
-using Json = nlohmann::ordered_json;
-
-template <class Value>
-Json optional(const std::optional<Value>& value) {
-    return value ? Json(*value) : Json(nullptr);
-}
-
-Json finite(double value) {
-    return std::isfinite(value) ? Json(value) : Json(nullptr);
-}
-
-Json interval_json(const stats::Interval& interval) {
-    return {{"low", finite(interval.low)},
-            {"high", finite(interval.high)},
-            {"level", interval.level},
-            {"method", interval.method},
-            {"n", interval.n}};
-}
 
 Json comparison_json(const studies::Comparison& c) {
     const auto& measurement = c.measurement;
     return {{"scene", c.scene},
             {"method", c.method},
-            {"patches_per_face", optional(c.patches_per_face)},
-            {"samples_per_patch", optional(c.samples_per_patch)},
+            {"patches_per_face", optional_json(c.patches_per_face)},
+            {"samples_per_patch", optional_json(c.samples_per_patch)},
             {"from_face", c.from_face},
             {"to_face", c.to_face},
             {"quantity", c.quantity},
             {"value", measurement ? Json(measurement->value) : Json(nullptr)},
             {"passing_interval", measurement ? interval_json(measurement->passing) : Json(nullptr)},
             {"failing_interval", measurement ? interval_json(measurement->failing) : Json(nullptr)},
-            {"band", {{"low", finite(c.band.low)}, {"high", finite(c.band.high)}}},
+            {"band", {{"low", finite_json(c.band.low)}, {"high", finite_json(c.band.high)}}},
             {"verdict", name(c.verdict)},
             {"minimum_detectable", measurement ? Json(measurement->minimum_detectable) : Json(nullptr)},
             {"alpha", c.levels.fail_alpha},

@@ -146,7 +146,7 @@ Json cell_json(const studies::StudyPlan& plan, const studies::CellFindings& foun
     return json;
 }
 
-Json comparison_json(const studies::PublishedResults& published, const studies::TableComparison& table) {
+Json table_comparison_json(const studies::PublishedResults& published, const studies::TableComparison& table) {
     Json figures = Json::array();
     for (const studies::FigureComparison& c : table.figures) {
         figures.push_back({{"figure", studies::describe(published.tables, c.figure)},
@@ -178,7 +178,7 @@ Json comparison_json(const studies::PublishedResults& published, const studies::
 Json published_json(const studies::PublishedResults& published) {
     Json tables = Json::array();
     for (const studies::TableComparison& table : published.comparisons)
-        tables.push_back(comparison_json(published, table));
+        tables.push_back(table_comparison_json(published, table));
     Json claims = Json::array();
     for (const studies::JudgedClaim& claim : published.claims) {
         claims.push_back({{"id", claim.claim.id},

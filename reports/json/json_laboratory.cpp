@@ -2,7 +2,6 @@
 
 #include "reports/text/labels.hpp"
 
-#include <cmath>
 #include <utility>
 
 namespace ff::reports {
@@ -125,8 +124,6 @@ Json claimed_errors_json(const studies::StudyResults& results) {
     Json rows = Json::array();
     for (const studies::ClaimedErrors& row : results.claimed_errors) {
         const studies::Cell& cell = plan.cells[row.cell];
-        // Of a claim of 0 every error is infinitely many times as large, which is no number of JSON.
-        const auto finite = [](double ratio) { return std::isfinite(ratio) ? Json(ratio) : Json(nullptr); };
         rows.push_back({{"cell", cell_label(plan, cell)},
                         {"pair_class", ff::name(row.pair_class)},
                         {"claimant", studies::name(row.claimant)},
@@ -136,8 +133,9 @@ Json claimed_errors_json(const studies::StudyResults& results) {
                         {"worst_pair", quantity_label(plan.scenes[cell.scene], row.worst)},
                         {"worst_held", row.worst_held},
                         {"worst_share_interval", interval_json(row.worst_share)},
-                        {"median_ratio", finite(row.median_ratio)},
-                        {"largest_ratio", finite(row.largest_ratio)},
+                        // Of a claim of 0 every error is infinitely many times as large.
+                        {"median_ratio", finite_json(row.median_ratio)},
+                        {"largest_ratio", finite_json(row.largest_ratio)},
                         {"finding", row.finding == studies::ClaimFinding::fails ? "fails" : "not_refuted"}});
     }
     return rows;

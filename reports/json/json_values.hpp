@@ -12,9 +12,15 @@ namespace ff::reports {
 using Json = nlohmann::ordered_json;
 
 /// The value, or null.
-Json optional_json(const std::optional<double>& value);
+template <class Value>
+Json optional_json(const std::optional<Value>& value) {
+    return value ? Json(*value) : Json(nullptr);
+}
 
-/// low, high, level, method and n; or null.
+/// The number; null where it is infinite or not a number, which JSON cannot say.
+Json finite_json(double value);
+
+/// low, high (null where infinite), level, method and n; or null.
 Json interval_json(const std::optional<stats::Interval>& interval);
 
 }  // namespace ff::reports

@@ -27,7 +27,7 @@ std::string hits_in_words(const std::optional<HitRange>& hits) {
 }
 
 /// "table6, 1 - 2, PDM r.e. (%) and 11 more"
-std::string blamed_figures(const PublishedTables& tables, const Finding& finding) {
+std::string blame_in_words(const PublishedTables& tables, const Finding& finding) {
     if (finding.figures.empty()) return finding.relation == studies::Relation::closure ? "the method" : "the text";
     std::string text = describe(tables, finding.figures.front());
     if (finding.figures.size() > 1) text += fmt::format(" and {} more", finding.figures.size() - 1);
@@ -50,7 +50,7 @@ void write_overview(Out out, const PublishedTables& tables, const AuditReport& r
     for (const Finding& f : report.findings) {
         fmt::format_to(
             out, "| {} | {} | {} | {} | {} | {} |\n", ++number, name(f.relation),
-            markdown_cell(blamed_figures(tables, f)),
+            markdown_cell(blame_in_words(tables, f)),
             list_corrections(f, [](const studies::Correction& c) { return c.printed; }),
             list_corrections(
                 f, [](const studies::Correction& c) { return c.certain ? c.meant : fmt::format("about {}", c.meant); }),

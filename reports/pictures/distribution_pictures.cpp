@@ -25,14 +25,6 @@ std::string pair_name(const Distribution& d, const ErrorShape& shape) {
     return quantity_label(d.scene, shape.quantity);
 }
 
-Picture named(std::string_view kind, const Distribution& d, std::string title) {
-    Picture picture;
-    picture.kind = kind;
-    picture.id = slug(fmt::format("{}-{}-{}", kind, d.found.cell, d.label));
-    picture.title = std::move(title);
-    return picture;
-}
-
 nlohmann::ordered_json choice_of(const Distribution& d) {
     return {{"signal", "pair"}, {"label", "Pair"}, {"values", d.pairs}};
 }
@@ -47,7 +39,8 @@ Picture box_plots(const Distribution& d) {
                     drawn(shape.q75), error(s.q95), error(s.max)});
         if (widest == nullptr || *s.q95 - *s.q05 > *widest->q95 - *widest->q05) widest = &s;
     }
-    Picture picture = named("errors", d, fmt::format("Errors of single runs by pair, {}.", d.label));
+    Picture picture =
+        begin_picture("errors", d.found.cell, d.label, fmt::format("Errors of single runs by pair, {}.", d.label));
     picture.finding = fmt::format("The widest spread is that of {}: 90 % of its runs err by {:+.2e} to {:+.2e}.",
                                   quantity_label(d.scene, widest->quantity), *widest->q05 - *widest->reference,
                                   *widest->q95 - *widest->reference);
@@ -71,7 +64,8 @@ Picture histogram(const Distribution& d) {
         if (s.normality_p && (least == nullptr || *s.normality_p < *least->normality_p)) least = &s;
     }
     values.set("choose", choice_of(d));
-    Picture picture = named("histogram", d, fmt::format("How the errors of single runs are distributed, {}.", d.label));
+    Picture picture = begin_picture("histogram", d.found.cell, d.label,
+                                    fmt::format("How the errors of single runs are distributed, {}.", d.label));
     picture.finding = least == nullptr
                           ? std::string("There are too few runs for a test of normality.")
                           : fmt::format("The least normal of {} pairs is {}: Anderson-Darling {} by itself, n = {}.",
@@ -98,7 +92,8 @@ Picture quantile_plot(const Distribution& d) {
         }
     }
     values.set("choose", choice_of(d));
-    Picture picture = named("qq", d, fmt::format("Quantiles of the errors against normal ones, {}.", d.label));
+    Picture picture = begin_picture("qq", d.found.cell, d.label,
+                                    fmt::format("Quantiles of the errors against normal ones, {}.", d.label));
     picture.finding = fmt::format("No quantile is farther from the line than {:.2g} standard deviations ({}).",
                                   distance, pair_name(d, *farthest));
     picture.description = fmt::format(

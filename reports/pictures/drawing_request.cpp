@@ -7,6 +7,8 @@
 
 namespace ff::reports {
 
+using Json = nlohmann::ordered_json;
+
 std::vector<Picture> all_pictures(const studies::StudyResults& results, const MethodChoice& methods) {
     std::vector<Picture> all;
     const auto add = [&](std::vector<Picture> more) { std::move(more.begin(), more.end(), std::back_inserter(all)); };
@@ -24,7 +26,6 @@ std::vector<Picture> all_pictures(const studies::StudyResults& results, const Me
 
 std::string drawing_request(const std::vector<Picture>& pictures, const Templates& templates,
                             const std::optional<FigureStyle>& style) {
-    using Json = nlohmann::ordered_json;
     Json request{{"kinds", Json::object()}, {"pictures", Json::array()}};
     Json& kinds = request["kinds"];
     for (const Picture& picture : pictures) {

@@ -68,10 +68,6 @@ class FlatPicture {
     nlohmann::ordered_json shown_ = nlohmann::ordered_json::array();
 };
 
-std::string place(const StudyPlan& plan, std::size_t scene) {
-    return plan.scenes.size() == 1 ? std::string() : fmt::format(" of {}", plan.scenes[scene].name);
-}
-
 /// Each patch gathers from the faces, whose exitance is that of the system between faces.
 std::vector<double> gather(const studies::Lighting& lighting, const studies::ExactSystem& solved,
                            const Eigen::MatrixXd& to_faces, const Scene& scene, Subdivision subdivision) {
@@ -114,10 +110,10 @@ std::optional<Picture> gathered_picture(const studies::StudyResults& results, st
         if (finding.empty()) finding = range_finding(choice);
         flat.add(choice);
     }
-    return flat.finish(place(plan, scene_index),
+    return flat.finish(of_scene(plan, scene_index),
                        {{},
                         "exitance",
-                        fmt::format("The light with exact factors{}.", place(plan, scene_index)),
+                        fmt::format("The light with exact factors{}.", of_scene(plan, scene_index)),
                         finding,
                         "The faces laid flat, each patch coloured by its exitance: what it emits, and reflects of the "
                         "light that it gathers from the faces. ",
@@ -182,20 +178,20 @@ std::vector<Picture> patch_pictures(const studies::StudyResults& results, std::s
             worst = label;
         }
     });
-    std::vector<Picture> pictures{
-        light.finish(place(plan, scene_index), {{},
+    std::vector<Picture> pictures{light.finish(of_scene(plan, scene_index),
+                                               {{},
                                                 "exitance",
-                                                fmt::format("The light on the patches{}.", place(plan, scene_index)),
+                                                fmt::format("The light on the patches{}.", of_scene(plan, scene_index)),
                                                 finding,
                                                 "The faces laid flat, each patch coloured by its exitance: with exact "
                                                 "factors, and the mean over trials of a method. ",
                                                 {}})};
     if (worst.empty()) return pictures;
     pictures.push_back(errors.finish(
-        place(plan, scene_index),
+        of_scene(plan, scene_index),
         {{},
          "exitance_errors",
-         fmt::format("Where the exitance is wrong{}.", place(plan, scene_index)),
+         fmt::format("Where the exitance is wrong{}.", of_scene(plan, scene_index)),
          fmt::format("The patch with the largest error is off by {} of its own exitance: {}.", percent(largest), worst),
          "The faces laid flat, each patch coloured by the RMSE of its exitance over trials, relative to the exact "
          "one. ",

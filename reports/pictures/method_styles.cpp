@@ -19,8 +19,9 @@ namespace {
 using studies::StudyResults;
 
 /// Okabe and Ito, without yellow and black; the rest of the palette tells more apart on both grounds.
-constexpr std::array colours{"#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#8a6d3b"};
-constexpr std::array symbols{"circle", "square", "triangle-up", "cross", "diamond", "triangle-right", "triangle-down"};
+constexpr std::array method_colours{"#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#8a6d3b"};
+constexpr std::array method_symbols{"circle",  "square",         "triangle-up",  "cross",
+                                    "diamond", "triangle-right", "triangle-down"};
 constexpr const char* grey = "#8b8f94";
 constexpr std::size_t leaders = 3;
 
@@ -60,7 +61,7 @@ std::set<std::size_t> coloured(const StudyResults& results, const MethodChoice& 
     for (std::size_t i = 0; i < methods.size(); ++i) {
         if (choice.has(methods[i].name)) chosen.insert(i);
     }
-    if (chosen.size() <= colours.size()) return chosen;
+    if (chosen.size() <= method_colours.size()) return chosen;
     chosen.clear();
     std::size_t most = leaders;
     const auto add = [&](std::size_t method) {
@@ -70,7 +71,7 @@ std::set<std::size_t> coloured(const StudyResults& results, const MethodChoice& 
         for (const std::size_t cell : studies::compared_cells(results.findings, scene, results.published->comparisons))
             add(results.findings.plan.cells[cell].method);
     }
-    most = colours.size();
+    most = method_colours.size();
     const auto random = std::find_if(methods.begin(), methods.end(), [](const studies::Method& method) {
         return method.sampler == samplers::yardstick().name;
     });
@@ -97,7 +98,8 @@ std::vector<MethodStyle> method_styles(const StudyResults& results, const Method
     std::size_t next = 0;
     for (std::size_t i = 0; i < methods.size(); ++i) {
         const bool in_colour = chosen.contains(i);
-        styles.push_back({methods[i].name, in_colour ? colours[next++] : grey, symbols[i % symbols.size()], in_colour});
+        styles.push_back({methods[i].name, in_colour ? method_colours[next++] : grey,
+                          method_symbols[i % method_symbols.size()], in_colour});
     }
     return styles;
 }

@@ -3,8 +3,10 @@
 #include "reports/pictures/method_choice.hpp"
 #include "studies/results/results.hpp"
 
+#include <cstddef>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace ff::reports {
@@ -60,6 +62,8 @@ std::optional<PictureGroup> radiosity_pictures(const studies::StudyResults& resu
 /// The radiant exitance on the unfolded box, exact and by each method, and its errors.
 std::vector<Picture> exitance_pictures(const studies::StudyResults& results, std::size_t scene);
 
+/// A picture of one cell with kind, id and title; the rest is to follow.
+Picture begin_picture(std::string_view kind, std::size_t cell, const std::string& label, std::string title);
 std::optional<Picture> unfolded_picture(const studies::StudyResults& results, std::size_t index);
 std::optional<Picture> estimates_picture(const studies::StudyResults& results, std::size_t cell);
 std::optional<Picture> bias_picture(const studies::StudyResults& results, std::size_t cell);

@@ -22,8 +22,7 @@ bool in_colour(const std::vector<MethodStyle>& styles, const std::string& method
 }
 
 std::string where(const studies::StudyPlan& plan, std::size_t scene, PairClass pair_class) {
-    const std::string of_scene = plan.scenes.size() == 1 ? "" : fmt::format(" of {}", plan.scenes[scene].name);
-    return fmt::format("{} pairs{}", name(pair_class), of_scene);
+    return fmt::format("{} pairs{}", name(pair_class), of_scene(plan, scene));
 }
 
 nlohmann::ordered_json names_of(const std::vector<SizeSeries>& all) {

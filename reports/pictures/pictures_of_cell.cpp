@@ -11,6 +11,8 @@
 #include <cmath>
 #include <map>
 #include <set>
+#include <string_view>
+#include <utility>
 
 namespace ff::reports {
 namespace {
@@ -44,14 +46,6 @@ std::vector<const Summary*> distinct(const CellView& v) {
     return pairs;
 }
 
-Picture named(std::string_view kind, const CellView& v, std::string title) {
-    Picture picture;
-    picture.kind = kind;
-    picture.id = slug(fmt::format("{}-{}-{}", kind, v.found.cell, v.label));
-    picture.title = std::move(title);
-    return picture;
-}
-
 /// Printed figures that show a quantity of this cell, the last table's where several do.
 std::map<Quantity, std::string> printed_figures(const studies::StudyResults& results, std::size_t cell) {
     std::map<Quantity, std::string> printed;
@@ -67,6 +61,14 @@ std::map<Quantity, std::string> printed_figures(const studies::StudyResults& res
 }
 
 }  // namespace
+
+Picture begin_picture(std::string_view kind, std::size_t cell, const std::string& label, std::string title) {
+    Picture picture;
+    picture.kind = kind;
+    picture.id = slug(fmt::format("{}-{}-{}", kind, cell, label));
+    picture.title = std::move(title);
+    return picture;
+}
 
 std::optional<Picture> estimates_picture(const studies::StudyResults& results, std::size_t cell) {
     const CellView v = view(results, cell);
@@ -96,7 +98,8 @@ std::optional<Picture> estimates_picture(const studies::StudyResults& results, s
     if (!printed.empty()) shown.push_back("published");
     const nlohmann::ordered_json labels{{"ours", intervals > 0 ? "mean, its interval" : "computed"}};
     values.set("signals", {{"shown", std::move(shown)}, {"labels", labels}});
-    Picture picture = named("estimates", v, fmt::format("Estimates against the exact values, {}.", v.label));
+    Picture picture = begin_picture("estimates", v.found.cell, v.label,
+                                    fmt::format("Estimates against the exact values, {}.", v.label));
     if (intervals > 0) {
         picture.finding = fmt::format(
             "Intervals that miss the exact value (Student t, {:g} %, {} trials): {} of {}, where "
@@ -132,7 +135,8 @@ std::optional<Picture> bias_picture(const studies::StudyResults& results, std::s
                     drawn(*s.bias / *s.bias_se), drawn(s.bias), drawn(s.bias_se)});
     }
     if (largest == nullptr) return std::nullopt;
-    Picture picture = named("bias_map", v, fmt::format("Bias in units of its standard error, {}.", v.label));
+    Picture picture = begin_picture("bias_map", v.found.cell, v.label,
+                                    fmt::format("Bias in units of its standard error, {}.", v.label));
     picture.finding =
         fmt::format("The largest is {:+.1f}, on {}; all pairs together: {}.", *largest->bias / *largest->bias_se,
                     quantity_label(v.scene, largest->quantity), bias_in_words(v.found));

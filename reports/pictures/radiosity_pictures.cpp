@@ -53,10 +53,6 @@ std::optional<double> same_everywhere(const StudyPlan& plan, std::size_t setting
     return reflectance.size() == 1 ? std::optional(reflectance.front()) : std::nullopt;
 }
 
-std::string place(const StudyPlan& plan, std::size_t scene) {
-    return plan.scenes.size() == 1 ? std::string() : fmt::format(" of {}", plan.scenes[scene].name);
-}
-
 /// Their lines, solid as methods complete their matrices and dashed where these are balanced.
 class Lines {
   public:
@@ -117,9 +113,9 @@ std::optional<Picture> errors_picture(const studies::StudyResults& results, std:
     if (worst == nullptr) return std::nullopt;
     lines.set(values);
     Picture picture;
-    picture.id = slug(fmt::format("light-errors{}", place(plan, scene)));
+    picture.id = slug(fmt::format("light-errors{}", of_scene(plan, scene)));
     picture.kind = "light_errors";
-    picture.title = fmt::format("How the exitance error grows with reflectance{}.", place(plan, scene));
+    picture.title = fmt::format("How the exitance error grows with reflectance{}.", of_scene(plan, scene));
     picture.finding = fmt::format("The largest error is {} at reflectance {}: {}. {}", percent(largest), where,
                                   worst->label(), dashes_in_words);
     picture.description = fmt::format(
@@ -155,9 +151,9 @@ std::optional<Picture> radius_picture(const studies::StudyResults& results, std:
     if (values.empty()) return std::nullopt;
     lines.set(values);
     Picture picture;
-    picture.id = slug(fmt::format("spectral-radius{}", place(plan, scene)));
+    picture.id = slug(fmt::format("spectral-radius{}", of_scene(plan, scene)));
     picture.kind = "spectral_radius";
-    picture.title = fmt::format("Spectral radius against reflectance{}.", place(plan, scene));
+    picture.title = fmt::format("Spectral radius against reflectance{}.", of_scene(plan, scene));
     const double limit = first->found->convergent_below.least;
     picture.finding = limit < 1 - 1e-12 ? fmt::format("The first to reach 1 is {}, at reflectance {}.", first->label(),
                                                       brief(limit, 4))
@@ -213,9 +209,9 @@ std::optional<Picture> residuals_picture(const studies::StudyResults& results, s
     const std::size_t count = systems.size();
     values.set("choose", {{"signal", "system"}, {"label", "System"}, {"values", std::move(systems)}});
     Picture picture;
-    picture.id = slug(fmt::format("residuals{}", place(plan, scene)));
+    picture.id = slug(fmt::format("residuals{}", of_scene(plan, scene)));
     picture.kind = "residuals";
-    picture.title = fmt::format("Residual histories{}.", place(plan, scene));
+    picture.title = fmt::format("Residual histories{}.", of_scene(plan, scene));
     picture.finding = failed.empty() ? fmt::format("No solver diverges on any of the {} systems.", count)
                                      : fmt::format("Some solver diverges on {} of the {} systems: {}.", failed.size(),
                                                    count, fmt::join(failed, "; "));

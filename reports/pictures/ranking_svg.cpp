@@ -16,14 +16,14 @@
 namespace ff::reports {
 namespace {
 
-using Json = nlohmann::json;
+using Json = nlohmann::ordered_json;
 
-constexpr double width = 640;
-constexpr double left = 200;  // of the axis; labels stand before it
-constexpr double right = width - 30;
-constexpr double step = 19;  // of rows
-constexpr double top = 10;
-constexpr double under = 40;  // axis and title
+constexpr double ranking_width = 640;
+constexpr double axis_left = 200;  // labels stand before it
+constexpr double axis_right = ranking_width - 30;
+constexpr double row_height = 19;
+constexpr double rows_top = 10;
+constexpr double axis_height = 40;  // with its title
 
 /// A value's place from left to right.
 class Axis {
@@ -34,7 +34,7 @@ class Axis {
         high_ += room;
     }
     [[nodiscard]] double at(double value) const {
-        return left + (right - left) * (scaled(value) - low_) / (high_ - low_);
+        return axis_left + (axis_right - axis_left) * (scaled(value) - low_) / (high_ - low_);
     }
     /// Four to about ten round numbers.
     [[nodiscard]] std::vector<double> ticks() const {
@@ -92,7 +92,7 @@ std::string row_svg(const Row& row, const Axis& axis, double y, const std::strin
         const double x = axis.at(row.number("expected"));
         out += line(x, x, y - 7, y + 7, "stroke=\"#595959\" stroke-width=\"1.5\"");
     }
-    if (!row.has("value")) return out + text(left + 4, y + 4, " fill=\"#595959\"", "exact to rounding");
+    if (!row.has("value")) return out + text(axis_left + 4, y + 4, " fill=\"#595959\"", "exact to rounding");
     if (row.has("low")) {
         out += line(axis.at(row.number("low")), axis.at(row.number("high")), y, y,
                     fmt::format("stroke=\"{}\" stroke-width=\"2\"", colour));
@@ -129,27 +129,28 @@ std::string ranking_svg(const Picture& picture) {
     const Axis axis(values.value("log", false), low, high);
 
     const Json& order = values["scales"]["y"]["domain"];
-    const double bottom = top + step * static_cast<double>(order.size());
+    const double bottom = rows_top + row_height * static_cast<double>(order.size());
     std::string out = fmt::format(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\" role=\"img\" "
         "font-family=\"system-ui, 'Liberation Sans', Arial, sans-serif\" font-size=\"12\" fill=\"#1b1b1b\">\n"
         "<title>{2}</title>\n<rect width=\"{0}\" height=\"{1}\" fill=\"#ffffff\"/>\n",
-        width, bottom + under, escape_html(picture.description));
+        ranking_width, bottom + axis_height, escape_html(picture.description));
     for (const double tick : axis.ticks()) {
-        out += line(axis.at(tick), axis.at(tick), top, bottom, "stroke=\"#d0d0d0\"");
+        out += line(axis.at(tick), axis.at(tick), rows_top, bottom, "stroke=\"#d0d0d0\"");
         out += text(axis.at(tick), bottom + 16, " text-anchor=\"middle\"", fmt::format("{:.6g}", tick));
     }
-    out += text((left + right) / 2, bottom + 33, " text-anchor=\"middle\"", values["titles"]["x"].get<std::string>());
-    double y = top + step / 2;
+    out += text((axis_left + axis_right) / 2, bottom + 33, " text-anchor=\"middle\"",
+                values["titles"]["x"].get<std::string>());
+    double y = rows_top + row_height / 2;
     for (const Json& each : order) {
         const auto name = each.get<std::string>();
         const auto divider = name.find('|');
         const bool heading = divider == std::string::npos;
         out += heading ? text(8, y + 4, " font-weight=\"bold\"", name)
-                       : text(left - 8, y + 4, " text-anchor=\"end\"", name.substr(divider + 1));
+                       : text(axis_left - 8, y + 4, " text-anchor=\"end\"", name.substr(divider + 1));
         if (const auto row = rows.find(name); row != rows.end())
             out += row_svg(row->second, axis, y, colours[row->second["method"].get<std::string>()]);
-        y += step;
+        y += row_height;
     }
     return out + "</svg>\n";
 }

@@ -36,11 +36,8 @@ std::optional<Picture> unfolded_picture(const studies::StudyResults& results, st
     }
     values.set("aspect", drawn((box->extent.top - box->extent.bottom) / (box->extent.right - box->extent.left)));
 
-    Picture picture;
-    picture.kind = "cube";
     const std::string label = cell_label(plan, cell);
-    picture.id = slug(fmt::format("cube-{}-{}", found.cell, label));
-    picture.title = fmt::format("Where the errors are, {}.", label);
+    Picture picture = begin_picture("cube", found.cell, label, fmt::format("Where the errors are, {}.", label));
     picture.finding = fmt::format("The factors of a patch err most on face {} (RMSE {})", face_of(errors.worst),
                                   brief(errors.rmse[errors.worst]));
     picture.finding += cell.subdivision.m < 3 ? "."  // all patches are along edges

@@ -13,7 +13,7 @@ namespace ff::reports {
 namespace {
 
 // Fields of the object, in the names that its schema gives them. @see [energyplus]
-constexpr std::string_view object = "ZoneProperty:UserViewFactors:BySurfaceName";
+constexpr std::string_view view_factors_object = "ZoneProperty:UserViewFactors:BySurfaceName";
 constexpr std::string_view marks = ",;!";  // of the IDF format
 constexpr std::size_t longest_name = 100;
 
@@ -56,7 +56,7 @@ void expect_energyplus(const Scene& scene) {
 void write_idf(std::ostream& out, const HandedOn& handed) {
     const auto& faces = handed.scene.faces;
     out << fmt::format("! Form factors of {}, by ffstudy\n{},\n  {},  !- Zone or ZoneList or Space or SpaceList Name\n",
-                       handed.scene.name, object, zone_of(handed.scene));
+                       handed.scene.name, view_factors_object, zone_of(handed.scene));
     for (std::size_t i = 0; i < faces.size(); ++i) {
         const Eigen::VectorXd row = whole_row(handed, static_cast<Eigen::Index>(i));
         for (std::size_t j = 0; j < faces.size(); ++j) {
@@ -78,8 +78,8 @@ void write_epjson(std::ostream& out, const HandedOn& handed) {
                                {"view_factor", row[static_cast<Eigen::Index>(j)]}});
     }
     const nlohmann::ordered_json file = {
-        {object,
-         {{fmt::format("{} 1", object),
+        {view_factors_object,
+         {{fmt::format("{} 1", view_factors_object),
            {{"zone_or_zonelist_or_space_or_spacelist_name", zone_of(handed.scene)}, {"view_factors", factors}}}}}};
     out << file.dump(1) << '\n';
 }

@@ -19,7 +19,7 @@ void expect_nothing(const Scene& scene) {
     static_cast<void>(scene);
 }
 
-constexpr std::array known{
+constexpr std::array known_files{
     ProgramFile{"view3d", "view3d.txt", expect_view3d, write_view3d},
     ProgramFile{"energyplus", "energyplus.idf", expect_energyplus, write_idf},
     ProgramFile{"energyplus", "energyplus.epJSON", expect_energyplus, write_epjson},
@@ -31,7 +31,7 @@ constexpr std::array known{
 
 std::vector<std::string_view> names_of_formats() {
     std::vector<std::string_view> names;
-    for (const ProgramFile& file : known) {
+    for (const ProgramFile& file : known_files) {
         if (names.empty() || names.back() != file.format) names.push_back(file.format);
     }
     return names;
@@ -59,7 +59,7 @@ std::vector<ProgramFile> files_of_formats(const std::vector<std::string>& format
                                         program_formats_in_words()));
     }
     std::vector<ProgramFile> files;
-    for (const ProgramFile& file : known) {
+    for (const ProgramFile& file : known_files) {
         if (std::find(formats.begin(), formats.end(), file.format) == formats.end()) continue;
         file.expect(scene);
         files.push_back(file);

@@ -23,7 +23,8 @@ std::string theory(const studies::Slope& found) {
     return fmt::format("{} [{}]: {}", expected_text(found), found.expected->source, found.expected->because);
 }
 
-Mark mark_of(const studies::ClassSlopes& found) {
+/// What is faster than theory is as good as what is as fast.
+Mark mark_of_speed(const studies::ClassSlopes& found) {
     switch (found.finding) {
         case studies::RateFinding::as_expected:
         case studies::RateFinding::faster:
@@ -69,7 +70,7 @@ Table convergence_table(const studies::StudyResults& results) {
         for (const studies::ClassSlopes& found : ladder.classes) {
             table.rows.push_back({{scene + ladder.ladder.label},
                                   {std::string(name(found.pair_class))},
-                                  {finding_in_words(found), mark_of(found)},
+                                  {finding_in_words(found), mark_of_speed(found)},
                                   {slope(found.rmse)},
                                   {interval_text(found.rmse.interval)},
                                   {interval_text(found.rmse.from_fit)},

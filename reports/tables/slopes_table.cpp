@@ -6,7 +6,8 @@
 namespace ff::reports {
 namespace {
 
-Mark mark_of(const studies::ClassSlopes& found) {
+/// What is faster than theory is marked too: theory does not explain it.
+Mark mark_against_theory(const studies::ClassSlopes& found) {
     switch (found.finding) {
         case studies::RateFinding::as_expected:
             return Mark::good;
@@ -51,7 +52,7 @@ Table slopes_table(const studies::StudyResults& results) {
                                   {slope_text(found.rmse), Mark::none},
                                   {slope_text(found.median), Mark::none},
                                   {expected_text(found.judged()), Mark::none},
-                                  {finding_in_words(found), mark_of(found)}});
+                                  {finding_in_words(found), mark_against_theory(found)}});
             method.clear();
             sizes.clear();
         }

@@ -16,12 +16,8 @@ namespace {
 using studies::FaceExchange;
 
 /// Of more faces the matrix is left to the files.
-constexpr std::size_t most_shown = 8;
+constexpr std::size_t most_faces_of_matrix = 8;
 constexpr std::size_t most_listed = 10;
-
-TableCell cell(std::string text) {
-    return {std::move(text), Mark::none};
-}
 
 struct MethodRow {
     std::size_t pairs = 0;
@@ -45,12 +41,13 @@ std::string methods(const FormFactorReport& report, const TextStyle& style) {
                 "",        {{"method", false, {}}, {"pairs", true, {}}, {"worst ±", true, {}}, {"why", false, {}}},
                 {},        {}};
     for (const auto& [key, row] : rows) {
-        table.rows.push_back({cell(std::string(key.first)), cell(std::to_string(row.pairs)),
-                              cell(key.first == "none" ? "" : brief(row.worst, 2)), cell(std::string(key.second))});
+        table.rows.push_back({plain_cell(std::string(key.first)), plain_cell(std::to_string(row.pairs)),
+                              plain_cell(key.first == "none" ? "" : brief(row.worst, 2)),
+                              plain_cell(std::string(key.second))});
     }
     if (report.matrix.dropped > 0)
-        table.rows.push_back({cell("dropped"), cell(std::to_string(report.matrix.dropped)), cell(""),
-                              cell(fmt::format("both factors are below {}", brief(report.request.drop)))});
+        table.rows.push_back({plain_cell("dropped"), plain_cell(std::to_string(report.matrix.dropped)), plain_cell(""),
+                              plain_cell(fmt::format("both factors are below {}", brief(report.request.drop)))});
     return text_table(table, style);
 }
 
@@ -77,13 +74,14 @@ std::string factors(const FormFactorReport& report, const TextStyle& style) {
     table.columns.push_back({"interval of the sum", false, {}});
     for (Eigen::Index i = 0; i < n; ++i) {
         const studies::RowSum& sum = report.matrix.rows[static_cast<std::size_t>(i)];
-        std::vector<TableCell> row{cell(report.scene.faces[static_cast<std::size_t>(i)])};
+        std::vector<TableCell> row{plain_cell(report.scene.faces[static_cast<std::size_t>(i)])};
         for (Eigen::Index j = 0; j < n; ++j) {
-            row.push_back(cell(values(i, j) == 0 && widths(i, j) == 0 ? "0" : to_error(values(i, j), widths(i, j))));
+            row.push_back(
+                plain_cell(values(i, j) == 0 && widths(i, j) == 0 ? "0" : to_error(values(i, j), widths(i, j))));
         }
         const double width = std::max(sum.high - sum.value, sum.value - sum.low);
-        row.push_back(cell(to_error(sum.value, width)));
-        row.push_back(cell(fmt::format("[{}, {}]", to_error(sum.low, width), to_error(sum.high, width))));
+        row.push_back(plain_cell(to_error(sum.value, width)));
+        row.push_back(plain_cell(fmt::format("[{}, {}]", to_error(sum.low, width), to_error(sum.high, width))));
         table.rows.push_back(std::move(row));
     }
     return text_table(table, style);
@@ -164,7 +162,7 @@ std::string form_factors_text(const FormFactorReport& report, const TextStyle& s
         counted(scene.surfaces.size(), "surface"), joined, tolerance_of(request), brief(request.level, 10),
         request.level_of == studies::LevelOf::entry ? "of each entry" : "of the whole matrix", request.seed.value);
     text += methods(report, style) + "\n";
-    text += scene.faces.size() <= most_shown ? factors(report, style) : many_row_sums(report);
+    text += scene.faces.size() <= most_faces_of_matrix ? factors(report, style) : many_row_sums(report);
     text += dropped_text(report) + "\n" + form_factors_verdict(report) + "\n";
     if (matrix.interrupted) text += "Stopped before the sampling was done; pairs by `bounds` have none.\n";
     return text + repair_text(report);

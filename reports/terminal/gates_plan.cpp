@@ -1,6 +1,7 @@
 #include "reports/terminal/gates_plan.hpp"
 
 #include "reports/terminal/gates_terminal.hpp"
+#include "reports/text/numbers.hpp"
 
 #include <fmt/format.h>
 
@@ -8,10 +9,6 @@
 
 namespace ff::reports {
 namespace {
-
-std::string seconds_in_words(double seconds) {
-    return seconds < 100 ? fmt::format("{:.1f} s", seconds) : fmt::format("{:.1f} min", seconds / 60);
-}
 
 std::string trials_in_words(const studies::GatePlan& plan) {
     const auto [least, most] = std::minmax_element(plan.trials.begin(), plan.trials.end());

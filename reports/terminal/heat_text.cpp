@@ -27,7 +27,7 @@ std::string with_error(const Bounds& bounds, bool is_rounding = false) {
     return fmt::format("{} ± {}", to_error(bounds.middle(), bounds.half_width()), brief(bounds.half_width(), 2));
 }
 
-constexpr std::size_t most_shown = 40;
+constexpr std::size_t most_flows_shown = 40;
 
 /// All faces; of many those of the largest powers.
 std::vector<std::size_t> shown_faces(const studies::HeatFlows& flows, std::size_t most) {
@@ -43,10 +43,6 @@ std::vector<std::size_t> shown_faces(const studies::HeatFlows& flows, std::size_
 
 std::string_view unit_of_power(const HeatReport& report) {
     return report.materials.are_light() ? "" : " W";
-}
-
-TableCell cell(std::string text) {
-    return {std::move(text), Mark::none};
 }
 
 }  // namespace
@@ -70,10 +66,10 @@ Table heat_table(const HeatReport& report, std::size_t most) {
     if (!light) table.columns.push_back({"temperature", true, "K"});
     for (const std::size_t i : shown_faces(flows, most)) {
         const studies::FaceFlow& flow = flows.faces[i];
-        table.rows.push_back({cell(scene.faces[i]), cell(brief(flow.area, 6)), cell(with_error(flow.radiosity)),
-                              cell(with_error(flow.irradiation)), cell(with_error(flow.net, at_rest)),
-                              cell(with_error(flow.power, at_rest))});
-        if (!light) table.rows.back().push_back(cell(with_error(flow.temperature)));
+        table.rows.push_back({plain_cell(scene.faces[i]), plain_cell(brief(flow.area, 6)),
+                              plain_cell(with_error(flow.radiosity)), plain_cell(with_error(flow.irradiation)),
+                              plain_cell(with_error(flow.net, at_rest)), plain_cell(with_error(flow.power, at_rest))});
+        if (!light) table.rows.back().push_back(plain_cell(with_error(flow.temperature)));
     }
     if (scene.faces.size() > table.rows.size())
         table.remarks.push_back(fmt::format("{} faces of the largest powers, of {}; all are in heat.csv (--out).",
@@ -109,7 +105,7 @@ std::string heat_balance(const HeatReport& report) {
 }
 
 std::string heat_text(const HeatReport& report, const TextStyle& style) {
-    Table table = heat_table(report, most_shown);
+    Table table = heat_table(report, most_flows_shown);
     const auto remarks = std::exchange(table.remarks, {});
     std::string out = text_table(table, style);
     for (const std::string& remark : remarks) out += remark + "\n";

@@ -49,7 +49,7 @@ std::string rmse(const studies::StudyPlan& plan, const studies::CellFindings& fo
 }
 
 /// With the scene, where there are several.
-std::string method_of(const studies::StudyPlan& plan, const studies::CellFindings& found) {
+std::string scene_and_method(const studies::StudyPlan& plan, const studies::CellFindings& found) {
     const studies::Cell& cell = plan.cells[found.cell];
     const std::string scene = plan.scenes.size() == 1 ? std::string() : plan.scenes[cell.scene].name + " ";
     return scene + plan.spec.methods[cell.method].name;
@@ -73,7 +73,7 @@ Table summary_table(const studies::StudyResults& results, const std::set<std::si
     if (equivalence) table.columns.push_back({"equivalence", false, ""});
     for (const studies::CellFindings& found : results.findings.cells) {
         if (hidden.contains(found.cell)) continue;
-        std::vector<TableCell> row{{method_of(plan, found), Mark::none},
+        std::vector<TableCell> row{{scene_and_method(plan, found), Mark::none},
                                    {size_label(plan, plan.cells[found.cell]), Mark::none},
                                    {std::to_string(found.trials), Mark::none},
                                    {rmse(plan, found, PairClass::parallel), Mark::none},

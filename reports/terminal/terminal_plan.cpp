@@ -1,5 +1,6 @@
 #include "reports/terminal/terminal.hpp"
 #include "reports/text/labels.hpp"
+#include "reports/text/numbers.hpp"
 #include "reports/text/table.hpp"
 #include "reports/text/text_table.hpp"
 #include "studies/results/resources.hpp"
@@ -13,10 +14,6 @@
 
 namespace ff::reports {
 namespace {
-
-std::string seconds_in_words(double seconds) {
-    return seconds < 100 ? fmt::format("{:.1f} s", seconds) : fmt::format("{:.1f} min", seconds / 60);
-}
 
 /// What the cells of a method and a size ask for in all scenes.
 struct PlanRow {

@@ -51,9 +51,8 @@ std::string plot_of(const studies::StudyPlan& plan, std::size_t scene, PairClass
     for (const SizeSeries& series : all) letters.push_back(plotted(series));
     const std::string plot = text_plot(letters, std::min(widest, std::max(style.width, narrowest) - margin));
     if (plot.empty()) return {};
-    const std::string of_scene = plan.scenes.size() == 1 ? "" : fmt::format(" of {}", plan.scenes[scene].name);
-    return fmt::format("\nRMSE of a run against evaluations per face, {} pairs{}{}\n{}", name(pair_class), of_scene,
-                       which, plot);
+    return fmt::format("\nRMSE of a run against evaluations per face, {} pairs{}{}\n{}", name(pair_class),
+                       of_scene(plan, scene), which, plot);
 }
 
 }  // namespace

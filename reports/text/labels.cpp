@@ -55,6 +55,10 @@ std::string cell_label(const studies::StudyPlan& plan, const studies::Cell& cell
     return plan.scenes.size() == 1 ? text : fmt::format("{}: {}", plan.scenes[cell.scene].name, text);
 }
 
+std::string of_scene(const studies::StudyPlan& plan, std::size_t scene) {
+    return plan.scenes.size() == 1 ? std::string() : fmt::format(" of {}", plan.scenes[scene].name);
+}
+
 std::string program_label(const studies::Context& context) {
     const auto version = context.find("version");
     const auto revision = context.find("revision");

@@ -3,6 +3,7 @@
 #include "studies/analysis/analysis.hpp"
 #include "studies/store/store.hpp"
 
+#include <cstddef>
 #include <string>
 
 namespace ff::reports {
@@ -19,6 +20,9 @@ std::string size_label(const studies::StudyPlan& plan, const studies::Cell& cell
 
 /// Method and size; the scene too where the study has several.
 std::string cell_label(const studies::StudyPlan& plan, const studies::Cell& cell);
+
+/// " of NAME" after what is of one scene; empty where the study has no other.
+std::string of_scene(const studies::StudyPlan& plan, std::size_t scene);
 
 /// The program that completed a study: version and revision. Empty before that. What differs between runs of one
 /// program (host, date, seconds) stands in context.json alone.

@@ -32,4 +32,8 @@ std::string p_text(double p) {
     return p < 1e-10 ? "p < 1e-10" : fmt::format("p = {:.2g}", p);
 }
 
+std::string seconds_in_words(double seconds) {
+    return seconds < 100 ? fmt::format("{:.1f} s", seconds) : fmt::format("{:.1f} min", seconds / 60);
+}
+
 }  // namespace ff::reports

@@ -21,4 +21,7 @@ std::string p_value(double p);
 /// The same in a sentence: "p = 0.03", "p < 1e-10".
 std::string p_text(double p);
 
+/// A time: "12.3 s", "2.5 min" from 100 seconds on.
+std::string seconds_in_words(double seconds);
+
 }  // namespace ff::reports

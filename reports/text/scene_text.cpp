@@ -7,14 +7,14 @@
 namespace ff::reports {
 namespace {
 
-constexpr std::size_t most_lines = 12;
+constexpr std::size_t most_listed = 12;
 
 std::string plural(std::size_t count, std::string_view what) {
     return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
 }
 
 /// Lines below a heading, those beyond the most counted.
-std::string listed(std::string_view heading, const std::vector<std::string>& lines, std::size_t most = most_lines) {
+std::string listed(std::string_view heading, const std::vector<std::string>& lines, std::size_t most = most_listed) {
     std::string out = fmt::format("{}:\n", heading);
     for (std::size_t i = 0; i < std::min(lines.size(), most); ++i) out += fmt::format("  {}\n", lines[i]);
     if (lines.size() > most) out += fmt::format("  and {} more\n", lines.size() - most);

@@ -11,13 +11,13 @@ namespace ff::reports {
 namespace {
 
 /// Longer ones bury what the rest of the page says; a mesh has a million.
-constexpr std::ptrdiff_t most_lines = 60;
+constexpr std::ptrdiff_t most_scene_lines = 60;
 constexpr int lines_shown = 20;
 
 /// Cuts a scene's text short. @return whether it was long
 bool shorten(std::string& scene) {
     const std::ptrdiff_t lines = std::count(scene.begin(), scene.end(), '\n') - (scene.ends_with('\n') ? 1 : 0);
-    if (lines <= most_lines) return false;
+    if (lines <= most_scene_lines) return false;
     std::size_t end = scene.find('\n');  // of the name
     for (int line = 0; line < lines_shown; ++line) end = scene.find('\n', end + 1);
     scene.resize(end);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace ff::reports {
@@ -19,6 +20,11 @@ struct TableCell {
     std::string text;
     Mark mark = Mark::none;
 };
+
+/// A cell without a mark.
+inline TableCell plain_cell(std::string text) {
+    return {std::move(text), Mark::none};
+}
 
 struct TableColumn {
     std::string title;

@@ -29,7 +29,7 @@ constexpr std::array all_classes{PairClass::parallel, PairClass::adjacent, PairC
 constexpr std::size_t most_clauses = 4;
 constexpr std::size_t most_bytes = 400;  // of several clauses: half the screen of a phone
 
-const std::string& method_of(const studies::StudyPlan& plan, std::size_t cell) {
+const std::string& method_name(const studies::StudyPlan& plan, std::size_t cell) {
     return plan.spec.methods[plan.cells[cell].method].name;
 }
 
@@ -94,7 +94,7 @@ std::string error_clause(const StudyResults& results, std::size_t scene, PairCla
     const Ranked& first = ranked.front();
     const std::string size = size_label(plan, plan.cells[first.index]);
     std::vector<std::string> names;
-    for (const Ranked& each : best) names.push_back(method_of(plan, each.index));
+    for (const Ranked& each : best) names.push_back(method_name(plan, each.index));
     if (first.value < studies::rounding_error)
         return fmt::format("{} {} {} exact to rounding", where, listed(names), names.size() == 1 ? "is" : "are");
     if (ranked.size() == 1)
@@ -112,7 +112,7 @@ std::string error_clause(const StudyResults& results, std::size_t scene, PairCla
     const auto ratio = studies::rmse_ratio_interval(better, worse, 1 - (1 - plan.spec.level) / pairs);
     const std::string times = ratio ? from_to(brief(ratio->low), brief(ratio->high)) : brief(next.value / first.value);
     return fmt::format("{} {} has the smallest error, {} times smaller than {} (RMSE {}, {})", where, names.front(),
-                       times, method_of(plan, next.index), brief(first.value), size);
+                       times, method_name(plan, next.index), brief(first.value), size);
 }
 
 /// The largest size of each ladder stands for the others.
@@ -125,7 +125,7 @@ std::vector<std::string> variance_clauses(const StudyResults& results) {
         const auto ranked = studies::rank_reductions(findings, results.reductions, each.random_cell, each.pair_class);
         const auto best = leaders(ranked);
         std::vector<std::string> names;
-        for (const Ranked& leader : best) names.push_back(method_of(findings.plan, leader.index));
+        for (const Ranked& leader : best) names.push_back(method_name(findings.plan, leader.index));
         const studies::Cell& cell = findings.plan.cells[each.random_cell];
         const std::string place = fmt::format("{} with {}", on_pairs(findings.plan, cell.scene, each.pair_class),
                                               size_label(findings.plan, cell));

@@ -13,7 +13,7 @@ namespace {
 using studies::VarianceReduction;
 
 /// The size without the scene's or the method's name: two cells of one size are compared.
-std::string place_of(const studies::StudyPlan& plan, const studies::Cell& cell) {
+std::string scene_and_size(const studies::StudyPlan& plan, const studies::Cell& cell) {
     const std::string size = size_label(plan, cell);
     return plan.scenes.size() == 1 ? size : fmt::format("{}, {}", plan.scenes[cell.scene].name, size);
 }
@@ -64,7 +64,7 @@ std::vector<std::string> reductions_in_brief(const studies::StudyResults& result
             if (rival && r.factor > best->factor) best = &r;
         }
         lines.push_back(fmt::format("At {} on {} pairs {} has the least variance: {} times less than random points.",
-                                    place_of(plan, plan.cells[first.random_cell]), name(first.pair_class),
+                                    scene_and_size(plan, plan.cells[first.random_cell]), name(first.pair_class),
                                     method_of(plan, *best).name, factor_text(*best)));
     }
     for (const VarianceReduction& face : results.reductions) {
@@ -76,7 +76,8 @@ std::vector<std::string> reductions_in_brief(const studies::StudyResults& result
             "One {} sequence over all patches of a face instead of one per patch {} the variance on {} pairs "
             "by {:.2f} at {}{}.",
             method_of(plan, face).sampler, gain >= 1 ? "divides" : "multiplies", name(face.pair_class),
-            gain >= 1 ? gain : 1 / gain, place_of(plan, plan.cells[face.cell]), apart ? "" : " (intervals overlap)"));
+            gain >= 1 ? gain : 1 / gain, scene_and_size(plan, plan.cells[face.cell]),
+            apart ? "" : " (intervals overlap)"));
     }
     return lines;
 }

@@ -12,7 +12,7 @@ namespace {
 
 using studies::UntilFinding;
 
-std::string rule_in_words(const studies::StudySpec& spec) {
+std::string stopping_rule_in_words(const studies::StudySpec& spec) {
     const studies::StoppingRule& rule = *spec.until;
     const std::string goal =
         rule.goal == studies::StoppingGoal::ci
@@ -48,7 +48,7 @@ std::string until_in_words(const studies::StudySpec& spec, const studies::UntilO
 std::vector<std::string> until_in_brief(const studies::StudyResults& results) {
     if (results.until.empty()) return {};
     const studies::StudyPlan& plan = results.findings.plan;
-    std::vector<std::string> lines{rule_in_words(plan.spec)};
+    std::vector<std::string> lines{stopping_rule_in_words(plan.spec)};
     const auto reached = std::count_if(results.until.begin(), results.until.end(),
                                        [](const auto& outcome) { return outcome.finding == UntilFinding::reached; });
     lines.push_back(fmt::format("Reached by {} of {} methods and sizes.", reached, results.until.size()));

@@ -15,13 +15,13 @@ constexpr double fewest_bins = 8;
 constexpr double most_bins = 40;
 constexpr std::size_t most_quantiles = 41;
 
-struct Grid {
+struct BinGrid {
     double low = 0;
     double width = 0;
     std::size_t bins = 0;
 };
 
-Grid grid_of(std::span<const double> ascending, double quartile_range, std::optional<double> lattice) {
+BinGrid grid_of(std::span<const double> ascending, double quartile_range, std::optional<double> lattice) {
     const double range = ascending.back() - ascending.front();
     const double rule = 2 * quartile_range / std::cbrt(static_cast<double>(ascending.size()));
     double width = std::clamp(rule, range / most_bins, range / fewest_bins);
@@ -48,7 +48,7 @@ std::optional<ErrorShape> error_shape(std::span<const double> values, double ref
     shape.q25 = stats::quantile(errors, 0.25);
     shape.q75 = stats::quantile(errors, 0.75);
 
-    const Grid grid = grid_of(errors, shape.q75 - shape.q25, lattice);
+    const BinGrid grid = grid_of(errors, shape.q75 - shape.q25, lattice);
     const auto count = static_cast<double>(errors.size());
     const auto above = [&](double edge) { return count * stats::normal_tail((edge - shape.mean) / shape.sigma); };
     for (std::size_t i = 0; i < grid.bins; ++i) {

@@ -19,7 +19,7 @@ namespace ff::studies {
 namespace {
 
 /// Errors of this size are those of double precision.
-constexpr double rounding = 1e-12;
+constexpr double error_of_rounding = 1e-12;
 
 /// Trials drawn by all resamples of a ladder together, about: more trials need fewer resamples.
 constexpr double most_draws = 4e6;
@@ -44,7 +44,7 @@ std::optional<double> deterministic_slope(std::span<const stats::Rung> rungs, Er
         sizes.push_back(rung.size);
         errors.push_back(error == ErrorSize::rmse ? root_mean_square(rung.errors)
                                                   : *stats::median_absolute_error(rung.errors, 0));
-        if (errors.back() < rounding) return std::nullopt;
+        if (errors.back() < error_of_rounding) return std::nullopt;
     }
     const auto law = stats::fit_power_law(sizes, errors);
     return law ? std::optional(-law->exponent) : std::nullopt;

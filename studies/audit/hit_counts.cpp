@@ -8,8 +8,6 @@
 namespace ff::studies {
 namespace {
 
-constexpr double misprint_share = 0.02;
-
 /// P(at least `successes`) of independent events.
 double probability_of_at_least(std::size_t successes, const std::vector<double>& probabilities) {
     std::vector<double> count(probabilities.size() + 1, 0.0);

@@ -10,6 +10,9 @@
 
 namespace ff::studies {
 
+/// Share of the published figures that are taken to be misprinted.
+inline constexpr double misprint_share = 0.02;
+
 /// Whole numbers from `low` to `high`.
 struct HitRange {
     std::int64_t low = 0;

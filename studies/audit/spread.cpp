@@ -34,7 +34,6 @@ bool is_sampled_value(const PublishedTables& tables, const Figure& figure) {
 
 /// log of the likelihood of one figure, up to a constant that all readings share.
 double log_likelihood(const Expectation& expected, double value, std::size_t explained, double chance) {
-    constexpr double misprint_share = 0.02;
     const double z = (value - expected.mean) / expected.sigma;
     const double density =
         std::exp(-0.5 * z * z) / (expected.sigma * std::sqrt(2 * std::numbers::pi)) * static_cast<double>(explained);

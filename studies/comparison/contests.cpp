@@ -18,8 +18,6 @@
 namespace ff::studies {
 namespace {
 
-constexpr std::size_t certain = std::numeric_limits<std::size_t>::max();
-
 /// One size of a method on a class of pairs.
 struct Rung {
     std::size_t cell = 0;
@@ -27,7 +25,7 @@ struct Rung {
     double cost_error = 0;   ///< standard error of its logarithm
     double mean_square = 0;  ///< not below that of rounding
     double error = 0;        ///< standard error of its logarithm
-    std::size_t trials = certain;
+    std::size_t trials = endless_trials;
     bool repeatable = false;  ///< the mean of several trials has a smaller error
 };
 
@@ -40,7 +38,7 @@ using Contender = std::vector<Rung>;
 struct Placed {
     Entrant entrant;
     double error = 0;  ///< standard error of the logarithm of its value
-    std::size_t trials = certain;
+    std::size_t trials = endless_trials;
 };
 
 std::optional<Rung> rung_of(const Findings& findings, std::size_t index, PairClass pair_class) {
@@ -237,7 +235,7 @@ class Family {
                                   : shared_noise(*store_, better.entrant.cell, worse.entrant.cell, contest.pair_class);
         const double variance = better.error * better.error + worse.error * worse.error - 2 * shared;
         const std::size_t trials = std::min(better.trials, worse.trials);
-        if (trials == certain) return handicap;
+        if (trials == endless_trials) return handicap;
         const LogRatio ratio{std::log(handicap.ratio), std::sqrt(std::max(0.0, variance)), trials};
         handicap.interval = ratio_interval(ratio, 1 - (1 - level) / pairs_);
         handicap.interval->level = level;

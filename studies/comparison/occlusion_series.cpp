@@ -88,7 +88,7 @@ class Errors {
 
 /// Which method errs least, and whether every method of the other kind is shown to err more.
 /// @param alpha  this scene's share of the study's error rate
-void judge(const StudyPlan& plan, double alpha, HiddenPair& scene) {
+void judge_hidden_pair(const StudyPlan& plan, double alpha, HiddenPair& scene) {
     for (std::size_t method = 0; method < scene.methods.size(); ++method) {
         const auto& found = scene.methods[method];
         if (found && (!scene.least || found->size() < scene.methods[*scene.least]->size())) scene.least = method;
@@ -151,7 +151,8 @@ std::vector<OcclusionSeries> occlusion_series(const Store& store, const Findings
     std::size_t scenes = 0;
     for (const OcclusionSeries& series : all) scenes += series.scenes.size();
     for (OcclusionSeries& series : all) {
-        for (HiddenPair& scene : series.scenes) judge(plan, (1 - plan.spec.level) / static_cast<double>(scenes), scene);
+        for (HiddenPair& scene : series.scenes)
+            judge_hidden_pair(plan, (1 - plan.spec.level) / static_cast<double>(scenes), scene);
     }
     return all;
 }

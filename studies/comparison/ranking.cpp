@@ -5,15 +5,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 
 namespace ff::studies {
 namespace {
 
-constexpr std::size_t certain = std::numeric_limits<std::size_t>::max();
-
-bool differ(const Measured& a, const Measured& b, double alpha) {
+bool are_apart(const Measured& a, const Measured& b, double alpha) {
     return p_of_equal({b.value - a.value, std::hypot(a.standard_error, b.standard_error),
                        std::min(a.trials, b.trials)}) < alpha;
 }
@@ -34,7 +31,7 @@ void put_in_order(std::vector<Ranked>& ranked, const std::vector<Measured>& meas
 }
 
 std::size_t fewest_trials(const ClassSlopes& found) {
-    std::size_t fewest = certain;
+    std::size_t fewest = endless_trials;
     for (const ClassError& size : found.sizes) fewest = std::min(fewest, size.trials);
     return fewest;
 }
@@ -73,8 +70,7 @@ std::vector<std::size_t> groups_apart(std::span<const Measured> values, double l
     for (const Measured& measured : values) sizes.push_back(measured.value);
     const auto pairs = static_cast<double>(values.size() * (values.size() - std::min<std::size_t>(values.size(), 1)));
     const double alpha = (1 - level) / std::max(1.0, pairs / 2);
-    return groups_apart(sizes,
-                        [&](std::size_t a, std::size_t b) { return ff::studies::differ(values[a], values[b], alpha); });
+    return groups_apart(sizes, [&](std::size_t a, std::size_t b) { return are_apart(values[a], values[b], alpha); });
 }
 
 RankedSlopes rank_slopes(std::span<const LadderSlopes> ladders, std::size_t scene, PairClass pair_class, double level) {
@@ -115,7 +111,7 @@ std::vector<Ranked> rank_errors(const Findings& findings, std::span<const std::s
         if (!deterministic && !error->interval) continue;
         const double size = std::log(std::max(error->rmse, rounding_error));
         const double spread = deterministic ? 0 : error->mean_square_se / (2 * error->rmse * error->rmse);
-        measured.push_back({size, spread, deterministic ? certain : error->trials});
+        measured.push_back({size, spread, deterministic ? endless_trials : error->trials});
         ranked.push_back({cell, error->rmse, deterministic ? std::nullopt : error->interval, 0});
     }
     put_in_order(ranked, measured, findings.plan.spec.level);

@@ -6,11 +6,15 @@
 
 #include <cstddef>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
 
 namespace ff::studies {
+
+/// Stands for the trials of what does not vary: no number of them would tell more.
+inline constexpr std::size_t endless_trials = std::numeric_limits<std::size_t>::max();
 
 /// A number to be ranked.
 struct Measured {

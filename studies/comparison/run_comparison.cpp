@@ -168,7 +168,7 @@ void keep_smaller(std::optional<Contrast>& kept, const Contrast& contrast) {
 }
 
 /// Shares the error rate among all tests, and judges the cells by them.
-void judge(const std::vector<Test>& tests, RunComparison& comparison) {
+void judge_cells(const std::vector<Test>& tests, RunComparison& comparison) {
     comparison.tests = tests.size();
     if (tests.empty()) return;
     std::vector<double> p;
@@ -299,7 +299,7 @@ RunComparison compare_runs(const Store& first, const Store& second, std::array<s
             "two runs that share the names of some methods.",
             scenes_of(a), scenes_of(b)));
     }
-    judge(tests, out);
+    judge_cells(tests, out);
     add_simultaneous_intervals(out);
     return out;
 }

@@ -33,7 +33,7 @@ Surface rectangle(const Vector3d& corner, const Vector3d& u, const Vector3d& v, 
     return flat(Parallelogram{corner, u, v}, u.cross(v).normalized(), face);
 }
 
-BoundedValue<long double> exchange_of(const Surface& a, const Surface& b) {
+BoundedValue<long double> polygon_exchange(const Surface& a, const Surface& b) {
     const auto of = [](const Surface& surface) {
         Corners<long double> result;
         for (const Vector3d& corner : corners(surface.shape)) result.push_back(corner.cast<long double>());
@@ -45,7 +45,7 @@ BoundedValue<long double> exchange_of(const Surface& a, const Surface& b) {
 }
 
 /// The near surface lies in z = 0 and is seen from above.
-bool holds(const Surface& near, const Vector3d& place) {
+bool holds_place(const Surface& near, const Vector3d& place) {
     if (const auto* disc = std::get_if<Disc>(&near.shape)) return place.norm() <= 0.999 * disc->outer_radius;
     const auto& p = parallelogram(near);
     const auto inside = [](double x, double length) { return x > 0.001 * length && x < 0.999 * length; };
@@ -63,7 +63,7 @@ bool is_caught(const Surface& obstacle, const Surface& far, const Surface& near)
         if (!(through.z() > 0)) return false;
         for (const Vector3d& end : corners(far.shape)) {
             if (!(end.z() > 1.01 * through.z())) return false;
-            if (!holds(near, end + (through - end) * (end.z() / (end.z() - through.z())))) return false;
+            if (!holds_place(near, end + (through - end) * (end.z() / (end.z() - through.z())))) return false;
         }
     }
     return true;
@@ -193,7 +193,7 @@ AdversarialScene draw_adversarial(Obstacle obstacle, Draws& draws) {
         long double hidden = 0;
         long double error = 0;
         const auto add = [&](const Surface& plate, int sign) {
-            const auto exchange = exchange_of(facing(plate, far), far);
+            const auto exchange = polygon_exchange(facing(plate, far), far);
             hidden += sign * exchange.value;
             error += exchange.error;
         };
@@ -233,7 +233,7 @@ AdversarialScene draw_adversarial(Obstacle obstacle, Draws& draws) {
             whole = disc_exchange(near, far);
             error += 1e-12L;
         } else {
-            const auto exchange = exchange_of(near, far);
+            const auto exchange = polygon_exchange(near, far);
             whole = exchange.value;
             error += exchange.error;
         }

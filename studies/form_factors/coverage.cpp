@@ -45,7 +45,7 @@ std::vector<KnownPair> known_pairs(const Scene& scene, const FacePairs& geometry
 
 /// Whether the interval, shrunk towards the value, holds the exact one.
 /// @param accuracy  of the exact one, relative
-bool holds(const FaceExchange& exchange, double exact, double shrink, double accuracy = 1e-15) {
+bool interval_holds(const FaceExchange& exchange, double exact, double shrink, double accuracy = 1e-15) {
     const double room = accuracy * std::abs(exact);  // the last digits of a double are no matter of coverage
     return exchange.value - shrink * (exchange.value - exchange.low) - room <= exact &&
            exact <= exchange.value + shrink * (exchange.high - exchange.value) + room;
@@ -72,8 +72,9 @@ Outcome run_seed(const Scene& scene, const std::vector<KnownPair>& known, const 
     for (const KnownPair& pair : known) {
         const FaceExchange found = by_entry.exchange(pair.from, pair.to);
         const double shrink = found.is_sampled() ? options.shrink : 1;
-        outcome.held.push_back(holds(found, pair.area, shrink));
-        outcome.matrix_held = outcome.matrix_held && holds(at_once.exchange(pair.from, pair.to), pair.area, shrink);
+        outcome.held.push_back(interval_holds(found, pair.area, shrink));
+        outcome.matrix_held =
+            outcome.matrix_held && interval_holds(at_once.exchange(pair.from, pair.to), pair.area, shrink);
     }
     return outcome;
 }
@@ -116,7 +117,7 @@ void add_scene(const std::string& name, FormFactorCoverage& coverage) {
 }
 
 /// Tolerances from 1e-3 to 1e-8; a budget ends most of them, and intervals have to hold all the same.
-constexpr std::uint64_t budget = 15'000;
+constexpr std::uint64_t budget_of_samples = 15'000;
 constexpr std::uint64_t budget_with_rays = 200'000;
 
 void add_adversarial(FormFactorCoverage& coverage) {
@@ -130,7 +131,7 @@ void add_adversarial(FormFactorCoverage& coverage) {
             // Pilots by rays take longest: most tolerances are below what rays can meet.
             const bool by_rays = obstacle != Obstacle::near_disc && draws.below(16) == 0;
             request.tolerance = std::pow(10, by_rays ? -3 - 2.9 * draws.uniform() : -6.01 - 2 * draws.uniform());
-            request.max_samples = by_rays ? budget_with_rays : budget;
+            request.max_samples = by_rays ? budget_with_rays : budget_of_samples;
             request.level = options.level;
             request.seed = Seed{draws.below(std::size_t{1} << 31)};
             const FaceExchange found = find_form_factors(drawn.scene, request).exchange(0, 1);
@@ -161,7 +162,7 @@ double held_across_walls(const FormFactorCoverageOptions& options, LevelOf level
         if (level_of == LevelOf::entry && !found.is_sampled()) continue;
         const double shrink = found.is_sampled() ? options.shrink : 1;
         ++held.trials;
-        if (holds(found, known.area, shrink, accuracy_across_walls)) ++held.hits;
+        if (interval_holds(found, known.area, shrink, accuracy_across_walls)) ++held.hits;
     }
     return held.trials == 0 ? 1 : static_cast<double>(held.hits) / static_cast<double>(held.trials);
 }
@@ -208,8 +209,8 @@ std::vector<const RateTable*> FormFactorCoverage::tables() const {
 std::size_t FormFactorCoverage::contradictions() const {
     std::size_t count = exact_missed;
     for (const RateTable* table : tables()) {
-        count += static_cast<std::size_t>(std::count_if(
-            table->rates.begin(), table->rates.end(), [&](const auto& rate) { return !studies::holds(rate, level); }));
+        count += static_cast<std::size_t>(std::count_if(table->rates.begin(), table->rates.end(),
+                                                        [&](const auto& rate) { return !holds(rate, level); }));
     }
     return count;
 }

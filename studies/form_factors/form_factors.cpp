@@ -60,7 +60,7 @@ void clip(FaceExchange& exchange, const FacePair& pair) {
     exchange.value = std::clamp(exchange.value, exchange.low, exchange.high);
 }
 
-FaceExchange exchange_of(const FacePair& pair, const PairEstimate& estimate) {
+FaceExchange face_exchange(const FacePair& pair, const PairEstimate& estimate) {
     FaceExchange result;
     result.from = pair.from;
     result.to = pair.to;
@@ -294,7 +294,7 @@ FormFactorMatrix find_form_factors(const Scene& whole_scene, const FormFactorReq
     }
     for (std::size_t p = 0; p < geometry.pairs.size(); ++p) {
         const FacePair& pair = geometry.pairs[p];
-        FaceExchange exchange = exchange_of(pair, estimates[p]);
+        FaceExchange exchange = face_exchange(pair, estimates[p]);
         exchange.within = is_within(matrix, exchange, request);
         matrix.exchanges.push_back(exchange);
     }

@@ -23,7 +23,7 @@ constexpr double rate_of_rare = 0.5;
 constexpr double margin = 1.33;
 
 /// A sequence has at most 2^32 points.
-constexpr double most_points = 0x1p31;
+constexpr double most_points_of_sequence = 0x1p31;
 
 /// Of fewer hits.
 constexpr std::uint64_t few = 100;
@@ -52,9 +52,10 @@ double rate_of_hits(const SampledShare& share) {
 
 std::uint64_t size_for(std::uint64_t points, double now, double wanted, double rate) {
     if (!(now > 0)) return points;
-    if (!(wanted > 0)) return static_cast<std::uint64_t>(most_points);
+    if (!(wanted > 0)) return static_cast<std::uint64_t>(most_points_of_sequence);
     const double doublings = std::ceil(std::log2(now / wanted) / rate);
-    return static_cast<std::uint64_t>(std::min(most_points, static_cast<double>(points) * std::exp2(doublings)));
+    return static_cast<std::uint64_t>(
+        std::min(most_points_of_sequence, static_cast<double>(points) * std::exp2(doublings)));
 }
 
 Job::Job(const Scene& scene, const FacePairs& pairs, std::size_t pair, double wanted)
@@ -203,7 +204,7 @@ std::vector<std::uint64_t> Job::sizes_for(const std::vector<double>& wanted, dou
     while (!is_met()) {
         Term& widest = *std::max_element(terms.begin(), terms.end(),
                                          [](const Term& a, const Term& b) { return a.width() < b.width(); });
-        if (static_cast<double>(widest.size) >= most_points) break;
+        if (static_cast<double>(widest.size) >= most_points_of_sequence) break;
         widest.size *= 2;
         widest.spread *= std::exp2(-rate_of_points);
         widest.look(level);

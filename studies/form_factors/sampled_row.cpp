@@ -57,7 +57,7 @@ void from_word(std::uint64_t word, Whole& value) {
     value = static_cast<Whole>(word);
 }
 
-struct Writer {
+struct WordWriter {
     std::vector<std::uint64_t> words;
 
     template <class... Values>
@@ -72,7 +72,7 @@ struct Writer {
 };
 
 /// Gives zeros and empty lists after the end, and says so.
-struct Reader {
+struct WordReader {
     std::span<const std::uint64_t> words;
     bool sound = true;
 
@@ -100,14 +100,14 @@ struct Reader {
 }  // namespace
 
 std::vector<std::uint64_t> to_words(const SampledRow& row) {
-    Writer writer;
+    WordWriter writer;
     SampledRow copy = row;
     pass(writer, copy);
     return std::move(writer.words);
 }
 
 std::optional<SampledRow> sampled_row(std::span<const std::uint64_t> words) {
-    Reader reader{words};
+    WordReader reader{words};
     SampledRow row;
     pass(reader, row);
     if (!reader.sound || !reader.words.empty()) return std::nullopt;

@@ -25,7 +25,7 @@ constexpr double at_tolerance = 2e-4;
 /// Points in all that an exchange area of so many tolerances is worth; of small ones it takes fewer.
 constexpr double points_per_tolerance = 4;
 constexpr double least_points_of_small = 64;
-constexpr double most_points = 0x1p24;
+constexpr double most_points_in_all = 0x1p24;
 
 /// Of none of n points, Clopper and Pearson's upper bound is about this over n.
 constexpr double unmet_points = 3.7;
@@ -68,7 +68,7 @@ struct Plate {
 
 /// Points that are expected in all.
 double points_for(double area, const std::optional<BoundedValue<double>>& whole, double wanted) {
-    const double points = std::clamp(least_points * at_tolerance * area / wanted, least_points, most_points);
+    const double points = std::clamp(least_points * at_tolerance * area / wanted, least_points, most_points_in_all);
     return whole ? std::min(points, std::max(points_per_tolerance * whole->value / wanted, least_points_of_small))
                  : points;
 }

@@ -23,7 +23,7 @@ namespace ff::studies {
 namespace {
 
 /// Faces count from 1. The view has the columns of matrix.csv, in both directions.
-constexpr const char* schema = R"(
+constexpr const char* form_factor_schema = R"(
 CREATE TABLE about(key TEXT PRIMARY KEY, value NOT NULL) WITHOUT ROWID;
 CREATE TABLE context(key TEXT PRIMARY KEY, value TEXT NOT NULL) WITHOUT ROWID;
 CREATE TABLE faces(face INTEGER PRIMARY KEY, name TEXT NOT NULL, area REAL NOT NULL, row_sum REAL NOT NULL,
@@ -45,15 +45,15 @@ CREATE VIEW form_factors AS
 )";
 
 constexpr int without_checksum = 1;
-constexpr StoreFormat format{FileKind::form_factor_store, "matrix of form factors", "about",
-                             form_factor_schema_version,  without_checksum,         schema,
-                             "DROP TABLE dropped"};
+constexpr StoreFormat form_factor_format{FileKind::form_factor_store, "matrix of form factors", "about",
+                                         form_factor_schema_version,  without_checksum,         form_factor_schema,
+                                         "DROP TABLE dropped"};
 
 std::int64_t integer(std::uint64_t value) {
     return static_cast<std::int64_t>(value);
 }
 
-std::string checksum(const Database& database) {
+std::string checksum_of_matrix(const Database& database) {
     Digest digest;
     for (const std::string_view sql :
          {"SELECT * FROM about WHERE key <> 'checksum' ORDER BY key", "SELECT * FROM faces ORDER BY face",
@@ -61,12 +61,13 @@ std::string checksum(const Database& database) {
           "SELECT warning FROM warnings ORDER BY rowid"})
         add_rows(digest, database, sql);
     // Earlier versions have no such table.
-    if (stored_value(database, format, "drop")) add_rows(digest, database, "SELECT * FROM dropped ORDER BY face");
+    if (stored_value(database, form_factor_format, "drop"))
+        add_rows(digest, database, "SELECT * FROM dropped ORDER BY face");
     return in_hexadecimal(digest);
 }
 
 void write_about(const Database& database, const KeptFormFactors& kept) {
-    write_request(database, format, kept.source, kept.request);
+    write_request(database, form_factor_format, kept.source, kept.request);
     const FormFactorMatrix& matrix = kept.matrix;
     Statement insert(database.handle(), "INSERT INTO about VALUES(?, ?)");
     const auto write = [&](std::string_view key, auto value) { insert.bind(0, key).bind(1, value).run(); };
@@ -138,20 +139,22 @@ void write_repaired(const Database& database, const Eigen::MatrixXd& factors) {
 }
 
 /// Reads one file, and refuses what no run has written.
-class Reader {
+class MatrixReader {
     std::filesystem::path file_;
     std::unique_ptr<Database> database_;
 
-    StoredKeys about_{*database_, format, file_};
+    StoredKeys about_{*database_, form_factor_format, file_};
 
     void expect(bool sound, std::string_view what) const { about_.expect(sound, what); }
 
   public:
-    explicit Reader(const std::filesystem::path& file) : file_(file), database_(open_store(file, format)) {}
+    explicit MatrixReader(const std::filesystem::path& file)
+        : file_(file), database_(open_store(file, form_factor_format)) {}
 
     KeptFormFactors read() const {
         KeptFormFactors kept;
-        kept.was_checked = stored_value(*database_, format, "schema_version") != std::to_string(without_checksum);
+        kept.was_checked =
+            stored_value(*database_, form_factor_format, "schema_version") != std::to_string(without_checksum);
         if (kept.was_checked) expect_checksums();
         std::tie(kept.source, kept.request) = read_request(about_);
         kept.scene = make_scene(kept.source);
@@ -168,7 +171,7 @@ class Reader {
 
   private:
     void expect_checksums() const {
-        if (stored_value(*database_, format, "checksum") != checksum(*database_))
+        if (stored_value(*database_, form_factor_format, "checksum") != checksum_of_matrix(*database_))
             report_damage(file_, "it is not as it was saved: its checksum differs");
         expect_sound_context(*database_, file_);
     }
@@ -244,7 +247,7 @@ class Reader {
     }
 
     void read_repaired(KeptFormFactors& kept) const {
-        if (!stored_value(*database_, format, "repair_possible")) return;
+        if (!stored_value(*database_, form_factor_format, "repair_possible")) return;
         kept.request.repair = true;
         const auto n = static_cast<Eigen::Index>(kept.matrix.faces());
         Eigen::MatrixXd factors = Eigen::MatrixXd::Zero(n, n);
@@ -264,7 +267,7 @@ void save_form_factors(const std::filesystem::path& file, const KeptFormFactors&
     FF_EXPECT(!std::filesystem::exists(file) || std::filesystem::is_empty(file));
     Database database(file, Database::Mode::create_or_open);
     database.execute("PRAGMA journal_mode = OFF; BEGIN IMMEDIATE");  // a file that is not finished is of no use
-    database.execute(schema);
+    database.execute(form_factor_schema);
     write_about(database, kept);
     write_faces(database, kept);
     write_pairs(database, kept.matrix);
@@ -274,13 +277,13 @@ void save_form_factors(const std::filesystem::path& file, const KeptFormFactors&
     for (const std::string& text : kept.warnings) warning.bind(0, std::string_view(text)).run();
     write_context(database, kept.context);
     Statement(database.handle(), "INSERT INTO about VALUES('checksum', ?)")
-        .bind(0, std::string_view(checksum(database)))
+        .bind(0, std::string_view(checksum_of_matrix(database)))
         .run();
     database.execute("COMMIT");
 }
 
 KeptFormFactors load_form_factors(const std::filesystem::path& file) {
-    return Reader(file).read();
+    return MatrixReader(file).read();
 }
 
 }  // namespace ff::studies

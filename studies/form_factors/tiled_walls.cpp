@@ -73,7 +73,8 @@ double exchange_past_plate(const std::array<Axis, 2>& axes, double height) {
         }
         return sum;
     };
-    const auto& [x, y] = axes;
+    const Axis& x = axes[0];
+    const Axis& y = axes[1];
     const std::vector<double> pieces_of_y = y.pieces();
     return over(x.pieces(), [&](double px) {
         return over(pieces_of_y, [&](double py) {

@@ -90,7 +90,7 @@ struct Functions {
     }
 };
 
-void expect_sound(const ffstudy_sampler& sampler, const std::string& place) {
+void expect_sound_sampler(const ffstudy_sampler& sampler, const std::string& place) {
     const std::string name = text_or_nothing(sampler.name);
     const auto fits = [](char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_'; };
     if (name.empty() || !std::all_of(name.begin(), name.end(), fits))
@@ -109,7 +109,7 @@ void expect_sound(const ffstudy_sampler& sampler, const std::string& place) {
 
 const samplers::CatalogueEntry& add_sampler(const ffstudy_sampler& sampler, const std::string& file,
                                             const std::string& hash) {
-    expect_sound(sampler, file);
+    expect_sound_sampler(sampler, file);
     samplers::SamplerInfo traits;
     traits.sizes = sampler.base == 0 ? samplers::Sizes::any : samplers::Sizes::powers;
     if (sampler.base != 0) traits.base = sampler.base;

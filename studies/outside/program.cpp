@@ -26,7 +26,7 @@ std::pair<std::string_view, std::string_view> split_hash(std::string_view comman
 }
 
 /// Words between spaces; those in ' or " may have spaces, and lose the quotes.
-std::vector<std::string> split_words(std::string_view command) {
+std::vector<std::string> words_of_command(std::string_view command) {
     std::vector<std::string> words;
     char quote = 0;
     bool inside = false;
@@ -82,7 +82,7 @@ std::string last_words(std::string_view errors) {
 std::string name_now(std::string_view text, const std::filesystem::path& folder) {
     if (const auto problem = problem_with_name(text); !problem.empty())
         throw UserError(fmt::format("{}{} {} A script may hold them.", prefix, visible_text(text), problem));
-    const auto files = files_of(split_words(text), folder);
+    const auto files = files_of(words_of_command(text), folder);
     return files.empty() ? fmt::format("{}{}", prefix, text) : fmt::format("{}{}#{}", prefix, text, hash_of(files));
 }
 
@@ -100,7 +100,7 @@ std::string full_command_name(std::string_view name, const std::filesystem::path
 
 Program::Program(std::string_view name, std::filesystem::path folder, double deadline)
     : text_(split_hash(name.substr(prefix.size())).first),
-      words_(split_words(text_)),
+      words_(words_of_command(text_)),
       folder_(std::move(folder)),
       deadline_(deadline),
       full_name_(name_now(text_, folder_)) {

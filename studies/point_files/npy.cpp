@@ -1,5 +1,6 @@
 #include "core/support/error.hpp"
 #include "core/support/excerpt.hpp"
+#include "studies/point_files/bytes.hpp"
 #include "studies/point_files/point_file.hpp"
 
 #include <fmt/format.h>
@@ -7,7 +8,6 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
-#include <cstring>
 #include <vector>
 
 // The format: https://numpy.org/doc/stable/reference/generated/numpy.lib.format.html
@@ -15,9 +15,9 @@
 namespace ff::studies {
 namespace {
 
-constexpr std::string_view magic = "\x93NUMPY";
+constexpr std::string_view npy_magic = "\x93NUMPY";
 
-struct Header {
+struct NpyHeader {
     std::string_view type;
     bool by_columns = false;
     std::vector<std::uint64_t> shape;
@@ -37,7 +37,7 @@ std::string_view between(std::string_view text, std::string_view before, std::st
     return text.substr(begin + before.size(), end - begin - before.size());
 }
 
-Header parse_header(std::string_view bytes, const std::string& origin) {
+NpyHeader parse_header(std::string_view bytes, const std::string& origin) {
     const auto byte = [&](std::size_t at) -> std::size_t { return static_cast<unsigned char>(bytes[at]); };
     if (bytes.size() < 12) refuse(origin, "its header is cut off", "12 bytes at least");
     const std::size_t begin = byte(6) == 1 ? 10 : 12;
@@ -45,7 +45,7 @@ Header parse_header(std::string_view bytes, const std::string& origin) {
     if (begin == 12) length |= byte(10) << 16 | byte(11) << 24;
     if (bytes.size() - begin < length) refuse(origin, "its header is cut off", "the file is shorter");
     const std::string_view text = bytes.substr(begin, length);
-    Header header;
+    NpyHeader header;
     header.data = begin + length;
     header.type = between(text, "'descr': '", "'", origin);
     header.by_columns = between(text, "'fortran_order': ", ",", origin) == "True";
@@ -61,21 +61,14 @@ Header parse_header(std::string_view bytes, const std::string& origin) {
     return header;
 }
 
-template <class Number>
-Number number_at(std::string_view bytes, std::size_t at) {
-    Number value;
-    std::memcpy(&value, bytes.data() + at, sizeof value);
-    return value;
-}
-
 }  // namespace
 
 bool is_npy(std::string_view bytes) {
-    return bytes.starts_with(magic);
+    return bytes.starts_with(npy_magic);
 }
 
 samplers::PointSet parse_npy(std::string_view bytes, const std::string& origin) {
-    const Header header = parse_header(bytes, origin);
+    const NpyHeader header = parse_header(bytes, origin);
     constexpr std::array<std::string_view, 3> types{"<f8", "<f4", "<u4"};
     if (std::find(types.begin(), types.end(), header.type) == types.end())
         refuse(origin, fmt::format("numbers of type '{}'", excerpt(header.type)),

@@ -13,7 +13,7 @@
 namespace ff::studies {
 namespace {
 
-constexpr std::string_view separators = " \t,;\r";
+constexpr std::string_view separators_of_numbers = " \t,;\r";
 
 /// Rows of text, and where each set ends.
 struct Rows {
@@ -29,9 +29,9 @@ void end_set(Rows& rows) {
 
 void read_row(std::string_view line, Rows& rows, const std::string& place) {
     std::size_t width = 0;
-    for (std::size_t at = line.find_first_not_of(separators); at != std::string_view::npos;
-         at = line.find_first_not_of(separators, at)) {
-        const std::size_t end = std::min(line.find_first_of(separators, at), line.size());
+    for (std::size_t at = line.find_first_not_of(separators_of_numbers); at != std::string_view::npos;
+         at = line.find_first_not_of(separators_of_numbers, at)) {
+        const std::size_t end = std::min(line.find_first_of(separators_of_numbers, at), line.size());
         const std::string_view word = line.substr(at, end - at);
         double value = 0;
         const auto [rest, error] = std::from_chars(word.data(), word.data() + word.size(), value);

@@ -20,7 +20,7 @@ namespace {
 
 using std::numbers::pi;
 
-constexpr double level = 0.95;
+constexpr double interval_level = 0.95;
 constexpr std::array<std::string_view, 6> kinds{"cylinder", "cap", "cone", "spheres", "box", "cube"};
 
 [[noreturn]] void fail(std::string_view name, std::string_view problem) {
@@ -153,7 +153,8 @@ EnclosureResults study_enclosure(const EnclosureRequest& request) {
         const Eigen::MatrixXd direct = draw(lighting.exact, key, static_cast<std::uint32_t>(trial), request.rays);
         for (ConsequencesCollector& collector : collectors) collector.add(direct, errors);
     }
-    for (ConsequencesCollector& collector : collectors) results.consequences.push_back(collector.finish(0, level));
+    for (ConsequencesCollector& collector : collectors)
+        results.consequences.push_back(collector.finish(0, interval_level));
     return results;
 }
 

@@ -17,9 +17,9 @@
 namespace ff::studies {
 namespace {
 
-constexpr std::size_t most_surfaces = 65536;
+constexpr std::size_t most_surfaces_examined = 65536;
 constexpr std::size_t most_named = 3;
-constexpr std::size_t most_faces = 4096;
+constexpr std::size_t most_faces_examined = 4096;
 /// Of a face's size, what coordinates are rounded by.
 constexpr double noticeable = 1e-9;
 
@@ -185,8 +185,9 @@ SceneDoubts examine_scene(const Scene& scene) {
     SceneDoubts doubts;
     if (scene.empty_box) return doubts;
     add_overlaps(scene, doubts);
-    if (scene.faces.size() <= most_faces) add_resolution(scene, doubts);
-    if (scene.surfaces.size() <= most_surfaces && scene.faces.size() <= most_faces) add_orientation(scene, doubts);
+    if (scene.faces.size() <= most_faces_examined) add_resolution(scene, doubts);
+    if (scene.surfaces.size() <= most_surfaces_examined && scene.faces.size() <= most_faces_examined)
+        add_orientation(scene, doubts);
     return doubts;
 }
 

@@ -14,6 +14,9 @@ SceneWithMaterials read_toml_scene(std::string_view name, std::string_view text)
 SceneWithMaterials read_obj_scene(std::string_view name, std::string_view text);
 SceneWithMaterials read_vs3_scene(std::string_view name, std::string_view text);
 
+/// Groups of this name are in the way, and are no faces.
+inline constexpr std::string_view occluder_group = "occluder";
+
 /// Whether a file name is that of a mesh: .stl, .ply, .off, .gltf or .glb.
 bool names_mesh(std::string_view name);
 

@@ -18,6 +18,8 @@
 #pragma GCC diagnostic ignored "-Wshadow"
 #include <tiny_obj_loader.h>
 #pragma GCC diagnostic pop
+#undef TINYOBJLOADER_IMPLEMENTATION
+#undef TINYOBJLOADER_USE_DOUBLE
 
 #include <algorithm>
 #include <array>
@@ -29,9 +31,6 @@
 
 namespace ff::studies {
 namespace {
-
-/// Groups of this name are in the way, and are no faces.
-constexpr std::string_view occluder_group = "occluder";
 
 /// The loader counts the corners of a polygon in a byte.
 constexpr std::size_t most_corners = 255;

@@ -15,7 +15,7 @@ constexpr std::size_t most_probed = 1000;
 constexpr std::size_t rays_of_a_surface = 64;
 
 /// Turning faces one after another takes the cube of their number.
-constexpr std::size_t most_faces = 256;
+constexpr std::size_t most_faces_turned = 256;
 
 /// The same points whatever is asked: they decide nothing but what is said.
 std::unique_ptr<PointBlock> points() {
@@ -115,7 +115,7 @@ std::vector<std::size_t> turned_faces(const SideProbes& probes, bool closed) {
     std::size_t rays = 0;
     for (std::size_t face = 0; face < probes.faces; ++face) rays += probes.rays[2 * face];
     const std::size_t wrong = wrong_ends(probes, as_it_is, closed);
-    if (20 * wrong < rays || probes.faces > most_faces) return {};
+    if (20 * wrong < rays || probes.faces > most_faces_turned) return {};
     std::vector<std::size_t> best;
     for (const std::size_t start : {std::size_t{0}, std::size_t{1}}) {
         std::vector<std::size_t> side(probes.faces, start);

@@ -1,6 +1,7 @@
 #include "studies/scene_files/scene_writer.hpp"
 
 #include "studies/readers/printable.hpp"
+#include "studies/scene_files/formats.hpp"
 
 #include <fmt/format.h>
 #include <Eigen/Geometry>
@@ -17,11 +18,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// A group of this name is in the way, and is no face.
-constexpr std::string_view occluder = "occluder";
-
 bool is_a_word(const std::string& name) {
-    return !name.empty() && name != occluder && name.find_first_of(" \t\r\n#") == std::string::npos;
+    return !name.empty() && name != occluder_group && name.find_first_of(" \t\r\n#") == std::string::npos;
 }
 
 /// Calls `write(surface)` for the surfaces of a face after the other, those of no face last.
@@ -42,7 +40,7 @@ std::string vector_text(const Vector3d& v) {
 }
 
 /// Keys of a flat surface: `shape` and whether it radiates to the other side of what they say.
-std::string flat(std::string_view keys, const Surface& surface, const Vector3d& upwards) {
+std::string flat_keys(std::string_view keys, const Surface& surface, const Vector3d& upwards) {
     return fmt::format("{}{}", keys, upwards.dot(surface.normal) < 0 ? "flip = true\n" : "");
 }
 
@@ -55,14 +53,14 @@ std::string keys_of(const Surface& surface) {
         [&](const auto& shape) -> std::string {
             using T = std::decay_t<decltype(shape)>;
             if constexpr (std::is_same_v<T, Parallelogram>) {
-                return flat(
+                return flat_keys(
                     fmt::format("shape = \"parallelogram\"\ncorner = {}\nedge_u = {}\nedge_v = {}\n",
                                 vector_text(shape.corner), vector_text(shape.edge_u), vector_text(shape.edge_v)),
                     surface, shape.edge_u.cross(shape.edge_v));
             } else if constexpr (std::is_same_v<T, Triangle>) {
-                return flat(fmt::format("shape = \"triangle\"\na = {}\nb = {}\nc = {}\n", vector_text(shape.a),
-                                        vector_text(shape.b), vector_text(shape.c)),
-                            surface, (shape.b - shape.a).cross(shape.c - shape.a));
+                return flat_keys(fmt::format("shape = \"triangle\"\na = {}\nb = {}\nc = {}\n", vector_text(shape.a),
+                                             vector_text(shape.b), vector_text(shape.c)),
+                                 surface, (shape.b - shape.a).cross(shape.c - shape.a));
             } else if constexpr (std::is_same_v<T, Disc>) {
                 return fmt::format("shape = \"disc\"\ncentre = {}\nnormal = {}\nradius = {}\ninner_radius = {}\n",
                                    vector_text(shape.centre), vector_text(surface.normal), shape.outer_radius,
@@ -101,7 +99,7 @@ std::string obj_text(const Scene& scene) {
     std::string group;
     by_faces(scene, [&](const Surface& surface) {
         const std::string name =
-            surface.face == no_face ? std::string(occluder) : scene.faces[static_cast<std::size_t>(surface.face)];
+            surface.face == no_face ? std::string(occluder_group) : scene.faces[static_cast<std::size_t>(surface.face)];
         if (name != group) text += fmt::format("g {}\n", name);
         group = name;
         const auto corners = rim(surface);
@@ -128,7 +126,7 @@ std::string vs3_text(const Scene& scene) {
         }
         ++number;
         if (surface.face == no_face) {
-            surfaces += fmt::format("O {} {} 0 0 0 {}\n", number, fmt::join(indices, " "), occluder);
+            surfaces += fmt::format("O {} {} 0 0 0 {}\n", number, fmt::join(indices, " "), occluder_group);
             return;
         }
         const auto face = static_cast<std::size_t>(surface.face);

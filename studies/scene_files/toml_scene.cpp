@@ -69,18 +69,18 @@ Grid read_grid(const TomlReader& reader) {
     return {static_cast<std::uint32_t>(parts[0]), static_cast<std::uint32_t>(parts[1])};
 }
 
-Surface flat(const TomlReader& reader, Shape shape, const Vector3d& upwards) {
+Surface flat_surface(const TomlReader& reader, Shape shape, const Vector3d& upwards) {
     const Vector3d normal = upwards.normalized();
     return {std::move(shape), flag(reader, "flip") ? Vector3d(-normal) : normal, 0};
 }
 
-Surface curved(Shape shape) {
+Surface curved_surface(Shape shape) {
     return {std::move(shape), Vector3d::Zero(), 0};
 }
 
 Surface read_frustum(const TomlReader& reader, double base_radius, double top_radius) {
     const Vector3d axis = direction(reader, "axis");
-    return curved(Frustum{vector(reader, "base"), axis, base_radius, top_radius, read_facing(reader)});
+    return curved_surface(Frustum{vector(reader, "base"), axis, base_radius, top_radius, read_facing(reader)});
 }
 
 /// Part of a sphere between two heights above its centre.
@@ -96,7 +96,7 @@ Surface read_zone(const TomlReader& reader) {
     }
     const bool whole = low == -1 && high == 1;
     const Vector3d axis = whole && !reader.has("axis") ? Vector3d(0, 0, 1) : direction(reader, "axis").normalized();
-    return curved(SphereZone{vector(reader, "centre"), axis, radius, low, high, read_facing(reader)});
+    return curved_surface(SphereZone{vector(reader, "centre"), axis, radius, low, high, read_facing(reader)});
 }
 
 Surface read_surface(const TomlReader& reader) {
@@ -109,14 +109,14 @@ Surface read_surface(const TomlReader& reader) {
             expect_only(reader, {"corner", "edge_u", "edge_v", "flip"});
             const Vector3d u = direction(reader, "edge_u");
             const Vector3d v = direction(reader, "edge_v");
-            return flat(reader, Parallelogram{vector(reader, "corner"), u, v}, u.cross(v));
+            return flat_surface(reader, Parallelogram{vector(reader, "corner"), u, v}, u.cross(v));
         }
         case 1: {
             expect_only(reader, {"a", "b", "c", "flip"});
             const Vector3d a = vector(reader, "a");
             const Vector3d b = vector(reader, "b");
             const Vector3d c = vector(reader, "c");
-            return flat(reader, Triangle{a, b, c}, (b - a).cross(c - a));
+            return flat_surface(reader, Triangle{a, b, c}, (b - a).cross(c - a));
         }
         case 2: {
             expect_only(reader, {"centre", "normal", "radius", "inner_radius", "flip"});
@@ -125,7 +125,7 @@ Surface read_surface(const TomlReader& reader) {
             const double inner = reader.has("inner_radius") ? length(reader, "inner_radius") : 0;
             if (inner >= outer)
                 reader.fail("inner_radius", "(not below the radius: nothing is left). Make it smaller.");
-            return flat(reader, Disc{vector(reader, "centre"), inner, outer}, direction(reader, "normal"));
+            return flat_surface(reader, Disc{vector(reader, "centre"), inner, outer}, direction(reader, "normal"));
         }
         case 3: {
             expect_only(reader, {"base", "axis", "radius", "facing"});

@@ -14,13 +14,13 @@
 namespace ff::studies {
 namespace {
 
-using Words = std::vector<std::string_view>;
+using LineWords = std::vector<std::string_view>;
 
 class Vs3Reader {
   public:
     explicit Vs3Reader(std::string_view name) : builder_(name) {}
 
-    void read_line(std::uint64_t line, const Words& words) {
+    void read_line(std::uint64_t line, const LineWords& words) {
         if (ended_ || words.empty() || words[0].front() == '!' || words[0].front() == '/') return;
         switch (words[0].front()) {
             case 'V':
@@ -64,7 +64,7 @@ class Vs3Reader {
     }
 
   private:
-    [[nodiscard]] long number(std::uint64_t line, const Words& words, std::size_t at) const {
+    [[nodiscard]] long number(std::uint64_t line, const LineWords& words, std::size_t at) const {
         const auto value = at < words.size() ? parse_number<long>(words[at]) : std::nullopt;
         if (!value)
             builder_.fail(line,
@@ -74,7 +74,7 @@ class Vs3Reader {
         return *value;
     }
 
-    void read_vertex(std::uint64_t line, const Words& words) {
+    void read_vertex(std::uint64_t line, const LineWords& words) {
         Eigen::Vector3d place;
         for (std::size_t i = 0; i < 3; ++i) {
             const auto coordinate = i + 2 < words.size() ? finite_number(words[i + 2]) : std::nullopt;
@@ -89,7 +89,7 @@ class Vs3Reader {
     }
 
     /// Fields 2 to 5 after the surface's number; a triangle has a 0 in the last.
-    [[nodiscard]] std::vector<Eigen::Vector3d> corners(std::uint64_t line, const Words& words) const {
+    [[nodiscard]] std::vector<Eigen::Vector3d> corners(std::uint64_t line, const LineWords& words) const {
         std::vector<Eigen::Vector3d> all;
         for (std::size_t i = 2; i < 6; ++i) {
             const long index = number(line, words, i);
@@ -104,7 +104,7 @@ class Vs3Reader {
         return all;
     }
 
-    void read_surface(std::uint64_t line, const Words& words) {
+    void read_surface(std::uint64_t line, const LineWords& words) {
         const long index = number(line, words, 1);
         if (words.size() > 6 && number(line, words, 6) != 0) {
             builder_.fail(line, "a surface on another one (field 'base') is not read. Divide the wall around it.");
@@ -138,7 +138,7 @@ class Vs3Reader {
         if (std::find(known.begin(), known.end(), emissivity) == known.end()) known.push_back(emissivity);
     }
 
-    void read_control(const Words& words) {
+    void read_control(const LineWords& words) {
         for (const std::string_view word : words) {
             if (word == "encl=1" || word == "encl=1,") closed_ = true;
         }
@@ -156,7 +156,7 @@ class Vs3Reader {
 
 SceneWithMaterials read_vs3_scene(std::string_view name, std::string_view text) {
     Vs3Reader reader(name);
-    for_each_line(text, [&](std::uint64_t line, const Words& words) { reader.read_line(line, words); });
+    for_each_line(text, [&](std::uint64_t line, const LineWords& words) { reader.read_line(line, words); });
     return reader.finish();
 }
 

@@ -4,6 +4,7 @@
 #include "stats/distributions.hpp"
 #include "stats/kolmogorov.hpp"
 #include "stats/power.hpp"
+#include "studies/selftest/bench.hpp"
 #include "studies/verdicts/measurement.hpp"
 
 #include <fmt/format.h>
@@ -14,24 +15,25 @@ namespace ff::studies {
 namespace {
 
 /// Of one trial, so that effects are in units of it.
-constexpr double sigma = 1;
-constexpr double wide = 1;        // a band far wider than the noise of a mean: only one of its ends can be crossed
-constexpr double narrow = 1e-12;  // far narrower than the noise: a point null hypothesis
+constexpr double trial_sigma = 1;
 
-struct Experiment {
+/// A band far wider than the noise of a mean: only one of its ends can be crossed.
+constexpr double wide_band = 1;
+
+struct GateOnMean {
     std::size_t trials = 0;
     double bias = 0;
     double half_width = 0;
     Levels levels;
 };
 
-stats::Moments draw_trials(const Experiment& experiment, stats::Draws& draws) {
+stats::Moments draw_trials(const GateOnMean& experiment, stats::Draws& draws) {
     stats::Moments moments(0);
-    for (std::size_t i = 0; i < experiment.trials; ++i) moments.add(experiment.bias + sigma * draw_normal(draws));
+    for (std::size_t i = 0; i < experiment.trials; ++i) moments.add(experiment.bias + trial_sigma * draw_normal(draws));
     return moments;
 }
 
-Verdict run_gate(const Experiment& experiment, stats::Draws& draws) {
+Verdict judge_drawn_trials(const GateOnMean& experiment, stats::Draws& draws) {
     const Band band{-experiment.half_width, experiment.half_width};
     return judge(measure_mean(draw_trials(experiment, draws), {}, band, experiment.levels), band);
 }
@@ -40,18 +42,18 @@ Levels levels_at(double fail_alpha) {
     return {.fail_alpha = fail_alpha, .pass_alpha = 0.05, .power = 0.9};
 }
 
-struct Bench {
+struct CalibrationBench {
     const Repetitions& repetitions;
     std::uint64_t times;
 
-    [[nodiscard]] MeasuredRate rate(const std::string& what, const Experiment& experiment, Verdict verdict,
+    [[nodiscard]] MeasuredRate rate(const std::string& what, const GateOnMean& experiment, Verdict verdict,
                                     double claimed) const {
-        const auto counts =
-            repetitions.count(times, what, [&](stats::Draws& draws) { return run_gate(experiment, draws) == verdict; });
+        const auto counts = repetitions.count(
+            times, what, [&](stats::Draws& draws) { return judge_drawn_trials(experiment, draws) == verdict; });
         return {.what = what, .counts = counts, .claim = RateClaim::equal, .claimed = claimed};
     }
 
-    [[nodiscard]] PValues p_values(const std::string& what, const Experiment& experiment) const {
+    [[nodiscard]] PValues p_values(const std::string& what, const GateOnMean& experiment) const {
         const auto p = repetitions.collect(times, what, [&](stats::Draws& draws) {
             const stats::Moments moments = draw_trials(experiment, draws);
             return stats::student_tail((*moments.bias() - experiment.half_width) / *moments.standard_error(),
@@ -62,7 +64,7 @@ struct Bench {
     }
 };
 
-void measure_false_alarms(const Bench& bench, Calibration& calibration) {
+void measure_false_alarms(const CalibrationBench& bench, Calibration& calibration) {
     RateTable& table = calibration.false_alarms;
     table.title = "False alarms";
     table.text =
@@ -74,28 +76,28 @@ void measure_false_alarms(const Bench& bench, Calibration& calibration) {
         for (const std::size_t trials : {10u, 100u}) {
             const std::string gate = fmt::format("α = {}, {} trials", alpha, trials);
             const Levels levels = levels_at(alpha);
-            table.rates.push_back(bench.rate("fails without bias, point null: " + gate, {trials, 0, narrow, levels},
-                                             Verdict::fail, alpha));
-            table.rates.push_back(
-                bench.rate("fails at bias = +band: " + gate, {trials, wide, wide, levels}, Verdict::fail, alpha / 2));
-            table.rates.push_back(
-                bench.rate("fails at bias = -band: " + gate, {trials, -wide, wide, levels}, Verdict::fail, alpha / 2));
+            table.rates.push_back(bench.rate("fails without bias, point null: " + gate,
+                                             {trials, 0, narrowest_band, levels}, Verdict::fail, alpha));
+            table.rates.push_back(bench.rate("fails at bias = +band: " + gate, {trials, wide_band, wide_band, levels},
+                                             Verdict::fail, alpha / 2));
+            table.rates.push_back(bench.rate("fails at bias = -band: " + gate, {trials, -wide_band, wide_band, levels},
+                                             Verdict::fail, alpha / 2));
         }
     }
     const Levels levels = levels_at(0.01);
-    for (const double bias : {wide, -wide}) {
+    for (const double bias : {wide_band, -wide_band}) {
         table.rates.push_back(bench.rate(fmt::format("passes at bias = {}band: 100 trials", bias > 0 ? '+' : '-'),
-                                         {100, bias, wide, levels}, Verdict::pass, levels.pass_alpha));
+                                         {100, bias, wide_band, levels}, Verdict::pass, levels.pass_alpha));
     }
     for (const std::size_t trials : {10u, 100u}) {
         calibration.p_values.push_back(
-            bench.p_values(fmt::format("bias = +band, {} trials", trials), {trials, wide, wide, levels}));
+            bench.p_values(fmt::format("bias = +band, {} trials", trials), {trials, wide_band, wide_band, levels}));
         calibration.p_values.push_back(
-            bench.p_values(fmt::format("point null, {} trials", trials), {trials, 0, narrow, levels}));
+            bench.p_values(fmt::format("point null, {} trials", trials), {trials, 0, narrowest_band, levels}));
     }
 }
 
-void measure_power(const Bench& bench, Calibration& calibration) {
+void measure_power(const CalibrationBench& bench, Calibration& calibration) {
     RateTable& table = calibration.power;
     table.title = "Power";
     table.text =
@@ -105,12 +107,12 @@ void measure_power(const Bench& bench, Calibration& calibration) {
         constexpr std::size_t trials = 50;
         Levels levels = levels_at(0.01);
         levels.power = power;
-        const double beyond = stats::minimum_detectable_bias(sigma, trials, {levels.fail_alpha, power});
+        const double beyond = stats::minimum_detectable_bias(trial_sigma, trials, {levels.fail_alpha, power});
         table.rates.push_back(bench.rate(fmt::format("fails at the detectable bias: power {}", power),
-                                         {trials, wide + beyond, wide, levels}, Verdict::fail, power));
+                                         {trials, wide_band + beyond, wide_band, levels}, Verdict::fail, power));
         constexpr double band = 0.3;
-        const std::size_t planned = stats::trials_for_equivalence(band, sigma, {levels.pass_alpha, power});
-        const double exact = stats::equivalence_power(band, 0, sigma, planned, levels.pass_alpha);
+        const std::size_t planned = stats::trials_for_equivalence(band, trial_sigma, {levels.pass_alpha, power});
+        const double exact = stats::equivalence_power(band, 0, trial_sigma, planned, levels.pass_alpha);
         table.rates.push_back(
             bench.rate(fmt::format("passes without bias: planned power {} ({} trials: {:.4f})", power, planned, exact),
                        {planned, 0, band, levels}, Verdict::pass, exact));
@@ -120,7 +122,7 @@ void measure_power(const Bench& bench, Calibration& calibration) {
 }  // namespace
 
 Calibration measure_calibration(const Repetitions& repetitions, std::uint64_t times) {
-    const Bench bench{repetitions, times};
+    const CalibrationBench bench{repetitions, times};
     Calibration calibration;
     measure_false_alarms(bench, calibration);
     measure_power(bench, calibration);

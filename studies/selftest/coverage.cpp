@@ -22,7 +22,7 @@
 namespace ff::studies {
 namespace {
 
-constexpr double level = 0.95;
+constexpr double nominal_level = 0.95;
 
 using Draw = double (*)(stats::Draws&);
 using IntervalOf = std::function<std::optional<stats::Interval>(const std::vector<double>&)>;
@@ -33,8 +33,8 @@ struct Distribution {
     Draw draw;
     double mean;
 };
-constexpr Distribution normal{"normal", draw_normal, 0};
-constexpr Distribution exponential{"exponential", draw_exponential, 1};
+constexpr Distribution normal_data{"normal", draw_normal, 0};
+constexpr Distribution exponential_data{"exponential", draw_exponential, 1};
 
 std::vector<double> draw_sample(const Distribution& distribution, std::size_t n, stats::Draws& draws) {
     std::vector<double> values(n);
@@ -64,7 +64,7 @@ class CoverageTable {
     void add_event(const std::string& what, RateClaim claim, std::uint64_t divisor,
                    const std::function<bool(stats::Draws&)>& event) {
         const auto counts = repetitions_.count(std::max<std::uint64_t>(20, times_ / divisor), what, event);
-        table_.rates.push_back({.what = what, .counts = counts, .claim = claim, .claimed = level});
+        table_.rates.push_back({.what = what, .counts = counts, .claim = claim, .claimed = nominal_level});
     }
 
     [[nodiscard]] RateTable take() { return std::move(table_); }
@@ -81,33 +81,43 @@ stats::ResamplingPlan resampling(const std::vector<double>& values) {
 }
 
 void add_means(CoverageTable& table) {
-    const IntervalOf student = [](const auto& x) { return stats::mean_interval_t(stats::moments_of(x), level); };
-    const IntervalOf gauss = [](const auto& x) { return stats::mean_interval_normal(stats::moments_of(x), level); };
-    const IntervalOf bootstrap = [](const auto& x) { return stats::mean_interval_bootstrap(x, level, resampling(x)); };
-    for (const std::size_t n : {5u, 10u, 100u}) table.add("mean: student_t", normal, n, RateClaim::equal, student, 0);
-    for (const std::size_t n : {10u, 100u}) table.add("mean: student_t", exponential, n, RateClaim::none, student, 1);
-    table.add("mean: normal", normal, 5, RateClaim::none, gauss, 0);
-    table.add("mean: percentile_bootstrap", normal, 5, RateClaim::none, bootstrap, 0, 10);
+    const IntervalOf student = [](const auto& x) {
+        return stats::mean_interval_t(stats::moments_of(x), nominal_level);
+    };
+    const IntervalOf gauss = [](const auto& x) {
+        return stats::mean_interval_normal(stats::moments_of(x), nominal_level);
+    };
+    const IntervalOf bootstrap = [](const auto& x) {
+        return stats::mean_interval_bootstrap(x, nominal_level, resampling(x));
+    };
+    for (const std::size_t n : {5u, 10u, 100u})
+        table.add("mean: student_t", normal_data, n, RateClaim::equal, student, 0);
+    for (const std::size_t n : {10u, 100u})
+        table.add("mean: student_t", exponential_data, n, RateClaim::none, student, 1);
+    table.add("mean: normal", normal_data, 5, RateClaim::none, gauss, 0);
+    table.add("mean: percentile_bootstrap", normal_data, 5, RateClaim::none, bootstrap, 0, 10);
     table.add_event("mean: stein_two_stage, normal data, pilot of 10", RateClaim::equal, 1, [](stats::Draws& draws) {
-        auto values = draw_sample(normal, 10, draws);
+        auto values = draw_sample(normal_data, 10, draws);
         const auto pilot = *stats::pilot_of(values, values.size());
-        const auto more = draw_sample(normal, stats::trials_for_half_width(pilot, 0.4, level) - pilot.n, draws);
+        const auto more =
+            draw_sample(normal_data, stats::trials_for_half_width(pilot, 0.4, nominal_level) - pilot.n, draws);
         values.insert(values.end(), more.begin(), more.end());
-        return stats::bias_interval_two_stage(stats::moments_of(values), pilot, level).contains(0);
+        return stats::bias_interval_two_stage(stats::moments_of(values), pilot, nominal_level).contains(0);
     });
     table.add_event("mean: welch_t, normal data, n = 10, reference n = 30 twice as noisy", RateClaim::none, 1,
                     [](stats::Draws& draws) {
-                        const auto reference = stats::moments_of(draw_sample(normal, 30, draws));
+                        const auto reference = stats::moments_of(draw_sample(normal_data, 30, draws));
                         const double truth = 2 * *reference.mean();
-                        const auto values = stats::moments_of(draw_sample(normal, 10, draws), truth);
-                        const Levels levels{.fail_alpha = 1 - level, .pass_alpha = (1 - level) / 2, .power = 0.9};
+                        const auto values = stats::moments_of(draw_sample(normal_data, 10, draws), truth);
+                        const Levels levels{
+                            .fail_alpha = 1 - nominal_level, .pass_alpha = (1 - nominal_level) / 2, .power = 0.9};
                         return measure_mean(values, {truth, 2 * *reference.standard_error(), 29}, {-1, 1}, levels)
                             ->failing.contains(0);
                     });
 }
 
 ClassError ten_pairs(const std::vector<double>& errors) {
-    return class_error_of(errors, 10, 1, VarianceStatus::finite, level);
+    return class_error_of(errors, 10, 1, VarianceStatus::finite, nominal_level);
 }
 
 /// One pair, a trial an error.
@@ -118,33 +128,35 @@ ClassError one_pair(std::vector<double> errors) {
     found.trials = errors.size();
     found.rmse = std::sqrt(*squares.mean());
     found.mean_square_se = *squares.standard_error();
-    found.interval = stats::mean_interval_t(squares, level);
+    found.interval = stats::mean_interval_t(squares, nominal_level);
     return found;
 }
 
 void add_variances(CoverageTable& table) {
-    const IntervalOf chi2 = [](const auto& x) { return stats::variance_interval_chi2(stats::moments_of(x), level); };
-    const IntervalOf bootstrap = [](const auto& x) {
-        return stats::variance_interval_bootstrap(x, level, resampling(x));
+    const IntervalOf chi2 = [](const auto& x) {
+        return stats::variance_interval_chi2(stats::moments_of(x), nominal_level);
     };
-    const IntervalOf chosen = [](const auto& x) { return stats::variance_interval(x, level, resampling(x)); };
+    const IntervalOf bootstrap = [](const auto& x) {
+        return stats::variance_interval_bootstrap(x, nominal_level, resampling(x));
+    };
+    const IntervalOf chosen = [](const auto& x) { return stats::variance_interval(x, nominal_level, resampling(x)); };
     const IntervalOf spread = [](const auto& x) -> std::optional<stats::Interval> {
         const auto found = stats::spread_of(stats::moments_of(x));
-        return found ? std::optional(stats::mean_square_interval(*found, level)) : std::nullopt;
+        return found ? std::optional(stats::mean_square_interval(*found, nominal_level)) : std::nullopt;
     };
-    table.add("variance: chi_squared", normal, 30, RateClaim::equal, chi2, 1);
-    table.add("variance: chi_squared", exponential, 30, RateClaim::none, chi2, 1);
-    for (const Distribution& data : {normal, exponential}) {
+    table.add("variance: chi_squared", normal_data, 30, RateClaim::equal, chi2, 1);
+    table.add("variance: chi_squared", exponential_data, 30, RateClaim::none, chi2, 1);
+    for (const Distribution& data : {normal_data, exponential_data}) {
         table.add("variance: bootstrap", data, 30, RateClaim::none, bootstrap, 1, 20);
         table.add("variance: as chosen in reports", data, 30, RateClaim::none, chosen, 1, 20);
         table.add("variance: of gates", data, 30, RateClaim::none, spread, 1);
         table.add("variance: of gates", data, 300, RateClaim::none, spread, 1);
     }
     const IntervalOf square = [](const auto& errors) { return one_pair(errors).interval; };
-    table.add("mean squared error: student_t", normal, 30, RateClaim::none, square, 1);
+    table.add("mean squared error: student_t", normal_data, 30, RateClaim::none, square, 1);
     // 30 trials of 10 pairs.
     const IntervalOf of_class = [](const auto& errors) { return ten_pairs(errors).variance_interval; };
-    table.add("variance over 10 pairs: log_student_t", normal, 300, RateClaim::none, of_class, 1);
+    table.add("variance over 10 pairs: log_student_t", normal_data, 300, RateClaim::none, of_class, 1);
 }
 
 void add_proportions(CoverageTable& table) {
@@ -163,38 +175,39 @@ void add_proportions(CoverageTable& table) {
                             [&](stats::Draws& draws) {
                                 stats::Proportion counts{.hits = 0, .trials = n};
                                 for (std::uint64_t i = 0; i < n; ++i) counts.hits += draws.uniform() < p ? 1u : 0u;
-                                return method.make(counts, level).contains(p);
+                                return method.make(counts, nominal_level).contains(p);
                             });
         }
     }
 }
 
 void add_ratios(CoverageTable& table) {
-    for (const Distribution& data : {normal, exponential}) {
+    for (const Distribution& data : {normal_data, exponential_data}) {
         table.add_event(fmt::format("ratio of spreads: F of gates, {} data, n = 100 and 30", data.name),
                         RateClaim::none, 1, [&](stats::Draws& draws) {
                             const auto a = stats::spread_of(stats::moments_of(draw_sample(data, 100, draws)));
                             const auto b = stats::spread_of(stats::moments_of(draw_sample(data, 30, draws)));
-                            return stats::ratio_interval(*a, *b, level).contains(1);
+                            return stats::ratio_interval(*a, *b, nominal_level).contains(1);
                         });
     }
     table.add_event("ratio of variances over 10 pairs: log_student_t, normal data, n = 300 and 300", RateClaim::none, 1,
                     [](stats::Draws& draws) {
-                        const auto a = ten_pairs(draw_sample(normal, 300, draws));
-                        return variance_ratio_interval(a, ten_pairs(draw_sample(normal, 300, draws))).contains(1);
+                        const auto a = ten_pairs(draw_sample(normal_data, 300, draws));
+                        return variance_ratio_interval(a, ten_pairs(draw_sample(normal_data, 300, draws))).contains(1);
                     });
-    table.add_event("ratio of RMSEs: student_t_of_logarithm, normal data, n = 30 and 30", RateClaim::none, 1,
-                    [](stats::Draws& draws) {
-                        const auto a = one_pair(draw_sample(normal, 30, draws));
-                        return rmse_ratio_interval(a, one_pair(draw_sample(normal, 30, draws)), level)->contains(1);
-                    });
+    table.add_event(
+        "ratio of RMSEs: student_t_of_logarithm, normal data, n = 30 and 30", RateClaim::none, 1,
+        [](stats::Draws& draws) {
+            const auto a = one_pair(draw_sample(normal_data, 30, draws));
+            return rmse_ratio_interval(a, one_pair(draw_sample(normal_data, 30, draws)), nominal_level)->contains(1);
+        });
 }
 
 /// Errors whose root mean square falls exactly as size^-0.5.
 std::vector<stats::Rung> draw_ladder(stats::Draws& draws) {
     std::vector<stats::Rung> ladder;
     for (const double size : {64, 256, 1024, 4096}) {
-        stats::Rung rung{.size = size, .errors = draw_sample(normal, 64, draws)};
+        stats::Rung rung{.size = size, .errors = draw_sample(normal_data, 64, draws)};
         for (double& error : rung.errors) error /= std::sqrt(size);
         ladder.push_back(std::move(rung));
     }
@@ -202,33 +215,33 @@ std::vector<stats::Rung> draw_ladder(stats::Draws& draws) {
 }
 
 void add_slopes(CoverageTable& table) {
-    table.add_event(
-        "slope: weighted least squares, normal errors, 4 sizes x 64", RateClaim::none, 4, [](stats::Draws& draws) {
-            const auto rate =
-                stats::fit_rmse_rate(draw_ladder(draws), level, stats::ResamplingPlan{.key = {}, .replicates = 1});
-            return rate && rate->interval.contains(-0.5);
-        });
+    table.add_event("slope: weighted least squares, normal errors, 4 sizes x 64", RateClaim::none, 4,
+                    [](stats::Draws& draws) {
+                        const auto rate = stats::fit_rmse_rate(draw_ladder(draws), nominal_level,
+                                                               stats::ResamplingPlan{.key = {}, .replicates = 1});
+                        return rate && rate->interval.contains(-0.5);
+                    });
     table.add_event("slope: bootstrap, normal errors, 4 sizes x 64", RateClaim::none, 40, [](stats::Draws& draws) {
         const auto ladder = draw_ladder(draws);
         const auto plan = resampling(ladder.front().errors);
-        const auto rate = stats::fit_rmse_rate(ladder, level, plan);
+        const auto rate = stats::fit_rmse_rate(ladder, nominal_level, plan);
         return rate && rate->bootstrap.contains(-0.5);
     });
-    table.add_event("slope of the median: bootstrap, normal errors, 4 sizes x 64", RateClaim::none, 40,
-                    [](stats::Draws& draws) {
-                        const auto ladder = draw_ladder(draws);
-                        const auto rate = stats::fit_median_rate(ladder, level, resampling(ladder.front().errors));
-                        return rate && rate->interval.contains(-0.5);
-                    });
+    table.add_event(
+        "slope of the median: bootstrap, normal errors, 4 sizes x 64", RateClaim::none, 40, [](stats::Draws& draws) {
+            const auto ladder = draw_ladder(draws);
+            const auto rate = stats::fit_median_rate(ladder, nominal_level, resampling(ladder.front().errors));
+            return rate && rate->interval.contains(-0.5);
+        });
 }
 
 void add_distributions(CoverageTable& table) {
-    table.add_event("distribution: Dvoretzky-Kiefer-Wolfowitz band, n = 50", RateClaim::at_least, 1,
-                    [](stats::Draws& draws) {
-                        std::vector<double> values(50);
-                        for (double& value : values) value = draws.uniform();
-                        return stats::test_uniformity(values)->distance <= stats::dkw_half_width(values.size(), level);
-                    });
+    table.add_event(
+        "distribution: Dvoretzky-Kiefer-Wolfowitz band, n = 50", RateClaim::at_least, 1, [](stats::Draws& draws) {
+            std::vector<double> values(50);
+            for (double& value : values) value = draws.uniform();
+            return stats::test_uniformity(values)->distance <= stats::dkw_half_width(values.size(), nominal_level);
+        });
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include "studies/gates/gate_experiment.hpp"
 #include "studies/gates/gate_run.hpp"
 #include "studies/run/parallel.hpp"
+#include "studies/selftest/bench.hpp"
 #include "studies/verdicts/estimate_gates.hpp"
 
 #include <fmt/format.h>
@@ -103,8 +104,7 @@ GatesSpec edge_gate(double alpha, double bias, double band, std::string estimato
 }
 
 void measure_edges(const Repetitions& repetitions, std::uint64_t seeds, Detection& detection) {
-    constexpr double wide = 0.01;     // five standard errors of these trials
-    constexpr double narrow = 1e-12;  // a point null hypothesis
+    constexpr double wide = 0.01;  // five standard errors of these trials
     detection.edge.title = "False alarms of whole gates";
     detection.edge.text =
         "From bands file to verdict: 50 trials of 1000 random rays, a new seed each time, the reference shifted so "
@@ -115,13 +115,13 @@ void measure_edges(const Repetitions& repetitions, std::uint64_t seeds, Detectio
     for (const double alpha : {0.05, 0.01}) {
         for (const auto& [text, bias, band, rate] :
              {std::tuple("bias = +band", wide, wide, alpha / 2), std::tuple("bias = -band", -wide, wide, alpha / 2),
-              std::tuple("point null", 0.0, narrow, alpha)}) {
+              std::tuple("point null", 0.0, narrowest_band, alpha)}) {
             const auto verdicts = laboratory.verdicts(edge_gate(alpha, bias, band), 0);
             detection.edge.rates.push_back({fmt::format("fails at {}, α = {}", text, alpha),
                                             laboratory.count(verdicts, Verdict::fail), RateClaim::equal, rate});
         }
     }
-    GatesSpec family = edge_gate(0.05, 0, narrow);
+    GatesSpec family = edge_gate(0.05, 0, narrowest_band);
     family.looks = 3;
     family.gates.front().against = Against::exact;
     family.gates.front().pairs = {"all"};

@@ -14,8 +14,7 @@
 namespace ff::studies {
 namespace {
 
-constexpr double alpha = 0.01;
-constexpr double band = 0.1;  ///< of counts
+constexpr double band_of_counts = 0.1;
 
 using Shares = std::vector<double>;
 
@@ -90,7 +89,7 @@ ReportedFile draw_counts(const Shares& shares, std::size_t n, stats::Draws& draw
 
 Comparison judge_histogram(const ReportedFile& file, const ReportedFile& against, double width) {
     GatesSpec spec;
-    spec.alpha = alpha;
+    spec.alpha = usual_alpha;
     Gate gate;
     gate.name = gate.quantity = "x";
     gate.kind = GateKind::distribution;
@@ -121,24 +120,26 @@ RateTable measure_counts(const Repetitions& repetitions, std::uint64_t times) {
         bench.add(what, claim, claimed,
                   [=](stats::Draws& draws) { return compare(from, shares, width, draws).verdict == verdict; });
     };
-    verdict_rate("fails: no difference", Verdict::fail, RateClaim::at_most, alpha, even, even, narrow_band);
-    verdict_rate("fails: no difference, a rare cell", Verdict::fail, RateClaim::at_most, alpha, rare, rare,
+    verdict_rate("fails: no difference", Verdict::fail, RateClaim::at_most, usual_alpha, even, even, narrow_band);
+    verdict_rate("fails: no difference, a rare cell", Verdict::fail, RateClaim::at_most, usual_alpha, rare, rare,
                  narrow_band);
-    verdict_rate("passes: no difference in a band of 0.1", Verdict::pass, RateClaim::at_least, 0.9, even, even, band);
-    const Shares small = tilted(even, band);
-    const Shares spike = grown(rare, band);
+    verdict_rate("passes: no difference in a band of 0.1", Verdict::pass, RateClaim::at_least, 0.9, even, even,
+                 band_of_counts);
+    const Shares small = tilted(even, band_of_counts);
+    const Shares spike = grown(rare, band_of_counts);
     for (const auto& [what, from, shares] : {std::tuple("all cells at the end of the band", small, even),
                                              std::tuple("the rare cell at the end of the band", spike, rare)}) {
         const double distance = distance_between(from, shares);
-        verdict_rate(fmt::format("fails: {}", what), Verdict::fail, RateClaim::at_most, alpha, from, shares, distance);
+        verdict_rate(fmt::format("fails: {}", what), Verdict::fail, RateClaim::at_most, usual_alpha, from, shares,
+                     distance);
         verdict_rate(fmt::format("passes: {}", what), Verdict::pass, RateClaim::at_most, 0.05, from, shares, distance);
         bench.add(fmt::format("interval holds the distance: {}", what), RateClaim::at_least, 0.9,
                   [=, from = from, shares = shares](stats::Draws& draws) {
-                      return compare(from, shares, band, draws).measurement->passing.contains(distance);
+                      return compare(from, shares, band_of_counts, draws).measurement->passing.contains(distance);
                   });
     }
     verdict_rate("fails: a distance of 0.25 in a band of 0.1", Verdict::fail, RateClaim::at_least, 0.9,
-                 tilted(even, 0.25), even, band);
+                 tilted(even, 0.25), even, band_of_counts);
     bench.add("passes: 24 events in two cells, at the end of a band of 0.05", RateClaim::at_most, 0.05,
               [](stats::Draws& draws) {
                   const Shares halves{0.5, 0.5};
@@ -151,14 +152,14 @@ RateTable measure_counts(const Repetitions& repetitions, std::uint64_t times) {
         const auto first = draw_counts(tilted(even_shares(), tilt / 2), n, draws);
         return judge_histogram(first, draw_counts(tilted(even_shares(), -tilt / 2), n, draws), width).verdict;
     };
-    bench.add("fails: two files, no difference", RateClaim::at_most, alpha,
+    bench.add("fails: two files, no difference", RateClaim::at_most, usual_alpha,
               [=](stats::Draws& draws) { return of_two(0, narrow_band, draws) == Verdict::fail; });
-    bench.add("fails: two files at the end of the band", RateClaim::at_most, alpha,
-              [=](stats::Draws& draws) { return of_two(band, band, draws) == Verdict::fail; });
+    bench.add("fails: two files at the end of the band", RateClaim::at_most, usual_alpha,
+              [=](stats::Draws& draws) { return of_two(band_of_counts, band_of_counts, draws) == Verdict::fail; });
     bench.add("passes: two files at the end of the band", RateClaim::at_most, 0.05,
-              [=](stats::Draws& draws) { return of_two(band, band, draws) == Verdict::pass; });
+              [=](stats::Draws& draws) { return of_two(band_of_counts, band_of_counts, draws) == Verdict::pass; });
     bench.add("fails: two files, 0.3 in a band of 0.1", RateClaim::at_least, 0.9,
-              [=](stats::Draws& draws) { return of_two(0.3, band, draws) == Verdict::fail; });
+              [=](stats::Draws& draws) { return of_two(0.3, band_of_counts, draws) == Verdict::fail; });
     return table;
 }
 
@@ -179,20 +180,20 @@ RateTable measure_values(const Repetitions& repetitions, std::uint64_t times) {
     const Bench bench{repetitions, times, table};
     constexpr double width = 0.05;
     const auto one = [](std::size_t n, double share, double tolerance, stats::Draws& draws) {
-        const Levels levels{.fail_alpha = alpha, .pass_alpha = 0.05, .power = 0.9};
+        const Levels levels{.fail_alpha = usual_alpha, .pass_alpha = 0.05, .power = 0.9};
         const auto measured = measure_distribution(draw_contaminated(n, share, draws), KnownLaw{}, levels);
         return std::pair(judge(measured, {0, tolerance}), measured);
     };
     const auto two = [](std::size_t n, std::size_t m, double share, double tolerance, stats::Draws& draws) {
-        const Levels levels{.fail_alpha = alpha, .pass_alpha = 0.05, .power = 0.9};
+        const Levels levels{.fail_alpha = usual_alpha, .pass_alpha = 0.05, .power = 0.9};
         const auto first = draw_contaminated(n, share, draws);
         const auto measured = measure_distributions(first, draw_contaminated(m, 0, draws), levels);
         return std::pair(judge(measured, {0, tolerance}), measured);
     };
     for (const std::size_t n : {20u, 200u}) {
-        bench.add(fmt::format("fails: no difference, n = {}", n), RateClaim::at_most, alpha,
+        bench.add(fmt::format("fails: no difference, n = {}", n), RateClaim::at_most, usual_alpha,
                   [=](stats::Draws& draws) { return one(n, 0, narrow_band, draws).first == Verdict::fail; });
-        bench.add(fmt::format("fails: at the end of the band, n = {}", n), RateClaim::at_most, alpha,
+        bench.add(fmt::format("fails: at the end of the band, n = {}", n), RateClaim::at_most, usual_alpha,
                   [=](stats::Draws& draws) { return one(n, width, width, draws).first == Verdict::fail; });
     }
     bench.add("passes: at the end of the band, n = 2000", RateClaim::at_most, 0.05,
@@ -206,10 +207,10 @@ RateTable measure_values(const Repetitions& repetitions, std::uint64_t times) {
     for (const auto& [n, m] : {std::pair<std::size_t, std::size_t>{20, 20}, {200, 200}, {50, 2000}}) {
         const std::string sizes = fmt::format("{} and {}", n, m);
         bench.add(
-            "fails: two files, no difference, " + sizes, RateClaim::at_most, alpha,
+            "fails: two files, no difference, " + sizes, RateClaim::at_most, usual_alpha,
             [=, n = n, m = m](stats::Draws& draws) { return two(n, m, 0, narrow_band, draws).first == Verdict::fail; });
         bench.add(
-            "fails: two files at the end of the band, " + sizes, RateClaim::at_most, alpha,
+            "fails: two files at the end of the band, " + sizes, RateClaim::at_most, usual_alpha,
             [=, n = n, m = m](stats::Draws& draws) { return two(n, m, width, width, draws).first == Verdict::fail; });
     }
     bench.add("fails: two files, a share of 0.35, 200 and 200", RateClaim::at_least, 0.9,

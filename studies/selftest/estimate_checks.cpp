@@ -17,7 +17,8 @@
 namespace ff::studies {
 namespace {
 
-constexpr double wide = 1e9;  // one that every interval lies in
+/// A band that every interval lies in.
+constexpr double widest_band = 1e9;
 
 /// Verdict of a file on a gate for its mean; empty where it is refused.
 std::optional<Verdict> judge_file(std::vector<double> values, double truth, const Band& band, double alpha) {
@@ -123,7 +124,7 @@ RateTable measure_heavy(const Repetitions& repetitions, std::uint64_t times) {
     const Bench bench{repetitions, times, table};
     const auto passes = [&](const Law& law, std::size_t n, RateClaim claim, double claimed) {
         bench.add(fmt::format("passes: {}, {} estimates", law.name, n), claim, claimed, [&](stats::Draws& draws) {
-            return judge_file(draw_file(law, n, draws), 0, {-wide, wide}, 1e-4) == Verdict::pass;
+            return judge_file(draw_file(law, n, draws), 0, {-widest_band, widest_band}, 1e-4) == Verdict::pass;
         });
     };
     for (const std::size_t n : {50u, 100u, 199u, 200u, 1000u, 10'000u}) {
@@ -157,13 +158,13 @@ RateTable measure_repeats(const Repetitions& repetitions, std::uint64_t times) {
         bench.add("refused: " + law.name, RateClaim::at_most, claimed, [&](stats::Draws& draws) {
             std::vector<double> values = draw_file(law, 100, draws);
             values.front() += values.front() == values.back() ? 1 : 0;  // all equal is refused, rightly
-            return !judge_file(values, 0, {-wide, wide}, 1e-4);
+            return !judge_file(values, 0, {-widest_band, widest_band}, 1e-4);
         });
     }
     for (const std::size_t seeds : {5u, 20u, 80u}) {
         bench.add(fmt::format("refused: 100 estimates of {} seeds", seeds), RateClaim::at_least, 0.99,
                   [seeds](stats::Draws& draws) {
-                      return !judge_file(draw_shared_seeds(100, seeds, draws), 0, {-wide, wide}, 1e-4);
+                      return !judge_file(draw_shared_seeds(100, seeds, draws), 0, {-widest_band, widest_band}, 1e-4);
                   });
     }
     for (const std::size_t n : {20u, 50u, 100u, 1000u}) {

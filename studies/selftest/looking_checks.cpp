@@ -17,8 +17,6 @@
 namespace ff::studies {
 namespace {
 
-constexpr double alpha = 0.01;
-
 /// How often a value is looked at, and on what.
 struct Looking {
     std::optional<Spending> spending;  ///< empty: each look has all of alpha
@@ -42,7 +40,7 @@ ReportedFile one_value(double mean, double error) {
 /// Looks at data until a verdict comes. Each look's data have an error of 1.
 Verdict look_until_decided(const Looking& how, double bias, double band, stats::Draws& draws) {
     GatesSpec spec;
-    spec.alpha = alpha;
+    spec.alpha = usual_alpha;
     spec.looks = how.looks;
     spec.spending = how.spending.value_or(Spending::halving);
     Gate gate;
@@ -85,7 +83,7 @@ RateTable measure_ledger(const Repetitions& repetitions, std::uint64_t times) {
           Case{"--again, obrien_fleming, 5 looks", {Spending::obrien_fleming, planned, false}},
           Case{"--again, obrien_fleming, 5 looks, all data", {Spending::obrien_fleming, planned, true}}}) {
         const RateClaim claim = c.how.spending ? RateClaim::at_most : RateClaim::none;
-        bench.add(c.what + ": fails without bias, point null", claim, alpha, [how = c.how](stats::Draws& draws) {
+        bench.add(c.what + ": fails without bias, point null", claim, usual_alpha, [how = c.how](stats::Draws& draws) {
             return look_until_decided(how, 0, narrow_band, draws) == Verdict::fail;
         });
         bench.add(c.what + ": passes at the end of a band of 3", claim, 0.05,
@@ -114,7 +112,7 @@ Verdict watch(double reference, double band, const Draw& draw, const IntervalOf&
         };
         Measurement measurement;
         measurement.passing = shifted(0.9);
-        measurement.failing = shifted(1 - alpha);
+        measurement.failing = shifted(1 - usual_alpha);
         const Verdict verdict = judge(measurement, {-band, band});
         if (verdict != Verdict::inconclusive) return verdict;
     }
@@ -149,7 +147,7 @@ RateTable measure_sequences(const Repetitions& repetitions, std::uint64_t times)
     };
     bench.add("Student at every look: fails without bias", RateClaim::none, 0,
               [=](stats::Draws& draws) { return normal_case(student, 0, narrow_band, draws) == Verdict::fail; });
-    bench.add("normal: fails without bias", RateClaim::at_most, alpha,
+    bench.add("normal: fails without bias", RateClaim::at_most, usual_alpha,
               [=](stats::Draws& draws) { return normal_case(normal, 0, narrow_band, draws) == Verdict::fail; });
     bench.add("normal: passes at the end of a band of 0.3", RateClaim::at_most, 0.05,
               [=](stats::Draws& draws) { return normal_case(normal, 0.3, 0.3, draws) == Verdict::pass; });
@@ -157,7 +155,7 @@ RateTable measure_sequences(const Repetitions& repetitions, std::uint64_t times)
               [=](stats::Draws& draws) { return normal_case(normal, 0.3, narrow_band, draws) == Verdict::fail; });
     bench.add("normal: passes without bias, a band of 0.3", RateClaim::at_least, 0.9,
               [=](stats::Draws& draws) { return normal_case(normal, 0, 0.3, draws) == Verdict::pass; });
-    bench.add("bounded: fails without bias", RateClaim::at_most, alpha,
+    bench.add("bounded: fails without bias", RateClaim::at_most, usual_alpha,
               [=](stats::Draws& draws) { return share_case(0, narrow_band, draws) == Verdict::fail; });
     bench.add("bounded: passes at the end of a band of 0.06", RateClaim::at_most, 0.05,
               [=](stats::Draws& draws) { return share_case(0.06, 0.06, draws) == Verdict::pass; });

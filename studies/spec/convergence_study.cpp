@@ -12,7 +12,7 @@
 namespace ff::studies {
 namespace {
 
-constexpr std::string_view origin = "convergence";
+constexpr std::string_view convergence_origin = "convergence";
 
 std::string quoted_list(const std::vector<std::string>& texts) {
     std::vector<std::string> quoted;
@@ -23,8 +23,9 @@ std::string quoted_list(const std::vector<std::string>& texts) {
 /// "convergence:7:1: problem" without its place: nobody has seen that file.
 std::string without_place(std::string_view message) {
     const std::size_t colon = message.find(": ");
-    return std::string(message.starts_with(origin) && colon != std::string_view::npos ? message.substr(colon + 2)
-                                                                                      : message);
+    return std::string(message.starts_with(convergence_origin) && colon != std::string_view::npos
+                           ? message.substr(colon + 2)
+                           : message);
 }
 
 std::string study_text(const ConvergenceRequest& request) {
@@ -55,7 +56,7 @@ StudySpec make_convergence_study(const ConvergenceRequest& request) {
                         sampler));
     }
     try {
-        return parse_study(study_text(request), origin);
+        return parse_study(study_text(request), convergence_origin);
     } catch (const UserError& error) {
         throw UserError(without_place(error.what()));
     }

@@ -20,7 +20,7 @@ struct Key {
     bool (*is_of)(const EstimatorInfo& estimator);
 };
 
-constexpr std::array keys{
+constexpr std::array estimator_keys{
     Key{"allocation", [](const EstimatorInfo& estimator) { return estimator.has_allocation(); }},
     Key{"tracer", [](const EstimatorInfo& estimator) { return estimator.has_tracer; }},
     Key{"map", [](const EstimatorInfo& estimator) { return estimator.has_map; }},
@@ -53,7 +53,7 @@ const EstimatorInfo& read_estimator(const TomlReader& reader) {
 }
 
 void refuse_keys_of_others(const TomlReader& reader, const EstimatorInfo& estimator) {
-    for (const Key& key : keys) {
+    for (const Key& key : estimator_keys) {
         if (!reader.has(key.name) || key.is_of(estimator)) continue;
         std::vector<std::string_view> names;
         for (const EstimatorEntry& other : estimators()) {

@@ -31,7 +31,7 @@
 namespace ff::studies {
 namespace {
 
-using Keys = std::array<std::string_view, 14>;
+using MethodKeys = std::array<std::string_view, 14>;
 
 constexpr std::uint64_t max_samples = 1ULL << 32;  // a stream addresses points with 32 bits
 constexpr std::uint32_t max_patches_per_face = 1u << 20;
@@ -178,7 +178,7 @@ void expect_unique_sizes(const TomlReader& reader, const Method& method) {
 }  // namespace
 
 Method read_method(const TomlReader& reader, std::span<const std::string_view> other_keys) {
-    static constexpr Keys own_keys{
+    static constexpr MethodKeys own_keys{
         "name", "sampler", "randomise", "estimator",        "completion",        "allocation", "tracer",
         "map",  "nodes",   "sizes",     "patches_per_face", "samples_per_patch", "trials",     "claimed_error"};
     std::vector<std::string_view> known(own_keys.begin(), own_keys.end());

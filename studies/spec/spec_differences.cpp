@@ -7,11 +7,11 @@
 namespace ff::studies {
 namespace {
 
-using Keys = std::vector<std::pair<std::string, std::string>>;
+using KeyValues = std::vector<std::pair<std::string, std::string>>;
 
 /// The "key = value" lines of a study file.
-Keys keys_of(const std::string& text) {
-    Keys keys;
+KeyValues keys_of(const std::string& text) {
+    KeyValues keys;
     std::istringstream lines(text);
     for (std::string line; std::getline(lines, line);) {
         const auto equals = line.find(" = ");
@@ -20,12 +20,13 @@ Keys keys_of(const std::string& text) {
     return keys;
 }
 
-std::string value_of(const Keys& keys, const std::string& key) {
+std::string value_of(const KeyValues& keys, const std::string& key) {
     const auto found = std::find_if(keys.begin(), keys.end(), [&](const auto& each) { return each.first == key; });
     return found == keys.end() ? std::string() : found->second;
 }
 
-void compare(const std::string& place, const Keys& first, const Keys& second, std::vector<SpecDifference>& out) {
+void compare(const std::string& place, const KeyValues& first, const KeyValues& second,
+             std::vector<SpecDifference>& out) {
     for (const auto& [key, value] : first) {
         if (value_of(second, key) != value) out.push_back({place, key, value, value_of(second, key)});
     }
@@ -34,12 +35,12 @@ void compare(const std::string& place, const Keys& first, const Keys& second, st
     }
 }
 
-Keys keys_of_study(StudySpec spec) {
+KeyValues keys_of_study(StudySpec spec) {
     spec.methods.clear();
     return keys_of(to_toml(spec));
 }
 
-Keys keys_of_method(const Method& method) {
+KeyValues keys_of_method(const Method& method) {
     StudySpec spec;
     spec.methods = {method};
     spec.methods.front().sizes.clear();

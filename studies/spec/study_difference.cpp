@@ -37,7 +37,7 @@ std::vector<Entry> entries_of(std::string_view text) {
     return entries;
 }
 
-const Entry* find(const std::vector<Entry>& entries, const Entry& wanted) {
+const Entry* find_entry(const std::vector<Entry>& entries, const Entry& wanted) {
     const auto found = std::find_if(entries.begin(), entries.end(), [&](const Entry& entry) {
         return entry.section == wanted.section && entry.key == wanted.key;
     });
@@ -55,7 +55,7 @@ std::string shown(const Entry* entry, std::string_view key, std::size_t place) {
                        begin + most < value.size() ? "..." : "");
 }
 
-std::string in_words(const Entry* stored, const Entry* wanted) {
+std::string difference_in_words(const Entry* stored, const Entry* wanted) {
     const Entry& either = stored != nullptr ? *stored : *wanted;
     std::size_t place = 0;
     if (stored != nullptr && wanted != nullptr) {
@@ -74,14 +74,14 @@ std::string first_difference(std::string_view stored, std::string_view wanted) {
     std::string first;
     std::size_t differing = 0;
     const auto add = [&](const Entry* a, const Entry* b) {
-        if (++differing == 1) first = in_words(a, b);
+        if (++differing == 1) first = difference_in_words(a, b);
     };
     for (const Entry& entry : there) {
-        const Entry* other = find(here, entry);
+        const Entry* other = find_entry(here, entry);
         if (other == nullptr || other->value != entry.value) add(&entry, other);
     }
     for (const Entry& entry : here) {
-        if (find(there, entry) == nullptr) add(nullptr, &entry);
+        if (find_entry(there, entry) == nullptr) add(nullptr, &entry);
     }
     if (differing > 1) first += fmt::format(", and in {} more key{}", differing - 1, differing == 2 ? "" : "s");
     if (differing == 0 && stored != wanted) first = "the order of its methods";

@@ -187,6 +187,11 @@ void Database::copy_from(const std::filesystem::path& source, const std::functio
     execute("COMMIT; DETACH source");
 }
 
+bool Database::has_table(std::string_view name) const {
+    Statement query(handle_, "SELECT 1 FROM sqlite_master WHERE type = 'table' AND name = ?");
+    return query.bind(0, name).step();
+}
+
 std::int64_t Database::changes() const {
     return sqlite3_changes(handle_);
 }

@@ -66,6 +66,7 @@ class Database {
     void execute_in_turn(const char* sql);
     /// Runs `copy` as one transaction, with the tables of another SQLite file readable as source.TABLE.
     void copy_from(const std::filesystem::path& source, const std::function<void()>& copy) const;
+    [[nodiscard]] bool has_table(std::string_view name) const;
     /// Number of rows that the last statement inserted.
     [[nodiscard]] std::int64_t changes() const;
     /// Whether a write-ahead log keeps its contents when the file is closed.

@@ -18,7 +18,7 @@
 namespace ff::studies {
 namespace {
 
-constexpr const char* schema = R"(
+constexpr const char* result_store_schema = R"(
 CREATE TABLE meta(key TEXT PRIMARY KEY, value TEXT NOT NULL) WITHOUT ROWID;
 CREATE TABLE context(key TEXT PRIMARY KEY, value TEXT NOT NULL) WITHOUT ROWID;
 CREATE TABLE cells(cell INTEGER PRIMARY KEY, scene TEXT NOT NULL, method TEXT NOT NULL, sampler TEXT NOT NULL,
@@ -32,16 +32,16 @@ CREATE TABLE observations(cell INTEGER NOT NULL, observable TEXT NOT NULL, from_
 )";
 
 constexpr int without_checksums = 1;
-constexpr StoreFormat format{FileKind::result_store,
-                             "result store",
-                             "meta",
-                             store_schema_version,
-                             without_checksums,
-                             schema,
-                             "ALTER TABLE units DROP COLUMN checksum"};
+constexpr StoreFormat result_store_format{FileKind::result_store,
+                                          "result store",
+                                          "meta",
+                                          store_schema_version,
+                                          without_checksums,
+                                          result_store_schema,
+                                          "ALTER TABLE units DROP COLUMN checksum"};
 
 std::optional<std::string> read_meta(const Database& database, std::string_view key) {
-    return stored_value(database, format, key);
+    return stored_value(database, result_store_format, key);
 }
 
 void write_meta(const Database& database, std::string_view key, std::string_view value) {
@@ -141,7 +141,7 @@ void insert_observations(const Database& database, std::int64_t cell, const std:
 void create(Database& database, const StudyPlan& plan) {
     database.execute("BEGIN IMMEDIATE");
     if (is_empty(database)) {
-        database.execute(schema);
+        database.execute(result_store_schema);
         write_meta(database, "schema_version", std::to_string(store_schema_version));
         write_meta(database, "study", to_toml(plan.spec));
         write_meta(database, "published", plan.spec.published ? plan.spec.published->text : "");
@@ -158,7 +158,7 @@ void create(Database& database, const StudyPlan& plan) {
 void upgrade(Database& database, const std::filesystem::path& file, const StudyPlan& plan) {
     database.execute("BEGIN IMMEDIATE");
     // Another process may just have done it.
-    if (stored_value(database, format, "schema_version") == std::to_string(without_checksums)) {
+    if (stored_value(database, result_store_format, "schema_version") == std::to_string(without_checksums)) {
         database.execute("ALTER TABLE units ADD COLUMN checksum INTEGER");
         add_checksums(database, file, plan);
         database.execute(
@@ -171,7 +171,7 @@ void upgrade(Database& database, const std::filesystem::path& file, const StudyP
 
 /// Whether it has checksums; where it has, those of the study hold. @throws UserError, IoError
 Checksums look_at(const Database& database, const std::filesystem::path& file) {
-    if (expect_readable(database, file, format) == without_checksums) return Checksums::none;
+    if (expect_readable(database, file, result_store_format) == without_checksums) return Checksums::none;
     expect_checksums(database, file);
     return Checksums::saved;
 }
@@ -191,7 +191,7 @@ Store Store::create_or_resume(const std::filesystem::path& file, const StudyPlan
     if (is_empty(*database)) create(*database, plan);
     // A log that is not of this file would be written into it on closing.
     database->keep_log_on_close(true);
-    expect_readable(*database, file, format);
+    expect_readable(*database, file, result_store_format);
     expect_same_study(*database, file, plan.spec);
     expect_intact(*database, file);
     const Checksums checksums = look_at(*database, file);
@@ -211,7 +211,7 @@ Store Store::create_or_resume(const std::filesystem::path& file, const StudyPlan
 }
 
 Store Store::open(const std::filesystem::path& file) {
-    auto database = open_store(file, format);
+    auto database = open_store(file, result_store_format);
     const Checksums checksums = look_at(*database, file);
     restore_added_samplers(*database);
     restore_added_estimators(*database);
@@ -321,7 +321,7 @@ std::string difference_of_study(const std::filesystem::path& file, const StudySp
     expect_no_log_of_another(file);
     const Database database(file, Database::Mode::read_only);
     if (is_empty(database)) return {};  // what a run leaves that ended before it began
-    expect_readable(database, file, format);
+    expect_readable(database, file, result_store_format);
     return difference_from(database, wanted);
 }
 

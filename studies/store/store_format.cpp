@@ -11,11 +11,6 @@
 namespace ff::studies {
 namespace {
 
-bool has_table(const Database& database, std::string_view table) {
-    Statement query(database.handle(), "SELECT 1 FROM sqlite_master WHERE type = 'table' AND name = ?");
-    return query.bind(0, table).step();
-}
-
 using Definitions = std::map<std::string, std::string>;  // SQL by table
 
 Definitions definitions(const Database& database) {
@@ -83,7 +78,7 @@ std::optional<std::string> stored_value(const Database& database, const StoreFor
 }
 
 int expect_readable(const Database& database, const std::filesystem::path& file, const StoreFormat& format) {
-    if (!has_table(database, format.keys)) {
+    if (!database.has_table(format.keys)) {
         throw UserError(fmt::format("{}: not a {} (no table '{}'). Give a file written by ffstudy.", file.string(),
                                     format.what, format.keys));
     }

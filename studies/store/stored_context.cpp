@@ -6,7 +6,7 @@
 namespace ff::studies {
 namespace {
 
-std::string checksum(const Database& database) {
+std::string checksum_of_context(const Database& database) {
     Digest digest;
     add_rows(digest, database, "SELECT * FROM context WHERE key <> 'checksum' ORDER BY key");
     return in_hexadecimal(digest);
@@ -19,7 +19,7 @@ void write_context(const Database& database, const Context& context) {
     Statement insert(database.handle(), "INSERT INTO context VALUES(?, ?)");
     for (const auto& [key, value] : context)
         insert.bind(0, std::string_view(key)).bind(1, std::string_view(value)).run();
-    insert.bind(0, std::string_view("checksum")).bind(1, std::string_view(checksum(database))).run();
+    insert.bind(0, std::string_view("checksum")).bind(1, std::string_view(checksum_of_context(database))).run();
 }
 
 Context read_context(const Database& database) {
@@ -31,7 +31,7 @@ Context read_context(const Database& database) {
 
 void expect_sound_context(const Database& database, const std::filesystem::path& file) {
     Statement stored(database.handle(), "SELECT value FROM context WHERE key = 'checksum'");
-    if (!stored.step() || stored.text(0) != checksum(database))
+    if (!stored.step() || stored.text(0) != checksum_of_context(database))
         report_damage(file, "the context is not as it was saved: its checksum differs");
 }
 

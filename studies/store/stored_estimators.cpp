@@ -9,7 +9,7 @@ namespace ff::studies {
 namespace {
 
 /// Made only where a study has such estimators.
-constexpr const char* table =
+constexpr const char* outside_estimators_table =
     "CREATE TABLE IF NOT EXISTS outside_estimators(estimator TEXT PRIMARY KEY, summary TEXT NOT NULL, details TEXT NOT "
     "NULL, sizes INTEGER NOT NULL, randomised INTEGER NOT NULL) WITHOUT ROWID";
 
@@ -20,7 +20,7 @@ void write_added_estimators(Database& database, const StudySpec& spec) {
         const auto* const added = find_added_estimator(method.estimator);
         if (added == nullptr) continue;
         const EstimatorInfo& info = added->entry().info;
-        database.execute(table);
+        database.execute(outside_estimators_table);
         Statement(database.handle(), "INSERT OR IGNORE INTO outside_estimators VALUES(?, ?, ?, ?, ?)")
             .bind(0, info.name)
             .bind(1, info.summary)
@@ -32,8 +32,7 @@ void write_added_estimators(Database& database, const StudySpec& spec) {
 }
 
 void restore_added_estimators(const Database& database) {
-    Statement tables(database.handle(), "SELECT 1 FROM sqlite_master WHERE type = 'table' AND name = ?");
-    if (!tables.bind(0, std::string_view("outside_estimators")).step()) return;
+    if (!database.has_table("outside_estimators")) return;
     Statement rows(database.handle(), "SELECT estimator, summary, details, sizes, randomised FROM outside_estimators");
     while (rows.step()) {
         add(std::make_unique<AddedEstimator>(AddedEstimator::Texts{rows.text(0), rows.text(1), rows.text(2)},

@@ -59,11 +59,6 @@ void write_declaration(Database& database, const samplers::SamplerInfo& info) {
         .run();
 }
 
-bool has_table(const Database& database, std::string_view name) {
-    Statement table(database.handle(), "SELECT 1 FROM sqlite_master WHERE type = 'table' AND name = ?");
-    return table.bind(0, name).step();
-}
-
 void restore_files(const Database& database) {
     std::map<std::string, samplers::AddedSampler::Content> contents;
     Statement rows(database.handle(), "SELECT sampler, file, bytes, content FROM point_files ORDER BY sampler, part");
@@ -113,8 +108,8 @@ void write_added_samplers(Database& database, const StudySpec& spec) {
 }
 
 void restore_added_samplers(const Database& database) {
-    if (has_table(database, "point_files")) restore_files(database);
-    if (has_table(database, "outside_samplers")) restore_declarations(database);
+    if (database.has_table("point_files")) restore_files(database);
+    if (database.has_table("outside_samplers")) restore_declarations(database);
 }
 
 }  // namespace ff::studies

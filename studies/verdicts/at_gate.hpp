@@ -6,9 +6,15 @@
 #include <fmt/format.h>
 
 #include <stdexcept>
+#include <string>
 #include <system_error>
 
 namespace ff::studies {
+
+/// @throws UserError at the gate's place in its file
+[[noreturn]] inline void refuse_gate(const Gate& gate, const std::string& problem) {
+    throw UserError(fmt::format("{}: {}", gate.place, problem));
+}
 
 /// Calls `task`, and names the gate where a statistic is out of Boost.Math's range.
 /// @throws UserError at the gate's place; anything else that `task` throws

@@ -16,8 +16,6 @@ void expect_magnitude(const TomlReader& reader, std::string_view key, double num
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
 /// Two ends in order.
 Band read_ends(const TomlReader& reader, const std::vector<double>& ends) {
     if (ends.size() != 2) reader.fail("band", "(one width, or two ends). Write 0.1 or [0.9, 1.1].");
@@ -50,7 +48,7 @@ Band read_ratio(const TomlReader& reader, const std::vector<double>& numbers, bo
     if (numbers.size() == 1) {
         const double width = read_width(reader, numbers, "0.1");
         expect_room(reader, width);
-        return {1 / (1 + width), upwards_only ? infinity : 1 + width};
+        return {1 / (1 + width), upwards_only ? std::numeric_limits<double>::infinity() : 1 + width};
     }
     const Band band = read_ends(reader, numbers);
     if (band.low < 0 || band.low >= 1 || band.high <= 1)

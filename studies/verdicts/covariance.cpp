@@ -20,24 +20,24 @@
 namespace ff::studies {
 namespace {
 
-constexpr std::array<std::string_view, 3> columns{"bin", "other_bin", "covariance"};
+constexpr std::array<std::string_view, 3> covariance_columns{"bin", "other_bin", "covariance"};
 constexpr std::size_t most_bins = 1000;
 
 /// Bins by their names, numbered as the effects are.
 using Places = std::unordered_map<std::string_view, std::size_t>;
 
-[[noreturn]] void refuse(const Gate& gate, const std::string& problem) {
+[[noreturn]] void refuse_covariance(const Gate& gate, const std::string& problem) {
     throw UserError(fmt::format("{}: {}: {}", gate.place, gate.covariance.string(), problem));
 }
 
 void expect_header(CsvReader& reader, std::string_view origin) {
     std::vector<CsvField> header;
     const bool is_there = reader.next(header);
-    if (is_there && std::equal(header.begin(), header.end(), columns.begin(), columns.end(),
+    if (is_there && std::equal(header.begin(), header.end(), covariance_columns.begin(), covariance_columns.end(),
                                [](const CsvField& field, std::string_view name) { return field.text == name; }))
         return;
-    throw UserError(
-        fmt::format("{}:1:1: not a file of covariances. Begin it with the line {}.", origin, fmt::join(columns, ",")));
+    throw UserError(fmt::format("{}:1:1: not a file of covariances. Begin it with the line {}.", origin,
+                                fmt::join(covariance_columns, ",")));
 }
 
 double read_number(const CsvReader& reader, const CsvField& field) {
@@ -59,7 +59,7 @@ std::vector<double> read_matrix(const Gate& gate, const Places& places) {
     std::vector<double> matrix(places.size() * places.size(), std::numeric_limits<double>::quiet_NaN());
     std::vector<CsvField> record;
     while (reader.next(record)) {
-        if (record.size() != columns.size())
+        if (record.size() != covariance_columns.size())
             reader.fail(record.front(),
                         fmt::format("{} cells (the header has 3). Give every column a value.", record.size()));
         const double value = read_number(reader, record[2]);
@@ -83,9 +83,10 @@ std::vector<double> read_matrix(const Gate& gate, const Places& places) {
 double p_by_covariance(const Gate& gate, const Bins& bins, const std::vector<BinEffect>& effects) {
     const std::size_t size = effects.size();
     if (size > most_bins)
-        refuse(gate,
-               fmt::format("a covariance of {} bins (at most {}). Take combine = \"cauchy\", or divide the quantity.",
-                           size, most_bins));
+        refuse_covariance(
+            gate,
+            fmt::format("a covariance of {} bins (at most {}). Take combine = \"cauchy\", or divide the quantity.",
+                        size, most_bins));
     Places places;
     std::vector<double> value;
     std::vector<double> low;
@@ -100,30 +101,34 @@ double p_by_covariance(const Gate& gate, const Bins& bins, const std::vector<Bin
     }
     const auto of_bins = static_cast<double>(size);
     if (freedom < of_bins)
-        refuse(gate, fmt::format("errors of {:.3g} samples tell nothing of the covariance of {} bins. Give n above the "
-                                 "number of bins, or take combine = \"cauchy\".",
-                                 freedom + 1, size));
+        refuse_covariance(
+            gate, fmt::format("errors of {:.3g} samples tell nothing of the covariance of {} bins. Give n above the "
+                              "number of bins, or take combine = \"cauchy\".",
+                              freedom + 1, size));
     const auto matrix = read_matrix(gate, places);
     for (std::size_t i = 0; i < size; ++i) {
         for (std::size_t j = 0; j <= i; ++j) {
             if (std::isnan(matrix[i * size + j]))
-                refuse(gate, fmt::format("no covariance of bins '{}' and '{}'. Add it, 0 where there is none.",
-                                         bins.name(effects[i].name), bins.name(effects[j].name)));
+                refuse_covariance(gate,
+                                  fmt::format("no covariance of bins '{}' and '{}'. Add it, 0 where there is none.",
+                                              bins.name(effects[i].name), bins.name(effects[j].name)));
         }
         constexpr double rounding = 0.05;
         const double variance = effects[i].error * effects[i].error;
         if (std::abs(matrix[i * size + i] - variance) > rounding * variance)
-            refuse(gate,
-                   fmt::format(
-                       "bin '{}' has the variance {:.3g} here, and a standard error of {:.3g}, whose square is {:.3g} "
-                       "(covariances are those of the differences that are judged, not of single samples). Give those.",
-                       bins.name(effects[i].name), matrix[i * size + i], effects[i].error, variance));
+            refuse_covariance(
+                gate,
+                fmt::format(
+                    "bin '{}' has the variance {:.3g} here, and a standard error of {:.3g}, whose square is {:.3g} "
+                    "(covariances are those of the differences that are judged, not of single samples). Give those.",
+                    bins.name(effects[i].name), matrix[i * size + i], effects[i].error, variance));
     }
     const auto squared = stats::distance_to_box(value, low, high, matrix);
     if (!squared)
-        refuse(gate,
-               "not positive definite (some bins are sums of others, or the covariance is of fewer runs than bins). "
-               "Leave those bins out.");
+        refuse_covariance(
+            gate,
+            "not positive definite (some bins are sums of others, or the covariance is of fewer runs than bins). "
+            "Leave those bins out.");
     const double below = freedom - of_bins + 1;  // infinite where the covariance is known
     const double shrink = std::isinf(freedom) ? 1 : below / freedom;
     return stats::fisher_tail(*squared * shrink / of_bins, of_bins, below);

@@ -55,11 +55,11 @@ std::vector<double> sorted(std::span<const double> values) {
 }
 
 /// Half of the risk for each of two samples.
-double reach_of(std::size_t n, double alpha, std::size_t samples) {
+double dkw_reach(std::size_t n, double alpha, std::size_t samples) {
     return stats::dkw_half_width(n, 1 - alpha / static_cast<double>(samples));
 }
 
-std::vector<double> numbers_of(const Gate& gate, const Bins& bins) {
+std::vector<double> numbers_of_bins(const Gate& gate, const Bins& bins) {
     if (bins.runs != 1)
         throw UserError(
             fmt::format("{}: counts of {} runs (of several runs their sum is judged). Add them up for each bin.",
@@ -116,7 +116,7 @@ Measurement measure_distribution(std::span<const double> values, const KnownLaw&
     return measure(
         stats::kolmogorov_distance(uniform), values.size(),
         [&](double tolerance) { return stats::anderson_darling(uniform, tolerance); },
-        [&](double alpha) { return reach_of(values.size(), alpha, 1); }, levels);
+        [&](double alpha) { return dkw_reach(values.size(), alpha, 1); }, levels);
 }
 
 Measurement measure_distributions(std::span<const double> first, std::span<const double> second, const Levels& levels) {
@@ -125,20 +125,20 @@ Measurement measure_distributions(std::span<const double> first, std::span<const
     return measure(
         stats::kolmogorov_distance(a, b), std::min(a.size(), b.size()),
         [&](double tolerance) { return stats::anderson_darling(a, b, tolerance); },
-        [&](double alpha) { return reach_of(a.size(), alpha, 2) + reach_of(b.size(), alpha, 2); }, levels);
+        [&](double alpha) { return dkw_reach(a.size(), alpha, 2) + dkw_reach(b.size(), alpha, 2); }, levels);
 }
 
 std::uint64_t values_for_distance(double band, const Levels& levels, std::size_t samples) {
     const double risk = 1 - levels.power;
     const double reach =
-        static_cast<double>(samples) * (reach_of(1, levels.pass_alpha, samples) + reach_of(1, risk, samples));
+        static_cast<double>(samples) * (dkw_reach(1, levels.pass_alpha, samples) + dkw_reach(1, risk, samples));
     return static_cast<std::uint64_t>(std::ceil(reach * reach / (band * band)));
 }
 
 GateResult judge_counts(const GatesSpec& spec, const Gate& gate, const Bins& bins, const Bins& against) {
     const bool are_shares = against.file->holds == Holds::shares;
-    const auto counts = numbers_of(gate, bins);
-    auto others = numbers_of(gate, against);
+    const auto counts = numbers_of_bins(gate, bins);
+    auto others = numbers_of_bins(gate, against);
     if (sum_of(counts) == 0 || sum_of(others) == 0)
         throw UserError(
             fmt::format("{}: no counts of '{}' (nothing would be compared). Run longer.", gate.place, gate.quantity));

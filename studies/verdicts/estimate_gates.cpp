@@ -33,8 +33,8 @@ constexpr std::size_t enough_for_tails = 1000;  // to show that a tail as light 
 constexpr double light_alpha = 0.05;            // of calling one finite that is not
 constexpr double fewest_effective = 30;         // independent trials that correlated ones have to be worth
 
-[[noreturn]] void refuse(const EstimateSeries& series, const std::string& origin, std::size_t index,
-                         const std::string& problem) {
+[[noreturn]] void refuse_estimates(const EstimateSeries& series, const std::string& origin, std::size_t index,
+                                   const std::string& problem) {
     throw UserError(
         fmt::format("{}:{}:1: the estimates of '{}' {}", origin, series.lines[index], series.quantity, problem));
 }
@@ -45,26 +45,27 @@ constexpr std::string_view how_it_happens =
 void refuse_repeats(const EstimateSeries& series, const std::string& origin) {
     const auto& values = series.values;
     if (std::all_of(values.begin(), values.end(), [&](double value) { return value == values.front(); }))
-        refuse(
+        refuse_estimates(
             series, origin, 0,
             fmt::format("are all {} (no spread is no evidence of precision). {}; a value without randomness needs no "
                         "trials.",
                         values.front(), how_it_happens));
     if (*stats::moments_of(values, values.front()).standard_deviation() < smallest_magnitude)
-        refuse(series, origin, 0,
-               fmt::format("spread by less than {:g} (its powers cannot be computed). Choose another unit.",
-                           smallest_magnitude));
+        refuse_estimates(series, origin, 0,
+                         fmt::format("spread by less than {:g} (its powers cannot be computed). Choose another unit.",
+                                     smallest_magnitude));
     if (const auto period = stats::find_period(values, repeat_alpha))
-        refuse(series, origin, *period,
-               fmt::format("repeat from here on those from line {} on (repeated trials are not trials). {}.",
-                           series.lines.front(), how_it_happens));
+        refuse_estimates(series, origin, *period,
+                         fmt::format("repeat from here on those from line {} on (repeated trials are not trials). {}.",
+                                     series.lines.front(), how_it_happens));
     const auto repeats = stats::find_repeats(values);
     if (repeats && repeats->p < repeat_alpha)
-        refuse(series, origin, repeats->later,
-               fmt::format("repeat: this one is equal to that of line {}, and of {} trials {} repeat an earlier one, "
-                           "where chance makes about {:.2g}. {}.",
-                           series.lines[repeats->earlier], values.size(), repeats->repeats, repeats->expected,
-                           how_it_happens));
+        refuse_estimates(
+            series, origin, repeats->later,
+            fmt::format("repeat: this one is equal to that of line {}, and of {} trials {} repeat an earlier one, "
+                        "where chance makes about {:.2g}. {}.",
+                        series.lines[repeats->earlier], values.size(), repeats->repeats, repeats->expected,
+                        how_it_happens));
 }
 
 /// Index of both tails together by Hill's estimate about the median; empty where too many values are equal to it.
@@ -123,10 +124,11 @@ Measurement measure_anytime(const Gate& gate, const std::vector<double>& values,
 void expect_bounded(const Gate& gate, const EstimateSeries& series, const std::string& origin) {
     for (std::size_t i = 0; i < series.values.size(); ++i) {
         if (gate.bounds.holds(series.values[i])) continue;
-        refuse(series, origin, i,
-               fmt::format("leave the bounds {:g} to {:g} of gate \"{}\" ({:g}; no interval holds where an assumption "
-                           "does not). Correct the bounds, for all data again.",
-                           gate.bounds.low, gate.bounds.high, gate.name, series.values[i]));
+        refuse_estimates(
+            series, origin, i,
+            fmt::format("leave the bounds {:g} to {:g} of gate \"{}\" ({:g}; no interval holds where an assumption "
+                        "does not). Correct the bounds, for all data again.",
+                        gate.bounds.low, gate.bounds.high, gate.name, series.values[i]));
     }
 }
 

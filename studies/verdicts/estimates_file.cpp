@@ -21,11 +21,14 @@
 namespace ff::studies {
 namespace {
 
-enum Column : std::size_t { trial, quantity, estimate };
-constexpr std::array<std::string_view, 3> column_names{"trial", "quantity", "estimate"};
+/// Places in `estimate_columns`, with names too short for the whole namespace.
+struct EstimateColumns {
+    enum Column : std::size_t { trial, quantity, estimate };
+};
+constexpr std::array<std::string_view, 3> estimate_columns{"trial", "quantity", "estimate"};
 
 /// Where each column stands in a record.
-using Header = std::array<std::size_t, column_names.size()>;
+using EstimateHeader = std::array<std::size_t, estimate_columns.size()>;
 
 struct Row {
     std::uint64_t trial = 0;
@@ -34,65 +37,66 @@ struct Row {
 };
 using RowsByQuantity = std::map<std::string, std::vector<Row>>;
 
-/// The whole of the text as a number; empty where it is none.
+/// The whole of the text as a number, without a plus sign; empty where it is none.
 template <class Number>
-std::optional<Number> parse_number(std::string_view text) {
+std::optional<Number> parse_bare_number(std::string_view text) {
     Number number{};
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
     return error == std::errc() && end == text.data() + text.size() ? std::optional(number) : std::nullopt;
 }
 
-Header read_header(CsvReader& reader, std::string_view origin) {
+EstimateHeader read_estimate_header(CsvReader& reader, std::string_view origin) {
     std::vector<CsvField> record;
     if (!reader.next(record))
         throw UserError(fmt::format("{}:1:1: the file is empty (no estimates). Begin it with the line {}.", origin,
-                                    fmt::join(column_names, ",")));
-    const auto found = find_columns(reader, record, column_names);
-    Header header{};
+                                    fmt::join(estimate_columns, ",")));
+    const auto found = find_columns(reader, record, estimate_columns);
+    EstimateHeader header{};
     for (std::size_t i = 0; i < found.size(); ++i) {
         if (!found[i])
             reader.fail(record.front(), fmt::format("column '{}' is missing (the columns are {}). Add it.",
-                                                    column_names[i], fmt::join(column_names, ", ")));
+                                                    estimate_columns[i], fmt::join(estimate_columns, ", ")));
         header[i] = *found[i];
     }
     return header;
 }
 
-std::string_view cell(const CsvReader& reader, const std::vector<CsvField>& record, const Header& header,
-                      Column column) {
+std::string_view cell(const CsvReader& reader, const std::vector<CsvField>& record, const EstimateHeader& header,
+                      EstimateColumns::Column column) {
     const CsvField& field = record[header[column]];
     const std::string_view text = trimmed(field.text);
     if (text.empty())
-        reader.fail(field, fmt::format("no {} (an empty cell). Fill it, or leave the line out.", column_names[column]));
+        reader.fail(field,
+                    fmt::format("no {} (an empty cell). Fill it, or leave the line out.", estimate_columns[column]));
     return text;
 }
 
-Row read_row(const CsvReader& reader, const std::vector<CsvField>& record, const Header& header) {
-    const std::string_view trial_text = cell(reader, record, header, trial);
-    const auto number = parse_number<std::uint64_t>(trial_text);
+Row read_row(const CsvReader& reader, const std::vector<CsvField>& record, const EstimateHeader& header) {
+    const std::string_view trial_text = cell(reader, record, header, EstimateColumns::trial);
+    const auto number = parse_bare_number<std::uint64_t>(trial_text);
     if (!number)
-        reader.fail(record[header[trial]],
+        reader.fail(record[header[EstimateColumns::trial]],
                     fmt::format("trial = '{}' (not a whole number from 0 up). Number the trials 0, 1, 2, ...",
                                 excerpt(trial_text)));
-    const std::string_view text = cell(reader, record, header, estimate);
-    const auto value = parse_number<double>(text);
+    const std::string_view text = cell(reader, record, header, EstimateColumns::estimate);
+    const auto value = parse_bare_number<double>(text);
     if (!value)
-        reader.fail(record[header[estimate]],
+        reader.fail(record[header[EstimateColumns::estimate]],
                     fmt::format("estimate = '{}' (not a number). Write it like 0.19982 or 2.5e-3.", excerpt(text)));
     if (!std::isfinite(*value))
         reader.fail(
-            record[header[estimate]],
+            record[header[EstimateColumns::estimate]],
             fmt::format("estimate = '{}' (not a finite number; a mean of it would mean nothing). Find out why the "
                         "program gave it.",
                         excerpt(text)));
     if (std::abs(*value) > largest_magnitude)
-        reader.fail(record[header[estimate]],
+        reader.fail(record[header[EstimateColumns::estimate]],
                     fmt::format("estimate = '{}' (beyond {:g}: its powers cannot be computed). Choose another unit.",
                                 excerpt(text), largest_magnitude));
     return {.trial = *number, .value = *value, .line = record.front().line};
 }
 
-RowsByQuantity read_rows(CsvReader& reader, const Header& header) {
+RowsByQuantity read_rows(CsvReader& reader, const EstimateHeader& header) {
     RowsByQuantity rows;
     std::vector<CsvField> record;
     while (reader.next(record)) {
@@ -101,7 +105,8 @@ RowsByQuantity read_rows(CsvReader& reader, const Header& header) {
                         fmt::format("{} cell(s) (there are {} columns). Numbers have a decimal point, and "
                                     "cells with commas stand in quotes.",
                                     record.size(), header.size()));
-        rows[std::string(cell(reader, record, header, quantity))].push_back(read_row(reader, record, header));
+        rows[std::string(cell(reader, record, header, EstimateColumns::quantity))].push_back(
+            read_row(reader, record, header));
     }
     return rows;
 }
@@ -131,7 +136,7 @@ EstimateSeries make_series(const std::string& quantity, std::vector<Row> rows, s
 
 EstimatesFile parse_estimates(std::string_view text, std::string_view origin) {
     CsvReader reader(text, origin);
-    const Header header = read_header(reader, origin);
+    const EstimateHeader header = read_estimate_header(reader, origin);
     EstimatesFile file{.origin = std::string(origin), .series = {}};
     for (auto& [name, rows] : read_rows(reader, header))
         file.series.push_back(make_series(name, std::move(rows), origin));

@@ -14,8 +14,7 @@
 namespace ff::studies {
 namespace {
 
-constexpr std::string_view header = "commit,quantity,mean,standard_error,n,cost";
-enum Column : std::size_t { commit, quantity, mean, standard_error, n, cost, columns };
+constexpr std::string_view history_header = "commit,quantity,mean,standard_error,n,cost";
 
 double number_of(const CsvReader& reader, const CsvField& field) {
     double number = 0;
@@ -42,6 +41,7 @@ std::optional<double> HistoryRow::spread() const {
 }
 
 History parse_history(std::string_view text, std::string_view origin) {
+    enum Column : std::size_t { commit, quantity, mean, standard_error, n, cost, columns };
     CsvReader reader(text, origin);
     std::vector<CsvField> record;
     History history;
@@ -51,7 +51,7 @@ History parse_history(std::string_view text, std::string_view origin) {
             reader.fail(record.front(),
                         fmt::format("not a line of a history (it begins with the line {}). Restore it, or begin a new "
                                     "one by 'ffstudy check --history'.",
-                                    header));
+                                    history_header));
         if (!headed) {
             headed = true;
             continue;
@@ -69,7 +69,7 @@ History parse_history(std::string_view text, std::string_view origin) {
 }
 
 std::string history_csv(const History& history) {
-    std::string text = fmt::format("{}\n", header);
+    std::string text = fmt::format("{}\n", history_header);
     for (const HistoryRow& row : history)
         text +=
             fmt::format("{},{},{},{},{},{}\n", quoted(row.commit), quoted(row.quantity), row.mean, row.standard_error,

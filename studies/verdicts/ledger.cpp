@@ -15,7 +15,7 @@
 namespace ff::studies {
 namespace {
 
-constexpr std::string_view header = "commit,bands,data,verdict";
+constexpr std::string_view ledger_header = "commit,bands,data,verdict";
 
 Verdict verdict_named(const CsvReader& reader, const CsvField& field) {
     for (const Verdict verdict : {Verdict::pass, Verdict::fail, Verdict::inconclusive}) {
@@ -36,7 +36,7 @@ Ledger parse_ledger(std::string_view text, std::string_view origin) {
             reader.fail(record.front(),
                         fmt::format("not a line of a ledger (it has the columns {}). Restore it, or begin "
                                     "a new one.",
-                                    header));
+                                    ledger_header));
         if (record.front().line == 1) continue;
         ledger.push_back({record[0].text, record[1].text, record[2].text, verdict_named(reader, record[3])});
     }
@@ -44,7 +44,7 @@ Ledger parse_ledger(std::string_view text, std::string_view origin) {
 }
 
 std::string ledger_csv(const Ledger& ledger) {
-    std::string text = fmt::format("{}\n", header);
+    std::string text = fmt::format("{}\n", ledger_header);
     for (const LedgerLook& look : ledger)
         text += fmt::format("{},{},{},{}\n", look.commit, look.bands, look.data, name(look.verdict));
     return text;

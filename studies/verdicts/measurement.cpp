@@ -25,7 +25,7 @@ double beyond(const Band& band, double shift) {
 }
 
 /// Standard errors between the edge of the band and an effect that fails with the power.
-double reach(const Levels& levels) {
+double reach_to_fail(const Levels& levels) {
     return stats::normal_critical(levels.fail_alpha / 2) + stats::normal_critical(1 - levels.power);
 }
 
@@ -46,7 +46,7 @@ Measurement measured_at(double value, const Levels& levels, const IntervalOf& in
 
 /// A ratio that lies beyond the band by this factor fails with the power.
 double beyond_by_factor(const Band& band, double log_standard_error, const Levels& levels) {
-    const double factor = std::exp(reach(levels) * log_standard_error);
+    const double factor = std::exp(reach_to_fail(levels) * log_standard_error);
     return std::isfinite(band.high) ? band.high * factor : band.low / factor;
 }
 
@@ -165,8 +165,9 @@ Measurement measure_proportion(const stats::Proportion& counts, const Band& band
         measured_at(static_cast<double>(counts.hits) / static_cast<double>(counts.trials), levels, interval_of);
     const auto deviation = [&](double p) { return std::sqrt(p * (1 - p) / static_cast<double>(counts.trials)); };
     // An upper end of 1 cannot be exceeded; then the lower one is looked beyond.
-    measurement.minimum_detectable = band.high < 1 ? std::min(1.0, band.high + reach(levels) * deviation(band.high))
-                                                   : std::max(0.0, band.low - reach(levels) * deviation(band.low));
+    measurement.minimum_detectable = band.high < 1
+                                         ? std::min(1.0, band.high + reach_to_fail(levels) * deviation(band.high))
+                                         : std::max(0.0, band.low - reach_to_fail(levels) * deviation(band.low));
     return measurement;
 }
 
@@ -182,7 +183,7 @@ std::optional<Measurement> measure_slope(std::span<const stats::Rung> ladder, co
         return around(fitted->rate, stats::normal_critical((1 - level) / 2) * error, interval);
     };
     Measurement measurement = measured_at(fitted->rate, levels, interval_of);
-    measurement.minimum_detectable = beyond(band, reach(levels) * error);
+    measurement.minimum_detectable = beyond(band, reach_to_fail(levels) * error);
     return measurement;
 }
 

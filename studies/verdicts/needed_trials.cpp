@@ -11,14 +11,14 @@ namespace ff::studies {
 namespace {
 
 /// Below, normal approximations and a kurtosis mean little, and the far quantiles of t are very far.
-constexpr std::uint64_t fewest = 32;
+constexpr std::uint64_t fewest_trials = 32;
 
 /// More than this is no number of trials that anybody runs.
-constexpr double most = 1e15;
+constexpr double most_trials = 1e15;
 
 std::optional<std::uint64_t> whole(double trials) {
-    if (!(trials <= most)) return std::nullopt;
-    return std::max(fewest, static_cast<std::uint64_t>(std::ceil(trials)));
+    if (!(trials <= most_trials)) return std::nullopt;
+    return std::max(fewest_trials, static_cast<std::uint64_t>(std::ceil(trials)));
 }
 
 /// Chance that one comparison may miss at each end of its band.
@@ -28,7 +28,7 @@ double miss(const Levels& levels, std::size_t comparisons) {
 }
 
 /// Standard errors that have to fit between the middle and an end of the band.
-double reach(const Levels& levels, std::size_t comparisons) {
+double reach_to_pass(const Levels& levels, std::size_t comparisons) {
     return stats::normal_critical(levels.pass_alpha) + stats::normal_critical(miss(levels, comparisons));
 }
 
@@ -44,14 +44,14 @@ std::optional<double> room_beside(double half_width, double reference_se, double
 bool can_decide_mean(double half_width, double sigma, double reference_se, const Levels& levels,
                      std::size_t comparisons) {
     FF_EXPECT(half_width > 0 && sigma >= 0);
-    const auto room = room_beside(half_width, reference_se, reach(levels, comparisons));
-    return room && reach(levels, comparisons) * sigma <= *room * std::sqrt(most);
+    const auto room = room_beside(half_width, reference_se, reach_to_pass(levels, comparisons));
+    return room && reach_to_pass(levels, comparisons) * sigma <= *room * std::sqrt(most_trials);
 }
 
 std::optional<std::uint64_t> trials_for_mean(double half_width, double sigma, double skewness, double reference_se,
                                              const Levels& levels, std::size_t comparisons) {
     if (!can_decide_mean(half_width, sigma, reference_se, levels, comparisons)) return std::nullopt;
-    const double room = room_beside(half_width, reference_se, reach(levels, comparisons)).value();
+    const double room = room_beside(half_width, reference_se, reach_to_pass(levels, comparisons)).value();
     const double z = stats::normal_critical(levels.fail_alpha / 2);
     const double straight = std::pow(z * z * z * skewness / (3 * std::log(2.0)), 2);
     const auto enough = whole(straight);
@@ -65,7 +65,7 @@ std::optional<std::uint64_t> trials_for_ratio(const Band& band, double excess_ku
                                               const Levels& levels, std::size_t comparisons) {
     FF_EXPECT(band.low < 1 && band.high > 1);
     const double half_width = std::min(-std::log(band.low), std::log(band.high));
-    const double z = reach(levels, comparisons);
+    const double z = reach_to_pass(levels, comparisons);
     // ln of a standard deviation has the variance 1 / (2 freedom); chi-squared is skewed, which costs half a z^2 more.
     const double freedom = z * z / 2 / (half_width * half_width - z * z / (2 * reference_freedom)) + z * z / 2;
     if (half_width * half_width <= z * z / (2 * reference_freedom)) return std::nullopt;
@@ -95,7 +95,7 @@ std::optional<std::uint64_t> trials_for_slope(const Band& band, std::span<const 
     for (const double size : sizes) mean += std::log(size) / static_cast<double>(sizes.size());
     double spread = 0;
     for (const double size : sizes) spread += std::pow(std::log(size) - mean, 2);
-    const double error = (band.high - band.low) / 2 / reach(levels, comparisons);
+    const double error = (band.high - band.low) / 2 / reach_to_pass(levels, comparisons);
     // Var(slope) = Var(ln RMSE) / spread, Var(ln RMSE) about factor / (2 T).
     return whole(kurtosis_factor / (2 * spread * error * error));
 }

@@ -72,7 +72,7 @@ bool is_inside(const BinEffect& bin, EffectScale scale, double pass_alpha, const
 }
 
 /// How far beyond the band, in standard errors; negative inside.
-double strain(const BinEffect& bin) {
+double errors_beyond_band(const BinEffect& bin) {
     const double outside = std::max(bin.value - bin.band.high, bin.band.low - bin.value);
     return bin.error > 0 ? outside / bin.error : outside;
 }
@@ -82,7 +82,7 @@ double strain(const BinEffect& bin) {
 double p_value(const BinEffect& bin, EffectScale scale) {
     if (bin.band.holds(bin.value)) return 1;
     const bool above = bin.value > bin.band.high;
-    const double one_sided = scale == EffectScale::difference ? tail_beyond(strain(bin), bin.freedom)
+    const double one_sided = scale == EffectScale::difference ? tail_beyond(errors_beyond_band(bin), bin.freedom)
                              : above                          ? p_above(bin, scale, bin.band.high)
                                                               : p_below(bin, scale, bin.band.low);
     return std::min(1.0, 2 * one_sided);
@@ -142,7 +142,7 @@ BinsVerdict judge_bins(const BinEffects& effects, Combination combine, double al
     std::iota(order.begin(), order.end(), std::uint32_t{0});
     const auto named = static_cast<std::ptrdiff_t>(std::min(most_named, bins.size()));
     std::partial_sort(order.begin(), order.begin() + named, order.end(), [&](std::uint32_t a, std::uint32_t b) {
-        return p[a] != p[b] ? p[a] < p[b] : strain(bins[a]) > strain(bins[b]);
+        return p[a] != p[b] ? p[a] < p[b] : errors_beyond_band(bins[a]) > errors_beyond_band(bins[b]);
     });
     result.worst.assign(order.begin(), order.begin() + named);
 

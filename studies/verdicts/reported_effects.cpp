@@ -1,7 +1,7 @@
 #include "studies/verdicts/reported_effects.hpp"
 
-#include "core/support/error.hpp"
 #include "stats/distributions.hpp"
+#include "studies/verdicts/at_gate.hpp"
 #include "studies/verdicts/covariance.hpp"
 #include "studies/verdicts/reported_gates.hpp"
 #include "studies/verdicts/reporting_faults.hpp"
@@ -17,10 +17,6 @@ namespace ff::studies {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-
-[[noreturn]] void refuse(const Gate& gate, const std::string& problem) {
-    throw UserError(fmt::format("{}: {}", gate.place, problem));
-}
 
 /// A mean over runs with its error.
 struct Mean {
@@ -112,9 +108,10 @@ void compare_means(Comparing& comparing, const Bins* against) {
         const Mean reference = against != nullptr ? mean_of(against->runs_of(bin)) : number;
         if (own.error == 0) {
             if (own.value != 0)
-                refuse(gate, fmt::format("bin '{}' of {} has the same mean in every run (repeated runs are not runs). "
-                                         "Give every run a seed of its own.",
-                                         comparing.bins.name(bin), comparing.bins.file->origin));
+                refuse_gate(gate,
+                            fmt::format("bin '{}' of {} has the same mean in every run (repeated runs are not runs). "
+                                        "Give every run a seed of its own.",
+                                        comparing.bins.name(bin), comparing.bins.file->origin));
             ++comparing.empty;
             continue;
         }
@@ -123,10 +120,10 @@ void compare_means(Comparing& comparing, const Bins* against) {
         effect.band = gate.band;
         if (gate.relative) {
             if (reference.value == 0)
-                refuse(gate,
-                       fmt::format("relative = true, and the reference of bin '{}' is 0 (a share of nothing). Leave "
-                                   "the bin out, or give an absolute band.",
-                                   comparing.bins.name(bin)));
+                refuse_gate(
+                    gate, fmt::format("relative = true, and the reference of bin '{}' is 0 (a share of nothing). Leave "
+                                      "the bin out, or give an absolute band.",
+                                      comparing.bins.name(bin)));
             effect.band = {gate.band.low * std::abs(reference.value), gate.band.high * std::abs(reference.value)};
         }
         comparing.effects.bins.push_back(effect);
@@ -148,9 +145,10 @@ void compare_means(Comparing& comparing, const Bins* against) {
 
 void compare_spreads(Comparing& comparing) {
     if (!comparing.bins.file->has_n)
-        refuse(comparing.gate, fmt::format("kind = \"std\" needs the column 'n' of {} (the error of a mean of how many "
-                                           "values?). Add it.",
-                                           comparing.bins.file->origin));
+        refuse_gate(comparing.gate,
+                    fmt::format("kind = \"std\" needs the column 'n' of {} (the error of a mean of how many "
+                                "values?). Add it.",
+                                comparing.bins.file->origin));
     comparing.effects.scale = EffectScale::ratio_of_deviations;
     for (std::size_t bin = 0; bin < comparing.bins.count(); ++bin) {
         double squares = 0;
@@ -176,10 +174,10 @@ void compare_spreads(Comparing& comparing) {
 void compare_efficiencies(Comparing& comparing, const Bins& against) {
     for (const Bins* bins : {&std::as_const(comparing).bins, &against}) {
         if (!bins->file->has_n || bins->runs != 1)
-            refuse(comparing.gate,
-                   fmt::format("kind = \"efficiency\" needs one run with the column 'n' in {} (an error of "
-                               "how many values?). Add it.",
-                               bins->file->origin));
+            refuse_gate(comparing.gate,
+                        fmt::format("kind = \"efficiency\" needs one run with the column 'n' in {} (an error of "
+                                    "how many values?). Add it.",
+                                    bins->file->origin));
     }
     const bool by_cost = comparing.bins.file->has_cost && against.file->has_cost;
     comparing.effects.scale = EffectScale::ratio_of_variances;
@@ -239,10 +237,10 @@ Standardised standardise(Rows runs) {
 void compare_errors(Comparing& comparing) {
     const Bins& bins = comparing.bins;
     if (bins.runs < fewest_runs)
-        refuse(comparing.gate,
-               fmt::format("kind = \"std_error\" needs at least {} runs ({} has {} of '{}': one run cannot "
-                           "show whether its own error is right). Add rows with a column 'run'.",
-                           fewest_runs, bins.file->origin, bins.runs, comparing.gate.quantity));
+        refuse_gate(comparing.gate,
+                    fmt::format("kind = \"std_error\" needs at least {} runs ({} has {} of '{}': one run cannot "
+                                "show whether its own error is right). Add rows with a column 'run'.",
+                                fewest_runs, bins.file->origin, bins.runs, comparing.gate.quantity));
     comparing.effects.scale = EffectScale::ratio_of_deviations;
     std::size_t within = 0;
     std::size_t all = 0;
@@ -256,10 +254,10 @@ void compare_errors(Comparing& comparing) {
         }
         const Standardised found = standardise(runs);
         if (found.square_sum == 0)
-            refuse(comparing.gate,
-                   fmt::format("bin '{}' of {} has the same mean in every run (repeated runs are not runs). "
-                               "Give every run a seed of its own.",
-                               bins.name(bin), bins.file->origin));
+            refuse_gate(comparing.gate,
+                        fmt::format("bin '{}' of {} has the same mean in every run (repeated runs are not runs). "
+                                    "Give every run a seed of its own.",
+                                    bins.name(bin), bins.file->origin));
         const double ratio = std::sqrt(found.square_sum / static_cast<double>(bins.runs - 1));
         within += found.within_two;
         all += bins.runs;

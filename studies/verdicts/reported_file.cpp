@@ -22,51 +22,60 @@
 namespace ff::studies {
 namespace {
 
-enum Column : std::size_t { quantity, mean, standard_error, n, cost, bin, run, count, share };
-constexpr std::array<std::string_view, 9> column_names{"quantity", "mean", "standard_error", "n",    "cost",
-                                                       "bin",      "run",  "count",          "share"};
-constexpr std::array<Column, 3> values{mean, count, share};  // in the order of Holds
+/// Places in `reported_columns`, with names too short for the whole namespace.
+struct ReportedColumns {
+    enum Column : std::size_t { quantity, mean, standard_error, n, cost, bin, run, count, share };
+};
+using ReportedColumn = ReportedColumns::Column;
+constexpr std::array<std::string_view, 9> reported_columns{"quantity", "mean", "standard_error", "n",    "cost",
+                                                           "bin",      "run",  "count",          "share"};
+constexpr std::array<ReportedColumn, 3> value_columns{ReportedColumn::mean, ReportedColumn::count,
+                                                      ReportedColumn::share};  // in the order of Holds
 
 /// Where each column stands in a record.
-using Header = std::vector<std::optional<std::size_t>>;
+using ReportedHeader = std::vector<std::optional<std::size_t>>;
 
 /// By the columns that are there; means where none of them is.
-Holds held(const Header& header) {
-    return header[count] ? Holds::counts : header[share] ? Holds::shares : Holds::means;
+Holds held(const ReportedHeader& header) {
+    if (header[ReportedColumn::count]) return Holds::counts;
+    return header[ReportedColumn::share] ? Holds::shares : Holds::means;
 }
 
-Header read_header(CsvReader& reader, std::string_view origin, Errors errors) {
+ReportedHeader read_reported_header(CsvReader& reader, std::string_view origin, Errors errors) {
+    using enum ReportedColumns::Column;
     std::vector<CsvField> record;
     if (!reader.next(record))
         throw UserError(
             fmt::format("{}:1:1: the file is empty (nothing would be compared). Begin it with the line "
                         "quantity,mean,standard_error.",
                         origin));
-    Header header = find_columns(reader, record, column_names);
-    const Column value = values.at(static_cast<std::size_t>(held(header)));
-    std::vector<Column> needed{quantity, value};
+    ReportedHeader header = find_columns(reader, record, reported_columns);
+    const ReportedColumn value = value_columns.at(static_cast<std::size_t>(held(header)));
+    std::vector<ReportedColumn> needed{quantity, value};
     if (value == mean && errors == Errors::required) needed.push_back(standard_error);
     if (value != mean) needed.push_back(bin);
-    for (const Column other : {mean, standard_error, n, cost, count, share}) {
+    for (const ReportedColumn other : {mean, standard_error, n, cost, count, share}) {
         if (value != mean && other != value && header[other])
             reader.fail(record[*header[other]],
                         fmt::format("column '{}' beside '{}' (a histogram has quantity, bin and {}). Keep one.",
-                                    column_names[other], column_names[value], column_names[value]));
+                                    reported_columns[other], reported_columns[value], reported_columns[value]));
     }
-    for (const Column column : needed) {
+    for (const ReportedColumn column : needed) {
         if (!header[column])
             reader.fail(record.front(), fmt::format("column '{}' is missing (what a code reports has the columns "
                                                     "quantity,mean,standard_error; trials have "
                                                     "trial,quantity,estimate). Add it.",
-                                                    column_names[column]));
+                                                    reported_columns[column]));
     }
     return header;
 }
 
 /// One record after the other, as rows.
 class RowReader {
+    using enum ReportedColumns::Column;
+
   public:
-    RowReader(const CsvReader& reader, const Header& header) : reader_(reader), header_(header) {}
+    RowReader(const CsvReader& reader, const ReportedHeader& header) : reader_(reader), header_(header) {}
 
     ReportedRow read(const std::vector<CsvField>& record) const {
         ReportedRow row;
@@ -92,19 +101,19 @@ class RowReader {
         return row;
     }
 
-    std::string_view cell(const std::vector<CsvField>& record, Column column) const {
+    std::string_view cell(const std::vector<CsvField>& record, ReportedColumn column) const {
         const CsvField& field = record[*header_[column]];
         const std::string_view text = trimmed(field.text);
         if (text.empty())
-            reader_.fail(field,
-                         fmt::format("no {} (an empty cell). Fill it, or leave the line out.", column_names[column]));
+            reader_.fail(
+                field, fmt::format("no {} (an empty cell). Fill it, or leave the line out.", reported_columns[column]));
         return text;
     }
 
   private:
     double read_value(const std::vector<CsvField>& record) const {
         const Holds holds = held(header_);
-        const Column column = values.at(static_cast<std::size_t>(holds));
+        const ReportedColumn column = value_columns.at(static_cast<std::size_t>(holds));
         const double value = number(record, column);
         if (holds != Holds::means && value < 0) fail(record, column, "it cannot be negative). Give 0 or more");
         if (holds == Holds::counts && value != std::floor(value))
@@ -127,7 +136,7 @@ class RowReader {
             fail(record, standard_error, "its powers cannot be computed). Choose another unit");
     }
 
-    double number(const std::vector<CsvField>& record, Column column) const {
+    double number(const std::vector<CsvField>& record, ReportedColumn column) const {
         const std::string_view text = cell(record, column);
         double value = 0;
         const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
@@ -142,13 +151,13 @@ class RowReader {
         return value;
     }
 
-    [[noreturn]] void fail(const std::vector<CsvField>& record, Column column, std::string_view why) const {
+    [[noreturn]] void fail(const std::vector<CsvField>& record, ReportedColumn column, std::string_view why) const {
         const CsvField& field = record[*header_[column]];
-        reader_.fail(field, fmt::format("{} = '{}' ({}.", column_names[column], excerpt(trimmed(field.text)), why));
+        reader_.fail(field, fmt::format("{} = '{}' ({}.", reported_columns[column], excerpt(trimmed(field.text)), why));
     }
 
     const CsvReader& reader_;
-    const Header& header_;
+    const ReportedHeader& header_;
 };
 
 /// Numbers names from 0 up. The last is looked at first: rows of one quantity stand together.
@@ -203,8 +212,9 @@ bool reports_means(std::string_view text) {
 }
 
 ReportedFile parse_reported(std::string_view text, std::string_view origin, Errors errors) {
+    using enum ReportedColumns::Column;
     CsvReader reader(text, origin);
-    const Header header = read_header(reader, origin, errors);
+    const ReportedHeader header = read_reported_header(reader, origin, errors);
     const RowReader row_reader(reader, header);
     ReportedFile file;
     file.origin = origin;

@@ -1,6 +1,6 @@
 #include "studies/verdicts/reported_gates.hpp"
 
-#include "core/support/error.hpp"
+#include "studies/verdicts/at_gate.hpp"
 #include "studies/verdicts/distribution_gates.hpp"
 #include "studies/verdicts/estimate_gates.hpp"
 #include "studies/verdicts/reported_bins.hpp"
@@ -13,10 +13,6 @@
 
 namespace ff::studies {
 namespace {
-
-[[noreturn]] void refuse(const Gate& gate, const std::string& problem) {
-    throw UserError(fmt::format("{}: {}", gate.place, problem));
-}
 
 std::string label(const Comparing& comparing, std::size_t bin) {
     const auto name = comparing.bins.name(bin);
@@ -60,12 +56,12 @@ void add_words(Comparing& comparing, const BinsVerdict& verdict, GateResult& res
     result.note = words;
 }
 
-GateResult judge(const GatesSpec& spec, Comparing& comparing) {
+GateResult judge_effects(const GatesSpec& spec, Comparing& comparing) {
     const auto& bins = comparing.effects.bins;
     if (bins.empty())
-        refuse(comparing.gate,
-               fmt::format("no bin of '{}' in {} holds anything (nothing would be compared). Run longer.",
-                           comparing.gate.quantity, comparing.bins.file->origin));
+        refuse_gate(comparing.gate,
+                    fmt::format("no bin of '{}' in {} holds anything (nothing would be compared). Run longer.",
+                                comparing.gate.quantity, comparing.bins.file->origin));
     GatesSpec one_look = spec;  // nothing can be added to a file
     one_look.looks = 1;
     const Levels of_gate = levels_of(one_look, 1);
@@ -86,7 +82,7 @@ GateResult judge(const GatesSpec& spec, Comparing& comparing) {
         row.levels = of_bin;
         row.trials = comparing.bins.runs;
         row.measurement = measure_bin(bin, comparing.effects.scale, of_bin);
-        row.verdict = rank < verdict.rejected ? Verdict::fail : studies::judge(row.measurement, row.band);
+        row.verdict = rank < verdict.rejected ? Verdict::fail : judge(row.measurement, row.band);
         result.comparisons.push_back(std::move(row));
     }
     if (comparing.effects.scale == EffectScale::difference) result.scores = count_scores(bins);
@@ -99,22 +95,25 @@ void expect_kind_of_values(const Gate& gate, const ReportedFile& file, const Rep
     const bool counts = file.holds == Holds::counts;
     const bool of_counts = gate.kind == GateKind::distribution;
     if (of_counts && gate.law)
-        refuse(gate, fmt::format("reference = a distribution is for trials ({} has none). Give the shares of the bins "
-                                 "by --against.",
-                                 file.origin));
+        refuse_gate(gate,
+                    fmt::format("reference = a distribution is for trials ({} has none). Give the shares of the bins "
+                                "by --against.",
+                                file.origin));
     if (file.holds == Holds::shares)
-        refuse(gate,
-               fmt::format("{} holds shares (without counts nothing is known of their errors). Give counts; shares "
-                           "are what --against has.",
-                           file.origin));
+        refuse_gate(
+            gate, fmt::format("{} holds shares (without counts nothing is known of their errors). Give counts; shares "
+                              "are what --against has.",
+                              file.origin));
     if (of_counts != counts)
-        refuse(gate, fmt::format("kind = \"{}\" is not for {} (counts of bins, or trials, have a distribution; means "
-                                 "with errors do not). Choose another kind, or give the other columns.",
-                                 name(gate.kind), file.origin));
+        refuse_gate(gate,
+                    fmt::format("kind = \"{}\" is not for {} (counts of bins, or trials, have a distribution; means "
+                                "with errors do not). Choose another kind, or give the other columns.",
+                                name(gate.kind), file.origin));
     if (against != nullptr && gate.against == Against::file && (against->holds == Holds::means) == of_counts)
-        refuse(gate, fmt::format("{} and {} hold different things (counts are compared with counts or shares, means "
-                                 "with means). Give two files of one kind.",
-                                 file.origin, against->origin));
+        refuse_gate(gate,
+                    fmt::format("{} and {} hold different things (counts are compared with counts or shares, means "
+                                "with means). Give two files of one kind.",
+                                file.origin, against->origin));
 }
 
 /// Runs of a single value are trials, and are examined as such: for repeats, correlation, skewness and heavy tails.
@@ -136,27 +135,28 @@ GateResult judge_reported(const GatesSpec& spec, const Gate& gate, const Reporte
     if (are_trials && gate.kind == GateKind::bias && gate.against == Against::number)
         return judge_estimates(spec, gate, as_trials(gate, bins));
     if (gate.anytime != Anytime::no)
-        refuse(gate, fmt::format("anytime is for trials ({} has means of {} run{}). Give a file with the columns "
-                                 "trial,quantity,estimate.",
-                                 file.origin, bins.runs, bins.runs == 1 ? "" : "s"));
+        refuse_gate(gate, fmt::format("anytime is for trials ({} has means of {} run{}). Give a file with the columns "
+                                      "trial,quantity,estimate.",
+                                      file.origin, bins.runs, bins.runs == 1 ? "" : "s"));
     expect_kind_of_values(gate, file, against);
     std::optional<Bins> other;
     if (gate.against == Against::file && gate.kind != GateKind::std_error) {
         if (against == nullptr)
-            refuse(gate, fmt::format("kind = \"{}\" has nothing to compare with. {}", name(gate.kind),
-                                     gate.kind == GateKind::bias ? "Add reference = a number, or --against FILE.csv."
-                                                                 : "Add --against FILE.csv."));
+            refuse_gate(gate,
+                        fmt::format("kind = \"{}\" has nothing to compare with. {}", name(gate.kind),
+                                    gate.kind == GateKind::bias ? "Add reference = a number, or --against FILE.csv."
+                                                                : "Add --against FILE.csv."));
         other = bins_of(gate, *against);
         expect_comparable(gate, bins, *other);
         if (gate.kind == GateKind::distribution) return judge_counts(spec, gate, bins, *other);
         if (gate.kind != GateKind::bias && !against->has_errors)
-            refuse(gate,
-                   fmt::format("kind = \"{}\" needs the column 'standard_error' of {} (both sides are uncertain). "
-                               "Add it, or take kind = \"bias\" where these values are exact.",
-                               name(gate.kind), against->origin));
+            refuse_gate(gate,
+                        fmt::format("kind = \"{}\" needs the column 'standard_error' of {} (both sides are uncertain). "
+                                    "Add it, or take kind = \"bias\" where these values are exact.",
+                                    name(gate.kind), against->origin));
     }
     Comparing comparing = effects_of(gate, bins, other ? &*other : nullptr);
-    return judge(spec, comparing);
+    return judge_effects(spec, comparing);
 }
 
 }  // namespace ff::studies

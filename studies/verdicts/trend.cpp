@@ -50,7 +50,7 @@ std::vector<std::string> quantities_of(const History& history) {
     return names;
 }
 
-void test(Trend& trend, const TrendOptions& options, std::size_t tests) {
+void test_trend(Trend& trend, const TrendOptions& options, std::size_t tests) {
     if (!trend.note.empty()) return;
     // Ten of them at the level of each series: p is resolved to a tenth of it.
     constexpr double most = 1e6;
@@ -88,7 +88,7 @@ std::vector<Trend> find_trends(const History& history, const TrendOptions& optio
             if (auto trend = series_of(history, quantity, what)) trends.push_back(std::move(*trend));
         }
     }
-    for (Trend& trend : trends) test(trend, options, trends.size());
+    for (Trend& trend : trends) test_trend(trend, options, trends.size());
     std::vector<double> p;
     std::vector<Trend*> tested;
     for (Trend& trend : trends) {
