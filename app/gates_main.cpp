@@ -14,12 +14,11 @@ struct Commands {
     TrendCommand trend;
 };
 
-void add_commands(CLI::App& app, Commands& commands, Action& action) {
-    add_check_of_files(app, commands.check)->callback([&] { action = [&] { return check_files(commands.check); }; });
-    add_trend(app, commands.trend, action);
-    add_help(app, action);
-    add_hidden_commands(
-        app, [](std::string_view) { return std::vector<Completions::Word>(); }, action);
+void add_commands(ProgramDefinition& program, Commands& commands) {
+    add_check_of_files(program, commands.check).action = [&] { return check_files(commands.check); };
+    add_trend(program, commands.trend);
+    add_help(program);
+    add_hidden_commands(program, [](std::string_view) { return std::vector<Completions::Word>(); });
 }
 
 }  // namespace
@@ -29,5 +28,5 @@ void add_commands(CLI::App& app, Commands& commands, Action& action) {
 int main(int argc, char** argv) {
     Commands commands;
     return run_program({argv, static_cast<std::size_t>(argc)}, "Gates on what Monte Carlo codes report.",
-                       [&](CLI::App& app, Action& action) { add_commands(app, commands, action); });
+                       [&](ProgramDefinition& program) { add_commands(program, commands); });
 }

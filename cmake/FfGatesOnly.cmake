@@ -3,30 +3,23 @@
 
 include(IncludedSources)
 ff_included_sources(app/gates_main.cpp sources)
-# Built in under a minute on two cores: what includes CLI11 or Boost.Math is compiled together, as their headers are most
-# of the work, and only statistics are worth full optimisation. tests/install/gates_only measures it.
-set(command_line ${sources})
-list(FILTER command_line INCLUDE REGEX
-  "^app/(command_line/(command_model|completion|man_pages|program|usage_errors)|commands/(gate|hidden)_commands|gates_main)")
-list(REMOVE_ITEM sources ${command_line})
-add_library(ff_command_line OBJECT ${command_line})
-set_target_properties(ff_command_line PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 0)
+# Built in under a minute on two cores: what includes Boost.Math is compiled together, as its headers are most of the
+# work, and only statistics are worth full optimisation. tests/install/gates_only measures it.
 set(statistics ${sources})
 list(FILTER statistics INCLUDE REGEX "^stats/")
 list(REMOVE_ITEM sources ${statistics})
 add_library(ff_statistics OBJECT ${statistics})
 set_target_properties(ff_statistics PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
 add_executable(ffstudy ${sources})
-foreach(target ff_command_line ff_statistics ffstudy)
+foreach(target ff_statistics ffstudy)
   target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR})
   target_compile_definitions(${target} PRIVATE FF_CONTRACTS=$<BOOL:${FFSTUDY_CONTRACTS}>)
   target_link_libraries(${target} PRIVATE ff_settings ff_build_info ff_random123 CLI11::CLI11 fmt::fmt
     nlohmann_json::nlohmann_json pugixml::pugixml tomlplusplus::tomlplusplus Threads::Threads)
 endforeach()
-target_compile_options(ff_command_line PRIVATE -O1)
 target_compile_options(ffstudy PRIVATE -O1)
 ff_precompile(ffstudy)
-target_link_libraries(ffstudy PRIVATE ff_command_line ff_statistics)
+target_link_libraries(ffstudy PRIVATE ff_statistics)
 
 install(TARGETS ffstudy)
 include(FfManual)

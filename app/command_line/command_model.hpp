@@ -1,42 +1,52 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
-
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace ff::app {
 
-// The definitions of the command line, as read by help, man pages and completion. Anything without a group is hidden.
+// The command line as --help shows it, for man pages, completion and messages.
 
-std::vector<const CLI::App*> shown_commands(const CLI::App& app);
+/// An option, or an argument.
+struct OptionModel {
+    std::vector<std::string> names;  ///< "-q", "--quiet"; of an argument, "STUDY"
+    std::string name;                ///< the one of messages: "--quiet"
+    std::string type;                ///< "SAMPLER" of "--sampler SAMPLER"; empty: that of its name, or none
+    std::string notes;               ///< what --help says behind the names: " DIR Needs: --out"
+    std::string usage;               ///< of an argument, in a synopsis: "[STUDY]"
+    std::string description;
+    char delimiter = '\0';  ///< between its values; '\0': none
+    bool is_argument = false;
+    bool takes_value = false;
+    bool takes_many = false;
+};
 
-std::vector<std::string> command_names(const CLI::App& app);
+struct CommandModel {
+    std::string name;
+    std::string description;
+    std::vector<OptionModel> options;  ///< and arguments, as they are defined
+};
+
+/// Without what is hidden.
+struct ProgramModel {
+    CommandModel program;  ///< the options that stand before a command
+    std::string footer;
+    std::vector<CommandModel> commands;
+};
+
+std::vector<std::string> command_names(const ProgramModel& program);
 
 /// nullptr where there is no such command.
-const CLI::App* find_command(const CLI::App& app, std::string_view name);
-
-/// The help of a command, or of the program where the name is empty. @throws UserError where there is no such command
-std::string help_of_command(const CLI::App& app, const std::string& name);
+const CommandModel* find_command(const ProgramModel& program, std::string_view name);
 
 /// Options that begin with dashes.
-std::vector<const CLI::Option*> shown_options(const CLI::App& command);
+std::vector<const OptionModel*> options_of(const CommandModel& command);
 
 /// Positional arguments, in order.
-std::vector<const CLI::Option*> shown_arguments(const CLI::App& command);
-
-bool is_flag(const CLI::Option& option);
-bool takes_many(const CLI::Option& argument);
+std::vector<const OptionModel*> arguments_of(const CommandModel& command);
 
 /// The type of the value: "SAMPLER" of "--sampler SAMPLER"; for an argument without a type, its name.
-std::string value_type(const CLI::Option& option);
-
-/// Lets the names of arguments stand for their types, so that help says "STUDY", not "STUDY TEXT".
-void name_types_of_arguments(CLI::App& app);
-
-/// Breaks the descriptions of commands and options into lines, so that help fits into this many columns. For help only:
-/// the breaks stay in the definitions.
-void fit_descriptions(CLI::App& app, std::size_t columns);
+std::string value_type(const OptionModel& option);
 
 }  // namespace ff::app

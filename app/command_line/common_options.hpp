@@ -7,6 +7,9 @@
 
 namespace ff::app {
 
+/// Seeds that a command repeats everything with, at most.
+inline constexpr std::uint64_t most_seeds = 1'000'000;
+
 /// Options that several commands take, checked.
 /// @throws UserError
 

@@ -1,7 +1,5 @@
 #include "app/command_line/completion.hpp"
 
-#include "app/command_line/command_model.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -22,17 +20,17 @@ void add_values(Completions& completions, std::string_view type, const NamesOfTy
         completions.paths = Completions::Paths::files;
 }
 
-Completions commands(const CLI::App& app) {
+Completions commands(const ProgramModel& program) {
     Completions completions;
-    for (const CLI::App* command : shown_commands(app))
-        completions.words.push_back({command->get_name(), command->get_description()});
+    for (const CommandModel& command : program.commands)
+        completions.words.push_back({command.name, command.description});
     return completions;
 }
 
 /// What an option or argument takes, each behind `before`: "--format=csv," where a list has been begun.
-Completions values(const CLI::Option& option, const std::string& before, std::string_view begun,
+Completions values(const OptionModel& option, const std::string& before, std::string_view begun,
                    const NamesOfType& names) {
-    const auto comma = option.get_delimiter() == '\0' ? std::string_view::npos : begun.rfind(option.get_delimiter());
+    const auto comma = option.delimiter == '\0' ? std::string_view::npos : begun.rfind(option.delimiter);
     const std::string kept = before + std::string(begun.substr(0, comma == std::string_view::npos ? 0 : comma + 1));
     Completions completions;
     add_values(completions, value_type(option), names);
@@ -40,39 +38,38 @@ Completions values(const CLI::Option& option, const std::string& before, std::st
     return completions;
 }
 
-const CLI::Option* find_option(const CLI::App& command, std::string_view name) {
-    for (const CLI::Option* option : shown_options(command)) {
-        if (option->check_name(std::string(name))) return option;
+const OptionModel* find_option(const CommandModel& command, std::string_view name) {
+    for (const OptionModel* option : options_of(command)) {
+        if (std::find(option->names.begin(), option->names.end(), name) != option->names.end()) return option;
     }
     return nullptr;
 }
 
-bool takes_value(const CLI::Option* option) {
-    return option != nullptr && option->get_expected_max() > 0 && !is_flag(*option);
+bool takes_value(const OptionModel* option) {
+    return option != nullptr && option->takes_value;
 }
 
-Completions options(const CLI::App& command, Words given) {
+Completions options(const CommandModel& command, Words given) {
     Completions completions;
-    for (const CLI::Option* option : shown_options(command)) {
-        for (const std::string& name : option->get_lnames()) {
-            const std::string text = "--" + name;
-            if (std::find(given.begin(), given.end(), text) == given.end())
-                completions.words.push_back({text, option->get_description()});
+    for (const OptionModel* option : options_of(command)) {
+        for (const std::string& name : option->names) {
+            if (name.starts_with("--") && std::find(given.begin(), given.end(), name) == given.end())
+                completions.words.push_back({name, option->description});
         }
     }
     return completions;
 }
 
 /// What stands behind a command. @param given words between it and the last one
-Completions of_command(const CLI::App& app, const CLI::App& command, Words given, std::string_view last,
+Completions of_command(const ProgramModel& program, const CommandModel& command, Words given, std::string_view last,
                        const NamesOfType& names) {
-    const CLI::Option* pending = nullptr;
+    const OptionModel* pending = nullptr;
     std::size_t place = 0;
     for (const std::string& word : given) {
         if (pending != nullptr) {
             pending = nullptr;
         } else if (word.starts_with('-')) {
-            const CLI::Option* option = find_option(command, word);
+            const OptionModel* option = find_option(command, word);
             if (takes_value(option)) pending = option;
         } else {
             ++place;
@@ -81,22 +78,22 @@ Completions of_command(const CLI::App& app, const CLI::App& command, Words given
     if (pending != nullptr) return values(*pending, "", last, names);
     const auto equals = last.find('=');
     if (last.starts_with('-') && equals != std::string_view::npos) {
-        const CLI::Option* option = find_option(command, last.substr(0, equals));
+        const OptionModel* option = find_option(command, last.substr(0, equals));
         if (!takes_value(option)) return {};
         return values(*option, std::string(last.substr(0, equals + 1)), last.substr(equals + 1), names);
     }
     if (last.starts_with('-')) return options(command, given);
-    const auto arguments = shown_arguments(command);
+    const auto arguments = arguments_of(command);
     if (arguments.empty()) return options(command, given);
-    const CLI::Option& argument = *arguments[std::min(place, arguments.size() - 1)];
-    if (place >= arguments.size() && !takes_many(argument)) return options(command, given);
-    if (value_type(argument) == "COMMAND") return commands(app);
+    const OptionModel& argument = *arguments[std::min(place, arguments.size() - 1)];
+    if (place >= arguments.size() && !argument.takes_many) return options(command, given);
+    if (value_type(argument) == "COMMAND") return commands(program);
     return values(argument, "", last, names);
 }
 
 }  // namespace
 
-Completions complete(const CLI::App& app, Words words, const NamesOfType& names) {
+Completions complete(const ProgramModel& program, Words words, const NamesOfType& names) {
     if (words.size() < 2) return {};
     const std::string& last = words.back();
     const Words given = words.subspan(1, words.size() - 2);
@@ -104,10 +101,10 @@ Completions complete(const CLI::App& app, Words words, const NamesOfType& names)
     const auto named =
         std::find_if(given.begin(), given.end(), [](const auto& word) { return !word.starts_with('-'); });
     if (named == given.end()) {
-        completions = last.starts_with('-') ? options(app, given) : commands(app);
-    } else if (const CLI::App* command = find_command(app, *named)) {
-        completions =
-            of_command(app, *command, given.subspan(static_cast<std::size_t>(named - given.begin()) + 1), last, names);
+        completions = last.starts_with('-') ? options(program.program, given) : commands(program);
+    } else if (const CommandModel* command = find_command(program, *named)) {
+        completions = of_command(program, *command, given.subspan(static_cast<std::size_t>(named - given.begin()) + 1),
+                                 last, names);
     }
     std::erase_if(completions.words, [&](const auto& word) { return !word.text.starts_with(last); });
     return completions;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
+#include "app/command_line/command_model.hpp"
 
 #include <functional>
 #include <span>
@@ -25,7 +25,7 @@ using NamesOfType = std::function<std::vector<Completions::Word>(std::string_vie
 
 /// Commands, options and values, from the definitions that --help shows: an option's type, or an argument's name, tells
 /// what it takes. @param words from the program's name on; the last one, possibly empty, is completed
-Completions complete(const CLI::App& app, std::span<const std::string> words, const NamesOfType& names);
+Completions complete(const ProgramModel& program, std::span<const std::string> words, const NamesOfType& names);
 
 /// For the scripts in app/completion/: a line for each word, "text<tab>summary", then ":files" or ":folders".
 std::string in_lines(const Completions& completions);

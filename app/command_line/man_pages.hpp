@@ -1,6 +1,6 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
+#include "app/command_line/command_model.hpp"
 
 #include <string>
 #include <vector>
@@ -13,6 +13,6 @@ struct ManPage {
 };
 
 /// One page for the program and one for each command, from the definitions that --help shows.
-std::vector<ManPage> man_pages(const CLI::App& app, const std::string& version);
+std::vector<ManPage> man_pages(const ProgramModel& program, const std::string& version);
 
 }  // namespace ff::app

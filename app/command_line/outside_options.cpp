@@ -1,5 +1,6 @@
 #include "app/command_line/outside_options.hpp"
 
+#include "app/command_line/command_definition.hpp"
 #include "app/process/limits.hpp"
 #include "app/terminal/messages.hpp"
 
@@ -13,16 +14,14 @@
 
 namespace ff::app {
 
-void add_outside_options(CLI::App& command, OutsideOptions& options, OutsideCodeFrom from) {
-    command.add_option("--plugin", options.plugins, "Plug-in with samplers (.so); may be given several times")
-        ->type_name("FILE")
-        ->allow_extra_args(false);
+void add_outside_options(CommandDefinition& command, OutsideOptions& options, OutsideCodeFrom from) {
+    command.option("--plugin", options.plugins, "Plug-in with samplers (.so); may be given several times",
+                   {.type = "FILE", .takes_one_value = true});
     if (from == OutsideCodeFrom::plugins) return;
-    command
-        .add_option("--deadline", options.deadline, "Time for one run of a program: 90 (seconds), 15m (default: 60)")
-        ->type_name("TIME");
+    command.option("--deadline", options.deadline, "Time for one run of a program: 90 (seconds), 15m (default: 60)",
+                   {.type = "TIME"});
     if (from == OutsideCodeFrom::files_too)
-        command.add_flag("--no-commands", options.no_commands, "Refuse programs and plug-ins that the file names");
+        command.option("--no-commands", options.no_commands, "Refuse programs and plug-ins that the file names");
 }
 
 double deadline_of(const OutsideOptions& options) {

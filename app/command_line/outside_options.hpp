@@ -3,14 +3,14 @@
 #include "studies/outside/outside_code.hpp"
 #include "studies/readers/file_kind.hpp"
 
-#include <CLI/App.hpp>
-
 #include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace ff::app {
+
+struct CommandDefinition;
 
 /// Command-line options about outside code.
 struct OutsideOptions {
@@ -22,7 +22,7 @@ struct OutsideOptions {
 /// Which outside code a command may run: only what its command line names, or also what a study file names.
 enum class OutsideCodeFrom { plugins, command_line, files_too };
 
-void add_outside_options(CLI::App& command, OutsideOptions& options, OutsideCodeFrom from);
+void add_outside_options(CommandDefinition& command, OutsideOptions& options, OutsideCodeFrom from);
 
 /// Seconds. @throws UserError
 double deadline_of(const OutsideOptions& options);

@@ -39,8 +39,6 @@ using studies::GatePurpose;
 using studies::GatesSpec;
 using Clock = std::chrono::steady_clock;
 
-constexpr std::uint64_t most_seeds = 1'000'000;
-
 /// What all ways of running gates need.
 struct Check {
     const CheckCommand& command;
@@ -90,7 +88,7 @@ std::uint64_t plan(const Check& check, GatePlan& gate) {
                             [&] { return plan_trials(check.spec, gate, check.options).value(); });
 }
 
-studies::GateResult run(const Check& check, const GatePlan& gate, std::uint64_t pilot) {
+studies::GateResult run_planned(const Check& check, const GatePlan& gate, std::uint64_t pilot) {
     studies::GateResult result = studies::at_gate(check.spec.gates[gate.gate],
                                                   [&] { return run_gate(check.spec, gate, check.options).value(); });
     result.evaluations += pilot;
@@ -151,7 +149,7 @@ RunGates prepare_to_run(const Check& check) {
     return [check, plans = std::move(plans), pilots = std::move(pilots)](const Tell& tell) {
         for (std::size_t i = 0; i < plans.size(); ++i) {
             const auto begun = Clock::now();
-            auto result = run(check, plans[i], pilots[i]);
+            auto result = run_planned(check, plans[i], pilots[i]);
             const double seconds = seconds_since(begun);
             const std::string note = speed_note(plans[i], seconds, check.options.threads, result.looks);
             tell(std::move(result), seconds, note);
@@ -164,7 +162,7 @@ std::vector<studies::Verdict> verdicts_with_seed(Check check, std::uint64_t seed
     check.spec.seed = checked_seed(seed);
     std::vector<studies::Verdict> verdicts;
     for (GatePlan& gate : prepare(check, GatePurpose::check))
-        verdicts.push_back(run(check, gate, plan(check, gate)).verdict);
+        verdicts.push_back(run_planned(check, gate, plan(check, gate)).verdict);
     return verdicts;
 }
 

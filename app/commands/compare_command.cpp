@@ -20,7 +20,7 @@ namespace ff::app {
 namespace {
 
 /// The names of two folders, with as many of the folders above them as it takes to tell them apart.
-std::array<std::string, 2> names_of(const std::filesystem::path& first, const std::filesystem::path& second) {
+std::array<std::string, 2> names_of_folders(const std::filesystem::path& first, const std::filesystem::path& second) {
     using std::filesystem::path;
     path a = std::filesystem::absolute(first).lexically_normal().parent_path();
     path b = std::filesystem::absolute(second).lexically_normal().parent_path();
@@ -80,7 +80,7 @@ ExitCode compare(const CompareCommand& command) {
         return store;
     };
     const bool of_methods = !one.method.empty();
-    auto names = same_run ? std::array{one.method, other.method} : names_of(first, second);
+    auto names = same_run ? std::array{one.method, other.method} : names_of_folders(first, second);
     if (of_methods && !same_run) names = {names[0] + ":" + one.method, names[1] + ":" + other.method};
     const auto comparison = studies::compare_runs(
         open(first), open(second), names,

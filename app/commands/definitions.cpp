@@ -1,167 +1,178 @@
 #include "app/commands/definitions.hpp"
 
 #include "app/command_line/listings.hpp"
+#include "app/command_line/program.hpp"
 #include "app/commands/commands.hpp"
+#include "app/commands/gate_commands.hpp"
 #include "app/folders/result_files.hpp"
 
 #include "studies/selftest/selftest.hpp"
 
 #include <fmt/format.h>
 
-#include <utility>
+#include <string>
 
 namespace ff::app {
-
-void add_report(CLI::App& app, ReportCommand& command, Action& action) {
-    CLI::App* sub = add_command(app, everyday, "report", "Write the reports of a finished study again");
-    sub->add_option("RESULTS", command.results, "Folder of a study, or its results.sqlite")->required();
-    sub->add_option("--format", command.formats,
-                    fmt::format("{} (default: {})", names_in_words("formats"), fmt::join(usual_formats(), ", ")))
-        ->type_name("FORMAT")
-        ->delimiter(',');
-    sub->add_option("--pictures", command.pictures,
-                    "Pictures for svg and pdf: names as 'ffstudy figure' lists them, or how they begin (default: all)")
-        ->type_name("PICTURE")
-        ->delimiter(',');
-    sub->add_option("--out", command.out, "Folder for the files (default: where the results lie)")->type_name("DIR");
-    sub->add_option("--templates", command.templates, "Folder of custom templates for report.html")->type_name("DIR");
-    add_verbosity(*sub, command.quiet);
-    sub->callback([&] { action = [&] { return report(command); }; });
-}
-
-void add_compare(CLI::App& app, CompareCommand& command, Action& action) {
-    CLI::App* sub =
-        add_command(app, everyday, "compare", "Show two runs side by side: what differs, and how sure that is");
-    sub->add_option("A", command.first, "Folder of a study, or its results.sqlite; of one method: RESULTS:METHOD")
-        ->type_name("RESULTS")
-        ->required();
-    sub->add_option("B", command.second, "The other")->type_name("RESULTS")->required();
-    sub->add_option("--out", command.out, "Folder for comparison.md and comparison.html (default: none is written)")
-        ->type_name("DIR");
-    sub->add_option("--templates", command.templates, "Folder of custom templates for comparison.html")
-        ->type_name("DIR");
-    sub->add_flag("--json", command.json, "Print JSON");
-    add_verbosity(*sub, command.quiet);
-    sub->callback([&] { action = [&] { return compare(command); }; });
-}
-
-void add_merge(CLI::App& app, MergeCommand& command, Action& action) {
-    CLI::App* sub = add_command(app, laboratory, "merge", "Bring the results of shards together");
-    sub->add_option("RESULTS", command.sources, "Folders of the shards, or their results.sqlite")->required();
-    sub->add_option("--out", command.out, "Folder for the merged results")->type_name("DIR")->required();
-    add_verbosity(*sub, command.quiet);
-    sub->callback([&] { action = [&] { return merge(command); }; });
-}
-
-void add_audit(CLI::App& app, AuditCommand& command, Action& action) {
-    CLI::App* sub = add_command(app, laboratory, "audit", "Find contradictions in published tables");
-    sub->add_option("TABLES", command.tables, "Tables file (.json)")->required();
-    sub->add_option("--out", command.out, "Folder for audit.md (default: none is written)")->type_name("DIR");
-    add_verbosity(*sub, command.quiet);
-    sub->callback([&] { action = [&] { return audit(command); }; });
-}
-
-void add_check(CLI::App& app, CheckCommand& command, OutsideOptions& outside, Action& action) {
-    CLI::App* sub = add_check_of_files(app, command);
-    CLI::Option* seed = sub->add_option("--seed", command.seed, "Seed of all random numbers (default: the file's)")
-                            ->check(CLI::NonNegativeNumber);
-    sub->add_flag("--fresh-seed", command.fresh_seed, "A new seed, printed")->excludes(seed);
-    sub->add_option("--seed-sweep", command.seed_sweep, "Check with N seeds; report failure rates against alpha")
-        ->check(CLI::PositiveNumber)
-        ->excludes(sub->get_option("--json"));
-    sub->add_option("--baseline", command.baseline, "Baseline file to compare with")
-        ->type_name("FILE")
-        ->excludes(sub->get_option("--save-baseline"));
-    add_outside_options(*sub, outside, OutsideCodeFrom::files_too);
-    sub->add_option("--threads", command.threads, "Threads; verdicts do not depend on them (default: all cores)");
-    sub->callback([&] { action = [&] { return check(command, outside); }; });
-}
-
-void add_selftest(CLI::App& app, SelftestCommand& command, Action& action) {
-    constexpr auto& description = studies::selftest_description;
-    CLI::App* sub = add_command(app, checks, std::string(description.name), std::string(description.summary));
-    sub->add_option("--seeds", command.seeds, "Seeds that every control is run with (default: 200)")
-        ->check(CLI::PositiveNumber);
-    sub->add_option("--repetitions", command.repetitions, "Repetitions on made-up trials (default: 20000)")
-        ->check(CLI::PositiveNumber);
-    sub->add_option("--seed", command.seed, "Seed of all random numbers (default: 1)")->check(CLI::NonNegativeNumber);
-    sub->add_option("--threads", command.threads, "Threads; results do not depend on them (default: all cores)");
-    sub->add_option("--out", command.out, "Folder for selftest.md (default: none is written)")->type_name("DIR");
-    add_verbosity(*sub, command.quiet);
-    sub->callback([&] { action = [&] { return gates_selftest(command); }; });
-}
-
 namespace {
 
-void add_coverage_options(CLI::App& sub, SelftestCommand& command) {
-    sub.add_option("--seeds", command.seeds, "Seeds that every scene is computed with (default: 200)")
-        ->check(CLI::PositiveNumber);
-    sub.add_option("--tolerance", command.tolerance, "Of the form factors (default: 0.004)")
-        ->check(CLI::PositiveNumber);
-    sub.add_option("--scene", command.scenes, "Scenes, separated by commas (default: the catalogue)")
-        ->type_name("SCENE")
-        ->delimiter(',');
-    sub.add_option("--seed", command.seed, "The first seed (default: 1)")->check(CLI::NonNegativeNumber);
-    sub.add_option("--threads", command.threads, "Threads; results do not depend on them (default: all cores)");
-    sub.add_option("--out", command.out, "Folder for selftest.md (default: none is written)")->type_name("DIR");
+void add_coverage_options(CommandDefinition& sub, SelftestCommand& command) {
+    sub.option("--seeds", command.seeds, "Seeds that every scene is computed with (default: 200)",
+               {.numbers = Numbers::positive});
+    sub.option("--tolerance", command.tolerance, "Of the form factors (default: 0.004)",
+               {.numbers = Numbers::positive});
+    sub.option("--scene", command.scenes, "Scenes, separated by commas (default: the catalogue)",
+               {.type = "SCENE", .delimiter = ','});
+    sub.option("--seed", command.seed, "The first seed (default: 1)", {.numbers = Numbers::not_negative});
+    sub.option("--threads", command.threads, "Threads; results do not depend on them (default: all cores)");
+    sub.option("--out", command.out, "Folder for selftest.md (default: none is written)", {.type = "DIR"});
     add_verbosity(sub, command.quiet);
 }
 
 }  // namespace
 
-void add_form_factors_selftest(CLI::App& app, SelftestCommand& command, Action& action) {
-    CLI::App* sub = add_command(app, checks, "form_factors_selftest",
-                                "How often the intervals of 'form_factors' hold the values of the catalogue");
-    add_coverage_options(*sub, command);
-    sub->callback([&] { action = [&] { return form_factors_selftest(command); }; });
+void add_report(ProgramDefinition& program, ReportCommand& command) {
+    CommandDefinition& sub = program.command(everyday, "report", "Write the reports of a finished study again");
+    sub.option("RESULTS", command.results, "Folder of a study, or its results.sqlite", {.is_required = true});
+    sub.option("--format", command.formats,
+               fmt::format("{} (default: {})", names_in_words("formats"), fmt::join(usual_formats(), ", ")),
+               {.type = "FORMAT", .delimiter = ','});
+    sub.option("--pictures", command.pictures,
+               "Pictures for svg and pdf: names as 'ffstudy figure' lists them, or how they begin (default: all)",
+               {.type = "PICTURE", .delimiter = ','});
+    sub.option("--out", command.out, "Folder for the files (default: where the results lie)", {.type = "DIR"});
+    sub.option("--templates", command.templates, "Folder of custom templates for report.html", {.type = "DIR"});
+    add_verbosity(sub, command.quiet);
+    sub.action = [&] { return report(command); };
 }
 
-void add_heat_selftest(CLI::App& app, SelftestCommand& command, Action& action) {
-    CLI::App* sub = add_command(app, checks, "heat_selftest",
-                                "How often the limits of 'heat' hold flows of the catalogue's scenes");
-    add_coverage_options(*sub, command);
-    sub->callback([&] { action = [&] { return heat_selftest(command); }; });
+void add_figure(ProgramDefinition& program, FigureCommand& command) {
+    CommandDefinition& sub = program.command(everyday, "figure", "Draw one picture of a study for a paper");
+    sub.option("RESULTS", command.results, "Folder of a study, or its results.sqlite", {.is_required = true});
+    sub.option("PICTURE", command.picture, "Its name, or how that begins (default: list them)");
+    sub.option("--methods", command.methods, "Methods, separated by commas (default: all)",
+               {.type = "METHOD", .delimiter = ','});
+    sub.option("--pairs", command.pairs, "Class of pairs of faces",
+               {.type = "CLASS", .choices = {"parallel", "adjacent", "other"}});
+    sub.option("--width", command.width, "Width, in mm, cm, in or pt", {.type = "LENGTH", .shows_default = true});
+    sub.option("--height", command.height, "Height (default: as the picture has it)", {.type = "LENGTH"});
+    sub.option("--font-size", command.font_size, "Size of letters, in points", {.shows_default = true});
+    sub.option("--font", command.font, "Family of letters (default: that of reports; .pgf takes the document's)",
+               {.type = "FONT"});
+    sub.option("--out", command.out, "File: .pdf, .svg, .png or .pgf (default: PICTURE.pdf)", {.type = "FILE"});
+    sub.option("--templates", command.templates, "Folder of custom templates", {.type = "DIR"});
+    sub.action = [&] { return figure(command); };
 }
 
-void add_list(CLI::App& app, ListCommand& command, Action& action) {
-    CLI::App* sub = add_command(app, everyday, "list", "List samplers, estimators, scenes, studies and so on");
-    sub->add_option("KIND", command.name, listed_kinds_in_words());
-    sub->add_flag("--json", command.json, "Print JSON");
-    add_outside_options(*sub, command.outside, OutsideCodeFrom::plugins);
-    sub->callback([&] { action = [&] { return list(command); }; });
+void add_compare(ProgramDefinition& program, CompareCommand& command) {
+    CommandDefinition& sub =
+        program.command(everyday, "compare", "Show two runs side by side: what differs, and how sure that is");
+    sub.option("A", command.first, "Folder of a study, or its results.sqlite; of one method: RESULTS:METHOD",
+               {.type = "RESULTS", .is_required = true});
+    sub.option("B", command.second, "The other", {.type = "RESULTS", .is_required = true});
+    sub.option("--out", command.out, "Folder for comparison.md and comparison.html (default: none is written)",
+               {.type = "DIR"});
+    sub.option("--templates", command.templates, "Folder of custom templates for comparison.html", {.type = "DIR"});
+    sub.option("--json", command.json, "Print JSON");
+    add_verbosity(sub, command.quiet);
+    sub.action = [&] { return compare(command); };
 }
 
-void add_explain(CLI::App& app, ListCommand& command, Action& action) {
-    CLI::App* sub = add_command(app, everyday, "explain", "Say what something is, its source, its limits");
-    sub->add_option("NAME", command.name, "A name that 'list' shows, or a scene file");
-    sub->add_flag("--json", command.json, "Print JSON");
-    add_outside_options(*sub, command.outside, OutsideCodeFrom::plugins);
-    sub->callback([&] { action = [&] { return explain(command); }; });
+void add_merge(ProgramDefinition& program, MergeCommand& command) {
+    CommandDefinition& sub = program.command(laboratory, "merge", "Bring the results of shards together");
+    sub.option("RESULTS", command.sources, "Folders of the shards, or their results.sqlite", {.is_required = true});
+    sub.option("--out", command.out, "Folder for the merged results", {.type = "DIR", .is_required = true});
+    add_verbosity(sub, command.quiet);
+    sub.action = [&] { return merge(command); };
 }
 
-void add_points(CLI::App& app, PointsCommand& command, Action& action) {
-    CLI::App* sub = add_command(app, laboratory, "points", "Write a point set, or say how evenly it is spread");
-    sub->add_option("SAMPLER", command.sampler, "A sampler, file:PATH or command:PROGRAM")->required();
-    sub->add_option("--n", command.points, "Points")->capture_default_str();
-    sub->add_option("--d", command.dimension, "Coordinates of a point")->capture_default_str();
-    sub->add_option("--seed", command.seed, "Seed of all random numbers")->capture_default_str();
-    sub->add_option("--trial", command.trial, "Which of the trials, from 0")->capture_default_str();
-    add_outside_options(*sub, command.outside, OutsideCodeFrom::command_line);
-    sub->add_option("--out", command.out, "File: .npy, .csv, .dat or .svg (default: none is written)")
-        ->type_name("FILE");
-    sub->callback([&] { action = [&] { return points(command); }; });
+void add_audit(ProgramDefinition& program, AuditCommand& command) {
+    CommandDefinition& sub = program.command(laboratory, "audit", "Find contradictions in published tables");
+    sub.option("TABLES", command.tables, "Tables file (.json)", {.is_required = true});
+    sub.option("--out", command.out, "Folder for audit.md (default: none is written)", {.type = "DIR"});
+    add_verbosity(sub, command.quiet);
+    sub.action = [&] { return audit(command); };
 }
 
-void add_check_sampler(CLI::App& app, CheckSamplerCommand& command, Action& action) {
-    CLI::App* sub =
-        add_command(app, checks, "check-sampler", "Check what any sampler has to keep: pass, fail, inconclusive");
-    sub->add_option("SAMPLER", command.sampler, "A sampler, file:PATH#RANDOMISE or command:PROGRAM")->required();
-    sub->add_option("--n", command.points, "Points (default: about 256, or those of the largest file)");
-    sub->add_option("--d", command.dimension, "Coordinates of a point (default: all, at most 4)");
-    sub->add_option("--trials", command.trials, "Trials (default: about a second's)")->check(CLI::PositiveNumber);
-    sub->add_option("--seed", command.seed, "Seed of all random numbers")->capture_default_str();
-    add_outside_options(*sub, command.outside, OutsideCodeFrom::command_line);
-    sub->callback([&] { action = [&] { return check_sampler(command); }; });
+void add_check(ProgramDefinition& program, CheckCommand& command, OutsideOptions& outside) {
+    CommandDefinition& sub = add_check_of_files(program, command);
+    sub.option("--seed", command.seed, "Seed of all random numbers (default: the file's)",
+               {.numbers = Numbers::not_negative});
+    sub.option("--fresh-seed", command.fresh_seed, "A new seed, printed", {.excludes = {"--seed"}});
+    sub.option("--seed-sweep", command.seed_sweep, "Check with N seeds; report failure rates against alpha",
+               {.numbers = Numbers::positive, .excludes = {"--json"}});
+    sub.option("--baseline", command.baseline, "Baseline file to compare with",
+               {.type = "FILE", .excludes = {"--save-baseline"}});
+    add_outside_options(sub, outside, OutsideCodeFrom::files_too);
+    sub.option("--threads", command.threads, "Threads; verdicts do not depend on them (default: all cores)");
+    sub.action = [&] { return check(command, outside); };
+}
+
+void add_selftest(ProgramDefinition& program, SelftestCommand& command) {
+    constexpr auto& description = studies::selftest_description;
+    CommandDefinition& sub = program.command(checks, std::string(description.name), std::string(description.summary));
+    sub.option("--seeds", command.seeds, "Seeds that every control is run with (default: 200)",
+               {.numbers = Numbers::positive});
+    sub.option("--repetitions", command.repetitions, "Repetitions on made-up trials (default: 20000)",
+               {.numbers = Numbers::positive});
+    sub.option("--seed", command.seed, "Seed of all random numbers (default: 1)", {.numbers = Numbers::not_negative});
+    sub.option("--threads", command.threads, "Threads; results do not depend on them (default: all cores)");
+    sub.option("--out", command.out, "Folder for selftest.md (default: none is written)", {.type = "DIR"});
+    add_verbosity(sub, command.quiet);
+    sub.action = [&] { return gates_selftest(command); };
+}
+
+void add_form_factors_selftest(ProgramDefinition& program, SelftestCommand& command) {
+    CommandDefinition& sub = program.command(
+        checks, "form_factors_selftest", "How often the intervals of 'form_factors' hold the values of the catalogue");
+    add_coverage_options(sub, command);
+    sub.action = [&] { return form_factors_selftest(command); };
+}
+
+void add_heat_selftest(ProgramDefinition& program, SelftestCommand& command) {
+    CommandDefinition& sub =
+        program.command(checks, "heat_selftest", "How often the limits of 'heat' hold flows of the catalogue's scenes");
+    add_coverage_options(sub, command);
+    sub.action = [&] { return heat_selftest(command); };
+}
+
+void add_list(ProgramDefinition& program, ListCommand& command) {
+    CommandDefinition& sub = program.command(everyday, "list", "List samplers, estimators, scenes, studies and so on");
+    sub.option("KIND", command.name, listed_kinds_in_words());
+    sub.option("--json", command.json, "Print JSON");
+    add_outside_options(sub, command.outside, OutsideCodeFrom::plugins);
+    sub.action = [&] { return list(command); };
+}
+
+void add_explain(ProgramDefinition& program, ListCommand& command) {
+    CommandDefinition& sub = program.command(everyday, "explain", "Say what something is, its source, its limits");
+    sub.option("NAME", command.name, "A name that 'list' shows, or a scene file");
+    sub.option("--json", command.json, "Print JSON");
+    add_outside_options(sub, command.outside, OutsideCodeFrom::plugins);
+    sub.action = [&] { return explain(command); };
+}
+
+void add_points(ProgramDefinition& program, PointsCommand& command) {
+    CommandDefinition& sub = program.command(laboratory, "points", "Write a point set, or say how evenly it is spread");
+    sub.option("SAMPLER", command.sampler, "A sampler, file:PATH or command:PROGRAM", {.is_required = true});
+    sub.option("--n", command.points, "Points", {.shows_default = true});
+    sub.option("--d", command.dimension, "Coordinates of a point", {.shows_default = true});
+    sub.option("--seed", command.seed, "Seed of all random numbers", {.shows_default = true});
+    sub.option("--trial", command.trial, "Which of the trials, from 0", {.shows_default = true});
+    add_outside_options(sub, command.outside, OutsideCodeFrom::command_line);
+    sub.option("--out", command.out, "File: .npy, .csv, .dat or .svg (default: none is written)", {.type = "FILE"});
+    sub.action = [&] { return points(command); };
+}
+
+void add_check_sampler(ProgramDefinition& program, CheckSamplerCommand& command) {
+    CommandDefinition& sub =
+        program.command(checks, "check-sampler", "Check what any sampler has to keep: pass, fail, inconclusive");
+    sub.option("SAMPLER", command.sampler, "A sampler, file:PATH#RANDOMISE or command:PROGRAM", {.is_required = true});
+    sub.option("--n", command.points, "Points (default: about 256, or those of the largest file)");
+    sub.option("--d", command.dimension, "Coordinates of a point (default: all, at most 4)");
+    sub.option("--trials", command.trials, "Trials (default: about a second's)", {.numbers = Numbers::positive});
+    sub.option("--seed", command.seed, "Seed of all random numbers", {.shows_default = true});
+    add_outside_options(sub, command.outside, OutsideCodeFrom::command_line);
+    sub.action = [&] { return check_sampler(command); };
 }
 
 }  // namespace ff::app

@@ -1,25 +1,27 @@
 #pragma once
 
+#include "app/command_line/command_definition.hpp"
 #include "app/command_line/options.hpp"
-#include "app/command_line/program.hpp"
-#include "app/commands/gate_commands.hpp"
-#include "app/commands/hidden_commands.hpp"
+#include "app/commands/figure_command.hpp"
 #include "app/commands/point_commands.hpp"
 
 namespace ff::app {
 
-/// Each adds a command with its options, which fill `command`; parsing one sets `action`.
-void add_report(CLI::App& app, ReportCommand& command, Action& action);
-void add_compare(CLI::App& app, CompareCommand& command, Action& action);
-void add_merge(CLI::App& app, MergeCommand& command, Action& action);
-void add_audit(CLI::App& app, AuditCommand& command, Action& action);
-void add_check(CLI::App& app, CheckCommand& command, OutsideOptions& outside, Action& action);
-void add_selftest(CLI::App& app, SelftestCommand& command, Action& action);
-void add_form_factors_selftest(CLI::App& app, SelftestCommand& command, Action& action);
-void add_heat_selftest(CLI::App& app, SelftestCommand& command, Action& action);
-void add_list(CLI::App& app, ListCommand& command, Action& action);
-void add_explain(CLI::App& app, ListCommand& command, Action& action);
-void add_points(CLI::App& app, PointsCommand& command, Action& action);
-void add_check_sampler(CLI::App& app, CheckSamplerCommand& command, Action& action);
+// The commands besides those that run a study or compute form factors of a scene. Each function adds one with its
+// options, which fill in `command`.
+
+void add_report(ProgramDefinition& program, ReportCommand& command);
+void add_figure(ProgramDefinition& program, FigureCommand& command);
+void add_compare(ProgramDefinition& program, CompareCommand& command);
+void add_merge(ProgramDefinition& program, MergeCommand& command);
+void add_audit(ProgramDefinition& program, AuditCommand& command);
+void add_check(ProgramDefinition& program, CheckCommand& command, OutsideOptions& outside);
+void add_selftest(ProgramDefinition& program, SelftestCommand& command);
+void add_form_factors_selftest(ProgramDefinition& program, SelftestCommand& command);
+void add_heat_selftest(ProgramDefinition& program, SelftestCommand& command);
+void add_list(ProgramDefinition& program, ListCommand& command);
+void add_explain(ProgramDefinition& program, ListCommand& command);
+void add_points(ProgramDefinition& program, PointsCommand& command);
+void add_check_sampler(ProgramDefinition& program, CheckSamplerCommand& command);
 
 }  // namespace ff::app

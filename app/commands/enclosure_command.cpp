@@ -15,8 +15,8 @@
 namespace ff::app {
 namespace {
 
-void write_files(const std::filesystem::path& folder, const studies::EnclosureRequest& request,
-                 const studies::EnclosureResults& results, const std::string& text) {
+void write_enclosure_files(const std::filesystem::path& folder, const studies::EnclosureRequest& request,
+                           const studies::EnclosureResults& results, const std::string& text) {
     OutputFolder out(folder, "enclosure");
     out.write("enclosure.md", text);
     for (const auto& [file, matrix] :
@@ -40,7 +40,7 @@ ExitCode enclosure(const EnclosureCommand& command) {
     request.seed = checked_seed(command.seed);
     const studies::EnclosureResults results = studies::study_enclosure(request);
     const std::string text = reports::enclosure_text(request, results);
-    if (!command.out.empty()) write_files(command.out, request, results, text);
+    if (!command.out.empty()) write_enclosure_files(command.out, request, results, text);
     if (!command.quiet) fmt::print("{}", text);
     return ExitCode::passed;
 }

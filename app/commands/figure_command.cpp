@@ -1,6 +1,5 @@
 #include "app/commands/figure_command.hpp"
 
-#include "app/commands/definitions.hpp"
 #include "app/folders/picture_files.hpp"
 #include "app/folders/result_files.hpp"
 #include "app/folders/template_files.hpp"
@@ -12,7 +11,6 @@
 #include "reports/text/text_table.hpp"
 
 #include <fmt/format.h>
-#include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <array>
@@ -23,18 +21,19 @@
 namespace ff::app {
 namespace {
 
-struct Unit {
+struct LengthUnit {
     std::string_view name;
     double mm;
 };
-constexpr std::array units{Unit{"mm", 1}, Unit{"cm", 10}, Unit{"in", 25.4}, Unit{"pt", 25.4 / 72}};
+constexpr std::array length_units{LengthUnit{"mm", 1}, LengthUnit{"cm", 10}, LengthUnit{"in", 25.4},
+                                  LengthUnit{"pt", 25.4 / 72}};
 
 /// Of figures that can be read and printed.
 constexpr double least_mm = 20;
 constexpr double most_mm = 2000;
 
 double length_in_mm(const std::string& option, const std::string& text) {
-    for (const Unit& unit : units) {
+    for (const LengthUnit& unit : length_units) {
         if (!text.ends_with(unit.name)) continue;
         const char* const end = text.data() + text.size() - unit.name.size();
         double number = 0;
@@ -68,7 +67,7 @@ void expect_methods(const std::vector<std::string>& wanted, const studies::Study
     }
 }
 
-std::string names_of(const std::vector<reports::Picture>& pictures) {
+std::string names_of_pictures(const std::vector<reports::Picture>& pictures) {
     std::vector<std::string> names;
     for (const reports::Picture& picture : pictures) names.push_back(picture.id);
     constexpr std::size_t most = 12;
@@ -96,9 +95,9 @@ reports::Picture find_picture(const std::vector<reports::Picture>& all, const Fi
     if (found.empty())
         throw UserError(
             fmt::format("{} (there is no such picture). There are: {}; 'ffstudy figure {}' says what they show.", what,
-                        names_of(all), command.results.string()));
+                        names_of_pictures(all), command.results.string()));
     throw UserError(fmt::format("{} (that can be {} pictures: {}). Name one, or its class with --pairs.", what,
-                                found.size(), names_of(found)));
+                                found.size(), names_of_pictures(found)));
 }
 
 void list_pictures(const std::vector<reports::Picture>& all) {
@@ -128,26 +127,6 @@ ExitCode figure(const FigureCommand& command) {
     write_figure(out, picture, templates, style);
     fmt::print("{}\n{}\n{}\n", picture.title, picture.finding, out.string());
     return evaluated.to_the_end ? ExitCode::passed : ExitCode::interrupted;
-}
-
-void add_figure(CLI::App& app, FigureCommand& command, Action& action) {
-    CLI::App* sub = add_command(app, everyday, "figure", "Draw one picture of a study for a paper");
-    sub->add_option("RESULTS", command.results, "Folder of a study, or its results.sqlite")->required();
-    sub->add_option("PICTURE", command.picture, "Its name, or how that begins (default: list them)");
-    sub->add_option("--methods", command.methods, "Methods, separated by commas (default: all)")
-        ->type_name("METHOD")
-        ->delimiter(',');
-    sub->add_option("--pairs", command.pairs, "Class of pairs of faces")
-        ->type_name("CLASS")
-        ->check(CLI::IsMember({"parallel", "adjacent", "other"}));
-    sub->add_option("--width", command.width, "Width, in mm, cm, in or pt")->type_name("LENGTH")->capture_default_str();
-    sub->add_option("--height", command.height, "Height (default: as the picture has it)")->type_name("LENGTH");
-    sub->add_option("--font-size", command.font_size, "Size of letters, in points")->capture_default_str();
-    sub->add_option("--font", command.font, "Family of letters (default: that of reports; .pgf takes the document's)")
-        ->type_name("FONT");
-    sub->add_option("--out", command.out, "File: .pdf, .svg, .png or .pgf (default: PICTURE.pdf)")->type_name("FILE");
-    sub->add_option("--templates", command.templates, "Folder of custom templates")->type_name("DIR");
-    sub->callback([&] { action = [&] { return figure(command); }; });
 }
 
 }  // namespace ff::app

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "app/commands/hidden_commands.hpp"
 #include "app/process/exit_code.hpp"
 
 #include <filesystem>
@@ -26,7 +25,5 @@ struct FigureCommand {
 
 /// Draws one picture of a study in a size for a paper, or lists the available ones.
 ExitCode figure(const FigureCommand& command);
-
-void add_figure(CLI::App& app, FigureCommand& command, Action& action);
 
 }  // namespace ff::app

@@ -46,9 +46,9 @@
 namespace ff::app {
 namespace {
 
-constexpr const char* store_file = "form_factors.sqlite";
-const std::vector<std::string> files{
-    store_file,        "matrix.csv",      "form_factors.mtx", "form_factors.npy",  "form_factors.npz",
+constexpr const char* matrix_store_file = "form_factors.sqlite";
+const std::vector<std::string> matrix_files{
+    matrix_store_file, "matrix.csv",      "form_factors.mtx", "form_factors.npy",  "form_factors.npz",
     "half_widths.mtx", "half_widths.npy", "half_widths.npz",  "areas.mtx",         "areas.npy",
     "repaired.mtx",    "repaired.npy",    "repaired.npz",     "form_factors.json", "intervals.csv",
     "context.json",    "report.html",     rows_file};
@@ -112,8 +112,8 @@ void hand_on_files(OutputFolder& folder, const studies::KeptFormFactors& kept,
     folder.write("intervals.csv", [&](std::ostream& out) { reports::write_intervals(out, handed); });
 }
 
-void write_files(OutputFolder& folder, const studies::KeptFormFactors& kept) {
-    folder.replace(store_file, [&](const auto& file) { studies::save_form_factors(file, kept); });
+void write_matrix_files(OutputFolder& folder, const studies::KeptFormFactors& kept) {
+    folder.replace(matrix_store_file, [&](const auto& file) { studies::save_form_factors(file, kept); });
     const reports::FormFactorReport report{kept.scene, kept.request, kept.matrix};
     const auto& [scene, request, matrix] = report;
     if (matrix.faces() <= studies::most_dense_faces)
@@ -160,13 +160,13 @@ void show(studies::KeptFormFactors& kept, const FormFactorsCommand& command, Out
     // Before anything can fail that would lose it.
     if (!command.quiet) fmt::print("{}", reports::form_factors_text(report, style_of_stdout()));
     if (out == nullptr) return;
-    write_files(*out, kept);
+    write_matrix_files(*out, kept);
     hand_on_files(*out, kept, command.formats);
 }
 
 /// The folder to write to, if one is given, once it is certain that it can be.
-std::unique_ptr<OutputFolder> open_folder(const FormFactorsCommand& command, const Scene& scene) {
-    std::vector<std::string> names = files;
+std::unique_ptr<OutputFolder> open_matrix_folder(const FormFactorsCommand& command, const Scene& scene) {
+    std::vector<std::string> names = matrix_files;
     for (const reports::ProgramFile& file : reports::files_of_formats(command.formats, scene))
         names.emplace_back(file.name);
     if (command.out.empty()) return nullptr;
@@ -187,7 +187,7 @@ ExitCode load(const FormFactorsCommand& command) {
         kept.request.repair = true;
         kept.matrix.repaired = studies::repair(kept.matrix);
     }
-    auto out = open_folder(command, kept.scene);
+    auto out = open_matrix_folder(command, kept.scene);
     show(kept, command, out.get());
     return exit_code_of(kept);
 }
@@ -204,7 +204,7 @@ studies::KeptFormFactors prepare_form_factors(const FormFactorsCommand& command)
 
 studies::KeptFormFactors load_kept_form_factors(const FormFactorsCommand& command) {
     const bool is_folder = std::filesystem::is_directory(command.load);
-    const auto file = is_folder ? command.load / store_file : command.load;
+    const auto file = is_folder ? command.load / matrix_store_file : command.load;
     studies::KeptFormFactors kept = studies::load_form_factors(file);
     if (!kept.was_checked) note_unchecked(file);
     kept.matrix.faults = studies::examine_scene(kept.scene).faults;
@@ -254,7 +254,7 @@ ExitCode form_factors(const FormFactorsCommand& command) {
     kept.request.shard = rows_to_sample(command, processes);
     if (!processes.leads()) return assist_form_factors(processes, command, kept);
     if (command.dry_run) return predict_form_factors(kept);
-    const auto out = open_folder(command, kept.scene);
+    const auto out = open_matrix_folder(command, kept.scene);
     RowsInFolder rows(out.get(), kept, processes);
     if (rows.count() > 0 && !command.quiet)
         say("note: resuming; {} sampled before.\n", reports::counted(rows.count(), "row"));
@@ -292,7 +292,7 @@ ExitCode merge_form_factors(const MergeCommand& command) {
         throw UserError(
             fmt::format("--out {}: one of the shards lies there. Choose another folder.", command.out.string()));
     }
-    const auto out = open_folder(as_asked, kept.scene);
+    const auto out = open_matrix_folder(as_asked, kept.scene);
     const Processes processes;
     RowsInFolder rows(out.get(), kept, processes);
     for (const auto& source : command.sources) rows.take(rows_of(source).value_or(source));

@@ -1,14 +1,12 @@
 #pragma once
 
-#include "app/command_line/action.hpp"
+#include "app/command_line/command_definition.hpp"
 #include "app/command_line/completion.hpp"
-
-#include <CLI/CLI.hpp>
 
 namespace ff::app {
 
 /// Commands used by the build and by shells, hidden from help: `complete` and `man_pages`.
 /// @param names  for `complete`
-void add_hidden_commands(CLI::App& app, const NamesOfType& names, Action& action);
+void add_hidden_commands(ProgramDefinition& program, const NamesOfType& names);
 
 }  // namespace ff::app

@@ -154,7 +154,7 @@ std::vector<Explanation> explanations_of(const std::string& name, const std::opt
     throw UserError(fmt::format("'{}' is unknown. {}See 'ffstudy list'.", name, did_you_mean(name, known)));
 }
 
-std::vector<std::string> names_of(const ListedKind& kind) {
+std::vector<std::string> names_of_kind(const ListedKind& kind) {
     std::vector<std::string> names;
     for (const Listed& row : listed(kind.plural)) names.push_back(row.name);
     return names;
@@ -164,7 +164,7 @@ std::vector<std::string> names_of(const ListedKind& kind) {
 void print_kinds() {
     constexpr std::size_t shown = 3;
     for (const ListedKind& kind : listed_kinds()) {
-        auto names = names_of(kind);
+        auto names = names_of_kind(kind);
         const std::size_t number = names.size();
         names.resize(std::min(number, shown));
         fmt::print("{:<15} {:>2}  {}{}\n", kind.plural, number, fmt::join(names, ", "), number > shown ? ", …" : "");
@@ -173,7 +173,7 @@ void print_kinds() {
 
 void print_kinds_as_json() {
     nlohmann::ordered_json kinds;
-    for (const ListedKind& kind : listed_kinds()) kinds[std::string(kind.plural)] = names_of(kind);
+    for (const ListedKind& kind : listed_kinds()) kinds[std::string(kind.plural)] = names_of_kind(kind);
     fmt::print("{}\n", kinds.dump(2));
 }
 

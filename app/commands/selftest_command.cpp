@@ -20,7 +20,6 @@
 namespace ff::app {
 namespace {
 
-constexpr std::uint64_t most_seeds = 1'000'000;
 constexpr std::uint64_t most_repetitions = 1'000'000'000;
 
 /// @throws UserError for 0 and for more than `most`

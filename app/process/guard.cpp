@@ -41,7 +41,7 @@ ExitCode fail_unexpectedly(std::string_view what) {
 }
 
 /// Tells the exception that is being handled.
-ExitCode tell() {
+ExitCode tell_exception() {
     try {
         throw;
     } catch (const UserError& error) {
@@ -63,7 +63,7 @@ ExitCode tell() {
 
 [[noreturn]] void end_uncaught() {
     const bool thrown = std::current_exception() != nullptr;
-    std::_Exit(static_cast<int>(thrown ? tell() : fail_unexpectedly("the program was terminated")));
+    std::_Exit(static_cast<int>(thrown ? tell_exception() : fail_unexpectedly("the program was terminated")));
 }
 
 /// Reports hold names of files, and JSON and SQLite hold text.
@@ -87,7 +87,7 @@ ExitCode guarded(std::span<char* const> arguments, const std::function<ExitCode(
             return fail(ExitCode::io, "standard output cannot be written. Check the disk or the pipe.");
         return code;
     } catch (...) {
-        return tell();
+        return tell_exception();
     }
 }
 

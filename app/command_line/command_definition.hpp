@@ -1,0 +1,76 @@
+#pragma once
+
+#include "app/command_line/action.hpp"
+
+#include <cstdint>
+#include <deque>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace ff::app {
+
+// What the command line consists of, as commands define it; app/command_line/parser.cpp alone knows the library that
+// parses it.
+
+/// What an option fills in. The type decides which texts are values of the option: of a bool it is a flag without a
+/// value, of a vector it takes several; a function is called where the flag is given.
+using OptionTarget = std::variant<bool*, double*, std::uint32_t*, std::uint64_t*, std::string*, std::filesystem::path*,
+                                  std::optional<double>*, std::optional<std::uint32_t>*, std::optional<std::uint64_t>*,
+                                  std::optional<std::string>*, std::vector<std::string>*,
+                                  std::vector<std::filesystem::path>*, void (*)()>;
+
+/// Which numbers an option takes, of those that its target can hold.
+enum class Numbers { all, not_negative, positive };
+
+struct OptionRules {
+    std::string type{};                  ///< "DIR" of "--out DIR"; empty: that of the target
+    std::vector<std::string> choices{};  ///< the only values; empty: all are
+    Numbers numbers = Numbers::all;
+    char delimiter = '\0';         ///< between values of a vector; '\0': none
+    bool takes_one_value = false;  ///< of a vector: each time that it is given
+    bool is_required = false;
+    bool shows_default = false;
+    std::vector<std::string> needs{};  ///< options, each as "--out"
+    std::vector<std::string> excludes{};
+};
+
+struct OptionDefinition {
+    std::string names;  ///< "--out" or "-q,--quiet"; of an argument, "STUDY"
+    OptionTarget target;
+    std::string description;
+    OptionRules rules;
+};
+
+struct CommandDefinition {
+    std::string group;  ///< of commands, in --help; empty: it is hidden
+    std::string name;
+    std::string summary;
+    std::vector<OptionDefinition> options;         ///< and arguments, in the order of --help
+    std::vector<std::string>* unparsed = nullptr;  ///< takes everything behind the command, --help too; null: nothing
+    Action action;
+
+    /// @param target  of a type that OptionTarget lists; it lives until the action has ended
+    template <class Target>
+    OptionDefinition& option(std::string names, Target& target, std::string description, OptionRules rules = {}) {
+        return options.emplace_back(
+            OptionDefinition{std::move(names), &target, std::move(description), std::move(rules)});
+    }
+};
+
+struct ProgramDefinition {
+    std::string summary;
+    std::string version;  ///< what --version prints
+    std::string footer;
+    std::deque<CommandDefinition> commands;  ///< in the order of --help within each group
+
+    CommandDefinition& command(std::string group, std::string name, std::string command_summary) {
+        return commands.emplace_back(
+            CommandDefinition{std::move(group), std::move(name), std::move(command_summary), {}, nullptr, {}});
+    }
+};
+
+}  // namespace ff::app

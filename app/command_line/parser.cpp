@@ -1,0 +1,267 @@
+#include "app/command_line/parser.hpp"
+
+#include "app/command_line/usage_errors.hpp"
+
+#include "core/support/error.hpp"
+#include "core/support/nearest_name.hpp"
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <memory>
+#include <set>
+#include <sstream>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace ff::app {
+namespace {
+
+constexpr const char* program_name = "ffstudy";
+
+CLI::Option* add_option(CLI::App& command, const OptionDefinition& definition) {
+    return std::visit(
+        [&](auto* target) {
+            using Target = std::remove_pointer_t<decltype(target)>;
+            if constexpr (std::is_function_v<Target>)
+                return command.add_flag_callback(definition.names, target, definition.description);
+            else if constexpr (std::is_same_v<Target, bool>)
+                return command.add_flag(definition.names, *target, definition.description);
+            else
+                return command.add_option(definition.names, *target, definition.description);
+        },
+        definition.target);
+}
+
+void set_rules(CLI::Option& option, const OptionRules& rules) {
+    if (!rules.type.empty()) option.type_name(rules.type);
+    if (!rules.choices.empty()) option.check(CLI::IsMember(rules.choices));
+    if (rules.numbers == Numbers::not_negative) option.check(CLI::NonNegativeNumber);
+    if (rules.numbers == Numbers::positive) option.check(CLI::PositiveNumber);
+    if (rules.delimiter != '\0') option.delimiter(rules.delimiter);
+    if (rules.takes_one_value) option.allow_extra_args(false);
+    if (rules.is_required) option.required();
+    if (rules.shows_default) option.capture_default_str();
+}
+
+/// Lets the name of an argument stand for its type, so that help says "STUDY", not "STUDY TEXT".
+void name_type_of_argument(CLI::Option& option) {
+    if (option.get_positional() && option.get_type_name() == "TEXT") option.type_name("");
+}
+
+void add_command(CLI::App& app, const CommandDefinition& definition) {
+    CLI::App* command = app.add_subcommand(definition.name, definition.summary)->group(definition.group);
+    if (definition.unparsed != nullptr) {
+        command->set_help_flag();
+        command->prefix_command();
+    }
+    std::vector<CLI::Option*> options;
+    for (const OptionDefinition& option : definition.options) {
+        options.push_back(add_option(*command, option));
+        set_rules(*options.back(), option.rules);
+        name_type_of_argument(*options.back());
+    }
+    // Only now are all options there that others name.
+    for (std::size_t i = 0; i < options.size(); ++i) {
+        for (const std::string& name : definition.options[i].rules.needs) options[i]->needs(command->get_option(name));
+        for (const std::string& name : definition.options[i].rules.excludes)
+            options[i]->excludes(command->get_option(name));
+    }
+}
+
+/// The definitions in the form of the library; what is parsed goes to their targets.
+std::unique_ptr<CLI::App> make_app(const ProgramDefinition& program) {
+    auto app = std::make_unique<CLI::App>(program.summary, program_name);
+    app->set_version_flag("-V,--version", program.version);
+    app->require_subcommand(0, 1);  // an unknown option is named first; that a command is missing, later
+    app->footer(program.footer);
+    for (const CommandDefinition& command : program.commands) add_command(*app, command);
+    app->get_formatter()->label("SUBCOMMAND", "COMMAND");
+    app->get_formatter()->label("Positionals", "Arguments");
+    app->get_formatter()->label("REQUIRED", "");
+    return app;
+}
+
+std::string broken_into_lines(const std::string& text, std::size_t width) {
+    std::string out;
+    std::size_t used = 0;
+    std::istringstream words(text);
+    for (std::string word; words >> word;) {
+        const bool breaks = used > 0 && used + 1 + word.size() > width;
+        if (used > 0) out += breaks ? '\n' : ' ';
+        used = breaks || used == 0 ? word.size() : used + 1 + word.size();
+        out += word;
+    }
+    return out;
+}
+
+/// Options of a set in the order of their definitions; the library keeps sets of pointers, as the heap has them.
+std::vector<const CLI::Option*> in_order(const std::set<CLI::Option*>& options, const CLI::App& command) {
+    const std::set<const CLI::Option*> wanted(options.begin(), options.end());
+    std::vector<const CLI::Option*> ordered;
+    for (const CLI::Option* option : command.get_options()) {
+        if (wanted.contains(option)) ordered.push_back(option);
+    }
+    return ordered;
+}
+
+/// What --help says behind the names of an option: " DIR Needs: --out"
+std::string notes_of(const CLI::Option& option, const CLI::App& command, const CLI::Formatter& formatter) {
+    std::string notes = formatter.make_option_opts(&option);
+    notes.resize(std::min({notes.size(), notes.find(" Needs:"), notes.find(" Excludes:")}));
+    const auto add = [&](std::string_view relation, const std::set<CLI::Option*>& others) {
+        if (!others.empty()) notes += fmt::format(" {}:", relation);
+        for (const CLI::Option* other : in_order(others, command)) notes += " " + other->get_name();
+    };
+    add("Needs", option.get_needs());
+    add("Excludes", option.get_excludes());
+    return notes;
+}
+
+/// Sets the notes of options, and breaks descriptions into lines so that help fits into this many columns. For help
+/// only: both stay in the options.
+void lay_out_help(CLI::App& app, std::size_t columns) {
+    const auto& formatter = dynamic_cast<const CLI::Formatter&>(*app.get_formatter());
+    const std::size_t before = formatter.get_column_width();
+    constexpr std::size_t least = 20;
+    const std::size_t width = std::max(columns, before + least) - before;
+    const auto lay_out = [&](CLI::App& command) {
+        for (CLI::Option* option : command.get_options()) {
+            const std::string notes = notes_of(*option, command, formatter);
+            if (notes.starts_with(' ')) option->option_text(notes.substr(1));
+            option->description(broken_into_lines(option->get_description(), width));
+        }
+        command.footer(broken_into_lines(command.get_footer(), columns));
+    };
+    lay_out(app);
+    for (CLI::App* command : app.get_subcommands(nullptr)) {
+        command->description(broken_into_lines(command->get_description(), width));
+        lay_out(*command);
+    }
+}
+
+OptionModel model_of(const CLI::Option& option, const CLI::App& command) {
+    const CLI::Formatter formatter;
+    OptionModel model;
+    for (const std::string& name : option.get_snames()) model.names.push_back("-" + name);
+    for (const std::string& name : option.get_lnames()) model.names.push_back("--" + name);
+    if (option.get_positional()) model.names.push_back(option.get_name(true));
+    model.name = option.get_name();
+    model.type = option.get_type_name();
+    model.notes = notes_of(option, command, formatter);
+    model.usage = formatter.make_option_usage(&option);
+    model.description = option.get_description();
+    model.delimiter = option.get_delimiter();
+    model.is_argument = option.get_positional();
+    model.takes_value = option.get_expected_max() > 0;
+    model.takes_many = option.get_expected_max() >= CLI::detail::expected_max_vector_size;
+    return model;
+}
+
+CommandModel model_of(const CLI::App& command) {
+    CommandModel model{command.get_name(), command.get_description(), {}};
+    for (const CLI::Option* option : command.get_options()) model.options.push_back(model_of(*option, command));
+    return model;
+}
+
+ProgramModel model_of_program(const CLI::App& app) {
+    ProgramModel model{model_of(app), app.get_footer(), {}};
+    for (const CLI::App* command : app.get_subcommands(nullptr)) {
+        if (!command->get_group().empty()) model.commands.push_back(model_of(*command));
+    }
+    return model;
+}
+
+/// The command that was given; the program itself where there is none.
+const CLI::App& given_command(const CLI::App& app) {
+    const auto commands = app.get_subcommands();
+    return commands.empty() ? app : *commands.front();
+}
+
+UsageFault::Kind kind_of(const CLI::ParseError& error) {
+    switch (static_cast<CLI::ExitCodes>(error.get_exit_code())) {
+        case CLI::ExitCodes::ExtrasError:
+            return UsageFault::Kind::unexpected;
+        case CLI::ExitCodes::ConversionError:
+            return UsageFault::Kind::not_converted;
+        case CLI::ExitCodes::RequiredError:
+            return UsageFault::Kind::missing;
+        case CLI::ExitCodes::ArgumentMismatch:
+            return UsageFault::Kind::number_of_values;
+        default:
+            return UsageFault::Kind::other;
+    }
+}
+
+/// What the library says of options that exclude each other, but of the first two.
+std::string exclusion(const CLI::App& command) {
+    for (const CLI::Option* option : command.get_options()) {
+        for (const CLI::Option* other : in_order(option->get_excludes(), command)) {
+            if (option->count() > 0 && other->count() > 0)
+                return fmt::format("{} excludes {}", option->get_name(), other->get_name());
+        }
+    }
+    return {};
+}
+
+[[noreturn]] void refuse(const CLI::App& app, const CLI::ParseError& error) {
+    const CLI::App& given = given_command(app);
+    const bool is_exclusion = error.get_exit_code() == static_cast<int>(CLI::ExitCodes::ExcludesError);
+    const UsageFault fault{kind_of(error), is_exclusion ? exclusion(given) : error.what(), app.remaining(true)};
+    const ProgramModel program = model_of_program(app);
+    if (&given == &app) throw UserError(usage_problem(program, program.program, fault));
+    throw UserError(usage_problem(program, model_of(given), fault));
+}
+
+const CommandDefinition& find_definition(const ProgramDefinition& program, const std::string& name) {
+    return *std::find_if(program.commands.begin(), program.commands.end(),
+                         [&](const CommandDefinition& command) { return command.name == name; });
+}
+
+}  // namespace
+
+ParsedCommandLine parse(const ProgramDefinition& program, std::span<char* const> arguments, std::size_t columns) {
+    const auto app = make_app(program);
+    try {
+        app->parse(static_cast<int>(arguments.size()), arguments.data());
+    } catch (const CLI::ParseError& error) {
+        if (error.get_exit_code() != 0) refuse(*app, error);
+        std::ostringstream text;
+        lay_out_help(*app, columns);
+        app->exit(error, text);  // --help, --version
+        return {nullptr, text.str()};
+    }
+    const CLI::App& given = given_command(*app);
+    for (const CLI::Option* option : given.get_options())
+        refuse_unmeant_values(model_of(*option, given), option->results());
+    if (&given == app.get()) {
+        lay_out_help(*app, columns);
+        return {nullptr, app->help()};
+    }
+    const CommandDefinition& command = find_definition(program, given.get_name());
+    if (command.unparsed != nullptr) *command.unparsed = given.remaining();
+    return {&command, {}};
+}
+
+std::string help_of(const ProgramDefinition& program, const std::string& command, std::size_t columns) {
+    const auto app = make_app(program);
+    lay_out_help(*app, columns);
+    // Not app->help(), which is that of the command that was given.
+    if (command.empty()) return app->get_formatter()->make_help(app.get(), app->get_name(), CLI::AppFormatMode::Normal);
+    const auto names = command_names(model_of_program(*app));
+    if (std::find(names.begin(), names.end(), command) != names.end())
+        return app->get_subcommand(command)->help(app->get_name());
+    const std::vector<std::string_view> known(names.begin(), names.end());
+    throw UserError(
+        fmt::format("unknown command '{}'. {}See 'ffstudy --help'.", command, did_you_mean(command, known)));
+}
+
+ProgramModel model_of(const ProgramDefinition& program) {
+    return model_of_program(*make_app(program));
+}
+
+}  // namespace ff::app
