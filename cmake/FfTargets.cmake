@@ -39,6 +39,53 @@ target_compile_options(ff_settings INTERFACE
 target_link_options(ff_settings INTERFACE
   $<$<AND:${hardened},$<STREQUAL:$<TARGET_PROPERTY:TYPE>,EXECUTABLE>>:-pie> $<${hardened}:LINKER:-z,relro> $<${hardened}:LINKER:-z,now>)
 
+# ff_rooms(TARGET [a+b ...])
+#
+# With CMAKE_UNITY_BUILD the .cpp files of a folder are compiled as one unit, of at most 12 files; the folders named
+# together, like "exact+geometry", are one folder to it. Most of a small file's compile time is its headers, so that this
+# takes a third of the time. Names are unique within such a room, also in anonymous namespaces. Files that Highway
+# compiles several times stay alone. The preset "edit" compiles each file alone, and shows which one forgets an include.
+function(ff_rooms target)
+  foreach(together ${ARGN})
+    string(REPLACE "+" ";" folders ${together})
+    foreach(folder ${folders})
+      set(room_of_${folder} ${together})
+    endforeach()
+  endforeach()
+
+  get_target_property(sources ${target} SOURCES)
+  list(FILTER sources INCLUDE REGEX "\\.cpp$")
+  set(rooms "")
+  foreach(source ${sources})
+    get_filename_component(path ${source} ABSOLUTE)
+    file(STRINGS ${path} compiled_several_times REGEX "hwy/foreach_target" LIMIT_COUNT 1)
+    if(compiled_several_times)
+      continue()
+    endif()
+    get_filename_component(room ${source} DIRECTORY)
+    if(DEFINED room_of_${room})
+      set(room ${room_of_${room}})
+    endif()
+    string(MAKE_C_IDENTIFIER "${target}/${room}" room)
+    list(APPEND rooms ${room})
+    list(APPEND files_of_${room} ${source})
+  endforeach()
+
+  list(REMOVE_DUPLICATES rooms)
+  foreach(room ${rooms})
+    list(SORT files_of_${room})
+    list(LENGTH files_of_${room} count)
+    math(EXPR units "(${count} + 11) / 12")
+    set(index 0)
+    foreach(source ${files_of_${room}})
+      math(EXPR unit "${index} * ${units} / ${count}")
+      set_property(SOURCE ${source} PROPERTY UNITY_GROUP ${room}_${unit})
+      math(EXPR index "${index} + 1")
+    endforeach()
+  endforeach()
+  set_target_properties(${target} PROPERTIES UNITY_BUILD_MODE GROUP)
+endfunction()
+
 # ff_precompile(ff_core <Eigen/Core>)
 #
 # Parses once per target the headers named and what most of its files include. Headers of libraries only, so that a
@@ -63,6 +110,7 @@ function(ff_library name)
   target_link_libraries(ff_${name} PUBLIC ${ARG_LINKS} PRIVATE $<BUILD_INTERFACE:ff_settings> ${ARG_PRIVATE_LINKS})
   target_compile_features(ff_${name} PUBLIC cxx_std_20)
   target_compile_definitions(ff_${name} PUBLIC FF_CONTRACTS=$<BOOL:${FFSTUDY_CONTRACTS}>)
+  ff_rooms(ff_${name})
   ff_precompile(ff_${name} <Eigen/Core> <Eigen/Geometry>)
   # Until 1.0 each minor version may change the interface.
   set_target_properties(ff_${name} PROPERTIES EXPORT_NAME ${name} OUTPUT_NAME ffstudy_${name}
