@@ -11,35 +11,27 @@ kills=${FFSTUDY_KILLS:-5}
 } >"$folder/study.toml"
 RANDOM=20261120
 
-# units OUT: how many are saved there.
-units() {
-    /usr/bin/python3 - "$1" <<'END' 2>/dev/null || echo 0
-import sqlite3, sys
-
-print(sqlite3.connect(f"file:{sys.argv[1]}/results.sqlite?mode=ro", uri=True).execute("SELECT count(*) FROM units").fetchone()[0])
-END
-}
-
-begin=$(date +%s%N)
 ffstudy run "$folder/study.toml" --threads 2 --out whole
 expect_status 0
-microseconds=$((($(date +%s%N) - begin) / 1000))
-all=$(units whole)
+all=$(saved units whole)
 
+# Moments are told by what is saved, from what was there before to all, and by a little time. One that begins with all of
+# it comes to its end. Kills while the store grows are what this is about.
+reached() { [ "$1" != never ] && [ "$(saved units out)" -ge "$1" ]; }
 killed=0 attempts=0 halfway=0
-while [ $killed -lt "$kills" ]; do
+until [ $killed -ge "$kills" ] && [ $((5 * halfway)) -ge "$kills" ]; do
     attempts=$((attempts + 1))
-    [ $attempts -le $((20 * kills + 20)) ] || fail "only $killed of $attempts runs were killed before their end"
-    "$program" run "$folder/study.toml" --threads 2 --out out >"$folder/stdout" 2>"$folder/stderr" </dev/null &
-    process=$!
-    moment=$(((RANDOM * 32768 + RANDOM) % microseconds))
-    sleep "$((moment / 1000000)).$(printf '%06d' $((moment % 1000000)))"
-    kill -9 $process 2>/dev/null || true
-    command_line="ffstudy run (killed after $moment us)" status=0
-    wait $process 2>/dev/null || status=$?
+    [ $attempts -le $((20 * kills + 50)) ] || fail "of $attempts runs $killed were killed, $halfway while units were saved"
+    saved=$(saved units out)
+    [ "$saved" -lt "$all" ] && moment=$((saved + RANDOM % (all - saved + 1))) || moment=never
+    begin run "$folder/study.toml" --threads 2 --out out
+    wait_until is_over_or reached $moment
+    sleep "0.0$((RANDOM % 10))"
+    kill -9 "$process" 2>/dev/null || true
+    finish
     if [ $status -eq 137 ]; then
         killed=$((killed + 1))
-        saved=$(units out)
+        saved=$(saved units out)
         [ "$saved" -eq 0 ] || [ "$saved" -eq "$all" ] || halfway=$((halfway + 1))
         continue
     fi
@@ -51,6 +43,4 @@ done
 ffstudy run "$folder/study.toml" --threads 1 --out out
 expect_status 0
 expect_same_results whole out
-# Kills while the store grows are what this is about.
-[ $((5 * halfway)) -ge "$kills" ] || fail "only $halfway of $killed kills came while units were saved"
 echo "killed $killed times in $attempts runs, $halfway times with some of $all units saved"

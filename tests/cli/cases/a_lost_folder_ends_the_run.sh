@@ -4,30 +4,29 @@ source "$(dirname "$0")/../harness.sh"
 small_study 400 >"$folder/study.toml"
 ffstudy run "$folder/study.toml" --out whole
 expect_status 0
+all=$(saved units whole)
 
-# start OUT: runs the study in the background and returns when its first unit is saved.
-start() {
-    command_line="ffstudy run (its folder will be lost)" status=0
-    "$program" run "$folder/study.toml" --threads 1 --out "$1" >"$folder/stdout" 2>"$folder/stderr" </dev/null &
-    process=$!
-    until [ -n "$(find "$1" -name results.sqlite-wal -size +64k 2>/dev/null)" ]; do
-        kill -0 $process || fail "the study was over before its folder could be taken away"
-        sleep 0.01
-    done
+# moved: the folder of a run is moved away when its first unit is saved. The run may be faster, and save all of them.
+moved() {
+    rm -rf moved elsewhere
+    begin run "$folder/study.toml" --threads 1 --out moved
+    wait_until is_over_or a_unit_is_saved moved
+    mv moved elsewhere
+    finish
+    [ "$(saved units elsewhere)" -lt "$all" ]
 }
-
-start moved
-mv moved elsewhere
-wait $process || status=$?
+until moved; do try_again "the study was over before its folder could be moved"; done
 expect_status 3
 expect_stderr "moved/results.sqlite: moved or removed while the study ran"
 ffstudy run "$folder/study.toml" --out elsewhere
 expect_status 0
 expect_same_results whole elsewhere
 
-start removed
+long_study >"$folder/long.toml"
+begin run "$folder/long.toml" --threads 1 --out removed
+wait_until a_unit_is_saved removed
 rm -r removed
-wait $process || status=$?
+finish
 expect_status 3
 expect_stderr "removed/results.sqlite: moved or removed while the study ran"
 [ ! -e removed ] || fail "expected the folder to stay away"

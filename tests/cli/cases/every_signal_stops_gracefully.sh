@@ -1,47 +1,70 @@
 #!/usr/bin/env bash
 source "$(dirname "$0")/../harness.sh"
 
-# start STUDY OUT: runs it in the background and returns when its first unit is saved.
-start() {
-    command_line="ffstudy run (to be stopped)" status=0
-    "$program" run "$1" --threads 2 --out "$2" >"$folder/stdout" 2>"$folder/stderr" </dev/null &
-    process=$!
-    until [ -n "$(find "$2" -name results.sqlite-wal -size +0 2>/dev/null)" ]; do
-        kill -0 $process || fail "the study was over before it could be stopped"
-        sleep 0.01
-    done
-}
-
 small_study 400 >"$folder/study.toml"
-ffstudy run "$folder/study.toml" --out whole
+ffstudy run "$folder/study.toml" --threads 1 --out whole
 expect_status 0
+all=$(saved units whole)
+
+# stopped SIGNAL: a run that gets this signal when its first unit is saved. It may be faster, and lack no unit all the same.
+stopped() {
+    rm -rf "$1"
+    begin run "$folder/study.toml" --threads 2 --out "$1"
+    wait_until is_over_or test -s "$1/results.sqlite-wal"
+    kill -"$1" "$process" 2>/dev/null || true
+    finish
+    [ "$(saved units "$1")" -lt "$all" ]
+}
 for signal in INT TERM USR1; do
-    start "$folder/study.toml" $signal
-    kill -$signal $process
-    wait $process || status=$?
+    until stopped $signal; do try_again "the study was over before it could be stopped"; done
     expect_status 130
     expect_stderr "stopping: finishing the work units in progress"
     expect_stderr "Run the same command again to resume."
     expect_in_file $signal/report.md "Partial result"
-    ffstudy run "$folder/study.toml" --out $signal
+    ffstudy run "$folder/study.toml" --threads 2 --out $signal
     expect_status 0
     expect_same_results whole $signal
 done
 
-# Units that would take minutes are not waited for.
-sed 's/^samples_per_patch = 64/samples_per_patch = 64000000/' "$folder/study.toml" >"$folder/slow.toml"
-start "$folder/slow.toml" hours
-kill -INT $process
-wait $process || status=$?
-expect_status 130
-expect_in_file hours/report.md "Partial result"
+# slow OUT: begins a study of one unit that is saved when this returns, and of others that would take minutes.
+cat >"$folder/slow.toml" <<'STUDY'
+[study]
+name = "slow"
+scene = "cube"
+trials = 2
+seed = 1
 
-# A second signal does not wait for the units in hand nor for reports.
-start "$folder/slow.toml" slow
-kill -STOP $process  # so that it meets both signals at once
-kill -INT $process
-kill -TERM $process
-kill -CONT $process
-wait $process || status=$?
+[[method]]
+name = "exact"
+estimator = "closed_form"
+
+[[method]]
+name = "slow"
+sampler = "sobol"
+estimator = "ray_shooting"
+tracer = "embree"
+samples_per_patch = 1073741824
+STUDY
+slow() {
+    begin run "$folder/slow.toml" --threads 2 --out "$1"
+    wait_until test -s "$1/results.sqlite-wal"
+}
+
+# They are not waited for.
+slow dropped
+kill -INT "$process"
+finish
 expect_status 130
-[ ! -e slow/report.md ] || fail "expected no report after a second signal"
+expect_in_file dropped/report.md "Partial result"
+[ "$(saved units dropped)" -eq 1 ] || fail "expected the units in progress to be dropped"
+
+# A second signal waits neither for the units in hand nor for reports. (Signals are met in the order of their numbers:
+# these two before the alarm that drops units, however late that is.)
+slow at_once
+kill -STOP "$process"  # so that it meets both signals at once
+kill -INT "$process"
+kill -USR1 "$process"
+kill -CONT "$process"
+finish
+expect_status 130
+[ ! -e at_once/report.md ] || fail "expected no report after a second signal"

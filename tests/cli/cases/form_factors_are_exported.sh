@@ -6,46 +6,51 @@ source "$(dirname "$0")/../harness.sh"
 cat >"$folder/read.py" <<'PYTHON'
 """Reads every format by its own rules, and compares with the matrix that the program keeps."""
 import csv, json, re, sys
-import numpy
+from arrays import dense, load
 folder, matrix, closed = sys.argv[1], sys.argv[2], sys.argv[3] == "closed"
-expected = numpy.load(f"{folder}/{matrix}.npy")
-areas = numpy.load(f"{folder}/areas.npy")
+expected = load(f"{folder}/{matrix}.npy")
+areas = load(f"{folder}/areas.npy")
 n = len(areas)
 text = lambda name: open(f"{folder}/{name}").read()
 rows = list(csv.DictReader(open(f"{folder}/intervals.csv")))
 names = {int(r["row"]): r["from"] for r in rows}
 names = [names[i + 1] for i in range(n)]
 
+def empty():
+    return [[0.0] * n for _ in range(n)]
+
 def same(what, found):
-    assert numpy.array_equal(found, expected), f"{what}\n{found}\n{expected}"
+    assert found == expected, f"{what}\n{found}\n{expected}"
 
 # View3D: its reader takes the first line, then numbers in any layout.
 head, rest = text("view3d.txt").split("\n", 1)
 assert head.split()[0] == "View3D" and [int(x) for x in head.split()[2:]] == [0, int(closed), 0, n] and len(head) >= 30
-numbers = numpy.array(rest.split(), float)
-assert numpy.array_equal(numbers[:n], areas) and len(numbers) == n * (n + 2)
-same("view3d", numbers[n:n * (n + 1)].reshape(n, n))
+numbers = [float(word) for word in rest.split()]
+assert numbers[:n] == areas and len(numbers) == n * (n + 2)
+same("view3d", [numbers[n * i:n * (i + 1)] for i in range(1, n + 1)])
 
 # EnergyPlus: fields between commas, comments from "!"; the same object as JSON.
 fields = [f.strip() for f in re.sub("!.*", "", text("energyplus.idf")).strip().rstrip(";").split(",")]
 kind, zone, triples = fields[0], fields[1], fields[2:]
-found = numpy.full((n, n), numpy.nan)
+assert len(triples) == 3 * n * n == 3 * len(set(zip(triples[::3], triples[1::3])))
+found = empty()
 for a, b, f in zip(triples[::3], triples[1::3], triples[2::3]):
-    found[names.index(a), names.index(b)] = float(f)
+    found[names.index(a)][names.index(b)] = float(f)
 same("idf", found)
 objects = json.loads(text("energyplus.epJSON"))[kind]
 (one,) = objects.values()
 assert one["zone_or_zonelist_or_space_or_spacelist_name"] == zone == "furnace"
-found = numpy.full((n, n), numpy.nan)
+assert len({(f["from_surface"], f["to_surface"]) for f in one["view_factors"]}) == n * n
+found = empty()
 for f in one["view_factors"]:
-    found[names.index(f["from_surface"]), names.index(f["to_surface"])] = f["view_factor"]
+    found[names.index(f["from_surface"])][names.index(f["to_surface"])] = f["view_factor"]
 same("epJSON", found)
 
 # MOOSE: a list of lists between quotes, rows parted by semicolons.
 if closed:
     moose = {key: word or words for key, word, words in re.findall(r"(\w+) = (?:([^'\s]+)|'([^']*)')", text("moose.i"))}
     assert moose["type"] == "ConstantViewFactorSurfaceRadiation" and moose["boundary"].split() == names
-    same("moose", numpy.array([row.split() for row in moose["view_factors"].split(";")], float))
+    same("moose", [[float(f) for f in row.split()] for row in moose["view_factors"].split(";")])
 
 # OpenFOAM: lists of lists, "3(a b c)", behind a header.
 def lists(name, kind):
@@ -56,33 +61,29 @@ def lists(name, kind):
     found = [(int(k), inside.split()) for k, inside in re.findall(r"(\d+)\(([^()]*)\)", body)]
     assert len(found) == int(count) and all(k == len(inside) for k, inside in found)
     return [inside for _, inside in found]
-found = numpy.zeros((n, n))
+found = empty()
 for i, (faces, factors) in enumerate(zip(lists("globalFaceFaces", "labelListList"), lists("F", "scalarListList"))):
     assert len(faces) == len(factors)
-    found[i, [int(k) for k in faces]] = [float(f) for f in factors]
+    for k, f in zip(faces, factors):
+        found[i][int(k)] = float(f)
 same("openfoam", found)
 
 # Elmer: a count for each element, then as many lines of row, column, factor.
 words = iter(text("ViewFactors.dat").split())
-found = numpy.zeros((n, n))
+found = empty()
 for i in range(n):
     for _ in range(int(next(words))):
         row, column, factor = int(next(words)), int(next(words)), float(next(words))
         assert row == i + 1
-        found[row - 1, column - 1] = factor
+        found[row - 1][column - 1] = factor
 assert next(words, None) is None
 same("elmer", found)
 
 # SciPy, and the intervals.
-archive = numpy.load(f"{folder}/{matrix}.npz")
-found = numpy.zeros((n, n))
-for i in range(n):
-    part = slice(archive["indptr"][i], archive["indptr"][i + 1])
-    found[i, archive["indices"][part]] = archive["data"][part]
-same("npz", found)
-found = numpy.zeros((n, n))
+same("npz", dense(load(f"{folder}/{matrix}.npz"), n))
+found = empty()
 for r in rows:
-    found[int(r["row"]) - 1, int(r["column"]) - 1] = float(r["factor"])
+    found[int(r["row"]) - 1][int(r["column"]) - 1] = float(r["factor"])
     assert float(r["low"]) <= float(r["high"])
     if matrix == "form_factors":
         assert float(r["low"]) <= float(r["factor"]) <= float(r["high"]), r

@@ -6,53 +6,57 @@ source "$(dirname "$0")/../harness.sh"
 # interval misses it once in a million runs.
 exact=$("$program" list configurations | awk '$1 == "discs_blocked" {print; exit}' | grep -oE '0\.[0-9]{12,}')
 
-# start OUT: runs it in the background and returns when it has taken its folder.
+# start OUT WORK: begins it, and returns when it has used so much processor time, in hundredths of a second.
 start() {
-    command_line="ffstudy form_factors (to be stopped)" status=0
-    "$program" form_factors discs_blocked --tolerance 1e-6 --level 0.999999 --max-samples 1000000000000 --threads 2 \
-        --out "$1" >"$folder/stdout" 2>"$folder/stderr" </dev/null &
-    process=$!
-    until [ -e "$1/.ffstudy.lock" ]; do
-        kill -0 $process || fail "it was over before it could be stopped"
-        sleep 0.01
-    done
+    begin form_factors discs_blocked --tolerance 1e-6 --level 0.999999 --max-samples 1000000000000 --threads 2 --out "$1"
+    wait_until takes_signals
+    wait_until has_used "$2"
 }
 
-for wait in 0.1 0.3 1.5; do
-    start stopped_$wait
-    sleep $wait
-    kill -INT $process
-    wait $process || status=$?
+# Stopped ever later, from before there is anything to write to when rays have been sampled.
+for work in 1 2 4 8 16 32 64 128 256 512 1024 2048 4096; do
+    start stopped $work
+    kill -INT "$process"
+    finish
     expect_status 130
     expect_no_stderr
-    expect_stdout " of 3 pairs of faces is NOT within 1e-06: 1-"
+    if [ ! -s "$folder/stdout" ]; then
+        # The lock may be left where the signal comes when it is taken.
+        [ -z "$(find . -type f ! -name .ffstudy.lock)" ] || fail "expected no files, found: $(find . -type f)"
+        continue
+    fi
+    expect_stdout "NOT within 1e-06: 1-"
     expect_stdout "Stopped before the sampling was done"
     for file in matrix.csv form_factors.npy half_widths.mtx areas.npy form_factors.json form_factors.sqlite context.json; do
-        expect_file stopped_$wait/$file
+        expect_file stopped/$file
     done
     awk -F, -v exact="$exact" '$1 == 1 && $2 == 2 {found = $4 <= exact && exact <= $5 && $11 == 0} END {exit !found}' \
-        stopped_$wait/matrix.csv || fail "the interval does not hold $exact: $(cat stopped_$wait/matrix.csv)"
+        stopped/matrix.csv || fail "the interval does not hold $exact: $(cat stopped/matrix.csv)"
     cp "$folder/stdout" "$folder/stopped"
-    ffstudy form_factors --load stopped_$wait
+    ffstudy form_factors --load stopped
     expect_status 4
     expect_equal_files "$folder/stopped" "$folder/stdout"
+    ! grep -q ",rays," stopped/matrix.csv || break
+    rm -r stopped
 done
-[ "$wait" = 1.5 ] && expect_in_file stopped_1.5/matrix.csv ",rays,"
+expect_in_file stopped/matrix.csv ",rays,"
 
-# Both signals at once: nothing is written.
-start at_once
-sleep 0.2
-kill -STOP $process
-kill -INT $process
-kill -TERM $process
-kill -CONT $process
-wait $process || status=$?
+# Both signals at once: nothing is written. (What the first one asks for may be done before the second one is met.)
+stopped_at_once() {
+    rm -rf at_once
+    start at_once $work
+    kill -STOP "$process"
+    kill -INT "$process"
+    kill -TERM "$process"
+    kill -CONT "$process"
+    finish
+    [ ! -s "$folder/stdout" ] && [ ! -e at_once ]
+}
+until stopped_at_once; do try_again "expected nothing to be left by a second signal"; done
 expect_status 130
-expect_no_stdout
-[ -z "$(ls -A at_once)" ] || fail "expected no files after a second signal"
 
 # Time that is over is no interruption.
-ffstudy form_factors discs_blocked --tolerance 1e-6 --max-samples 1000000000000 --max-time 0.5 --out in_time
+ffstudy form_factors discs_blocked --tolerance 1e-6 --max-samples 1000000000000 --max-time 0.1 --out in_time
 expect_status 4
 expect_stdout "Stopped before the sampling was done"
 expect_file in_time/form_factors.sqlite

@@ -59,15 +59,11 @@ expect_equal_files fresh/verdicts.csv replayed/verdicts.csv
 
 # Written as gates finish: stopped before the last one, the file is valid, and red.
 { pass; gate slow bias 'sampler = "random"' 'trials = 200000' 'band = 1e-9' | sed 's/= 64$/= 65536/'; } >slow.toml
-"$program" check slow.toml --out slow --threads 1 >/dev/null 2>&1 &
-pid=$!
-for _ in $(seq 600); do
-    grep -q 'errors="1"' slow/junit.xml 2>/dev/null && break
-    sleep 0.1
-done
+begin check slow.toml --out slow --threads 1
+wait_until grep -qs 'errors="1"' slow/junit.xml
 valid_junit slow/junit.xml
-kill -INT $pid
-status=0 && wait $pid || status=$?
+kill -INT "$process"
+finish
 expect_status 130
 valid_junit slow/junit.xml
 [ "$(test_cases slow/junit.xml '')" -eq 2 ] || fail "expected both gates"

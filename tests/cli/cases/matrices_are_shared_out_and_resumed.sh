@@ -43,16 +43,17 @@ expect_same_matrix whole merged
 for i in 2 3 1; do ffstudy form_factors "${options[@]}" --shard $i/3 --out together; done
 expect_same_matrix whole together
 
-# Killed again and again, and stopped by limits.
+# Killed again and again while rows are kept, and stopped by limits.
 RANDOM=5
-rounds=0
-until [ -e killed/areas.npy ]; do
-    "$program" form_factors "${options[@]}" --threads 1 --out killed >/dev/null 2>"$folder/stderr" </dev/null &
-    process=$!
-    sleep "0.$((RANDOM % 10))"
-    kill -9 $process 2>/dev/null || true
-    wait $process 2>/dev/null || true
-    [ $((++rounds)) -lt 8 ] || break
+kills=0
+while [ $kills -lt 4 ]; do
+    try_again "the matrix was whole before the program could be killed"
+    begin form_factors "${options[@]}" --threads 1 --out killed
+    wait_until is_over_or test -s killed/rows.sqlite
+    sleep "0.$(printf '%02d' $((RANDOM % 20)))"
+    kill -9 "$process" 2>/dev/null || true
+    finish
+    if [ -s killed/rows.sqlite ]; then kills=$((kills + 1)); else rm -rf killed; fi
 done
 ffstudy form_factors "${options[@]}" --max-memory 1M --out killed
 [ "$status" -eq 130 ] || [ -e killed/areas.npy ] || fail "expected the limit of memory to stop the run"

@@ -51,11 +51,15 @@ expect_status 0
 # expect_box FOLDER: the factors are those of the box, whose faces are in another order.
 expect_box() {
     /usr/bin/python3 - "$1" <<'PYTHON' || fail "expected the factors of the box in $1"
-import numpy, sys
+import sys
+from arrays import load
 order = [0, 5, 1, 3, 2, 4]  # of the box, as floor, roof, south, east, north, west; opposite walls are alike
-assert abs(numpy.load("box/areas.npy")[order] - numpy.load(f"{sys.argv[1]}/areas.npy")).max() < 1e-12
-found = numpy.load(f"{sys.argv[1]}/form_factors.npy")
-assert abs(found - numpy.load("box/form_factors.npy")[numpy.ix_(order, order)]).max() < 1e-12, found
+areas, factors = load("box/areas.npy"), load("box/form_factors.npy")
+found_areas, found = load(f"{sys.argv[1]}/areas.npy"), load(f"{sys.argv[1]}/form_factors.npy")
+for i, a in enumerate(order):
+    assert abs(found_areas[i] - areas[a]) < 1e-12
+    for j, b in enumerate(order):
+        assert abs(found[i][j] - factors[a][b]) < 1e-12, found
 PYTHON
 }
 for file in room.stl room.gltf; do

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
 # An outside form-factor program is judged on every polygonal scene of the catalogue; one that is 5 % off is found.
+# Needs NumPy.
 source "$(dirname "$0")/../harness.sh"
 
 cp "$data"/../../docs/examples/shoot* .

@@ -1,8 +1,7 @@
 #!/usr/bin/env bash
 # A study with [radiosity], or `ffstudy radiosity`, says what errors do to the light; the files are as documented. What no
 # room has is refused before anything is written.
-here=$(cd "$(dirname "$0")/.." && pwd)
-root=$(cd "$here/../.." && pwd)
+root=$(cd "$(dirname "$0")/../../.." && pwd)
 source "$(dirname "$0")/../harness.sh"
 
 small_study 20 >"$folder/study.toml"
@@ -11,7 +10,6 @@ expect_status 0
 expect_stdout "I − P F keeps diagonal dominance at every reflectance below 1; at 0.95 the exitance error is"
 expect_stdout "Exitance error after each repair at reflectance 0.95: "
 grep -Fq "## What the errors do to the light" lit/report.md || fail "report.md says nothing of light"
-/usr/bin/python3 "$here/validate_results" lit/results.json || fail "results.json breaks the schema"
 
 # Every column of the tables is explained, under its own name or that of its three.
 for file in matrices systems exitance solvers residuals; do
@@ -81,7 +79,6 @@ ffstudy run patches.toml --out patches --threads 2
 expect_status 0
 expect_stdout "Between the 24 patches of "
 grep -Fq "What becomes of the light, between patches" patches/report.md || fail "report.md says nothing of patches"
-/usr/bin/python3 "$here/validate_results" patches/results.json || fail "results.json breaks the schema"
 ffstudy radiosity "$folder/study.toml" --reflectance 0.5,0.95 --emission 0,0,0,0,0,1 --patch-trials 3 --threads 1 \
     --out patches_again
 for file in matrices systems exitance solvers residuals; do

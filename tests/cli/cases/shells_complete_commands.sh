@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# bash, zsh and fish load what is installed for them, and complete what is typed.
+# bash loads what is installed for it, and completes what is typed. (zsh and fish: zsh_and_fish_complete_commands.sh.)
 here=$(cd "$(dirname "$0")/.." && pwd)
 source "$here/harness.sh"
 
@@ -21,7 +21,7 @@ types() {
     expect_status 0
 }
 
-for shell in bash zsh fish; do
+for shell in ${other_shells:-bash}; do
     types $shell 'ffstudy expl\tsobol_l\t'
     expect_stdout "sobol_lms (sampler)"
     types $shell 'ffstudy report nowhere --fo\tcsv,htm\t --qui\t'

@@ -47,23 +47,23 @@ study 75 0.99 nodes rays kernel >study.toml
 ffstudy run study.toml --out out
 expect_stderr "91 of 226 trials are there already"
 expect_bytes_of_a_fresh_run
-study 5000 0.95 again kernel rays nodes >study.toml
+study 400 0.95 again kernel rays nodes >study.toml
 ffstudy run study.toml --out out --threads 2
-expect_stderr "226 of 20001 trials are there already"
+expect_stderr "226 of 1601 trials are there already"
 expect_bytes_of_a_fresh_run
 [ "$(ls out/*.sqlite)" = out/results.sqlite ] || fail "expected one store where nothing was left behind"
 
 # What would be left behind is never dropped silently.
-study 5000 0.95 kernel >study.toml
+study 400 0.95 kernel >study.toml
 cp out/results.sqlite kept.sqlite
 ffstudy run study.toml --out out
 expect_status 2
-expect_stderr "15001 of its 20001 trials are none of this one"
+expect_stderr "1201 of its 1601 trials are none of this one"
 expect_stderr "add --replace, which keeps the old store aside"
 expect_equal_files kept.sqlite out/results.sqlite
 ffstudy run study.toml --out out --replace
 expect_status 0
-expect_stderr "5000 of 5000 trials are there already"
+expect_stderr "400 of 400 trials are there already"
 expect_stderr "the old store is kept as out/results.before-1.sqlite"
 expect_equal_files kept.sqlite out/results.before-1.sqlite
 expect_bytes_of_a_fresh_run
@@ -79,16 +79,18 @@ expect_file out/results.before-2.sqlite
 expect_bytes_of_a_fresh_run
 
 # A run that was killed has a log beside its store.
-study 15000 0.95 rays >study.toml
-rm -rf out
-"$program" run study.toml --out out >"$folder/stdout" 2>"$folder/stderr" </dev/null &
-process=$!
-until [ -s out/results.sqlite-wal ]; do sleep 0.01; done
-sleep 0.1
-kill -9 $process
-wait $process 2>/dev/null || true
-study 15000 0.99 rays nodes >study.toml
+killed() {
+    rm -rf out
+    begin run study.toml --out out
+    wait_until is_over_or a_unit_is_saved out
+    kill -9 "$process" 2>/dev/null || true
+    finish
+    [ -s out/results.sqlite-wal ] && [ "$(saved units out)" -gt 0 ]
+}
+study 2000 0.95 rays >study.toml
+until killed; do try_again "the study was not killed after its first unit and before its last one"; done
+study 2000 0.99 rays nodes >study.toml
 ffstudy run study.toml --out out
 expect_status 0
-expect_stderr "of 30001 trials are there already"
+expect_stderr "of 4001 trials are there already"
 expect_bytes_of_a_fresh_run

@@ -91,9 +91,3 @@ tr -s ' \n' ' ' <"$folder/stdout" | grep -Fq "$(paste -sd, "$folder/formats" | s
 named() { sed -nE "s/$1/\\1/p" "$root/docs/command-line.md" | grep -oE '`[a-z_]+`' | tr -d '`' | sort; }
 diff <(tr ' ' '\n' <<<"$kinds" | sed '/^$/d' | sort) <(named '^`KIND` is one of (.*)\.$') >&2 || fail "expected the kinds"
 diff <(sort "$folder/formats") <(named '^\| `--format LIST` \| of (.*); separated.*') >&2 || fail "expected the formats"
-
-# Programs that show manuals find no fault with the pages, but that they bear no date: the same program, the same bytes.
-for page in manual/*.1; do
-    mandoc -Tlint -W warning "$page" >"$folder/stdout" || true
-    ! grep -v 'missing date' "$folder/stdout" || fail "$page has faults"
-done

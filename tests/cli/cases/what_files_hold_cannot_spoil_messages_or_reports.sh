@@ -99,8 +99,8 @@ view="DROP TABLE observations; CREATE VIEW observations AS WITH RECURSIVE n(i) A
 /usr/bin/python3 -c "import sqlite3, sys; sqlite3.connect(sys.argv[1]).executescript(sys.argv[2])" kept/results.sqlite "$view"
 for command in "report kept --out none" "run $folder/study.toml --out kept" "compare kept other" "merge kept --out none"; do
     # shellcheck disable=SC2086
-    command_line="timeout $command" status=0
-    timeout 20 "$program" $command >"$folder/stdout" 2>"$folder/stderr" || status=$?
+    begin $command
+    finish
     expect_status 2
     expect_stderr "not a result store (table 'observations' is missing)"
 done
