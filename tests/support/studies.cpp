@@ -13,17 +13,21 @@
 namespace ff::test {
 namespace {
 
-using namespace studies;
+using studies::Cell;
+using studies::Store;
+using studies::StudyPlan;
+using studies::StudySpec;
+using studies::UnitRecord;
 
 void add_estimate(const StudyPlan& plan, const Cell& cell, int from, int to, std::uint64_t trial, double value,
                   UnitRecord& record) {
     if (plan.spec.methods[cell.method].estimator != "ray_shooting") {
-        record.observations.push_back({observable::estimate, from, to, trial, value});
+        record.observations.push_back({studies::observable::estimate, from, to, trial, value});
         return;
     }
     const auto rays = static_cast<double>(cell.samples * cell.subdivision.per_part());
     record.observations.push_back(
-        {observable::hits, from, to, trial, static_cast<std::int64_t>(std::llround(value * rays))});
+        {studies::observable::hits, from, to, trial, static_cast<std::int64_t>(std::llround(value * rays))});
 }
 
 }  // namespace
@@ -44,26 +48,26 @@ std::string study_text(std::string_view lines, std::string_view methods) {
 }
 
 StudyPlan plan_of(std::string_view text) {
-    return plan_study(parse_study(text, "study.toml"));
+    return studies::plan_study(studies::parse_study(text, "study.toml"));
 }
 
 StudyPlan plan_in(std::string_view scene, std::string_view text) {
-    StudySpec spec = parse_study(text, "study.toml");
-    spec.scenes = {with_scene_text("scene.toml", scene)};
-    return plan_study(std::move(spec));
+    StudySpec spec = studies::parse_study(text, "study.toml");
+    spec.scenes = {studies::with_scene_text("scene.toml", scene)};
+    return studies::plan_study(std::move(spec));
 }
 
 Store run(const StudyPlan& plan, const std::filesystem::path& file, unsigned threads) {
     Store store = Store::create_or_resume(file, plan);
-    RunOptions options;
+    studies::RunOptions options;
     options.threads = threads;
-    run_study(store, options);
+    studies::run_study(store, options);
     return store;
 }
 
 Store fill(const StudyPlan& plan, const Estimate& estimate) {
     Store store = Store::create_or_resume(in_memory, plan);
-    for (const WorkUnit& unit : plan.units) {
+    for (const studies::WorkUnit& unit : plan.units) {
         const Cell& cell = plan.cells[unit.cell];
         const int faces = static_cast<int>(plan.scenes[cell.scene].faces.size());
         UnitRecord record;
@@ -82,7 +86,7 @@ Store fill(const StudyPlan& plan, const Estimate& estimate) {
 }
 
 std::vector<std::string> rows_of(const std::filesystem::path& file) {
-    const Database database(file, Database::Mode::read_only);
+    const studies::Database database(file, studies::Database::Mode::read_only);
     constexpr std::array queries{
         "SELECT key || '=' || value FROM meta ORDER BY key",
         "SELECT printf('%d|%s|%s', cell, scene, method) FROM cells ORDER BY cell",
@@ -93,7 +97,7 @@ std::vector<std::string> rows_of(const std::filesystem::path& file) {
     };
     std::vector<std::string> rows;
     for (const char* query : queries) {
-        Statement statement(database.handle(), query);
+        studies::Statement statement(database.handle(), query);
         while (statement.step()) rows.push_back(statement.text(0));
     }
     return rows;

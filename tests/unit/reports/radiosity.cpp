@@ -145,9 +145,9 @@ TEST(RadiosityCsv, NamesEveryPatch) {
 }
 
 TEST(RadiosityJson, HasTheWorstPatch) {
-    const auto json = radiosity_json(lit());
+    const auto document = radiosity_json(lit());
     std::size_t patches = 0;
-    for (const auto& found : json.at("consequences")) {
+    for (const auto& found : document.at("consequences")) {
         if (found.at("between") != "patches") continue;
         ++patches;
         for (const auto& at : found.at("settings")) {

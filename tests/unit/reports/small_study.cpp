@@ -8,10 +8,8 @@
 
 namespace ff::test {
 
-using namespace studies;
-
-const Store& small_store() {
-    static const Store made = run(plan_of(R"([study]
+const studies::Store& small_store() {
+    static const studies::Store made = run(plan_of(R"([study]
 name = "small, with a comma"
 title = "Small"
 scene = ["cube", "box:2x1x0.5"]
@@ -55,14 +53,14 @@ estimator = "closed_form"
     return made;
 }
 
-const StudyResults& small_results() {
-    static const StudyResults made = evaluate(small_store());
+const studies::StudyResults& small_results() {
+    static const studies::StudyResults made = studies::evaluate(small_store());
     return made;
 }
 
-const StudyResults& published_results() {
-    static const StudyResults made = [] {
-        StudySpec spec = parse_study(R"([study]
+const studies::StudyResults& published_results() {
+    static const studies::StudyResults made = [] {
+        studies::StudySpec spec = studies::parse_study(R"([study]
 name = "published"
 scene = "cube"
 trials = 20
@@ -82,8 +80,8 @@ nodes = 2
 estimator = "area_kernel"
 patches_per_face = [4, 9]
 )",
-                                     "study.toml");
-        spec.published = Published{"tables.json", R"({
+                                                       "study.toml");
+        spec.published = studies::Published{"tables.json", R"({
           "source": "A small publication", "scene": "cube",
           "printing": {"rule": "rounded", "decimals": 6},
           "methods": [{"name": "PDM", "samples": false, "completion": "direct"},
@@ -99,7 +97,7 @@ patches_per_face = [4, 9]
                      {"title": "sum 6", "quantity": "sum 6", "printed": [null, "5.0"]}]}],
           "claims": [{"id": "c", "section": "1", "statement": "PDM is better.", "kind": "smaller_error",
                       "methods": ["PDM", "SR"], "pair_class": "parallel"}]})"};
-        return evaluate(run(plan_study(spec)));
+        return studies::evaluate(run(studies::plan_study(spec)));
     }();
     return made;
 }

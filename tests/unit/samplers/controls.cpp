@@ -1,5 +1,7 @@
 #include "samplers/sampler.hpp"
 
+#include "tests/unit/samplers/blocks.hpp"
+
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -10,11 +12,8 @@
 namespace ff::samplers {
 namespace {
 
-PointBlock points_of(std::string_view name, std::uint32_t trial = 0, PointIndex first = 0) {
-    PointBlock block;
-    block.size = 16;
-    find(name).make({.points = 64})->fill({.key = {1, 2}, .trial = trial, .source = 3}, first, block);
-    return block;
+PointBlock sixteen_points(std::string_view name, std::uint32_t trial = 0, PointIndex first = 0) {
+    return test::block_of(*find(name).make({.points = 64}), {.key = {1, 2}, .trial = trial, .source = 3}, first, 16);
 }
 
 bool same_column(const PointBlock& a, const PointBlock& b, std::size_t d) {
@@ -34,8 +33,8 @@ TEST(Controls, AreFoundByNameAndMarkedAndNotInTheCatalogue) {
 }
 
 TEST(PatchCentres, MovesTheOriginsOfRandomRaysAndNothingElse) {
-    const PointBlock centred = points_of("patch_centres");
-    const PointBlock random = points_of("random");
+    const PointBlock centred = sixteen_points("patch_centres");
+    const PointBlock random = sixteen_points("random");
     for (std::size_t i = 0; i < 16; ++i) {
         EXPECT_EQ(centred.coordinate[0][i], 0x80000000u);
         EXPECT_EQ(centred.coordinate[1][i], 0x80000000u);
@@ -46,19 +45,19 @@ TEST(PatchCentres, MovesTheOriginsOfRandomRaysAndNothingElse) {
 
 TEST(SameSeed, RepeatsItsFirstTrialForever) {
     for (std::size_t d = 0; d < 4; ++d) {
-        EXPECT_TRUE(same_column(points_of("same_seed", 7), points_of("random", 0), d));
-        EXPECT_FALSE(same_column(points_of("same_seed", 7), points_of("random", 7), d));
+        EXPECT_TRUE(same_column(sixteen_points("same_seed", 7), sixteen_points("random", 0), d));
+        EXPECT_FALSE(same_column(sixteen_points("same_seed", 7), sixteen_points("random", 7), d));
     }
 }
 
 TEST(SobolFirstDropped, BeginsAtTheSecondPoint) {
     for (std::size_t d = 0; d < 4; ++d)
-        EXPECT_TRUE(same_column(points_of("sobol_first_dropped", 0, 5), points_of("sobol", 0, 6), d));
+        EXPECT_TRUE(same_column(sixteen_points("sobol_first_dropped", 0, 5), sixteen_points("sobol", 0, 6), d));
 }
 
 TEST(SobolDigitsReversed, IsSobolWithReversedDigits) {
-    const PointBlock backwards = points_of("sobol_digits_reversed");
-    const PointBlock sobol = points_of("sobol");
+    const PointBlock backwards = sixteen_points("sobol_digits_reversed");
+    const PointBlock sobol = sixteen_points("sobol");
     for (std::uint32_t bit = 0; bit < 32; ++bit) {
         EXPECT_EQ(backwards.coordinate[1][9] >> bit & 1u, sobol.coordinate[1][9] >> (31 - bit) & 1u);
     }

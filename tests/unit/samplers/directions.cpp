@@ -2,6 +2,7 @@
 #include "samplers/hammersley.hpp"
 #include "samplers/isocell.hpp"
 #include "samplers/local_directions.hpp"
+#include "tests/unit/samplers/blocks.hpp"
 
 #include <gtest/gtest.h>
 
@@ -13,15 +14,12 @@
 namespace ff::samplers {
 namespace {
 
-constexpr Stream stream{.key = {4, 4}, .trial = 2};
+constexpr Stream direction_stream{.key = {4, 4}, .trial = 2};
 
 template <class Sampler>
-PointBlock points(std::uint64_t size, std::size_t dimension, PointIndex first = 0, std::size_t count = 0) {
-    PointBlock block;
-    block.dimension = dimension;
-    block.size = count == 0 ? size : count;
-    Sampler({.points = size, .dimension = dimension}).fill(stream, first, block);
-    return block;
+PointBlock direction_points(std::uint64_t size, std::size_t dimension, PointIndex first = 0, std::size_t count = 0) {
+    return test::block_of(Sampler({.points = size, .dimension = dimension}), direction_stream, first,
+                          count == 0 ? size : count, dimension);
 }
 
 double unit(std::uint32_t x) {
@@ -31,7 +29,7 @@ double unit(std::uint32_t x) {
 // k rings of equal width; of ring j (from 0) 3 (2 j + 1) cells of equal width.
 TEST(Isocell, HasOneDirectionInEachCell) {
     for (const std::uint64_t k : {1u, 2u, 7u, 16u}) {
-        const auto block = points<Isocell>(3 * k * k, 4);
+        const auto block = direction_points<Isocell>(3 * k * k, 4);
         std::set<std::pair<int, int>> seen;
         for (std::size_t i = 0; i < block.size; ++i) {
             const int ring = static_cast<int>(std::sqrt(unit(block.coordinate[2][i])) * static_cast<double>(k));
@@ -42,21 +40,21 @@ TEST(Isocell, HasOneDirectionInEachCell) {
 }
 
 TEST(Isocell, GivesThePointsOfASetInAnyPieces) {
-    const auto whole = points<Isocell>(300, 4);
-    const auto part = points<Isocell>(300, 4, 123, 50);
+    const auto whole = direction_points<Isocell>(300, 4);
+    const auto part = direction_points<Isocell>(300, 4, 123, 50);
     for (std::size_t d = 0; d < 4; ++d) {
         for (std::size_t i = 0; i < 50; ++i) EXPECT_EQ(part.coordinate[d][i], whole.coordinate[d][123 + i]);
     }
 }
 
 TEST(Isocell, TakesSizesWithoutRings) {
-    for (const std::uint64_t size : {1u, 2u, 5u, 301u}) EXPECT_EQ(points<Isocell>(size, 2).size, size);
+    for (const std::uint64_t size : {1u, 2u, 5u, 301u}) EXPECT_EQ(direction_points<Isocell>(size, 2).size, size);
 }
 
 // Of 64 points one in each 64th of the grid's coordinate, shifted, and one in each 64th of the base 2 coordinate; and
 // a net of both: one in each of 8 x 8 cells, but for those that the shift cuts.
 TEST(Hammersley, IsAGridBesideRadicalInverses) {
-    const auto block = points<Hammersley>(64, 4);
+    const auto block = direction_points<Hammersley>(64, 4);
     std::vector<double> grid;
     std::set<int> slices;
     for (std::size_t i = 0; i < 64; ++i) {
@@ -70,8 +68,8 @@ TEST(Hammersley, IsAGridBesideRadicalInverses) {
 
 TEST(Hammersley, GivesThePointsOfASetInAnyPieces) {
     for (const std::size_t dimension : {1u, 2u, 4u}) {
-        const auto whole = points<Hammersley>(1000, dimension);
-        const auto part = points<Hammersley>(1000, dimension, 900, 100);
+        const auto whole = direction_points<Hammersley>(1000, dimension);
+        const auto part = direction_points<Hammersley>(1000, dimension, 900, 100);
         for (std::size_t d = 0; d < dimension; ++d) {
             for (std::size_t i = 0; i < 100; ++i) EXPECT_EQ(part.coordinate[d][i], whole.coordinate[d][900 + i]);
         }
@@ -80,7 +78,7 @@ TEST(Hammersley, GivesThePointsOfASetInAnyPieces) {
 
 // 48 places with one direction in each of 12 cells: two rings of equal width, of 3 and 9 cells.
 TEST(LocalDirections, HaveASetAtEachPlace) {
-    const auto block = points<LocalDirections<Isocell>>(576, 4);
+    const auto block = direction_points<LocalDirections<Isocell>>(576, 4);
     std::set<std::uint32_t> origins, azimuths;
     for (std::size_t place = 0; place < 48; ++place) {
         std::set<std::pair<int, int>> seen;
@@ -99,8 +97,8 @@ TEST(LocalDirections, HaveASetAtEachPlace) {
 
 TEST(LocalDirections, GiveThePointsOfASetInAnyPieces) {
     for (const std::size_t dimension : {1u, 2u, 4u}) {
-        const auto whole = points<LocalDirections<Hammersley>>(1000, dimension);
-        const auto part = points<LocalDirections<Hammersley>>(1000, dimension, 900, 100);
+        const auto whole = direction_points<LocalDirections<Hammersley>>(1000, dimension);
+        const auto part = direction_points<LocalDirections<Hammersley>>(1000, dimension, 900, 100);
         for (std::size_t d = 0; d < dimension; ++d) {
             for (std::size_t i = 0; i < 100; ++i) EXPECT_EQ(part.coordinate[d][i], whole.coordinate[d][900 + i]);
         }
@@ -109,7 +107,7 @@ TEST(LocalDirections, GiveThePointsOfASetInAnyPieces) {
 
 TEST(AntitheticDirections, LeaveOneOriginOnOppositeSides) {
     for (const PointIndex first : {0u, 1u, 6u}) {
-        const auto block = points<AntitheticDirections>(200, 4, first, 100);
+        const auto block = direction_points<AntitheticDirections>(200, 4, first, 100);
         for (std::size_t i = first % 2; i + 1 < block.size; i += 2) {
             for (std::size_t d = 0; d < 3; ++d) EXPECT_EQ(block.coordinate[d][i], block.coordinate[d][i + 1]);
             EXPECT_EQ(block.coordinate[3][i] ^ 0x80000000u, block.coordinate[3][i + 1]);

@@ -15,12 +15,12 @@
 namespace ff::samplers {
 namespace {
 
-constexpr Stream stream{.key = {3, 1}, .trial = 4, .source = 1, .target = 5};
+constexpr Stream faure_stream{.key = {3, 1}, .trial = 4, .source = 1, .target = 5};
 
 /// The digits of each coordinate as one integer below 5^m.
 using NetPoints = std::array<std::vector<std::uint64_t>, max_dimension>;
 
-NetPoints scrambled(std::size_t m, PointIndex first, const Stream& with = stream) {
+NetPoints scrambled(std::size_t m, PointIndex first, const Stream& with = faure_stream) {
     const std::uint64_t points = integer_power(faure_base, m);
     NetPoints result;
     PointBlock block;
@@ -108,7 +108,7 @@ TEST(FaureNet, IsLostWithTwoEqualCoordinates) {
 }
 
 TEST(Faure, ScramblesEveryStreamDifferently) {
-    Stream other = stream;
+    Stream other = faure_stream;
     ++other.trial;
     EXPECT_NE(scrambled(4, 0), scrambled(4, 0, other));
     EXPECT_NE(scrambled(4, 0), unscrambled(4, 0));
@@ -166,7 +166,7 @@ TEST(Faure, IsTheSameWithEveryInstructionSet) {
             const auto sets = test::with_each_instruction_set([&] {
                 PointBlock block;
                 block.size = block_capacity;
-                Faure({.points = points}).fill(stream, first, block);
+                Faure({.points = points}).fill(faure_stream, first, block);
                 return block.coordinate;
             });
             for (const auto& coordinate : sets) EXPECT_EQ(coordinate, sets.front());
@@ -178,11 +178,12 @@ TEST(Faure, DrawsThePlaceInTheLastCell) {
     // 625 points have four digits; what is left of 625 x is what Philox gave.
     PointBlock block;
     block.size = 625;
-    Faure({.points = 625}).fill(stream, 0, block);
+    Faure({.points = 625}).fill(faure_stream, 0, block);
     for (std::uint32_t i = 0; i < 625; ++i) {
         for (std::size_t d = 0; d < max_dimension; ++d) {
             const std::uint64_t inside = block.coordinate[d][i] * 625ull & 0xffffffff;
-            EXPECT_NEAR(static_cast<double>(inside), philox(stream, i, Purpose::coordinates)[d], 625);  // rounded down
+            EXPECT_NEAR(static_cast<double>(inside), philox(faure_stream, i, Purpose::coordinates)[d],
+                        625);  // rounded down
         }
     }
 }

@@ -2,6 +2,7 @@
 
 #include "samplers/faure_digits.hpp"
 #include "samplers/sizes.hpp"
+#include "tests/unit/samplers/blocks.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,19 +13,16 @@
 namespace ff::samplers {
 namespace {
 
-constexpr Stream stream{.key = {9, 1}, .trial = 3};
+constexpr Stream faure_in_base_stream{.key = {9, 1}, .trial = 3};
 
 template <std::uint32_t base>
-PointBlock points_of(std::uint64_t set, PointIndex first, std::size_t count) {
-    PointBlock block;
-    block.size = count;
-    FaureInBase<base>({.points = set}).fill(stream, first, block);
-    return block;
+PointBlock faure_in_base_points(std::uint64_t set, PointIndex first, std::size_t count) {
+    return test::block_of(FaureInBase<base>({.points = set}), faure_in_base_stream, first, count);
 }
 
 /// One point in each of the boxes base^-k_0 x ... x base^-k_3, for every k of sum 2.
 template <std::uint32_t base>
-bool is_net(const PointBlock& block) {
+bool is_net_in_base(const PointBlock& block) {
     for (std::size_t a = 0; a < 4; ++a) {
         for (std::size_t b = a; b < 4; ++b) {
             std::vector<bool> hit(integer_power(base, 2), false);
@@ -42,9 +40,10 @@ bool is_net(const PointBlock& block) {
 template <std::uint32_t base>
 void expect_nets() {
     for (const PointIndex first : {PointIndex{0}, PointIndex{base} * base, PointIndex{5} * base * base}) {
-        EXPECT_TRUE(is_net<base>(points_of<base>(integer_power(base, 4), first, base * base))) << base << ' ' << first;
+        EXPECT_TRUE(is_net_in_base<base>(faure_in_base_points<base>(integer_power(base, 4), first, base * base)))
+            << base << ' ' << first;
     }
-    EXPECT_FALSE(is_net<base>(points_of<base>(integer_power(base, 4), 1, base * base))) << base;
+    EXPECT_FALSE(is_net_in_base<base>(faure_in_base_points<base>(integer_power(base, 4), 1, base * base))) << base;
 }
 
 TEST(FaureInBase, IsANetFromEveryMultipleOn) {
@@ -56,7 +55,7 @@ TEST(FaureInBase, IsANetFromEveryMultipleOn) {
 TEST(FaureInBase, HasOnePointInEachBoxOfAFourFoldPartition) {
     std::vector<bool> hit(2401, false);
     for (PointIndex first = 0; first < 2401; first += 343) {
-        const PointBlock block = points_of<7>(2401, first, 343);
+        const PointBlock block = faure_in_base_points<7>(2401, first, 343);
         for (std::size_t i = 0; i < block.size; ++i) {
             std::uint64_t cell = 0;
             for (std::size_t d = 0; d < 4; ++d) cell = cell * 7 + (std::uint64_t{block.coordinate[d][i]} * 7 >> 32);
@@ -80,7 +79,7 @@ TEST(FaureDigits, InBaseSevenAreThePascalMatrixTimesTheDigitsOfTheIndex) {
 
 TEST(FaureInBase, KeepsTheDigitsOfNeighboursApartAsTheSequenceDoes) {
     // Scrambling is a bijection of digits: two points share their first digit exactly where the sequence has it equal.
-    const PointBlock block = points_of<7>(2401, 0, 343);
+    const PointBlock block = faure_in_base_points<7>(2401, 0, 343);
     for (std::size_t d = 0; d < 4; ++d) {
         for (std::size_t i = 1; i < block.size; ++i) {
             const bool same =

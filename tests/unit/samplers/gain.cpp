@@ -26,16 +26,16 @@
 namespace ff::test {
 namespace {
 
-using Point = std::array<double, 4>;
+using PointInCube = std::array<double, 4>;
 
-constexpr std::uint32_t replicates = 400;
+constexpr std::uint32_t gain_replicates = 400;
 
 /// An integrand that no net is made for, with its mean and variance.
 struct Rough {
     std::string name;
     double mean;
     double variance;
-    double (*value)(const Point&);
+    double (*value)(const PointInCube&);
 };
 
 /// Digit k (from 0) of x in a base, less its mean.
@@ -52,25 +52,25 @@ std::vector<Rough> rough_functions() {
     constexpr double v = (base * base - 1) / 12.0;  // variance of a digit
     return {
         {"digits 0, 0, 0, 0", 0, v * v * v * v,
-         [](const Point& x) {
+         [](const PointInCube& x) {
              return digit<base, 0>(x[0]) * digit<base, 0>(x[1]) * digit<base, 0>(x[2]) * digit<base, 0>(x[3]);
          }},
         {"digits 1, 1, 1, 1", 0, v * v * v * v,
-         [](const Point& x) {
+         [](const PointInCube& x) {
              return digit<base, 1>(x[0]) * digit<base, 1>(x[1]) * digit<base, 1>(x[2]) * digit<base, 1>(x[3]);
          }},
         {"digits 2, 1, 2, 1", 0, v * v * v * v,
-         [](const Point& x) {
+         [](const PointInCube& x) {
              return digit<base, 2>(x[0]) * digit<base, 1>(x[1]) * digit<base, 2>(x[2]) * digit<base, 1>(x[3]);
          }},
-        {"digits 3, 3", 0, v * v, [](const Point& x) { return digit<base, 3>(x[1]) * digit<base, 3>(x[3]); }},
+        {"digits 3, 3", 0, v * v, [](const PointInCube& x) { return digit<base, 3>(x[1]) * digit<base, 3>(x[3]); }},
         {"digits 4, 0, 1", 0, v * v * v,
-         [](const Point& x) { return digit<base, 4>(x[0]) * digit<base, 0>(x[1]) * digit<base, 1>(x[2]); }},
+         [](const PointInCube& x) { return digit<base, 4>(x[0]) * digit<base, 0>(x[1]) * digit<base, 1>(x[2]); }},
         // python3 -c "from math import pi; p = pi**2 / 32; print(p, p * (1 - p))"
         {"ball", 0.30842513753404244, 0.21329907207114945,
-         [](const Point& x) { return x[0] * x[0] + x[1] * x[1] + x[2] * x[2] + x[3] * x[3] < 1 ? 1.0 : 0.0; }},
+         [](const PointInCube& x) { return x[0] * x[0] + x[1] * x[1] + x[2] * x[2] + x[3] * x[3] < 1 ? 1.0 : 0.0; }},
         // 1 / .7, 1 / .4 - 1 / .49
-        {"pole", 1 / 0.7, 1 / 0.4 - 1 / 0.49, [](const Point& x) { return std::pow(x[2], -0.3); }},
+        {"pole", 1 / 0.7, 1 / 0.4 - 1 / 0.49, [](const PointInCube& x) { return std::pow(x[2], -0.3); }},
     };
 }
 
@@ -83,12 +83,12 @@ struct Gain {
 Gain measure(Fill fill, const Rough& rough, std::size_t points) {
     std::vector<double> estimates;
     PointBlock block;
-    for (std::uint32_t trial = 0; trial < replicates; ++trial) {
+    for (std::uint32_t trial = 0; trial < gain_replicates; ++trial) {
         block.size = points;
         fill({.key = {11, 12}, .trial = trial}, block);
         double sum = 0;
         for (std::size_t i = 0; i < points; ++i) {
-            Point x;
+            PointInCube x;
             for (std::size_t d = 0; d < 4; ++d) x[d] = (block.coordinate[d][i] + 0.5) * 0x1p-32;
             sum += rough.value(x);
         }
@@ -99,11 +99,11 @@ Gain measure(Fill fill, const Rough& rough, std::size_t points) {
     double fourth = 0;
     for (const double estimate : estimates) {
         const double square = (estimate - rough.mean) * (estimate - rough.mean);
-        second += square / replicates;
-        fourth += square * square / replicates;
+        second += square / gain_replicates;
+        fourth += square * square / gain_replicates;
     }
     const double scale = static_cast<double>(points) / rough.variance;
-    return {second * scale, std::sqrt((fourth - second * second) / replicates) * scale};
+    return {second * scale, std::sqrt((fourth - second * second) / gain_replicates) * scale};
 }
 
 template <class Sampler, std::size_t points>
@@ -165,7 +165,8 @@ TEST(Gain, OfLatinHypercubesIsHardlyMoreThanOne) {
 TEST(Gain, OfMirroredPointsIsAtMostTwo) {
     expect_below(2, fill_with<samplers::Antithetic<samplers::Random>, 64>, 64, rough_functions<2>(), "antithetic");
     // Two coordinates mirrored: their product is the same for both points of a pair, and the bound is reached.
-    const Rough even{"digits 0, 0", 0, 1.0 / 16, [](const Point& x) { return digit<2, 0>(x[0]) * digit<2, 0>(x[1]); }};
+    const Rough even{"digits 0, 0", 0, 1.0 / 16,
+                     [](const PointInCube& x) { return digit<2, 0>(x[0]) * digit<2, 0>(x[1]); }};
     const Gain gain = measure(fill_with<samplers::Antithetic<samplers::Random>, 64>, even, 64);
     EXPECT_LT(std::abs(gain.ratio - 2), 5 * gain.standard_error);
 }
@@ -173,10 +174,10 @@ TEST(Gain, OfMirroredPointsIsAtMostTwo) {
 TEST(Gain, OfPaddedPointsStaysBelowTheBoundOfNetsInTwoDimensionsWithinAPair) {
     constexpr double variance = 1.0 / 16;
     const std::vector<Rough> within{
-        {"digits 0, 0", 0, variance, [](const Point& x) { return digit<2, 0>(x[0]) * digit<2, 0>(x[1]); }},
-        {"digits 3, 3", 0, variance, [](const Point& x) { return digit<2, 3>(x[2]) * digit<2, 3>(x[3]); }},
-        {"digits 5, 1", 0, variance, [](const Point& x) { return digit<2, 5>(x[0]) * digit<2, 1>(x[1]); }},
-        {"digits 2, 6", 0, variance, [](const Point& x) { return digit<2, 2>(x[2]) * digit<2, 6>(x[3]); }},
+        {"digits 0, 0", 0, variance, [](const PointInCube& x) { return digit<2, 0>(x[0]) * digit<2, 0>(x[1]); }},
+        {"digits 3, 3", 0, variance, [](const PointInCube& x) { return digit<2, 3>(x[2]) * digit<2, 3>(x[3]); }},
+        {"digits 5, 1", 0, variance, [](const PointInCube& x) { return digit<2, 5>(x[0]) * digit<2, 1>(x[1]); }},
+        {"digits 2, 6", 0, variance, [](const PointInCube& x) { return digit<2, 2>(x[2]) * digit<2, 6>(x[3]); }},
     };
     expect_below(bound(2, 0, 2), fill_with<samplers::Padded, 64>, 64, within, "padded");
 }

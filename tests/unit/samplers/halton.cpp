@@ -1,6 +1,7 @@
 #include "samplers/halton.hpp"
 
 #include "samplers/sizes.hpp"
+#include "tests/unit/samplers/blocks.hpp"
 
 #include <gtest/gtest.h>
 
@@ -13,11 +14,8 @@ namespace {
 
 constexpr std::array<std::uint64_t, 4> bases{2, 3, 5, 7};
 
-PointBlock points_of(const Stream& stream, std::uint64_t points, PointIndex first, std::size_t size) {
-    PointBlock block;
-    block.size = size;
-    Halton({.points = points}).fill(stream, first, block);
-    return block;
+PointBlock halton_points(const Stream& stream, std::uint64_t points, PointIndex first, std::size_t size) {
+    return test::block_of(Halton({.points = points}), stream, first, size);
 }
 
 /// The first `count` digits of x 2^-32, as one number.
@@ -30,7 +28,7 @@ TEST(Halton, PutsOnePointIntoEachInterval) {
         for (std::size_t k = 1; integer_power(bases[d], k) <= 1000; ++k) {
             const std::uint64_t intervals = integer_power(bases[d], k);
             for (const PointIndex first : {PointIndex{0}, 3 * intervals}) {
-                const PointBlock block = points_of({.key = {4, 2}}, 5000, first, intervals);
+                const PointBlock block = halton_points({.key = {4, 2}}, 5000, first, intervals);
                 std::vector<bool> hit(intervals, false);
                 for (std::size_t i = 0; i < intervals; ++i)
                     hit[leading_digits(block.coordinate[d][i], bases[d], k)] = true;
@@ -43,7 +41,7 @@ TEST(Halton, PutsOnePointIntoEachInterval) {
 TEST(Halton, PermutesEachDigitByItsPositionAlone) {
     for (std::size_t d = 0; d < max_dimension; ++d) {
         const std::uint64_t base = bases[d];
-        const PointBlock block = points_of({.key = {4, 2}, .trial = 8}, 1000, 0, 1000);
+        const PointBlock block = halton_points({.key = {4, 2}, .trial = 8}, 1000, 0, 1000);
         std::map<std::uint64_t, std::uint64_t> second_digit;
         for (std::size_t i = 0; i < block.size; ++i) {
             const std::uint64_t permuted = leading_digits(block.coordinate[d][i], base, 2) % base;
@@ -58,7 +56,7 @@ TEST(Halton, DrawsEachPermutationOfThreeDigitsEquallyOften) {
     std::map<std::vector<std::uint64_t>, double> counts;
     constexpr double streams = 6000;
     for (std::uint32_t trial = 0; trial < 6000; ++trial) {
-        const PointBlock block = points_of({.key = {}, .trial = trial}, 9, 0, 3);
+        const PointBlock block = halton_points({.key = {}, .trial = trial}, 9, 0, 3);
         std::vector<std::uint64_t> permutation;
         for (std::size_t i = 0; i < 3; ++i) permutation.push_back(leading_digits(block.coordinate[1][i], 3, 1));
         ++counts[permutation];
@@ -73,7 +71,7 @@ TEST(Halton, DrawsEachPermutationOfThreeDigitsEquallyOften) {
 
 TEST(Halton, ReachesTheLastIndexInEveryBase) {
     const PointIndex last = (std::uint64_t{1} << 32) - 1;
-    const PointBlock end = points_of({.key = {1, 1}}, last + 1, last - 1, 2);
+    const PointBlock end = halton_points({.key = {1, 1}}, last + 1, last - 1, 2);
     for (std::size_t d = 0; d < max_dimension; ++d) EXPECT_NE(end.coordinate[d][0], end.coordinate[d][1]);
 }
 

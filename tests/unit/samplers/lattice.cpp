@@ -145,13 +145,13 @@ TEST(WorstCaseError, IsThatOfTheOneDimensionalRuleForEqualComponents) {
                 1e-15);
 }
 
-using Point = std::array<std::uint32_t, max_dimension>;
+using LatticePoint = std::array<std::uint32_t, max_dimension>;
 
-std::vector<Point> points_of(std::size_t size, const Stream& stream) {
+std::vector<LatticePoint> lattice_points(std::size_t size, const Stream& stream) {
     PointBlock block;
     block.size = size;
     Lattice({.points = size}).fill(stream, 0, block);
-    std::vector<Point> points(size);
+    std::vector<LatticePoint> points(size);
     for (std::size_t i = 0; i < size; ++i) {
         for (std::size_t d = 0; d < max_dimension; ++d) points[i][d] = block.coordinate[d][i];
     }
@@ -159,10 +159,10 @@ std::vector<Point> points_of(std::size_t size, const Stream& stream) {
 }
 
 /// Squared worst-case error of any points by its definition: the kernel of the unanchored space, over all pairs.
-double squared_error_by_definition(const std::vector<Point>& points) {
+double squared_error_by_definition(const std::vector<LatticePoint>& points) {
     double sum = 0;
-    for (const Point& a : points) {
-        for (const Point& b : points) {
+    for (const LatticePoint& a : points) {
+        for (const LatticePoint& b : points) {
             double product = 1;
             for (std::size_t d = 0; d < max_dimension; ++d) {
                 const double x = (a[d] + 0.5) * 0x1p-32;
@@ -182,31 +182,31 @@ TEST(WorstCaseError, IsTheMeanOverShiftsOfTheOneByDefinition) {
         std::vector<double> squares;
         for (std::uint32_t trial = 0; trial < 5000; ++trial) {
             squares.push_back(
-                squared_error_by_definition(points_of(std::size_t{1} << m, {.key = {4, 4}, .trial = trial})));
+                squared_error_by_definition(lattice_points(std::size_t{1} << m, {.key = {4, 4}, .trial = trial})));
         }
         const double formula = std::pow(worst_case_error(Lattice::generating_vector, m), 2);
         EXPECT_TRUE(test::unbiased(squares, formula, {.alpha = 1e-6, .detects = 0.02 * formula}));
     }
 }
 
-Point difference(const Point& a, const Point& b) {
+LatticePoint difference(const LatticePoint& a, const LatticePoint& b) {
     return {a[0] - b[0], a[1] - b[1], a[2] - b[2], a[3] - b[3]};
 }
 
 TEST(Lattice, IsAGroupOfDifferencesForEveryPowerOfTwo) {
     for (const std::size_t size : {std::size_t{2}, std::size_t{16}, std::size_t{256}}) {
-        const auto points = points_of(size, {.key = {6, 2}});
-        std::set<Point> differences;
-        for (const Point& a : points) {
-            for (const Point& b : points) differences.insert(difference(a, b));
+        const auto points = lattice_points(size, {.key = {6, 2}});
+        std::set<LatticePoint> differences;
+        for (const LatticePoint& a : points) {
+            for (const LatticePoint& b : points) differences.insert(difference(a, b));
         }
         EXPECT_EQ(differences.size(), size);
     }
     // Of 200 points it is none.
-    const auto points = points_of(200, {.key = {6, 2}});
-    std::set<Point> differences;
-    for (const Point& a : points) {
-        for (const Point& b : points) differences.insert(difference(a, b));
+    const auto points = lattice_points(200, {.key = {6, 2}});
+    std::set<LatticePoint> differences;
+    for (const LatticePoint& a : points) {
+        for (const LatticePoint& b : points) differences.insert(difference(a, b));
     }
     EXPECT_GT(differences.size(), 200u);
 }
@@ -215,14 +215,14 @@ TEST(Lattice, HasTheMultiplesOfTheGeneratingVector) {
     const std::size_t size = 1024;
     const Stream stream{.key = {6, 2}, .trial = 3};
     const Words shift = philox(stream, 0, Purpose::scramble);
-    std::vector<Point> expected(size);
+    std::vector<LatticePoint> expected(size);
     for (std::uint64_t k = 0; k < size; ++k) {
         for (std::size_t d = 0; d < max_dimension; ++d) {
             const std::uint64_t multiple = k * Lattice::generating_vector[d] % size;  // of 1 / 1024
             expected[k][d] = static_cast<std::uint32_t>(multiple << 22) + shift[d];
         }
     }
-    auto points = points_of(size, stream);
+    auto points = lattice_points(size, stream);
     std::sort(points.begin(), points.end());
     std::sort(expected.begin(), expected.end());
     EXPECT_EQ(points, expected);

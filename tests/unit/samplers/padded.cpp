@@ -2,6 +2,7 @@
 
 #include "samplers/owen_hash.hpp"
 #include "samplers/sobol_directions.hpp"
+#include "tests/unit/samplers/blocks.hpp"
 #include "tests/unit/samplers/net.hpp"
 
 #include <gtest/gtest.h>
@@ -13,11 +14,8 @@
 namespace ff::samplers {
 namespace {
 
-PointBlock points_of(const Stream& stream, PointIndex first, std::size_t size) {
-    PointBlock block;
-    block.size = size;
-    Padded({.points = first + size}).fill(stream, first, block);
-    return block;
+PointBlock padded_points(const Stream& stream, PointIndex first, std::size_t size) {
+    return test::block_of(Padded({.points = first + size}), stream, first, size);
 }
 
 /// One point in each of 2^k x 2^(m-k) boxes, for every k.
@@ -38,7 +36,7 @@ TEST(Padded, IsAPerfectNetInEachPairAndNoneAcross) {
     for (unsigned m = 4; m <= 10; ++m) {
         const std::size_t size = std::size_t{1} << m;
         for (const PointIndex first : {PointIndex{0}, PointIndex{5} << m}) {
-            const PointBlock block = points_of({.key = {1, 9}, .trial = m}, first, size);
+            const PointBlock block = padded_points({.key = {1, 9}, .trial = m}, first, size);
             EXPECT_TRUE(is_perfect_net(block, 0, 1, m));
             EXPECT_TRUE(is_perfect_net(block, 2, 3, m));
             EXPECT_FALSE(is_perfect_net(block, 0, 2, m));
@@ -48,7 +46,7 @@ TEST(Padded, IsAPerfectNetInEachPairAndNoneAcross) {
 }
 
 TEST(Padded, IsNoNetWithTheFirstPointDropped) {
-    EXPECT_FALSE(is_perfect_net(points_of({.key = {1, 9}}, 1, 256), 0, 1, 8));
+    EXPECT_FALSE(is_perfect_net(padded_points({.key = {1, 9}}, 1, 256), 0, 1, 8));
 }
 
 TEST(Padded, IsTheScrambledSobolSequenceInShuffledOrder) {
@@ -56,7 +54,7 @@ TEST(Padded, IsTheScrambledSobolSequenceInShuffledOrder) {
     const Words addends = philox(stream, 0, Purpose::scramble);
     const Words multipliers = philox(stream, 1, Purpose::scramble);
     const Words orders = philox(stream, 2, Purpose::scramble);
-    const PointBlock block = points_of(stream, 0, 1024);
+    const PointBlock block = padded_points(stream, 0, 1024);
     for (std::uint32_t i = 0; i < 1024; ++i) {
         for (std::size_t d = 0; d < max_dimension; ++d) {
             const std::uint32_t index = owen_scramble(i, {orders[d / 2], orders[2 + d / 2]});

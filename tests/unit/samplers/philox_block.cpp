@@ -9,7 +9,8 @@
 namespace ff::samplers {
 namespace {
 
-constexpr Stream stream{.key = {0x243f6a88, 0x85a308d3}, .trial = 0x13198a2e, .source = 0x03707344, .target = 77};
+constexpr Stream philox_stream{
+    .key = {0x243f6a88, 0x85a308d3}, .trial = 0x13198a2e, .source = 0x03707344, .target = 77};
 
 TEST(PhiloxBlock, EqualsScalarPhiloxInEveryLaneAndInstructionSet) {
     for (const PointIndex first : {PointIndex{0}, PointIndex{625}, PointIndex{0xfffffff0u}}) {
@@ -17,10 +18,10 @@ TEST(PhiloxBlock, EqualsScalarPhiloxInEveryLaneAndInstructionSet) {
             const auto sets = test::with_each_instruction_set([&] {
                 PointBlock block;
                 block.size = size;
-                philox_block(stream, Purpose::scramble, first, block);
+                philox_block(philox_stream, Purpose::scramble, first, block);
                 bool equal = true;
                 for (std::size_t i = 0; i < size; ++i) {
-                    const Words words = philox(stream, static_cast<std::uint32_t>(first + i), Purpose::scramble);
+                    const Words words = philox(philox_stream, static_cast<std::uint32_t>(first + i), Purpose::scramble);
                     for (std::size_t d = 0; d < max_dimension; ++d) equal &= block.coordinate[d][i] == words[d];
                 }
                 return equal;
@@ -34,11 +35,11 @@ TEST(PhiloxBlock, FillsAWholeBlockTheSameWithEveryInstructionSet) {
     const auto sets = test::with_each_instruction_set([] {
         PointBlock block;
         block.size = block_capacity;
-        philox_block(stream, Purpose::coordinates, 3, block);
+        philox_block(philox_stream, Purpose::coordinates, 3, block);
         return block.coordinate;
     });
     for (const auto& coordinate : sets) EXPECT_EQ(coordinate, sets.front());
-    EXPECT_EQ(sets.front()[3][1023], philox(stream, 1026, Purpose::coordinates)[3]);
+    EXPECT_EQ(sets.front()[3][1023], philox(philox_stream, 1026, Purpose::coordinates)[3]);
 }
 
 TEST(PhiloxBlock, LeavesRowsBeyondTheDimensionAlone) {
@@ -46,7 +47,7 @@ TEST(PhiloxBlock, LeavesRowsBeyondTheDimensionAlone) {
     block.dimension = 2;
     block.size = 100;
     block.coordinate[2].fill(7);
-    philox_block(stream, Purpose::coordinates, 0, block);
+    philox_block(philox_stream, Purpose::coordinates, 0, block);
     for (const std::uint32_t x : block.coordinate[2]) EXPECT_EQ(x, 7u);
 }
 

@@ -3,6 +3,7 @@
 #include "samplers/added.hpp"
 
 #include "core/support/error.hpp"
+#include "tests/unit/samplers/blocks.hpp"
 
 #include <gtest/gtest.h>
 
@@ -23,12 +24,8 @@ std::shared_ptr<const PointSet> diagonal(std::uint64_t points, std::size_t dimen
     return set;
 }
 
-PointBlock block_of(const PointSource& source, const Stream& stream, PointIndex first, std::size_t size) {
-    PointBlock block;
-    block.dimension = 2;
-    block.size = size;
-    source.fill(stream, first, block);
-    return block;
+PointBlock block_in_plane(const PointSource& source, const Stream& stream, PointIndex first, std::size_t size) {
+    return test::block_of(source, stream, first, size, 2);
 }
 
 /// Whether each interval of length 2^-6 holds one of 64 points.
@@ -44,7 +41,7 @@ TEST(PointSet, GivesTheSetOfTheTrialWithoutRandomisation) {
     EXPECT_TRUE(source->randomised());
     EXPECT_FALSE(points_of_set(diagonal(64, 2, 1), 64, Randomisation::none)->randomised());
     for (std::uint32_t trial = 0; trial < 6; ++trial) {
-        const PointBlock block = block_of(*source, {.key = {}, .trial = trial}, 5, 2);
+        const PointBlock block = block_in_plane(*source, {.key = {}, .trial = trial}, 5, 2);
         EXPECT_EQ(block.coordinate[0][0], (5u << 26) + trial % 3);
         EXPECT_EQ(block.coordinate[1][1], (6u << 26) + trial % 3);
     }
@@ -53,9 +50,9 @@ TEST(PointSet, GivesTheSetOfTheTrialWithoutRandomisation) {
 TEST(PointSet, GivesTheSameBitsInBlocksOfAnySize) {
     for (std::size_t how = 0; how < randomisation_names.size(); ++how) {
         const auto source = points_of_set(diagonal(64, 2, 1), 64, static_cast<Randomisation>(how));
-        const PointBlock all = block_of(*source, {.key = {}, .trial = 7}, 0, 64);
+        const PointBlock all = block_in_plane(*source, {.key = {}, .trial = 7}, 0, 64);
         for (PointIndex first = 0; first + 5 <= 64; ++first) {
-            const PointBlock part = block_of(*source, {.key = {}, .trial = 7}, first, 5);
+            const PointBlock part = block_in_plane(*source, {.key = {}, .trial = 7}, first, 5);
             for (std::size_t i = 0; i < 5; ++i)
                 EXPECT_EQ(part.coordinate[1][i], all.coordinate[1][first + i]) << randomisation_names.at(how);
         }
@@ -67,7 +64,7 @@ TEST(PointSet, KeepsNetsUnderDigitalRandomisationsOnly) {
     for (const auto how : {Randomisation::digital_shift, Randomisation::lms, Randomisation::owen}) {
         const auto source = points_of_set(set, 64, how);
         for (std::uint32_t trial = 0; trial < 50; ++trial) {
-            const PointBlock block = block_of(*source, {.key = {}, .trial = trial}, 0, 64);
+            const PointBlock block = block_in_plane(*source, {.key = {}, .trial = trial}, 0, 64);
             EXPECT_TRUE(is_stratified(std::span(block.coordinate[0]).first(64)));
         }
     }
@@ -75,7 +72,7 @@ TEST(PointSet, KeepsNetsUnderDigitalRandomisationsOnly) {
 
 TEST(PointSet, KeepsDistancesUnderShift) {
     const auto source = points_of_set(diagonal(64, 2, 1), 64, Randomisation::shift);
-    const PointBlock block = block_of(*source, {.key = {}, .trial = 3}, 0, 64);
+    const PointBlock block = block_in_plane(*source, {.key = {}, .trial = 3}, 0, 64);
     for (std::size_t i = 1; i < 64; ++i) EXPECT_EQ(block.coordinate[0][i] - block.coordinate[0][i - 1], 1u << 26);
 }
 
@@ -83,10 +80,10 @@ TEST(PointSet, RandomisesEveryCoordinateAndTrialByItself) {
     for (const auto how :
          {Randomisation::shift, Randomisation::digital_shift, Randomisation::lms, Randomisation::owen}) {
         const auto source = points_of_set(diagonal(64, 2, 1), 64, how);
-        const PointBlock block = block_of(*source, {.key = {}, .trial = 0}, 0, 1);
+        const PointBlock block = block_in_plane(*source, {.key = {}, .trial = 0}, 0, 1);
         EXPECT_NE(block.coordinate[0][0], block.coordinate[1][0]);
-        EXPECT_NE(block.coordinate[0][0], block_of(*source, {.key = {}, .trial = 1}, 0, 1).coordinate[0][0]);
-        EXPECT_NE(block.coordinate[0][0], block_of(*source, {.key = {}, .source = 1}, 0, 1).coordinate[0][0]);
+        EXPECT_NE(block.coordinate[0][0], block_in_plane(*source, {.key = {}, .trial = 1}, 0, 1).coordinate[0][0]);
+        EXPECT_NE(block.coordinate[0][0], block_in_plane(*source, {.key = {}, .source = 1}, 0, 1).coordinate[0][0]);
     }
 }
 

@@ -8,8 +8,8 @@
 namespace ff::test {
 namespace {
 
-constexpr std::uint32_t replicates = 1000;
-constexpr double alpha = 1e-6;
+constexpr std::uint32_t scrambling_replicates = 1000;
+constexpr double scrambling_alpha = 1e-6;
 
 }  // namespace
 
@@ -29,7 +29,7 @@ std::vector<double> scrambled_estimates(Fill fill, const Integral& integral, std
     std::vector<double> result;
     PointBlock block;
     block.size = points;
-    for (std::uint32_t trial = 0; trial < replicates; ++trial) {
+    for (std::uint32_t trial = 0; trial < scrambling_replicates; ++trial) {
         fill({.key = {20261120, 1}, .trial = trial}, block);
         double sum = 0;
         for (std::size_t i = 0; i < points; ++i) {
@@ -42,11 +42,11 @@ std::vector<double> scrambled_estimates(Fill fill, const Integral& integral, std
 }
 
 testing::AssertionResult has_mean(const std::vector<double>& estimates, const Integral& integral) {
-    return unbiased(estimates, integral.value, {.alpha = alpha, .detects = 0.01 * integral.value});
+    return unbiased(estimates, integral.value, {.alpha = scrambling_alpha, .detects = 0.01 * integral.value});
 }
 
 bool have_same_variance(const std::vector<double>& a, const std::vector<double>& b) {
-    return stats::test_variances_brown_forsythe(a, b).value().p > alpha;
+    return stats::test_variances_brown_forsythe(a, b).value().p > scrambling_alpha;
 }
 
 }  // namespace ff::test

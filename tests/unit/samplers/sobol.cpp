@@ -13,15 +13,15 @@
 namespace ff::samplers {
 namespace {
 
-constexpr Stream stream{.key = {3, 1}, .trial = 4, .source = 1, .target = 5};
+constexpr Stream sobol_stream{.key = {3, 1}, .trial = 4, .source = 1, .target = 5};
 
 /// 2^m points from `first` on.
-test::Coordinates points_of(unsigned m, PointIndex first) {
+test::Coordinates sobol_points(unsigned m, PointIndex first) {
     test::Coordinates points;
     PointBlock block;
     block.size = std::min(block_capacity, std::size_t{1} << m);
     for (PointIndex i = 0; i < PointIndex{1} << m; i += block.size) {
-        Sobol({.points = 1u << m}).fill(stream, first + i, block);
+        Sobol({.points = 1u << m}).fill(sobol_stream, first + i, block);
         for (std::size_t d = 0; d < 4; ++d) {
             points[d].insert(points[d].end(), block.coordinate[d].begin(),
                              block.coordinate[d].begin() + static_cast<std::ptrdiff_t>(block.size));
@@ -50,13 +50,13 @@ TEST(SobolDirections, GiveTheFirstPointsOfJoeAndKuo) {
 }
 
 TEST(Sobol, IsTheHashOfTheSobolSequenceWithEveryInstructionSet) {
-    const Words addends = philox(stream, 0, Purpose::scramble);
-    const Words multipliers = philox(stream, 1, Purpose::scramble);
+    const Words addends = philox(sobol_stream, 0, Purpose::scramble);
+    const Words multipliers = philox(sobol_stream, 1, Purpose::scramble);
     for (const PointIndex first : {PointIndex{0}, PointIndex{5}, PointIndex{0x7ffffff3}, PointIndex{0xfffffc00}}) {
         const auto sets = test::with_each_instruction_set([&] {
             PointBlock block;
             block.size = block_capacity;
-            Sobol({.points = 1}).fill(stream, first, block);
+            Sobol({.points = 1}).fill(sobol_stream, first, block);
             return block.coordinate;
         });
         for (const auto& coordinate : sets) EXPECT_EQ(coordinate, sets.front());
@@ -74,14 +74,14 @@ TEST(Sobol, IsANetAndScramblingKeepsItsParameter) {
         for (const PointIndex first : {PointIndex{0}, PointIndex{3} << m}) {
             const unsigned t = test::net_parameter(mapped(m, first, [](std::uint32_t x) { return x; }), m);
             EXPECT_LE(t, 3u);  // the sum of (degree - 1) over the primitive polynomials of degree 1, 2 and 3
-            EXPECT_EQ(test::net_parameter(points_of(m, first), m), t);
+            EXPECT_EQ(test::net_parameter(sobol_points(m, first), m), t);
             RecordProperty("t_" + std::to_string(m) + "_" + std::to_string(first >> m), static_cast<int>(t));
         }
     }
 }
 
 TEST(NetParameter, CatchesTheFirstPointDropped) {
-    EXPECT_GT(test::net_parameter(points_of(8, 1), 8), 3u);
+    EXPECT_GT(test::net_parameter(sobol_points(8, 1), 8), 3u);
 }
 
 TEST(NetParameter, CatchesDigitsShuffledFromTheWrongEnd) {

@@ -15,22 +15,22 @@ namespace {
 
 using samplers::SobolNus;
 
-constexpr std::size_t points = 256;
+constexpr std::size_t sobol_set_size = 256;
 
-void fill_hash(const Stream& stream, PointBlock& block) {
-    samplers::Sobol({.points = points}).fill(stream, 0, block);
+void fill_sobol_by_hash(const Stream& stream, PointBlock& block) {
+    samplers::Sobol({.points = sobol_set_size}).fill(stream, 0, block);
 }
 
-void fill_matrix(const Stream& stream, PointBlock& block) {
-    samplers::SobolLms({.points = points}).fill(stream, 0, block);
+void fill_sobol_by_matrix(const Stream& stream, PointBlock& block) {
+    samplers::SobolLms({.points = sobol_set_size}).fill(stream, 0, block);
 }
 
-void fill_tree(const Stream& stream, PointBlock& block) {
-    SobolNus({.points = points}).fill(stream, 0, block);
+void fill_sobol_by_tree(const Stream& stream, PointBlock& block) {
+    SobolNus({.points = sobol_set_size}).fill(stream, 0, block);
 }
 
 /// A random digital shift alone: it keeps the net and is unbiased, but scrambles nothing.
-void fill_shift(const Stream& stream, PointBlock& block) {
+void fill_sobol_by_shift(const Stream& stream, PointBlock& block) {
     const Words shift = philox(stream, 0, Purpose::scramble);
     for (std::size_t d = 0; d < block.dimension; ++d) {
         for (std::uint32_t i = 0; i < block.size; ++i) {
@@ -84,9 +84,9 @@ TEST(SobolNus, KeepsTheNet) {
 class FastScramblings : public testing::TestWithParam<Integral> {};
 
 TEST_P(FastScramblings, HaveTheMeanAndVarianceOfTheTree) {
-    const auto tree = scrambled_estimates(fill_tree, GetParam(), points);
-    const auto hash = scrambled_estimates(fill_hash, GetParam(), points);
-    const auto matrix = scrambled_estimates(fill_matrix, GetParam(), points);
+    const auto tree = scrambled_estimates(fill_sobol_by_tree, GetParam(), sobol_set_size);
+    const auto hash = scrambled_estimates(fill_sobol_by_hash, GetParam(), sobol_set_size);
+    const auto matrix = scrambled_estimates(fill_sobol_by_matrix, GetParam(), sobol_set_size);
     EXPECT_TRUE(has_mean(tree, GetParam()));
     EXPECT_TRUE(has_mean(hash, GetParam()));
     EXPECT_TRUE(has_mean(matrix, GetParam()));
@@ -99,8 +99,8 @@ INSTANTIATE_TEST_SUITE_P(Integrands, FastScramblings, testing::ValuesIn(scrambli
 
 TEST(FastScramblingsCheck, CatchesADigitalShiftInPlaceOfScrambling) {
     const Integral smooth = scrambling_integrals().front();
-    EXPECT_FALSE(have_same_variance(scrambled_estimates(fill_shift, smooth, points),
-                                    scrambled_estimates(fill_tree, smooth, points)));
+    EXPECT_FALSE(have_same_variance(scrambled_estimates(fill_sobol_by_shift, smooth, sobol_set_size),
+                                    scrambled_estimates(fill_sobol_by_tree, smooth, sobol_set_size)));
 }
 
 }  // namespace

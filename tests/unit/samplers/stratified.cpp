@@ -1,16 +1,15 @@
 #include "samplers/stratified.hpp"
 
+#include "tests/unit/samplers/blocks.hpp"
+
 #include <gtest/gtest.h>
 
 namespace ff::samplers {
 namespace {
 
-PointBlock points_of(std::uint64_t points, std::size_t dimension, PointIndex first, std::size_t size) {
-    PointBlock block;
-    block.dimension = dimension;
-    block.size = size;
-    Stratified({.points = points, .dimension = dimension}).fill({.key = {9, 9}}, first, block);
-    return block;
+PointBlock stratified_points(std::uint64_t points, std::size_t dimension, PointIndex first, std::size_t size) {
+    return test::block_of(Stratified({.points = points, .dimension = dimension}), {.key = {9, 9}}, first, size,
+                          dimension);
 }
 
 std::uint64_t cell(std::uint32_t x, std::uint64_t cells) {
@@ -18,7 +17,7 @@ std::uint64_t cell(std::uint32_t x, std::uint64_t cells) {
 }
 
 TEST(Stratified, CountsCellsWithTheFirstCoordinateFastest) {
-    const PointBlock block = points_of(625, 4, 0, 625);
+    const PointBlock block = stratified_points(625, 4, 0, 625);
     for (std::size_t i = 0; i < 625; ++i) {
         EXPECT_EQ(cell(block.coordinate[0][i], 5), i % 5);
         EXPECT_EQ(cell(block.coordinate[1][i], 5), i / 5 % 5);
@@ -29,7 +28,7 @@ TEST(Stratified, CountsCellsWithTheFirstCoordinateFastest) {
 
 TEST(Stratified, KeepsThePlaceInTheCellThatPhiloxGives) {
     const Stream stream{.key = {9, 9}};
-    const PointBlock block = points_of(625, 4, 0, 625);
+    const PointBlock block = stratified_points(625, 4, 0, 625);
     for (std::uint32_t i = 0; i < 625; ++i) {
         const Words words = philox(stream, i, Purpose::coordinates);
         const double inside = block.coordinate[2][i] * 5.0 - (i / 25 % 5) * 0x1p32;
@@ -38,13 +37,13 @@ TEST(Stratified, KeepsThePlaceInTheCellThatPhiloxGives) {
 }
 
 TEST(Stratified, HasOneCellForOnePoint) {
-    EXPECT_EQ(points_of(1, 4, 0, 1).coordinate[1][0], philox({.key = {9, 9}}, 0, Purpose::coordinates)[1]);
+    EXPECT_EQ(stratified_points(1, 4, 0, 1).coordinate[1][0], philox({.key = {9, 9}}, 0, Purpose::coordinates)[1]);
 }
 
 TEST(Stratified, ReachesTheLastCellsOfTheLargestSets) {
     const std::uint64_t points = std::uint64_t{1} << 32;
     for (std::size_t dimension = 1; dimension <= 4; dimension *= 2) {
-        const PointBlock block = points_of(points, dimension, points - 1, 1);
+        const PointBlock block = stratified_points(points, dimension, points - 1, 1);
         const std::uint64_t cells = std::uint64_t{1} << 32 / dimension;
         for (std::size_t d = 0; d < dimension; ++d) EXPECT_EQ(cell(block.coordinate[d][0], cells), cells - 1);
     }

@@ -10,7 +10,7 @@ namespace {
 
 /// Exact coverage of an interval method at one probability, by summing over all outcomes.
 template <class Method>
-double coverage(Method method, std::uint64_t trials, double probability) {
+double exact_coverage(Method method, std::uint64_t trials, double probability) {
     const boost::math::binomial law(static_cast<double>(trials), probability);
     double sum = 0;
     for (std::uint64_t hits = 0; hits <= trials; ++hits) {
@@ -53,7 +53,8 @@ TEST(BinomialIntervals, ReachOneWithoutMisses) {
 TEST(ClopperPearson, NeverCoversBelowItsLevel) {
     double least = 1;
     for (const std::uint64_t trials : {1u, 5u, 30u, 100u}) {
-        for (int i = 1; i < 400; ++i) least = std::min(least, coverage(clopper_pearson_interval, trials, i / 400.0));
+        for (int i = 1; i < 400; ++i)
+            least = std::min(least, exact_coverage(clopper_pearson_interval, trials, i / 400.0));
     }
     EXPECT_GE(least, 0.95 - 1e-12);
     EXPECT_LT(least, 0.96);  // and is not simply the whole of [0, 1]
@@ -65,8 +66,8 @@ TEST(Wilson, CoversNearItsLevelOnAverageWhereWaldDoesNot) {
     constexpr int points = 399;
     for (int i = 1; i <= points; ++i) {
         const double p = i / 400.0;
-        wilson += coverage(wilson_interval, 30, p);
-        wald += coverage(wald_interval, 30, p);
+        wilson += exact_coverage(wilson_interval, 30, p);
+        wald += exact_coverage(wald_interval, 30, p);
     }
     EXPECT_NEAR(wilson / points, 0.95, 0.01);
     EXPECT_LT(wald / points, 0.89);
@@ -74,10 +75,10 @@ TEST(Wilson, CoversNearItsLevelOnAverageWhereWaldDoesNot) {
 
 // The sums are exact, so the figures are facts, not measurements.
 TEST(Wald, CoversRareHitsAtFortySixAndEightyOnePercent) {
-    EXPECT_NEAR(coverage(wald_interval, 625, 0.001), 0.46, 0.005);
-    EXPECT_NEAR(coverage(wald_interval, 625, 0.005), 0.81, 0.005);
-    EXPECT_GT(coverage(wilson_interval, 625, 0.001), 0.93);
-    EXPECT_GT(coverage(wilson_interval, 625, 0.005), 0.93);
+    EXPECT_NEAR(exact_coverage(wald_interval, 625, 0.001), 0.46, 0.005);
+    EXPECT_NEAR(exact_coverage(wald_interval, 625, 0.005), 0.81, 0.005);
+    EXPECT_GT(exact_coverage(wilson_interval, 625, 0.001), 0.93);
+    EXPECT_GT(exact_coverage(wilson_interval, 625, 0.005), 0.93);
 }
 
 // from scipy.stats import binomtest; binomtest(k, n, p).pvalue

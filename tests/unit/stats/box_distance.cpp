@@ -49,7 +49,7 @@ Numbers walk_covariance(std::size_t size) {
 }
 
 /// x, the end of a walk in a box of `band`, whose true mean is at a corner; how often chi-squared at 0.01 rejects.
-int rejections(double band, double shift) {
+int rejections_outside_box(double band, double shift) {
     constexpr std::size_t size = 12;
     std::mt19937_64 engine(5);
     std::normal_distribution<double> normal;
@@ -67,13 +67,13 @@ int rejections(double band, double shift) {
 
 // 2000 trials: more than 39 rejections have a probability of 1e-4 at a rate of 0.01; power: a rate of 0.03 has 0.9999.
 TEST(DistanceToBox, KeepsTheLevelOfATestAtAPointAndAtACornerOfTheBox) {
-    EXPECT_LE(rejections(0, 0), 39);
-    EXPECT_GE(rejections(0, 0), 6);  // and is no smaller there
-    EXPECT_LE(rejections(0.5, 0.5), 39);
+    EXPECT_LE(rejections_outside_box(0, 0), 39);
+    EXPECT_GE(rejections_outside_box(0, 0), 6);  // and is no smaller there
+    EXPECT_LE(rejections_outside_box(0.5, 0.5), 39);
 }
 
 TEST(DistanceToBox, DetectsPointsOutsideTheBox) {
-    EXPECT_GE(rejections(0.1, 1.5), 1900);
+    EXPECT_GE(rejections_outside_box(0.1, 1.5), 1900);
 }
 
 }  // namespace

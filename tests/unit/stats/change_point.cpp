@@ -19,12 +19,12 @@ std::vector<double> normal_series(std::size_t n, std::uint64_t seed, std::size_t
     return values;
 }
 
-ResamplingPlan plan() {
+ResamplingPlan change_plan() {
     return {derive_key(Seed{1}, "test"), 199};
 }
 
 TEST(FindChange, FindsWhereTheLevelChanges) {
-    const auto found = find_change(normal_series(40, 1, 25, 5), plan());
+    const auto found = find_change(normal_series(40, 1, 25, 5), change_plan());
     ASSERT_TRUE(found);
     EXPECT_EQ(found->first, 25u);
     EXPECT_NEAR(found->after - found->before, 5, 1.5);
@@ -32,8 +32,8 @@ TEST(FindChange, FindsWhereTheLevelChanges) {
 }
 
 TEST(FindChange, IsEmptyForFewValuesAndForEqualOnes) {
-    EXPECT_FALSE(find_change(std::vector<double>{1, 2, 3}, plan()));
-    EXPECT_FALSE(find_change(std::vector<double>(20, 1.0), plan()));
+    EXPECT_FALSE(find_change(std::vector<double>{1, 2, 3}, change_plan()));
+    EXPECT_FALSE(find_change(std::vector<double>(20, 1.0), change_plan()));
 }
 
 // 20 values that may be divided into halves of 10 in 184756 ways, each as good as its mirror image.

@@ -13,20 +13,20 @@
 namespace ff::stats {
 namespace {
 
-constexpr std::size_t replicates = 64;
+constexpr std::size_t ladder_replicates = 64;
 
 /// Errors that fall as size^rate, with replicates of the given law.
 template <class Distribution>
 std::vector<Rung> ladder(double rate, Distribution law, std::mt19937_64& engine) {
     std::vector<Rung> rungs;
     for (const double size : {256.0, 1024.0, 4096.0, 16'384.0, 65'536.0}) {
-        rungs.push_back({size, test::sample(law, replicates, engine)});
+        rungs.push_back({size, test::sample(law, ladder_replicates, engine)});
         for (double& error : rungs.back().errors) error *= std::pow(size, rate);
     }
     return rungs;
 }
 
-ResamplingPlan plan(std::uint32_t run, std::uint32_t resamples = 199) {
+ResamplingPlan plan_of_run(std::uint32_t run, std::uint32_t resamples = 199) {
     return {.key = {.word0 = 9, .word1 = run}, .replicates = resamples};
 }
 
@@ -42,12 +42,12 @@ TEST(RmseRate, IsExactForErrorsThatFollowAPowerLaw) {
         const double error = std::pow(size, -0.75);
         rungs.push_back({size, {error, -error, 2 * error, -2 * error}});
     }
-    const auto rmse = fit_rmse_rate(rungs, 0.95, plan(0));
+    const auto rmse = fit_rmse_rate(rungs, 0.95, plan_of_run(0));
     EXPECT_NEAR(rmse->rate, -0.75, 1e-12);
     EXPECT_NEAR(*rmse->lack_of_fit_p, 1, 1e-9);
     EXPECT_EQ(rmse->points, 3u);
     EXPECT_TRUE(rmse->bootstrap.contains(-0.75));
-    EXPECT_NEAR(fit_median_rate(rungs, 0.95, plan(0))->rate, -0.75, 1e-12);
+    EXPECT_NEAR(fit_median_rate(rungs, 0.95, plan_of_run(0))->rate, -0.75, 1e-12);
 }
 
 // 20 000 replicates in blocks of five. The width of the bootstrap interval is known to 3 % from 999 resamples and to 1
@@ -59,12 +59,12 @@ TEST(RmseRate, HasTheSameIntervalWhereBlocksAreDrawn) {
         rungs.push_back({size, test::normal_sample(20'000, engine)});
         for (double& error : rungs.back().errors) error /= std::sqrt(size);
     }
-    const auto rate = fit_rmse_rate(rungs, 0.95, plan(1, 999));
+    const auto rate = fit_rmse_rate(rungs, 0.95, plan_of_run(1, 999));
     EXPECT_NEAR(rate->bootstrap.width() / rate->interval.width(), 1, 0.17);
 }
 
 TEST(LadderDraws, DrawAsManyReplicatesAsThereAreOrBlocksOfThem) {
-    const LadderDraws draws(std::array<std::size_t, 3>{5, LadderDraws::most_blocks, 10'001}, plan(1, 2));
+    const LadderDraws draws(std::array<std::size_t, 3>{5, LadderDraws::most_blocks, 10'001}, plan_of_run(1, 2));
     const std::array<std::size_t, 3> block{1, 1, 3};
     const std::array<std::size_t, 3> blocks{5, LadderDraws::most_blocks, 3334};
     for (std::size_t rung = 0; rung < blocks.size(); ++rung) {
@@ -82,25 +82,25 @@ TEST(RmseRate, IsEmptyWhereNoLineIsDetermined) {
     const Rung single{64, {0.1}};
     for (const auto& rungs : {std::vector<Rung>{}, std::vector{good}, std::vector{good, good}, std::vector{good, exact},
                               std::vector{good, single}}) {
-        EXPECT_FALSE(fit_rmse_rate(rungs, 0.95, plan(0)));
-        EXPECT_FALSE(fit_median_rate(rungs, 0.95, plan(0)));
+        EXPECT_FALSE(fit_rmse_rate(rungs, 0.95, plan_of_run(0)));
+        EXPECT_FALSE(fit_median_rate(rungs, 0.95, plan_of_run(0)));
     }
 }
 
-struct Coverage {
+struct RateCoverage {
     std::uint64_t wls = 0, bootstrap = 0, median = 0, lack_of_fit = 0;
 };
 
 template <class Distribution>
-Coverage coverage(std::uint32_t runs, Distribution law, std::mt19937_64& engine) {
-    Coverage count;
+RateCoverage rate_coverage(std::uint32_t runs, Distribution law, std::mt19937_64& engine) {
+    RateCoverage count;
     for (std::uint32_t run = 0; run < runs; ++run) {
         const auto rungs = ladder(-0.5, law, engine);
-        const auto rmse = fit_rmse_rate(rungs, 0.95, plan(run));
+        const auto rmse = fit_rmse_rate(rungs, 0.95, plan_of_run(run));
         count.wls += rmse->interval.contains(-0.5) ? 1u : 0u;
         count.bootstrap += rmse->bootstrap.contains(-0.5) ? 1u : 0u;
         count.lack_of_fit += *rmse->lack_of_fit_p < 0.05 ? 1u : 0u;
-        count.median += fit_median_rate(rungs, 0.95, plan(run, 99))->interval.contains(-0.5) ? 1u : 0u;
+        count.median += fit_median_rate(rungs, 0.95, plan_of_run(run, 99))->interval.contains(-0.5) ? 1u : 0u;
     }
     return count;
 }
@@ -108,7 +108,7 @@ Coverage coverage(std::uint32_t runs, Distribution law, std::mt19937_64& engine)
 // Risks: 1e-6; coverage off by .056 is noticed with power .99.
 TEST(RmseRate, CoversTheTrueRateOfNormalErrors) {
     std::mt19937_64 engine(1);
-    const Coverage count = coverage(800, std::normal_distribution<double>(), engine);
+    const RateCoverage count = rate_coverage(800, std::normal_distribution<double>(), engine);
     EXPECT_TRUE(test::has_probability(count.wls, 800, 0.95, {.detects = 0.056}));
     EXPECT_TRUE(test::has_probability(count.lack_of_fit, 800, 0.05, {.detects = 0.056}));
     EXPECT_TRUE(test::has_probability_at_least(count.bootstrap, 800, 0.92, {.detects = 0.07}));
@@ -118,7 +118,7 @@ TEST(RmseRate, CoversTheTrueRateOfNormalErrors) {
 // Student t(6): excess kurtosis 3, for which the weights of normal errors would cover .78.
 TEST(RmseRate, CoversTheTrueRateUnderKurtosis) {
     std::mt19937_64 engine(2);
-    const Coverage count = coverage(500, std::student_t_distribution<double>(6), engine);
+    const RateCoverage count = rate_coverage(500, std::student_t_distribution<double>(6), engine);
     EXPECT_TRUE(test::has_probability_at_least(count.wls, 500, 0.9, {.detects = 0.1}));
     EXPECT_TRUE(test::has_probability_at_least(count.bootstrap, 500, 0.88, {.detects = 0.11}));
 }
@@ -126,7 +126,7 @@ TEST(RmseRate, CoversTheTrueRateUnderKurtosis) {
 // Student t(1.5): infinite variance, as the area kernel has on faces that share an edge.
 TEST(MedianRate, SurvivesInfiniteVariance) {
     std::mt19937_64 engine(3);
-    const Coverage count = coverage(500, std::student_t_distribution<double>(1.5), engine);
+    const RateCoverage count = rate_coverage(500, std::student_t_distribution<double>(1.5), engine);
     EXPECT_TRUE(test::has_probability_at_least(count.median, 500, 0.92, {.detects = 0.09}));
 }
 
@@ -138,7 +138,7 @@ std::vector<Rung> joint_ladder(std::mt19937_64& engine) {
         rung.size = size;
         rung.width = 4;
         std::normal_distribution<double> normal;
-        for (std::size_t replicate = 0; replicate < replicates; ++replicate) {
+        for (std::size_t replicate = 0; replicate < ladder_replicates; ++replicate) {
             const double shared = normal(engine);
             for (std::size_t i = 0; i < rung.width; ++i)
                 rung.errors.push_back((shared + normal(engine)) / std::sqrt(size));
@@ -153,7 +153,7 @@ TEST(RmseRate, CoversTheTrueRateWhereErrorsOfAReplicateDependOnEachOther) {
     std::uint64_t wls = 0;
     std::uint64_t bootstrap = 0;
     for (std::uint32_t run = 0; run < 600; ++run) {
-        const auto rate = fit_rmse_rate(joint_ladder(engine), 0.95, plan(run));
+        const auto rate = fit_rmse_rate(joint_ladder(engine), 0.95, plan_of_run(run));
         wls += rate->interval.contains(-0.5) ? 1u : 0u;
         bootstrap += rate->bootstrap.contains(-0.5) ? 1u : 0u;
     }
@@ -169,7 +169,7 @@ TEST(RmseRate, LackOfFitSeesARateThatChanges) {
         for (Rung& rung : rungs) {
             for (double& error : rung.errors) error += 0.01;  // a bias that random errors fall below
         }
-        found += *fit_rmse_rate(rungs, 0.95, plan(run))->lack_of_fit_p < 0.05 ? 1u : 0u;
+        found += *fit_rmse_rate(rungs, 0.95, plan_of_run(run))->lack_of_fit_p < 0.05 ? 1u : 0u;
     }
     EXPECT_GT(found, 80u);
 }
@@ -177,8 +177,10 @@ TEST(RmseRate, LackOfFitSeesARateThatChanges) {
 TEST(RmseRate, IsTheSameForTheSameKey) {
     std::mt19937_64 engine(5);
     const auto rungs = ladder(-0.5, std::normal_distribution<double>(), engine);
-    EXPECT_EQ(fit_rmse_rate(rungs, 0.95, plan(1))->bootstrap.low, fit_rmse_rate(rungs, 0.95, plan(1))->bootstrap.low);
-    EXPECT_NE(fit_rmse_rate(rungs, 0.95, plan(1))->bootstrap.low, fit_rmse_rate(rungs, 0.95, plan(2))->bootstrap.low);
+    EXPECT_EQ(fit_rmse_rate(rungs, 0.95, plan_of_run(1))->bootstrap.low,
+              fit_rmse_rate(rungs, 0.95, plan_of_run(1))->bootstrap.low);
+    EXPECT_NE(fit_rmse_rate(rungs, 0.95, plan_of_run(1))->bootstrap.low,
+              fit_rmse_rate(rungs, 0.95, plan_of_run(2))->bootstrap.low);
 }
 
 }  // namespace

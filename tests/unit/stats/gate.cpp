@@ -16,37 +16,37 @@ namespace {
 
 /// Tails are solved to 1e-8 in the logarithm by steps that converge quadratically; what is left is the rounding of
 /// powers of freedom / 2, Boost's too: 1e-10 below 1e6 degrees of freedom.
-void expect_close(double ours, double boost, double digits, double freedom, double tail) {
+void expect_as_boost(double ours, double boost, double digits, double freedom, double tail) {
     EXPECT_NEAR(ours / boost, 1, std::pow(10, -digits)) << "freedom " << freedom << ", tail " << tail;
 }
 
-constexpr std::array tails{0.499, 0.4, 0.1, 0.05, 1e-2, 1e-4, 1e-6, 1e-10, 1e-14};
+constexpr std::array tail_probabilities{0.499, 0.4, 0.1, 0.05, 1e-2, 1e-4, 1e-6, 1e-10, 1e-14};
 
 TEST(GateQuantiles, OfTheNormalDistributionAreThoseOfBoost) {
-    for (const double tail : tails) {
-        expect_close(normal_critical(tail), stats::normal_critical(tail), 10, 0, tail);
-        expect_close(normal_critical(1 - tail), stats::normal_critical(1 - tail), 10, 0, 1 - tail);
+    for (const double tail : tail_probabilities) {
+        expect_as_boost(normal_critical(tail), stats::normal_critical(tail), 10, 0, tail);
+        expect_as_boost(normal_critical(1 - tail), stats::normal_critical(1 - tail), 10, 0, 1 - tail);
     }
     EXPECT_EQ(normal_critical(0.5), 0);
 }
 
 TEST(GateQuantiles, OfStudentsDistributionAreThoseOfBoost) {
     for (const double freedom : {1.0, 1.7, 2.0, 3.0, 5.0, 9.0, 29.0, 99.0, 1000.0, 1e5, 1e7}) {
-        for (const double tail : tails)
-            expect_close(student_critical(freedom, tail), stats::student_critical(freedom, tail),
-                         freedom > 1e6 ? 9 : 10, freedom, tail);
+        for (const double tail : tail_probabilities)
+            expect_as_boost(student_critical(freedom, tail), stats::student_critical(freedom, tail),
+                            freedom > 1e6 ? 9 : 10, freedom, tail);
     }
 }
 
 TEST(GateQuantiles, OfChiSquaredAreThoseOfBoost) {
     for (const double freedom : {1.0, 1.7, 2.0, 3.0, 5.0, 9.0, 29.0, 99.0, 1000.0, 1e5}) {
-        for (const double tail : tails) {
+        for (const double tail : tail_probabilities) {
             const double digits = freedom > 1e4 ? 8 : 10;
-            expect_close(chi_squared_critical(freedom, tail), stats::chi_squared_critical(freedom, tail), digits,
-                         freedom, tail);
+            expect_as_boost(chi_squared_critical(freedom, tail), stats::chi_squared_critical(freedom, tail), digits,
+                            freedom, tail);
             // 1 - tail has fewer digits than tail.
-            expect_close(chi_squared_critical(freedom, 1 - tail), stats::chi_squared_critical(freedom, 1 - tail),
-                         tail < 1e-4 ? 2 : digits, freedom, 1 - tail);
+            expect_as_boost(chi_squared_critical(freedom, 1 - tail), stats::chi_squared_critical(freedom, 1 - tail),
+                            tail < 1e-4 ? 2 : digits, freedom, 1 - tail);
         }
     }
 }

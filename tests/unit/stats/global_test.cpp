@@ -43,7 +43,7 @@ TEST(CauchyCombination, IsZeroIfAPValueIsZero) {
 }
 
 /// How often both tests reject at 1 % in 10 000 families of 50 normal scores of equal correlation.
-std::array<int, 2> rejections(double correlation) {
+std::array<int, 2> rejections_of_families(double correlation) {
     std::mt19937_64 engine(7);
     std::normal_distribution<double> normal;
     std::array<int, 2> rejected{};
@@ -62,7 +62,7 @@ TEST(GlobalTests, KeepTheirLevelForIndependentAndForCorrelatedScores) {
     // Fails for no reason with probability 1e-4 a rate: P(more than 139 of 10 000 at 1 %) = 8e-5 (R: pbinom(139, 1e4,
     // .01, FALSE)). A level of 2 % would give fewer than 140 with probability 3e-6 (pbinom(139, 1e4, .02)).
     for (const double correlation : {0.0, 0.5, 0.95}) {
-        const auto [by_simes, by_cauchy] = rejections(correlation);
+        const auto [by_simes, by_cauchy] = rejections_of_families(correlation);
         EXPECT_LE(by_simes, 139) << correlation;
         EXPECT_LE(by_cauchy, 139) << correlation;
     }

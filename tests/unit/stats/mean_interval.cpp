@@ -10,12 +10,12 @@
 namespace ff::stats {
 namespace {
 
-constexpr std::array data{2.1, 3.4, 1.9, 5.6, 4.4, 2.8, 9.7, 3.3};
+using test::eight_values;
 
 // x = [2.1, 3.4, 1.9, 5.6, 4.4, 2.8, 9.7, 3.3]; np.mean(x) -+ t*stats.sem(x), with t by mpmath (SciPy's has 10 digits):
 // findroot(lambda t: betainc(3.5, .5, 0, 7/(7 + t*t), regularized=True)/2 - mpf('.025'), 2.4)
 TEST(MeanIntervalT, AgreesWithMpmath) {
-    const auto interval = mean_interval_t(moments_of(data, 3), 0.95);
+    const auto interval = mean_interval_t(moments_of(eight_values, 3), 0.95);
     EXPECT_NEAR(interval->low, 2.022307396772821, 1e-12);
     EXPECT_NEAR(interval->high, 6.277692603227179, 1e-12);
     EXPECT_EQ(interval->method, "student_t");
@@ -24,7 +24,7 @@ TEST(MeanIntervalT, AgreesWithMpmath) {
 }
 
 TEST(BiasIntervalT, IsTheMeanIntervalMinusTheReference) {
-    const auto interval = bias_interval_t(moments_of(data, 3), 0.95);
+    const auto interval = bias_interval_t(moments_of(eight_values, 3), 0.95);
     EXPECT_NEAR(interval->low, 2.022307396772821 - 3, 1e-12);
     EXPECT_NEAR(interval->high, 6.277692603227179 - 3, 1e-12);
 }

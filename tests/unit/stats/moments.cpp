@@ -10,13 +10,13 @@
 namespace ff::stats {
 namespace {
 
-constexpr std::array data{2.1, 3.4, 1.9, 5.6, 4.4, 2.8, 9.7, 3.3};
+using test::eight_values;
 
 // import numpy as np; from scipy import stats
 // x = np.array([2.1, 3.4, 1.9, 5.6, 4.4, 2.8, 9.7, 3.3]); d = x - x.mean()
 // x.mean(), x.var(ddof=1), stats.skew(x, bias=False), stats.kurtosis(x, bias=False), (d**4).sum()/(d**2).sum()**2 - 1/8
 TEST(Moments, AgreeWithScipy) {
-    const Moments moments = moments_of(data, 3.0);
+    const Moments moments = moments_of(eight_values, 3.0);
     EXPECT_EQ(moments.count(), 8u);
     EXPECT_NEAR(*moments.mean(), 4.15, 1e-14);
     EXPECT_NEAR(*moments.bias(), 1.15, 1e-14);
@@ -67,7 +67,7 @@ TEST(Moments, SurviveAHugeOffsetThatDefeatsSumsOfSquares) {
     double sum = 0;
     double sum_of_squares = 0;
     Moments moments(1e9);
-    for (const double value : data) {
+    for (const double value : eight_values) {
         moments.add(1e9 + value);
         sum += 1e9 + value;
         sum_of_squares += (1e9 + value) * (1e9 + value);

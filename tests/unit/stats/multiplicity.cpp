@@ -12,7 +12,7 @@
 namespace ff::stats {
 namespace {
 
-constexpr std::array p{0.01, 0.04, 0.03, 0.005, 0.5};
+constexpr std::array p_values{0.01, 0.04, 0.03, 0.005, 0.5};
 
 void expect_near(const std::vector<double>& actual, const std::vector<double>& expected) {
     ASSERT_EQ(actual.size(), expected.size());
@@ -22,8 +22,8 @@ void expect_near(const std::vector<double>& actual, const std::vector<double>& e
 // R: p <- c(.01, .04, .03, .005, .5); p.adjust(p, "holm"); 1 - (1 - p)^5
 // (figures from the same formulas in numpy)
 TEST(AdjustedPValues, AgreeWithR) {
-    expect_near(holm(p), {0.04, 0.09, 0.09, 0.025, 0.5});
-    expect_near(sidak(p), {0.0490099501, 0.1846273024, 0.1412659743, 0.024751246878125, 0.96875});
+    expect_near(holm(p_values), {0.04, 0.09, 0.09, 0.025, 0.5});
+    expect_near(sidak(p_values), {0.0490099501, 0.1846273024, 0.1412659743, 0.024751246878125, 0.96875});
 }
 
 TEST(AdjustedPValues, AreUnchangedForOneOrNoTest) {

@@ -13,11 +13,11 @@
 namespace ff::stats {
 namespace {
 
-constexpr std::array data{2.1, 3.4, 1.9, 5.6, 4.4, 2.8, 9.7, 3.3};
+using test::eight_values;
 
 // from scipy import stats; stats.anderson([2.1, 3.4, 1.9, 5.6, 4.4, 2.8, 9.7, 3.3], 'norm').statistic
 TEST(AndersonDarling, AgreesWithScipy) {
-    EXPECT_NEAR(test_normality(data)->statistic, 0.6070864431888072, 1e-12);
+    EXPECT_NEAR(test_normality(eight_values)->statistic, 0.6070864431888072, 1e-12);
 }
 
 // Stephens' critical values of the adjusted statistic: .631 at .10, .752 at .05, .873 at .025, 1.035 at .01
@@ -27,19 +27,19 @@ TEST(AndersonDarling, PAgreesWithStephensCriticalValues) {
     };
     EXPECT_NEAR(p_at(0.752), 0.05, 0.001);  // the published points that the fit must pass through
     EXPECT_NEAR(p_at(1.035), 0.01, 0.0005);
-    const auto test = test_normality(data);
+    const auto test = test_normality(eight_values);
     EXPECT_NEAR(test->adjusted, test->statistic * (1 + 0.75 / 8 + 2.25 / 64), 1e-14);
     EXPECT_NEAR(test->p, p_at(test->adjusted), 1e-14);
 }
 
 TEST(AndersonDarling, IsEmptyForTooFewOrEqualValues) {
-    EXPECT_FALSE(test_normality(std::span(data).first(7)));
+    EXPECT_FALSE(test_normality(std::span(eight_values).first(7)));
     EXPECT_FALSE(test_normality(std::vector<double>(20, 0.2)));
 }
 
 TEST(AndersonDarling, IsInvariantUnderShiftAndScale) {
     std::array<double, 8> moved{};
-    std::transform(data.begin(), data.end(), moved.begin(), [](double x) { return 1e6 + 1e-3 * x; });
+    std::transform(eight_values.begin(), eight_values.end(), moved.begin(), [](double x) { return 1e6 + 1e-3 * x; });
     EXPECT_NEAR(test_normality(moved)->statistic, 0.6070864431888072, 1e-5);
 }
 

@@ -10,11 +10,11 @@
 namespace ff::stats {
 namespace {
 
-constexpr std::array data{2.1, 3.4, 1.9, 5.6, 4.4, 2.8, 9.7, 3.3};
+using test::eight_values;
 
 // np.quantile([2.1, 3.4, 1.9, 5.6, 4.4, 2.8, 9.7, 3.3], [0, .05, .25, .5, .77, 1])
 TEST(Quantiles, AreOfTypeSevenAsInNumpyAndR) {
-    const auto result = quantiles(data, std::array{0.0, 0.05, 0.25, 0.5, 0.77, 1.0});
+    const auto result = quantiles(eight_values, std::array{0.0, 0.05, 0.25, 0.5, 0.77, 1.0});
     const std::array expected{1.9, 1.97, 2.625, 3.35, 4.868, 9.7};
     for (std::size_t i = 0; i < expected.size(); ++i) EXPECT_NEAR(result[i], expected[i], 1e-14);
 }
@@ -24,7 +24,7 @@ TEST(Quantiles, OfOneValueAreThatValue) {
 }
 
 TEST(MedianAbsoluteError, IsMeasuredFromTheReference) {
-    EXPECT_NEAR(*median_absolute_error(data, 3), 1, 1e-14);  // np.median(abs(x - 3))
+    EXPECT_NEAR(*median_absolute_error(eight_values, 3), 1, 1e-14);  // np.median(abs(x - 3))
     EXPECT_EQ(median_absolute_error(std::array{2.0}, 5), 3);
     EXPECT_FALSE(median_absolute_error({}, 0));
 }

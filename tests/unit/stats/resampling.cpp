@@ -12,21 +12,21 @@
 namespace ff::stats {
 namespace {
 
-constexpr StreamKey key{.word0 = 11, .word1 = 12};
+constexpr StreamKey draws_key{.word0 = 11, .word1 = 12};
 
 TEST(Draws, DependOnKeyUseAndReplicateOnly) {
     const auto first = [](StreamKey k, Resampling use, std::uint32_t replicate) {
         return Draws(k, use, replicate).uniform();
     };
-    EXPECT_EQ(first(key, Resampling::bootstrap, 3), first(key, Resampling::bootstrap, 3));
-    EXPECT_NE(first(key, Resampling::bootstrap, 3), first(key, Resampling::bootstrap, 4));
-    EXPECT_NE(first(key, Resampling::bootstrap, 3), first(key, Resampling::permutation, 3));
-    EXPECT_NE(first(key, Resampling::bootstrap, 3), first({}, Resampling::bootstrap, 3));
+    EXPECT_EQ(first(draws_key, Resampling::bootstrap, 3), first(draws_key, Resampling::bootstrap, 3));
+    EXPECT_NE(first(draws_key, Resampling::bootstrap, 3), first(draws_key, Resampling::bootstrap, 4));
+    EXPECT_NE(first(draws_key, Resampling::bootstrap, 3), first(draws_key, Resampling::permutation, 3));
+    EXPECT_NE(first(draws_key, Resampling::bootstrap, 3), first({}, Resampling::bootstrap, 3));
 }
 
 // Fixed seed; a false alarm had probability 1e-6.
 TEST(Draws, AreUniform) {
-    Draws draws(key, Resampling::jitter, 0);
+    Draws draws(draws_key, Resampling::jitter, 0);
     std::vector<double> values(1000);
     for (double& value : values) value = draws.uniform();
     EXPECT_GT(test_uniformity(values)->p, 1e-6);
@@ -35,7 +35,7 @@ TEST(Draws, AreUniform) {
 }
 
 TEST(Draws, BelowIsUniformAlsoWhereModuloWouldNotBe) {
-    Draws draws(key, Resampling::permutation, 0);
+    Draws draws(draws_key, Resampling::permutation, 0);
     const std::size_t n = std::size_t{3} << 30;  // word % n would hit the lowest third twice as often
     std::array<std::uint64_t, 3> thirds{};
     for (int i = 0; i < 3000; ++i) ++thirds[draws.below(n) / (n / 3)];
@@ -47,7 +47,7 @@ TEST(Draws, BelowIsUniformAlsoWhereModuloWouldNotBe) {
 TEST(Resample, DrawsOnlyGivenValues) {
     const std::array data{1.0, 2.0, 3.0};
     std::vector<double> sample(100);
-    Draws draws(key, Resampling::bootstrap, 0);
+    Draws draws(draws_key, Resampling::bootstrap, 0);
     resample(data, draws, sample);
     for (const double value : data) EXPECT_GT(std::count(sample.begin(), sample.end(), value), 10);
     EXPECT_EQ(std::count(sample.begin(), sample.end(), 1) + std::count(sample.begin(), sample.end(), 2) +
@@ -57,7 +57,7 @@ TEST(Resample, DrawsOnlyGivenValues) {
 
 TEST(Shuffle, GivesAllOrdersEquallyOften) {
     std::array<std::uint64_t, 6> seen{};
-    Draws draws(key, Resampling::permutation, 1);
+    Draws draws(draws_key, Resampling::permutation, 1);
     for (int i = 0; i < 6000; ++i) {
         std::array order{0.0, 1.0, 2.0};
         shuffle(order, draws);

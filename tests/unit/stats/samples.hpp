@@ -1,11 +1,15 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <random>
 #include <vector>
 
 namespace ff::test {
+
+/// What numbers from other programs are of, in the comments of the tests that compare with them.
+inline constexpr std::array eight_values{2.1, 3.4, 1.9, 5.6, 4.4, 2.8, 9.7, 3.3};
 
 /// `n` values of a distribution of the standard library, from an engine that the caller seeds.
 template <class Distribution>

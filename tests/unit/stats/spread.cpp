@@ -11,7 +11,7 @@
 namespace ff::stats {
 namespace {
 
-constexpr std::array data{2.1, 3.4, 1.9, 5.6, 4.4, 2.8, 9.7, 3.3};
+using test::eight_values;
 
 TEST(Spread, OfNormalKurtosisIsChiSquared) {
     // Kurtosis below 0 is not made use of.
@@ -26,15 +26,15 @@ TEST(Spread, OfNormalKurtosisIsChiSquared) {
 
 // G2 = stats.kurtosis(x, bias=False) = 3.3925178
 TEST(Spread, LosesFreedomToKurtosis) {
-    const Moments moments = moments_of(data);
+    const Moments moments = moments_of(eight_values);
     EXPECT_NEAR(spread_of(moments)->freedom, 7 / (1 + *moments.excess_kurtosis() / 2), 1e-12);
     EXPECT_EQ(spread_of(moments)->mean_square, *moments.variance());
     EXPECT_EQ(spread_of(moments)->n, 8u);
 }
 
 TEST(Spread, AboutAReferenceIsTheMeanSquaredError) {
-    const auto spread = spread_about(data, 3);
-    EXPECT_DOUBLE_EQ(spread->mean_square, *moments_of(data, 3).mean_squared_error());
+    const auto spread = spread_about(eight_values, 3);
+    EXPECT_DOUBLE_EQ(spread->mean_square, *moments_of(eight_values, 3).mean_squared_error());
     EXPECT_LT(spread->freedom, 8);
     EXPECT_LT(spread_about(std::array{1e-200, -2e-200, 1.5e-200, 1e-200}, 0)->mean_square, 1e-300);
 }

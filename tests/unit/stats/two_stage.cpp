@@ -12,7 +12,7 @@
 namespace ff::stats {
 namespace {
 
-constexpr double level = 0.95;
+constexpr double two_stage_level = 0.95;
 
 TEST(TwoStage, PilotIsTheSpreadOfTheFirstValues) {
     const std::vector<double> values{1, 2, 3, 100};
@@ -24,14 +24,15 @@ TEST(TwoStage, PilotIsTheSpreadOfTheFirstValues) {
 // from scipy.stats import t; t.ppf(.975, 9)**2 * 4 / .5**2 -> 81.88; 4 * 9/7 / .25 -> 20.57
 TEST(TwoStage, AsksForAsManyTrialsAsTheGoalNeeds) {
     const Pilot pilot{10, 2};
-    EXPECT_EQ(trials_for_half_width(pilot, 0.5, level), 82u);
+    EXPECT_EQ(trials_for_half_width(pilot, 0.5, two_stage_level), 82u);
     EXPECT_EQ(trials_for_rmse(pilot, 0.5), 21u);
     EXPECT_EQ(trials_for_rmse(pilot, 5), 10u);
-    EXPECT_LE(half_width_of(pilot, 82, level), 0.5);
-    EXPECT_GT(half_width_of(pilot, 81, level), 0.5);
+    EXPECT_LE(half_width_of(pilot, 82, two_stage_level), 0.5);
+    EXPECT_GT(half_width_of(pilot, 81, two_stage_level), 0.5);
     EXPECT_LE(rmse_of(pilot, 21), 0.5);
     EXPECT_GT(rmse_of(pilot, 20), 0.5);
-    EXPECT_EQ(trials_for_half_width(pilot, 1e-300, level), trials_for_half_width(pilot, 1e-200, level));
+    EXPECT_EQ(trials_for_half_width(pilot, 1e-300, two_stage_level),
+              trials_for_half_width(pilot, 1e-200, two_stage_level));
 }
 
 using Law = std::function<double()>;
@@ -43,7 +44,8 @@ Moments run_two_stages(const Law& law, double half_width, Pilot& pilot) {
     pilot = *pilot_of(values, values.size());
     Moments all;
     for (const double value : values) all.add(value);
-    for (std::uint64_t left = trials_for_half_width(pilot, half_width, level) - values.size(); left > 0; --left)
+    for (std::uint64_t left = trials_for_half_width(pilot, half_width, two_stage_level) - values.size(); left > 0;
+         --left)
         all.add(law());
     return all;
 }
@@ -52,7 +54,7 @@ Moments run_two_stages(const Law& law, double half_width, Pilot& pilot) {
 Moments run_until_it_looks_short(const Law& law, double half_width) {
     Moments all;
     for (int i = 0; i < 5; ++i) all.add(law());
-    while (bias_interval_t(all, level)->width() / 2 > half_width) all.add(law());
+    while (bias_interval_t(all, two_stage_level)->width() / 2 > half_width) all.add(law());
     return all;
 }
 
@@ -66,9 +68,9 @@ TEST(TwoStage, KeepsItsCoverageOfNormalValues) {
     for (std::uint64_t run = 0; run < runs; ++run) {
         Pilot pilot;
         const Moments all = run_two_stages(law, 0.5, pilot);
-        covered += bias_interval_two_stage(all, pilot, level).contains(0) ? 1u : 0u;
+        covered += bias_interval_two_stage(all, pilot, two_stage_level).contains(0) ? 1u : 0u;
     }
-    EXPECT_TRUE(test::has_probability(covered, runs, level, {.detects = 0.026}));
+    EXPECT_TRUE(test::has_probability(covered, runs, two_stage_level, {.detects = 0.026}));
 }
 
 // The same assertion, turned round, on a rule that is broken: it covers about .88.
@@ -79,8 +81,8 @@ TEST(TwoStage, StoppingAtAShortIntervalLosesCoverage) {
     std::uint64_t covered = 0;
     constexpr std::uint64_t runs = 4000;
     for (std::uint64_t run = 0; run < runs; ++run)
-        covered += bias_interval_t(run_until_it_looks_short(law, 0.5), level)->contains(0) ? 1u : 0u;
-    EXPECT_FALSE(test::has_probability(covered, runs, level, {.detects = 0.026}));
+        covered += bias_interval_t(run_until_it_looks_short(law, 0.5), two_stage_level)->contains(0) ? 1u : 0u;
+    EXPECT_FALSE(test::has_probability(covered, runs, two_stage_level, {.detects = 0.026}));
 }
 
 // E (mean - truth)^2 is at most the square of what was asked for, and not far below it.
@@ -105,9 +107,9 @@ TEST(TwoStage, TestsAgreeWithTheInterval) {
     Moments all(0);
     for (const double value : {0.2, 0.5, -0.1, 0.4, 0.3, 0.2}) all.add(value);
     const Pilot pilot{5, 0.2};
-    const Interval interval = bias_interval_two_stage(all, pilot, level);
+    const Interval interval = bias_interval_two_stage(all, pilot, two_stage_level);
     const BiasTest test = *test_bias(all, pilot);
-    EXPECT_EQ(interval.contains(0), test.p >= 1 - level);
+    EXPECT_EQ(interval.contains(0), test.p >= 1 - two_stage_level);
     EXPECT_NEAR(interval.low + interval.high, 2 * test.bias, 1e-15);
     EXPECT_TRUE(test_equivalence(all, pilot, 1, 0.05)->equivalent);
     EXPECT_LT(test_equivalence(all, pilot, 1, 0.05)->p, 0.05);

@@ -12,8 +12,9 @@
 namespace ff::stats {
 namespace {
 
-constexpr std::array data{2.1, 3.4, 1.9, 5.6, 4.4, 2.8, 9.7, 3.3};
-const ResamplingPlan plan{.key = {.word0 = 1, .word1 = 2}, .replicates = 999};
+using test::eight_values;
+
+const ResamplingPlan variance_plan{.key = {.word0 = 1, .word1 = 2}, .replicates = 999};
 
 std::vector<double> laplace_sample(std::size_t n, std::mt19937_64& engine) {
     auto values = test::sample(std::exponential_distribution<double>(), n, engine);
@@ -24,7 +25,7 @@ std::vector<double> laplace_sample(std::size_t n, std::mt19937_64& engine) {
 // from scipy import stats; v = np.var([2.1, 3.4, 1.9, 5.6, 4.4, 2.8, 9.7, 3.3], ddof=1); 7*v/stats.chi2.isf([.025,
 // .975], 7)
 TEST(VarianceIntervalChi2, AgreesWithScipy) {
-    const auto interval = variance_interval_chi2(moments_of(data), 0.95);
+    const auto interval = variance_interval_chi2(moments_of(eight_values), 0.95);
     EXPECT_NEAR(interval->low, 2.831491129350904, 1e-12);
     EXPECT_NEAR(interval->high, 26.830479257469044, 1e-11);
     EXPECT_EQ(interval->method, "chi_squared");
@@ -34,10 +35,10 @@ TEST(VarianceIntervals, AreEmptyWithoutSpread) {
     EXPECT_FALSE(variance_interval_chi2(moments_of(std::array{1.0}), 0.95));
     EXPECT_FALSE(variance_interval_chi2(moments_of(std::array{1.0, 1.0}), 0.95));
     const std::vector<double> equal(20, 0.25);
-    EXPECT_FALSE(variance_interval_bootstrap(equal, 0.95, plan));
-    EXPECT_FALSE(variance_interval(equal, 0.95, plan));
-    EXPECT_FALSE(standard_deviation_interval({}, 0.95, plan));
-    EXPECT_FALSE(variance_interval_bootstrap(std::span(data).first(7), 0.95, plan));
+    EXPECT_FALSE(variance_interval_bootstrap(equal, 0.95, variance_plan));
+    EXPECT_FALSE(variance_interval(equal, 0.95, variance_plan));
+    EXPECT_FALSE(standard_deviation_interval({}, 0.95, variance_plan));
+    EXPECT_FALSE(variance_interval_bootstrap(std::span(eight_values).first(7), 0.95, variance_plan));
 }
 
 /// `hits` ones among zeros.
@@ -49,16 +50,17 @@ std::vector<double> sparse(std::size_t hits, std::size_t n) {
 
 TEST(VarianceIntervals, AreEmptyWhereFewValuesDiffer) {
     for (const std::size_t hits : {1u, 3u, 6u}) {
-        EXPECT_FALSE(variance_interval_bootstrap(sparse(hits, 1000), 0.95, plan)) << hits;
-        EXPECT_FALSE(variance_interval(sparse(hits, 1000), 0.95, plan)) << hits;
-        EXPECT_FALSE(variance_interval(sparse(1000 - hits, 1000), 0.95, plan)) << hits;
+        EXPECT_FALSE(variance_interval_bootstrap(sparse(hits, 1000), 0.95, variance_plan)) << hits;
+        EXPECT_FALSE(variance_interval(sparse(hits, 1000), 0.95, variance_plan)) << hits;
+        EXPECT_FALSE(variance_interval(sparse(1000 - hits, 1000), 0.95, variance_plan)) << hits;
     }
-    const auto seven = variance_interval(sparse(7, 1000), 0.95, plan);
+    const auto seven = variance_interval(sparse(7, 1000), 0.95, variance_plan);
     ASSERT_TRUE(seven);
     EXPECT_TRUE(seven->contains(0.007 * 0.993));
-    EXPECT_FALSE(variance_interval(sparse(5, 30), 0.95, plan)) << "kurtosis alone would let chi-squared pass";
-    EXPECT_FALSE(variance_interval(sparse(1, 5), 0.95, plan));
-    EXPECT_TRUE(variance_interval(std::array{20.0, 21.0, 20.0, 22.0, 19.0}, 0.95, plan)) << "some ties are normal";
+    EXPECT_FALSE(variance_interval(sparse(5, 30), 0.95, variance_plan)) << "kurtosis alone would let chi-squared pass";
+    EXPECT_FALSE(variance_interval(sparse(1, 5), 0.95, variance_plan));
+    EXPECT_TRUE(variance_interval(std::array{20.0, 21.0, 20.0, 22.0, 19.0}, 0.95, variance_plan))
+        << "some ties are normal";
 }
 
 // Nothing in a resample of as many ones as zeros can make the variance larger. Risks: false alarm 1e-6 of coverage
@@ -79,9 +81,9 @@ TEST(VarianceIntervalBootstrap, IsTheSameForTheSameKeyAndScalesWithTheData) {
     const auto values = laplace_sample(50, engine);
     auto scaled = values;
     for (double& value : scaled) value = 0.2 + 0x1p-40 * value;  // variances of 1e-24
-    const auto once = variance_interval_bootstrap(values, 0.95, plan);
-    const auto again = variance_interval_bootstrap(values, 0.95, plan);
-    const auto small = variance_interval_bootstrap(scaled, 0.95, plan);
+    const auto once = variance_interval_bootstrap(values, 0.95, variance_plan);
+    const auto again = variance_interval_bootstrap(values, 0.95, variance_plan);
+    const auto small = variance_interval_bootstrap(scaled, 0.95, variance_plan);
     EXPECT_EQ(once->low, again->low);
     EXPECT_EQ(once->high, again->high);
     EXPECT_NEAR(small->low / once->low, 0x1p-80, 0x1p-80 * 1e-3);
@@ -92,10 +94,10 @@ TEST(StandardDeviationInterval, SaysWhichMethodKurtosisCalledFor) {
     std::mt19937_64 engine(5);
     const auto normal = test::normal_sample(200, engine);
     const auto heavy = laplace_sample(200, engine);
-    EXPECT_EQ(standard_deviation_interval(normal, 0.95, plan)->method, "chi_squared");
-    EXPECT_EQ(standard_deviation_interval(heavy, 0.95, plan)->method, "studentised_bootstrap");
-    EXPECT_DOUBLE_EQ(standard_deviation_interval(heavy, 0.95, plan)->high,
-                     std::sqrt(variance_interval(heavy, 0.95, plan)->high));
+    EXPECT_EQ(standard_deviation_interval(normal, 0.95, variance_plan)->method, "chi_squared");
+    EXPECT_EQ(standard_deviation_interval(heavy, 0.95, variance_plan)->method, "studentised_bootstrap");
+    EXPECT_DOUBLE_EQ(standard_deviation_interval(heavy, 0.95, variance_plan)->high,
+                     std::sqrt(variance_interval(heavy, 0.95, variance_plan)->high));
 }
 
 // Risks: false alarm 1e-6; a coverage off by .012 is noticed with power .99.
@@ -122,8 +124,9 @@ TEST(VarianceInterval, NeedsNoResamplesForLargeSkewedSamples) {
     const auto draw = [&] {
         return test::sample(std::exponential_distribution<double>(), enough_for_kurtosis, engine);
     };
-    EXPECT_EQ(variance_interval(draw(), 0.95, plan)->method, "adjusted_chi_squared");
-    const auto covered = test::count_events(2100, [&] { return variance_interval(draw(), 0.95, plan)->contains(1); });
+    EXPECT_EQ(variance_interval(draw(), 0.95, variance_plan)->method, "adjusted_chi_squared");
+    const auto covered =
+        test::count_events(2100, [&] { return variance_interval(draw(), 0.95, variance_plan)->contains(1); });
     EXPECT_TRUE(test::has_probability_at_least(covered, 2100, 0.93, {.detects = 0.04}));
 }
 

@@ -5,7 +5,8 @@
 
 #include "core/formulas/rectangle_formulas.hpp"
 #include "core/support/error.hpp"
-#include "tests/unit/core/configurations/near.hpp"
+#include "tests/unit/core/configurations/extended_precision.hpp"
+#include "tests/unit/core/configurations/intervals.hpp"
 
 #include <gtest/gtest.h>
 
@@ -14,14 +15,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace ff {
 namespace {
 
-using Real = long double;
-constexpr Interval unit{0, 1};
-constexpr Interval middle{0.25, 0.75};
+using test::Real;
+using test::three;
+using test::unit;
+
+constexpr Interval middle_half{0.25, 0.75};
 
 /// Where rays that start in `from`, end `u` further in `to` and pass the hole on the way start: the length of it.
 Real common_length(const Interval& from, const Interval& to, const Interval& hole, Real fraction, Real u) {
@@ -31,8 +33,8 @@ Real common_length(const Interval& from, const Interval& to, const Interval& hol
 }
 
 /// @pre kinks lie at multiples of `step`, within `reach` of 0
-Real integral(const Interval& x_from, const Interval& y_from, const Interval& x_to, const Interval& y_to, Real gap,
-              const Aperture& hole, Real step, Real reach) {
+Real integral_over_rays(const Interval& x_from, const Interval& y_from, const Interval& x_to, const Interval& y_to,
+                        Real gap, const Aperture& hole, Real step, Real reach) {
     using Rule = boost::math::quadrature::gauss<Real, 20>;
     const auto over = [&](auto f) {
         Real sum = 0;
@@ -48,7 +50,7 @@ Real integral(const Interval& x_from, const Interval& y_from, const Interval& x_
         return width == 0 ? 0 : width * over([&](Real v) {
                                     const Real squared_distance = gap * gap + u * u + v * v;
                                     return common_length(y_from, y_to, hole.y, hole.fraction, v) * gap * gap /
-                                           (std::numbers::pi_v<Real> * squared_distance * squared_distance);
+                                           (test::pi * squared_distance * squared_distance);
                                 });
     });
 }
@@ -56,22 +58,22 @@ Real integral(const Interval& x_from, const Interval& y_from, const Interval& x_
 TEST(ExchangeAreaThroughAperture, IsTheIntegralOverAllRaysThatPass) {
     // Steps of a quarter keep the nearest complex singularity (a gap away) out of an ellipse of half axes sum above 16:
     // 20 nodes leave less than 16^-40.
-    const Aperture square{middle, middle, 0.5};
+    const Aperture square{middle_half, middle_half, 0.5};
     EXPECT_PRED3(test::near, exchange_area_through_aperture(unit, unit, unit, unit, 1, square),
-                 integral(unit, unit, unit, unit, 1, square, 0.25, 1), 1e-18L);
+                 integral_over_rays(unit, unit, unit, unit, 1, square, 0.25, 1), 1e-18L);
     // The L-shaped room: kinks of the widths at -1.5, 0, 1 and at -3, 0, 3.
-    constexpr Interval three{0, 3};
     const Aperture corner{unit, three, 1.0L / 3};
     EXPECT_PRED3(test::near, exchange_area_through_aperture(three, three, unit, three, 3, corner),
-                 integral(three, three, unit, three, 3, corner, 0.5, 3), 1e-17L);
+                 integral_over_rays(three, three, unit, three, 3, corner, 0.5, 3), 1e-17L);
 }
 
 TEST(ExchangeAreaThroughAperture, OfAHoleThatHidesNothingIsThatWithoutAPlate) {
     constexpr Interval wide{-9, 9};
     constexpr Interval to{0.5, 2};
     for (const Real fraction : {0.125L, 0.5L, 0.75L}) {
-        EXPECT_PRED3(test::near, exchange_area_through_aperture(unit, middle, to, unit, 0.5, {wide, wide, fraction}),
-                     parallel_exchange_area<Real>(unit, middle, to, unit, 0.5), 1e-17L);
+        EXPECT_PRED3(test::near,
+                     exchange_area_through_aperture(unit, middle_half, to, unit, 0.5, {wide, wide, fraction}),
+                     parallel_exchange_area<Real>(unit, middle_half, to, unit, 0.5), 1e-17L);
     }
 }
 
@@ -102,9 +104,9 @@ RC_GTEST_PROP(ExchangeAreaThroughAperture, IsTheSumOverPartsOfTheHole, ()) {
 }
 
 TEST(ExchangeAreaThroughAperture, RefusesAPlateThatIsNotBetween) {
-    EXPECT_THROW(exchange_area_through_aperture(unit, unit, unit, unit, 1, {middle, middle, 1}), UserError);
-    EXPECT_THROW(exchange_area_through_aperture(unit, unit, unit, unit, 1, {middle, middle, 0}), UserError);
-    EXPECT_THROW(exchange_area_through_aperture(unit, unit, unit, unit, 0, {middle, middle, 0.5}), UserError);
+    EXPECT_THROW(exchange_area_through_aperture(unit, unit, unit, unit, 1, {middle_half, middle_half, 1}), UserError);
+    EXPECT_THROW(exchange_area_through_aperture(unit, unit, unit, unit, 1, {middle_half, middle_half, 0}), UserError);
+    EXPECT_THROW(exchange_area_through_aperture(unit, unit, unit, unit, 0, {middle_half, middle_half, 0.5}), UserError);
 }
 
 }  // namespace

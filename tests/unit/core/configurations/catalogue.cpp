@@ -44,7 +44,7 @@ std::vector<Reference> read_references() {
 /// what the publication rounded itself. The sums over corners of distant rectangles cancel: within 1e-18 of the squared
 /// extent, as core/formulas/rectangle_formulas.hpp says, which is 102 of their areas for the squares ten sides apart
 /// (R05).
-bool agrees(long double computed, const Reference& reference) {
+bool as_published(long double computed, const Reference& reference) {
     const double value = static_cast<double>(computed);
     const auto rounded = static_cast<long double>(std::nextafter(value, 2.0) - value) / 2;
     const long double cancelled = reference.id == "R05" ? 102e-18L : 0;
@@ -60,17 +60,17 @@ TEST(Configurations, AreThoseWithPublishedValuesAndAgreeWithThem) {
         const auto found =
             std::find_if(all.begin(), all.end(), [&](const Configuration& c) { return c.id == reference.id; });
         ASSERT_NE(found, all.end()) << reference.id;
-        EXPECT_TRUE(agrees(found->exact(), reference))
+        EXPECT_TRUE(as_published(found->exact(), reference))
             << found->name << ": " << static_cast<double>(found->exact() - reference.factor) << " off";
     }
 }
 
 TEST(Configurations, AreComparedInEveryDigit) {
     for (Reference reference : read_references()) {
-        ASSERT_TRUE(agrees(reference.factor, reference));
+        ASSERT_TRUE(as_published(reference.factor, reference));
         const long double right = reference.factor;
         reference.factor *= 1 + 1e-13L;  // a misprint in the 13th digit
-        EXPECT_FALSE(agrees(right, reference)) << reference.id;
+        EXPECT_FALSE(as_published(right, reference)) << reference.id;
     }
 }
 

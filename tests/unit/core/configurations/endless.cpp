@@ -1,7 +1,7 @@
 #include "core/configurations/endless.hpp"
 
 #include "core/support/error.hpp"
-#include "tests/unit/core/configurations/near.hpp"
+#include "tests/unit/core/configurations/extended_precision.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,15 +10,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 
 namespace ff {
 namespace {
 
-using Real = long double;
+using test::pi;
+using test::Real;
 
 TEST(Wedge, IsTheDifferenceOfCrossedAndUncrossedStrings) {
-    for (const Real angle : {0.01L, 1.0L, std::numbers::pi_v<Real> / 2, 3.0L}) {
+    for (const Real angle : {0.01L, 1.0L, pi / 2, 3.0L}) {
         // Plates from the origin to (1, 0) and (cos, sin): crossed strings are the plates, uncrossed ones their ends'
         // distance and nothing.
         const Real uncrossed = std::hypot(std::cos(angle) - 1, std::sin(angle));
@@ -36,8 +36,7 @@ TEST(PlaneToTubes, IsTheShareOfEveryDirectionThatTheRowCovers) {
         };
         using Rule = boost::math::quadrature::gauss<Real, 30>;
         const Real edge = std::acos(cover);
-        const Real by_directions =
-            Rule::integrate(covered, 0.0L, edge) + Rule::integrate(covered, edge, std::numbers::pi_v<Real> / 2);
+        const Real by_directions = Rule::integrate(covered, 0.0L, edge) + Rule::integrate(covered, edge, pi / 2);
         EXPECT_PRED3(test::near, plane_to_tubes_factor(cover), by_directions, 1e-18L);
     }
     EXPECT_EQ(plane_to_tubes_factor(0), 0);

@@ -10,6 +10,7 @@
 #include "core/exact/known_factors.hpp"
 #include "core/geometry/aligned_rectangle.hpp"
 #include "core/support/error.hpp"
+#include "tests/unit/core/configurations/intervals.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -23,6 +24,9 @@
 
 namespace ff {
 namespace {
+
+using test::three;
+using test::unit;
 
 /// Factor from an element to a parallel rectangle with one corner on its normal, sides signed.
 double corner_factor(double x, double y, double gap) {
@@ -77,33 +81,30 @@ double through(const Interval& x_from, const Interval& y_from, const Interval& x
                 [&](double x) { return over(y_breaks, [&](double y) { return from_point(x, y); }); });
 }
 
-constexpr Interval unit{0, 1};
-constexpr Interval three{0, 3};
-
 double of_family(std::string_view scene, int from = 0, int to = 1) {
     return known_form_factor(built_in_scene(scene), from, to).value();
 }
 
 /// Rounding of some thousand terms, none above 1.
-constexpr double rounding = 4e-14;
+constexpr double rounding_of_sum = 4e-14;
 
 TEST(SceneFamilies, AgreeWithWhatPointsSeeThroughAHole) {
     for (const double edge : {0.1, 0.25, 0.5, 0.8, 1.0}) {
         const Interval hole{0.5L - edge / 2, 0.5L + edge / 2};
         const double exchange = through(unit, unit, unit, unit, 1, hole, hole, 0.5);
-        EXPECT_NEAR(of_family("squares_through_aperture:" + std::to_string(edge)), exchange, rounding) << edge;
+        EXPECT_NEAR(of_family("squares_through_aperture:" + std::to_string(edge)), exchange, rounding_of_sum) << edge;
         EXPECT_NEAR(of_family("squares_blocked:" + std::to_string(edge)), of_family("cube_opposite_faces") - exchange,
-                    rounding)
+                    rounding_of_sum)
             << edge;
     }
     for (const double depth : {0.25, 1.0, 2.0, 5.0}) {
         const double exchange = through(three, three, unit, three, 1 + depth, unit, three, 1 / (1 + depth));
-        EXPECT_NEAR(of_family("l_shaped_room:" + std::to_string(depth)), exchange / 9, rounding) << depth;
+        EXPECT_NEAR(of_family("l_shaped_room:" + std::to_string(depth)), exchange / 9, rounding_of_sum) << depth;
     }
     // The comparison notices a hole that is a millionth larger.
     const Interval larger{0.25L, 0.750001L};
     EXPECT_GT(through(unit, unit, unit, unit, 1, larger, larger, 0.5) - of_family("squares_through_aperture:0.5"),
-              rounding);
+              rounding_of_sum);
 }
 
 TEST(SceneFamilies, RangeFromUnoccludedToFullyOccluded) {

@@ -4,7 +4,7 @@
 
 #include "core/formulas/rectangle_formulas.hpp"
 #include "core/support/error.hpp"
-#include "tests/unit/core/configurations/near.hpp"
+#include "tests/unit/core/configurations/extended_precision.hpp"
 
 #include <gtest/gtest.h>
 

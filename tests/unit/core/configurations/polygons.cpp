@@ -2,18 +2,16 @@
 
 #include "core/formulas/rectangle_formulas.hpp"
 #include "core/support/error.hpp"
-#include "tests/unit/core/configurations/near.hpp"
+#include "tests/unit/core/configurations/extended_precision.hpp"
 
 #include <gtest/gtest.h>
 
 #include <boost/math/quadrature/gauss.hpp>
 
-#include <numbers>
-
 namespace ff {
 namespace {
 
-constexpr long double pi = std::numbers::pi_v<long double>;
+using test::pi;
 
 TEST(RectanglesAtAngle, AgreeWithTheClosedFormAtARightAngle) {
     const long double closed = perpendicular_exchange_area<long double>({0, 1}, {0, 1}, {0, 0.5}, {0, 2}) / 0.5L;

@@ -5,7 +5,7 @@
 #include "core/configurations/rectangle_element.hpp"
 #include "core/configurations/spheres.hpp"
 #include "core/support/error.hpp"
-#include "tests/unit/core/configurations/near.hpp"
+#include "tests/unit/core/configurations/extended_precision.hpp"
 
 #include <gtest/gtest.h>
 
@@ -14,16 +14,16 @@
 #include <cmath>
 #include <functional>
 #include <limits>
-#include <numbers>
 #include <vector>
 
 namespace ff {
 namespace {
 
-using Real = long double;
-constexpr Real pi = std::numbers::pi_v<Real>;
+using test::pi;
+using test::Real;
+
 /// Of sums and quadratures of smooth functions in extended precision, here below 10 in size.
-constexpr Real rounding = 2e-18L;
+constexpr Real extended_rounding = 2e-18L;
 
 /// Gauss's rule on 16 panels: integrands are analytic at least a quarter of the interval around it, so that 30 nodes
 /// leave less than 8^-60.
@@ -63,7 +63,7 @@ TEST(CoaxialCylinders, AreTheIntegralOverWhatTheInnerOneHides) {
                 return r1 * (r2 - r1 * std::cos(angle)) * (r2 * std::cos(angle) - r1) / (pi * squares * squares);
             },
             0, rim);
-        EXPECT_PRED3(test::near, outer_cylinder_to_inner_factor(r1, r2, height), to_inner, 100 * rounding);
+        EXPECT_PRED3(test::near, outer_cylinder_to_inner_factor(r1, r2, height), to_inner, 100 * extended_rounding);
         const Real hidden = over_heights(
             [&](Real angle, Real t) {
                 const Real rise = r2 * (1 - std::cos(angle));
@@ -72,7 +72,7 @@ TEST(CoaxialCylinders, AreTheIntegralOverWhatTheInnerOneHides) {
             },
             2 * rim, pi);
         EXPECT_PRED3(test::near, outer_cylinder_to_itself_factor(r1, r2, height),
-                     cylinder_wall_to_itself_factor(r2, height) - hidden, 100 * rounding);
+                     cylinder_wall_to_itself_factor(r2, height) - hidden, 100 * extended_rounding);
     }
     EXPECT_THROW(outer_cylinder_to_inner_factor(2, 1, 1), UserError);
     EXPECT_THROW(outer_cylinder_to_itself_factor(1, 1, 1), UserError);
@@ -83,14 +83,15 @@ TEST(CoaxialDiscs, AreTheIntegralOverTheFirstDisc) {
         const Real by_kernel =
             2 / (r1 * r1) *
             integral([&, r2 = r2, h = h](Real a) { return a * element_aside_to_disc(r2, h, a); }, 0, r1);
-        EXPECT_PRED3(test::near, coaxial_discs_factor(r1, r2, h), by_kernel, rounding) << r1 << " " << r2 << " " << h;
+        EXPECT_PRED3(test::near, coaxial_discs_factor(r1, r2, h), by_kernel, extended_rounding)
+            << r1 << " " << r2 << " " << h;
     }
 }
 
 TEST(CoaxialDiscs, KeepTheirDigitsFarApartAndCloseTogether) {
     EXPECT_PRED3(test::near, coaxial_discs_factor(1, 1, 1e8L) * 1e16L, 1, 1e-15L);       // r^2 / h^2 (1 - O(r^2 / h^2))
     EXPECT_PRED3(test::near, (1 - coaxial_discs_factor(1, 1, 1e-8L)) * 1e8L, 1, 1e-8L);  // h / r (1 - O(h))
-    EXPECT_PRED3(test::near, coaxial_discs_factor(3, 1, 2) * 9, coaxial_discs_factor(1, 3, 2), rounding);
+    EXPECT_PRED3(test::near, coaxial_discs_factor(3, 1, 2) * 9, coaxial_discs_factor(1, 3, 2), extended_rounding);
 }
 
 TEST(BlockedDiscs, AreTheIntegralOfWhatIsSeenPastTheBlocker) {
@@ -99,7 +100,7 @@ TEST(BlockedDiscs, AreTheIntegralOfWhatIsSeenPastTheBlocker) {
         return a * (element_aside_to_disc(1, 1, a) - element_aside_to_disc(0.25L, 0.5L, a));
     };
     EXPECT_PRED3(test::near, blocked_coaxial_discs_factor(0.5L, 1, 1, {0.25L, 0.5L}), 8 * integral(seen, 0, 0.5L),
-                 rounding);
+                 extended_rounding);
     // Here the shadow just fits; a little larger, it does not, and the formula would be wrong.
     EXPECT_NO_THROW(blocked_coaxial_discs_factor(0.5L, 1, 1, {0.25L, 0.5L}));
     EXPECT_THROW(blocked_coaxial_discs_factor(0.5L, 1, 1, {0.26L, 0.5L}), UserError);
@@ -109,8 +110,8 @@ TEST(BlockedDiscs, AreTheIntegralOfWhatIsSeenPastTheBlocker) {
 TEST(ElementToDisc, IsTheIntegralOverTheDisc) {
     for (const Real h : {0.5L, 1.0L, 3.0L}) {
         const auto kernel = [h](Real r) { return 2 * r * h * h / ((r * r + h * h) * (r * r + h * h)); };
-        EXPECT_PRED3(test::near, element_to_disc_factor(1, h), integral(kernel, 0, 1), rounding);
-        EXPECT_PRED3(test::near, element_to_disc_factor(1, h), element_aside_to_disc(1, h, 0), rounding);
+        EXPECT_PRED3(test::near, element_to_disc_factor(1, h), integral(kernel, 0, 1), extended_rounding);
+        EXPECT_PRED3(test::near, element_to_disc_factor(1, h), element_aside_to_disc(1, h, 0), extended_rounding);
     }
 }
 
@@ -124,7 +125,7 @@ TEST(ElementToRectangle, IsTheIntegralOverTheRectangle) {
                 },
                 0, b);
         };
-        EXPECT_PRED3(test::near, element_to_rectangle_factor(a, b, c), integral(over_y, 0, a), rounding);
+        EXPECT_PRED3(test::near, element_to_rectangle_factor(a, b, c), integral(over_y, 0, a), extended_rounding);
     }
 }
 
@@ -132,7 +133,7 @@ TEST(SphereToDisc, IsTheShareOfAllDirections) {
     for (const Real h : {0.25L, 2.0L, 50.0L}) {
         // The element 2 pi r dr is seen under a cosine h / d at a distance d.
         const auto share = [h](Real r) { return r * h / (2 * std::pow(r * r + h * h, 1.5L)); };
-        EXPECT_PRED3(test::near, sphere_to_disc_factor(1, h), integral(share, 0, 1), rounding);
+        EXPECT_PRED3(test::near, sphere_to_disc_factor(1, h), integral(share, 0, 1), extended_rounding);
     }
 }
 
@@ -143,24 +144,24 @@ TEST(SphereCap, ReceivesEquallyFromEveryPoint) {
         const Real distance = 2 * radius * std::sin(angle / 2);
         const Real cosine = distance / (2 * radius);
         const Real kernel = cosine * cosine / (pi * distance * distance);
-        EXPECT_PRED3(test::near, kernel * 2 * pi * radius * 0.5L, sphere_cap_factor(radius, 0.5L), rounding);
+        EXPECT_PRED3(test::near, kernel * 2 * pi * radius * 0.5L, sphere_cap_factor(radius, 0.5L), extended_rounding);
     }
     EXPECT_EQ(sphere_cap_factor(1, 2), 1);
     EXPECT_THROW(sphere_cap_factor(1, 2.5L), UserError);
 }
 
 TEST(ConcentricSpheres, SatisfyClosure) {
-    EXPECT_PRED3(test::near, outer_sphere_to_itself_factor(1, 2) + 0.25L, 1, rounding);
+    EXPECT_PRED3(test::near, outer_sphere_to_itself_factor(1, 2) + 0.25L, 1, extended_rounding);
     EXPECT_THROW(outer_sphere_to_itself_factor(2, 2), UserError);
 }
 
 TEST(Cylinder, ClosesWithItsBases) {
     for (const auto& [r, h] : {std::array<Real, 2>{1, 2}, {1, 0.01L}, {1, 100}, {3, 1}}) {
         const Real base_to_base = coaxial_discs_factor(r, r, h);
-        EXPECT_PRED3(test::near, cylinder_base_to_wall_factor(r, h), 1 - base_to_base, rounding);
+        EXPECT_PRED3(test::near, cylinder_base_to_wall_factor(r, h), 1 - base_to_base, extended_rounding);
         // What the wall sends to a base follows by reciprocity; two bases and the wall itself get all of it.
         const Real wall_to_base = (1 - base_to_base) * r / (2 * h);
-        EXPECT_PRED3(test::near, cylinder_wall_to_itself_factor(r, h), 1 - 2 * wall_to_base, 100 * rounding);
+        EXPECT_PRED3(test::near, cylinder_wall_to_itself_factor(r, h), 1 - 2 * wall_to_base, 100 * extended_rounding);
     }
 }
 

@@ -4,6 +4,7 @@
 #include "core/geometry/box.hpp"
 #include "tests/support/gauss_points.hpp"
 #include "tests/support/philox_points.hpp"
+#include "tests/unit/core/estimators/faces.hpp"
 #include "tests/unit/core/tracing/instruction_sets.hpp"
 
 #include <gtest/gtest.h>
@@ -16,9 +17,11 @@
 namespace ff {
 namespace {
 
-constexpr int face_1 = 0, face_2 = 1, face_6 = 5;
+using test::face_1;
+using test::face_2;
+using test::face_6;
 
-Eigen::MatrixXd gauss(const Scene& scene, std::uint32_t m, int source_nodes, int target_nodes) {
+Eigen::MatrixXd kernel_with_gauss_points(const Scene& scene, std::uint32_t m, int source_nodes, int target_nodes) {
     return area_kernel(scene, {m}, test::GaussPoints(source_nodes, target_nodes), PointMap::uniform, {}, 0);
 }
 
@@ -38,7 +41,7 @@ TEST(AreaKernel, IsThePatchToPatchIntegralWithGaussLegendrePoints) {
         {6, 5, 2, 0.199824065, 1.000481352},   // 0.0029 / m
     }};
     for (const auto& c : cases) {
-        const Eigen::MatrixXd factors = gauss(cube, c.m, c.source_nodes, c.target_nodes);
+        const Eigen::MatrixXd factors = kernel_with_gauss_points(cube, c.m, c.source_nodes, c.target_nodes);
         for (int from = 0; from < 6; ++from) {
             EXPECT_NEAR(factors.row(from).sum(), c.row_sum, 6e-10) << c.m << ' ' << from;
         }
@@ -99,13 +102,13 @@ TEST(AreaKernel, GivesThePatchFactorsOfBothOrdersAtOnce) {
 }
 
 TEST(AreaKernel, LeavesTheDiagonalAtZero) {
-    EXPECT_TRUE(gauss(make_box(3, 2, 1), 2, 3, 3).diagonal().isZero(0));
+    EXPECT_TRUE(kernel_with_gauss_points(make_box(3, 2, 1), 2, 3, 3).diagonal().isZero(0));
 }
 
 TEST(AreaKernel, HasTheSameBitsWithEveryInstructionSet) {
     const Scene box = make_box(3, 2, 1);
     const auto results = test::with_each_instruction_set([&box] {
-        const Eigen::MatrixXd fixed = gauss(box, 3, 5, 6);
+        const Eigen::MatrixXd fixed = kernel_with_gauss_points(box, 3, 5, 6);
         const Eigen::MatrixXd random = area_kernel(box, {2}, test::PhiloxPoints(1500), PointMap::uniform, {1, 2}, 3);
         std::vector<double> bits(fixed.reshaped().begin(), fixed.reshaped().end());
         bits.insert(bits.end(), random.reshaped().begin(), random.reshaped().end());
@@ -155,10 +158,10 @@ TEST(AreaKernel, CountsPointsThatCoincideAsZero) {
 }
 
 /// Remembers which streams it was asked for.
-class Recorder : public test::PhiloxPoints {
+class StreamRecorder : public test::PhiloxPoints {
   public:
     using PhiloxPoints::fill;
-    Recorder() : PhiloxPoints(1) {}
+    StreamRecorder() : PhiloxPoints(1) {}
     void fill(const Stream& stream, PointIndex first, WeightedBlock& block) const override {
         streams.emplace_back(stream.source, stream.target);
         PhiloxPoints::fill(stream, first, block);
@@ -167,7 +170,7 @@ class Recorder : public test::PhiloxPoints {
 };
 
 TEST(AreaKernel, GivesEveryOrderedPairOfPatchesItsOwnStream) {
-    Recorder points;
+    StreamRecorder points;
     area_kernel(make_box(1, 1, 1), {2}, points, PointMap::uniform, {}, 0);
     EXPECT_EQ(points.streams.size(), 24u * 20u);
     std::sort(points.streams.begin(), points.streams.end());

@@ -4,6 +4,7 @@
 #include "core/geometry/box.hpp"
 #include "tests/support/gauss_points.hpp"
 #include "tests/support/philox_points.hpp"
+#include "tests/unit/core/estimators/faces.hpp"
 #include "tests/unit/core/tracing/instruction_sets.hpp"
 
 #include <gtest/gtest.h>
@@ -15,16 +16,17 @@
 namespace ff {
 namespace {
 
-constexpr int face_1 = 0, face_6 = 5;
+using test::face_1;
+using test::face_6;
 
 /// With n x n nodes on every patch (and one, of weight 1, on the target, where no point is).
-Eigen::MatrixXd gauss(const Scene& scene, std::uint32_t m, int nodes) {
+Eigen::MatrixXd polygon_with_gauss_points(const Scene& scene, std::uint32_t m, int nodes) {
     const test::GaussPoints points(nodes, 1);
     return point_to_polygon(scene, {m}, points, points.points(), Allocation::patch, {}, 0);
 }
 
-Eigen::MatrixXd random(const Scene& scene, std::uint32_t m, std::uint64_t samples, Allocation allocation,
-                       std::uint32_t trial) {
+Eigen::MatrixXd polygon_with_random_points(const Scene& scene, std::uint32_t m, std::uint64_t samples,
+                                           Allocation allocation, std::uint32_t trial) {
     const std::uint64_t points = allocation == Allocation::face ? samples * m * m : samples;
     return point_to_polygon(scene, {m}, test::PhiloxPoints(points), samples, allocation, {1, 2}, trial);
 }
@@ -32,15 +34,15 @@ Eigen::MatrixXd random(const Scene& scene, std::uint32_t m, std::uint64_t sample
 TEST(PointToPolygon, LeavesOnlyTheErrorOfTheSourceIntegral) {
     const Scene box = make_box(3, 2, 1);
     const Eigen::MatrixXd exact = *exact_form_factors(box);
-    EXPECT_NEAR(gauss(box, 2, 12)(face_1, face_6), exact(face_1, face_6), 1e-13) << "smooth";
-    const double coarse = (gauss(box, 1, 6) - exact).cwiseAbs().maxCoeff();
-    const double fine = (gauss(box, 4, 12) - exact).cwiseAbs().maxCoeff();
+    EXPECT_NEAR(polygon_with_gauss_points(box, 2, 12)(face_1, face_6), exact(face_1, face_6), 1e-13) << "smooth";
+    const double coarse = (polygon_with_gauss_points(box, 1, 6) - exact).cwiseAbs().maxCoeff();
+    const double fine = (polygon_with_gauss_points(box, 4, 12) - exact).cwiseAbs().maxCoeff();
     EXPECT_LT(fine, coarse / 16) << "the jump at the corners is the error that is left";
     EXPECT_LT(fine, 2e-6);
 }
 
 TEST(PointToPolygon, SeesAllOfTheHemisphereFromEveryPoint) {
-    const Eigen::MatrixXd factors = random(make_box(3, 2, 1), 3, 50, Allocation::patch, 0);
+    const Eigen::MatrixXd factors = polygon_with_random_points(make_box(3, 2, 1), 3, 50, Allocation::patch, 0);
     for (int from = 0; from < 6; ++from) EXPECT_NEAR(factors.row(from).sum(), 1, 1e-14) << from;
     EXPECT_TRUE(factors.diagonal().isZero(0));
 }
@@ -52,7 +54,7 @@ TEST(PointToPolygon, CountsOnlyWhatLiesAboveTheHorizonAndOnlyFromItsFront) {
     Scene crossing;
     crossing.surfaces = {floor, wall};
     crossing.faces = {"floor", "wall"};
-    const Eigen::MatrixXd factors = gauss(crossing, 8, 12);  // patches end where the planes meet
+    const Eigen::MatrixXd factors = polygon_with_gauss_points(crossing, 8, 12);  // patches end where the planes meet
     const double exchange = *exact_exchange_area(floor, wall);
     EXPECT_NEAR(factors(0, 1), exchange / 4, 1e-5);
     EXPECT_NEAR(factors(1, 0), exchange / 8, 1e-5);
@@ -70,7 +72,7 @@ TEST(PointToPolygon, IsUnbiasedWithEitherAllocation) {
         Eigen::ArrayXXd sum = Eigen::ArrayXXd::Zero(6, 6);
         Eigen::ArrayXXd squares = sum;
         for (std::uint32_t trial = 0; trial < trials; ++trial) {
-            const Eigen::ArrayXXd error = (random(cube, 2, 256, allocation, trial) - exact).array();
+            const Eigen::ArrayXXd error = (polygon_with_random_points(cube, 2, 256, allocation, trial) - exact).array();
             sum += error;
             squares += error.square();
         }
@@ -89,14 +91,14 @@ TEST(PointToPolygon, IsUnbiasedWithEitherAllocation) {
 TEST(PointToPolygon, HasTheSameBitsWithEveryInstructionSet) {
     const Scene box = make_box(3, 2, 1);
     const auto results = test::with_each_instruction_set([&box] {
-        const Eigen::MatrixXd factors = random(box, 2, 1500, Allocation::patch, 3);
+        const Eigen::MatrixXd factors = polygon_with_random_points(box, 2, 1500, Allocation::patch, 3);
         return std::vector<double>(factors.reshaped().begin(), factors.reshaped().end());
     });
     for (const auto& result : results) EXPECT_EQ(result, results.front());
 }
 
 /// Remembers which points it was asked for.
-class Recorder : public test::PhiloxPoints {
+class RequestRecorder : public test::PhiloxPoints {
   public:
     using PhiloxPoints::fill;
     struct Request {
@@ -115,16 +117,16 @@ class Recorder : public test::PhiloxPoints {
 };
 
 TEST(PointToPolygon, GivesEveryPatchItsOwnPoints) {
-    Recorder own(7);
+    RequestRecorder own(7);
     point_to_polygon(make_box(1, 1, 1), {2}, own, 7, Allocation::patch, {}, 0);
     ASSERT_EQ(own.requests.size(), 24u);
-    for (std::uint32_t p = 0; p < 24; ++p) EXPECT_EQ(own.requests[p], (Recorder::Request{p, 0, 0, 7}));
+    for (std::uint32_t p = 0; p < 24; ++p) EXPECT_EQ(own.requests[p], (RequestRecorder::Request{p, 0, 0, 7}));
 
-    Recorder shared(28);
+    RequestRecorder shared(28);
     point_to_polygon(make_box(1, 1, 1), {2}, shared, 7, Allocation::face, {}, 0);
     ASSERT_EQ(shared.requests.size(), 24u);
     for (std::uint32_t p = 0; p < 24; ++p)
-        EXPECT_EQ(shared.requests[p], (Recorder::Request{p / 4, 0, PointIndex{p % 4} * 7, 7}));
+        EXPECT_EQ(shared.requests[p], (RequestRecorder::Request{p / 4, 0, PointIndex{p % 4} * 7, 7}));
 }
 
 }  // namespace

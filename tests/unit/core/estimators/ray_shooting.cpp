@@ -58,10 +58,10 @@ TEST(RayShooting, ReplacesTheTallyAndAddsToTheSums) {
 }
 
 /// Remembers every (source, first, size) it was asked for.
-class Recorder : public test::PhiloxPoints {
+class SequenceRecorder : public test::PhiloxPoints {
   public:
     using PhiloxPoints::fill;
-    Recorder() : PhiloxPoints(1) {}
+    SequenceRecorder() : PhiloxPoints(1) {}
     void fill(const Stream& stream, PointIndex first, PointBlock& block) const override {
         EXPECT_EQ(stream.key, key);
         EXPECT_EQ(stream.target, 0u);
@@ -72,7 +72,7 @@ class Recorder : public test::PhiloxPoints {
 };
 
 TEST(RayShooting, GivesEveryPatchItsOwnSequence) {
-    Recorder points;
+    SequenceRecorder points;
     PatchSums sums;
     one_trial(make_box(1, 1, 1), 2, 1500, Allocation::patch, points, sums);
     ASSERT_EQ(points.asked.size(), 48u);
@@ -83,7 +83,7 @@ TEST(RayShooting, GivesEveryPatchItsOwnSequence) {
 }
 
 TEST(RayShooting, ContinuesOneSequenceOverAFace) {
-    Recorder points;
+    SequenceRecorder points;
     PatchSums sums;
     one_trial(make_box(1, 1, 1), 2, 100, Allocation::face, points, sums);
     ASSERT_EQ(points.asked.size(), 24u);

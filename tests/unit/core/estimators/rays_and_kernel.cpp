@@ -6,6 +6,7 @@
 #include "stats/moments.hpp"
 #include "tests/support/estimator_trials.hpp"
 #include "tests/support/statistical_assertions.hpp"
+#include "tests/unit/core/estimators/faces.hpp"
 
 #include <gtest/gtest.h>
 
@@ -15,7 +16,8 @@
 namespace ff {
 namespace {
 
-constexpr int face_1 = 0, face_2 = 1;
+using test::face_1;
+using test::face_2;
 
 // One point at a time: each way adds at most 1, and by the power heuristic a place that was laid at most 1/2. The
 // kernel alone gives values far above 2 where faces touch.

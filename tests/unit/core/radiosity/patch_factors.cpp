@@ -19,25 +19,25 @@
 namespace ff {
 namespace {
 
-constexpr Subdivision divided{3};
-constexpr StreamKey key{1, 2};
+constexpr Subdivision three_by_three{3};
+constexpr StreamKey patch_factor_key{1, 2};
 
 Eigen::MatrixXd shot(const Scene& scene, std::uint64_t rays, Allocation allocation = Allocation::patch) {
-    return shoot_patch_factors(scene, divided, *make_tracer(scene, TracerChoice::automatic), test::PhiloxPoints(rays),
-                               rays, allocation, key, 5);
+    return shoot_patch_factors(scene, three_by_three, *make_tracer(scene, TracerChoice::automatic),
+                               test::PhiloxPoints(rays), rays, allocation, patch_factor_key, 5);
 }
 
 TEST(ExactPatchFactors, AddUpToThoseOfFaces) {
     for (const char* name : {"cube", "box:2x1x0.5"}) {
         const Scene scene = built_in_scene(name);
-        const Eigen::MatrixXd factors = exact_patch_factors(scene, divided).value();
-        const Eigen::MatrixXd to_faces = exact_patch_to_face(scene, divided).value();
+        const Eigen::MatrixXd factors = exact_patch_factors(scene, three_by_three).value();
+        const Eigen::MatrixXd to_faces = exact_patch_to_face(scene, three_by_three).value();
         for (int face = 0; face < 6; ++face) {
             const Eigen::VectorXd sums = factors.middleCols(Eigen::Index{9} * face, 9).rowwise().sum();
             // 1e-15 of the squared extent, over the area of a patch, nine times.
             EXPECT_LT((sums - to_faces.col(face)).cwiseAbs().maxCoeff(), 1e-12);
         }
-        const FactorProperties properties = factor_properties(factors, patch_areas(scene, divided));
+        const FactorProperties properties = factor_properties(factors, patch_areas(scene, three_by_three));
         EXPECT_LT(properties.closure_defect, 1e-11);
         EXPECT_LT(properties.reciprocity_defect, 1e-15);
     }
@@ -49,8 +49,8 @@ TEST(ShotPatchFactors, AreTheRaysOfTheTrial) {
         const std::uint64_t rays = 1500;  // more than a block
         RayTally tally;
         PatchSums sums;
-        ray_shooting(scene, divided, *make_tracer(scene, TracerChoice::automatic), test::PhiloxPoints(rays), rays,
-                     allocation, key, 5, tally, &sums);
+        ray_shooting(scene, three_by_three, *make_tracer(scene, TracerChoice::automatic), test::PhiloxPoints(rays),
+                     rays, allocation, patch_factor_key, 5, tally, &sums);
         const Eigen::MatrixXd factors = shot(scene, rays, allocation);
         for (int patch = 0; patch < 54; ++patch) {
             EXPECT_NEAR(factors.row(patch).sum(), 1, 1e-14);
@@ -68,7 +68,7 @@ TEST(ShotPatchFactors, AreTheRaysOfTheTrial) {
 // swapped, or counted from the other end, would change these factors by 0.02 and more.
 TEST(ShotPatchFactors, AreUnbiased) {
     const Scene scene = built_in_scene("box:2x1x0.5");
-    const Eigen::MatrixXd exact = exact_patch_factors(scene, divided).value();
+    const Eigen::MatrixXd exact = exact_patch_factors(scene, three_by_three).value();
     const std::uint64_t rays = 20000;
     const Eigen::MatrixXd factors = shot(scene, rays);
     for (Eigen::Index patch = 0; patch < 54; ++patch) {
@@ -85,8 +85,8 @@ TEST(KernelPatchFactors, AddUpToTheTrial) {
     for (const PointMap map : {PointMap::uniform, PointMap::graded}) {
         const test::PhiloxPoints points(40);
         PatchFactorSums sums;
-        const Eigen::MatrixXd faces = area_kernel(scene, divided, points, map, key, 5, &sums);
-        const Eigen::MatrixXd factors = kernel_patch_factors(scene, divided, points, map, key, 5);
+        const Eigen::MatrixXd faces = area_kernel(scene, three_by_three, points, map, patch_factor_key, 5, &sums);
+        const Eigen::MatrixXd factors = kernel_patch_factors(scene, three_by_three, points, map, patch_factor_key, 5);
         EXPECT_EQ(factors.diagonal(), Eigen::VectorXd::Zero(54));
         for (int patch = 0; patch < 54; ++patch) {
             for (int face = 0; face < 6; ++face) {
@@ -101,13 +101,13 @@ TEST(KernelPatchFactors, AddUpToTheTrial) {
 TEST(PatchSight, IsThatOfTheExactFactors) {
     for (const char* name : {"cube", "box:2x1x0.5"}) {
         const Scene scene = built_in_scene(name);
-        const Eigen::MatrixXd factors = exact_patch_factors(scene, divided).value();
-        EXPECT_TRUE((patch_sight(scene, divided) == (factors.array() > 0)).all());
+        const Eigen::MatrixXd factors = exact_patch_factors(scene, three_by_three).value();
+        EXPECT_TRUE((patch_sight(scene, three_by_three) == (factors.array() > 0)).all());
     }
 }
 
 TEST(PatchAreas, AddUpToTheScene) {
-    const Eigen::VectorXd areas = patch_areas(built_in_scene("box:2x1x0.5"), divided);
+    const Eigen::VectorXd areas = patch_areas(built_in_scene("box:2x1x0.5"), three_by_three);
     EXPECT_NEAR(areas.sum(), 2 * (2 * 1 + 2 * 0.5 + 1 * 0.5), 1e-14);
     EXPECT_NEAR(areas[0], 2.0 / 9, 1e-15);
     EXPECT_NEAR(areas[53], 2.0 / 9, 1e-15);
@@ -159,8 +159,9 @@ TEST(PatchFactorsOfGrids, AreShotWithoutBias) {
     const Scene& room = gridded()[0];
     const Eigen::MatrixXd exact = exact_patch_factors(room, {2}).value();
     const std::uint64_t rays = 20000;
-    const Eigen::MatrixXd factors = shoot_patch_factors(room, {2}, *make_tracer(room, TracerChoice::automatic),
-                                                        test::PhiloxPoints(rays), rays, Allocation::patch, key, 5);
+    const Eigen::MatrixXd factors =
+        shoot_patch_factors(room, {2}, *make_tracer(room, TracerChoice::automatic), test::PhiloxPoints(rays), rays,
+                            Allocation::patch, patch_factor_key, 5);
     for (Eigen::Index patch = 0; patch < exact.rows(); ++patch) {
         Eigen::Index to = 0;
         exact.row(patch).maxCoeff(&to);
@@ -174,13 +175,15 @@ TEST(PatchFactorsOfGrids, AreTheSumsOfTheTrial) {
         RayTally tally;
         PatchSums hits;
         const auto tracer = make_tracer(room, TracerChoice::automatic);
-        ray_shooting(room, {2}, *tracer, test::PhiloxPoints(400), 100, Allocation::face, key, 5, tally, &hits);
-        const Eigen::MatrixXd shot = to_faces(
-            shoot_patch_factors(room, {2}, *tracer, test::PhiloxPoints(400), 100, Allocation::face, key, 5), room, {2});
+        ray_shooting(room, {2}, *tracer, test::PhiloxPoints(400), 100, Allocation::face, patch_factor_key, 5, tally,
+                     &hits);
+        const Eigen::MatrixXd shot = to_faces(shoot_patch_factors(room, {2}, *tracer, test::PhiloxPoints(400), 100,
+                                                                  Allocation::face, patch_factor_key, 5),
+                                              room, {2});
         PatchFactorSums sums;
-        area_kernel(room, {2}, test::PhiloxPoints(20), PointMap::graded, key, 5, &sums);
-        const Eigen::MatrixXd kernels =
-            to_faces(kernel_patch_factors(room, {2}, test::PhiloxPoints(20), PointMap::graded, key, 5), room, {2});
+        area_kernel(room, {2}, test::PhiloxPoints(20), PointMap::graded, patch_factor_key, 5, &sums);
+        const Eigen::MatrixXd kernels = to_faces(
+            kernel_patch_factors(room, {2}, test::PhiloxPoints(20), PointMap::graded, patch_factor_key, 5), room, {2});
         for (Eigen::Index patch = 0; patch < shot.rows(); ++patch) {
             for (Eigen::Index face = 0; face < 6; ++face) {
                 const std::size_t at = static_cast<std::size_t>(patch * 6 + face);

@@ -29,42 +29,44 @@ namespace ff {
 namespace {
 
 using std::numbers::pi;
-
-const Eigen::Vector3d up = test::tilted;
-const Eigen::Vector3d centre(0.3, -0.2, 0.1);
+using test::somewhere;
+using test::tilted;
 
 Scene cylinder(double radius, double height) {
-    return test::faces_of({test::disc(centre, up, radius), test::disc(centre + height * up, -up, radius),
-                           test::wall(centre, height * up, radius, radius, Facing::inward)},
-                          true);
+    return test::faces_of(
+        {test::disc(somewhere, tilted, radius), test::disc(somewhere + height * tilted, -tilted, radius),
+         test::wall(somewhere, height * tilted, radius, radius, Facing::inward)},
+        true);
 }
 
 /// A spherical cap of this height and the disc that closes it, from below.
 Scene cap(double radius, double height) {
     const double low = 1 - height / radius;
-    return test::faces_of({test::sphere(centre, radius, Facing::inward, low, 1),
-                           test::disc(centre + low * radius * up, up, radius * std::sqrt(1 - low * low))},
+    return test::faces_of({test::sphere(somewhere, radius, Facing::inward, low, 1),
+                           test::disc(somewhere + low * radius * tilted, tilted, radius * std::sqrt(1 - low * low))},
                           true);
 }
 
 Scene cone(double radius, double height) {
-    return test::faces_of({test::wall(centre, height * up, radius, 0, Facing::inward), test::disc(centre, up, radius)},
-                          true);
+    return test::faces_of(
+        {test::wall(somewhere, height * tilted, radius, 0, Facing::inward), test::disc(somewhere, tilted, radius)},
+        true);
 }
 
 /// The cylinder and the cone as a silo, its floor and its wall in two pieces: all factors follow from closure with
 /// what is behind a disc.
 Scene silo() {
-    return test::faces_of(
-        {test::disc(centre, up, 1), test::disc(centre, up, 2, 1),
-         test::wall(centre + 3 * up, -2 * up, 2, 2, Facing::inward), test::wall(centre, up, 2, 2, Facing::inward),
-         test::wall(centre + 3 * up, up, 2, 0.5, Facing::inward), test::disc(centre + 4 * up, -up, 0.5)},
-        true);
+    return test::faces_of({test::disc(somewhere, tilted, 1), test::disc(somewhere, tilted, 2, 1),
+                           test::wall(somewhere + 3 * tilted, -2 * tilted, 2, 2, Facing::inward),
+                           test::wall(somewhere, tilted, 2, 2, Facing::inward),
+                           test::wall(somewhere + 3 * tilted, tilted, 2, 0.5, Facing::inward),
+                           test::disc(somewhere + 4 * tilted, -tilted, 0.5)},
+                          true);
 }
 
 Scene spheres() {
-    return test::faces_of({test::sphere(centre, 2, Facing::inward),
-                           test::sphere(centre + Eigen::Vector3d(0.4, 0, 0), 1, Facing::outward)},
+    return test::faces_of({test::sphere(somewhere, 2, Facing::inward),
+                           test::sphere(somewhere + Eigen::Vector3d(0.4, 0, 0), 1, Facing::outward)},
                           true);
 }
 
@@ -105,14 +107,14 @@ std::vector<Scene> all_rooms() {
             mirrored("box:2x1x0.5", {"5", "2", "6"})};
 }
 
-constexpr double rounding = 4e-15;
+constexpr double rounding_in_rooms = 4e-15;
 
 TEST(ExactRooms, AreTheEnclosuresOfOtherDerivations) {
-    EXPECT_LT((*exact_room_factors(cylinder(1, 2)) - closed_cylinder(1, 2).factors).norm(), rounding);
+    EXPECT_LT((*exact_room_factors(cylinder(1, 2)) - closed_cylinder(1, 2).factors).norm(), rounding_in_rooms);
     EXPECT_LT((*exact_room_factors(cylinder(3, 0.1)) - closed_cylinder(3, 0.1).factors).norm(), 1e-13);
-    EXPECT_LT((*exact_room_factors(cap(1, 0.5)) - cavity(pi, pi * 0.75).factors).norm(), rounding);
-    EXPECT_LT((*exact_room_factors(cone(1, 1)) - cavity(pi * std::sqrt(2.0), pi).factors).norm(), rounding);
-    EXPECT_LT((*exact_room_factors(spheres()) - cavity(4, 1).factors).norm(), rounding);
+    EXPECT_LT((*exact_room_factors(cap(1, 0.5)) - cavity(pi, pi * 0.75).factors).norm(), rounding_in_rooms);
+    EXPECT_LT((*exact_room_factors(cone(1, 1)) - cavity(pi * std::sqrt(2.0), pi).factors).norm(), rounding_in_rooms);
+    EXPECT_LT((*exact_room_factors(spheres()) - cavity(4, 1).factors).norm(), rounding_in_rooms);
 }
 
 TEST(ExactRooms, AreClosedAndReciprocal) {
@@ -140,13 +142,13 @@ TEST(MirrorsThatMeet, MakeAQuarterOfALargerBox) {
             double sum = 0;
             for (const int to : seen[static_cast<std::size_t>(j)])
                 sum += whole(seen[static_cast<std::size_t>(i)].front(), to);
-            EXPECT_NEAR(factors(i, j), sum, rounding) << i << " " << j;
+            EXPECT_NEAR(factors(i, j), sum, rounding_in_rooms) << i << " " << j;
         }
     }
 }
 
 /// Hits by pair of faces, of independent rays from every patch.
-RayTally traced(const Scene& scene, TracerChoice choice, std::uint64_t rays) {
+RayTally tally_of_rays(const Scene& scene, TracerChoice choice, std::uint64_t rays) {
     RayTally tally;
     PatchSums sums;
     const Subdivision divided{2};
@@ -160,7 +162,7 @@ RayTally traced(const Scene& scene, TracerChoice choice, std::uint64_t rays) {
 TEST(TracedRooms, AreUnbiased) {
     for (const Scene& scene : all_rooms()) {
         const Eigen::MatrixXd exact = exact_room_factors(scene).value();
-        const auto tally = traced(scene, TracerChoice::automatic, 20000);
+        const auto tally = tally_of_rays(scene, TracerChoice::automatic, 20000);
         const std::size_t faces = scene.faces.size();
         for (std::size_t i = 0; i < faces; ++i) {
             EXPECT_EQ(tally.lost[i], 0u) << scene.canonical;
@@ -180,8 +182,8 @@ TEST(TracedRooms, AreUnbiased) {
 
 TEST(TracedMirrors, AreTheSameForBothTracersButForEdges) {
     const Scene scene = mirrored("box:2x1x0.5", {"1", "3"});
-    const auto box = traced(scene, TracerChoice::box, 5000);
-    const auto embree = traced(scene, TracerChoice::embree, 5000);
+    const auto box = tally_of_rays(scene, TracerChoice::box, 5000);
+    const auto embree = tally_of_rays(scene, TracerChoice::embree, 5000);
     for (std::size_t pair = 0; pair < box.hits.size(); ++pair)
         EXPECT_NEAR(static_cast<double>(box.hits[pair]), static_cast<double>(embree.hits[pair]), 3);
 }
@@ -215,7 +217,7 @@ TEST(TracedMirrors, AreFlatShapesOfAnyKind) {
     const Scene half = with_mirrors(cylinder(1, 1), top);
     EXPECT_FALSE(exact_room_factors(half));
     const Eigen::MatrixXd whole = closed_cylinder(1, 2).factors;
-    const auto tally = traced(half, TracerChoice::automatic, 20000);
+    const auto tally = tally_of_rays(half, TracerChoice::automatic, 20000);
     const auto expect = [&](std::size_t i, std::size_t j, double p) {
         EXPECT_TRUE(test::has_probability(tally.hits[i * 2 + j], tally.rays[i], p, {.alpha = 1e-7, .detects = 0.02}));
     };
@@ -228,7 +230,7 @@ TEST(TracedMirrors, AreFlatShapesOfAnyKind) {
 TEST(TracedMirrors, LoseEndlessRays) {
     const Scene scene = mirrored("cube", {"1", "6"});
     EXPECT_FALSE(exact_room_factors(scene));
-    const auto tally = traced(scene, TracerChoice::automatic, 20000);
+    const auto tally = tally_of_rays(scene, TracerChoice::automatic, 20000);
     for (std::size_t i = 0; i < 4; ++i) EXPECT_LE(tally.lost[i], 8u);
 }
 
@@ -236,10 +238,11 @@ TEST(RoomsWithoutExactFactors, AreReported) {
     Scene open = cylinder(1, 2);
     open.closed = false;
     EXPECT_FALSE(exact_room_factors(open));
-    Scene bulging = test::faces_of({test::wall(centre, up, 1, 2, Facing::inward),  // a waist is no convex room
-                                    test::wall(centre - up, up, 2, 1, Facing::inward), test::disc(centre - up, up, 2),
-                                    test::disc(centre + up, -up, 2)},
-                                   true);
+    Scene bulging =
+        test::faces_of({test::wall(somewhere, tilted, 1, 2, Facing::inward),  // a waist is no convex room
+                        test::wall(somewhere - tilted, tilted, 2, 1, Facing::inward),
+                        test::disc(somewhere - tilted, tilted, 2), test::disc(somewhere + tilted, -tilted, 2)},
+                       true);
     EXPECT_FALSE(exact_room_factors(bulging));
     Scene apart = cylinder(1, 2);
     std::get<Disc>(apart.surfaces[0].shape).outer_radius = 0.9;

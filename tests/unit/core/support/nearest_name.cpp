@@ -7,19 +7,19 @@
 namespace ff {
 namespace {
 
-constexpr std::array<std::string_view, 5> samplers{"random", "random_mt", "stratified", "sobol", "halton"};
+constexpr std::array<std::string_view, 5> sampler_names{"random", "random_mt", "stratified", "sobol", "halton"};
 
 TEST(NearestName, CorrectsAnInsertedDeletedReplacedOrSwappedLetter) {
-    EXPECT_EQ(nearest_name("sobbol", samplers), "sobol");
-    EXPECT_EQ(nearest_name("sobl", samplers), "sobol");
-    EXPECT_EQ(nearest_name("sobel", samplers), "sobol");
-    EXPECT_EQ(nearest_name("soblo", samplers), "sobol");
-    EXPECT_EQ(nearest_name("sbool", samplers), "sobol");
+    EXPECT_EQ(nearest_name("sobbol", sampler_names), "sobol");
+    EXPECT_EQ(nearest_name("sobl", sampler_names), "sobol");
+    EXPECT_EQ(nearest_name("sobel", sampler_names), "sobol");
+    EXPECT_EQ(nearest_name("soblo", sampler_names), "sobol");
+    EXPECT_EQ(nearest_name("sbool", sampler_names), "sobol");
 }
 
 TEST(NearestName, PrefersTheCloserName) {
-    EXPECT_EQ(nearest_name("random_m", samplers), "random_mt");
-    EXPECT_EQ(nearest_name("randm", samplers), "random");
+    EXPECT_EQ(nearest_name("random_m", sampler_names), "random_mt");
+    EXPECT_EQ(nearest_name("randm", sampler_names), "random");
 }
 
 TEST(NearestName, TakesTheFirstOfEquallyCloseNames) {
@@ -33,14 +33,14 @@ TEST(NearestName, CountsASwapAsOneChange) {
 }
 
 TEST(NearestName, IgnoresCase) {
-    EXPECT_EQ(nearest_name("SOBOL", samplers), "sobol");
-    EXPECT_EQ(nearest_name("HaLtom", samplers), "halton");
+    EXPECT_EQ(nearest_name("SOBOL", sampler_names), "sobol");
+    EXPECT_EQ(nearest_name("HaLtom", sampler_names), "halton");
 }
 
 TEST(NearestName, IsEmptyWhereNothingIsNear) {
-    EXPECT_EQ(nearest_name("latin_hypercube", samplers), "");
-    EXPECT_EQ(nearest_name("x", samplers), "");
-    EXPECT_EQ(nearest_name("", samplers), "");
+    EXPECT_EQ(nearest_name("latin_hypercube", sampler_names), "");
+    EXPECT_EQ(nearest_name("x", sampler_names), "");
+    EXPECT_EQ(nearest_name("", sampler_names), "");
     EXPECT_EQ(nearest_name("sobol", {}), "");
 }
 

@@ -15,7 +15,7 @@ const Scene& long_box() {
     return box;
 }
 
-FaceHits shoot(const Tracer& tracer, std::uint32_t source, std::uint32_t number, std::size_t size) {
+FaceHits shoot_block(const Tracer& tracer, std::uint32_t source, std::uint32_t number, std::size_t size) {
     FaceHits hits(7);
     tracer.shoot(source, {13, 13}, number % 169, *test::random_block(number, size), hits);
     return hits;
@@ -26,7 +26,7 @@ TEST(BoxTracer, CountsTheSameHitsWithEveryInstructionSet) {
     const auto results = test::with_each_instruction_set([&tracer] {
         std::vector<FaceHits> all;
         for (std::uint32_t number = 0; number < 300; ++number) {
-            all.push_back(shoot(*tracer, number % 6, number, 1 + std::size_t{number} * 17 % block_capacity));
+            all.push_back(shoot_block(*tracer, number % 6, number, 1 + std::size_t{number} * 17 % block_capacity));
         }
         return all;
     });
@@ -36,7 +36,7 @@ TEST(BoxTracer, CountsTheSameHitsWithEveryInstructionSet) {
 TEST(BoxTracer, CountsEveryPointOnceWhateverTheBlockSize) {
     const auto tracer = make_box_tracer(long_box());
     for (std::size_t size = 0; size <= 130; ++size) {
-        const FaceHits hits = shoot(*tracer, 2, 5, size);
+        const FaceHits hits = shoot_block(*tracer, 2, 5, size);
         EXPECT_EQ(std::accumulate(hits.begin(), hits.end(), std::uint64_t{0}), size);
         EXPECT_EQ(hits[2], 0u) << "a flat surface does not hit itself";
         EXPECT_EQ(hits[6], 0u) << "a box is closed";

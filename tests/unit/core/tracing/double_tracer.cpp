@@ -19,12 +19,12 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr std::uint32_t blocks = 64;
+constexpr std::uint32_t blocks_per_surface = 64;
 
 /// Hits by face of 65536 rays from a surface, and the lost ones.
 FaceHits hits_of(const Tracer& tracer, const Scene& scene, std::uint32_t source) {
     FaceHits hits(scene.faces.size() + 1);
-    for (std::uint32_t number = 0; number < blocks; ++number)
+    for (std::uint32_t number = 0; number < blocks_per_surface; ++number)
         tracer.shoot(source, undivided, 0, *test::random_block(number, block_capacity), hits);
     return hits;
 }
@@ -47,7 +47,7 @@ double opposite_discs(double a, double b) {
 // From the upper disc, all that would end beneath the sheet ends on it: F12 - F(disc to 0.8 disc).
 TEST(DoubleTracer, LetsNoRayPassASheetHoweverNear) {
     const double expected = opposite_discs(1, 1) - opposite_discs(1, 0.8);
-    const double rays = blocks * block_capacity;
+    const double rays = blocks_per_surface * block_capacity;
     // Five standard errors: by chance in 6e-7 of runs; a transparent sheet is 140 of them away.
     const double room = 5 * std::sqrt(expected * (1 - expected) / rays);
     for (const double gap : {1e-3, 4e-7, 1e-9, 1e-12}) {
@@ -67,7 +67,7 @@ TEST(DoubleTracer, LetsNoRayPassASheetHoweverNear) {
 TEST(DoubleTracer, IsNeeded) {
     const Scene scene = disc_under_a_sheet(4e-8);
     EXPECT_TRUE(has_fine_detail(scene));
-    EXPECT_GT(hits_of(*make_embree_tracer(scene), scene, 0)[1], blocks * block_capacity / 5);
+    EXPECT_GT(hits_of(*make_embree_tracer(scene), scene, 0)[1], blocks_per_surface * block_capacity / 5);
 }
 
 TEST(DoubleTracer, AgreesWithEmbreeWhereThatResolvesTheScene) {

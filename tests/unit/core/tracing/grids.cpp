@@ -22,7 +22,7 @@
 namespace ff {
 namespace {
 
-constexpr StreamKey key{3, 4};
+constexpr StreamKey grid_key{3, 4};
 
 // A cell of the map of every shape, to single precision; an azimuth wraps around.
 TEST(Grids, RaysStartOnTheirPatch) {
@@ -57,12 +57,12 @@ TEST(Grids, RaysStartOnTheirPatch) {
     }
 }
 
-RayTally shoot(const Scene& scene, std::uint32_t m, std::uint64_t samples, Allocation allocation, std::uint32_t trial,
-               PatchSums* sums) {
+RayTally tally_of_trial(const Scene& scene, std::uint32_t m, std::uint64_t samples, Allocation allocation,
+                        std::uint32_t trial, PatchSums* sums) {
     RayTally tally;
     const std::uint64_t points = allocation == Allocation::face ? samples * m * m : samples;
     ray_shooting(scene, {m}, *make_tracer(scene, TracerChoice::automatic), test::PhiloxPoints(points), samples,
-                 allocation, key, trial, tally, sums);
+                 allocation, grid_key, trial, tally, sums);
     return tally;
 }
 
@@ -70,7 +70,7 @@ TEST(Grids, HaveTheSameRaysInEveryPatch) {
     const Scene room = test::gridded_room();
     for (const Allocation allocation : {Allocation::patch, Allocation::face}) {
         PatchSums sums;
-        const RayTally tally = shoot(room, 2, 1500, allocation, 0, &sums);
+        const RayTally tally = tally_of_trial(room, 2, 1500, allocation, 0, &sums);
         for (std::size_t face = 0; face < 6; ++face) {
             EXPECT_EQ(tally.rays[face], 4u * 1500 * room.surfaces[face].grid.parts());
             const auto row = tally.hits.begin() + static_cast<std::ptrdiff_t>(6 * face);
@@ -90,7 +90,7 @@ TEST(Grids, AreShotFromWithoutBias) {
     constexpr std::uint64_t rays = 20000;
     for (const Allocation allocation : {Allocation::patch, Allocation::face}) {
         PatchSums sums;
-        shoot(room, 2, rays, allocation, 0, &sums);
+        tally_of_trial(room, 2, rays, allocation, 0, &sums);
         for (Eigen::Index patch = 0; patch < 80; ++patch) {
             Eigen::Index to = 0;
             exact.row(patch).maxCoeff(&to);
@@ -108,7 +108,7 @@ TEST(Grids, OfTheSurfacesOfAFaceAreWeighedByArea) {
     std::vector<std::vector<double>> estimates(6);
     double by_hits = 0;
     for (std::uint32_t trial = 0; trial < 300; ++trial) {
-        const RayTally tally = shoot(room, 1, 200, Allocation::patch, trial, nullptr);
+        const RayTally tally = tally_of_trial(room, 1, 200, Allocation::patch, trial, nullptr);
         EXPECT_EQ(tally.rays[0], 200u * 5);
         const Eigen::MatrixXd factors = face_averages(room, tally.weighted, 200);
         EXPECT_NEAR(factors.row(0).sum(), 1, 1e-14);
@@ -133,7 +133,7 @@ TEST(Grids, LeaveKernelsAndPointsAsExactAsTheyWere) {
             test::GaussPoints points(6, 6);
             if (!symmetric) points.deny_exchangeable();
             PatchFactorSums sums;
-            const Eigen::MatrixXd kernel = area_kernel(room, {2}, points, PointMap::uniform, key, 0, &sums);
+            const Eigen::MatrixXd kernel = area_kernel(room, {2}, points, PointMap::uniform, grid_key, 0, &sums);
             EXPECT_NEAR(kernel(0, 5), exact(0, 5), 1e-10);
             EXPECT_NEAR(kernel(5, 0), exact(5, 0), 1e-10);
             for (std::uint32_t p = 0; p < order.count(0); ++p)
@@ -141,7 +141,7 @@ TEST(Grids, LeaveKernelsAndPointsAsExactAsTheyWere) {
         }
         const auto points = [&](std::uint32_t m, int nodes) {
             const test::GaussPoints rule(nodes, 1);
-            return point_to_polygon(room, {m}, rule, rule.points(), Allocation::patch, key, 0);
+            return point_to_polygon(room, {m}, rule, rule.points(), Allocation::patch, grid_key, 0);
         };
         const Eigen::MatrixXd fine = points(4, 12);
         EXPECT_NEAR(fine(0, 5), exact(0, 5), 1e-13);
@@ -159,7 +159,7 @@ TEST(Grids, OfPointsInARandomSequenceAreUnbiased) {
         std::vector<std::vector<double>> estimates(36);
         for (std::uint32_t trial = 0; trial < 200; ++trial) {
             const Eigen::MatrixXd found =
-                point_to_polygon(room, {2}, test::PhiloxPoints(points), 16, allocation, key, trial);
+                point_to_polygon(room, {2}, test::PhiloxPoints(points), 16, allocation, grid_key, trial);
             for (std::size_t k = 0; k < 36; ++k)
                 estimates[k].push_back(found(static_cast<Eigen::Index>(k / 6), static_cast<Eigen::Index>(k % 6)));
         }

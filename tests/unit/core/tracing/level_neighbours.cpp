@@ -38,17 +38,17 @@ Scene inside_out(Scene scene) {
     return scene;
 }
 
-struct Ends {
+struct RayEnds {
     std::uint64_t received = 0;
     std::uint64_t from_behind = 0;
     std::uint64_t nowhere = 0;
 };
 
-Ends shoot_from_every_surface(const Scene& scene) {
+RayEnds shoot_from_every_surface(const Scene& scene) {
     const auto tracer = make_embree_tracer(scene);
     RayBatch rays;
     std::vector<Hit> hits(block_capacity);
-    Ends ends;
+    RayEnds ends;
     for (std::uint32_t source = 0; source < scene.surfaces.size(); ++source) {
         generate_rays(scene.surfaces[source], source, undivided, 0, *test::random_block(source, block_capacity), rays);
         tracer->trace(rays, hits);
@@ -59,7 +59,7 @@ Ends shoot_from_every_surface(const Scene& scene) {
 }
 
 TEST(LevelNeighbours, CatchNoRayInARoom) {
-    const Ends ends = shoot_from_every_surface(turned_mosaic(make_box(1, 1, 1), 40));
+    const RayEnds ends = shoot_from_every_surface(turned_mosaic(make_box(1, 1, 1), 40));
     EXPECT_EQ(ends.received, std::uint64_t{6} * 40 * 40 * block_capacity);
     EXPECT_EQ(ends.from_behind, 0u);
     EXPECT_EQ(ends.nowhere, 0u);
@@ -69,7 +69,7 @@ TEST(LevelNeighbours, CatchNoRayInARoom) {
 TEST(LevelNeighbours, CatchNoRayOfABlock) {
     Scene block = inside_out(turned_mosaic(make_box(1, 1, 1), 40));
     block.closed = false;
-    const Ends ends = shoot_from_every_surface(block);
+    const RayEnds ends = shoot_from_every_surface(block);
     EXPECT_EQ(ends.nowhere, std::uint64_t{6} * 40 * 40 * block_capacity);
 }
 

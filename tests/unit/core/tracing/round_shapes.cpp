@@ -23,7 +23,7 @@ namespace {
 using Eigen::Vector3d;
 
 /// Hits of rays of every surface by face, the last of each row lost.
-std::vector<FaceHits> shoot(const Scene& scene, std::uint32_t blocks) {
+std::vector<FaceHits> hits_from_every_surface(const Scene& scene, std::uint32_t blocks) {
     const auto tracer = make_embree_tracer(scene);
     std::vector<FaceHits> hits(scene.surfaces.size(), FaceHits(scene.faces.size() + 1));
     for (std::uint32_t source = 0; source < scene.surfaces.size(); ++source) {
@@ -45,7 +45,7 @@ class ClosedScene : public testing::TestWithParam<Closed> {};
 TEST_P(ClosedScene, LosesNoRay) {
     const Scene scene = GetParam().make();
     const auto blocks = static_cast<std::uint32_t>(10'000'000 / block_capacity / scene.surfaces.size() + 1);
-    for (const FaceHits& hits : shoot(scene, blocks)) {
+    for (const FaceHits& hits : hits_from_every_surface(scene, blocks)) {
         EXPECT_EQ(hits.back(), 0u);
         EXPECT_EQ(std::accumulate(hits.begin(), hits.end(), std::uint64_t{0}), blocks * block_capacity)
             << "rays ended on a back";
@@ -178,7 +178,7 @@ TEST(SecondAttempt, StillFindsHoles) {
     Scene scene = test::closed_can();
     std::get<Disc>(scene.surfaces[1].shape).outer_radius *= 1 - 1e-4;
     std::uint64_t lost = 0;
-    for (const FaceHits& hits : shoot(scene, 1000)) lost += hits.back();
+    for (const FaceHits& hits : hits_from_every_surface(scene, 1000)) lost += hits.back();
     EXPECT_GT(lost, 10u);
 }
 
@@ -191,15 +191,15 @@ void expect_share(const FaceHits& hits, std::size_t face, double p) {
 
 TEST(RoundShapes, GiveKnownFormFactors) {
     constexpr std::uint32_t blocks = 1000;
-    const auto can = shoot(test::closed_can(), blocks);
+    const auto can = hits_from_every_surface(test::closed_can(), blocks);
     const Enclosure known = closed_cylinder(1, 3);
     for (std::size_t from = 0; from < 3; ++from) {
         for (std::size_t to = 0; to < 3; ++to)
             expect_share(can[from], to, known.factors(static_cast<Eigen::Index>(from), static_cast<Eigen::Index>(to)));
     }
     // The wall of a cone sees its base as the base sees the wall: F = area of the base / area of the wall.
-    expect_share(shoot(test::closed_cone(), blocks)[1], 0, 1 / std::hypot(1.0, 2.0));
-    const auto spheres = shoot(test::concentric_spheres(), blocks);
+    expect_share(hits_from_every_surface(test::closed_cone(), blocks)[1], 0, 1 / std::hypot(1.0, 2.0));
+    const auto spheres = hits_from_every_surface(test::concentric_spheres(), blocks);
     expect_share(spheres[1], 0, 0.16);
     EXPECT_EQ(spheres[0][1], blocks * block_capacity);
 }

@@ -8,7 +8,7 @@ namespace ff {
 namespace {
 
 using Sides = std::array<Side, 4>;
-constexpr Side low = Side::low, high = Side::high, neither = Side::neither;
+constexpr Side at_low = Side::low, at_high = Side::high, at_neither = Side::neither;
 
 const Parallelogram floor_patch{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
 
@@ -20,9 +20,10 @@ Parallelogram wall_patch(double x, double z, double width = 1) {
 TEST(Contact, AtAnEdgeIsASideOfEach) {
     const Touch touch = find_touch(floor_patch, wall_patch(0, 0));
     EXPECT_EQ(touch.contact, Contact::edge);
-    EXPECT_EQ(touch.sides, (Sides{neither, low, neither, low}));
+    EXPECT_EQ(touch.sides, (Sides{at_neither, at_low, at_neither, at_low}));
     const Touch far_sides = find_touch({{0, -1, 0}, {0, 1, 0}, {1, 0, 0}}, {{1, 0, 1}, {0, 0, -1}, {-1, 0, 0}});
-    EXPECT_EQ(far_sides.sides, (Sides{high, neither, high, neither})) << "whichever way the coordinates run";
+    EXPECT_EQ(far_sides.sides, (Sides{at_high, at_neither, at_high, at_neither}))
+        << "whichever way the coordinates run";
 }
 
 TEST(Contact, AtPartOfAnEdgeIsAnEdge) {
@@ -33,7 +34,7 @@ TEST(Contact, AtPartOfAnEdgeIsAnEdge) {
 TEST(Contact, AtAVertexIsACornerOfEach) {
     const Touch touch = find_touch(floor_patch, wall_patch(1, 0));
     EXPECT_EQ(touch.contact, Contact::vertex);
-    EXPECT_EQ(touch.sides, (Sides{high, low, low, low}));
+    EXPECT_EQ(touch.sides, (Sides{at_high, at_low, at_low, at_low}));
 }
 
 TEST(Contact, OfACornerWithSomethingElseIsAPoint) {

@@ -29,8 +29,8 @@ std::vector<Vector3d> square_at(double height, double size) {
     return {{-size, -size, height}, {size, -size, height}, {size, size, height}, {-size, size, height}};
 }
 
-constexpr std::size_t roof = 1;
-constexpr std::size_t wall = 3;  // x = 1
+constexpr std::size_t roof_index = 1;
+constexpr std::size_t wall_index = 3;  // x = 1
 
 TEST(ConvexBodies, AreClosedOrLackOneSide) {
     std::vector<Surface> sides = cube();
@@ -59,7 +59,7 @@ TEST(ConvexBodies, StandOnAFloorThatIsNoSideOfThem) {
 TEST(ConvexBodies, AreLookedAtFromTheirNearSides) {
     const ConvexBodies bodies(cube());
     const std::vector<Vector3d> above = square_at(3, 0.1);
-    EXPECT_FALSE(bodies.is_met_before(roof, above));
+    EXPECT_FALSE(bodies.is_met_before(roof_index, above));
     EXPECT_TRUE(bodies.is_met_before(0, above)) << "the floor, after the roof or a wall";
     EXPECT_FALSE(bodies.is_met_before(0, square_at(0.5, 0.1))) << "half of that square is inside";
     EXPECT_FALSE(bodies.is_met_before(0, square_at(1, 0.1))) << "a lamp below the roof, which is at its back";
@@ -70,10 +70,10 @@ TEST(ConvexBodies, AreEnteredWhereASideIsMissing) {
     sides.erase(sides.begin());
     const ConvexBodies bodies(sides);
     const std::vector<Vector3d> below = square_at(-1, 0.1);
-    EXPECT_FALSE(bodies.is_met_before(roof - 1, below)) << "nothing stands before the roof there";
+    EXPECT_FALSE(bodies.is_met_before(roof_index - 1, below)) << "nothing stands before the roof there";
     const std::vector<Vector3d> beside = {{3, 0, 0.1}, {3, 1, 0.1}, {3, 1, 0.9}, {3, 0, 0.9}};
     EXPECT_TRUE(bodies.is_met_before(1, beside)) << "the far wall, after the near one";
-    EXPECT_FALSE(bodies.is_met_before(wall - 1, beside));
+    EXPECT_FALSE(bodies.is_met_before(wall_index - 1, beside));
 }
 
 TEST(ConvexBodies, HideWhatNoneOfTheirSidesHidesAlone) {

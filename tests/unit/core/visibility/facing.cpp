@@ -8,15 +8,7 @@
 namespace ff {
 namespace {
 
-Scene scene_of(std::vector<Surface> surfaces) {
-    Scene scene;
-    for (Surface& surface : surfaces) {
-        surface.face = static_cast<int>(scene.faces.size());
-        scene.faces.push_back(std::to_string(surface.face + 1));
-        scene.surfaces.push_back(surface);
-    }
-    return scene;
-}
+using test::scene_of;
 
 TEST(Facing, NeedsSomeOfEachSurfaceInFrontOfTheOther) {
     const Surface floor = test::rectangle("0:1 0:1 0:0 +z");

@@ -13,7 +13,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-Surface rectangle(double x, double y, double width, double depth, double height = 0, bool down = false) {
+Surface level_rectangle(double x, double y, double width, double depth, double height = 0, bool down = false) {
     return {Parallelogram{{x, y, height}, {width, 0, 0}, {0, depth, 0}}, {0, 0, down ? -1.0 : 1.0}, 0};
 }
 
@@ -30,8 +30,8 @@ Scene turned(Scene scene) {
 
 TEST(LevelOverlaps, AreFoundWithTheirArea) {
     for (const bool down : {false, true}) {
-        const auto found =
-            level_overlaps(turned(test::faces_of({rectangle(0, 0, 1, 1), rectangle(0.8, 0.5, 2, 2, 0, down)}, false)));
+        const auto found = level_overlaps(
+            turned(test::faces_of({level_rectangle(0, 0, 1, 1), level_rectangle(0.8, 0.5, 2, 2, 0, down)}, false)));
         ASSERT_EQ(found.size(), 1u);
         EXPECT_EQ(found[0].same_side, !down);
         EXPECT_NEAR(found[0].area, 0.1, 1e-12);
@@ -40,9 +40,9 @@ TEST(LevelOverlaps, AreFoundWithTheirArea) {
 
 TEST(LevelOverlaps, AreNotSurfacesSideBySideOrApart) {
     EXPECT_TRUE(level_overlaps(make_box(3, 2, 1)).empty());
-    const Scene apart = test::faces_of(
-        {rectangle(0, 0, 1, 1), rectangle(1, 0, 1, 1), rectangle(0, 1, 1.7, 1), rectangle(0.2, 0.2, 0.2, 0.2, 1e-12)},
-        false);
+    const Scene apart = test::faces_of({level_rectangle(0, 0, 1, 1), level_rectangle(1, 0, 1, 1),
+                                        level_rectangle(0, 1, 1.7, 1), level_rectangle(0.2, 0.2, 0.2, 0.2, 1e-12)},
+                                       false);
     EXPECT_TRUE(level_overlaps(apart).empty());
     EXPECT_TRUE(level_overlaps(turned(apart)).empty());
 }
@@ -51,7 +51,7 @@ TEST(LevelOverlaps, AreFoundOfDiscs) {
     const Vector3d up(0, 0, 1);
     const Scene rings = test::faces_of({test::disc({0, 0, 0}, up, 2, 1), test::disc({0, 0, 0}, up, 1)}, false);
     EXPECT_TRUE(level_overlaps(turned(rings)).empty()) << "a disc in the hole of a ring";
-    const Scene over = test::faces_of({test::disc({0, 0, 0}, up, 2), rectangle(-0.5, -0.5, 1, 1)}, false);
+    const Scene over = test::faces_of({test::disc({0, 0, 0}, up, 2), level_rectangle(-0.5, -0.5, 1, 1)}, false);
     const auto found = level_overlaps(turned(over));
     ASSERT_EQ(found.size(), 1u);
     EXPECT_NEAR(found[0].area, 1, 0.1);

@@ -17,13 +17,13 @@ namespace {
 
 using Eigen::Vector3d;
 
-Surface rectangle(const Vector3d& corner, const Vector3d& u, const Vector3d& v) {
+Surface rectangle_at(const Vector3d& corner, const Vector3d& u, const Vector3d& v) {
     return {Parallelogram{corner, u, v}, u.cross(v).normalized(), 0};
 }
 
 /// A unit square at height 1 that faces down.
 Surface ceiling() {
-    return rectangle({0, 0, 1}, {0, 1, 0}, {1, 0, 0});
+    return rectangle_at({0, 0, 1}, {0, 1, 0}, {1, 0, 0});
 }
 
 const Vector3d up = Vector3d::UnitZ();
@@ -42,21 +42,21 @@ TEST(VisiblePolygon, CutsOutTheShadowExactly) {
     // From the origin, a square of side s at height 1/2 hides one of side 2 s at height 1, with a corner on the axis:
     // the factor of that one by the formula of the corner of a parallel rectangle.
     for (const double side : {0.1, 0.25, 0.4}) {
-        const Surface blocker = rectangle({0, 0, 0.5}, {side, 0, 0}, {0, side, 0});
+        const Surface blocker = rectangle_at({0, 0, 0.5}, {side, 0, 0}, {0, side, 0});
         const auto factors = VisiblePolygon(ceiling(), {&blocker}).from({0, 0, 0}, up);
         const double x = 2 * side;
         const double r = std::sqrt(1 + x * x);
         const double hidden = x / r * std::atan(x / r) / std::numbers::pi;
         EXPECT_NEAR(factors.whole - factors.visible, hidden, 1e-15) << side;
     }
-    const Surface all = rectangle({0, 0, 0.5}, {0.5, 0, 0}, {0, 0.5, 0});
+    const Surface all = rectangle_at({0, 0, 0.5}, {0.5, 0, 0}, {0, 0.5, 0});
     EXPECT_NEAR(VisiblePolygon(ceiling(), {&all}).from({0, 0, 0}, up).visible, 0, 1e-15);
 }
 
 TEST(VisiblePolygon, CountsShadowsThatOverlapOnce) {
-    const Surface left = rectangle({0.1, 0.1, 0.5}, {0.3, 0, 0}, {0, 0.3, 0});
-    const Surface right = rectangle({0.2, 0.1, 0.5}, {0, 0.3, 0}, {0.3, 0, 0});
-    const Surface both = rectangle({0.1, 0.1, 0.5}, {0.4, 0, 0}, {0, 0.3, 0});
+    const Surface left = rectangle_at({0.1, 0.1, 0.5}, {0.3, 0, 0}, {0, 0.3, 0});
+    const Surface right = rectangle_at({0.2, 0.1, 0.5}, {0, 0.3, 0}, {0.3, 0, 0});
+    const Surface both = rectangle_at({0.1, 0.1, 0.5}, {0.4, 0, 0}, {0, 0.3, 0});
     for (const Vector3d& place : {Vector3d(0.1, 0.2, 0), Vector3d(0.7, 0.3, 0.1), Vector3d(-0.2, 0.2, 0)}) {
         const auto two = VisiblePolygon(ceiling(), {&left, &right}).from(place, up);
         const auto one = VisiblePolygon(ceiling(), {&both}).from(place, up);
@@ -67,17 +67,17 @@ TEST(VisiblePolygon, CountsShadowsThatOverlapOnce) {
 }
 
 TEST(VisiblePolygon, IgnoresObstaclesBehindItOrBelowTheHorizon) {
-    const Surface above = rectangle({-1, -1, 1.5}, {3, 0, 0}, {0, 3, 0});
-    const Surface below = rectangle({-1, -1, -0.5}, {3, 0, 0}, {0, 3, 0});
-    const Surface edge_on = rectangle({0.3, -1, -1}, {0, 3, 0}, {0, 0, 3});
+    const Surface above = rectangle_at({-1, -1, 1.5}, {3, 0, 0}, {0, 3, 0});
+    const Surface below = rectangle_at({-1, -1, -0.5}, {3, 0, 0}, {0, 3, 0});
+    const Surface edge_on = rectangle_at({0.3, -1, -1}, {0, 3, 0}, {0, 0, 3});
     const Vector3d place(0.3, 0.4, 0);
     for (const Surface* surface : {&above, &below, &edge_on}) {
         const auto factors = VisiblePolygon(ceiling(), {surface}).from(place, up);
         EXPECT_EQ(factors.visible, factors.whole);
     }
     // A wall that reaches through both planes hides what is beyond it.
-    const Surface wall = rectangle({0.5, -1, -1}, {0, 3, 0}, {0, 0, 3});
-    const Surface near_half = rectangle({0, 0, 1}, {0, 1, 0}, {0.5, 0, 0});
+    const Surface wall = rectangle_at({0.5, -1, -1}, {0, 3, 0}, {0, 0, 3});
+    const Surface near_half = rectangle_at({0, 0, 1}, {0, 1, 0}, {0.5, 0, 0});
     EXPECT_NEAR(VisiblePolygon(ceiling(), {&wall}).from(place, up).visible,
                 VisiblePolygon(near_half, {}).from(place, up).whole, 1e-15);
 }
@@ -90,8 +90,8 @@ TEST(VisiblePolygon, HidesNoMoreThanWhatStandsInTheWay) {
         const double size = std::pow(10, draw(-7, -2));
         const Vector3d corner(draw(0, 1), draw(0, 1), std::pow(10, draw(-8, -2)));
         const double angle = draw(0, 6);
-        const Surface blocker = rectangle(corner, size * Vector3d(std::cos(angle), std::sin(angle), 0.1),
-                                          size * Vector3d(-std::sin(angle), std::cos(angle), 0));
+        const Surface blocker = rectangle_at(corner, size * Vector3d(std::cos(angle), std::sin(angle), 0.1),
+                                             size * Vector3d(-std::sin(angle), std::cos(angle), 0));
         const Vector3d place(draw(0, 1), draw(0, 1), 0);
         const double away = (place - corner).norm() - 2 * size;
         if (away < 0) continue;
@@ -122,7 +122,7 @@ TEST(VisiblePolygon, AgreesWithPointsThatAreSeen) {
         const Surface target = ceiling();
         const Vector3d place(uniform(engine), uniform(engine), 0);
         const Vector3d normal = Vector3d(0.4 * uniform(engine), 0.4 * uniform(engine), 1).normalized();
-        const Surface source = rectangle(place - Vector3d(1e-9, 1e-9, 0), {1e-9, 0, 0}, {0, 1e-9, 0});
+        const Surface source = rectangle_at(place - Vector3d(1e-9, 1e-9, 0), {1e-9, 0, 0}, {0, 1e-9, 0});
         const auto factors = VisiblePolygon(target, pointers).from(place, normal);
         double sum = 0;
         double squares = 0;

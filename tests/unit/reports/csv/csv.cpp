@@ -17,13 +17,13 @@ using test::csv_fields;
 using test::lines_of;
 
 /// Column names and what stands in a row, by name.
-struct Table {
+struct CsvTable {
     std::vector<std::string> header;
     std::vector<std::map<std::string, std::string>> rows;
 };
 
-Table parse(const std::string& text) {
-    Table table;
+CsvTable parse_csv(const std::string& text) {
+    CsvTable table;
     for (const std::string& line : lines_of(text)) {
         const auto fields = csv_fields(line);
         if (table.header.empty()) {
@@ -43,14 +43,14 @@ std::string summary_text() {
     return out.str();
 }
 
-Table summary() {
-    return parse(summary_text());
+CsvTable summary() {
+    return parse_csv(summary_text());
 }
 
-Table trials() {
+CsvTable trials() {
     std::ostringstream out;
     write_trials_csv(out, test::small_store());
-    return parse(out.str());
+    return parse_csv(out.str());
 }
 
 TEST(SummaryCsv, HasTheDocumentedColumnsInOrder) {

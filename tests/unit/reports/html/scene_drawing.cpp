@@ -14,7 +14,7 @@
 namespace ff::reports {
 namespace {
 
-pugi::xml_document parse(const std::string& svg) {
+pugi::xml_document parse_svg(const std::string& svg) {
     pugi::xml_document document;
     EXPECT_TRUE(document.load_string(svg.c_str())) << svg;
     return document;
@@ -26,19 +26,19 @@ std::size_t count(const pugi::xml_document& document, const char* element) {
 }
 
 TEST(SceneDrawing, HasAnOutlineForEverySurfaceAndALabelForEveryFace) {
-    const auto document = parse(scene_drawing(built_in_scene("nested_cubes")));
+    const auto document = parse_svg(scene_drawing(built_in_scene("nested_cubes")));
     EXPECT_EQ(count(document, "polyline"), 12u);
     EXPECT_EQ(count(document, "text"), 12u);
 }
 
 TEST(SceneDrawing, HasRingsAndLinesForRoundSurfaces) {
     // A wall: two rims and four lines; two discs: a rim each.
-    EXPECT_EQ(count(parse(scene_drawing(built_in_scene("cylinder_wall"))), "polyline"), 8u);
-    EXPECT_EQ(count(parse(scene_drawing(built_in_scene("concentric_spheres"))), "polyline"), 14u);
+    EXPECT_EQ(count(parse_svg(scene_drawing(built_in_scene("cylinder_wall"))), "polyline"), 8u);
+    EXPECT_EQ(count(parse_svg(scene_drawing(built_in_scene("concentric_spheres"))), "polyline"), 14u);
 }
 
 TEST(SceneDrawing, DashesWhatIsNoFace) {
-    const auto document = parse(scene_drawing(built_in_scene("squares_blocked")));
+    const auto document = parse_svg(scene_drawing(built_in_scene("squares_blocked")));
     std::size_t dashed = 0;
     for (const auto& line : document.child("svg").children("polyline"))
         dashed += line.attribute("stroke-dasharray") ? 1u : 0u;
@@ -47,7 +47,7 @@ TEST(SceneDrawing, DashesWhatIsNoFace) {
 
 TEST(SceneDrawing, StaysInsideItsFrameAndFillsIt) {
     for (const char* name : {"cube", "l_shaped_room", "sphere_caps", "box:1x1x1e-6", "box:1e9x1e9x1e9"}) {
-        const auto document = parse(scene_drawing(built_in_scene(name)));
+        const auto document = parse_svg(scene_drawing(built_in_scene(name)));
         std::istringstream frame(document.child("svg").attribute("viewBox").value());
         double left = 0, top = 0, width = 0, height = 0;
         frame >> left >> top >> width >> height;
@@ -65,7 +65,7 @@ TEST(SceneDrawing, StaysInsideItsFrameAndFillsIt) {
 TEST(SceneDrawing, EscapesLabels) {
     Scene scene = built_in_scene("cube");
     scene.faces[0] = "<a & \"b\">";
-    const auto document = parse(scene_drawing(scene));
+    const auto document = parse_svg(scene_drawing(scene));
     EXPECT_STREQ(document.child("svg").child("text").child_value(), "<a & \"b\">");
 }
 

@@ -19,7 +19,7 @@ using testing::HasSubstr;
 using testing::Not;
 
 /// Sobol' points beside independent ones, and strata, whose sizes are others.
-const studies::StudyResults& ladders() {
+const studies::StudyResults& equal_and_other_sizes() {
     static const studies::StudyResults made =
         studies::evaluate(test::run(test::plan_of(test::study_text("trials = 40", R"([[method]]
 name = "random"
@@ -47,13 +47,13 @@ samples_per_patch = 8192
 
 TEST(ErrorsAtSizes, ExistForEverySizeThatSeveralMethodsShare) {
     std::vector<std::string> names;
-    for (const Picture& picture : errors_at_sizes(ladders())) names.push_back(picture.name);
+    for (const Picture& picture : errors_at_sizes(equal_and_other_sizes())) names.push_back(picture.name);
     EXPECT_THAT(names, ElementsAre("errors at 64 evaluations per face", "errors at 256 evaluations per face",
                                    "errors at 1024 evaluations per face"));
 }
 
 TEST(ErrorsAtSizes, RankMethodsAndNameSizesThatDiffer) {
-    const auto pictures = errors_at_sizes(ladders());
+    const auto pictures = errors_at_sizes(equal_and_other_sizes());
     const json order = json::parse(pictures.back().values)["scales"]["y"]["domain"];
     // With these trials the errors of independent rays are twice those of Sobol' points; none comes near.
     EXPECT_EQ(order[0], "parallel pairs");
@@ -89,7 +89,7 @@ samples_per_patch = 1024
 }
 
 TEST(ErrorsAtSizes, AreAnAlternativeToConvergenceRates) {
-    const auto lead = lead_picture(ladders());
+    const auto lead = lead_picture(equal_and_other_sizes());
     ASSERT_TRUE(lead);
     EXPECT_EQ(lead->name, "convergence rates");
     EXPECT_EQ(lead->alternatives.size(), 3u);

@@ -17,7 +17,7 @@ using nlohmann::json;
 using testing::HasSubstr;
 using testing::Not;
 
-const studies::StudyResults& ladders() {
+const studies::StudyResults& rays_and_kernel() {
     static const studies::StudyResults made = studies::evaluate(test::run(test::plan_of(R"([study]
 name = "ladders"
 scene = "cube"
@@ -49,7 +49,7 @@ std::vector<std::pair<double, double>> points(const json& values, const std::str
 }
 
 json convergence(const std::string& place) {
-    const auto all = pictures_by_size(ladders());
+    const auto all = pictures_by_size(rays_and_kernel());
     const auto found = std::find_if(all.begin(), all.end(),
                                     [&](const Picture& picture) { return picture.id == "convergence-" + place; });
     return json::parse(found->values);

@@ -17,7 +17,7 @@ using testing::HasSubstr;
 using testing::Not;
 
 /// A long ladder (cells 0 .. 5) and a short one (6 .. 8).
-const studies::StudyResults& ladders() {
+const studies::StudyResults& long_and_short_ladder() {
     static const studies::StudyResults made = studies::evaluate(test::run(test::plan_of(R"([study]
 name = "ladders"
 scene = "cube"
@@ -40,12 +40,13 @@ samples_per_patch = [64, 256, 1024]
 }
 
 TEST(CellsInBetween, AreTheMiddleOfLongLaddersOnly) {
-    EXPECT_EQ(cells_in_between(ladders()), (std::set<std::size_t>{1, 2, 3})) << "the verdict compares at 1024 rays";
+    EXPECT_EQ(cells_in_between(long_and_short_ladder()), (std::set<std::size_t>{1, 2, 3}))
+        << "the verdict compares at 1024 rays";
     EXPECT_TRUE(cells_in_between(test::published_results()).empty());
 }
 
 TEST(CellsInBetween, AreShownWhenSomethingIsWrong) {
-    studies::StudyResults results = ladders();
+    studies::StudyResults results = long_and_short_ladder();
     results.findings.cells[2].lost_rays = 1;
     ASSERT_TRUE(results.findings.cells[3].bias);
     results.findings.cells[3].bias_finding = studies::BiasFinding::biased;
@@ -53,17 +54,17 @@ TEST(CellsInBetween, AreShownWhenSomethingIsWrong) {
 }
 
 TEST(CellsInBetween, AreLeftOutOfTablesAndGroupsOfPictures) {
-    const Table table = methods_table(ladders());
+    const Table table = methods_table(long_and_short_ladder());
     EXPECT_EQ(table.rows.size(), 6u);
     EXPECT_THAT(table.remarks.back(), HasSubstr("3 sizes"));
-    EXPECT_THAT(picture_groups(ladders()), testing::SizeIs(6));
-    const std::string page = html_report(ladders(), test::shipped_templates());
+    EXPECT_THAT(picture_groups(long_and_short_ladder()), testing::SizeIs(6));
+    const std::string page = html_report(long_and_short_ladder(), test::shipped_templates());
     EXPECT_THAT(page, HasSubstr("long, 1 × 2048 rays, pair by pair"));
     EXPECT_THAT(page, Not(HasSubstr("long, 1 × 256 rays, pair by pair")));
 }
 
 TEST(TerminalSummary, DrawsLaddersWithLetters) {
-    const std::string text = terminal_summary(ladders());
+    const std::string text = terminal_summary(long_and_short_ladder());
     EXPECT_THAT(text, HasSubstr("evaluations per face, adjacent pairs\n"));
     EXPECT_THAT(text, HasSubstr("a long   b short\n"));
     EXPECT_THAT(terminal_summary(test::published_results()), Not(HasSubstr("evaluations per face")));

@@ -5,11 +5,11 @@
 #include "stats/power.hpp"
 #include "tests/support/statistical_assertions.hpp"
 #include "tests/support/studies.hpp"
-
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
+#include "tests/unit/studies/quantities.hpp"
 
 #include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
 
 #include <cmath>
 #include <random>
@@ -17,11 +17,11 @@
 namespace ff::studies {
 namespace {
 
+using test::pair;
 using test::plan_of;
 using test::study_text;
 
-constexpr QuantityKind pair = QuantityKind::form_factor;
-constexpr double sigma = 1e-3;  ///< of made-up trials
+constexpr double trial_sigma = 1e-3;  ///< of made-up trials
 
 /// Rays in such numbers that a hit is a thousandth of sigma: made-up trials are as good as real numbers.
 std::string many_rays(std::string_view completion = "direct") {
@@ -38,7 +38,7 @@ constexpr std::string_view few_rays =
 Store normal_trials(const StudyPlan& plan, std::uint64_t seed, double shift) {
     const auto exact = exact_form_factors(plan.scenes.front()).value();
     std::mt19937_64 bits(seed);
-    std::normal_distribution<double> normal(0, sigma);
+    std::normal_distribution<double> normal(0, trial_sigma);
     return test::fill(plan, [&](std::size_t, std::uint64_t, int from, int to) {
         return exact(from - 1, to - 1) + normal(bits) + (from == 1 && to == 2 ? shift : 0.0);
     });
@@ -81,7 +81,7 @@ TEST(Bias, OfTheMinimumDetectableSizeIsFoundWithTheStatedPower) {
     // The other 29 pairs find something at times as well, so at least.
     constexpr std::uint64_t studies = 200;
     const double alpha = stats::sidak_level(0.05, 30);
-    const double detectable = stats::minimum_detectable_bias(sigma, 16, {alpha, 0.9});
+    const double detectable = stats::minimum_detectable_bias(trial_sigma, 16, {alpha, 0.9});
     EXPECT_TRUE(test::has_probability_at_least(biased_studies(studies, detectable), studies, 0.9,
                                                {.alpha = 1e-4, .detects = 0.15, .power = 0.95}));
 }
@@ -122,7 +122,7 @@ TEST(Equivalence, IsShownRefutedOrLeftOpen) {
 
 TEST(Equivalence, IsShownAtThePlannedMarginWithTheStatedPower) {
     constexpr std::uint64_t studies = 100;
-    const double margin = stats::equivalence_margin(sigma, 16, {0.05, 0.9}, 30);
+    const double margin = stats::equivalence_margin(trial_sigma, 16, {0.05, 0.9}, 30);
     const StudyPlan plan =
         plan_of(study_text(fmt::format("trials = 16\nequivalence_margin = {}", margin), many_rays()));
     std::uint64_t shown = 0;

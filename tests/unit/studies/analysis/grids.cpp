@@ -9,6 +9,7 @@
 #include "studies/trials/estimates.hpp"
 #include "tests/support/statistical_assertions.hpp"
 #include "tests/support/studies.hpp"
+#include "tests/unit/studies/quantities.hpp"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -19,9 +20,8 @@
 namespace ff::studies {
 namespace {
 
+using test::pair;
 using testing::HasSubstr;
-
-constexpr QuantityKind pair = QuantityKind::form_factor;
 
 /// A box of 4 x 1 x 2, whose floor is two surfaces of 1 x 1 and 3 x 1.
 constexpr std::string_view room = R"(closed = true
@@ -44,11 +44,11 @@ std::string counted_room() {
 }
 const std::string plain_room = counted_room() + "]\n";
 
-StudyPlan plan(std::string_view scene, std::string_view method, int trials = 40) {
+StudyPlan grid_plan(std::string_view scene, std::string_view method, int trials = 40) {
     return test::plan_in(scene, test::study_text(fmt::format("trials = {}", trials), method));
 }
 
-std::string rays(int m, std::string_view more = "") {
+std::string ray_method(int m, std::string_view more = "") {
     return fmt::format(
         "[[method]]\nname = \"rays\"\nsampler = \"random\"\nestimator = \"ray_shooting\"\n"
         "patches_per_face = {}\nsamples_per_patch = 50\n{}\n",
@@ -56,7 +56,7 @@ std::string rays(int m, std::string_view more = "") {
 }
 
 TEST(StudiesOfGrids, CountRaysOfEachFace) {
-    const StudyPlan planned = plan(plain_room, rays(2));
+    const StudyPlan planned = grid_plan(plain_room, ray_method(2));
     EXPECT_EQ(evaluations_per_trial(planned, planned.cells[0]), 4u * 50 * (2 + 8 + 1 + 2 + 1 + 4));
     const Store store = test::run(planned);
     const CellEstimates estimates = load_estimates(store, 0);
@@ -73,7 +73,7 @@ TEST(StudiesOfGrids, CountRaysOfEachFace) {
 }
 
 TEST(StudiesOfGrids, CompleteByAreasWhateverTheRays) {
-    const Store store = test::run(plan(plain_room, rays(1)));
+    const Store store = test::run(grid_plan(plain_room, ray_method(1)));
     const CellEstimates direct = load_estimates(store, 0, Completion::direct);
     const CellEstimates reciprocal = load_estimates(store, 0, Completion::reciprocal);
     const Scene& scene = store.plan().scenes.front();
@@ -99,7 +99,8 @@ TEST(StudiesOfGrids, AreUnbiased) {
         "[[method]]\nname = \"kernels\"\nsampler = \"random\"\nestimator = \"area_kernel\"\n"
         "map = \"graded\"\nsamples_per_patch = 128\n";
     for (const std::string_view scene : {std::string_view(room), std::string_view(plain_room)}) {
-        const Store store = test::run(plan(scene, rays(1, "allocation = \"face\"") + points + kernels, 1500));
+        const Store store =
+            test::run(grid_plan(scene, ray_method(1, "allocation = \"face\"") + points + kernels, 1500));
         const Eigen::MatrixXd exact = exact_form_factors(store.plan().scenes.front()).value();
         for (std::size_t cell = 0; cell < 3; ++cell) {
             const CellEstimates estimates = load_estimates(store, cell);
@@ -116,7 +117,7 @@ TEST(StudiesOfGrids, AreUnbiased) {
 // grids. Weights by patches would make the standard deviations of the floor wrong by a fifth.
 TEST(StudiesOfGrids, HaveTheVarianceOfIndependentRays) {
     for (const std::string_view scene : {std::string_view(room), std::string_view(plain_room)}) {
-        const auto checks = check_variances(analyse(test::run(plan(scene, rays(2), 400))));
+        const auto checks = check_variances(analyse(test::run(grid_plan(scene, ray_method(2), 400))));
         ASSERT_EQ(checks.size(), 1u);
         EXPECT_GT(checks[0].adjusted_p, 1e-6);
         EXPECT_GT(checks[0].smallest_ratio, 0.8);
@@ -127,7 +128,7 @@ TEST(StudiesOfGrids, HaveTheVarianceOfIndependentRays) {
 
 /// As in PatchErrors: Var F_pj = F_pj (1 - F_pj) / n, here of patches that are all there is of a part.
 TEST(StudiesOfGrids, TellPatchesApartWithOnePatchAPart) {
-    const Store store = test::run(plan(room, rays(1), 400));
+    const Store store = test::run(grid_plan(room, ray_method(1), 400));
     const auto errors = patch_errors(store, 0);
     ASSERT_TRUE(errors);
     ASSERT_EQ(errors->rmse.size(), 21u);
@@ -143,9 +144,9 @@ TEST(StudiesOfGrids, TellPatchesApartWithOnePatchAPart) {
 }
 
 TEST(StudiesOfGrids, CountPairsOfPatchesOfDifferentSurfaces) {
-    const StudyPlan planned = plan(room,
-                                   "[[method]]\nname = \"k\"\nsampler = \"random\"\nestimator = "
-                                   "\"area_kernel\"\npatches_per_face = 4\nsamples_per_patch = 3\n");
+    const StudyPlan planned = grid_plan(room,
+                                        "[[method]]\nname = \"k\"\nsampler = \"random\"\nestimator = "
+                                        "\"area_kernel\"\npatches_per_face = 4\nsamples_per_patch = 3\n");
     const std::uint64_t squares = 2 * 2 + 8 * 8 + 1 + 2 * 2 + 1 + 4 * 4 + 3 * 3;
     EXPECT_EQ(evaluations_per_trial(planned, planned.cells[0]), 3u * 16 * (21 * 21 - squares));
 }
@@ -153,7 +154,7 @@ TEST(StudiesOfGrids, CountPairsOfPatchesOfDifferentSurfaces) {
 TEST(StudiesOfGrids, RefuseMorePatchesThanHaveNumbers) {
     std::string fine(plain_room);
     fine.replace(fine.find("[4, 2]"), 6, "[1024, 1024]");
-    EXPECT_THAT(test::message_of<UserError>([&] { plan(fine, rays(64)); }),
+    EXPECT_THAT(test::message_of<UserError>([&] { grid_plan(fine, ray_method(64)); }),
                 HasSubstr("method 'rays': 4295008256 patches in scene 'scene.toml' (at most 2147483648 can be told "
                           "apart)"));
 }
@@ -162,7 +163,7 @@ TEST(StudiesOfGrids, RefuseMorePatchesThanHaveNumbers) {
 TEST(StudiesOfGrids, SendLightBetweenPatches) {
     const std::string light = "[radiosity]\nreflectance = [0.5]\nemission = 0.5\npatch_trials = 3\n";
     const RadiosityResults results =
-        evaluate_radiosity(test::run(plan(room, rays(1, "completion = \"reciprocal\"") + light)));
+        evaluate_radiosity(test::run(grid_plan(room, ray_method(1, "completion = \"reciprocal\"") + light)));
     const ExactSystem& between_patches = results.exact_system(0, 0, 1);
     ASSERT_EQ(between_patches.exitance.size(), 21);
     EXPECT_LT((between_patches.exitance.array() - 1).abs().maxCoeff(), 1e-9);

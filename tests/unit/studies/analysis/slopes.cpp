@@ -31,7 +31,7 @@ samples_per_patch = {}
 }
 
 /// Errors of size N^rate: normal, with a part that all pairs of a trial share.
-Store made_up(const StudyPlan& plan, double rate, double shared) {
+Store store_with_rate(const StudyPlan& plan, double rate, double shared) {
     const auto exact = *exact_form_factors(plan.scenes.front());
     return test::fill(plan, [=, &plan](std::size_t cell, std::uint64_t trial, int from, int to) {
         const auto normal = [&](int a, int b) {
@@ -50,11 +50,11 @@ std::vector<LadderSlopes> slopes_of(const Store& store) {
 
 TEST(Slopes, NeedThreeSizesOfOneMethod) {
     const auto two = ladder_plan("sobol", "area_kernel", "[64, 128]");
-    EXPECT_THAT(slopes_of(made_up(two, -1, 0)), IsEmpty());
+    EXPECT_THAT(slopes_of(store_with_rate(two, -1, 0)), IsEmpty());
 }
 
 TEST(Slopes, AreThoseOfTheErrors) {
-    const auto found = slopes_of(made_up(ladder_plan("halton", "area_kernel"), -1, 0));
+    const auto found = slopes_of(store_with_rate(ladder_plan("halton", "area_kernel"), -1, 0));
     ASSERT_THAT(found, SizeIs(1));
     ASSERT_THAT(found.front().classes, SizeIs(2));
     EXPECT_THAT(found.front().pairs, SizeIs(60));
@@ -70,8 +70,8 @@ TEST(Slopes, AreThoseOfTheErrors) {
 // Correlation 1: six pairs say no more than one, and the interval has to be as wide.
 TEST(Slopes, OfAClassAllowForCorrelatedPairs) {
     const auto plan = ladder_plan("halton", "area_kernel");
-    const auto apart = slopes_of(made_up(plan, -1, 0));
-    const auto together = slopes_of(made_up(plan, -1, 1));
+    const auto apart = slopes_of(store_with_rate(plan, -1, 0));
+    const auto together = slopes_of(store_with_rate(plan, -1, 1));
     const Slope& class_slope = together.front().classes.front().rmse;
     const auto& pairs = together.front().pairs;
     const Slope& pair_slope = *std::find_if(pairs.begin(), pairs.end(), [](const Slope& slope) {
@@ -83,7 +83,7 @@ TEST(Slopes, OfAClassAllowForCorrelatedPairs) {
 }
 
 TEST(Slopes, OfInfiniteVarianceAreThoseOfTheMedianOnly) {
-    const auto found = slopes_of(made_up(ladder_plan("random", "area_kernel"), -1.0 / 3, 0));
+    const auto found = slopes_of(store_with_rate(ladder_plan("random", "area_kernel"), -1.0 / 3, 0));
     const ClassSlopes& adjacent = found.front().classes.back();
     EXPECT_EQ(adjacent.pair_class, PairClass::adjacent);
     EXPECT_FALSE(adjacent.rmse.slope);
@@ -95,21 +95,23 @@ TEST(Slopes, OfInfiniteVarianceAreThoseOfTheMedianOnly) {
 
 // Errors that fall as N^-0.3 under a sampler whose theory says N^-0.5, and the other way round.
 TEST(Slopes, AreFoundToDifferFromTheory) {
-    const auto slow = slopes_of(made_up(ladder_plan("random", "ray_shooting", "[1024, 4096, 16384, 65536]"), -0.3, 0));
+    const auto slow =
+        slopes_of(store_with_rate(ladder_plan("random", "ray_shooting", "[1024, 4096, 16384, 65536]"), -0.3, 0));
     EXPECT_EQ(slow.front().classes.front().finding, RateFinding::slower);
     EXPECT_LT(*slow.front().classes.front().adjusted_p, 1e-6);
-    const auto fast = slopes_of(made_up(ladder_plan("random", "area_kernel"), -0.9, 0));
+    const auto fast = slopes_of(store_with_rate(ladder_plan("random", "area_kernel"), -0.9, 0));
     EXPECT_EQ(fast.front().classes.front().finding, RateFinding::faster);
 }
 
 TEST(Slopes, FasterThanABoundAreWithinIt) {
-    const auto found = slopes_of(made_up(ladder_plan("sobol", "ray_shooting", "[1024, 4096, 16384, 65536]"), -0.8, 0));
+    const auto found =
+        slopes_of(store_with_rate(ladder_plan("sobol", "ray_shooting", "[1024, 4096, 16384, 65536]"), -0.8, 0));
     EXPECT_TRUE(found.front().classes.front().rmse.expected->at_least);
     EXPECT_EQ(found.front().classes.front().finding, RateFinding::as_expected);
 }
 
 TEST(Slopes, OfDeterministicMethodsHaveNoInterval) {
-    const auto found = slopes_of(made_up(ladder_plan("sobol_raw", "area_kernel"), -1, 0));
+    const auto found = slopes_of(store_with_rate(ladder_plan("sobol_raw", "area_kernel"), -1, 0));
     const ClassSlopes& parallel = found.front().classes.front();
     EXPECT_TRUE(parallel.rmse.slope);
     EXPECT_FALSE(parallel.rmse.interval);

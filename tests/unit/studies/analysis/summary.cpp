@@ -17,7 +17,7 @@ namespace {
 //   stats.skew(v, bias=False), stats.kurtosis(v, bias=False)
 //   np.quantile(v, [0, .025, .05, .5, .95, .975, 1])
 //   d = v - v.mean(); (d**4).sum() / (d**2).sum()**2 - 1 / n; 1 / (s * s * 1000)
-constexpr std::array values{0.19, 0.21, 0.2, 0.205, 0.198, 0.202, 0.207, 0.193};
+constexpr std::array eight_estimates{0.19, 0.21, 0.2, 0.205, 0.198, 0.202, 0.207, 0.193};
 
 SummaryRequest request() {
     SummaryRequest request;
@@ -29,7 +29,7 @@ SummaryRequest request() {
 }
 
 TEST(Summary, AgreesWithNumpy) {
-    const Summary s = summarise(values, request());
+    const Summary s = summarise(eight_estimates, request());
     EXPECT_EQ(s.trials, 8u);
     EXPECT_NEAR(s.mean.value(), 0.200625, 1e-15);
     EXPECT_NEAR(s.bias.value(), 0.000625, 1e-15);
@@ -59,15 +59,15 @@ TEST(Summary, TakesLevelAndDetectableBiasFromTheRequest) {
     SummaryRequest other = request();
     other.level = 0.99;
     other.detectable_bias = 3;
-    const Summary s = summarise(values, other);
-    EXPECT_GT(s.bias_interval->width(), summarise(values, request()).bias_interval->width());
+    const Summary s = summarise(eight_estimates, other);
+    EXPECT_GT(s.bias_interval->width(), summarise(eight_estimates, request()).bias_interval->width());
     EXPECT_NEAR(s.minimum_detectable_bias.value(), 3 * 0.0068439232691699312, 1e-15);
 }
 
 TEST(Summary, HasNoIntervalUnderInfiniteVarianceButKeepsEstimates) {
     SummaryRequest infinite = request();
     infinite.variance = VarianceStatus::infinite;
-    const Summary s = summarise(values, infinite);
+    const Summary s = summarise(eight_estimates, infinite);
     EXPECT_TRUE(s.mean && s.bias && s.rmse && s.median && s.median_abs_error && s.std && s.vov);
     EXPECT_FALSE(s.bias_se || s.bias_interval || s.std_interval || s.minimum_detectable_bias || s.efficiency_samples);
 }
@@ -95,7 +95,7 @@ TEST(Summary, OfEqualValuesHasASpreadOfZeroAndNoTest) {
 TEST(Summary, WithoutAReferenceHasNoBias) {
     SummaryRequest unknown = request();
     unknown.reference.reset();
-    const Summary s = summarise(values, unknown);
+    const Summary s = summarise(eight_estimates, unknown);
     EXPECT_NEAR(s.mean.value(), 0.200625, 1e-15);
     EXPECT_TRUE(s.std_interval);
     EXPECT_FALSE(s.bias || s.bias_se || s.bias_interval || s.rmse || s.relative_error_percent || s.median_abs_error);

@@ -1,11 +1,14 @@
 #include "studies/audit/correction.hpp"
 
+#include "tests/unit/studies/audit/formats.hpp"
+
 #include <gtest/gtest.h>
 
 namespace ff::studies {
 namespace {
 
-constexpr NumberFormat rounded_digits{Rounding::rounded, Layout::significant_digits, 6};
+using test::rounded_digits;
+
 constexpr auto anything = [](Range) { return true; };
 
 TEST(Correct, RestoresADroppedDigit) {

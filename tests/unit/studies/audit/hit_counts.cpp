@@ -1,5 +1,7 @@
 #include "studies/audit/hit_counts.hpp"
 
+#include "tests/unit/studies/audit/formats.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -8,7 +10,8 @@
 namespace ff::studies {
 namespace {
 
-constexpr NumberFormat rounded_digits{Rounding::rounded, Layout::significant_digits, 6};
+using test::rounded_digits;
+
 constexpr NumberFormat truncated_digits{Rounding::truncated, Layout::significant_digits, 6};
 
 TEST(PossibleHits, FindsTheOneWholeNumber) {

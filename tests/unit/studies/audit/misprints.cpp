@@ -15,7 +15,7 @@
 namespace ff::studies {
 namespace {
 
-struct Share {
+struct NoticedShare {
     int altered = 0;
     int found = 0;   ///< a new finding is about the figure
     int blamed = 0;  ///< and blames it before all others
@@ -46,18 +46,18 @@ bool contains(const std::vector<std::size_t>& figures, std::size_t figure) {
 }
 
 /// Alters one digit of every figure (another position for each) and counts what the audit notices.
-std::map<std::string, Share> alter_every_figure(const PublishedTables& tables) {
+std::map<std::string, NoticedShare> alter_every_figure(const PublishedTables& tables) {
     DistributionCache cache;
     const std::set<std::string> known = statements(audit(tables, {}, cache));
     std::mt19937_64 random(20261120);
-    std::map<std::string, Share> shares;
+    std::map<std::string, NoticedShare> shares;
     for (std::size_t f = 0; f < tables.figures.size(); ++f) {
         const std::string& right = tables.figures[f].printed;
         std::size_t position = f % right.size();
         if (right[position] == '.') ++position;
         const std::string wrong = test::with_other_digit(right, position, random);
         const AuditReport report = audit(test::with_print(tables, f, wrong), {}, cache);
-        Share& share = shares[kind_of(tables.figures[f])];
+        NoticedShare& share = shares[kind_of(tables.figures[f])];
         ++share.altered;
         bool found = false;
         bool blamed = false;
@@ -80,7 +80,7 @@ std::map<std::string, Share> alter_every_figure(const PublishedTables& tables) {
 // measured.
 TEST(AuditOfThePaper, NoticesEveryKindOfAlteredDigit) {
     const PublishedTables tables = read_published_tables(test::paper_tables_file());
-    Share total;
+    NoticedShare total;
     for (const auto& [kind, share] : alter_every_figure(tables)) {
         std::printf("%-28s altered %3d  found %3d (%.1f %%)  blamed %3d (%.1f %%)\n", kind.c_str(), share.altered,
                     share.found, 100.0 * share.found / share.altered, share.blamed,

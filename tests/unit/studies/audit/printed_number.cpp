@@ -1,11 +1,14 @@
 #include "studies/audit/printed_number.hpp"
 
+#include "tests/unit/studies/audit/formats.hpp"
+
 #include <gtest/gtest.h>
 
 namespace ff::studies {
 namespace {
 
-constexpr NumberFormat rounded_digits{Rounding::rounded, Layout::significant_digits, 6};
+using test::rounded_digits;
+
 constexpr NumberFormat truncated_decimals{Rounding::truncated, Layout::fixed_decimals, 6};
 
 Range range_of(std::string_view text, NumberFormat format) {

@@ -13,22 +13,22 @@
 namespace ff::test {
 namespace {
 
-constexpr int faces = 6;
-constexpr std::uint32_t m = 6;
+constexpr int cube_faces = 6;
+constexpr std::uint32_t divisions = 6;
 constexpr int rays_per_patch = 700;
-constexpr int rays_per_face = m * m * rays_per_patch;
+constexpr int rays_per_face = divisions * divisions * rays_per_patch;
 
-using Hits = std::array<std::array<int, faces>, faces>;
+using Hits = std::array<std::array<int, cube_faces>, cube_faces>;
 
 Hits simulate_hits(std::mt19937_64& random) {
-    static const Eigen::MatrixXd factors = exact_patch_to_face(built_in_scene("cube"), Subdivision{m}).value();
+    static const Eigen::MatrixXd factors = exact_patch_to_face(built_in_scene("cube"), Subdivision{divisions}).value();
     Hits hits{};
-    for (int face = 0; face < faces; ++face) {
-        for (int p = 0; p < static_cast<int>(m * m); ++p) {
+    for (int face = 0; face < cube_faces; ++face) {
+        for (int p = 0; p < static_cast<int>(divisions * divisions); ++p) {
             int rays = rays_per_patch;
             double rest = 1;
-            for (int to = 0; to < faces && rays > 0; ++to) {
-                const double factor = factors(face * static_cast<int>(m * m) + p, to);
+            for (int to = 0; to < cube_faces && rays > 0; ++to) {
+                const double factor = factors(face * static_cast<int>(divisions * divisions) + p, to);
                 if (factor <= 0) continue;
                 const double share = std::min(1.0, factor / rest);
                 const int drawn = share >= 1 - 1e-12 ? rays : std::binomial_distribution<int>(rays, share)(random);
@@ -38,7 +38,7 @@ Hits simulate_hits(std::mt19937_64& random) {
             }
         }
     }
-    for (std::size_t i = 0; i < faces; ++i) {
+    for (std::size_t i = 0; i < cube_faces; ++i) {
         for (std::size_t j = 0; j < i; ++j) hits[i][j] = hits[j][i];
     }
     return hits;
@@ -54,7 +54,7 @@ std::string text_of(std::uint64_t seed) {
 
     std::string sums;
     double total = 0;
-    for (std::size_t i = 0; i < faces; ++i) {
+    for (std::size_t i = 0; i < cube_faces; ++i) {
         int row = 0;
         for (const int h : hits[i]) row += h;
         const double value = static_cast<double>(row) / rays_per_face;
@@ -65,8 +65,8 @@ std::string text_of(std::uint64_t seed) {
                         600 * std::abs(sum - 1), total);
 
     std::string pairs;
-    for (int i = 0; i < faces; ++i) {
-        for (int j = i + 1; j < faces; ++j) {
+    for (int i = 0; i < cube_faces; ++i) {
+        for (int j = i + 1; j < cube_faces; ++j) {
             const double reference = exact(i, j);
             const double det = reference < 0.2 ? parallel : adjacent;
             const double mc =
@@ -93,7 +93,7 @@ std::string text_of(std::uint64_t seed) {
                                "kind": "relative_error"}}],
   "rows": [{3}]}}]
 }})",
-                       m * m, rays_per_patch, sums, pairs);
+                       divisions * divisions, rays_per_patch, sums, pairs);
 }
 
 }  // namespace

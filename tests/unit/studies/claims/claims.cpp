@@ -20,7 +20,7 @@ using test::plan_of;
 using test::study_text;
 
 /// Sampled methods A (two sizes) and B, and a deterministic D: cells 0, 1, 2 and 3.
-constexpr std::string_view methods = R"([[method]]
+constexpr std::string_view claim_methods = R"([[method]]
 name = "A"
 sampler = "random"
 estimator = "ray_shooting"
@@ -47,7 +47,7 @@ struct Errors {
 };
 
 Store trials(const std::array<Errors, 4>& errors) {
-    const StudyPlan plan = plan_of(study_text("trials = 60", methods));
+    const StudyPlan plan = plan_of(study_text("trials = 60", claim_methods));
     const Scene& scene = plan.scenes.front();
     const auto exact = exact_form_factors(scene).value();
     std::mt19937_64 bits(1);

@@ -17,7 +17,7 @@ namespace {
 using test::plan_of;
 using test::study_text;
 
-constexpr std::string_view methods = R"([[method]]
+constexpr std::string_view rays_and_pdm = R"([[method]]
 name = "SR"
 sampler = "random"
 estimator = "ray_shooting"
@@ -34,7 +34,7 @@ patches_per_face = 4
 )";
 
 const Store& store() {
-    static const Store made = test::run(plan_of(study_text("trials = 200", methods)));
+    static const Store made = test::run(plan_of(study_text("trials = 200", rays_and_pdm)));
     return made;
 }
 

@@ -2,7 +2,9 @@
 
 #include "studies/comparison/decisions.hpp"
 #include "studies/run/measured_costs.hpp"
+#include "tests/support/box_faces.hpp"
 #include "tests/support/studies.hpp"
+#include "tests/unit/studies/comparison/two_methods.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -13,34 +15,15 @@
 namespace ff::studies {
 namespace {
 
-/// Faces of a box: 1 and 6, 2 and 3, 4 and 5.
-bool are_opposite(int from, int to) {
-    const int lower = std::min(from, to);
-    return from + to == (lower == 1 ? 7 : lower == 2 ? 5 : 9) && lower % 2 == (lower == 1 ? 1 : 0);
-}
-
-constexpr const char* two_methods = R"([[method]]
-name = "A"
-sampler = "random"
-estimator = "ray_shooting"
-samples_per_patch = [100, 10000]
-[[method]]
-name = "B"
-sampler = "sobol"
-estimator = "ray_shooting"
-samples_per_patch = [100]
-)";
-
 /// Errors of +-scale(cell) about the exact values of parallel faces, their sign by trial.
-Store made_up(const std::vector<double>& scales, const char* methods = two_methods) {
-    static const auto wobble = [](std::uint64_t trial) { return static_cast<double>(trial % 7) - 3.0; };
+Store store_with_errors(const std::vector<double>& scales, const char* methods = test::two_methods) {
     const auto plan = test::plan_of(test::study_text("trials = 70", methods));
     return test::fill(plan, [&](std::size_t cell, std::uint64_t trial, int from, int to) {
-        return (are_opposite(from, to) ? 0.1998249 : 0.20004378) + scales[cell] * wobble(trial);
+        return (test::are_opposite(from, to) ? 0.1998249 : 0.20004378) + scales[cell] * test::wobble(trial);
     });
 }
 
-std::vector<Contest> parallel(const Store& store, Equal equal) {
+std::vector<Contest> parallel_contests(const Store& store, Equal equal) {
     auto contests = hold_contests(store, analyse(store));
     std::erase_if(contests, [&](const Contest& contest) {
         return contest.equal != equal || contest.pair_class != PairClass::parallel;
@@ -50,7 +33,7 @@ std::vector<Contest> parallel(const Store& store, Equal equal) {
 
 // Hits of 100 rays are whole numbers: an error of 0.02 or more for the smaller sizes.
 TEST(Contests, RepeatWhatIsSmallerThanTheBudget) {
-    const auto contests = parallel(made_up({0.04, 0.002, 0.02}), Equal::evaluations);
+    const auto contests = parallel_contests(store_with_errors({0.04, 0.002, 0.02}), Equal::evaluations);
     ASSERT_EQ(contests.size(), 2u);
     EXPECT_EQ(contests[0].budget, 600);  // six faces
     ASSERT_EQ(contests[0].entrants.size(), 2u);
@@ -69,7 +52,7 @@ TEST(Contests, RepeatWhatIsSmallerThanTheBudget) {
 // The RMSEs are twice the scales. To reach A's 0.004 with 10000 rays, B is between its 0.04 with 100 and its 0.002 with
 // 10000: 100 * 100^(ln 10 / ln 20) = 3446. A's 0.08 is more than B has at any size.
 TEST(Contests, ToAnEqualErrorInterpolateBetweenSizes) {
-    const auto contests = parallel(made_up({0.04, 0.002, 0.02, 0.001}, R"([[method]]
+    const auto contests = parallel_contests(store_with_errors({0.04, 0.002, 0.02, 0.001}, R"([[method]]
 name = "A"
 sampler = "random"
 estimator = "ray_shooting"
@@ -80,7 +63,7 @@ sampler = "sobol"
 estimator = "ray_shooting"
 samples_per_patch = [100, 10000]
 )"),
-                                   Equal::error);
+                                            Equal::error);
     ASSERT_EQ(contests.size(), 2u);
     EXPECT_NEAR(contests[1].budget, 0.004, 1e-5);
     EXPECT_NEAR(contests[1].handicaps[0].ratio, 10000 / 3446.0, 0.05);
@@ -91,8 +74,8 @@ samples_per_patch = [100, 10000]
 }
 
 TEST(Contests, AtEqualTimeNeedMeasuredCosts) {
-    Store store = made_up({0.04, 0.002, 0.02});
-    EXPECT_TRUE(parallel(store, Equal::processor_time).empty());
+    Store store = store_with_errors({0.04, 0.002, 0.02});
+    EXPECT_TRUE(parallel_contests(store, Equal::processor_time).empty());
     MeasuredCosts costs(store.plan());
     for (const WorkUnit& unit : store.plan().units) {
         const double each = unit.cell == 2 ? 4e-3 : unit.cell == 1 ? 0.1 : 1e-3;
@@ -103,14 +86,14 @@ TEST(Contests, AtEqualTimeNeedMeasuredCosts) {
         costs.add(progress);
     }
     store.set_context({{std::string(costs_key), costs.in_context()}});
-    const auto contests = parallel(store, Equal::processor_time);
+    const auto contests = parallel_contests(store, Equal::processor_time);
     ASSERT_EQ(contests.size(), 2u);
     // In 4 ms A runs four times with 100 rays, and has the error of B. At 0.1 s B runs 25 times.
     EXPECT_NEAR(contests[0].budget, 4e-3, 1e-7);
     EXPECT_NEAR(contests[0].handicaps[0].ratio, 1, 0.01);
     EXPECT_NEAR(contests[1].handicaps[0].ratio, 4, 0.04);
     // The noise of the costs is in the intervals.
-    const auto of_evaluations = parallel(store, Equal::evaluations);
+    const auto of_evaluations = parallel_contests(store, Equal::evaluations);
     const auto width = [](const Contest& contest) {
         return std::log(contest.handicaps[0].interval->high / contest.handicaps[0].interval->low);
     };
@@ -134,7 +117,7 @@ samples_per_patch = 100
     };
     const auto width = [&](std::string_view other) {
         const auto plan = test::plan_of(test::study_text("trials = 200", methods(other)));
-        const auto contests = parallel(test::run(plan), Equal::evaluations);
+        const auto contests = parallel_contests(test::run(plan), Equal::evaluations);
         const auto& interval = contests.at(0).handicaps.at(0).interval;
         return std::log(interval->high / interval->low);
     };
@@ -158,7 +141,7 @@ TEST(Contests, HaveIntervalsThatHoldTogether) {
     for (int seed = 0; seed < 60; ++seed) {
         const auto text =
             fmt::format("[study]\nname = \"test\"\nscene = \"cube\"\nseed = {}\ntrials = 30\n{}", seed, methods);
-        const auto contests = parallel(test::run(test::plan_of(text)), Equal::evaluations);
+        const auto contests = parallel_contests(test::run(test::plan_of(text)), Equal::evaluations);
         const bool wrong = std::any_of(contests.begin(), contests.end(), [](const Contest& contest) {
             return std::any_of(contest.handicaps.begin(), contest.handicaps.end(),
                                [](const Handicap& handicap) { return handicap.interval->low > 1; });

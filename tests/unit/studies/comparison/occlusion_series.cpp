@@ -15,10 +15,11 @@
 namespace ff::studies {
 namespace {
 
-constexpr double sigma = 1e-3;  // of the sampled method with one evaluation
+constexpr double point_sigma = 1e-3;  // of the sampled method with one evaluation
 
 /// Scenes in another order than that of their shares.
-StudyPlan plan(std::string_view scenes = R"("squares_blocked:0.8", "squares_blocked:0", "squares_blocked:0.4")") {
+StudyPlan occlusion_plan(
+    std::string_view scenes = R"("squares_blocked:0.8", "squares_blocked:0", "squares_blocked:0.4")") {
     return test::plan_of(fmt::format(
         "[study]\nname = \"o\"\nscene = [{}]\ntrials = 60\nseed = 5\n"
         "[[method]]\nname = \"rule\"\nsampler = \"gauss_legendre\"\nnodes = 2\nestimator = \"area_kernel\"\n"
@@ -28,7 +29,7 @@ StudyPlan plan(std::string_view scenes = R"("squares_blocked:0.8", "squares_bloc
         scenes));
 }
 
-/// Points err by `sigma` / sqrt(N), normally; the rule by `rule(hidden)` times N^-1/4 in every trial.
+/// Points err by `point_sigma` / sqrt(N), normally; the rule by `rule(hidden)` times N^-1/4 in every trial.
 template <class Rule>
 std::vector<OcclusionSeries> series_of(const StudyPlan& plan, Rule rule) {
     std::mt19937_64 bits(11);
@@ -41,7 +42,7 @@ std::vector<OcclusionSeries> series_of(const StudyPlan& plan, Rule rule) {
         const double n = static_cast<double>(cell.samples) * patches * patches;
         const double hidden = hidden_share(scene, known, from - 1, to - 1).value();
         return known.at(from - 1, to - 1).value() +
-               (cell.deterministic ? rule(hidden) * std::pow(n, -0.25) : sigma / std::sqrt(n) * normal(bits));
+               (cell.deterministic ? rule(hidden) * std::pow(n, -0.25) : point_sigma / std::sqrt(n) * normal(bits));
     });
     const Findings findings = analyse(store);
     return occlusion_series(store, findings, fit_slopes(store, findings));
@@ -49,7 +50,7 @@ std::vector<OcclusionSeries> series_of(const StudyPlan& plan, Rule rule) {
 
 TEST(OcclusionSeries, FindsTheSmallestErrorAsOcclusionGrows) {
     // At 4096 evaluations points err by 1.6e-5; the rule by 1.2e-6 in the open and 1.2e-3 behind the blocker.
-    const auto all = series_of(plan(), [](double hidden) { return hidden == 0 ? 1e-5 : 1e-2; });
+    const auto all = series_of(occlusion_plan(), [](double hidden) { return hidden == 0 ? 1e-5 : 1e-2; });
     ASSERT_EQ(all.size(), 1u);
     const OcclusionSeries& series = all.front();
     EXPECT_EQ(series.family, "squares_blocked");
@@ -69,13 +70,14 @@ TEST(OcclusionSeries, FindsTheSmallestErrorAsOcclusionGrows) {
 
 TEST(OcclusionSeries, LeavesOpenWhatTrialsDoNotShow) {
     // The rule errs as points do, in the mean.
-    const auto all = series_of(plan(), [](double) { return sigma * std::pow(4096.0, -0.25); });
+    const auto all = series_of(occlusion_plan(), [](double) { return point_sigma * std::pow(4096.0, -0.25); });
     for (const HiddenPair& scene : all.front().scenes) EXPECT_FALSE(scene.decided) << scene.hidden;
 }
 
 TEST(OcclusionSeries, NeedsThreeScenesOfAFamily) {
-    const auto none = series_of(plan(R"("squares_blocked:0.8", "squares_blocked:0", "squares_through_aperture")"),
-                                [](double) { return 0.0; });
+    const auto none =
+        series_of(occlusion_plan(R"("squares_blocked:0.8", "squares_blocked:0", "squares_through_aperture")"),
+                  [](double) { return 0.0; });
     EXPECT_TRUE(none.empty());
 }
 

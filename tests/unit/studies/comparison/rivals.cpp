@@ -2,50 +2,39 @@
 
 #include "studies/results/results.hpp"
 #include "tests/support/studies.hpp"
+#include "tests/unit/studies/comparison/two_methods.hpp"
 
 #include <gtest/gtest.h>
 
 namespace ff::studies {
 namespace {
 
-constexpr const char* two_methods = R"([[method]]
-name = "A"
-sampler = "random"
-estimator = "ray_shooting"
-samples_per_patch = [100, 10000]
-[[method]]
-name = "B"
-sampler = "sobol"
-estimator = "ray_shooting"
-samples_per_patch = [100]
-)";
-
 /// Errors of +-scale(cell), their sign by trial.
-Findings made_up(const std::vector<double>& scales) {
-    static const auto wobble = [](std::uint64_t trial) { return static_cast<double>(trial % 7) - 3.0; };
-    const auto plan = test::plan_of(test::study_text("trials = 70", two_methods));
-    return analyse(test::fill(
-        plan, [&](std::size_t cell, std::uint64_t trial, int, int) { return 0.2 + scales[cell] * wobble(trial); }));
+Findings findings_with_errors(const std::vector<double>& scales) {
+    const auto plan = test::plan_of(test::study_text("trials = 70", test::two_methods));
+    return analyse(test::fill(plan, [&](std::size_t cell, std::uint64_t trial, int, int) {
+        return 0.2 + scales[cell] * test::wobble(trial);
+    }));
 }
 
-const Rivalry& parallel(const std::vector<Rivalry>& rivals) {
+const Rivalry& parallel_rivalry(const std::vector<Rivalry>& rivals) {
     return rivals.front();
 }
 
 TEST(Rivals, AreComparedAtTheSizeThatTheyShare) {
-    const auto rivals = find_rivals(made_up({0.04, 1e-4, 0.01}), {});
+    const auto rivals = find_rivals(findings_with_errors({0.04, 1e-4, 0.01}), {});
     ASSERT_EQ(rivals.size(), 2u);
-    EXPECT_EQ(parallel(rivals).better, 2u);
-    EXPECT_EQ(parallel(rivals).worse, 0u);
-    ASSERT_TRUE(parallel(rivals).ratio && parallel(rivals).interval);
-    EXPECT_NEAR(*parallel(rivals).ratio, 4, 0.1);
-    EXPECT_TRUE(parallel(rivals).interval->contains(*parallel(rivals).ratio));
-    EXPECT_TRUE(parallel(rivals).decided());
+    EXPECT_EQ(parallel_rivalry(rivals).better, 2u);
+    EXPECT_EQ(parallel_rivalry(rivals).worse, 0u);
+    ASSERT_TRUE(parallel_rivalry(rivals).ratio && parallel_rivalry(rivals).interval);
+    EXPECT_NEAR(*parallel_rivalry(rivals).ratio, 4, 0.1);
+    EXPECT_TRUE(parallel_rivalry(rivals).interval->contains(*parallel_rivalry(rivals).ratio));
+    EXPECT_TRUE(parallel_rivalry(rivals).decided());
 }
 
 TEST(Rivals, AreUndecidedWhereTheirErrorsAreAlike) {
-    const auto rivals = find_rivals(made_up({0.0100, 1e-4, 0.0103}), {});
-    EXPECT_FALSE(parallel(rivals).decided());
+    const auto rivals = find_rivals(findings_with_errors({0.0100, 1e-4, 0.0103}), {});
+    EXPECT_FALSE(parallel_rivalry(rivals).decided());
 }
 
 TEST(Rivals, ExcludeUnrandomisedPointSets) {
@@ -80,8 +69,8 @@ samples_per_patch = 100
 )"));
     const auto rivals = find_rivals(analyse(test::run(plan)), {});
     ASSERT_EQ(rivals.size(), 2u);
-    EXPECT_FALSE(parallel(rivals).worse);
-    EXPECT_FALSE(parallel(rivals).decided());
+    EXPECT_FALSE(parallel_rivalry(rivals).worse);
+    EXPECT_FALSE(parallel_rivalry(rivals).decided());
 }
 
 /// The interval holds the true ratio as often as it says: 100 studies of ratio 1. At level 0.95 fewer than 84

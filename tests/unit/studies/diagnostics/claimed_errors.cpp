@@ -1,20 +1,13 @@
 #include "studies/diagnostics/claimed_errors.hpp"
 
+#include "tests/support/box_faces.hpp"
 #include "tests/support/studies.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include <algorithm>
-
 namespace ff::studies {
 namespace {
-
-/// Faces of a box: 1 and 6, 2 and 3, 4 and 5.
-bool are_opposite(int from, int to) {
-    const int lower = std::min(from, to);
-    return from + to == (lower == 1 ? 7 : lower == 2 ? 5 : 9) && lower % 2 == (lower == 1 ? 1 : 0);
-}
 
 std::vector<ClaimedErrors> judged(std::string_view methods, int trials = 400) {
     return judge_claimed_errors(
@@ -91,7 +84,7 @@ samples_per_patch = 64
 claimed_error = 0.01
 )"));
     const auto found = judge_claimed_errors(test::fill(plan, [](std::size_t, std::uint64_t trial, int from, int to) {
-        return (are_opposite(from, to) ? 0.1998249 : 0.20004378) + (from == 1 && trial % 4 == 0 ? 0.02 : 0.005);
+        return (test::are_opposite(from, to) ? 0.1998249 : 0.20004378) + (from == 1 && trial % 4 == 0 ? 0.02 : 0.005);
     }));
     ASSERT_EQ(found.size(), 2u);
     EXPECT_EQ(found[0].held, 230u);  // of 6 pairs of parallel faces one has face 1 first: 10 of its 40 do not hold

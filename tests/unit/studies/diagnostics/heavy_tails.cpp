@@ -11,7 +11,7 @@
 namespace ff::studies {
 namespace {
 
-StudyPlan plan() {
+StudyPlan heavy_tail_plan() {
     return test::plan_of(test::study_text("trials = 2000", R"([[method]]
 name = "a"
 sampler = "random"
@@ -22,7 +22,7 @@ samples_per_patch = 16
 
 /// Pareto values of this tail index for F 1-6, normal ones for all other pairs.
 std::vector<HeavyTail> found_for(double index) {
-    const StudyPlan study = plan();
+    const StudyPlan study = heavy_tail_plan();
     const Store store = test::fill(study, [=](std::size_t, std::uint64_t trial, int from, int to) {
         std::seed_seq seed{static_cast<int>(trial), from, to};
         std::mt19937_64 engine(seed);

@@ -16,7 +16,7 @@ namespace {
 using test::plan_of;
 using test::study_text;
 
-StudyPlan rays(std::string_view sampler, std::string_view completion = "direct", int samples = 64) {
+StudyPlan plan_of_rays(std::string_view sampler, std::string_view completion = "direct", int samples = 64) {
     return plan_of(study_text("trials = 400", fmt::format("[[method]]\nname = \"SR\"\nsampler = \"{}\"\n"
                                                           "estimator = \"ray_shooting\"\npatches_per_face = 4\n"
                                                           "samples_per_patch = {}\ncompletion = \"{}\"",
@@ -25,7 +25,7 @@ StudyPlan rays(std::string_view sampler, std::string_view completion = "direct",
 
 /// What a chi-squared test of 30 pairs at 1e-6 (Holm) notices with 400 trials: a standard deviation that is wrong by a
 /// factor of about 1 + (5.5 + 2) / sqrt(2 * 400) = 1.27, power 0.98.
-constexpr double alarm = 1e-6;
+constexpr double alarm_level = 1e-6;
 
 std::optional<VarianceCheck> only_check(const Findings& findings) {
     auto checks = check_variances(findings);
@@ -34,10 +34,10 @@ std::optional<VarianceCheck> only_check(const Findings& findings) {
 
 TEST(VarianceCheck, AgreesForIndependentRays) {
     for (const char* completion : {"direct", "reciprocal"}) {
-        const Findings findings = analyse(test::run(rays("random", completion)));
+        const Findings findings = analyse(test::run(plan_of_rays("random", completion)));
         const auto check = only_check(findings);
         ASSERT_TRUE(check);
-        EXPECT_GT(check->adjusted_p, alarm);
+        EXPECT_GT(check->adjusted_p, alarm_level);
         EXPECT_GT(check->smallest_ratio, 0.8);
         EXPECT_LT(check->largest_ratio, 1.25);
         // Direct sums are always 1; of the reciprocal ones the first.
@@ -46,27 +46,27 @@ TEST(VarianceCheck, AgreesForIndependentRays) {
 }
 
 TEST(VarianceCheck, CatchesAWrongNumberOfRays) {
-    Findings findings = analyse(test::run(rays("random")));
+    Findings findings = analyse(test::run(plan_of_rays("random")));
     for (const std::uint64_t claimed : {32u, 128u}) {  // true: 64; standard deviations wrong by sqrt(2)
         findings.plan.cells[0].samples = claimed;
         const auto check = only_check(findings);
         ASSERT_TRUE(check);
-        EXPECT_LT(check->adjusted_p, alarm);
+        EXPECT_LT(check->adjusted_p, alarm_level);
     }
 }
 
 TEST(VarianceCheck, CatchesRaysThatAreNotIndependent) {
     // The same store under the name of a sampler with independent points.
-    Findings findings = analyse(test::run(rays("sobol")));
+    Findings findings = analyse(test::run(plan_of_rays("sobol")));
     EXPECT_FALSE(only_check(findings));
     findings.plan.spec.methods[0].sampler = "random";
-    EXPECT_LT(only_check(findings)->adjusted_p, alarm);
+    EXPECT_LT(only_check(findings)->adjusted_p, alarm_level);
 }
 
 TEST(VarianceCheck, ExpectsTheStratifiedVarianceOfRaysFromPatches) {
     // Not the binomial F (1 - F) / N: patches beside an edge send more rays to the face beyond it. The four patches of
     // a face see the opposite one alike, so that nothing is gained there.
-    const Findings findings = analyse(test::run(rays("random")));
+    const Findings findings = analyse(test::run(plan_of_rays("random")));
     const auto check = only_check(findings);
     ASSERT_TRUE(check);
     for (const VarianceComparison& c : check->quantities) {
@@ -87,7 +87,7 @@ TEST(VarianceCheck, SkipsOtherEstimators) {
 }
 
 TEST(VarianceCheck, SharesOneErrorRateAmongTheCellsOfAStudy) {
-    const Findings one = analyse(test::run(rays("random")));
+    const Findings one = analyse(test::run(plan_of_rays("random")));
     Findings three = one;
     for (std::size_t cell = 1; cell < 3; ++cell) {
         three.cells.push_back(one.cells[0]);

@@ -12,7 +12,7 @@ namespace ff::studies {
 namespace {
 
 /// Two walls of four by four tiles, a plate between them; every tile a face of its own, or two in one face.
-Scene tiles(bool in_pairs) {
+Scene tiled_walls(bool in_pairs) {
     Scene scene;
     scene.name = scene.canonical = "tiles";
     const auto add = [&](double x, double y, double z, double size) {
@@ -31,7 +31,7 @@ Scene tiles(bool in_pairs) {
     return scene;
 }
 
-FormFactorMatrix matrix_of(const Scene& scene, double drop) {
+FormFactorMatrix matrix_dropping(const Scene& scene, double drop) {
     FormFactorRequest request;
     request.tolerance = 1e-4;
     request.drop = drop;
@@ -41,10 +41,10 @@ FormFactorMatrix matrix_of(const Scene& scene, double drop) {
 class DroppedPairs : public testing::TestWithParam<bool> {};
 
 TEST_P(DroppedPairs, AreSmallAndStandInTheSumsOfTheirRows) {
-    const Scene scene = tiles(GetParam());
+    const Scene scene = tiled_walls(GetParam());
     constexpr double least = 0.012;
-    const FormFactorMatrix whole = matrix_of(scene, 0);
-    const FormFactorMatrix part = matrix_of(scene, least);
+    const FormFactorMatrix whole = matrix_dropping(scene, 0);
+    const FormFactorMatrix part = matrix_dropping(scene, least);
     EXPECT_EQ(whole.dropped, 0u);
     ASSERT_GT(part.dropped, 10u);
     ASSERT_GT(part.exchanges.size(), 20u);
@@ -76,8 +76,8 @@ INSTANTIATE_TEST_SUITE_P(Faces, DroppedPairs, testing::Bool(),
                          [](const auto& faces) { return faces.param ? "OfTwoSurfaces" : "OfOneSurface"; });
 
 TEST(PairsThatAreDroppedByGeometry, NeedNoSamples) {
-    const Scene scene = tiles(false);
-    EXPECT_LT(matrix_of(scene, 0.02).samples, matrix_of(scene, 0).samples);
+    const Scene scene = tiled_walls(false);
+    EXPECT_LT(matrix_dropping(scene, 0.02).samples, matrix_dropping(scene, 0).samples);
 }
 
 }  // namespace

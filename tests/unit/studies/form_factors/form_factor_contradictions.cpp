@@ -39,7 +39,7 @@ class HoleyTracer final : public Tracer {
     mutable std::atomic<std::uint64_t> rays_{0};
 };
 
-constexpr std::uint64_t runs = 200;
+constexpr std::uint64_t contradiction_runs = 200;
 
 /// Of runs, each with a seed of its own, what becomes of the estimate of the first two faces.
 struct Outcome {
@@ -51,7 +51,7 @@ Outcome outcome(std::string_view scene_name, float hole, std::uint64_t sound_ray
     const Scene scene = built_in_scene(scene_name);
     const double exact = *known_form_factor(scene, 0, 1);
     Outcome outcome;
-    for (std::uint64_t seed = 1; seed <= runs; ++seed) {
+    for (std::uint64_t seed = 1; seed <= contradiction_runs; ++seed) {
         FormFactorRequest request;
         request.tolerance = 2e-3;
         request.seed = Seed{seed};
@@ -67,12 +67,14 @@ Outcome outcome(std::string_view scene_name, float hole, std::uint64_t sound_ray
     return outcome;
 }
 
-const test::StatisticalRisk risk{.alpha = 1e-6, .detects = 0.12, .power = 0.99};
+const test::StatisticalRisk contradiction_risk{.alpha = 1e-6, .detects = 0.12, .power = 0.99};
 
 // Sound estimates are contradicted in 0.001 of runs at most, over all pairs; 0.121 would be noticed.
 TEST(FormFactorContradictions, AreRareWhereNothingIsBroken) {
     for (const char* scene : {"squares_blocked", "discs_blocked"}) {
-        EXPECT_TRUE(test::has_probability_at_most(outcome(scene, 0).contradicted, runs, 1e-3, risk)) << scene;
+        EXPECT_TRUE(
+            test::has_probability_at_most(outcome(scene, 0).contradicted, contradiction_runs, 1e-3, contradiction_risk))
+            << scene;
     }
 }
 
@@ -80,20 +82,21 @@ TEST(FormFactorContradictions, AreRareWhereNothingIsBroken) {
 // (0.83 would be noticed), and the interval, which holds that of the points, misses no more often than that one may.
 TEST(FormFactorContradictions, AreFoundWhereRaysAreLostAndPointsAreNot) {
     const Outcome found = outcome("squares_blocked", 0.1F);
-    EXPECT_TRUE(test::has_probability_at_least(found.contradicted, runs, 0.95, risk));
-    EXPECT_TRUE(test::has_probability_at_least(found.held, found.contradicted, 0.95, risk));
+    EXPECT_TRUE(test::has_probability_at_least(found.contradicted, contradiction_runs, 0.95, contradiction_risk));
+    EXPECT_TRUE(test::has_probability_at_least(found.held, found.contradicted, 0.95, contradiction_risk));
 }
 
 // Rays alone do for discs: the first pilots are sound, and what follows is not.
 TEST(FormFactorContradictions, AreFoundWhereLaterRaysAreLost) {
     const Outcome found = outcome("discs_blocked", 0.1F, 65536);
-    EXPECT_TRUE(test::has_probability_at_least(found.contradicted, runs, 0.95, risk));
-    EXPECT_TRUE(test::has_probability_at_least(found.held, found.contradicted, 0.95, risk));
+    EXPECT_TRUE(test::has_probability_at_least(found.contradicted, contradiction_runs, 0.95, contradiction_risk));
+    EXPECT_TRUE(test::has_probability_at_least(found.held, found.contradicted, 0.95, contradiction_risk));
 }
 
 // A thousandth of a surface is less than the pilots can tell: nobody is to rely on this comparison alone.
 TEST(FormFactorContradictions, AreNotFoundWhereLittleIsLost) {
-    EXPECT_TRUE(test::has_probability_at_most(outcome("squares_blocked", 0.001F).contradicted, runs, 0.01, risk));
+    EXPECT_TRUE(test::has_probability_at_most(outcome("squares_blocked", 0.001F).contradicted, contradiction_runs, 0.01,
+                                              contradiction_risk));
 }
 
 }  // namespace

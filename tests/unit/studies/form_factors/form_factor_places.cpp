@@ -20,8 +20,8 @@ namespace {
 using Eigen::Vector3d;
 
 /// Of an interval of an entry: that one of the few thousand of this file excludes a true value by chance is below 1e-4.
-constexpr double level = 1 - 1e-8;
-constexpr double tolerance = 0.004;
+constexpr double place_level = 1 - 1e-8;
+constexpr double place_tolerance = 0.004;
 
 Scene turned(Scene scene, const Eigen::Matrix3d& turn) {
     for (Surface& surface : scene.surfaces) {
@@ -64,10 +64,10 @@ Scene furnished_room() {
     return scene;
 }
 
-FormFactorMatrix matrix_of(const Scene& scene, std::uint64_t seed) {
+FormFactorMatrix matrix_with_seed(const Scene& scene, std::uint64_t seed) {
     FormFactorRequest request;
-    request.tolerance = tolerance;
-    request.level = level;
+    request.tolerance = place_tolerance;
+    request.level = place_level;
     request.seed = Seed{seed};
     return find_form_factors(scene, request);
 }
@@ -100,15 +100,15 @@ class Moves {
     }
 };
 
-constexpr std::uint64_t moves = 8;
+constexpr std::uint64_t move_count = 8;
 
 // What is off by more than two tolerances is found surely: in single precision at the origin of coordinates it was
 // beyond 10^5 sizes, and at sizes of 10^19 all factors were 0.
 TEST(FormFactorPlaces, DoNotMatterForACylinder) {
     Moves random(16);
-    for (std::uint64_t seed = 1; seed <= moves; ++seed) {
+    for (std::uint64_t seed = 1; seed <= move_count; ++seed) {
         const Scene scene = random.next().of(can());
-        const FormFactorMatrix matrix = matrix_of(scene, seed);
+        const FormFactorMatrix matrix = matrix_with_seed(scene, seed);
         // Corners 10^7 sizes away are rounded by 10^-9 of a size.
         const double area = matrix.areas[1];
         const FaceExchange& pair = matrix.exchange(1, 2);
@@ -117,17 +117,17 @@ TEST(FormFactorPlaces, DoNotMatterForACylinder) {
         EXPECT_LE(matrix.exchange(0, 1).low / area, 1 - base_to_top + 1e-7) << seed;
         EXPECT_GE(matrix.exchange(0, 1).high / area, 1 - base_to_top - 1e-7) << seed;
         EXPECT_EQ(matrix.missed(), 0u) << seed;
-        EXPECT_TRUE(is_trusted(scene, matrix, tolerance)) << seed;
+        EXPECT_TRUE(is_trusted(scene, matrix, place_tolerance)) << seed;
     }
 }
 
 TEST(FormFactorPlaces, DoNotMatterForAFurnishedRoom) {
     const Scene room = furnished_room();
-    const FormFactorMatrix here = matrix_of(room, 1);
+    const FormFactorMatrix here = matrix_with_seed(room, 1);
     Moves random(3);
-    for (std::uint64_t seed = 1; seed <= moves; ++seed) {
+    for (std::uint64_t seed = 1; seed <= move_count; ++seed) {
         const Scene scene = random.next().of(room);
-        const FormFactorMatrix there = matrix_of(scene, seed);
+        const FormFactorMatrix there = matrix_with_seed(scene, seed);
         const double unit = there.areas[0] / here.areas[0];
         for (std::size_t from = 0; from < here.faces(); ++from) {
             for (std::size_t to = from; to < here.faces(); ++to) {
@@ -139,7 +139,7 @@ TEST(FormFactorPlaces, DoNotMatterForAFurnishedRoom) {
             }
         }
         EXPECT_EQ(there.missed(), 0u) << seed;
-        EXPECT_TRUE(is_trusted(scene, there, tolerance)) << seed;
+        EXPECT_TRUE(is_trusted(scene, there, place_tolerance)) << seed;
     }
 }
 
@@ -148,7 +148,7 @@ TEST(FormFactorPlaces, AreToldFromAnotherScene) {
     Scene longer = can();
     std::get<Frustum>(longer.surfaces[0].shape).axis *= 1.1;
     std::get<Disc>(longer.surfaces[2].shape).centre *= 1.1;
-    const FaceExchange pair = matrix_of(longer, 1).exchange(1, 2);
+    const FaceExchange pair = matrix_with_seed(longer, 1).exchange(1, 2);
     EXPECT_LT(pair.high / std::acos(-1.0), base_to_top);
 }
 

@@ -25,7 +25,7 @@ using test::message_of;
 using testing::HasSubstr;
 
 /// Two triangles face each other past a third; the file says that they are closed, which they are not.
-constexpr const char* text = R"(# closed
+constexpr const char* triangles_obj = R"(# closed
 v 0 0 0
 v 1 0 0
 v 0 1 0
@@ -116,7 +116,7 @@ class FormFactorStore : public testing::Test {
 TEST_F(FormFactorStore, GivesBackWhatWasSaved) {
     for (const auto& [source, repaired] :
          {std::pair(std::string("squares_blocked"), false), std::pair(std::string("nested_cubes"), true),
-          std::pair(with_scene_text("room.obj", text), false)}) {
+          std::pair(with_scene_text("room.obj", triangles_obj), false)}) {
         const KeptFormFactors saved = found(source, repaired);
         save(saved);
         const KeptFormFactors read = load_form_factors(file());

@@ -20,7 +20,7 @@
 namespace ff::studies {
 namespace {
 
-FormFactorRequest request_of(double tolerance, std::uint64_t seed = 1) {
+FormFactorRequest request_within(double tolerance, std::uint64_t seed = 1) {
     FormFactorRequest request;
     request.tolerance = tolerance;
     request.seed = Seed{seed};
@@ -46,7 +46,7 @@ double factor(const FormFactorMatrix& matrix, std::size_t from, std::size_t to) 
 
 TEST(FormFactors, AreExactWhereGeometryAllowsIt) {
     const Scene box = make_box(3, 2, 1);
-    const FormFactorMatrix matrix = find_form_factors(box, request_of(1e-12));
+    const FormFactorMatrix matrix = find_form_factors(box, request_within(1e-12));
     EXPECT_LT((dense(matrix.factors()) - *exact_form_factors(box)).cwiseAbs().maxCoeff(), 1e-14);
     EXPECT_EQ(matrix.samples, 0u);
     EXPECT_EQ(matrix.missed(), 0u);
@@ -66,14 +66,14 @@ TEST(FormFactors, AddUpSurfacesOfAFace) {
     for (std::uint32_t p = 1; p < 4; ++p) {
         pieces.surfaces.push_back({patch(floor, {2, 2}, p), whole.surfaces[0].normal, 0});
     }
-    const FormFactorMatrix matrix = find_form_factors(pieces, request_of(1e-12));
+    const FormFactorMatrix matrix = find_form_factors(pieces, request_within(1e-12));
     EXPECT_LT((dense(matrix.factors()) - *exact_form_factors(whole)).cwiseAbs().maxCoeff(), 1e-13);
 }
 
 TEST(FormFactors, DoNotDependOnThreads) {
     for (const char* name : {"squares_blocked", "cylinder_wall"}) {
         const Scene scene = built_in_scene(name);
-        FormFactorRequest request = request_of(2e-3);
+        FormFactorRequest request = request_within(2e-3);
         const FormFactorMatrix two = find_form_factors(scene, request);
         request.threads = 1;
         const FormFactorMatrix one = find_form_factors(scene, request);
@@ -86,7 +86,7 @@ TEST(FormFactors, DoNotDependOnThreads) {
 
 TEST(FormFactors, ReportWhatABudgetLeavesOut) {
     const Scene scene = built_in_scene("coaxial_discs_equal");
-    FormFactorRequest request = request_of(1e-5);
+    FormFactorRequest request = request_within(1e-5);
     request.max_samples = 2'000'000;
     const FormFactorMatrix matrix = find_form_factors(scene, request);
     EXPECT_EQ(matrix.missed(), 1u);
@@ -99,7 +99,7 @@ TEST(FormFactors, ReportWhatABudgetLeavesOut) {
 }
 
 TEST(FormFactors, MeetARelativeToleranceWhereItIsLarger) {
-    FormFactorRequest request = request_of(1e-7);
+    FormFactorRequest request = request_within(1e-7);
     const Scene scene = built_in_scene("squares_blocked");
     request.relative = 0.01;
     const FormFactorMatrix coarse = find_form_factors(scene, request);
@@ -117,7 +117,7 @@ TEST(FormFactors, MeetARelativeToleranceWhereItIsLarger) {
 }
 
 TEST(FormFactors, AreBoundedByGeometryWhereThereWasNoTime) {
-    const FormFactorMatrix matrix = stopped_in(FormFactorProgress::Stage::pilots, request_of(1e-4));
+    const FormFactorMatrix matrix = stopped_in(FormFactorProgress::Stage::pilots, request_within(1e-4));
     EXPECT_TRUE(matrix.interrupted);
     EXPECT_EQ(matrix.missed(), 1u);
     const FaceExchange& exchange = matrix.exchange(0, 1);
@@ -125,7 +125,7 @@ TEST(FormFactors, AreBoundedByGeometryWhereThereWasNoTime) {
     EXPECT_EQ(exchange.low, 0);
     EXPECT_NEAR(exchange.high, 0.199824895698387, 1e-14) << "as if nothing stood in between";
     const std::atomic<bool> stop = true;
-    FormFactorRequest request = request_of(1e-4);
+    FormFactorRequest request = request_within(1e-4);
     request.stop = &stop;
     const FormFactorMatrix unknown = find_form_factors(built_in_scene("squares_blocked"), request);
     EXPECT_TRUE(unknown.interrupted);
@@ -141,7 +141,7 @@ TEST(FormFactors, HoldWhenTheyAreStopped) {
     std::uint64_t held = 0;
     std::uint64_t held_by_halves = 0;
     for (std::uint64_t seed = 1; seed <= 200; ++seed) {
-        const FormFactorMatrix matrix = stopped_in(FormFactorProgress::Stage::rounds, request_of(1e-4, seed));
+        const FormFactorMatrix matrix = stopped_in(FormFactorProgress::Stage::rounds, request_within(1e-4, seed));
         ASSERT_TRUE(matrix.interrupted);
         const FaceExchange& pair = matrix.exchange(0, 1);
         ASSERT_NE(method_of(pair), "bounds");
@@ -155,7 +155,7 @@ TEST(FormFactors, HoldWhenTheyAreStopped) {
 
 TEST(FormFactors, ReportTheirProgress) {
     using Stage = FormFactorProgress::Stage;
-    FormFactorRequest request = request_of(1e-3);
+    FormFactorRequest request = request_within(1e-3);
     std::vector<FormFactorProgress> told;
     request.report = [&](const FormFactorProgress& progress) { told.push_back(progress); };
     const Scene scene = built_in_scene("nested_cubes");
@@ -177,27 +177,27 @@ TEST(FormFactors, StayBelowTheUnoccludedValue) {
     Scene scene = built_in_scene("squares_blocked");
     Parallelogram& blocker = parallelogram(scene.surfaces[2]);
     blocker = {{-1, -1, 0.5}, {3, 0, 0}, {0, 3, 0}};
-    const FormFactorMatrix proved = find_form_factors(scene, request_of(1e-3));
+    const FormFactorMatrix proved = find_form_factors(scene, request_within(1e-3));
     EXPECT_LT(proved.exchange(0, 1).high, 1e-13);
     // Two do so together: no point sees anything, which is no proof.
     Scene two = scene;
     two.surfaces.push_back(two.surfaces[2]);
     parallelogram(two.surfaces[2]).edge_u *= 0.51;
     parallelogram(two.surfaces[3]) = {{0.49, -1, 0.51}, {1.51, 0, 0}, {0, 3, 0}};
-    const FaceExchange exchange = find_form_factors(two, request_of(1e-3)).exchange(0, 1);
+    const FaceExchange exchange = find_form_factors(two, request_within(1e-3)).exchange(0, 1);
     EXPECT_LT(exchange.value, 1e-13);
     EXPECT_EQ(exchange.low, 0);
     EXPECT_GT(exchange.high, 1e-8) << "no hits are no proof";
     EXPECT_LE(exchange.high, 1e-3);
     // A blocker beside the line of sight hides nothing: the value is that of nothing in between, and clipped there.
     blocker = {{0.4, 1.2, 0.5}, {0.1, 0.1, 0}, {0.1, -0.1, 0.2}};
-    const FormFactorMatrix clear = find_form_factors(scene, request_of(1e-3));
+    const FormFactorMatrix clear = find_form_factors(scene, request_within(1e-3));
     EXPECT_NEAR(factor(clear, 0, 1), 0.199824895698387, 1e-14);
     EXPECT_LE(clear.exchange(0, 1).high, 0.199824895698387 + 1e-14);
 }
 
 TEST(FormFactors, AreRepairedToCloseWithinTheirIntervals) {
-    FormFactorRequest request = request_of(1e-3);
+    FormFactorRequest request = request_within(1e-3);
     request.repair = true;
     const Scene scene = built_in_scene("nested_cubes");
     const FormFactorMatrix matrix = find_form_factors(scene, request);
@@ -213,10 +213,10 @@ TEST(FormFactors, AreRepairedToCloseWithinTheirIntervals) {
 TEST(FormFactors, RefuseUnattainableTolerances) {
     const Scene round = built_in_scene("coaxial_discs_equal");
     for (const double tolerance : {0.0, -1.0, 1e-15, 0.5, std::numeric_limits<double>::quiet_NaN()}) {
-        EXPECT_THROW(find_form_factors(round, request_of(tolerance)), UserError) << tolerance;
+        EXPECT_THROW(find_form_factors(round, request_within(tolerance)), UserError) << tolerance;
     }
-    EXPECT_THROW(find_form_factors(round, request_of(1e-7)), UserError) << "rays are in single precision";
-    FormFactorRequest request = request_of(1e-3);
+    EXPECT_THROW(find_form_factors(round, request_within(1e-7)), UserError) << "rays are in single precision";
+    FormFactorRequest request = request_within(1e-3);
     request.level = 1;
     EXPECT_THROW(find_form_factors(round, request), UserError);
 }

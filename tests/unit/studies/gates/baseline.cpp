@@ -2,6 +2,7 @@
 
 #include "core/support/error.hpp"
 #include "stats/spread.hpp"
+#include "tests/support/studies.hpp"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -13,38 +14,33 @@ namespace {
 
 using testing::HasSubstr;
 
-constexpr std::string_view sound = R"({"cell": "c", "from": 1, "to": 2, "trials": 100, "mean": 0.2,
+constexpr std::string_view sound_quantity = R"({"cell": "c", "from": 1, "to": 2, "trials": 100, "mean": 0.2,
  "standard_error": 0.001, "variance": {"mean_square": 1e-6, "freedom": 90.5}, "mean_square_error": null})";
 
-std::string refusal_of(std::string_view from, std::string_view to) {
-    std::string quantity(sound);
+std::string refusal_of_baseline(std::string_view from, std::string_view to) {
+    std::string quantity(sound_quantity);
     if (!from.empty()) quantity.replace(quantity.find(from), from.size(), to);
     const std::string text =
         fmt::format(R"({{"schema": "ffstudy.baseline/1", "gates": [{{"gate": "g", "seconds_per_trial": 0.1,
  "quantities": [{}, {}]}}]}})",
-                    sound, quantity);
-    try {
-        static_cast<void>(parse_baseline(text, "base.json"));
-    } catch (const UserError& error) {
-        return error.what();
-    }
-    return "accepted";
+                    sound_quantity, quantity);
+    return test::message_of<UserError>([&] { static_cast<void>(parse_baseline(text, "base.json")); });
 }
 
 TEST(ParseBaseline, NamesGateQuantityAndNumberThatCannotBe) {
-    EXPECT_EQ(refusal_of("", ""), "accepted");
+    EXPECT_EQ(refusal_of_baseline("", ""), "nothing thrown");
     EXPECT_THAT(
-        refusal_of("90.5", "1e308"),
+        refusal_of_baseline("90.5", "1e308"),
         HasSubstr("base.json: is not a baseline (gate 'g', quantity 2: freedom = 1e+308 (not from 0.5 to the 100 "
                   "trials)). Write it with --save-baseline."));
-    EXPECT_THAT(refusal_of("90.5", "1e-9"), HasSubstr("freedom = 1e-09"));
-    EXPECT_THAT(refusal_of("1e-6", "1e308"), HasSubstr("mean_square = 1e+308"));
-    EXPECT_THAT(refusal_of("1e-6", "5e-324"), HasSubstr("mean_square"));
-    EXPECT_THAT(refusal_of("1e-6", "-1"), HasSubstr("mean_square"));
-    EXPECT_THAT(refusal_of("0.2", "1e308"), HasSubstr("mean = 1e+308"));
-    EXPECT_THAT(refusal_of("0.001", "-1"), HasSubstr("standard_error = -1"));
-    EXPECT_THAT(refusal_of("\"trials\": 100", "\"trials\": 0"), HasSubstr("trials = 0"));
-    EXPECT_THAT(refusal_of("\"trials\": 100", "\"trials\": 1e30"), HasSubstr("is not a baseline"));
+    EXPECT_THAT(refusal_of_baseline("90.5", "1e-9"), HasSubstr("freedom = 1e-09"));
+    EXPECT_THAT(refusal_of_baseline("1e-6", "1e308"), HasSubstr("mean_square = 1e+308"));
+    EXPECT_THAT(refusal_of_baseline("1e-6", "5e-324"), HasSubstr("mean_square"));
+    EXPECT_THAT(refusal_of_baseline("1e-6", "-1"), HasSubstr("mean_square"));
+    EXPECT_THAT(refusal_of_baseline("0.2", "1e308"), HasSubstr("mean = 1e+308"));
+    EXPECT_THAT(refusal_of_baseline("0.001", "-1"), HasSubstr("standard_error = -1"));
+    EXPECT_THAT(refusal_of_baseline("\"trials\": 100", "\"trials\": 0"), HasSubstr("trials = 0"));
+    EXPECT_THAT(refusal_of_baseline("\"trials\": 100", "\"trials\": 1e30"), HasSubstr("is not a baseline"));
 }
 
 }  // namespace

@@ -15,7 +15,7 @@
 namespace ff::studies {
 namespace {
 
-FormFactorRequest request_of(std::uint64_t seed = 1) {
+FormFactorRequest flow_request(std::uint64_t seed = 1) {
     FormFactorRequest request;
     request.level_of = LevelOf::matrix;
     request.seed = Seed{seed};
@@ -30,7 +30,7 @@ TEST(FlowSampling, KnowsEveryPowerAsWellAsItIsAskedFor) {
     const Scene scene = furnace_scene();
     const Materials materials = furnace_materials();
     for (const FlowTolerance tolerance : {FlowTolerance{1e-3}, FlowTolerance{1e-4}, FlowTolerance{100, true}}) {
-        const SampledFlows found = sample_flows(scene, request_of(), materials, 1, tolerance);
+        const SampledFlows found = sample_flows(scene, flow_request(), materials, 1, tolerance);
         EXPECT_TRUE(found.flows.within(tolerance));
         EXPECT_LE(found.flows.worst, tolerance.power(found.flows.throughput));
         EXPECT_GT(found.samples, 0u);
@@ -45,8 +45,8 @@ TEST(FlowSampling, KnowsEveryPowerAsWellAsItIsAskedFor) {
 TEST(FlowSampling, EstimatesWhatOneToleranceForAllWouldTake) {
     const Scene scene = furnace_scene();
     const Materials materials = furnace_materials();
-    const SampledFlows found = sample_flows(scene, request_of(), materials, 1, {1e-4});
-    FormFactorRequest request = request_of();
+    const SampledFlows found = sample_flows(scene, flow_request(), materials, 1, {1e-4});
+    FormFactorRequest request = flow_request();
     request.tolerance = 1e-4;
     const FormFactorMatrix even = find_form_factors(scene, request);
     const double worst = find_heat_flows(scene, even, materials, 1).worst;
@@ -63,7 +63,7 @@ TEST(FlowSampling, TakesNoSamplesWhereAllFactorsAreExact) {
     const auto materials = read_materials(
         "[materials]\n\"*\" = { emissivity = 0.9, temperature = 300 }\n1 = { emissivity = 0.9, temperature = 400 }\n",
         "m.toml", {scene.faces, {}});
-    const SampledFlows found = sample_flows(scene, request_of(), materials, 1, {1e-6});
+    const SampledFlows found = sample_flows(scene, flow_request(), materials, 1, {1e-6});
     EXPECT_TRUE(found.flows.within({1e-6}));
     EXPECT_EQ(found.samples, 0u);
     EXPECT_EQ(found.matrices, 1u);
@@ -71,7 +71,7 @@ TEST(FlowSampling, TakesNoSamplesWhereAllFactorsAreExact) {
 }
 
 TEST(FlowSampling, ReportsTheBestThatItsBudgetAllows) {
-    FormFactorRequest request = request_of();
+    FormFactorRequest request = flow_request();
     request.max_samples = 1'500'000;
     const SampledFlows found = sample_flows(furnace_scene(), request, furnace_materials(), 1, {1e-6});
     EXPECT_FALSE(found.flows.within({1e-6}));
@@ -83,7 +83,7 @@ TEST(FlowSampling, ReportsTheBestThatItsBudgetAllows) {
 
 TEST(FlowPlan, SpendsLeastOnPairsThatMoveRadiationBetweenAlikeFaces) {
     const Scene scene = furnace_scene();
-    FormFactorRequest request = request_of();
+    FormFactorRequest request = flow_request();
     request.tolerance = 1e-3;
     const FormFactorMatrix matrix = find_form_factors(scene, request);
     const auto plan = plan_flows(scene, matrix, furnace_materials(), 1, {1e-5}, 0);
@@ -110,8 +110,8 @@ TEST(FlowTolerance, IsAShareAPercentageOrAPower) {
     EXPECT_EQ(read_flow_tolerance("--tolerance", "0.1%").power(500), 0.5);
     for (const char* wrong : {"", "W", "-1W", "0", "1", "100%", "5kW", "nan", "inf W", "0.1%%"})
         EXPECT_THROW(static_cast<void>(read_flow_tolerance("--tolerance", wrong)), UserError) << wrong;
-    EXPECT_EQ(in_words({0.001}), "0.1%");
-    EXPECT_EQ(in_words({40, true}), "40W");
+    EXPECT_EQ(in_words(FlowTolerance{0.001}), "0.1%");
+    EXPECT_EQ(in_words(FlowTolerance{40, true}), "40W");
 }
 
 }  // namespace

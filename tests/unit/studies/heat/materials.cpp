@@ -1,6 +1,7 @@
 #include "studies/heat/materials.hpp"
 
 #include "core/support/error.hpp"
+#include "tests/support/studies.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -10,15 +11,10 @@ namespace {
 
 using testing::HasSubstr;
 
-const std::vector<std::string> room{"floor", "ceiling", "wall_north", "wall_south"};
+const std::vector<std::string> room_faces{"floor", "ceiling", "wall_north", "wall_south"};
 
-std::string refusal(std::string_view toml) {
-    try {
-        read_materials(toml, "m.toml", {room, {}});
-    } catch (const UserError& error) {
-        return error.what();
-    }
-    return "accepted";
+std::string refusal_of_materials(std::string_view toml) {
+    return test::message_of<UserError>([&] { read_materials(toml, "m.toml", {room_faces, {}}); });
 }
 
 TEST(Materials, ANameGoesBeforeAPattern) {
@@ -30,7 +26,7 @@ wall_south = { emissivity = 0.5, temperature = 350 }
 ceiling = { emissivity = 1, temperature = 300 }
 floor = { emissivity = 0.8, flux = 12.5 }
 )",
-                                          "m.toml", {room, {}});
+                                          "m.toml", {room_faces, {}});
     EXPECT_EQ(materials.faces[2].flux, 0);
     EXPECT_EQ(materials.faces[3].temperature, 350);
     EXPECT_EQ(materials.faces[0].flux, 12.5);
@@ -40,31 +36,37 @@ floor = { emissivity = 0.8, flux = 12.5 }
 }
 
 TEST(Materials, ThatAreWrongAreRefusedByName) {
-    EXPECT_THAT(refusal("[materials]\nfloor = { emissivity = 0.5, flux = 0 }\n"),
+    EXPECT_THAT(refusal_of_materials("[materials]\nfloor = { emissivity = 0.5, flux = 0 }\n"),
                 HasSubstr("face 'ceiling' has no material"));
-    EXPECT_THAT(refusal("[materials]\n\"*\" = { emissivity = 0.5, flux = 0 }\nflor = { emissivity = 1, flux = 0 }\n"),
+    EXPECT_THAT(refusal_of_materials(
+                    "[materials]\n\"*\" = { emissivity = 0.5, flux = 0 }\nflor = { emissivity = 1, flux = 0 }\n"),
                 HasSubstr("Did you mean 'floor'?"));
-    EXPECT_THAT(
-        refusal("[materials]\n\"*\" = { emissivity = 0.5, flux = 0 }\n\"wall*\" = { emissivity = 1, flux = 0 }\n"),
-        HasSubstr("is both"));
-    EXPECT_THAT(refusal("[materials]\n\"*\" = { emissivity = 0, flux = 0 }\n"), HasSubstr("m.toml:2:"));
-    EXPECT_THAT(refusal("[materials]\n\"*\" = { emissivity = 0.5, temperature = 1e200 }\n"),
+    EXPECT_THAT(refusal_of_materials(
+                    "[materials]\n\"*\" = { emissivity = 0.5, flux = 0 }\n\"wall*\" = { emissivity = 1, flux = 0 }\n"),
+                HasSubstr("is both"));
+    EXPECT_THAT(refusal_of_materials("[materials]\n\"*\" = { emissivity = 0, flux = 0 }\n"), HasSubstr("m.toml:2:"));
+    EXPECT_THAT(refusal_of_materials("[materials]\n\"*\" = { emissivity = 0.5, temperature = 1e200 }\n"),
                 HasSubstr("1e-9 to 1e9 K"));
-    EXPECT_THAT(refusal("[materials]\n\"*\" = { reflectance = 0.5, emission = 1e-310 }\n"), HasSubstr("1e-60 to 1e60"));
-    EXPECT_THAT(refusal("[materials]\n\"*\" = { emissivity = 1.5, flux = 0 }\n"), HasSubstr("from 1e-9 to 1"));
-    EXPECT_THAT(refusal("[materials]\n\"*\" = { emissivity = 0.5 }\n"), HasSubstr("neither temperature nor flux"));
-    EXPECT_THAT(refusal("[materials]\n\"*\" = { emissivity = 0.5, flux = 0, temperature = 3 }\n"),
+    EXPECT_THAT(refusal_of_materials("[materials]\n\"*\" = { reflectance = 0.5, emission = 1e-310 }\n"),
+                HasSubstr("1e-60 to 1e60"));
+    EXPECT_THAT(refusal_of_materials("[materials]\n\"*\" = { emissivity = 1.5, flux = 0 }\n"),
+                HasSubstr("from 1e-9 to 1"));
+    EXPECT_THAT(refusal_of_materials("[materials]\n\"*\" = { emissivity = 0.5 }\n"),
+                HasSubstr("neither temperature nor flux"));
+    EXPECT_THAT(refusal_of_materials("[materials]\n\"*\" = { emissivity = 0.5, flux = 0, temperature = 3 }\n"),
                 HasSubstr("not both"));
-    EXPECT_THAT(refusal("[materials]\n\"*\" = { emissivity = 0.5, temperature = -3 }\n"), HasSubstr("never negative"));
-    EXPECT_THAT(refusal("[materials]\n\"*\" = { reflectance = 1 }\n"), HasSubstr("below 1"));
-    EXPECT_THAT(refusal("[materials]\n\"*\" = { reflectance = 0.1 }\nfloor = { emissivity = 0.5, flux = 0 }\n"),
-                HasSubstr("one system has one kind"));
-    EXPECT_THAT(refusal("floor = 1\n"), HasSubstr("m.toml:1"));
-    EXPECT_THAT(refusal("surroundings = 300\n"), HasSubstr("materials"));
+    EXPECT_THAT(refusal_of_materials("[materials]\n\"*\" = { emissivity = 0.5, temperature = -3 }\n"),
+                HasSubstr("never negative"));
+    EXPECT_THAT(refusal_of_materials("[materials]\n\"*\" = { reflectance = 1 }\n"), HasSubstr("below 1"));
+    EXPECT_THAT(
+        refusal_of_materials("[materials]\n\"*\" = { reflectance = 0.1 }\nfloor = { emissivity = 0.5, flux = 0 }\n"),
+        HasSubstr("one system has one kind"));
+    EXPECT_THAT(refusal_of_materials("floor = 1\n"), HasSubstr("m.toml:1"));
+    EXPECT_THAT(refusal_of_materials("surroundings = 300\n"), HasSubstr("materials"));
 }
 
 /// Two boxes of one polygon each would do: only names matter.
-constexpr const char* tiles = R"(
+constexpr const char* tiles_obj = R"(
 v 0 0 0
 v 1 0 0
 v 1 1 0
@@ -91,8 +93,10 @@ SceneWithMaterials scene_of(const std::string& name, std::string_view text) {
 }
 
 TEST(Materials, AreFoundByTheNamesOfUsemtl) {
-    const auto [scene, said] = scene_of("tiles.obj", tiles);
-    const auto read = [&](const char* toml) { return read_materials(toml, "m.toml", {scene.faces, said}); };
+    const auto [scene, said] = scene_of("tiles.obj", tiles_obj);
+    const auto read = [&scene = scene, &said = said](const char* toml) {
+        return read_materials(toml, "m.toml", {scene.faces, said});
+    };
     const auto materials = read(R"(
 [materials]
 brick = { emissivity = 0.9, temperature = 300 }
@@ -113,12 +117,12 @@ wall = { emissivity = 0.5, temperature = 400 }
 }
 
 TEST(Materials, AreFacesOnRequest) {
-    const auto [scene, said] = scene_of("tiles.obj", with_obj_comment(tiles, faces_of_materials));
+    const auto [scene, said] = scene_of("tiles.obj", with_obj_comment(tiles_obj, faces_of_materials));
     EXPECT_THAT(scene.faces, testing::ElementsAre("brick", "steel", "glass"));
     EXPECT_EQ(scene.surfaces.size(), 4u);
 }
 
-constexpr const char* plates = R"(
+constexpr const char* emitting_plates_vs3 = R"(
 F 3
 V 1 0 0 0
 V 2 1 0 0
@@ -133,8 +137,8 @@ S 2 5 8 7 0 0 0 0.75 ceiling
 S 3 5 7 6 0 0 2 EMISSIVITY ceiling
 )";
 
-SceneWithMaterials plates_with(const std::string& emissivity) {
-    std::string text = plates;
+SceneWithMaterials plates_of_emissivity(const std::string& emissivity) {
+    std::string text = emitting_plates_vs3;
     text.replace(text.find("EMISSIVITY"), std::string_view("EMISSIVITY").size(), emissivity);
     return scene_of("plates.vs3", text);
 }
@@ -145,20 +149,22 @@ TEST(Materials, TakeTheEmissivitiesOfView3d) {
     const auto read = [](const SceneWithMaterials& made, const char* text) {
         return read_materials(text, "m.toml", {made.scene.faces, made.materials});
     };
-    const auto materials = read(plates_with("0.75"), toml);
+    const auto materials = read(plates_of_emissivity("0.75"), toml);
     EXPECT_EQ(materials.faces[0].emissivity, 0.25);
     EXPECT_EQ(materials.faces[1].emissivity, 0.75);
-    EXPECT_THAT([&] { read(plates_with("0.5"), toml); },
+    EXPECT_THAT([&] { read(plates_of_emissivity("0.5"), toml); },
                 testing::ThrowsMessage<UserError>(HasSubstr("face 'ceiling' has no emissivity (the scene file gives "
                                                             "its surfaces different ones)")));
-    EXPECT_EQ(
-        read(plates_with("0.5"), "[materials]\n\"*\" = { emissivity = 1, temperature = 300 }\n").faces[1].emissivity, 1)
+    EXPECT_EQ(read(plates_of_emissivity("0.5"), "[materials]\n\"*\" = { emissivity = 1, temperature = 300 }\n")
+                  .faces[1]
+                  .emissivity,
+              1)
         << "the materials file goes first";
 }
 
 TEST(Materials, WarnOfDegreesCelsius) {
     const auto materials =
-        read_materials("[materials]\n\"*\" = { emissivity = 0.5, temperature = 20 }\n", "m.toml", {room, {}});
+        read_materials("[materials]\n\"*\" = { emissivity = 0.5, temperature = 20 }\n", "m.toml", {room_faces, {}});
     ASSERT_EQ(materials.warnings.size(), 1u);
     EXPECT_THAT(materials.warnings[0], HasSubstr("293.15 K"));
 }

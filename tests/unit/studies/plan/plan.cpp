@@ -16,7 +16,7 @@ namespace {
 using test::plan_of;
 using test::study_text;
 
-constexpr std::string_view ladder = R"([[method]]
+constexpr std::string_view ladder_method = R"([[method]]
 name = "SR"
 sampler = "random"
 estimator = "ray_shooting"
@@ -24,7 +24,7 @@ patches_per_face = [4, 9]
 samples_per_patch = [100, 200]
 )";
 
-constexpr std::string_view pdm = R"([[method]]
+constexpr std::string_view pdm_method = R"([[method]]
 name = "PDM"
 sampler = "gauss_legendre"
 estimator = "area_kernel"
@@ -48,7 +48,7 @@ StreamKey only_key(std::string_view scene, std::string_view method) {
     return plan_of(replaced(study_text("trials = 9", method), "cube", scene)).cells.at(0).key;
 }
 
-constexpr std::string_view rays = R"([[method]]
+constexpr std::string_view rays_method = R"([[method]]
 name = "SR"
 sampler = "random"
 estimator = "ray_shooting"
@@ -58,27 +58,27 @@ samples_per_patch = 100
 )";
 
 TEST(PlanKeys, DifferForEveryCell) {
-    const auto list = keys(plan_of(study_text("trials = 9", std::string(ladder) + std::string(pdm))));
+    const auto list = keys(plan_of(study_text("trials = 9", std::string(ladder_method) + std::string(pdm_method))));
     ASSERT_EQ(list.size(), 5u);
     EXPECT_EQ(std::set<StreamKey>(list.begin(), list.end()).size(), list.size());
 }
 
 TEST(PlanKeys, DoNotDependOnOtherMethodsOrTheirOrder) {
-    const auto alone = keys(plan_of(study_text("trials = 9", ladder)));
-    const auto first = keys(plan_of(study_text("trials = 9", std::string(ladder) + std::string(pdm))));
-    const auto last = keys(plan_of(study_text("trials = 9", std::string(pdm) + std::string(ladder))));
+    const auto alone = keys(plan_of(study_text("trials = 9", ladder_method)));
+    const auto first = keys(plan_of(study_text("trials = 9", std::string(ladder_method) + std::string(pdm_method))));
+    const auto last = keys(plan_of(study_text("trials = 9", std::string(pdm_method) + std::string(ladder_method))));
     EXPECT_TRUE(std::equal(alone.begin(), alone.end(), first.begin()));
     EXPECT_TRUE(std::equal(alone.begin(), alone.end(), last.begin() + 1));
 }
 
 TEST(PlanKeys, DoNotDependOnNameCompletionTrialsOrOrderOfSizes) {
-    const std::string text(rays);
+    const std::string text(rays_method);
     const StreamKey key = only_key("cube", text);
     EXPECT_EQ(only_key("cube", replaced(text, "SR", "other name")), key);
     EXPECT_EQ(only_key("cube", replaced(text, "direct", "reciprocal")), key);
     EXPECT_EQ(only_key("cube", text + "trials = 77"), key);
-    auto sizes = keys(plan_of(study_text("trials = 9", replaced(std::string(ladder), "[4, 9]", "[9, 4]"))));
-    auto straight = keys(plan_of(study_text("trials = 9", ladder)));
+    auto sizes = keys(plan_of(study_text("trials = 9", replaced(std::string(ladder_method), "[4, 9]", "[9, 4]"))));
+    auto straight = keys(plan_of(study_text("trials = 9", ladder_method)));
     EXPECT_NE(sizes, straight);
     std::sort(sizes.begin(), sizes.end());
     std::sort(straight.begin(), straight.end());
@@ -86,7 +86,7 @@ TEST(PlanKeys, DoNotDependOnNameCompletionTrialsOrOrderOfSizes) {
 }
 
 TEST(PlanKeys, DependOnAllThatShapesTheNumbers) {
-    const std::string text(rays);
+    const std::string text(rays_method);
     const StreamKey key = only_key("cube", text);
     EXPECT_NE(only_key("cube", replaced(text, "\"random\"", "\"random_mt\"")), key);
     EXPECT_NE(only_key("cube", replaced(text, "= 4", "= 9")), key);
@@ -97,12 +97,12 @@ TEST(PlanKeys, DependOnAllThatShapesTheNumbers) {
     EXPECT_NE(only_key("cube", kernel + "map = \"graded\""), only_key("cube", kernel));
     EXPECT_EQ(only_key("cube", kernel + "map = \"uniform\""), only_key("cube", kernel));
     EXPECT_NE(only_key("box:6x6x7", text), key);
-    EXPECT_NE(plan_of(replaced(study_text("trials = 9", rays), "seed = 7", "seed = 8")).cells.at(0).key, key);
+    EXPECT_NE(plan_of(replaced(study_text("trials = 9", rays_method), "seed = 7", "seed = 8")).cells.at(0).key, key);
 }
 
 TEST(PlanKeys, AreThoseOfTheSceneNotOfItsName) {
-    EXPECT_EQ(only_key("cube", rays), only_key("box:6x6x6", rays));
-    EXPECT_EQ(only_key("cube", rays), only_key("box:6.0x6x06", rays));
+    EXPECT_EQ(only_key("cube", rays_method), only_key("box:6x6x6", rays_method));
+    EXPECT_EQ(only_key("cube", rays_method), only_key("box:6.0x6x06", rays_method));
 }
 
 TEST(PlanUnits, CoverEveryTrialOnce) {
@@ -112,7 +112,7 @@ sampler = "random"
 estimator = "ray_shooting"
 sizes = [ { patches_per_face = 169, samples_per_patch = [1, 625, 10000] },
           { patches_per_face = 9, samples_per_patch = 1000000, trials = 33 } ]
-)" + std::string(pdm)));
+)" + std::string(pdm_method)));
     std::map<std::size_t, std::uint64_t> next;  // trial, by cell
     for (std::size_t i = 0; i < plan.units.size(); ++i) {
         const WorkUnit& unit = plan.units[i];
@@ -127,7 +127,7 @@ sizes = [ { patches_per_face = 169, samples_per_patch = [1, 625, 10000] },
 }
 
 TEST(PlanUnits, TakeAboutAFifthOfASecond) {
-    const StudyPlan plan = plan_of(study_text("trials = 100000", ladder));
+    const StudyPlan plan = plan_of(study_text("trials = 100000", ladder_method));
     for (const WorkUnit& unit : plan.units) {
         const double seconds =
             static_cast<double>(unit.trials) * expected_seconds_per_trial(plan, plan.cells[unit.cell]);
@@ -137,14 +137,15 @@ TEST(PlanUnits, TakeAboutAFifthOfASecond) {
 }
 
 TEST(Plan, RunsADeterministicMethodOnce) {
-    const StudyPlan plan = plan_of(study_text("trials = 1000", pdm));
+    const StudyPlan plan = plan_of(study_text("trials = 1000", pdm_method));
     EXPECT_TRUE(plan.cells.at(0).deterministic);
     EXPECT_EQ(plan.cells.at(0).trials, 1u);
     EXPECT_EQ(plan.cells.at(0).samples, 900u);  // 5^2 times 6^2 points per pair
 }
 
 TEST(Plan, RunsEveryMethodOnEveryScene) {
-    const StudyPlan plan = plan_of(replaced(study_text("trials = 9", ladder), "\"cube\"", R"(["cube", "box:1x2x3"])"));
+    const StudyPlan plan =
+        plan_of(replaced(study_text("trials = 9", ladder_method), "\"cube\"", R"(["cube", "box:1x2x3"])"));
     ASSERT_EQ(plan.scenes.size(), 2u);
     EXPECT_EQ(plan.cells.size(), 8u);
 }
@@ -177,7 +178,7 @@ TEST(Plan, RefusesMoreUnitsThanCanBeKept) {
 }
 
 TEST(Plan, CountsRaysAndKernelValues) {
-    const StudyPlan plan = plan_of(study_text("trials = 9", std::string(rays) + std::string(pdm)));
+    const StudyPlan plan = plan_of(study_text("trials = 9", std::string(rays_method) + std::string(pdm_method)));
     EXPECT_EQ(evaluations_per_trial(plan, plan.cells[0]), 6u * 4 * 100);
     EXPECT_EQ(evaluations_per_trial(plan, plan.cells[1]), 24u * 20 * 900);
 }
@@ -191,8 +192,10 @@ TEST(Plan, CountsPointsThatSeeAllFacesOnce) {
 }
 
 TEST(Plan, RefusesSomeOtherOrdersOnlyWhereTheyAreWrong) {
-    EXPECT_NO_THROW(static_cast<void>(plan_of(study_text("trials = 9", std::string(rays) + "tracer = \"box\""))));
-    EXPECT_NO_THROW(static_cast<void>(plan_of(study_text("trials = 9", std::string(rays) + "tracer = \"embree\""))));
+    EXPECT_NO_THROW(
+        static_cast<void>(plan_of(study_text("trials = 9", std::string(rays_method) + "tracer = \"box\""))));
+    EXPECT_NO_THROW(
+        static_cast<void>(plan_of(study_text("trials = 9", std::string(rays_method) + "tracer = \"embree\""))));
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "studies/published/published.hpp"
 
 #include "core/support/error.hpp"
+#include "tests/support/studies.hpp"
 #include "tests/unit/studies/audit/simulated_tables.hpp"
 
 #include <gmock/gmock.h>
@@ -40,13 +41,8 @@ std::string replaced(const std::string& from, const std::string& to) {
     return text.replace(at, from.size(), to);
 }
 
-std::string message_of(const std::string& text) {
-    try {
-        parse_published_tables(text, "t.json");
-    } catch (const UserError& error) {
-        return error.what();
-    }
-    return "no error";
+std::string refusal_of_tables(const std::string& text) {
+    return test::message_of<UserError>([&] { parse_published_tables(text, "t.json"); });
 }
 
 TEST(ParsePublishedTables, ReadsEveryPart) {
@@ -98,12 +94,12 @@ TEST(ParsePublishedTables, SaysWhereAndWhatIsWrong) {
         {replaced(R"("samples": true)", R"("samples": 1)"), "neither true nor false"},
     };
     for (const auto& [text, expected] : cases) {
-        EXPECT_THAT(message_of(text), AllOf(StartsWith("t.json:"), HasSubstr(expected)));
+        EXPECT_THAT(refusal_of_tables(text), AllOf(StartsWith("t.json:"), HasSubstr(expected)));
     }
 }
 
 TEST(ParsePublishedTables, PointsAtTheLine) {
-    EXPECT_THAT(message_of(replaced("\"sum 2\"", "\"total 2\"")), StartsWith("t.json:10:25: "));
+    EXPECT_THAT(refusal_of_tables(replaced("\"sum 2\"", "\"total 2\"")), StartsWith("t.json:10:25: "));
 }
 
 TEST(ReadPublishedTables, ReportsAMissingFile) {
@@ -112,7 +108,7 @@ TEST(ReadPublishedTables, ReportsAMissingFile) {
 
 TEST(ParsePublishedTables, RefusesAnEmptyFile) {
     for (const char* text : {"", " \n"}) {
-        EXPECT_THAT(message_of(text), StartsWith("t.json: is empty"));
+        EXPECT_THAT(refusal_of_tables(text), StartsWith("t.json: is empty"));
     }
 }
 

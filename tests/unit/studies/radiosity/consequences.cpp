@@ -17,7 +17,7 @@
 namespace ff::studies {
 namespace {
 
-constexpr std::string_view rays = R"([[method]]
+constexpr std::string_view reciprocal_rays = R"([[method]]
 name = "SR"
 sampler = "random"
 estimator = "ray_shooting"
@@ -25,7 +25,7 @@ completion = "reciprocal"
 samples_per_patch = 200
 )";
 
-constexpr std::string_view pdm = R"([[method]]
+constexpr std::string_view pdm_and_exact = R"([[method]]
 name = "PDM"
 sampler = "gauss_legendre"
 nodes = 5
@@ -40,8 +40,8 @@ StudyPlan lit_plan(std::string_view trials, std::string_view methods, std::strin
 }
 
 const RadiosityResults& small_results() {
-    static const RadiosityResults made =
-        evaluate_radiosity(test::run(lit_plan("trials = 100", std::string(rays) + std::string(pdm))));
+    static const RadiosityResults made = evaluate_radiosity(
+        test::run(lit_plan("trials = 100", std::string(reciprocal_rays) + std::string(pdm_and_exact))));
     return made;
 }
 
@@ -262,13 +262,13 @@ TEST(RadiosityCost, GrowsWithTheSquareOfThePatches) {
     EXPECT_LT(memory_of_radiosity(plan(400, 0)), 100'000u);
     EXPECT_GT(seconds_of_radiosity(plan(1600, 1)), 16 * seconds_of_radiosity(plan(400, 1))) << "elimination: n^3";
     EXPECT_LT(seconds_of_radiosity(plan(1600, 0)), 0.01);
-    EXPECT_EQ(memory_of_radiosity(test::plan_of(test::study_text("trials = 4", rays))), 0u);
+    EXPECT_EQ(memory_of_radiosity(test::plan_of(test::study_text("trials = 4", reciprocal_rays))), 0u);
 }
 
 // Uniform light in a uniform box hides all errors of rows that sum to 1: e / (1 - rho) in every trial.
 TEST(Consequences, VanishForAFurnace) {
-    const auto results =
-        evaluate_radiosity(test::run(lit_plan("trials = 20", rays, "reflectance = [0.5, 0.99]\nemission = 2\n")));
+    const auto results = evaluate_radiosity(
+        test::run(lit_plan("trials = 20", reciprocal_rays, "reflectance = [0.5, 0.99]\nemission = 2\n")));
     for (const SettingFindings& at : results.find(0, Treatment::direct)->settings) {
         const double expected = 2 / (1 - (at.setting == 0 ? 0.5 : 0.99));
         for (const ExitanceFindings& e : at.exitance) {
@@ -318,7 +318,7 @@ samples_per_patch = [100, 200, 400]
 
 TEST(RadiosityRequest, RefusesUnphysicalValues) {
     const auto message = [](std::string_view light) {
-        return test::message_of<UserError>([&] { lit_plan("trials = 4", rays, light); });
+        return test::message_of<UserError>([&] { lit_plan("trials = 4", reciprocal_rays, light); });
     };
     using testing::HasSubstr;
     EXPECT_THAT(message("reflectance = [0.5, 1]"), HasSubstr("1 is 1 or more: light that nothing absorbs piles up"));
@@ -339,7 +339,7 @@ TEST(RadiosityRequest, RefusesUnphysicalValues) {
 }
 
 TEST(RadiosityRequest, NeedsAClosedScene) {
-    Scene scene = lit_plan("trials = 4", rays).scenes.front();
+    Scene scene = lit_plan("trials = 4", reciprocal_rays).scenes.front();
     EXPECT_NO_THROW(expect_fitting(RadiosityRequest(), scene));
     scene.closed = false;
     EXPECT_THROW(expect_fitting(RadiosityRequest(), scene), UserError);

@@ -15,7 +15,7 @@
 namespace ff::studies {
 namespace {
 
-StudyPlan lit_plan(std::string_view light, std::string_view patches = "1") {
+StudyPlan lit_ray_plan(std::string_view light, std::string_view patches = "1") {
     return test::plan_of(test::study_text("trials = 4",
                                           "[[method]]\nname = \"SR\"\nsampler = \"random\"\n"
                                           "estimator = \"ray_shooting\"\nsamples_per_patch = 16\n"
@@ -65,7 +65,7 @@ solver_trials = 0
 }
 
 TEST(Evaluation, IsStoppedBetweenPatchesOnly) {
-    const StudyPlan plan = lit_plan("patch_trials = 3\n", "4");
+    const StudyPlan plan = lit_ray_plan("patch_trials = 3\n", "4");
     const Store store = test::run(plan);
     const std::atomic<bool> at_once = true;
     const auto stopped = evaluate_radiosity(store, &at_once);
@@ -79,16 +79,16 @@ TEST(Evaluation, IsStoppedBetweenPatchesOnly) {
 }
 
 TEST(SolverRuns, BetweenPatchesAreLimitedByWhatTheyCost) {
-    const StudyPlan plan = lit_plan("reflectance = [0.5, 0.999]\n");
+    const StudyPlan plan = lit_ray_plan("reflectance = [0.5, 0.999]\n");
     EXPECT_TRUE(runs_solvers(plan, 1014, 0));
     EXPECT_FALSE(runs_solvers(plan, 1014, 1));
     EXPECT_TRUE(runs_solvers(plan, 256, 1));
-    EXPECT_FALSE(runs_solvers(lit_plan("solver_trials = 0\n"), 54, 0));
+    EXPECT_FALSE(runs_solvers(lit_ray_plan("solver_trials = 0\n"), 54, 0));
 }
 
 TEST(StudyResults, HaveRadiosityOnlyWhereItIsAskedFor) {
     EXPECT_FALSE(evaluate(test::run(test::plan_of(test::study_text("trials = 4", test::random_rays)))).radiosity);
-    EXPECT_TRUE(evaluate(test::run(lit_plan(""))).radiosity);
+    EXPECT_TRUE(evaluate(test::run(lit_ray_plan(""))).radiosity);
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "studies/readers/csv_reader.hpp"
 
 #include "core/support/error.hpp"
+#include "tests/support/studies.hpp"
 
 #include <gmock/gmock.h>
 
@@ -23,13 +24,8 @@ std::vector<Texts> read(std::string_view text) {
     return records;
 }
 
-std::string message_of(std::string_view text) {
-    try {
-        read(text);
-    } catch (const UserError& error) {
-        return error.what();
-    }
-    return "no error";
+std::string refusal_of_csv(std::string_view text) {
+    return test::message_of<UserError>([&] { read(text); });
 }
 
 TEST(CsvReader, ReadsRecordsWithAnyLineEnd) {
@@ -68,10 +64,10 @@ TEST(CsvReader, KnowsWhereAFieldBegins) {
 }
 
 TEST(CsvReader, RefusesQuotesThatDoNotMatch) {
-    EXPECT_THAT(message_of("a\n1,\"2\n3,4\n"), HasSubstr("x.csv:2:3: a quote is opened and never closed"));
-    EXPECT_THAT(message_of("a\n\"1\"2\n"), HasSubstr("x.csv:2:1: text follows a closing quote"));
-    EXPECT_THAT(message_of("\xff\xfe"
-                           "a"),
+    EXPECT_THAT(refusal_of_csv("a\n1,\"2\n3,4\n"), HasSubstr("x.csv:2:3: a quote is opened and never closed"));
+    EXPECT_THAT(refusal_of_csv("a\n\"1\"2\n"), HasSubstr("x.csv:2:1: text follows a closing quote"));
+    EXPECT_THAT(refusal_of_csv("\xff\xfe"
+                               "a"),
                 HasSubstr("UTF-16"));
 }
 

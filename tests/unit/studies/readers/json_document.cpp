@@ -1,6 +1,7 @@
 #include "studies/readers/json_document.hpp"
 
 #include "core/support/error.hpp"
+#include "tests/support/studies.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -8,13 +9,8 @@
 namespace ff::studies {
 namespace {
 
-std::string message_of(std::string_view text) {
-    try {
-        parse_json(text, "t.json");
-    } catch (const UserError& error) {
-        return error.what();
-    }
-    return "no error";
+std::string refusal_of_json(std::string_view text) {
+    return test::message_of<UserError>([&] { parse_json(text, "t.json"); });
 }
 
 TEST(ParseJson, KnowsWhereEveryValueStands) {
@@ -37,14 +33,15 @@ TEST(ParseJson, KnowsWhereEveryValueStands) {
 }
 
 TEST(ParseJson, PointsAtASyntaxError) {
-    EXPECT_THAT(message_of("{\n  \"a\": [1, 2,\n  ]}"), testing::StartsWith("t.json:3:3: this is not JSON"));
-    EXPECT_THAT(message_of("{\"a\": 1"), testing::StartsWith("t.json:1:"));
-    EXPECT_THAT(message_of(""), testing::StartsWith("t.json:1:1: this is not JSON"));
-    EXPECT_THAT(message_of("{} {}"), testing::StartsWith("t.json:1:4: this is not JSON"));
+    EXPECT_THAT(refusal_of_json("{\n  \"a\": [1, 2,\n  ]}"), testing::StartsWith("t.json:3:3: this is not JSON"));
+    EXPECT_THAT(refusal_of_json("{\"a\": 1"), testing::StartsWith("t.json:1:"));
+    EXPECT_THAT(refusal_of_json(""), testing::StartsWith("t.json:1:1: this is not JSON"));
+    EXPECT_THAT(refusal_of_json("{} {}"), testing::StartsWith("t.json:1:4: this is not JSON"));
 }
 
 TEST(ParseJson, RefusesAKeyThatStandsTwice) {
-    EXPECT_THAT(message_of("{\"a\": 1,\n \"a\": 2}"), testing::StartsWith("t.json:2:2: the key \"a\" stands twice"));
+    EXPECT_THAT(refusal_of_json("{\"a\": 1,\n \"a\": 2}"),
+                testing::StartsWith("t.json:2:2: the key \"a\" stands twice"));
 }
 
 }  // namespace

@@ -25,65 +25,68 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 
 /// The walls of a unit room, corners in order as seen from inside.
-constexpr std::array walls{"1 2 3 4", "5 8 7 6", "1 5 6 2", "2 6 7 3", "3 7 8 4", "4 8 5 1"};
-constexpr std::array from_outside{"4 3 2 1", "6 7 8 5", "2 6 5 1", "3 7 6 2", "4 8 7 3", "1 5 8 4"};
-constexpr std::array names{"floor", "lid", "south", "east", "north", "west"};
+constexpr std::array walls_from_inside{"1 2 3 4", "5 8 7 6", "1 5 6 2", "2 6 7 3", "3 7 8 4", "4 8 5 1"};
+constexpr std::array walls_from_outside{"4 3 2 1", "6 7 8 5", "2 6 5 1", "3 7 6 2", "4 8 7 3", "1 5 8 4"};
+constexpr std::array wall_names{"floor", "lid", "south", "east", "north", "west"};
 
 /// @param turned  walls that face outwards
-std::string room(bool closed, const std::vector<std::size_t>& turned, const std::string& more = "") {
+std::string room_obj(bool closed, const std::vector<std::size_t>& turned, const std::string& more = "") {
     std::string text = closed ? "# closed\n" : "";
     text += "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n" + more;
-    for (std::size_t wall = 0; wall < walls.size(); ++wall) {
+    for (std::size_t wall = 0; wall < walls_from_inside.size(); ++wall) {
         const bool is_turned = std::find(turned.begin(), turned.end(), wall) != turned.end();
-        text += fmt::format("g {}\nf {}\n", names.at(wall), is_turned ? from_outside.at(wall) : walls.at(wall));
+        text += fmt::format("g {}\nf {}\n", wall_names.at(wall),
+                            is_turned ? walls_from_outside.at(wall) : walls_from_inside.at(wall));
     }
     return text;
 }
 
-Scene read(const std::string& text) {
+Scene read_obj(const std::string& text) {
     return make_scene(with_scene_text("a.obj", text));
 }
 
-const std::vector<std::size_t> all{0, 1, 2, 3, 4, 5};
+const std::vector<std::size_t> all_walls{0, 1, 2, 3, 4, 5};
 
 TEST(SceneDoubts, AreEmptyForASoundRoom) {
     for (const bool closed : {false, true}) {
-        const SceneDoubts doubts = examine_scene(read(room(closed, {})));
+        const SceneDoubts doubts = examine_scene(read_obj(room_obj(closed, {})));
         EXPECT_THAT(doubts.faults, IsEmpty());
         EXPECT_THAT(doubts.notes, IsEmpty());
     }
 }
 
 TEST(SceneDoubts, NameTheOneWallThatFacesTheWrongWay) {
-    for (std::size_t wall = 0; wall < walls.size(); ++wall) {
-        const SceneDoubts doubts = examine_scene(read(room(true, {wall})));
-        EXPECT_THAT(doubts.faults,
-                    ElementsAre(AllOf(HasSubstr(fmt::format("face '{}' seems to face the wrong way", names.at(wall))),
-                                      HasSubstr("Turn it round"))));
+    for (std::size_t wall = 0; wall < walls_from_inside.size(); ++wall) {
+        const SceneDoubts doubts = examine_scene(read_obj(room_obj(true, {wall})));
+        EXPECT_THAT(
+            doubts.faults,
+            ElementsAre(AllOf(HasSubstr(fmt::format("face '{}' seems to face the wrong way", wall_names.at(wall))),
+                              HasSubstr("Turn it round"))));
     }
 }
 
 TEST(SceneDoubts, NameTwoWallsThatFaceTheWrongWay) {
-    const SceneDoubts doubts = examine_scene(read(room(true, {1, 4})));
+    const SceneDoubts doubts = examine_scene(read_obj(room_obj(true, {1, 4})));
     EXPECT_THAT(doubts.faults, ElementsAre(AllOf(HasSubstr("faces 'lid', 'north' seem to face the wrong way"),
                                                  HasSubstr("Turn them round"))));
 }
 
 TEST(SceneDoubts, AreFaultsWhereEveryFaceFacesOutwards) {
     for (const bool closed : {false, true}) {
-        const SceneDoubts doubts = examine_scene(read(room(closed, all)));
+        const SceneDoubts doubts = examine_scene(read_obj(room_obj(closed, all_walls)));
         EXPECT_THAT(doubts.faults, ElementsAre(HasSubstr("faces seem to face outwards")));
     }
 }
 
 TEST(SceneDoubts, AreFaultsWhereNoFaceSeesAnother) {
-    EXPECT_THAT(examine_scene(read(room(false, {0, 1, 2, 4, 5}))).faults, ElementsAre(HasSubstr("face outwards")));
+    EXPECT_THAT(examine_scene(read_obj(room_obj(false, {0, 1, 2, 4, 5}))).faults,
+                ElementsAre(HasSubstr("face outwards")));
 }
 
 TEST(SceneDoubts, ReportOneFaultForARoomWithAHole) {
-    std::string text = room(true, {});
+    std::string text = room_obj(true, {});
     text = text.substr(0, text.find("g west"));
-    EXPECT_THAT(examine_scene(read(text)).faults, ElementsAre(HasSubstr("rays meet nothing")));
+    EXPECT_THAT(examine_scene(read_obj(text)).faults, ElementsAre(HasSubstr("rays meet nothing")));
 }
 
 std::string square(const std::string& face, const std::string& corner, double edge, bool flip = false) {
@@ -97,36 +100,36 @@ SceneDoubts doubts_of(const std::string& toml) {
     return examine_scene(make_scene(with_scene_text("a.toml", toml)));
 }
 
-const std::string plates = square("a", "[0, 0, 0]", 1) + square("b", "[0, 0, 1]", 1, true);
+const std::string two_plates = square("a", "[0, 0, 0]", 1) + square("b", "[0, 0, 1]", 1, true);
 
 TEST(SceneDoubts, NameFacesThatLieOverEachOther) {
-    EXPECT_THAT(doubts_of(plates).faults, IsEmpty());
-    EXPECT_THAT(doubts_of(plates + square("pic", "[0.3, 0.3, 0]", 0.4)).faults,
+    EXPECT_THAT(doubts_of(two_plates).faults, IsEmpty());
+    EXPECT_THAT(doubts_of(two_plates + square("pic", "[0.3, 0.3, 0]", 0.4)).faults,
                 ElementsAre(AllOf(HasSubstr("'a' and 'pic'"), HasSubstr("100 % of 'pic'"))));
-    EXPECT_THAT(doubts_of(plates + square("pic", "[0.3, 0.3, 1e-7]", 0.4)).faults, IsEmpty());
-    EXPECT_THAT(doubts_of(plates + square("a", "[0.5, 0, 0]", 1)).faults, ElementsAre(HasSubstr("counted twice")));
+    EXPECT_THAT(doubts_of(two_plates + square("pic", "[0.3, 0.3, 1e-7]", 0.4)).faults, IsEmpty());
+    EXPECT_THAT(doubts_of(two_plates + square("a", "[0.5, 0, 0]", 1)).faults, ElementsAre(HasSubstr("counted twice")));
 }
 
 TEST(SceneDoubts, NameAnOccluderThatLiesOnAFace) {
-    EXPECT_THAT(doubts_of(plates + square("", "[0.3, 0.3, 0]", 0.4)).faults,
+    EXPECT_THAT(doubts_of(two_plates + square("", "[0.3, 0.3, 0]", 0.4)).faults,
                 ElementsAre(AllOf(HasSubstr("an occluder lies on face 'a'"), HasSubstr("16 % of it"))));
 }
 
 TEST(SceneDoubts, TreatSurfacesBackToBackAsAThinWall) {
     const SceneDoubts doubts =
-        doubts_of(plates + square("under", "[0, 0, 0]", 1.001, true) + square("c", "[0, 0, -1]", 1));
+        doubts_of(two_plates + square("under", "[0, 0, 0]", 1.001, true) + square("c", "[0, 0, -1]", 1));
     EXPECT_THAT(doubts.faults, IsEmpty());
     EXPECT_THAT(doubts.notes, ElementsAre(HasSubstr("'a' and 'under' lie in one plane back to back")));
 }
 
 TEST(FormFactors, AreNotTrustedWhereRowsCannotAddUpToOne) {
     // No ray is needed here, so that none is lost.
-    std::string text = room(true, {});
+    std::string text = room_obj(true, {});
     text = text.substr(0, text.find("g west"));
-    const Scene scene = read(text);
+    const Scene scene = read_obj(text);
     const FormFactorMatrix matrix = find_form_factors(scene, {});
     EXPECT_FALSE(is_trusted(scene, matrix, 1e-5));
-    const Scene sound = read(room(true, {}));
+    const Scene sound = read_obj(room_obj(true, {}));
     EXPECT_TRUE(is_trusted(sound, find_form_factors(sound, {}), 1e-5));
     FormFactorMatrix faulty = find_form_factors(sound, {});
     faulty.faults = {"something"};
@@ -136,7 +139,7 @@ TEST(FormFactors, AreNotTrustedWhereRowsCannotAddUpToOne) {
 TEST(FormFactors, HoldEveryPrintedSumInItsInterval) {
     for (const double turn : {0.0, 1.0}) {
         // Surfaces over each other: rows add up to more than 1.
-        Scene scene = read(room(true, {}));
+        Scene scene = read_obj(room_obj(true, {}));
         Surface twice = scene.surfaces[1];
         parallelogram(twice).edge_u *= 0.5 + turn / 4;
         scene.faces.emplace_back("twice");

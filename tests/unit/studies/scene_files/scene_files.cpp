@@ -3,6 +3,7 @@
 #include "core/exact/exact.hpp"
 #include "core/geometry/box.hpp"
 #include "core/support/error.hpp"
+#include "tests/support/studies.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -15,17 +16,12 @@ namespace {
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-Scene read(std::string_view name, std::string_view text) {
+Scene read_text(std::string_view name, std::string_view text) {
     return make_scene(with_scene_text(name, text));
 }
 
-std::string refusal(std::string_view name, std::string_view text) {
-    try {
-        static_cast<void>(read(name, text));
-        return "";
-    } catch (const UserError& error) {
-        return error.what();
-    }
+std::string refusal_of_text(std::string_view name, std::string_view text) {
+    return test::message_of<UserError>([&] { static_cast<void>(read_text(name, text)); });
 }
 
 constexpr std::string_view plates_toml = R"(
@@ -81,7 +77,7 @@ TEST(SceneFiles, OfEveryFormatGiveTheSameSquares) {
     const double expected = *exact_form_factor(make_box(1, 1, 1), 0, 5);
     for (const auto& [name, text] :
          {std::pair("a.toml", plates_toml), std::pair("a.obj", plates_obj), std::pair("a.vs3", plates_vs3)}) {
-        const Scene scene = read(name, text);
+        const Scene scene = read_text(name, text);
         EXPECT_EQ(scene.name, name);
         EXPECT_EQ(scene.faces, (std::vector<std::string>{"floor", "lid"}));
         EXPECT_FALSE(scene.closed);
@@ -93,42 +89,42 @@ TEST(SceneFiles, OfEveryFormatGiveTheSameSquares) {
 }
 
 TEST(SceneFiles, KeyStreamsByTheirContentNotByTheirName) {
-    const std::string canonical = read("a.obj", plates_obj).canonical;
-    EXPECT_EQ(read("folder/b.obj", plates_obj).canonical, canonical);
-    EXPECT_EQ(read("a.obj", "# a comment\n" + std::string(plates_obj)).canonical, canonical);
-    EXPECT_NE(read("a.obj", std::string(plates_obj) + "v 2 2 2\ng more\nf 1 2 9\n").canonical, canonical);
-    EXPECT_NE(read("a.obj", "# closed\n" + std::string(plates_obj)).canonical, canonical);
+    const std::string canonical = read_text("a.obj", plates_obj).canonical;
+    EXPECT_EQ(read_text("folder/b.obj", plates_obj).canonical, canonical);
+    EXPECT_EQ(read_text("a.obj", "# a comment\n" + std::string(plates_obj)).canonical, canonical);
+    EXPECT_NE(read_text("a.obj", std::string(plates_obj) + "v 2 2 2\ng more\nf 1 2 9\n").canonical, canonical);
+    EXPECT_NE(read_text("a.obj", "# closed\n" + std::string(plates_obj)).canonical, canonical);
 }
 
 /// The plates, the first with this line.
-std::string plates_with(std::string_view line) {
+std::string plates_with_line(std::string_view line) {
     std::string text(plates_toml);
     return text.insert(text.find("shape"), std::string(line) + "\n");
 }
 
 TEST(SceneFiles, DivideSurfacesByGrids) {
-    const Scene plain = read("a.toml", plates_toml);
+    const Scene plain = read_text("a.toml", plates_toml);
     EXPECT_FALSE(has_grids(plain));
-    const Scene divided = read("a.toml", plates_with("grid = [3, 2]"));
+    const Scene divided = read_text("a.toml", plates_with_line("grid = [3, 2]"));
     EXPECT_EQ(divided.surfaces[0].grid, (Grid{3, 2}));
     EXPECT_EQ(divided.surfaces[1].grid, undivided);
     EXPECT_TRUE(has_grids(divided));
-    EXPECT_EQ(read("a.toml", plates_with("grid = [1024, 1]")).surfaces[0].grid, (Grid{1024, 1}));
+    EXPECT_EQ(read_text("a.toml", plates_with_line("grid = [1024, 1]")).surfaces[0].grid, (Grid{1024, 1}));
 }
 
 // FNV-1a over 64-bit words, in Python: of the scene [0, of the surface, face, 0, 0, +-1, ...]; of a surface [its
 // shape's index, its corners in order], as doubles. Stored studies rest on it.
 TEST(SceneFiles, KeyStreamsByGridsAndWithoutThemAsBefore) {
-    const std::string plain = read("a.toml", plates_toml).canonical;
+    const std::string plain = read_text("a.toml", plates_toml).canonical;
     EXPECT_EQ(plain, "scene e4194e8c8b83a782");
-    EXPECT_EQ(read("a.toml", plates_with("grid = [1, 1]")).canonical, plain);
-    const std::string divided = read("a.toml", plates_with("grid = [3, 2]")).canonical;
+    EXPECT_EQ(read_text("a.toml", plates_with_line("grid = [1, 1]")).canonical, plain);
+    const std::string divided = read_text("a.toml", plates_with_line("grid = [3, 2]")).canonical;
     EXPECT_NE(divided, plain);
-    EXPECT_NE(read("a.toml", plates_with("grid = [2, 3]")).canonical, divided);
+    EXPECT_NE(read_text("a.toml", plates_with_line("grid = [2, 3]")).canonical, divided);
 }
 
 TEST(SceneFiles, RefuseInvalidGrids) {
-    const auto message = [](std::string_view line) { return refusal("a.toml", plates_with(line)); };
+    const auto message = [](std::string_view line) { return refusal_of_text("a.toml", plates_with_line(line)); };
     EXPECT_EQ(message("grid = [0, 1]"),
               "a.toml:4:8: grid = [ 0, 1 ] (a surface has 1 to 1024 parts each way). Write [4, 1].");
     for (const char* line : {"grid = [1, 0]", "grid = [1025, 1]", "grid = [1, 9223372036854775807]"})
@@ -143,7 +139,7 @@ TEST(SceneFiles, RefuseInvalidGrids) {
 }
 
 TEST(SceneFiles, HaveEveryShapeInToml) {
-    const Scene scene = read("round.toml", R"(
+    const Scene scene = read_text("round.toml", R"(
 closed = false
 surface = [
     { face = "triangle", shape = "triangle", a = [0, 0, 0], b = [1, 0, 0], c = [0, 1, 0] },
@@ -170,11 +166,11 @@ surface = [
 }
 
 TEST(SceneFiles, TakeGroupsAsFacesButNotOccluders) {
-    const Scene scene = read("a.obj", std::string(plates_obj) + "g occluder\nf 1 2 6 5\ng floor\nf 1 2 7\n");
+    const Scene scene = read_text("a.obj", std::string(plates_obj) + "g occluder\nf 1 2 6 5\ng floor\nf 1 2 7\n");
     EXPECT_EQ(scene.faces.size(), 2u);
     EXPECT_EQ(scene.surfaces[2].face, no_face);
     EXPECT_EQ(scene.surfaces[3].face, 0);
-    const Scene combined = read("a.vs3", R"(F 3
+    const Scene combined = read_text("a.vs3", R"(F 3
 C encl=1
 V 1 0 0 0
 V 2 1 0 0
@@ -191,7 +187,7 @@ O 3 1 3 4 0
 }
 
 TEST(SceneFiles, DivideOtherPolygonsIntoTriangles) {
-    const Scene scene = read("a.obj", "v 0 0 0\nv 2 0 0\nv 1 1 0\nv 0 1 0\ng a\nf 1 2 3 4\n");
+    const Scene scene = read_text("a.obj", "v 0 0 0\nv 2 0 0\nv 1 1 0\nv 0 1 0\ng a\nf 1 2 3 4\n");
     EXPECT_EQ(scene.surfaces.size(), 2u);
     EXPECT_DOUBLE_EQ(face_area(scene, 0), 1.5);
 }
@@ -244,7 +240,7 @@ TEST(SceneFiles, AreRefusedByFileAndLine) {
         {"a.toml", "", "a.toml: ", "no face"},
     };
     for (const Broken& broken : all) {
-        const std::string message = refusal(broken.name, broken.text);
+        const std::string message = refusal_of_text(broken.name, broken.text);
         EXPECT_THAT(message, testing::StartsWith(broken.place)) << broken.text;
         EXPECT_THAT(message, HasSubstr(broken.problem)) << broken.text;
     }
@@ -266,12 +262,12 @@ std::string box_obj(bool turned) {
 }
 
 TEST(Doubts, AreNoneAboutASoundScene) {
-    EXPECT_THAT(doubts_about(read("a.obj", box_obj(false))), IsEmpty());
+    EXPECT_THAT(doubts_about(read_text("a.obj", box_obj(false))), IsEmpty());
     EXPECT_THAT(doubts_about(make_box(2, 1, 3)), IsEmpty());
 }
 
 TEST(Doubts, NameTheFaceWhoseNormalsAreWrong) {
-    const auto doubts = doubts_about(read("a.obj", box_obj(true)));
+    const auto doubts = doubts_about(read_text("a.obj", box_obj(true)));
     ASSERT_EQ(doubts.size(), 1u);
     EXPECT_THAT(doubts[0], HasSubstr("scene 'a.obj': face 'west' seems to face the wrong way"));
 }

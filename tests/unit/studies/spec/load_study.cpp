@@ -11,10 +11,9 @@
 namespace ff::studies {
 namespace {
 
+using test::random_rays;
 using test::study_text;
 using testing::HasSubstr;
-
-constexpr std::string_view rays = test::random_rays;
 
 class LoadStudy : public testing::Test {
   protected:
@@ -23,7 +22,8 @@ class LoadStudy : public testing::Test {
         return folder.path() / name;
     }
     std::filesystem::path study_with_tables() const {
-        return write("study.toml", study_text("trials = 9", std::string(rays) + "[published]\ntables = \"t.json\""));
+        return write("study.toml",
+                     study_text("trials = 9", std::string(random_rays) + "[published]\ntables = \"t.json\""));
     }
     test::TemporaryFolder folder;
 };

@@ -12,9 +12,8 @@
 namespace ff::studies {
 namespace {
 
+using test::random_rays;
 using test::study_text;
-
-constexpr std::string_view rays = test::random_rays;
 
 TEST(SetTrials, ScalesSizesThatHaveTheirOwnNumber) {
     StudySpec spec;
@@ -44,13 +43,14 @@ TEST(SetTrials, ChangesNothingWhereTheNumberIsTheSame) {
 }
 
 TEST(SetTrials, RefusesFewerThanTwoGroupsOfCoverage) {
-    StudySpec spec = parse_study(study_text("trials = 60\n[coverage]\nreplicates = [5, 30]", rays), "study.toml");
+    StudySpec spec =
+        parse_study(study_text("trials = 60\n[coverage]\nreplicates = [5, 30]", random_rays), "study.toml");
     EXPECT_NO_THROW(set_trials(spec, 60));
     EXPECT_THROW(set_trials(spec, 59), UserError);
 }
 
 TEST(SetTrials, RefusesFewerThanTwo) {
-    StudySpec spec = parse_study(study_text("trials = 9", rays), "study.toml");
+    StudySpec spec = parse_study(study_text("trials = 9", random_rays), "study.toml");
     EXPECT_THROW(set_trials(spec, 0), UserError);
     EXPECT_THROW(set_trials(spec, 1), UserError);
     EXPECT_THROW(set_trials(spec, (1ULL << 32) + 1), UserError);

@@ -24,7 +24,7 @@ using test::plan_of;
 using test::study_text;
 using testing::HasSubstr;
 
-constexpr std::string_view rays = R"([[method]]
+constexpr std::string_view rays_method = R"([[method]]
 name = "SR"
 sampler = "random"
 estimator = "ray_shooting"
@@ -32,11 +32,11 @@ patches_per_face = 4
 samples_per_patch = 100
 )";
 
-constexpr std::string_view tables =
+constexpr std::string_view published_tables =
     R"({"source": "s", "scene": "cube", "methods": [{"name": "SR", "samples": true, "completion": "direct"}], "tables": []})";
 
-StudyPlan plan(std::string_view lines = "trials = 3") {
-    return plan_of(study_text(lines, rays));
+StudyPlan store_plan(std::string_view lines = "trials = 3") {
+    return plan_of(study_text(lines, rays_method));
 }
 
 class StoreFile : public testing::Test {
@@ -58,7 +58,7 @@ class StoreFile : public testing::Test {
 };
 
 TEST_F(StoreFile, OpensWithThePlanThatItWasMadeFor) {
-    const StudyPlan made = plan();
+    const StudyPlan made = store_plan();
     test::run(made, file());
     const Store store = Store::open(file());
     EXPECT_EQ(store.plan().spec, made.spec);
@@ -67,24 +67,24 @@ TEST_F(StoreFile, OpensWithThePlanThatItWasMadeFor) {
 }
 
 TEST_F(StoreFile, KeepsTheTextOfThePublishedTables) {
-    StudySpec spec = plan().spec;
-    spec.published = Published{"t.json", std::string(tables)};
+    StudySpec spec = store_plan().spec;
+    spec.published = Published{"t.json", std::string(published_tables)};
     Store::create_or_resume(file(), plan_study(spec));
     EXPECT_EQ(Store::open(file()).plan().spec.published, spec.published);
 }
 
 TEST_F(StoreFile, OfAnotherStudyIsRefusedWithWhatDiffers) {
-    Store::create_or_resume(file(), plan());
-    EXPECT_EQ(refusal_to_resume(plan()), "nothing thrown");
-    EXPECT_THAT(refusal_to_resume(plan("trials = 4")),
+    Store::create_or_resume(file(), store_plan());
+    EXPECT_EQ(refusal_to_resume(store_plan()), "nothing thrown");
+    EXPECT_THAT(refusal_to_resume(store_plan("trials = 4")),
                 HasSubstr("holds another study (differs in [study]: 'trials = 3' there, "
                           "'trials = 4' here)"));
-    EXPECT_THAT(refusal_to_resume(plan("trials = 3\nlevel = 0.9")),
+    EXPECT_THAT(refusal_to_resume(store_plan("trials = 3\nlevel = 0.9")),
                 HasSubstr("'level = 0.95' there, 'level = 0.9' here"));
-    StudySpec seed = plan().spec;
+    StudySpec seed = store_plan().spec;
     seed.seed = Seed{8};
     EXPECT_THAT(refusal_to_resume(plan_study(seed)), HasSubstr("'seed = 7' there, 'seed = 8' here"));
-    StudySpec longer = plan().spec;
+    StudySpec longer = store_plan().spec;
     Method& exact = longer.methods.emplace_back();
     exact.name = "exact";
     exact.estimator = "closed_form";
@@ -94,8 +94,8 @@ TEST_F(StoreFile, OfAnotherStudyIsRefusedWithWhatDiffers) {
 }
 
 TEST_F(StoreFile, WithOtherPublishedTablesIsRefused) {
-    StudySpec spec = plan().spec;
-    spec.published = Published{"t.json", std::string(tables)};
+    StudySpec spec = store_plan().spec;
+    spec.published = Published{"t.json", std::string(published_tables)};
     Store::create_or_resume(file(), plan_study(spec));
     spec.published->text += "\n";
     EXPECT_THAT(refusal_to_resume(plan_study(spec)), HasSubstr("differs in the published tables"));
@@ -107,14 +107,14 @@ TEST_F(StoreFile, ThatIsMissingCannotBeOpened) {
 }
 
 TEST_F(StoreFile, InAMissingFolderCannotBeMade) {
-    EXPECT_THAT(message_of<IoError>([&] { Store::create_or_resume(folder.path() / "none" / "s", plan()); }),
+    EXPECT_THAT(message_of<IoError>([&] { Store::create_or_resume(folder.path() / "none" / "s", store_plan()); }),
                 HasSubstr("Check that the folder exists"));
 }
 
 TEST_F(StoreFile, ThatIsNoDatabaseIsRefusedAndLeftAlone) {
     std::ofstream(file()) << "not a database, but longer than the sixteen bytes of the magic number";
     EXPECT_THAT(refusal_to_open<UserError>(), HasSubstr("not a result store"));
-    EXPECT_THAT(message_of<UserError>([&] { Store::create_or_resume(file(), plan()); }),
+    EXPECT_THAT(message_of<UserError>([&] { Store::create_or_resume(file(), store_plan()); }),
                 HasSubstr("not a result store"));
     std::ifstream in(file());
     std::string word;
@@ -125,32 +125,32 @@ TEST_F(StoreFile, ThatIsNoDatabaseIsRefusedAndLeftAlone) {
 TEST_F(StoreFile, OfAnotherProgramIsRefusedAndLeftAlone) {
     execute("CREATE TABLE mine(a)");
     EXPECT_THAT(refusal_to_open<UserError>(), HasSubstr("not a result store (no table 'meta')"));
-    EXPECT_THAT(refusal_to_resume(plan()), HasSubstr("not a result store (no table 'meta')"));
+    EXPECT_THAT(refusal_to_resume(store_plan()), HasSubstr("not a result store (no table 'meta')"));
 }
 
 TEST_F(StoreFile, OfANewerVersionIsRefused) {
-    Store::create_or_resume(file(), plan());
+    Store::create_or_resume(file(), store_plan());
     execute("UPDATE meta SET value = '99' WHERE key = 'schema_version'");
     const std::string problem =
         "schema version 99 (this program reads 1 to 2). Use the version of ffstudy that wrote it.";
     EXPECT_THAT(refusal_to_open<UserError>(), HasSubstr(problem));
-    EXPECT_THAT(refusal_to_resume(plan()), HasSubstr(problem));
+    EXPECT_THAT(refusal_to_resume(store_plan()), HasSubstr(problem));
 }
 
 TEST_F(StoreFile, ThatIsDamagedIsRefused) {
-    test::run(plan("trials = 200"), file());
+    test::run(store_plan("trials = 200"), file());
     // A page in the middle, where rows are.
     std::fstream bytes(file(), std::ios::in | std::ios::out | std::ios::binary);
     bytes.seekp(static_cast<std::streamoff>(std::filesystem::file_size(file()) / 2));
     bytes << std::string(4096, 'x');
     bytes.close();
     EXPECT_THAT(refusal_to_open<IoError>(), HasSubstr("damaged"));
-    EXPECT_THAT(message_of<IoError>([&] { Store::create_or_resume(file(), plan("trials = 200")); }),
+    EXPECT_THAT(message_of<IoError>([&] { Store::create_or_resume(file(), store_plan("trials = 200")); }),
                 HasSubstr("damaged"));
 }
 
 TEST_F(StoreFile, ThatIsCutOffIsRefused) {
-    test::run(plan("trials = 200"), file());
+    test::run(store_plan("trials = 200"), file());
     std::filesystem::resize_file(file(), std::filesystem::file_size(file()) / 2);
     EXPECT_NE(refusal_to_open<IoError>(), "nothing thrown");
 }
@@ -163,34 +163,34 @@ TEST_F(StoreFile, IsNotChangedByTheLogOfAnother) {
         return std::string(std::istreambuf_iterator<char>(in), {});
     };
     {
-        Store closed = Store::create_or_resume(file(), plan(), Journal::write_ahead);
+        Store closed = Store::create_or_resume(file(), store_plan(), Journal::write_ahead);
         run_study(closed, {});
     }
     const std::string before = bytes();
     {
-        Store open = Store::create_or_resume(other, plan("trials = 4"), Journal::write_ahead);
+        Store open = Store::create_or_resume(other, store_plan("trials = 4"), Journal::write_ahead);
         open.commit({0, {}, {}, {}});
         std::filesystem::copy_file(log(other), log(file()));
     }
-    EXPECT_ANY_THROW(Store::create_or_resume(file(), plan(), Journal::write_ahead));
+    EXPECT_ANY_THROW(Store::create_or_resume(file(), store_plan(), Journal::write_ahead));
     EXPECT_EQ(bytes(), before);
     std::filesystem::remove(log(file()));
-    EXPECT_TRUE(Store::create_or_resume(file(), plan()).is_complete());
+    EXPECT_TRUE(Store::create_or_resume(file(), store_plan()).is_complete());
 }
 
 TEST_F(StoreFile, ThatIsSealedHasNoLog) {
     const std::string log = file().string() + "-wal";
     {
         // What a copy of the folder, made while the study ran, holds.
-        Store store = Store::create_or_resume(file(), plan("trials = 400"), Journal::write_ahead);
+        Store store = Store::create_or_resume(file(), store_plan("trials = 400"), Journal::write_ahead);
         store.commit({0, {}, {}, {}});
         std::filesystem::copy_file(log, folder.path() / "log");
     }
     std::filesystem::remove(file());
-    test::run(plan("trials = 400"), file()).seal();
+    test::run(store_plan("trials = 400"), file()).seal();
     std::filesystem::copy_file(folder.path() / "log", log);
     EXPECT_THAT(refusal_to_open<IoError>(), HasSubstr("results.sqlite-wal: a log beside a file that was made whole"));
-    EXPECT_THAT(message_of<IoError>([&] { Store::create_or_resume(file(), plan("trials = 400")); }),
+    EXPECT_THAT(message_of<IoError>([&] { Store::create_or_resume(file(), store_plan("trials = 400")); }),
                 HasSubstr("Remove the log"));
     std::filesystem::remove(log);
     EXPECT_EQ(Store::open(file()).saved_trials(0), 400u);
@@ -206,7 +206,7 @@ TEST_F(StoreFile, ThatTwoProgramsBeginTogetherIsMadeOnce) {
             for (std::string& problem : problems) {
                 threads.emplace_back([&] {
                     together.arrive_and_wait();
-                    problem = message_of<std::exception>([&] { Store::create_or_resume(file(), plan()); });
+                    problem = message_of<std::exception>([&] { Store::create_or_resume(file(), store_plan()); });
                 });
             }
         }
@@ -215,7 +215,7 @@ TEST_F(StoreFile, ThatTwoProgramsBeginTogetherIsMadeOnce) {
 }
 
 TEST_F(StoreFile, ThatAnotherProgramReadsIsLeftWithItsLog) {
-    Store store = Store::create_or_resume(file(), plan(), Journal::write_ahead);
+    Store store = Store::create_or_resume(file(), store_plan(), Journal::write_ahead);
     run_study(store, {});
     {
         const Database reader(file(), Database::Mode::read_only);
@@ -237,7 +237,7 @@ TEST_F(StoreFile, IsFoundByAnyNameThatFilesMayHave) {
 TEST_F(StoreFile, IsTheSameWithARollbackJournal) {
     for (const auto journal : {Journal::write_ahead, Journal::rollback}) {
         const auto name = folder.path() / (journal == Journal::rollback ? "rollback" : "log");
-        Store store = Store::create_or_resume(name, plan(), journal);
+        Store store = Store::create_or_resume(name, store_plan(), journal);
         EXPECT_EQ(journal_mode(store), journal == Journal::rollback ? "delete" : "wal");
         run_study(store, {});
         EXPECT_EQ(store.saved_trials(0), 3u);
@@ -246,14 +246,14 @@ TEST_F(StoreFile, IsTheSameWithARollbackJournal) {
 }
 
 TEST_F(StoreFile, SwitchesToTheJournalOfItsNewFolder) {
-    Store::create_or_resume(file(), plan(), Journal::write_ahead).commit({0, {}, {}, {}});
+    Store::create_or_resume(file(), store_plan(), Journal::write_ahead).commit({0, {}, {}, {}});
     execute("DELETE FROM units");
-    Store store = Store::create_or_resume(file(), plan(), Journal::rollback);
+    Store store = Store::create_or_resume(file(), store_plan(), Journal::rollback);
     EXPECT_EQ(journal_mode(store), "delete");
 }
 
 TEST_F(StoreFile, ThatIsMovedOrRemovedWhileItIsWrittenIsNoticed) {
-    Store moved = Store::create_or_resume(file(), plan());
+    Store moved = Store::create_or_resume(file(), store_plan());
     std::filesystem::rename(file(), folder.path() / "elsewhere");
     EXPECT_THAT(message_of<IoError>([&] { moved.commit({0, {}, {}, {}}); }), HasSubstr("moved or removed"));
     EXPECT_EQ(Store::open(folder.path() / "elsewhere").saved_trials(0), 0u);
@@ -261,7 +261,7 @@ TEST_F(StoreFile, ThatIsMovedOrRemovedWhileItIsWrittenIsNoticed) {
 
 TEST_F(StoreFile, ThatIsEmptyBecomesAStore) {
     std::ofstream(file()).flush();
-    EXPECT_EQ(test::run(plan(), file()).saved_trials(0), 3u);
+    EXPECT_EQ(test::run(store_plan(), file()).saved_trials(0), 3u);
 }
 
 UnitRecord record_with(std::int64_t hits) {
@@ -269,7 +269,7 @@ UnitRecord record_with(std::int64_t hits) {
 }
 
 TEST_F(StoreFile, ThatCannotGrowSaysSo) {
-    Store store = Store::create_or_resume(file(), plan());
+    Store store = Store::create_or_resume(file(), store_plan());
     store.set_context({{"a", "b"}});  // now there is a log, and only the end of a transaction has to grow it
     {
         const test::FullDisk full;
@@ -279,7 +279,7 @@ TEST_F(StoreFile, ThatCannotGrowSaysSo) {
 }
 
 TEST(Store, CommittingAUnitAgainChangesNothing) {
-    Store store = Store::create_or_resume(in_memory, plan());
+    Store store = Store::create_or_resume(in_memory, store_plan());
     store.commit(record_with(10));
     store.commit(record_with(20));
     EXPECT_THAT(store.series(0, observable::hits, 1, 2).value, testing::ElementsAre(10, 11));
@@ -287,7 +287,7 @@ TEST(Store, CommittingAUnitAgainChangesNothing) {
 }
 
 TEST(Store, SaysWhatIsFinished) {
-    Store store = Store::create_or_resume(in_memory, plan());
+    Store store = Store::create_or_resume(in_memory, store_plan());
     EXPECT_THAT(store.finished_units(), testing::ElementsAre(false));
     EXPECT_EQ(store.saved_trials(0), 0u);
     store.commit(record_with(10));
@@ -295,14 +295,14 @@ TEST(Store, SaysWhatIsFinished) {
 }
 
 TEST(Store, SavesNothingOfAUnitThatFails) {
-    Store store = Store::create_or_resume(in_memory, plan());
+    Store store = Store::create_or_resume(in_memory, store_plan());
     EXPECT_ANY_THROW(store.commit({99, {}, {}, {}}));
     store.commit(record_with(10));
     EXPECT_THAT(store.series(0, observable::hits, 1, 2).value, testing::ElementsAre(10, 11));
 }
 
 TEST(Store, ReplacesItsContextAsAWhole) {
-    Store store = Store::create_or_resume(in_memory, plan());
+    Store store = Store::create_or_resume(in_memory, store_plan());
     store.set_context({{"host", "a"}, {"threads", "2"}});
     store.set_context({{"host", "b"}});
     EXPECT_EQ(store.context(), (Context{{"host", "b"}}));
@@ -311,7 +311,7 @@ TEST(Store, ReplacesItsContextAsAWhole) {
 TEST(Store, SumsPatchHitsOverTheTrialsOfAUnit) {
     test::TemporaryFolder folder;
     const auto file = folder.path() / "results.sqlite";
-    const Store store = test::run(plan(), file);
+    const Store store = test::run(store_plan(), file);
     const Database database(file, Database::Mode::read_only);
     Statement units(database.handle(), "SELECT patch_hits FROM units");
     ASSERT_TRUE(units.step());

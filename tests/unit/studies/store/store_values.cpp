@@ -12,19 +12,19 @@ namespace {
 
 using test::in_memory;
 
-StudyPlan plan() {
+StudyPlan plan_of_random_rays() {
     return test::plan_of(test::study_text("trials = 3", test::random_rays));
 }
 
 TEST(StoreValues, AreKeptToTheBit) {
-    Store store = Store::create_or_resume(in_memory, plan());
+    Store store = Store::create_or_resume(in_memory, plan_of_random_rays());
     const double third = 1.0 / 3;
     store.commit({0, {{observable::estimate, 1, 2, 0, third}, {observable::estimate, 1, 2, 1, 5e-324}}, {}, {}});
     EXPECT_THAT(store.series(0, observable::estimate, 1, 2).value, testing::ElementsAre(third, 5e-324));
 }
 
 TEST(StoreValues, AreKeptWhereTheyAreNoNumbers) {
-    Store store = Store::create_or_resume(in_memory, plan());
+    Store store = Store::create_or_resume(in_memory, plan_of_random_rays());
     const double infinity = std::numeric_limits<double>::infinity();
     store.commit({0,
                   {{observable::estimate, 1, 2, 0, -infinity},
@@ -40,7 +40,7 @@ TEST(StoreValues, AreKeptWhereTheyAreNoNumbers) {
 }
 
 TEST(StoreValues, AreReadByTrialAndAsTotalsOverTrials) {
-    Store store = Store::create_or_resume(in_memory, plan());
+    Store store = Store::create_or_resume(in_memory, plan_of_random_rays());
     store.commit({0,
                   {{observable::hits, 1, 2, 2, std::int64_t{5}},
                    {observable::hits, 1, 2, 0, std::int64_t{3}},

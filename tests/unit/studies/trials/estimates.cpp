@@ -3,6 +3,7 @@
 #include "core/exact/exact.hpp"
 #include "core/support/error.hpp"
 #include "tests/support/studies.hpp"
+#include "tests/unit/studies/quantities.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -12,9 +13,8 @@
 namespace ff::studies {
 namespace {
 
+using test::pair;
 using test::plan_of;
-
-constexpr QuantityKind pair = QuantityKind::form_factor;
 
 StudyPlan box_plan(std::string_view completion, std::string_view scene = "box:2x1x0.5") {
     return plan_of("[study]\nname = \"t\"\nscene = \"" + std::string(scene) +

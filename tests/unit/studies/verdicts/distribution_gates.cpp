@@ -3,6 +3,7 @@
 #include "core/support/error.hpp"
 #include "studies/verdicts/estimate_gates.hpp"
 #include "studies/verdicts/reported_gates.hpp"
+#include "tests/support/studies.hpp"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -16,7 +17,7 @@ namespace {
 
 using testing::HasSubstr;
 
-Gate gate_of(double band) {
+Gate distribution_gate(double band) {
     Gate gate;
     gate.name = "g";
     gate.quantity = "x";
@@ -37,19 +38,14 @@ ReportedFile counts(const std::string& rows, std::string_view column = "count") 
     return parse_reported(fmt::format("quantity,bin,{}\n{}", column, rows), "file.csv", Errors::optional);
 }
 
-std::string refusal(const Gate& gate, const ReportedFile& file, const ReportedFile* against) {
-    try {
-        static_cast<void>(judge_reported(spec_of(gate), gate, file, against));
-    } catch (const UserError& error) {
-        return error.what();
-    }
-    return "judged";
+std::string refusal_to_judge(const Gate& gate, const ReportedFile& file, const ReportedFile* against) {
+    return test::message_of<UserError>([&] { static_cast<void>(judge_reported(spec_of(gate), gate, file, against)); });
 }
 
 TEST(DistributionGates, CountsPassFailOrAreTooFew) {
     const auto shares = counts("x,0,0.5\nx,1,0.5\n", "share");
     const auto judged = [&](const std::string& rows) {
-        const Gate gate = gate_of(0.1);
+        const Gate gate = distribution_gate(0.1);
         return judge_reported(spec_of(gate), gate, counts(rows), &shares);
     };
     EXPECT_EQ(judged("x,0,5010\nx,1,4990\n").verdict, Verdict::pass);
@@ -61,7 +57,7 @@ TEST(DistributionGates, CountsPassFailOrAreTooFew) {
 
 TEST(DistributionGates, ACountWhereTheShareIsZeroFails) {
     const auto shares = counts("x,0,0.5\nx,1,0.5\nx,2,0\n", "share");
-    const Gate gate = gate_of(0.5);
+    const Gate gate = distribution_gate(0.5);
     const auto result = judge_reported(spec_of(gate), gate, counts("x,0,500\nx,1,500\nx,2,1\n"), &shares);
     EXPECT_EQ(result.verdict, Verdict::fail);
     EXPECT_THAT(result.note, HasSubstr("share is 0"));
@@ -71,15 +67,15 @@ TEST(DistributionGates, RefusesWhatCannotBeCompared) {
     const auto file = counts("x,0,500\nx,1,510\n");
     const auto short_of_one = counts("x,0,0.5\nx,1,0.4\n", "share");
     const auto none = counts("x,0,0\nx,1,0\n");
-    EXPECT_THAT(refusal(gate_of(0.1), file, &short_of_one), HasSubstr("add up to 0.9"));
-    EXPECT_THAT(refusal(gate_of(0.1), none, &file), HasSubstr("nothing would be compared"));
-    EXPECT_THAT(refusal(gate_of(0.1), short_of_one, &file), HasSubstr("holds shares"));
-    EXPECT_THAT(refusal(gate_of(0.1), file, nullptr), HasSubstr("--against"));
+    EXPECT_THAT(refusal_to_judge(distribution_gate(0.1), file, &short_of_one), HasSubstr("add up to 0.9"));
+    EXPECT_THAT(refusal_to_judge(distribution_gate(0.1), none, &file), HasSubstr("nothing would be compared"));
+    EXPECT_THAT(refusal_to_judge(distribution_gate(0.1), short_of_one, &file), HasSubstr("holds shares"));
+    EXPECT_THAT(refusal_to_judge(distribution_gate(0.1), file, nullptr), HasSubstr("--against"));
     const auto means = parse_reported("quantity,mean,standard_error\nx,1,0.1\n", "means.csv", Errors::required);
-    EXPECT_THAT(refusal(gate_of(0.1), means, &file), HasSubstr("is not for means.csv"));
-    Gate equal = gate_of(0.1);
+    EXPECT_THAT(refusal_to_judge(distribution_gate(0.1), means, &file), HasSubstr("is not for means.csv"));
+    Gate equal = distribution_gate(0.1);
     equal.kind = GateKind::equal;
-    EXPECT_THAT(refusal(equal, file, &file), HasSubstr("\"equal\" is not for"));
+    EXPECT_THAT(refusal_to_judge(equal, file, &file), HasSubstr("\"equal\" is not for"));
     EXPECT_THROW(counts("x,0,1.5\nx,1,2\n"), UserError);  // weighted
     EXPECT_THROW(counts("x,0,-1\nx,1,2\n"), UserError);
     EXPECT_THROW(counts("x,0,1\nx,0,2\n"), UserError);  // twice
@@ -95,7 +91,7 @@ EstimatesFile normal_file(std::size_t n, std::uint64_t seed, double shift = 0) {
 
 // Seeds 1 to 5; alpha 1e-4, passes with power 0.9: 4000 values are more than values_for_distance asks for.
 TEST(DistributionGates, ValuesPassFailOrAreTooFew) {
-    Gate gate = gate_of(0.06);
+    Gate gate = distribution_gate(0.06);
     gate.law = KnownLaw{KnownLaw::Family::normal, 0, 1};
     const auto judged = [&](const EstimatesFile& file) { return judge_estimates(spec_of(gate), gate, file).verdict; };
     EXPECT_LE(values_for_distance(0.06, {}, 1), 4000u);

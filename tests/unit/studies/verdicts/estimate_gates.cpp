@@ -1,6 +1,7 @@
 #include "studies/verdicts/estimate_gates.hpp"
 
 #include "core/support/error.hpp"
+#include "tests/support/studies.hpp"
 
 #include <gmock/gmock.h>
 
@@ -13,9 +14,9 @@ namespace {
 using testing::HasSubstr;
 
 constexpr double truth = 0.2;
-constexpr double sigma = 1e-3;
+constexpr double estimate_sigma = 1e-3;
 
-EstimatesFile file_of(std::vector<double> values) {
+EstimatesFile file_of_estimates(std::vector<double> values) {
     std::vector<std::size_t> lines(values.size());
     for (std::size_t i = 0; i < lines.size(); ++i) lines[i] = i + 2;
     return {"mine.csv", {{"F16", std::move(values), std::move(lines)}}};
@@ -27,7 +28,7 @@ std::vector<double> estimates(std::size_t n, double bias, double correlation = 0
     std::vector<double> values;
     double x = normal(engine);
     for (std::size_t i = 0; i < n; ++i) {
-        values.push_back(truth + bias + sigma * x);
+        values.push_back(truth + bias + estimate_sigma * x);
         x = correlation * x + std::sqrt(1 - correlation * correlation) * normal(engine);
     }
     return values;
@@ -49,39 +50,34 @@ GateResult judge_file(const Gate& gate, const EstimatesFile& file) {
     return judge_estimates(spec, gate, file);
 }
 
-std::string refusal_of(const EstimatesFile& file) {
-    try {
-        static_cast<void>(judge_file(bias_gate(1e-3), file));
-    } catch (const UserError& error) {
-        return error.what();
-    }
-    return "no error";
+std::string refusal_of_estimates(const EstimatesFile& file) {
+    return test::message_of<UserError>([&] { static_cast<void>(judge_file(bias_gate(1e-3), file)); });
 }
 
 TEST(JudgeEstimates, GivesTheThreeVerdicts) {
-    EXPECT_EQ(judge_file(bias_gate(5e-4), file_of(estimates(100, 0))).verdict, Verdict::pass);
-    EXPECT_EQ(judge_file(bias_gate(5e-4), file_of(estimates(100, 2e-3))).verdict, Verdict::fail);
-    EXPECT_EQ(judge_file(bias_gate(5e-5), file_of(estimates(100, 0))).verdict, Verdict::inconclusive);
+    EXPECT_EQ(judge_file(bias_gate(5e-4), file_of_estimates(estimates(100, 0))).verdict, Verdict::pass);
+    EXPECT_EQ(judge_file(bias_gate(5e-4), file_of_estimates(estimates(100, 2e-3))).verdict, Verdict::fail);
+    EXPECT_EQ(judge_file(bias_gate(5e-5), file_of_estimates(estimates(100, 0))).verdict, Verdict::inconclusive);
 }
 
 TEST(JudgeEstimates, AllowsForTheStandardErrorOfTheReference) {
     Gate gate = bias_gate(1.4e-3);
-    EXPECT_EQ(judge_file(gate, file_of(estimates(100, 2e-3))).verdict, Verdict::fail);
+    EXPECT_EQ(judge_file(gate, file_of_estimates(estimates(100, 2e-3))).verdict, Verdict::fail);
     gate.reference_se = 4e-4;
-    EXPECT_EQ(judge_file(gate, file_of(estimates(100, 2e-3))).verdict, Verdict::inconclusive);
+    EXPECT_EQ(judge_file(gate, file_of_estimates(estimates(100, 2e-3))).verdict, Verdict::inconclusive);
 }
 
 TEST(JudgeEstimates, RefusesWhatNoNumberOfTrialsDecides) {
     Gate gate = bias_gate(5e-4);
     gate.place = "bands.toml:7:8";
     gate.reference_se = 1e-3;
-    EXPECT_THAT([&] { judge_file(gate, file_of(estimates(100, 0))); },
+    EXPECT_THAT([&] { judge_file(gate, file_of_estimates(estimates(100, 0))); },
                 testing::ThrowsMessage<UserError>(HasSubstr("bands.toml:7:8: no number of trials can decide")));
 }
 
 TEST(JudgeEstimates, WidensTheIntervalOfCorrelatedTrials) {
-    const auto independent = judge_file(bias_gate(5e-4), file_of(estimates(2000, 0))).comparisons[0];
-    const auto correlated = judge_file(bias_gate(5e-4), file_of(estimates(2000, 0, 0.9))).comparisons[0];
+    const auto independent = judge_file(bias_gate(5e-4), file_of_estimates(estimates(2000, 0))).comparisons[0];
+    const auto correlated = judge_file(bias_gate(5e-4), file_of_estimates(estimates(2000, 0, 0.9))).comparisons[0];
     // The variance of the mean is (1 + 0.9) / (1 - 0.9) = 19 times as large; its estimate is within a factor 2.
     const double ratio = correlated.measurement->passing.width() / independent.measurement->passing.width();
     EXPECT_GT(ratio, std::sqrt(19.0 / 2));
@@ -93,12 +89,12 @@ TEST(JudgeEstimates, WidensTheIntervalOfCorrelatedTrials) {
 TEST(JudgeEstimates, JudgesTheSpreadOfIndependentTrialsOnly) {
     Gate gate = bias_gate(1);
     gate.kind = GateKind::std;
-    gate.reference = sigma;
+    gate.reference = estimate_sigma;
     gate.band = {0.7, 1.4};
-    EXPECT_EQ(judge_file(gate, file_of(estimates(400, 0))).verdict, Verdict::pass);
-    EXPECT_EQ(judge_file(gate, file_of(estimates(400, 0, 0.9))).verdict, Verdict::inconclusive);
-    gate.reference = 3 * sigma;
-    EXPECT_EQ(judge_file(gate, file_of(estimates(400, 0))).verdict, Verdict::fail);
+    EXPECT_EQ(judge_file(gate, file_of_estimates(estimates(400, 0))).verdict, Verdict::pass);
+    EXPECT_EQ(judge_file(gate, file_of_estimates(estimates(400, 0, 0.9))).verdict, Verdict::inconclusive);
+    gate.reference = 3 * estimate_sigma;
+    EXPECT_EQ(judge_file(gate, file_of_estimates(estimates(400, 0))).verdict, Verdict::fail);
 }
 
 TEST(JudgeEstimates, PassesNothingOfInfiniteVariance) {
@@ -108,7 +104,7 @@ TEST(JudgeEstimates, PassesNothingOfInfiniteVariance) {
     for (double& value : values) value = std::pow(uniform(engine), -1 / 1.5);  // Pareto, index 3/2, mean 3
     Gate gate = bias_gate(10);
     gate.reference = 3;
-    const auto result = judge_file(gate, file_of(values));
+    const auto result = judge_file(gate, file_of_estimates(values));
     EXPECT_EQ(result.verdict, Verdict::inconclusive);
     EXPECT_THAT(result.note, HasSubstr("infinite variance"));
 }
@@ -122,7 +118,7 @@ TEST(JudgeEstimates, DoesNotPassCauchyValuesInATypicalFile) {
         for (double& value : values) value = cauchy(engine);
         Gate gate = bias_gate(1000);
         gate.reference = 0;
-        passes += judge_file(gate, file_of(values)).verdict == Verdict::pass ? 1 : 0;
+        passes += judge_file(gate, file_of_estimates(values)).verdict == Verdict::pass ? 1 : 0;
     }
     EXPECT_LE(passes, 3);  // one file in a hundred may look harmless: more than 3 of 40 with probability 4e-4
 }
@@ -131,15 +127,15 @@ TEST(JudgeEstimates, DoesNotPassAMeanDominatedByOneTrial) {
     for (const std::size_t n : {20u, 50u, 100u, 1000u}) {
         std::vector<double> values(n, truth);
         values[n / 3] += 1e-4;
-        EXPECT_NE(judge_file(bias_gate(1e-2), file_of(values)).verdict, Verdict::pass) << n;
+        EXPECT_NE(judge_file(bias_gate(1e-2), file_of_estimates(values)).verdict, Verdict::pass) << n;
     }
 }
 
 TEST(JudgeEstimates, LeavesShortChainsUndecided) {
-    EXPECT_EQ(judge_file(bias_gate(1), file_of(estimates(30, 0, 0.95))).verdict, Verdict::inconclusive);
+    EXPECT_EQ(judge_file(bias_gate(1), file_of_estimates(estimates(30, 0, 0.95))).verdict, Verdict::inconclusive);
     std::vector<double> walk = estimates(100, 0);
     for (std::size_t i = 1; i < walk.size(); ++i) walk[i] += walk[i - 1] - truth;
-    const auto result = judge_file(bias_gate(1), file_of(walk));
+    const auto result = judge_file(bias_gate(1), file_of_estimates(walk));
     EXPECT_EQ(result.verdict, Verdict::inconclusive);
     EXPECT_THAT(result.note, HasSubstr("too few to judge by"));
 }
@@ -149,42 +145,42 @@ TEST(JudgeEstimates, SaysThatValuesAreTooSkewedForSoFew) {
     for (int i = 0; i < 30; ++i) values.push_back(-std::log1p(-((7 * i) % 30 + 0.5) / 30));
     Gate gate = bias_gate(1e-3);
     gate.reference = 10;  // a thousand standard errors would not do
-    const auto result = judge_file(gate, file_of(values));
+    const auto result = judge_file(gate, file_of_estimates(values));
     EXPECT_EQ(result.verdict, Verdict::inconclusive);
     EXPECT_THAT(result.note, HasSubstr("too skewed, or too few"));
     EXPECT_FALSE(std::isfinite(
-        judge_file(bias_gate(1), file_of(estimates(20, 0))).comparisons[0].measurement->minimum_detectable));
+        judge_file(bias_gate(1), file_of_estimates(estimates(20, 0))).comparisons[0].measurement->minimum_detectable));
 }
 
 TEST(JudgeEstimates, SurvivesAnEstimateWithoutItsDecimalPoint) {
     std::vector<double> values = estimates(10, 0);
     values[4] = 1924;
     Gate gate = bias_gate(0.5);
-    EXPECT_EQ(judge_file(gate, file_of(values)).verdict, Verdict::inconclusive);
+    EXPECT_EQ(judge_file(gate, file_of_estimates(values)).verdict, Verdict::inconclusive);
     gate.kind = GateKind::std;
-    gate.reference = sigma;
+    gate.reference = estimate_sigma;
     gate.band = {0.5, 2};
-    EXPECT_NO_THROW(judge_file(gate, file_of(values)));
+    EXPECT_NO_THROW(judge_file(gate, file_of_estimates(values)));
 }
 
 TEST(JudgeEstimates, FailsAgainstAReferenceInAnotherUnit) {
     Gate gate = bias_gate(1);
     for (const double reference : {1e20, -1e60}) {
         gate.reference = reference;
-        EXPECT_EQ(judge_file(gate, file_of(estimates(100, 0))).verdict, Verdict::fail) << reference;
+        EXPECT_EQ(judge_file(gate, file_of_estimates(estimates(100, 0))).verdict, Verdict::fail) << reference;
     }
 }
 
 TEST(JudgeEstimates, RefusesSpreadsWhosePowersOverflow) {
     std::vector<double> values = estimates(50, 0);
     for (double& value : values) value = (value - truth) * 1e-90;
-    EXPECT_THAT(refusal_of(file_of(values)), HasSubstr("spread by less than 1e-75"));
+    EXPECT_THAT(refusal_of_estimates(file_of_estimates(values)), HasSubstr("spread by less than 1e-75"));
 }
 
 TEST(PlanEstimates, SaysHowManyTrialsAreNeeded) {
     GatesSpec spec;
     const auto needed = [&](double band) {
-        return plan_estimates(spec, bias_gate(band), file_of(estimates(400, 0))).needed;
+        return plan_estimates(spec, bias_gate(band), file_of_estimates(estimates(400, 0))).needed;
     };
     // 10.8 (sigma / band)^2 at power 0.9; the standard deviation of 400 trials is known to 3.5 %, so that to 28 % (4 of
     // its standard errors).
@@ -193,15 +189,16 @@ TEST(PlanEstimates, SaysHowManyTrialsAreNeeded) {
 }
 
 TEST(ExamineIndependence, RefusesTheSameSeedInEveryTrial) {
-    EXPECT_THAT(refusal_of(file_of(std::vector<double>(50, 0.2))), HasSubstr("mine.csv:2:1: the estimates of 'F16' are "
-                                                                             "all 0.2 (no spread is no evidence"));
+    EXPECT_THAT(refusal_of_estimates(file_of_estimates(std::vector<double>(50, 0.2))),
+                HasSubstr("mine.csv:2:1: the estimates of 'F16' are "
+                          "all 0.2 (no spread is no evidence"));
 }
 
 TEST(ExamineIndependence, RefusesAFileJoinedToItself) {
     auto values = estimates(50, 0);
     const auto copy = values;
     values.insert(values.end(), copy.begin(), copy.end());
-    EXPECT_THAT(refusal_of(file_of(values)),
+    EXPECT_THAT(refusal_of_estimates(file_of_estimates(values)),
                 HasSubstr("mine.csv:52:1: the estimates of 'F16' repeat from here on those "
                           "from line 2 on"));
 }
@@ -209,7 +206,7 @@ TEST(ExamineIndependence, RefusesAFileJoinedToItself) {
 TEST(ExamineIndependence, RefusesTrialsThatShareSeeds) {
     auto values = estimates(100, 0);
     for (std::size_t i = 0; i < values.size(); ++i) values[i] = values[i * i % 41];
-    EXPECT_THAT(refusal_of(file_of(values)), HasSubstr("of 100 trials"));
+    EXPECT_THAT(refusal_of_estimates(file_of_estimates(values)), HasSubstr("of 100 trials"));
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "studies/verdicts/estimates_file.hpp"
 
 #include "core/support/error.hpp"
+#include "tests/support/studies.hpp"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -18,13 +19,8 @@ std::string with_row(std::string_view row) {
     return text;
 }
 
-std::string message_of(std::string_view text) {
-    try {
-        static_cast<void>(parse_estimates(text, "mine.csv"));
-    } catch (const UserError& error) {
-        return error.what();
-    }
-    return "no error";
+std::string refusal_of_estimates_file(std::string_view text) {
+    return test::message_of<UserError>([&] { static_cast<void>(parse_estimates(text, "mine.csv")); });
 }
 
 TEST(EstimatesFile, ReadsRowsInTheOrderOfTrials) {
@@ -39,36 +35,42 @@ TEST(EstimatesFile, ReadsRowsInTheOrderOfTrials) {
 }
 
 TEST(EstimatesFile, NamesTheCellThatIsWrong) {
-    EXPECT_THAT(message_of(with_row("5,F16,")), HasSubstr("mine.csv:7:7: no estimate (an empty cell)"));
-    EXPECT_THAT(message_of(with_row("5,,0.2")), HasSubstr("mine.csv:7:3: no quantity"));
-    EXPECT_THAT(message_of(with_row("5,F16,0.2x")), HasSubstr("mine.csv:7:7: estimate = '0.2x' (not a number)"));
-    EXPECT_THAT(message_of(with_row("5,F16,n/a")), HasSubstr("(not a number)"));
+    EXPECT_THAT(refusal_of_estimates_file(with_row("5,F16,")), HasSubstr("mine.csv:7:7: no estimate (an empty cell)"));
+    EXPECT_THAT(refusal_of_estimates_file(with_row("5,,0.2")), HasSubstr("mine.csv:7:3: no quantity"));
+    EXPECT_THAT(refusal_of_estimates_file(with_row("5,F16,0.2x")),
+                HasSubstr("mine.csv:7:7: estimate = '0.2x' (not a number)"));
+    EXPECT_THAT(refusal_of_estimates_file(with_row("5,F16,n/a")), HasSubstr("(not a number)"));
     for (const std::string_view text : {"nan", "inf", "-inf"})
-        EXPECT_THAT(message_of(with_row(fmt::format("5,F16,{}", text))), HasSubstr("(not a finite number"));
-    EXPECT_THAT(message_of(with_row("5,F16,-1e200")), HasSubstr("mine.csv:7:7: estimate = '-1e200' (beyond 1e+75"));
-    EXPECT_THAT(message_of(with_row("-5,F16,0.2")), HasSubstr("mine.csv:7:1: trial = '-5' (not a whole number"));
-    EXPECT_THAT(message_of(with_row("5.0,F16,0.2")), HasSubstr("trial = '5.0'"));
-    EXPECT_THAT(message_of(with_row("5,F16,0,2")),
+        EXPECT_THAT(refusal_of_estimates_file(with_row(fmt::format("5,F16,{}", text))),
+                    HasSubstr("(not a finite number"));
+    EXPECT_THAT(refusal_of_estimates_file(with_row("5,F16,-1e200")),
+                HasSubstr("mine.csv:7:7: estimate = '-1e200' (beyond 1e+75"));
+    EXPECT_THAT(refusal_of_estimates_file(with_row("-5,F16,0.2")),
+                HasSubstr("mine.csv:7:1: trial = '-5' (not a whole number"));
+    EXPECT_THAT(refusal_of_estimates_file(with_row("5.0,F16,0.2")), HasSubstr("trial = '5.0'"));
+    EXPECT_THAT(refusal_of_estimates_file(with_row("5,F16,0,2")),
                 HasSubstr("mine.csv:7:1: 4 cell(s) (there are 3 columns). Numbers have"));
-    EXPECT_THAT(message_of(with_row("5,F16")), HasSubstr("mine.csv:7:1: 2 cell(s)"));
+    EXPECT_THAT(refusal_of_estimates_file(with_row("5,F16")), HasSubstr("mine.csv:7:1: 2 cell(s)"));
 }
 
 TEST(EstimatesFile, RefusesATrialThatGivesAQuantityTwice) {
-    EXPECT_THAT(message_of(with_row("3,F16,0.7")), HasSubstr("mine.csv:7:1: trial 3 gives 'F16' again (line 5 has it"));
+    EXPECT_THAT(refusal_of_estimates_file(with_row("3,F16,0.7")),
+                HasSubstr("mine.csv:7:1: trial 3 gives 'F16' again (line 5 has it"));
 }
 
 TEST(EstimatesFile, RefusesColumnsThatAreMissingUnknownOrDoubled) {
-    EXPECT_THAT(message_of(""), HasSubstr("mine.csv:1:1: the file is empty"));
-    EXPECT_THAT(message_of("trial,quantity\n"), HasSubstr("mine.csv:1:1: column 'estimate' is missing"));
-    EXPECT_THAT(message_of("trial,quantity,estimates\n"),
+    EXPECT_THAT(refusal_of_estimates_file(""), HasSubstr("mine.csv:1:1: the file is empty"));
+    EXPECT_THAT(refusal_of_estimates_file("trial,quantity\n"), HasSubstr("mine.csv:1:1: column 'estimate' is missing"));
+    EXPECT_THAT(refusal_of_estimates_file("trial,quantity,estimates\n"),
                 HasSubstr("mine.csv:1:16: column 'estimates' is unknown. Did you mean 'estimate'?"));
-    EXPECT_THAT(message_of("trial,trial,estimate\n"), HasSubstr("mine.csv:1:7: column 'trial' stands twice"));
-    EXPECT_THAT(message_of("trial;quantity;estimate\n"), HasSubstr("between commas"));
-    EXPECT_THAT(message_of("trial,quantity,estimate\n"), HasSubstr("no rows below the header"));
+    EXPECT_THAT(refusal_of_estimates_file("trial,trial,estimate\n"),
+                HasSubstr("mine.csv:1:7: column 'trial' stands twice"));
+    EXPECT_THAT(refusal_of_estimates_file("trial;quantity;estimate\n"), HasSubstr("between commas"));
+    EXPECT_THAT(refusal_of_estimates_file("trial,quantity,estimate\n"), HasSubstr("no rows below the header"));
 }
 
 TEST(EstimatesFile, RefusesTooFewRows) {
-    EXPECT_THAT(message_of("trial,quantity,estimate\n0,F16,0.1\n1,F16,0.2\n"),
+    EXPECT_THAT(refusal_of_estimates_file("trial,quantity,estimate\n0,F16,0.1\n1,F16,0.2\n"),
                 HasSubstr("mine.csv:3:1: 'F16' has 2 row(s)"));
 }
 

@@ -13,12 +13,13 @@
 namespace ff::studies {
 namespace {
 
-constexpr std::array data{2.1, 3.4, 1.9, 5.6, 4.4, 2.8, 9.7, 3.3};
-constexpr Levels levels{.fail_alpha = 0.01, .pass_alpha = 0.05, .power = 0.9};
+using test::eight_values;
+
+constexpr Levels usual_levels{.fail_alpha = 0.01, .pass_alpha = 0.05, .power = 0.9};
 
 // stats.t.interval(.9, 7, x.mean() - 3, stats.sem(x)), and .99
 TEST(MeasureMean, IsStudentsIntervalAtBothLevels) {
-    const auto measurement = measure_mean(stats::moments_of(data, 3), {.value = 3}, {-1, 1}, levels);
+    const auto measurement = measure_mean(stats::moments_of(eight_values, 3), {.value = 3}, {-1, 1}, usual_levels);
     EXPECT_NEAR(measurement->value, 1.15, 1e-14);
     EXPECT_NEAR(measurement->passing.low, -0.5547447946823611, 1e-13);
     EXPECT_NEAR(measurement->passing.high, 2.854744794682361, 1e-13);
@@ -29,15 +30,15 @@ TEST(MeasureMean, IsStudentsIntervalAtBothLevels) {
 }
 
 TEST(MeasureMean, IsEmptyForTooFewOrEqualValues) {
-    EXPECT_FALSE(measure_mean(stats::moments_of(std::array{1.0}, 1), {.value = 1}, {-1, 1}, levels));
-    EXPECT_FALSE(measure_mean(stats::moments_of(std::array{1.0, 1.0}, 1), {.value = 1}, {-1, 1}, levels));
+    EXPECT_FALSE(measure_mean(stats::moments_of(std::array{1.0}, 1), {.value = 1}, {-1, 1}, usual_levels));
+    EXPECT_FALSE(measure_mean(stats::moments_of(std::array{1.0, 1.0}, 1), {.value = 1}, {-1, 1}, usual_levels));
 }
 
 TEST(MeasureMean, AllowsForAnUncertainReference) {
-    const auto moments = stats::moments_of(data, 3);
+    const auto moments = stats::moments_of(eight_values, 3);
     const double own = *moments.standard_error();
-    const auto certain = measure_mean(moments, {.value = 3}, {-1, 1}, levels);
-    const auto same = measure_mean(moments, {.value = 3, .standard_error = own, .freedom = 7}, {-1, 1}, levels);
+    const auto certain = measure_mean(moments, {.value = 3}, {-1, 1}, usual_levels);
+    const auto same = measure_mean(moments, {.value = 3, .standard_error = own, .freedom = 7}, {-1, 1}, usual_levels);
     EXPECT_EQ(same->passing.method, "welch_t");
     // Equal parts: sqrt(2) the error, twice the freedom. stats.t.ppf(.95, 14) = 1.7613101357748562
     EXPECT_NEAR(same->passing.width() / 2, std::sqrt(2) * own * 1.7613101357748562, 1e-12);
@@ -49,15 +50,16 @@ TEST(MeasureMean, FailsAtTheMinimumDetectableEffectWithItsPower) {
     std::mt19937_64 engine(11);
     const Band band{-0.3, 0.3};
     constexpr std::size_t trials = 40;
-    const double effect = 0.3 + stats::minimum_detectable_bias(1, trials, {levels.fail_alpha, levels.power});
+    const double effect =
+        0.3 + stats::minimum_detectable_bias(1, trials, {usual_levels.fail_alpha, usual_levels.power});
     const auto fails = [&] {
         const auto moments = stats::moments_of(test::normal_sample(trials, engine, effect));
-        const auto measurement = measure_mean(moments, {}, band, levels);
+        const auto measurement = measure_mean(moments, {}, band, usual_levels);
         return judge(measurement, band) == Verdict::fail;
     };
     constexpr std::uint64_t runs = 6000;
-    EXPECT_TRUE(
-        test::has_probability(test::count_events(runs, fails), runs, levels.power, {.alpha = 1e-6, .detects = 0.03}));
+    EXPECT_TRUE(test::has_probability(test::count_events(runs, fails), runs, usual_levels.power,
+                                      {.alpha = 1e-6, .detects = 0.03}));
 }
 
 TEST(MeasureMean, StatesTheMinimumDetectableEffectWithinAPercent) {
@@ -74,14 +76,14 @@ TEST(MeasureMean, StatesTheMinimumDetectableEffectWithinAPercent) {
 }
 
 TEST(MeasureSpread, IsOneForTheReferenceItself) {
-    const auto spread = *stats::spread_of(stats::moments_of(data));
+    const auto spread = *stats::spread_of(stats::moments_of(eight_values));
     const double sigma = std::sqrt(spread.mean_square);
-    const Measurement measurement = measure_spread(spread, sigma, {0.5, 2}, levels);
+    const Measurement measurement = measure_spread(spread, sigma, {0.5, 2}, usual_levels);
     EXPECT_DOUBLE_EQ(measurement.value, 1);
     EXPECT_LT(measurement.passing.low, 1);
     EXPECT_GT(measurement.passing.high, 1);
     EXPECT_GT(measurement.minimum_detectable, 2);
-    const Measurement twice = measure_spread(spread, spread, {0.5, 2}, levels);
+    const Measurement twice = measure_spread(spread, spread, {0.5, 2}, usual_levels);
     EXPECT_DOUBLE_EQ(twice.value, 1);
     EXPECT_LT(twice.passing.low, measurement.passing.low);
     EXPECT_NEAR(twice.passing.low * twice.passing.high, 1, 1e-12);
@@ -89,13 +91,14 @@ TEST(MeasureSpread, IsOneForTheReferenceItself) {
 }
 
 TEST(MeasureSpread, LooksBelowABandWithoutUpperEnd) {
-    const auto spread = *stats::spread_of(stats::moments_of(data));
-    EXPECT_LT(measure_spread(spread, 1, {0.9, std::numeric_limits<double>::infinity()}, levels).minimum_detectable,
-              0.9);
+    const auto spread = *stats::spread_of(stats::moments_of(eight_values));
+    EXPECT_LT(
+        measure_spread(spread, 1, {0.9, std::numeric_limits<double>::infinity()}, usual_levels).minimum_detectable,
+        0.9);
 }
 
 TEST(MeasureProportion, IsClopperPearson) {
-    const Measurement measurement = measure_proportion({.hits = 95, .trials = 100}, {0.9, 1}, levels);
+    const Measurement measurement = measure_proportion({.hits = 95, .trials = 100}, {0.9, 1}, usual_levels);
     EXPECT_EQ(measurement.passing.method, "clopper_pearson");
     EXPECT_DOUBLE_EQ(measurement.value, 0.95);
     EXPECT_LT(measurement.minimum_detectable, 0.9);
@@ -109,12 +112,12 @@ TEST(MeasureSlope, FindsTheSlopeOfALadder) {
         for (double& error : rung.errors) error /= std::sqrt(size);
         ladder.push_back(rung);
     }
-    const auto measurement = measure_slope(ladder, {-0.7, -0.3}, levels);
+    const auto measurement = measure_slope(ladder, {-0.7, -0.3}, usual_levels);
     EXPECT_TRUE(measurement->failing.contains(-0.5));
     EXPECT_EQ(judge(measurement, {-0.7, -0.3}), Verdict::pass);
     EXPECT_EQ(judge(measurement, {-1.2, -0.9}), Verdict::fail);
     ladder.resize(1);
-    EXPECT_FALSE(measure_slope(ladder, {-0.7, -0.3}, levels));
+    EXPECT_FALSE(measure_slope(ladder, {-0.7, -0.3}, usual_levels));
 }
 
 TEST(MeasureExact, DecidesWithOneEvaluation) {

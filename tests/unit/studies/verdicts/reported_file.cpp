@@ -1,6 +1,7 @@
 #include "studies/verdicts/reported_file.hpp"
 
 #include "core/support/error.hpp"
+#include "tests/support/studies.hpp"
 
 #include <gmock/gmock.h>
 
@@ -13,13 +14,8 @@ ReportedFile parse(std::string_view text, Errors errors = Errors::required) {
     return parse_reported(text, "new.csv", errors);
 }
 
-std::string refusal_of(std::string_view text) {
-    try {
-        static_cast<void>(parse(text));
-    } catch (const UserError& error) {
-        return error.what();
-    }
-    return "no error";
+std::string refusal_of_reported_file(std::string_view text) {
+    return test::message_of<UserError>([&] { static_cast<void>(parse(text)); });
 }
 
 TEST(ParseReported, ReadsColumnsInAnyOrderAndSortsBinsAsNumbers) {
@@ -38,7 +34,8 @@ TEST(ParseReported, ReadsColumnsInAnyOrderAndSortsBinsAsNumbers) {
 
 TEST(ParseReported, TakesExactValuesWhereErrorsAreOptional) {
     EXPECT_FALSE(parse("quantity,mean\na,1\n", Errors::optional).has_errors);
-    EXPECT_THAT(refusal_of("quantity,mean\na,1\n"), HasSubstr("new.csv:1:1: column 'standard_error' is missing"));
+    EXPECT_THAT(refusal_of_reported_file("quantity,mean\na,1\n"),
+                HasSubstr("new.csv:1:1: column 'standard_error' is missing"));
 }
 
 TEST(ParseReported, ToldFromTrialsByTheHeader) {
@@ -48,28 +45,30 @@ TEST(ParseReported, ToldFromTrialsByTheHeader) {
 
 TEST(ParseReported, RefusesWhatCannotBeAnError) {
     const std::string header = "quantity,mean,standard_error,n\n";
-    EXPECT_THAT(refusal_of(header + "a,1,0,5\n"), HasSubstr("new.csv:2:5: standard_error = '0' (beside a mean of 1"));
-    EXPECT_THAT(refusal_of(header + "a,1,-1,5\n"), HasSubstr("it cannot be negative"));
-    EXPECT_THAT(refusal_of(header + "a,1,inf,5\n"), HasSubstr("not a finite number"));
-    EXPECT_THAT(refusal_of(header + "a,1,1e-80,5\n"), HasSubstr("powers cannot be computed"));
-    EXPECT_THAT(refusal_of(header + "a,1e80,1,5\n"), HasSubstr("powers cannot be computed"));
-    EXPECT_THAT(refusal_of(header + "a,1,x,5\n"), HasSubstr("not a number"));
-    EXPECT_THAT(refusal_of(header + "a,1,1,1\n"), HasSubstr("a spread needs at least 2"));
-    EXPECT_THAT(refusal_of(header + "a,1,1\n"), HasSubstr("3 cells (the header has 4)"));
-    EXPECT_THAT(refusal_of(header + "a,1,,5\n"), HasSubstr("no standard_error (an empty cell)"));
-    EXPECT_EQ(refusal_of(header + "a,0,0,5\n"), "no error");  // a bin that no sample fell into
+    EXPECT_THAT(refusal_of_reported_file(header + "a,1,0,5\n"),
+                HasSubstr("new.csv:2:5: standard_error = '0' (beside a mean of 1"));
+    EXPECT_THAT(refusal_of_reported_file(header + "a,1,-1,5\n"), HasSubstr("it cannot be negative"));
+    EXPECT_THAT(refusal_of_reported_file(header + "a,1,inf,5\n"), HasSubstr("not a finite number"));
+    EXPECT_THAT(refusal_of_reported_file(header + "a,1,1e-80,5\n"), HasSubstr("powers cannot be computed"));
+    EXPECT_THAT(refusal_of_reported_file(header + "a,1e80,1,5\n"), HasSubstr("powers cannot be computed"));
+    EXPECT_THAT(refusal_of_reported_file(header + "a,1,x,5\n"), HasSubstr("not a number"));
+    EXPECT_THAT(refusal_of_reported_file(header + "a,1,1,1\n"), HasSubstr("a spread needs at least 2"));
+    EXPECT_THAT(refusal_of_reported_file(header + "a,1,1\n"), HasSubstr("3 cells (the header has 4)"));
+    EXPECT_THAT(refusal_of_reported_file(header + "a,1,,5\n"), HasSubstr("no standard_error (an empty cell)"));
+    EXPECT_EQ(refusal_of_reported_file(header + "a,0,0,5\n"), "nothing thrown");  // a bin that no sample fell into
 }
 
 TEST(ParseReported, RefusesRowsThatStandTwice) {
-    EXPECT_THAT(refusal_of("quantity,mean,standard_error\na,1,1\nb,1,1\na,2,1\n"),
+    EXPECT_THAT(refusal_of_reported_file("quantity,mean,standard_error\na,1,1\nb,1,1\na,2,1\n"),
                 HasSubstr("new.csv:4:1: 'a' stands here again (line 2 has it already"));
-    EXPECT_THAT(refusal_of("quantity,bin,mean,standard_error\na,x,1,1\na,y,1,1\na,x,2,1\n"), HasSubstr("bin x"));
-    EXPECT_EQ(refusal_of("quantity,run,mean,standard_error\na,0,1,1\na,1,1,1\n"), "no error");
+    EXPECT_THAT(refusal_of_reported_file("quantity,bin,mean,standard_error\na,x,1,1\na,y,1,1\na,x,2,1\n"),
+                HasSubstr("bin x"));
+    EXPECT_EQ(refusal_of_reported_file("quantity,run,mean,standard_error\na,0,1,1\na,1,1,1\n"), "nothing thrown");
 }
 
 TEST(ParseReported, RefusesAnEmptyComparison) {
-    EXPECT_THAT(refusal_of(""), HasSubstr("the file is empty"));
-    EXPECT_THAT(refusal_of("quantity,mean,standard_error\n"), HasSubstr("nothing would be compared"));
+    EXPECT_THAT(refusal_of_reported_file(""), HasSubstr("the file is empty"));
+    EXPECT_THAT(refusal_of_reported_file("quantity,mean,standard_error\n"), HasSubstr("nothing would be compared"));
 }
 
 }  // namespace

@@ -17,22 +17,22 @@ namespace {
 
 using testing::HasSubstr;
 
-constexpr double sigma = 1e-3;
+constexpr double reported_sigma = 1e-3;
 
-/// `bins` bins of mean 1 and error sigma, stated `factor` times as large.
-ReportedFile file_of(std::size_t bins, std::size_t runs, std::uint64_t seed, double factor = 1, double bias = 0) {
+/// `bins` bins of mean 1 and error `reported_sigma`, stated `factor` times as large.
+ReportedFile file_of_bins(std::size_t bins, std::size_t runs, std::uint64_t seed, double factor = 1, double bias = 0) {
     std::mt19937_64 engine(seed);
     std::normal_distribution<double> normal;
     std::string text = "quantity,bin,run,mean,standard_error,n\n";
     for (std::size_t run = 0; run < runs; ++run) {
         for (std::size_t bin = 0; bin < bins; ++bin)
-            text +=
-                fmt::format("flux,{},{},{},{},1000\n", bin, run, 1 + sigma * (bias + normal(engine)), factor * sigma);
+            text += fmt::format("flux,{},{},{},{},1000\n", bin, run, 1 + reported_sigma * (bias + normal(engine)),
+                                factor * reported_sigma);
     }
     return parse_reported(text, "file.csv", Errors::required);
 }
 
-Gate gate_of(GateKind kind, Band band) {
+Gate reported_gate(GateKind kind, Band band) {
     Gate gate;
     gate.name = "g";
     gate.quantity = "flux";
@@ -50,11 +50,11 @@ GateResult judged(const Gate& gate, const ReportedFile& file, const ReportedFile
 }
 
 TEST(JudgeReported, ComparesTwoFilesBinByBin) {
-    const Gate gate = gate_of(GateKind::equal, {-0.01, 0.01});
-    const auto old = file_of(100, 1, 1);
-    EXPECT_EQ(judged(gate, file_of(100, 1, 2), &old).verdict, Verdict::pass);
-    EXPECT_EQ(judged(gate, file_of(100, 1, 3, 1, 20), &old).verdict, Verdict::fail);
-    const auto result = judged(gate_of(GateKind::equal, {-1e-4, 1e-4}), file_of(100, 1, 4), &old);
+    const Gate gate = reported_gate(GateKind::equal, {-0.01, 0.01});
+    const auto old = file_of_bins(100, 1, 1);
+    EXPECT_EQ(judged(gate, file_of_bins(100, 1, 2), &old).verdict, Verdict::pass);
+    EXPECT_EQ(judged(gate, file_of_bins(100, 1, 3, 1, 20), &old).verdict, Verdict::fail);
+    const auto result = judged(reported_gate(GateKind::equal, {-1e-4, 1e-4}), file_of_bins(100, 1, 4), &old);
     EXPECT_EQ(result.verdict, Verdict::inconclusive);
     EXPECT_EQ(result.compared, 100u);
     EXPECT_THAT(result.note, HasSubstr("trusts the standard errors"));
@@ -62,27 +62,27 @@ TEST(JudgeReported, ComparesTwoFilesBinByBin) {
 
 TEST(JudgeReported, DoesNotTrustErrorsWhereRunsTell) {
     // Errors stated a hundred times too small: in ten runs their spread decides, two show that something is wrong.
-    Gate gate = gate_of(GateKind::bias, {-1e-5, 1e-5});
+    Gate gate = reported_gate(GateKind::bias, {-1e-5, 1e-5});
     gate.against = Against::number;
     gate.reference = 1;
-    EXPECT_EQ(judged(gate, file_of(20, 1, 5, 0.01)).verdict, Verdict::fail);
-    const auto two = judged(gate, file_of(20, 2, 5, 0.01));
+    EXPECT_EQ(judged(gate, file_of_bins(20, 1, 5, 0.01)).verdict, Verdict::fail);
+    const auto two = judged(gate, file_of_bins(20, 2, 5, 0.01));
     EXPECT_EQ(two.verdict, Verdict::inconclusive);
     EXPECT_THAT(two.note, HasSubstr("the 2 runs of "));
     EXPECT_THAT(two.note, HasSubstr("as much as the errors that they state"));
-    EXPECT_EQ(judged(gate, file_of(20, 12, 5, 0.01)).verdict, Verdict::inconclusive);
+    EXPECT_EQ(judged(gate, file_of_bins(20, 12, 5, 0.01)).verdict, Verdict::inconclusive);
 }
 
 // Of 3000 files with right errors 3 are contradicted by chance, more than 12 with probability 2e-5. Errors stated a
 // tenth as large are not seen in 0.004 of files of five runs, more than 6 times in 200 with probability 2e-5.
 TEST(JudgeReported, FindsFewRunsThatContradictTheirErrors) {
-    Gate gate = gate_of(GateKind::bias, {-1, 1});
+    Gate gate = reported_gate(GateKind::bias, {-1, 1});
     gate.against = Against::number;
     gate.reference = 1;
     const auto contradicted = [&](std::size_t files, std::size_t runs, double factor) {
         std::size_t count = 0;
         for (std::uint64_t seed = 1; seed <= files; ++seed)
-            count += judged(gate, file_of(1, runs, seed, factor)).verdict == Verdict::inconclusive ? 1u : 0u;
+            count += judged(gate, file_of_bins(1, runs, seed, factor)).verdict == Verdict::inconclusive ? 1u : 0u;
         return count;
     };
     EXPECT_LE(contradicted(3000, 3, 1), 12u);
@@ -90,40 +90,40 @@ TEST(JudgeReported, FindsFewRunsThatContradictTheirErrors) {
 }
 
 TEST(JudgeReported, FindsErrorsThatAreWrong) {
-    const Gate gate = gate_of(GateKind::std_error, {1 / 1.6, 1.6});
-    EXPECT_EQ(judged(gate, file_of(5, 100, 6)).verdict, Verdict::pass);
-    EXPECT_EQ(judged(gate, file_of(5, 100, 7, 0.4)).verdict, Verdict::fail);
-    const auto samples = judged(gate, file_of(5, 100, 8, std::sqrt(1000.0)));
+    const Gate gate = reported_gate(GateKind::std_error, {1 / 1.6, 1.6});
+    EXPECT_EQ(judged(gate, file_of_bins(5, 100, 6)).verdict, Verdict::pass);
+    EXPECT_EQ(judged(gate, file_of_bins(5, 100, 7, 0.4)).verdict, Verdict::fail);
+    const auto samples = judged(gate, file_of_bins(5, 100, 8, std::sqrt(1000.0)));
     EXPECT_EQ(samples.verdict, Verdict::fail);
     EXPECT_THAT(samples.note, HasSubstr("standard deviations of single samples"));
-    EXPECT_THAT(judged(gate, file_of(5, 100, 9, sigma)).note, HasSubstr("variances, probably"));
+    EXPECT_THAT(judged(gate, file_of_bins(5, 100, 9, reported_sigma)).note, HasSubstr("variances, probably"));
 }
 
 TEST(JudgeReported, SaysThatTooSmallSpreadBetweenFilesIsNoAgreement) {
-    const auto old = file_of(100, 1, 1, 10);
-    EXPECT_THAT(judged(gate_of(GateKind::equal, {-0.1, 0.1}), file_of(100, 1, 2, 10), &old).note,
+    const auto old = file_of_bins(100, 1, 1, 10);
+    EXPECT_THAT(judged(reported_gate(GateKind::equal, {-0.1, 0.1}), file_of_bins(100, 1, 2, 10), &old).note,
                 HasSubstr("far below 1, so the errors are too large"));
 }
 
 TEST(JudgeReported, RefusesRunsAndFilesThatHoldTheSameNumbers) {
-    const auto old = file_of(10, 1, 1);
+    const auto old = file_of_bins(10, 1, 1);
     EXPECT_THAT(
         [&] {
-            judged(gate_of(GateKind::equal, {-1, 1}), file_of(10, 1, 1), &old);
+            judged(reported_gate(GateKind::equal, {-1, 1}), file_of_bins(10, 1, 1), &old);
         },
         testing::ThrowsMessage<UserError>(HasSubstr("has the same numbers as in file.csv")));
 }
 
 TEST(JudgeReported, RefusesBinningsThatDiffer) {
-    const auto old = file_of(10, 1, 1);
+    const auto old = file_of_bins(10, 1, 1);
     EXPECT_THAT(
         [&] {
-            judged(gate_of(GateKind::equal, {-1, 1}), file_of(11, 1, 2), &old);
+            judged(reported_gate(GateKind::equal, {-1, 1}), file_of_bins(11, 1, 2), &old);
         },
         testing::ThrowsMessage<UserError>(HasSubstr("bin '10' is not matched")));
     EXPECT_THAT(
         [&] {
-            judged(gate_of(GateKind::equal, {-1, 1}), file_of(9, 1, 2), &old);
+            judged(reported_gate(GateKind::equal, {-1, 1}), file_of_bins(9, 1, 2), &old);
         },
         testing::ThrowsMessage<UserError>(HasSubstr("bin '9' is not matched")));
 }
@@ -139,7 +139,8 @@ struct Correlated {
         std::vector<std::string> lines;
         for (std::size_t i = 0; i < bins; ++i) {
             for (std::size_t j = 0; j <= i; ++j)
-                lines.push_back(fmt::format("{},{},{}\n", i, j, scale * sigma * sigma * (i == j ? 1 : 0.9)));
+                lines.push_back(
+                    fmt::format("{},{},{}\n", i, j, scale * reported_sigma * reported_sigma * (i == j ? 1 : 0.9)));
         }
         lines.resize(lines.size() - leave_out);
         std::ofstream(file) << "bin,other_bin,covariance\n" << fmt::format("{}", fmt::join(lines, ""));
@@ -152,9 +153,10 @@ struct Correlated {
         std::string text = n > 0 ? "quantity,bin,mean,standard_error,n\n" : "quantity,bin,mean,standard_error\n";
         for (std::size_t bin = 0; bin < bins; ++bin) {
             const double score = common + std::sqrt(0.1) * normal(engine) + (bin % 2 == 0 ? every_second : 0);
-            text += fmt::format("flux,{},{},{}{}\n", bin, 1 + sigma * score, sigma, n > 0 ? fmt::format(",{}", n) : "");
+            text += fmt::format("flux,{},{},{}{}\n", bin, 1 + reported_sigma * score, reported_sigma,
+                                n > 0 ? fmt::format(",{}", n) : "");
         }
-        Gate gate = gate_of(GateKind::bias, {-1e-5, 1e-5});
+        Gate gate = reported_gate(GateKind::bias, {-1e-5, 1e-5});
         gate.against = Against::number;
         gate.reference = 1;
         gate.combine = Combination::chi_squared;
@@ -194,7 +196,7 @@ TEST(JudgeReported, NeverPassesWithBinsThatNothingFellInto) {
     const auto file =
         parse_reported("quantity,bin,mean,standard_error\nflux,0,1,0.001\nflux,1,0,0\n", "a.csv", Errors::required);
     const auto old = parse_reported("quantity,bin,mean\nflux,0,1\nflux,1,1\n", "b.csv", Errors::optional);
-    const auto result = judged(gate_of(GateKind::bias, {-0.1, 0.1}), file, &old);
+    const auto result = judged(reported_gate(GateKind::bias, {-0.1, 0.1}), file, &old);
     EXPECT_EQ(result.verdict, Verdict::inconclusive);
     EXPECT_THAT(result.note, HasSubstr("1 bin that no sample fell into is not judged"));
 }

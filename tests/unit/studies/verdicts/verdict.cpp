@@ -10,7 +10,7 @@
 namespace ff::studies {
 namespace {
 
-constexpr Band band{-1, 1};
+constexpr Band unit_band{-1, 1};
 
 Measurement between(double low, double high, double failing_low, double failing_high) {
     Measurement measurement;
@@ -21,20 +21,20 @@ Measurement between(double low, double high, double failing_low, double failing_
 }
 
 TEST(Judge, PassesWhereThePassingIntervalLiesInside) {
-    EXPECT_EQ(judge(between(-0.5, 0.5, -2, 2), band), Verdict::pass);
-    EXPECT_EQ(judge(between(-0.5, 1.1, -2, 2), band), Verdict::inconclusive);
-    EXPECT_EQ(judge(between(-1.1, 0.5, -2, 2), band), Verdict::inconclusive);
+    EXPECT_EQ(judge(between(-0.5, 0.5, -2, 2), unit_band), Verdict::pass);
+    EXPECT_EQ(judge(between(-0.5, 1.1, -2, 2), unit_band), Verdict::inconclusive);
+    EXPECT_EQ(judge(between(-1.1, 0.5, -2, 2), unit_band), Verdict::inconclusive);
 }
 
 TEST(Judge, FailsOnlyWhereTheFailingIntervalLiesWhollyOutside) {
-    EXPECT_EQ(judge(between(1.2, 1.4, 1.1, 1.5), band), Verdict::fail);
-    EXPECT_EQ(judge(between(-1.4, -1.2, -1.5, -1.1), band), Verdict::fail);
+    EXPECT_EQ(judge(between(1.2, 1.4, 1.1, 1.5), unit_band), Verdict::fail);
+    EXPECT_EQ(judge(between(-1.4, -1.2, -1.5, -1.1), unit_band), Verdict::fail);
     // Outside by the passing interval, but not by the adjusted one: no failure yet.
-    EXPECT_EQ(judge(between(1.2, 1.4, 0.9, 1.5), band), Verdict::inconclusive);
+    EXPECT_EQ(judge(between(1.2, 1.4, 0.9, 1.5), unit_band), Verdict::inconclusive);
 }
 
 TEST(Judge, NeverPassesWithoutEvidence) {
-    EXPECT_EQ(judge(std::nullopt, band), Verdict::inconclusive);
+    EXPECT_EQ(judge(std::nullopt, unit_band), Verdict::inconclusive);
     EXPECT_EQ(verdict_of({}), Verdict::inconclusive);
 }
 
