@@ -18,7 +18,6 @@ foreach(target ff_statistics ffstudy)
     nlohmann_json::nlohmann_json pugixml::pugixml tomlplusplus::tomlplusplus Threads::Threads)
 endforeach()
 target_compile_options(ffstudy PRIVATE -O1)
-ff_precompile(ffstudy)
 target_link_libraries(ffstudy PRIVATE ff_statistics)
 
 install(TARGETS ffstudy)

@@ -42,9 +42,10 @@ target_link_options(ff_settings INTERFACE
 # ff_rooms(TARGET [a+b ...])
 #
 # With CMAKE_UNITY_BUILD the .cpp files of a folder are compiled as one unit, of at most 12 files; the folders named
-# together, like "exact+geometry", are one folder to it. Most of a small file's compile time is its headers, so that this
-# takes a third of the time. Names are unique within such a room, also in anonymous namespaces. Files that Highway
+# together, like "exact+geometry", are one folder to it. Most of a small file's compile time is its headers, which this
+# reads once for all of them. Names are unique within such a room, also in anonymous namespaces. Files that Highway
 # compiles several times stay alone. The preset "edit" compiles each file alone, and shows which one forgets an include.
+# Precompiled headers would save nothing more (CONTRIBUTING.md has the measurements).
 function(ff_rooms target)
   foreach(together ${ARGN})
     string(REPLACE "+" ";" folders ${together})
@@ -86,23 +87,11 @@ function(ff_rooms target)
   set_target_properties(${target} PROPERTIES UNITY_BUILD_MODE GROUP)
 endfunction()
 
-# ff_precompile(ff_core <Eigen/Core>)
-#
-# Parses once per target the headers named and what most of its files include. Headers of libraries only, so that a
-# changed header of the project recompiles no more than before; and none that defines much inline, as CLI11's, which
-# every file would compile.
-# The preset clang goes without (CMAKE_DISABLE_PRECOMPILE_HEADERS) and shows which file forgets an include.
-function(ff_precompile target)
-  target_precompile_headers(${target} PRIVATE ${ARGN}
-    <algorithm> <cmath> <filesystem> <fmt/format.h> <functional> <map> <memory> <optional> <set> <span> <sstream>
-    <string> <vector>)
-endfunction()
-
-# ff_library(core SOURCES a.cpp b.cpp LINKS fmt::fmt PRIVATE_LINKS embree)
+# ff_library(core SOURCES a.cpp b.cpp LINKS fmt::fmt PRIVATE_LINKS embree TOGETHER points+support)
 #
 # One folder, one library: core/ -> target ff_core, alias ff::core, include "core/...", installed as <ffstudy/core/...>.
 function(ff_library name)
-  cmake_parse_arguments(ARG "" "" "SOURCES;LINKS;PRIVATE_LINKS" ${ARGN})
+  cmake_parse_arguments(ARG "" "" "SOURCES;LINKS;PRIVATE_LINKS;TOGETHER" ${ARGN})
   add_library(ff_${name} ${ARG_SOURCES})
   add_library(ff::${name} ALIAS ff_${name})
   target_include_directories(ff_${name} PUBLIC
@@ -110,8 +99,7 @@ function(ff_library name)
   target_link_libraries(ff_${name} PUBLIC ${ARG_LINKS} PRIVATE $<BUILD_INTERFACE:ff_settings> ${ARG_PRIVATE_LINKS})
   target_compile_features(ff_${name} PUBLIC cxx_std_20)
   target_compile_definitions(ff_${name} PUBLIC FF_CONTRACTS=$<BOOL:${FFSTUDY_CONTRACTS}>)
-  ff_rooms(ff_${name})
-  ff_precompile(ff_${name} <Eigen/Core> <Eigen/Geometry>)
+  ff_rooms(ff_${name} ${ARG_TOGETHER})
   # Until 1.0 each minor version may change the interface.
   set_target_properties(ff_${name} PROPERTIES EXPORT_NAME ${name} OUTPUT_NAME ffstudy_${name}
     VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})

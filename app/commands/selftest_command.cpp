@@ -62,7 +62,10 @@ ExitCode gates_selftest(const SelftestCommand& command) {
 
 ExitCode form_factors_selftest(const SelftestCommand& command) {
     auto options = coverage_options(command);
-    if (command.scenes.empty()) options.adversarial = 20 * options.seeds;
+    if (command.scenes.empty()) {
+        options.adversarial = 20 * options.seeds;
+        options.walls = 2 * options.seeds;
+    }
     const auto coverage = studies::measure_form_factor_coverage(options);
     const std::string text = reports::form_factor_coverage_markdown(coverage);
     return conclude(command, text, coverage.contradictions());

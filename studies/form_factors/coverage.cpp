@@ -171,7 +171,7 @@ double held_across_walls(const FormFactorCoverageOptions& options, LevelOf level
 void add_facets(FormFactorCoverage& coverage) {
     const FormFactorCoverageOptions& options = coverage.options;
     const Repetitions repetitions{options.seed, options.threads};
-    const std::uint64_t runs = 2 * options.seeds;
+    const std::uint64_t runs = options.walls;
     const auto shares = [&](const char* what, LevelOf level_of) {
         return repetitions.collect(runs, what,
                                    [&](stats::Draws& draws) { return held_across_walls(options, level_of, draws); });
@@ -235,7 +235,7 @@ FormFactorCoverage measure_form_factor_coverage(const FormFactorCoverageOptions&
         "and distance, near one of the two surfaces, with tolerances from 1e-3 to 1e-8. Intervals that allow for what "
         "no point has hit are cautious: rates above the level are intended.";
     if (options.adversarial > 0) add_adversarial(coverage);
-    if (options.adversarial > 0) add_facets(coverage);
+    if (options.walls > 0) add_facets(coverage);
     std::size_t rates = 0;
     for (const RateTable* table : coverage.tables()) rates += table->rates.size();
     coverage.level = 1 - stats::sidak_level(1 - family_level, std::max<std::size_t>(1, rates));

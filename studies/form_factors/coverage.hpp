@@ -18,6 +18,7 @@ struct FormFactorCoverageOptions {
     unsigned threads = 1;
     std::vector<std::string> scenes;  ///< empty: the whole catalogue
     std::uint64_t adversarial = 0;    ///< random scenes of each kind of obstacle (adversarial.hpp)
+    std::uint64_t walls = 0;          ///< random scenes of two tiled walls (tiled_walls.hpp), at each kind of level
 };
 
 /// How often the intervals of `find_form_factors` contain known values.

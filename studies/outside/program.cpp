@@ -16,7 +16,7 @@ namespace {
 
 using Files = std::vector<std::pair<std::string, std::string>>;
 
-constexpr std::string_view prefix = "command:";
+constexpr std::string_view command_prefix = "command:";
 
 /// "text#hash" in two; the hash may be empty.
 std::pair<std::string_view, std::string_view> split_hash(std::string_view command) {
@@ -81,37 +81,38 @@ std::string last_words(std::string_view errors) {
 /// The name without its hash, as the files are now. @pre the name begins with the prefix
 std::string name_now(std::string_view text, const std::filesystem::path& folder) {
     if (const auto problem = problem_with_name(text); !problem.empty())
-        throw UserError(fmt::format("{}{} {} A script may hold them.", prefix, visible_text(text), problem));
+        throw UserError(fmt::format("{}{} {} A script may hold them.", command_prefix, visible_text(text), problem));
     const auto files = files_of(words_of_command(text), folder);
-    return files.empty() ? fmt::format("{}{}", prefix, text) : fmt::format("{}{}#{}", prefix, text, hash_of(files));
+    return files.empty() ? fmt::format("{}{}", command_prefix, text)
+                         : fmt::format("{}{}#{}", command_prefix, text, hash_of(files));
 }
 
 }  // namespace
 
 bool names_command(std::string_view name) {
-    return name.starts_with(prefix);
+    return name.starts_with(command_prefix);
 }
 
 std::string full_command_name(std::string_view name, const std::filesystem::path& folder) {
-    const auto [text, hash] = split_hash(name.substr(prefix.size()));
+    const auto [text, hash] = split_hash(name.substr(command_prefix.size()));
     std::string now = name_now(text, folder);
     return hash.empty() ? now : std::string(name);
 }
 
 Program::Program(std::string_view name, std::filesystem::path folder, double deadline)
-    : text_(split_hash(name.substr(prefix.size())).first),
+    : text_(split_hash(name.substr(command_prefix.size())).first),
       words_(words_of_command(text_)),
       folder_(std::move(folder)),
       deadline_(deadline),
       full_name_(name_now(text_, folder_)) {
-    const bool has_hash = name.size() > prefix.size() + text_.size();
+    const bool has_hash = name.size() > command_prefix.size() + text_.size();
     if (has_hash && full_name_ != name)
         throw UserError(fmt::format(
             "{} (its files are others than before: {}). Bring them back, or leave the hash out.", name, full_name_));
 }
 
 std::string Program::title() const {
-    return fmt::format("{}{}", prefix, text_);
+    return fmt::format("{}{}", command_prefix, text_);
 }
 
 bool Program::has(std::string_view placeholder) const {

@@ -19,7 +19,7 @@ using samplers::AddedSampler;
 using samplers::PointSet;
 using samplers::Randomisation;
 
-constexpr std::string_view prefix = "file:";
+constexpr std::string_view file_prefix = "file:";
 constexpr std::string_view ladder = "{n}";
 
 struct Name {
@@ -39,7 +39,7 @@ std::string take_last(std::string& text, Predicate fits) {
 }
 
 Name parse_name(std::string_view sampler) {
-    Name name{std::string(sampler.substr(prefix.size())), {}, {}};
+    Name name{std::string(sampler.substr(file_prefix.size())), {}, {}};
     name.hash = take_last(name.path, is_hash);
     name.randomise =
         take_last(name.path, [](std::string_view text) { return samplers::find_randomisation(text).has_value(); });
@@ -112,7 +112,7 @@ std::string_view what_it_keeps(Randomisation how) {
 
 const samplers::CatalogueEntry& add_file(const Name& name, AddedSampler::Content content, const std::string& hash) {
     const auto how = samplers::find_randomisation(name.randomise).value_or(Randomisation::none);
-    const std::string full = fmt::format("{}{}#{}#{}", prefix, name.path,
+    const std::string full = fmt::format("{}{}#{}#{}", file_prefix, name.path,
                                          samplers::randomisation_names.at(static_cast<std::size_t>(how)), hash);
     if (const AddedSampler* known = samplers::find_added(full)) return known->entry();
     std::map<std::uint64_t, std::shared_ptr<const PointSet>> sets;
@@ -123,7 +123,7 @@ const samplers::CatalogueEntry& add_file(const Name& name, AddedSampler::Content
         const std::uint64_t points = set->points;
         if (!sets.emplace(points, std::move(set)).second)
             throw UserError(fmt::format("{}: {} points (another file of {}{} has as many). Remove one.", file, points,
-                                        prefix, name.path));
+                                        file_prefix, name.path));
     }
     samplers::SamplerInfo traits;
     traits.most_trials = how == Randomisation::none ? std::uint64_t{1} << 32 : 0;
@@ -148,7 +148,7 @@ const samplers::CatalogueEntry& add_file(const Name& name, AddedSampler::Content
 }  // namespace
 
 bool names_point_file(std::string_view sampler) {
-    return sampler.starts_with(prefix);
+    return sampler.starts_with(file_prefix);
 }
 
 const samplers::CatalogueEntry& load_point_file(std::string_view sampler, std::string_view randomise,
