@@ -24,13 +24,13 @@ double processor_time() {
 
 /// Room of the files, roughly, by what they take for a pair.
 std::uint64_t expected_size(const studies::FormFactorMatrix& matrix) {
-    constexpr std::uint64_t store = 100;    // of a pair
-    constexpr std::uint64_t sparse = 2;     // of an entry, two files with indices and values, packed
-    constexpr std::uint64_t text = 170;     // of an entry of matrix.csv and two .mtx
-    constexpr std::uint64_t dense = 2 * 8;  // of an entry, zeros too
+    constexpr std::uint64_t store = 100;  // of a pair
+    constexpr std::uint64_t sparse = 2;   // of an entry, two files with indices and values, packed
+    constexpr std::uint64_t text = 170;   // of an entry of matrix.csv and two .mtx
+    constexpr std::uint64_t dense = 16;   // of an entry in two files, zeros too
     const std::uint64_t pairs = matrix.exchanges.size();
     const std::uint64_t faces = matrix.faces();
-    std::uint64_t size = pairs * (store + 2 * 2 * sparse * 8);
+    std::uint64_t size = pairs * (store + 32 * sparse);
     if (faces <= studies::most_dense_faces) size += 2 * pairs * text + faces * faces * dense;
     return size;
 }
