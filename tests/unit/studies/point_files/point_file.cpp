@@ -6,7 +6,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cstring>
 #include <string>
 #include <vector>
 
@@ -19,9 +18,8 @@ std::string npy(const std::string& type, const std::string& shape, const std::ve
     std::string header = "{'descr': '" + type + "', 'fortran_order': " + by_columns + ", 'shape': (" + shape + "), }";
     header.resize(118, ' ');
     std::string bytes = std::string("\x93NUMPY\x01\x00", 8) + std::string("\x76\x00", 2) + header;
-    bytes.resize(bytes.size() + numbers.size() * sizeof(Number));
-    std::memcpy(bytes.data() + 128, numbers.data(), numbers.size() * sizeof(Number));
-    return bytes;
+    const auto begin = reinterpret_cast<const char*>(numbers.data());
+    return bytes.append(begin, begin + numbers.size() * sizeof(Number));
 }
 
 constexpr std::uint32_t quarter = 1u << 30;
