@@ -42,7 +42,7 @@ double length_in_mm(const std::string& option, const std::string& text) {
         if (error == std::errc() && rest == end && mm >= least_mm && mm <= most_mm) return mm;
     }
     throw UserError(
-        fmt::format("{} {} (a length from {:g} to {:g} mm, in mm, cm, in or pt). Write it like \"84mm\" or \"3.3in\".",
+        fmt::format(R"({} {} (a length from {:g} to {:g} mm, in mm, cm, in or pt). Write it like "84mm" or "3.3in".)",
                     option, text, least_mm, most_mm));
 }
 

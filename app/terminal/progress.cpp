@@ -105,7 +105,7 @@ void FormFactorDisplay::show(const studies::FormFactorProgress& progress) {
                                              progress.within, progress.pairs, tolerance_));
 }
 
-void FormFactorDisplay::finish() {
+void FormFactorDisplay::finish() const {
     if (shown_) say("\n");
 }
 

@@ -61,7 +61,7 @@ class FormFactorDisplay {
     /// Whether stderr is a terminal.
     [[nodiscard]] static bool is_seen();
     void show(const studies::FormFactorProgress& progress);
-    void finish();
+    void finish() const;
 
   private:
     using Clock = std::chrono::steady_clock;
