@@ -9,14 +9,8 @@ namespace {
 
 using namespace ff::app;
 
-struct Commands {
-    CheckCommand check;
-    TrendCommand trend;
-};
-
-void add_commands(ProgramDefinition& program, Commands& commands) {
-    add_check_of_files(program, commands.check).action = [&] { return check_files(commands.check); };
-    add_trend(program, commands.trend);
+void add_commands(ProgramDefinition& program, CheckCommand& check) {
+    add_check_of_files(program, check).action = [&] { return check_files(check); };
     add_help(program);
     add_hidden_commands(program, [](std::string_view) { return std::vector<Completions::Word>(); });
 }
@@ -26,7 +20,7 @@ void add_commands(ProgramDefinition& program, Commands& commands) {
 // What goes wrong while an error is told ends in the handler that `guarded` sets.
 // NOLINTNEXTLINE(bugprone-exception-escape)
 int main(int argc, char** argv) {
-    Commands commands;
+    CheckCommand check;
     return run_program({argv, static_cast<std::size_t>(argc)}, "Gates on what Monte Carlo codes report.",
-                       [&](ProgramDefinition& program) { add_commands(program, commands); });
+                       [&](ProgramDefinition& program) { add_commands(program, check); });
 }

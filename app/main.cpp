@@ -24,7 +24,6 @@ struct Commands {
     AuditCommand audit_command;
     CheckCommand check_command;
     OutsideOptions check_outside;
-    TrendCommand trend_command;
     SelftestCommand selftest_command;
     ff::studies::ConvergenceRequest convergence_request;
     RadiosityOptions radiosity_options;
@@ -58,7 +57,6 @@ void add_commands(ProgramDefinition& program, Commands& all) {
     add_merge(program, all.merge_command);
     add_audit(program, all.audit_command);
     add_check(program, all.check_command, all.check_outside);
-    add_trend(program, all.trend_command);
     add_selftest(program, all.selftest_command);
     add_form_factors_selftest(program, all.selftest_command);
     add_heat_selftest(program, all.selftest_command);

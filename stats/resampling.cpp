@@ -2,8 +2,6 @@
 
 #include "core/support/contract.hpp"
 
-#include <utility>
-
 namespace ff::stats {
 
 Draws::Draws(StreamKey key, Resampling use, std::uint32_t replicate)
@@ -38,10 +36,6 @@ std::size_t Draws::below(std::size_t n) {
 void resample(std::span<const double> data, Draws& draws, std::span<double> sample) {
     FF_EXPECT(!data.empty());
     for (double& value : sample) value = data[draws.below(data.size())];
-}
-
-void shuffle(std::span<double> values, Draws& draws) {
-    for (std::size_t left = values.size(); left > 1; --left) std::swap(values[left - 1], values[draws.below(left)]);
 }
 
 }  // namespace ff::stats

@@ -8,8 +8,8 @@
 
 namespace ff::stats {
 
-/// The purpose of random numbers; two purposes never share a number of one key.
-enum class Resampling : std::uint32_t { bootstrap = 1, permutation = 2, jitter = 3, simulation = 4 };
+/// The purpose of random numbers; two purposes never share a number of one key. The values are part of what is drawn.
+enum class Resampling : std::uint32_t { bootstrap = 1, jitter = 3, simulation = 4 };
 
 /// A sequence of random numbers for resampling: Philox words in counter order, so that replicate r is the same whatever
 /// was drawn for others.
@@ -33,9 +33,6 @@ class Draws {
 
 /// Fills `sample` with values drawn from `data` with replacement. @pre data not empty
 void resample(std::span<const double> data, Draws& draws, std::span<double> sample);
-
-/// Random order (Fisher-Yates).
-void shuffle(std::span<double> values, Draws& draws);
 
 /// The number of resamples and the key of their random numbers.
 struct ResamplingPlan {

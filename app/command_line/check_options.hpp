@@ -17,8 +17,6 @@ struct CheckCommand {
     std::filesystem::path against;    ///< a second file of estimates; empty: none
     std::string again;                ///< commit whose looks share alpha; empty: a single look
     std::filesystem::path ledger;     ///< of looks; empty: <bands>.ledger.csv
-    std::filesystem::path history;    ///< file that this run is added to; empty: none
-    std::string commit;               ///< name of this run there
     std::filesystem::path baseline;
     std::filesystem::path save_baseline;
     std::optional<unsigned> threads;
@@ -26,15 +24,6 @@ struct CheckCommand {
     bool quiet = false;
     bool json = false;  ///< verdicts on stdout, instead of words
     bool dry_run = false;
-};
-
-/// Options of `ffstudy trend`.
-struct TrendCommand {
-    std::filesystem::path history;
-    double alpha = 0.01;
-    std::uint64_t seed = 1;
-    std::filesystem::path out;  ///< empty: nothing is written
-    bool quiet = false;
 };
 
 }  // namespace ff::app

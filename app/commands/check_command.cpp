@@ -3,7 +3,6 @@
 #include "app/command_line/common_options.hpp"
 #include "app/commands/check_estimates.hpp"
 #include "app/commands/check_session.hpp"
-#include "app/commands/history_command.hpp"
 #include "app/commands/look_ledger.hpp"
 #include "app/commands/run_context.hpp"
 #include "app/folders/output_folder.hpp"
@@ -205,7 +204,6 @@ ExitCode sweep(Check& check, const CheckSession& session) {
 ExitCode check(const CheckCommand& command, const OutsideOptions& outside) {
     Check check = begin(command, outside);
     expect_estimates(command, check.spec);
-    expect_history(command);
     if (!command.save_baseline.empty() && !command.estimates.empty()) {
         save_means(command);
         return ExitCode::passed;

@@ -1,7 +1,6 @@
 #include "app/commands/check_session.hpp"
 
 #include "app/commands/check_estimates.hpp"
-#include "app/commands/history_command.hpp"
 #include "app/commands/look_ledger.hpp"
 #include "app/folders/check_files.hpp"
 #include "app/process/signals.hpp"
@@ -67,7 +66,6 @@ ExitCode judge_once(const CheckSession& session) {
     context["seconds"] = fmt::format("{:.2f}", std::chrono::duration<double>(Clock::now() - start).count());
     folder.write("context.json", reports::context_json(context));
     session.print(reports::gates_summary(results));
-    add_to_history(session.command);
     session.print(fmt::format("Results: {}\n", out.string()));
     if (session.command.json) fmt::print("{}", reports::verdicts_json(results));
     return exit_code(results.verdict());

@@ -3,7 +3,6 @@
 #include "app/command_line/program.hpp"
 #include "app/commands/check_estimates.hpp"
 #include "app/commands/check_session.hpp"
-#include "app/commands/history_command.hpp"
 #include "app/commands/program_context.hpp"
 
 #include "reports/terminal/gates_terminal.hpp"
@@ -27,9 +26,6 @@ CommandDefinition& add_check_of_files(ProgramDefinition& program, CheckCommand& 
     sub.option("--again", command.again, "Look at this commit, perhaps again: looks share alpha", {.type = "COMMIT"});
     sub.option("--ledger", command.ledger, "File of the looks at commits (default: <bands>.ledger.csv)",
                {.type = "FILE", .needs = {"--again"}});
-    sub.option("--history", command.history, "File that a line for each quantity is added to; see 'ffstudy trend'",
-               {.type = "FILE"});
-    sub.option("--commit", command.commit, "Name of this run in the history", {.type = "COMMIT"});
     sub.option("--save-baseline", command.save_baseline, "Save what others are compared with; judge nothing",
                {.type = "FILE"});
     sub.option("--out", command.out, "Folder for the results (default: results/<bands>)", {.type = "DIR"});
@@ -40,21 +36,9 @@ CommandDefinition& add_check_of_files(ProgramDefinition& program, CheckCommand& 
     return sub;
 }
 
-void add_trend(ProgramDefinition& program, TrendCommand& command) {
-    CommandDefinition& sub = program.command(checks, "trend", "Find changes of means, spreads and costs over commits");
-    sub.option("HISTORY", command.history, "File that 'check --history' has filled", {.is_required = true});
-    sub.option("--alpha", command.alpha, "Chance of finding a change anywhere where there is none",
-               {.shows_default = true});
-    sub.option("--seed", command.seed, "Seed of the permutations", {.shows_default = true});
-    sub.option("--out", command.out, "Folder for trend.html (default: none is written)", {.type = "DIR"});
-    add_verbosity(sub, command.quiet);
-    sub.action = [&] { return trend(command); };
-}
-
 ExitCode check_files(const CheckCommand& command) {
     auto spec = studies::load_bands(command.bands, nullptr);
     expect_estimates(command, spec);
-    expect_history(command);
     if (!command.save_baseline.empty()) {
         save_means(command);
         return ExitCode::passed;

@@ -6,13 +6,9 @@
 
 namespace ff::app {
 
-/// Commands that judge what other programs report and run nothing themselves: the commands of the smaller program.
-
-/// `ffstudy check` with the options for gates on files; the caller sets its action.
+/// `ffstudy check` with the options for gates on what other programs report, which the smaller program has too; the
+/// caller sets its action.
 CommandDefinition& add_check_of_files(ProgramDefinition& program, CheckCommand& command);
-
-/// `ffstudy trend`
-void add_trend(ProgramDefinition& program, TrendCommand& command);
 
 /// Judges a bands file with gates on files only.
 ExitCode check_files(const CheckCommand& command);

@@ -1,13 +1,15 @@
 #include "reports/html/gates_html.hpp"
 
-#include "reports/html/html_page.hpp"
 #include "reports/terminal/gates_terminal.hpp"
 #include "reports/text/numbers.hpp"
 
 #include <fmt/format.h>
+#include <pugixml.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
+#include <string>
 
 namespace ff::reports {
 namespace {
@@ -15,8 +17,33 @@ namespace {
 constexpr double band_width = 300;
 constexpr double band_height = 24;
 
-constexpr const char* gates_style =
+constexpr const char* page_style =
+    "body{font:16px/1.4 sans-serif;margin:2em auto;max-width:75em;padding:0 1em;color:#1b1b1b;background:#fff}"
+    "table{border-collapse:collapse}td,th{text-align:left;vertical-align:top;padding:.4em .8em;"
+    "border-bottom:1px solid #ccc}svg{display:block}"
     "td.pass{color:#1a6b2b}td.fail{color:#a4161a;font-weight:bold}td.inconclusive{color:#7a5200;font-weight:bold}";
+
+void set_attribute(pugi::xml_node node, const char* attribute, const std::string& value) {
+    node.append_attribute(attribute).set_value(value.c_str());
+}
+
+/// A new last child with this text, which must not be empty.
+pugi::xml_node add_element(pugi::xml_node parent, const char* element, const std::string& text) {
+    pugi::xml_node node = parent.append_child(element);
+    node.text().set(text.c_str());
+    return node;
+}
+
+/// The root of a page without scripts, whose content is escaped on output.
+pugi::xml_node begin_page(pugi::xml_document& document, const std::string& title) {
+    pugi::xml_node html = document.append_child("html");
+    set_attribute(html, "lang", "en");
+    pugi::xml_node head = html.append_child("head");
+    set_attribute(head.append_child("meta"), "charset", "utf-8");
+    add_element(head, "title", title);
+    add_element(head, "style", page_style);
+    return html;
+}
 
 /// Values to places, so that all that is finite is seen.
 struct Scale {
@@ -59,9 +86,13 @@ void add_band_picture(pugi::xml_node cell, const studies::Comparison& row) {
     }
     const studies::Measurement& m = *row.measurement;
     const Scale scale = scale_of(row);
-    pugi::xml_node svg = add_svg(cell, band_width, band_height,
-                                 fmt::format("{}, interval {} to {}, {}", brief(m.value), brief(m.passing.low),
-                                             brief(m.passing.high), band_in_words(row.band)));
+    pugi::xml_node svg = cell.append_child("svg");
+    set_attribute(svg, "width", fmt::format("{:g}", band_width));
+    set_attribute(svg, "height", fmt::format("{:g}", band_height));
+    set_attribute(svg, "role", "img");
+    set_attribute(svg, "aria-label",
+                  fmt::format("{}, interval {} to {}, {}", brief(m.value), brief(m.passing.low), brief(m.passing.high),
+                              band_in_words(row.band)));
     add_bar(svg, scale(row.band.low), scale(row.band.high), band_height, "#d9e6f2");
     add_bar(svg, scale(m.failing.low), scale(m.failing.high), 2, "#555");
     add_bar(svg, scale(m.passing.low), scale(m.passing.high), 8, "#1f5a99");
@@ -72,8 +103,11 @@ void add_band_picture(pugi::xml_node cell, const studies::Comparison& row) {
 
 std::string gates_html(const studies::CheckResults& check) {
     using studies::Verdict;
-    HtmlPage page = begin_page("Gates of " + check.spec.name, gates_style);
-    pugi::xml_node body = page.body;
+    const std::string title = "Gates of " + check.spec.name;
+    pugi::xml_document document;
+    pugi::xml_node html = begin_page(document, title);
+    pugi::xml_node body = html.append_child("body");
+    add_element(body, "h1", title);
     add_element(body, "p", gates_summary(check));
     add_element(
         body, "p",
@@ -93,7 +127,11 @@ std::string gates_html(const studies::CheckResults& check) {
             add_element(row, "td", gate_in_words(result));
         }
     }
-    return page_text(page);
+    std::ostringstream out;
+    out << "<!doctype html>\n";
+    html.print(out, "", pugi::format_raw | pugi::format_no_declaration);
+    out << "\n";
+    return out.str();
 }
 
 }  // namespace ff::reports

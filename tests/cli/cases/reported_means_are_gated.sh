@@ -165,9 +165,13 @@ expect_stderr "Add --against FILE.csv"
 ffstudy check bands.toml --against old.csv
 expect_status 2
 # Trials are another kind of file.
-python3 -c 'import random
+# trials SEED: 50 trials of mean 1.
+trials() {
+    python3 -c 'import random, sys
 print("trial,quantity,estimate")
-for i in range(50): print(f"{i},flux,{random.Random(i).gauss(1, 0.1)!r}")' >trials.csv
+for i in range(50): print(f"{i},flux,{random.Random(int(sys.argv[1]) + i).gauss(1, 0.1)!r}")' "$1"
+}
+trials 0 >trials.csv
 ffstudy check bands.toml --estimates trials.csv
 expect_status 2
 expect_stderr "is of trials, which are gated on bias and std"
@@ -178,3 +182,12 @@ expect_status 2
 # The picture of many bins.
 ffstudy check bands.toml --estimates new.csv --against old.csv
 expect_stdout "differences in standard errors, counts as logarithms: -7.5 or less |"
+# Trials are saved as means, which those of a later run are compared with.
+ffstudy check bands.toml --estimates trials.csv --save-baseline base.csv
+expect_status 0
+expect_in_file base.csv "quantity,mean,standard_error,n"
+trials 100 >trials.csv
+ffstudy check bands.toml --estimates trials.csv --save-baseline means.csv --quiet
+gate 'kind = "equal"' 'band = 0.2'
+ffstudy check bands.toml --estimates means.csv --against base.csv
+expect_status 0

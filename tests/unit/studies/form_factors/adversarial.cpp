@@ -37,7 +37,7 @@ TEST(AdversarialScenes, AreHeldByTheirIntervals) {
 TEST(AdversarialScenes, KnowTheirExchange) {
     for (const Obstacle obstacle : obstacles) {
         for (std::uint32_t replicate = 0; replicate < 3; ++replicate) {
-            stats::Draws draws({}, stats::Resampling::permutation, replicate);
+            stats::Draws draws({}, stats::Resampling::simulation, replicate);
             const AdversarialScene drawn = draw_adversarial(obstacle, draws);
             FormFactorRequest request;
             request.tolerance = 5e-7;
