@@ -167,7 +167,7 @@ std::map<std::string, std::string> matrix_files(const studies::Store& store) {
         faces.sight = studies::face_sight(plan.scenes[cell.scene]);
         add(files, folder + "areas", faces.areas, fmt::format("areas of the faces, {}", label));
         add_system(files, folder, label, plan, cell.scene,
-                   studies::treat(faces, trials.errors, trials.direct.front(), treatment));
+                   studies::treat(faces, trials.rays, trials.direct.front(), treatment));
         if (radiating_patches(plan.scenes[cell.scene], cell.subdivision) <= most_patches &&
             studies::tells_patches_apart(plan, index))
             add_patches(files, folder, label, plan, index, trials.numbers.front());

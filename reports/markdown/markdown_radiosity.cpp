@@ -15,8 +15,7 @@ std::string radiosity_section(const studies::StudyResults& results) {
         "The radiosity system (I − P F) m = e with the factors F of every trial, as they are and repaired: *direct* "
         "(every row from its own samples), *reciprocal* (one triangle from the other), *normalised* (the reciprocal "
         "matrix, rows divided by their sums), *balanced* (weighted least squares with closure, reciprocity and no "
-        "negative factor, errors those of counted hits), *weighted* (the same with the covariance that the method's "
-        "own trials show).\n\n";
+        "negative factor, errors those of counted hits).\n\n";
     for (const std::string& line : radiosity_in_brief(results)) out += fmt::format("- {}\n", markdown_text(line));
     for (const Table& table : radiosity_tables(results)) {
         out += fmt::format("\n### {}\n\n{}\n\n", table.title, table.note);

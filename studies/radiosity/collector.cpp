@@ -89,8 +89,8 @@ ConsequencesCollector::ConsequencesCollector(const Lighting& lighting, std::span
     for (std::size_t setting = 0; setting < exitance.size(); ++setting) settings_.emplace_back(setting);
 }
 
-void ConsequencesCollector::add(const Eigen::MatrixXd& direct, const Uncertainty& errors) {
-    Eigen::MatrixXd matrix = treat(lighting_->elements, errors, direct, found_.treatment);
+void ConsequencesCollector::add(const Eigen::MatrixXd& direct, const Eigen::VectorXd& rays) {
+    Eigen::MatrixXd matrix = treat(lighting_->elements, rays, direct, found_.treatment);
     if (matrix.size() == 0) {
         ++found_.not_balanced;
         return;

@@ -32,7 +32,8 @@ class ConsequencesCollector {
     ConsequencesCollector(const Lighting& lighting, std::span<const Eigen::VectorXd> exitance, Between between,
                           Treatment treatment, std::vector<std::uint64_t> solver_trials, const SolverOptions& options);
 
-    void add(const Eigen::MatrixXd& direct, const Uncertainty& errors);
+    /// @param rays  as of `treat`
+    void add(const Eigen::MatrixXd& direct, const Eigen::VectorXd& rays);
     Consequences finish(std::size_t cell, double level);
 
   private:

@@ -32,10 +32,9 @@ std::vector<Eigen::VectorXd> solve_with_exact_factors(const StudyPlan& plan, std
     return exitance;
 }
 
-/// One collector for each treatment that is possible. Solvers are run on the method's own completion.
+/// One collector for each treatment. Solvers are run on the method's own completion.
 std::vector<ConsequencesCollector> make_collectors(const StudyPlan& plan, std::size_t cell, const Lighting& lighting,
-                                                   const std::vector<Eigen::VectorXd>& exitance, Between between,
-                                                   const Uncertainty& errors) {
+                                                   const std::vector<Eigen::VectorXd>& exitance, Between between) {
     std::vector<std::uint64_t> solver_trials(exitance.size(), plan.spec.radiosity->solver_trials);
     for (std::size_t setting = 0; between == Between::patches && setting < solver_trials.size(); ++setting)
         solver_trials[setting] = runs_solvers(plan, static_cast<double>(lighting.elements.areas.size()), setting);
@@ -43,7 +42,6 @@ std::vector<ConsequencesCollector> make_collectors(const StudyPlan& plan, std::s
     const Treatment own = treatment_of(plan.spec.methods[plan.cells[cell].method].completion);
     std::vector<ConsequencesCollector> collectors;
     for (const Treatment treatment : all_treatments) {
-        if (treatment == Treatment::weighted && errors.covariances.empty()) continue;
         collectors.emplace_back(lighting, exitance, between, treatment, treatment == own ? solver_trials : none,
                                 solver_options(plan));
     }
@@ -58,10 +56,9 @@ void evaluate_between_faces(const Store& store, RadiosityResults& results) {
         for (std::size_t cell = 0; cell < plan.cells.size(); ++cell) {
             if (plan.cells[cell].scene != scene) continue;
             const TrialMatrices trials = load_matrices(store, cell);
-            auto collectors = make_collectors(plan, cell, lighting, exitance, Between::faces, trials.errors);
-            for (std::size_t trial = 0; trial < trials.direct.size(); ++trial) {
-                const Uncertainty errors = errors_without(trials, trial, lighting.elements.sight);
-                for (ConsequencesCollector& collector : collectors) collector.add(trials.direct[trial], errors);
+            auto collectors = make_collectors(plan, cell, lighting, exitance, Between::faces);
+            for (const Eigen::MatrixXd& direct : trials.direct) {
+                for (ConsequencesCollector& collector : collectors) collector.add(direct, trials.rays);
             }
             for (ConsequencesCollector& collector : collectors)
                 results.consequences.push_back(collector.finish(cell, plan.spec.level));
@@ -71,12 +68,12 @@ void evaluate_between_faces(const Store& store, RadiosityResults& results) {
 
 /// Trials of one cell, until `stop`: a trial is whole or left out.
 void add_trials_between_patches(const StudyPlan& plan, std::size_t cell, std::uint64_t trials,
-                                const Uncertainty& errors, std::vector<ConsequencesCollector>& collectors,
+                                const Eigen::VectorXd& rays, std::vector<ConsequencesCollector>& collectors,
                                 const std::atomic<bool>* stop) {
     try {
         for (std::uint64_t trial = 0; trial < trials; ++trial) {
             const Eigen::MatrixXd direct = trace_patch_factors(plan, cell, trial, stop);
-            for (ConsequencesCollector& collector : collectors) collector.add(direct, errors);
+            for (ConsequencesCollector& collector : collectors) collector.add(direct, rays);
         }
     } catch (const Interrupted&) {
     }
@@ -98,13 +95,11 @@ void evaluate_between_patches(const Store& store, RadiosityResults& results, con
         for (const std::size_t cell : cells) {
             if (stopped()) return;
             const bool counted = estimator_info(plan.spec.methods[plan.cells[cell].method]).observes == Observes::hits;
-            Uncertainty errors;
-            if (counted) {
-                errors.rays = Eigen::VectorXd::Constant(lighting.elements.areas.size(),
-                                                        static_cast<double>(plan.cells[cell].samples));
-            }
-            auto collectors = make_collectors(plan, cell, lighting, exitance, Between::patches, errors);
-            add_trials_between_patches(plan, cell, patch_trials(plan, cell), errors, collectors, stop);
+            Eigen::VectorXd rays;
+            if (counted)
+                rays.setConstant(lighting.elements.areas.size(), static_cast<double>(plan.cells[cell].samples));
+            auto collectors = make_collectors(plan, cell, lighting, exitance, Between::patches);
+            add_trials_between_patches(plan, cell, patch_trials(plan, cell), rays, collectors, stop);
             for (ConsequencesCollector& collector : collectors) {
                 Consequences found = collector.finish(cell, plan.spec.level);
                 if (found.trials + found.not_balanced > 0) results.consequences.push_back(std::move(found));

@@ -12,8 +12,6 @@
 namespace ff::studies {
 namespace {
 
-constexpr double treatments_between_patches = 4;
-
 /// Matrices between patches at a time: exact factors, estimates, treated ones, and what balancing or elimination needs.
 constexpr std::uint64_t matrices = 9;
 constexpr std::uint64_t bytes_of_a_kernel_pair = 110;
@@ -86,11 +84,11 @@ double seconds_of_radiosity(const StudyPlan& plan) {
     if (!plan.spec.radiosity) return 0;
     const RadiosityRequest& request = *plan.spec.radiosity;
     const auto settings = static_cast<double>(request.reflectance.size());
+    constexpr auto treatments = static_cast<double>(all_treatments.size());
     double seconds = 0;
     std::set<std::pair<std::size_t, std::uint32_t>> with_exact_factors;  // scenes and subdivisions
     for (std::size_t index = 0; index < plan.cells.size(); ++index) {
         const Cell& cell = plan.cells[index];
-        const auto treatments = static_cast<double>(all_treatments.size());
         seconds += static_cast<double>(cell.trials) * treatments * settings * seconds_between_faces;
         if (!has_patch_systems(plan, index)) continue;
         const double n = radiating_patches(plan.scenes[cell.scene], cell.subdivision);
@@ -100,7 +98,7 @@ double seconds_of_radiosity(const StudyPlan& plan) {
             trial += seconds_of_a_traced_ray * static_cast<double>(evaluations_per_trial(plan, cell));
         if (with_exact_factors.emplace(cell.scene, cell.subdivision.m).second)
             seconds += n * n / 2 * seconds_of_an_exact_factor + seconds_of_systems(plan, n, true);
-        seconds += trials * (trial + treatments_between_patches * seconds_of_systems(plan, n, false));
+        seconds += trials * (trial + treatments * seconds_of_systems(plan, n, false));
         seconds += seconds_of_systems(plan, n, true) - seconds_of_systems(plan, n, false);
     }
     return seconds;

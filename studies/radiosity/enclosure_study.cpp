@@ -142,16 +142,15 @@ EnclosureResults study_enclosure(const EnclosureRequest& request) {
     if (request.trials == 0) return results;
     std::vector<ConsequencesCollector> collectors;
     for (const Treatment treatment : all_treatments) {
-        if (treatment == Treatment::weighted) continue;  // the law of the hits is known: `balanced` has it
         collectors.emplace_back(lighting, exitance, Between::faces, treatment,
                                 std::vector(exitance.size(), request.light.solver_trials), options);
     }
     const StreamKey key = derive_key(
         request.seed, fmt::format("enclosure {}|{}|n={}", request.name, request.mirror.value_or(""), request.rays));
-    const Uncertainty errors{Eigen::VectorXd::Constant(lighting.exact.rows(), static_cast<double>(request.rays)), {}};
+    const auto rays = Eigen::VectorXd::Constant(lighting.exact.rows(), static_cast<double>(request.rays)).eval();
     for (std::uint64_t trial = 0; trial < request.trials; ++trial) {
         const Eigen::MatrixXd direct = draw(lighting.exact, key, static_cast<std::uint32_t>(trial), request.rays);
-        for (ConsequencesCollector& collector : collectors) collector.add(direct, errors);
+        for (ConsequencesCollector& collector : collectors) collector.add(direct, rays);
     }
     for (ConsequencesCollector& collector : collectors)
         results.consequences.push_back(collector.finish(0, interval_level));

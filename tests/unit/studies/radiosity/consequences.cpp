@@ -93,7 +93,6 @@ TEST(Consequences, OfPdmLoseDominanceAboveTheReciprocalOfARowSum) {
 
 TEST(Consequences, VanishForExactFactors) {
     for (const Treatment treatment : all_treatments) {
-        if (treatment == Treatment::weighted) continue;  // a single trial shows no covariance
         const Consequences& found = of(2, treatment);
         EXPECT_LT(found.factor_error.median, 1e-14);
         for (const SettingFindings& at : found.settings) {
@@ -115,38 +114,6 @@ TEST(Treatments, RemoveTheDefectsThatTheyPromiseToRemove) {
     EXPECT_LT(balanced.factor_error.median, of(0, Treatment::direct).factor_error.median);
     // Errors of adjacent pairs are spread over all: parallel ones, which were exact, pay for closure.
     EXPECT_LT(of(1, Treatment::balanced).factor_error.median, of(1, Treatment::direct).factor_error.median);
-}
-
-// Stratified rays err less, and otherwise than independent ones: their own covariance serves them better.
-TEST(Treatments, MayUseTheCovarianceOfTheSampler) {
-    const auto results = evaluate_radiosity(test::run(lit_plan("trials = 400", R"([[method]]
-name = "stratified"
-sampler = "stratified"
-estimator = "ray_shooting"
-samples_per_patch = 625
-[[method]]
-name = "kernel"
-sampler = "random"
-estimator = "area_kernel"
-samples_per_patch = 16
-[[method]]
-name = "points"
-sampler = "random"
-estimator = "point_to_polygon"
-samples_per_patch = 16
-)",
-                                                               "reflectance = 0.5\n")));
-    const Consequences* weighted = results.find(0, Treatment::weighted);
-    ASSERT_NE(weighted, nullptr);
-    EXPECT_EQ(weighted->not_balanced, 0u);
-    EXPECT_LT(weighted->closure_defect.largest, 1e-10);
-    EXPECT_LT(weighted->reciprocity_defect.largest, 1e-13);
-    EXPECT_LT(*weighted->settings[0].light_error, *results.find(0, Treatment::balanced)->settings[0].light_error);
-    EXPECT_EQ(results.find(1, Treatment::weighted), nullptr) << "no variance where faces touch";
-    EXPECT_LT(results.find(2, Treatment::weighted)->factor_error.median,
-              results.find(2, Treatment::direct)->factor_error.median);
-    EXPECT_EQ(of(1, Treatment::direct).trials, 1u);
-    EXPECT_EQ(small_results().find(1, Treatment::weighted), nullptr) << "one trial shows no covariance";
 }
 
 const RadiosityResults& between_patches() {
