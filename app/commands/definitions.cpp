@@ -56,9 +56,8 @@ void add_figure(ProgramDefinition& program, FigureCommand& command) {
     sub.option("--width", command.width, "Width, in mm, cm, in or pt", {.type = "LENGTH", .shows_default = true});
     sub.option("--height", command.height, "Height (default: as the picture has it)", {.type = "LENGTH"});
     sub.option("--font-size", command.font_size, "Size of letters, in points", {.shows_default = true});
-    sub.option("--font", command.font, "Family of letters (default: that of reports; .pgf takes the document's)",
-               {.type = "FONT"});
-    sub.option("--out", command.out, "File: .pdf, .svg, .png or .pgf (default: PICTURE.pdf)", {.type = "FILE"});
+    sub.option("--font", command.font, "Family of letters (default: that of reports)", {.type = "FONT"});
+    sub.option("--out", command.out, "File: .pdf, .svg or .png (default: PICTURE.pdf)", {.type = "FILE"});
     sub.option("--templates", command.templates, "Folder of custom templates", {.type = "DIR"});
     sub.action = [&] { return figure(command); };
 }

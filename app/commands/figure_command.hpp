@@ -19,7 +19,7 @@ struct FigureCommand {
     std::string height;  ///< empty: the default of the kind of picture
     double font_size = 8;
     std::string font;
-    std::filesystem::path out;        ///< .svg, .pdf, .png or .pgf; empty: the picture's name, .pdf
+    std::filesystem::path out;        ///< .svg, .pdf or .png; empty: the picture's name, .pdf
     std::filesystem::path templates;  ///< folder of custom templates; empty: none
 };
 

@@ -72,12 +72,10 @@ void convert(const std::filesystem::path& drawing, std::string_view format, cons
                  drawing.string()});
 }
 
-/// @throws UserError where it cannot be drawn in this size or format
+/// @throws UserError where it cannot be drawn in this size
 void expect_drawable(const reports::Picture& picture, const reports::Templates& templates,
-                     const reports::FigureStyle& style, const std::filesystem::path& file) {
+                     const reports::FigureStyle& style) {
     const std::string kind = templates.text(picture.kind + ".json");
-    if (file.extension() == ".pgf" && kind.find("gradient") != std::string::npos)
-        throw UserError(fmt::format("{} (a scale of colours has no PGF). Write it as .pdf instead.", file.string()));
     const bool follows =
         kind.find("\"y_step\"") != std::string::npos || picture.values.find("\"aspect\"") != std::string::npos;
     if (style.height && follows)
@@ -128,16 +126,15 @@ void write_figure(const std::filesystem::path& file, const reports::Picture& pic
                   const reports::Templates& templates, const reports::FigureStyle& style) {
     const std::string format = file.extension().string();
     const bool converted = format == ".pdf" || format == ".png";
-    if (!converted && format != ".svg" && format != ".pgf")
-        throw UserError(
-            fmt::format("--out {} (a figure ends in .pdf, .svg, .png or .pgf). Name it so.", file.string()));
+    if (!converted && format != ".svg")
+        throw UserError(fmt::format("--out {} (a figure ends in .pdf, .svg or .png). Name it so.", file.string()));
     converted ? expect_pdf_programs() : expect_svg_programs();
-    expect_drawable(picture, templates, style, file);
+    expect_drawable(picture, templates, style);
     const auto parent = file.parent_path();
     const OutputFolder folder(parent.empty() ? "." : parent, "figure");
     const auto workshop = folder.make_workshop();
     draw(reports::drawing_request({picture}, templates, style), workshop);
-    const auto drawing = workshop / (picture.id + (format == ".pgf" ? ".pgf" : ".svg"));
+    const auto drawing = workshop / (picture.id + ".svg");
     reports::replace_file(file, [&](const std::filesystem::path& place) {
         if (converted) return convert(drawing, format.substr(1), place);
         std::filesystem::copy_file(drawing, place, std::filesystem::copy_options::overwrite_existing);

@@ -17,8 +17,8 @@ void expect_pdf_programs();
 void write_svg(OutputFolder& folder, const ResultSources& sources);
 void write_pdf(OutputFolder& folder, const ResultSources& sources);
 
-/// Draws one picture into a file: .svg, .pdf, .png (at 300 dots per inch) or .pgf.
-/// @throws IoError; UserError for another extension, and for a picture that cannot be drawn in that format
+/// Draws one picture into a file: .svg, .pdf or .png (at 300 dots per inch).
+/// @throws IoError; UserError for another extension, and for a height that the picture cannot have
 void write_figure(const std::filesystem::path& file, const reports::Picture& picture,
                   const reports::Templates& templates, const reports::FigureStyle& style);
 

@@ -1,9 +1,8 @@
 // draw_svg.mjs PICTURES.json OUT: draws every picture of the file into OUT/ID.svg, without a browser; with `style`, as a
-// figure of that size for a paper, into OUT/ID.pgf too.
+// figure of that size for a paper.
 
 import {readFileSync, writeFileSync} from 'node:fs';
 import {join} from 'node:path';
-import {pgf} from './pgf.js';
 import {View, expressionInterpreter, parse, prepare, settle} from './runtime.js';
 
 // The colours of the light theme: for paper.
@@ -36,16 +35,13 @@ async function figure(kind, values, style) {
   const svg = await draw(kind, values, px(style.width), style.height && px(style.height));
   const [, width, height] = / width="([\d.]+)" height="([\d.]+)"/.exec(svg);
   const mm = length => `${(length * scale / pxOfMm).toFixed(3)}mm`;
-  return {
-    svg: svg.replace(/ width="[\d.]+" height="[\d.]+"/, ` width="${mm(width)}" height="${mm(height)}"`)
-            .replaceAll(/font-family="[^"]*"/g, given => style.font ? `font-family="${style.font}"` : given),
-    ...(!svg.includes('<linearGradient') && {pgf: pgf(svg, {width, height, scale: scale / pxOfPoint})}),
-  };
+  return svg.replace(/ width="[\d.]+" height="[\d.]+"/, ` width="${mm(width)}" height="${mm(height)}"`)
+            .replaceAll(/font-family="[^"]*"/g, given => style.font ? `font-family="${style.font}"` : given);
 }
 
 const [file, out] = process.argv.slice(2);
 const {kinds, pictures, style} = JSON.parse(readFileSync(file, 'utf8'));
 for (const {id, kind, values} of pictures) {
-  const drawn = style ? await figure(kinds[kind], values, style) : {svg: await draw(kinds[kind], values, widthOfReports)};
-  for (const [format, text] of Object.entries(drawn)) writeFileSync(join(out, `${id}.${format}`), text);
+  const svg = style ? await figure(kinds[kind], values, style) : await draw(kinds[kind], values, widthOfReports);
+  writeFileSync(join(out, `${id}.svg`), svg);
 }

@@ -1,20 +1,14 @@
 #!/usr/bin/env bash
-# A figure as PDF and as PNG, and LaTeX takes the .pgf.
-# Needs rsvg-convert and LaTeX with pgf.
+# A figure as PDF and as PNG.
+# Needs rsvg-convert.
 source "$(dirname "$0")/../harness.sh"
 
 ffstudy convergence --sampler random,sobol --samples 64,128,256 --trials 6 --out out --quiet
 expect_status 0
-for format in pdf png pgf; do
+for format in pdf png; do
     ffstudy figure out convergence --pairs adjacent --width 84mm --height 60mm --out fig.$format
     expect_status 0
 done
 [ "$(head -c 5 fig.pdf)" = %PDF- ] || fail "fig.pdf is no PDF"
 [ "$(head -c 4 fig.png | tail -c 3)" = PNG ] || fail "fig.png is no PNG"
 [ -z "$(find . -name '.ffstudy-part*')" ] || fail "expected nothing left of what was on its way"
-
-# Where LaTeX has the package.
-if kpsewhich pgf.sty >/dev/null; then
-    echo '\documentclass{article}\usepackage{pgf}\usepgflibrary{svg.path}\begin{document}\input{fig.pgf}\end{document}' >paper.tex
-    pdflatex -halt-on-error -interaction=nonstopmode paper.tex >"$folder/stdout" 2>&1 </dev/null || fail "pdflatex refuses the figure"
-fi
