@@ -34,6 +34,21 @@ static_assert(std::endian::native == std::endian::little, "blobs are little-endi
                                   : "Check the disk, the permissions and the file."));
 }
 
+/// Undoes a change that a killed program left half-written, which a connection that only reads cannot do.
+/// Where that fails, reading fails too, and says why.
+void undo_interrupted_change(sqlite3* reader, const std::string& name) {
+    constexpr const char* read_something = "PRAGMA schema_version";
+    if (sqlite3_exec(reader, read_something, nullptr, nullptr, nullptr) == SQLITE_OK ||
+        sqlite3_extended_errcode(reader) != SQLITE_READONLY_ROLLBACK)
+        return;
+    sqlite3* writer = nullptr;
+    if (sqlite3_open_v2(name.c_str(), &writer, SQLITE_OPEN_READWRITE, nullptr) == SQLITE_OK) {
+        sqlite3_busy_timeout(writer, patience_ms);
+        sqlite3_exec(writer, read_something, nullptr, nullptr, nullptr);
+    }
+    sqlite3_close_v2(writer);
+}
+
 }  // namespace
 
 Statement::Statement(sqlite3* database, std::string_view sql) : database_(database) {
@@ -141,6 +156,7 @@ Database::Database(const std::filesystem::path& file, Mode mode) {
           std::pair{SQLITE_DBCONFIG_ENABLE_TRIGGER, 0}, std::pair{SQLITE_DBCONFIG_ENABLE_VIEW, 0}}) {
         if (sqlite3_db_config(handle_, option, value, nullptr) != SQLITE_OK) fail(handle_);
     }
+    if (mode == Mode::read_only) undo_interrupted_change(handle_, sqlite_name(file));
 }
 
 Database::~Database() {
