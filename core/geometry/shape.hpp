@@ -14,12 +14,16 @@ struct Parallelogram {
     Eigen::Vector3d corner;
     Eigen::Vector3d edge_u;
     Eigen::Vector3d edge_v;
+
+    bool operator==(const Parallelogram&) const = default;
 };
 
 /// Corners a, b, c: s is the square of the distance from a, as a share of that of the opposite side; t leads from b's
 /// side to c's.
 struct Triangle {
     Eigen::Vector3d a, b, c;
+
+    bool operator==(const Triangle&) const = default;
 };
 
 /// A disc, or an annulus where inner_radius > 0, in the plane through `centre` that the surface's normal is
@@ -28,6 +32,8 @@ struct Disc {
     Eigen::Vector3d centre;
     double inner_radius = 0;
     double outer_radius = 0;
+
+    bool operator==(const Disc&) const = default;
 };
 
 /// Which side of a curved shape radiates.
@@ -44,6 +50,8 @@ struct Frustum {
     double base_radius = 0;
     double top_radius = 0;
     Facing facing = Facing::outward;
+
+    bool operator==(const Frustum&) const = default;
 };
 
 /// The part of a sphere between the planes at low * radius and high * radius along the axis, -1 <= low < high <= 1: a
@@ -55,6 +63,8 @@ struct SphereZone {
     double low = -1;
     double high = 1;
     Facing facing = Facing::outward;
+
+    bool operator==(const SphereZone&) const = default;
 };
 
 using Shape = std::variant<Parallelogram, Triangle, Disc, Frustum, SphereZone>;

@@ -164,6 +164,13 @@ Table cells_table(const RunComparison& comparison) {
     return table;
 }
 
+/// A value of a study file, or that it is too long to show, as the text of a scene is.
+std::string shown(const std::string& value) {
+    constexpr std::size_t longest = 60;
+    if (value.empty()) return "–";
+    return value.size() > longest ? fmt::format("{} characters", value.size()) : value;
+}
+
 Table differences_table(const RunComparison& comparison) {
     Table table{
         "studies",
@@ -173,10 +180,8 @@ Table differences_table(const RunComparison& comparison) {
         {},
         {}};
     for (const auto& [place, key, first, second] : comparison.differences) {
-        table.rows.push_back({{place, Mark::none},
-                              {key, Mark::none},
-                              {first.empty() ? "–" : first, Mark::none},
-                              {second.empty() ? "–" : second, Mark::none}});
+        table.rows.push_back(
+            {{place, Mark::none}, {key, Mark::none}, {shown(first), Mark::none}, {shown(second), Mark::none}});
     }
     return table;
 }
@@ -197,6 +202,12 @@ void add_unmatched(const studies::Findings& findings, const std::vector<std::siz
 
 std::vector<std::string> remarks(const RunComparison& comparison) {
     std::vector<std::string> lines;
+    for (const studies::ChangedScene& scene : comparison.changed_scenes) {
+        lines.push_back(scene.same_faces
+                            ? fmt::format("Scene '{}' is not the same in both runs, but its faces are.", scene.name)
+                            : fmt::format("Scene '{}' has other faces in each run ({} and {}): not compared.",
+                                          scene.name, scene.faces[0], scene.faces[1]));
+    }
     add_unmatched(comparison.first, comparison.only_first, comparison.names[0], lines);
     add_unmatched(comparison.second, comparison.only_second, comparison.names[1], lines);
     return lines;

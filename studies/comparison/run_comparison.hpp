@@ -70,6 +70,13 @@ struct Lead {
     std::optional<stats::Interval> decided;  ///< the same for significant ones, larger / smaller
 };
 
+/// A scene of one name that is not the same in both runs: its file was changed, say.
+struct ChangedScene {
+    std::string name;
+    bool same_faces = false;  ///< in name and shape, so that their factors are compared
+    std::array<std::size_t, 2> faces{};
+};
+
 /// Two runs side by side.
 struct RunComparison {
     std::array<std::string, 2> names;  ///< names by which the user knows the runs
@@ -78,6 +85,7 @@ struct RunComparison {
     std::vector<CellComparison> cells;    ///< in the order of the first run
     std::vector<std::size_t> only_first;  ///< cells without a counterpart
     std::vector<std::size_t> only_second;
+    std::vector<ChangedScene> changed_scenes;
     std::vector<SpecDifference> differences;
     std::size_t tests = 0;  ///< of means, variances and RMSEs, which share one error rate
     double level = 0.95;    ///< 1 - that error rate; of intervals too
@@ -90,7 +98,8 @@ struct RunComparison {
 /// A method of either run.
 using MethodNames = std::array<std::string, 2>;
 
-/// Compares what two runs have in common, matched by the names of scene and method and by size. If two independent runs
+/// Compares what two runs have in common, matched by the names of scene and method and by size; scenes of one name have
+/// to have the same faces, by name and shape. If two independent runs
 /// are equivalent, the chance that any of their cells is reported as different is at most 1 - level. Level and power
 /// are those of the first study. Pure.
 /// @param names    of the runs

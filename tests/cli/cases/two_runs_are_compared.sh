@@ -119,3 +119,37 @@ ffstudy compare a a.toml
 expect_status 2
 ffstudy compare a
 expect_status 2
+
+# A scene file that changed between two runs: other faces are not compared, the same ones with something else between are.
+room() {  # room FACES [BLOCKER]
+    local corners=("1 4 3 2" "5 6 7 8" "1 2 6 5" "4 8 7 3" "1 5 8 4" "2 3 7 6")
+    printf 'v %s\n' "0 0 0" "1 0 0" "1 1 0" "0 1 0" "0 0 1" "1 0 1" "1 1 1" "0 1 1" "0.4 0.4 0.5" "0.6 0.4 0.5" "0.6 0.6 0.5"
+    for ((face = 0; face < $1; ++face)); do printf 'g wall%d\nf %s\n' "$face" "${corners[face]}"; done
+    [ -z "${2-}" ] || printf 'g occluder\nf 9 10 11\n'
+}
+cat >changing.toml <<'END_OF_STUDY'
+[study]
+name = "changing"
+scene = "room.obj"
+trials = 20
+seed = 1
+[[method]]
+name = "rays"
+sampler = "sobol"
+estimator = "ray_shooting"
+samples_per_patch = 64
+END_OF_STUDY
+for version in "six 6" "four 4" "other 6 blocked"; do
+    set -- $version
+    room "${@:2}" >room.obj
+    ffstudy run changing.toml --quiet --out "room_$1"
+    expect_status 0
+done
+for pair in "room_six room_four" "room_four room_six"; do
+    # shellcheck disable=SC2086  # two words
+    ffstudy compare $pair
+    expect_status 2
+    expect_stderr "scene 'room.obj' has other faces in each run"
+done
+ffstudy compare room_six room_other
+expect_stdout "Scene 'room.obj' is not the same in both runs, but its faces are."
