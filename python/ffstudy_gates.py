@@ -65,32 +65,36 @@ def _expect_options(band, alpha, power, pass_alpha, reference_error):
         raise ValueError(f"reference_error = {reference_error} (a standard error is not negative).")
 
 
-def _skewness(x):
-    """Skewness, its standard error by the influence function, and that for normal values."""
+def _skewness_of_mean(x):
+    """Skewness of the mean of x, its standard error by the influence function, and the largest that says nothing."""
     n = len(x)
     z = (x - x.mean()) / x.std()
     third = (z**3).mean()
     influence = z**3 - third - 3 * z - 1.5 * third * (z**2 - 1)
     normal = math.sqrt(6 * n * (n - 1) / ((n - 2) * (n + 1) * (n + 3)))
-    return third * math.sqrt(n * (n - 1)) / (n - 2), max(normal, math.sqrt((influence**2).mean() / n)), normal
+    root = math.sqrt(n)
+    return (third * math.sqrt(n * (n - 1)) / (n - 2) / root, max(normal, math.sqrt((influence**2).mean() / n)) / root,
+            2 * normal / root if n >= 30 else -math.inf)
 
 
-def _reach(skewness, n, t):
-    """How far a limit lies from the mean, in standard errors, and whether it proves nothing [hall1992, johnson1978].
+def _reach(skewness, side, t, z):
+    """How far a limit lies from the mean, in standard errors [hall1992, johnson1978]; infinite where x is too skewed.
 
-    `skewness` is positive where it makes this limit fall short.
+    Side 1 is the upper limit, -1 the lower one; t and z are critical values of the tail beyond it. The factors are
+    explained in stats/skewed_reach.hpp.
     """
-    value, error, normal = skewness
-    cautious = value + 3 * error
+    value, error, insignificant = skewness
+    value *= side
+    cautious = value + 0.7 * z * error
     if cautious <= 0:
-        return t, False
-    scale = cautious / math.sqrt(n)
-    first_order = t + scale * (2 * t * t + 1) / 6
-    is_open = (value > 2 * normal or n < 30) and scale * t > 1.5
-    if scale < 1e-4:
-        return first_order, is_open
-    hall = (1 - float(numpy.cbrt(1 - scale * (t + scale / 6)))) * 3 / scale
-    return max(t, hall, first_order), is_open
+        return t
+    if value > insignificant and cautious * t > 2:
+        return math.inf
+    first_order = t + cautious * (2 * t * t + 1) / 6
+    if cautious < 1e-4:
+        return first_order
+    hall = (1 - float(numpy.cbrt(1 - cautious * (t + cautious / 6)))) * 3 / cautious
+    return max(t, hall, first_order)
 
 
 def trials_needed(sigma, band, *, power=0.9, pass_alpha=0.05, reference_error=0.0):
@@ -123,19 +127,14 @@ def judge_mean(samples, reference, *, band, alpha=1e-4, power=0.9, pass_alpha=0.
     own = sigma / math.sqrt(n)
     error = math.hypot(own, reference_error)
     freedom = (n - 1) * (error / own) ** 4  # Welch; the reference has infinite freedom
-    value, *errors = _skewness(x)
+    skewness = _skewness_of_mean(x)
     effect = float(x.mean()) - reference
 
-    def interval(tail):
-        t = stats.t.isf(tail, freedom)
-        below, below_open = _reach((-value, *errors), n, t)
-        above, above_open = _reach((value, *errors), n, t)
-        return (-math.inf if below_open else effect - below * error, math.inf if above_open else effect + above * error)
+    def limit(side, tail):
+        return effect + side * error * _reach(skewness, side, stats.t.isf(tail, freedom), stats.norm.isf(tail))
 
-    fail_low, fail_high = interval(alpha / 2)
-    low, high = interval(pass_alpha)
-    if math.isinf(low) or math.isinf(high):
-        low, high = -math.inf, math.inf
+    fail_low, fail_high = limit(-1, alpha / 2), limit(1, alpha / 2)
+    low, high = limit(-1, pass_alpha), limit(1, pass_alpha)
     verdict = "inconclusive"
     if fail_low > band or fail_high < -band:
         verdict = "fail"

@@ -139,20 +139,20 @@ Result mean(const Values& values, double reference, const Options& options) {
     const double error = std::hypot(own, options.reference_error);
     const double freedom = (n - 1) * std::pow(error / own, 4);  // Welch; the reference has infinite freedom
     const double alpha = options.alpha / static_cast<double>(options.comparisons);
-    const Skewness skewness = skewness_of(values, n);
-    const auto passing = skewed_reach(skewness, n, student_critical(freedom, options.pass_alpha));
-    const auto failing = skewed_reach(skewness, n, student_critical(freedom, alpha / 2));
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    const bool open = passing.below_is_open || passing.above_is_open;
     Result result = detail::within(-options.band, options.band, options);
     result.effect = centre - reference;
-    result.low = open ? -infinity : result.effect - passing.below * error;
-    result.high = open ? infinity : result.effect + passing.above * error;
     result.n = n;
     result.trials_to_decide = detail::trials_for(sigma, options);
-    const double fail_low = failing.below_is_open ? -infinity : result.effect - failing.below * error;
-    const double fail_high = failing.above_is_open ? infinity : result.effect + failing.above * error;
-    if (open || failing.below_is_open || failing.above_is_open)
+    const MeanSkewness skewness = skewness_of_mean(values, n);
+    const auto limit = [&](int side, double tail) {
+        const double t = student_critical(freedom, tail);
+        return result.effect + side * error * skewed_reach(skewness, side, t, normal_critical(tail));
+    };
+    result.low = limit(-1, options.pass_alpha);
+    result.high = limit(1, options.pass_alpha);
+    const double fail_low = limit(-1, alpha / 2);
+    const double fail_high = limit(1, alpha / 2);
+    if (!std::isfinite(result.high - result.low) || !std::isfinite(fail_high - fail_low))
         result.note = "Too skewed, or too few trials, for an interval at one of these levels.";
     return detail::judged(result, fail_low, fail_high);
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <string_view>
 
@@ -27,6 +28,8 @@ struct Interval {
 
     [[nodiscard]] bool contains(double value) const { return low <= value && value <= high; }
     [[nodiscard]] double width() const { return high - low; }
+    /// An infinite end tells that the observations prove nothing on that side.
+    [[nodiscard]] bool is_finite() const { return std::isfinite(low) && std::isfinite(high); }
 };
 
 /// Interval of the square root of a nonnegative quantity, e.g. of sigma from that of the variance.

@@ -2,6 +2,7 @@
 
 #include "core/support/contract.hpp"
 #include "stats/distributions.hpp"
+#include "stats/moments.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -16,75 +17,64 @@ std::uint64_t at_least_pilot(Pilot pilot, double trials) {
     return std::max<std::uint64_t>(pilot.n, static_cast<std::uint64_t>(std::ceil(std::min(trials, most_trials))));
 }
 
-double freedom(Pilot pilot) {
-    return static_cast<double>(pilot.n - 1);
-}
-
-double standard_error(const Moments& all, Pilot pilot) {
-    return pilot.standard_deviation / std::sqrt(static_cast<double>(all.count()));
-}
-
 }  // namespace
 
 std::optional<Pilot> pilot_of(std::span<const double> values, std::size_t n) {
     FF_EXPECT(n >= 2);
     if (values.size() < n) return std::nullopt;
-    const Pilot pilot{n, moments_of(values.first(n), values.front()).standard_deviation().value_or(0.0)};
+    const double deviation = moments_of(values.first(n), values.front()).standard_deviation().value_or(0.0);
+    const Pilot pilot{.n = n, .standard_deviation = deviation, .skewness = {}};
     return pilot.standard_deviation > 0 ? std::optional(pilot) : std::nullopt;
 }
 
+std::optional<Pilot> skewed_pilot_of(std::span<const double> values, std::size_t n, double largest_part) {
+    FF_EXPECT(n >= 3);
+    auto pilot = pilot_of(values, n);
+    if (!pilot) return pilot;
+    const auto number = static_cast<double>(n);
+    pilot->skewness = gate::skewness_of_mean(values.first(n), number);
+    pilot->skewness.most = largest_part / pilot->standard_deviation / std::sqrt(number);
+    return pilot;
+}
+
+gate::MeanSkewness Pilot::skewness_at(std::uint64_t trials) const {
+    const double factor = std::sqrt(static_cast<double>(n) / static_cast<double>(trials));
+    gate::MeanSkewness scaled = skewness;
+    for (double* part : {&scaled.value, &scaled.error, &scaled.insignificant, &scaled.most}) *part *= factor;
+    return scaled;
+}
+
 double half_width_of(Pilot pilot, std::uint64_t trials, double level) {
-    return student_critical(freedom(pilot), (1 - level) / 2) * pilot.standard_deviation /
-           std::sqrt(static_cast<double>(trials));
+    const double tail = (1 - level) / 2;
+    const double t = student_critical(pilot.freedom(), tail);
+    const double z = normal_critical(tail);
+    const gate::MeanSkewness skewness = pilot.skewness_at(trials);
+    const double reach = std::max(gate::skewed_reach(skewness, 1, t, z), gate::skewed_reach(skewness, -1, t, z));
+    return reach * pilot.standard_deviation / std::sqrt(static_cast<double>(trials));
 }
 
 double rmse_of(Pilot pilot, std::uint64_t trials) {
     FF_EXPECT(pilot.n >= 4);
-    return pilot.standard_deviation * std::sqrt(freedom(pilot) / (freedom(pilot) - 2) / static_cast<double>(trials));
+    return pilot.standard_deviation * std::sqrt(pilot.freedom() / (pilot.freedom() - 2) / static_cast<double>(trials));
 }
 
 std::uint64_t trials_for_half_width(Pilot pilot, double half_width, double level) {
     FF_EXPECT(half_width > 0);
-    const double ratio = half_width_of(pilot, 1, level) / half_width;
-    return at_least_pilot(pilot, ratio * ratio);
+    const double student = student_critical(pilot.freedom(), (1 - level) / 2) * pilot.standard_deviation / half_width;
+    double trials = student * student;
+    // Skewness counts less the more trials there are, so that a few steps reach the number.
+    while (pilot.skewness.error > 0 && trials < most_trials) {
+        const double ratio = half_width_of(pilot, at_least_pilot(pilot, trials), level) / half_width;
+        if (ratio <= 1) break;
+        trials = std::ceil(std::max(trials, static_cast<double>(pilot.n)) * std::min(2.0, ratio * ratio)) + 1;
+    }
+    return at_least_pilot(pilot, trials);
 }
 
 std::uint64_t trials_for_rmse(Pilot pilot, double rmse) {
     FF_EXPECT(rmse > 0);
     const double ratio = rmse_of(pilot, 1) / rmse;
     return at_least_pilot(pilot, ratio * ratio);
-}
-
-Interval bias_interval_two_stage(const Moments& all, Pilot pilot, double level) {
-    const double reach = student_critical(freedom(pilot), (1 - level) / 2) * standard_error(all, pilot);
-    return {.low = *all.bias() - reach,
-            .high = *all.bias() + reach,
-            .level = level,
-            .method = "stein_two_stage",
-            .n = all.count()};
-}
-
-std::optional<BiasTest> test_bias(const Moments& all, const std::optional<Pilot>& pilot) {
-    if (!pilot) return test_bias(all);
-    BiasTest test;
-    test.bias = *all.bias();
-    test.standard_error = standard_error(all, *pilot);
-    test.t = test.bias / test.standard_error;
-    test.freedom = freedom(*pilot);
-    test.p = student_two_sided_p(test.t, test.freedom);
-    return test;
-}
-
-std::optional<EquivalenceTest> test_equivalence(const Moments& all, const std::optional<Pilot>& pilot, double margin,
-                                                double alpha) {
-    if (!pilot) return test_equivalence(all, margin, alpha);
-    EquivalenceTest test;
-    test.interval = bias_interval_two_stage(all, *pilot, 1 - 2 * alpha);
-    test.margin = margin;
-    test.p = student_tail((margin - std::abs(*all.bias())) / standard_error(all, *pilot), freedom(*pilot));
-    test.equivalent = -margin < test.interval.low && test.interval.high < margin;
-    test.different = test.interval.low > margin || test.interval.high < -margin;
-    return test;
 }
 
 }  // namespace ff::stats

@@ -1,8 +1,6 @@
 #pragma once
 
-#include "stats/bias_test.hpp"
-#include "stats/interval.hpp"
-#include "stats/moments.hpp"
+#include "stats/skewed_reach.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -18,12 +16,21 @@ namespace ff::stats {
 struct Pilot {
     std::size_t n = 0;              ///< values, >= 2
     double standard_deviation = 0;  ///< of the pilot alone, > 0
+    gate::MeanSkewness skewness;    ///< of the pilot's mean, as far as the law may be skewed
+
+    [[nodiscard]] double freedom() const { return static_cast<double>(n - 1); }
+    /// The skewness of a mean of `trials` values of the same law.
+    [[nodiscard]] gate::MeanSkewness skewness_at(std::uint64_t trials) const;
 };
 
-/// The first n of the values; empty where they do not vary or are fewer. @pre n >= 2
+/// The first n of the values, which are taken to be normal; empty where they do not vary or are fewer. @pre n >= 2
 std::optional<Pilot> pilot_of(std::span<const double> values, std::size_t n);
 
-/// Half-width of the interval of a mean of `trials` values: t(n - 1) s / sqrt(trials). @pre trials >= pilot.n
+/// The same for values that may be skewed, as far as their largest part allows (stats/mean_test.hpp). @pre n >= 3
+std::optional<Pilot> skewed_pilot_of(std::span<const double> values, std::size_t n, double largest_part);
+
+/// Half-width of the interval of a mean of `trials` values: t(n - 1) s / sqrt(trials), or as far as skewness may reach
+/// (stats/skewed_reach.hpp) on the longer side. @pre trials >= pilot.n
 double half_width_of(Pilot pilot, std::uint64_t trials, double level);
 
 /// Upper bound, on average over pilots, of the root mean squared error of a mean of `trials` values: s sqrt((n - 1) /
@@ -37,15 +44,5 @@ std::uint64_t trials_for_half_width(Pilot pilot, double half_width, double level
 
 /// Total number of values for a root mean squared error of the mean of at most `rmse`. @pre pilot.n >= 4, rmse > 0
 std::uint64_t trials_for_rmse(Pilot pilot, double rmse);
-
-/// mean - reference +- t(pilot.n - 1) s / sqrt(n), s and degrees of freedom of the pilot, method "stein_two_stage".
-/// @pre the pilot's values are the first of `all`
-Interval bias_interval_two_stage(const Moments& all, Pilot pilot, double level);
-
-/// Tests of "mean = reference" and of "|mean - reference| >= margin" in the same way; without a pilot, the tests of
-/// stats/bias_test.hpp.
-std::optional<BiasTest> test_bias(const Moments& all, const std::optional<Pilot>& pilot);
-std::optional<EquivalenceTest> test_equivalence(const Moments& all, const std::optional<Pilot>& pilot, double margin,
-                                                double alpha);
 
 }  // namespace ff::stats

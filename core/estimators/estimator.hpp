@@ -11,6 +11,7 @@
 #include <compare>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <span>
@@ -67,15 +68,17 @@ struct EstimatorInfo {
     PointsServe points = PointsServe::nothing;
     Observes observes = Observes::estimates;
     PatchFactors patch_factors = PatchFactors::none;
-    bool own_points = false;                       ///< makes its own: samples_per_patch counts them
-    bool randomised = false;                       ///< they differ from trial to trial
-    bool whole_faces = false;                      ///< faces are not divided into patches
-    bool has_tracer = false;                       ///< takes the option `tracer`
-    bool has_map = false;                          ///< takes the option `map`
-    bool exact = false;                            ///< no error except rounding: a reference, not a competitor
-    bool claims_errors = false;                    ///< states an error bound for every factor
-    bool sees_occluders = false;                   ///< obstacles between two faces are noticed
-    bool sees_reflections = false;                 ///< light by way of mirrors is counted
+    bool own_points = false;        ///< makes its own: samples_per_patch counts them
+    bool randomised = false;        ///< they differ from trial to trial
+    bool whole_faces = false;       ///< faces are not divided into patches
+    bool has_tracer = false;        ///< takes the option `tracer`
+    bool has_map = false;           ///< takes the option `map`
+    bool exact = false;             ///< no error except rounding: a reference, not a competitor
+    bool claims_errors = false;     ///< states an error bound for every factor
+    bool sees_occluders = false;    ///< obstacles between two faces are noticed
+    bool sees_reflections = false;  ///< light by way of mirrors is counted
+    /// Largest value of one evaluation, none being negative; infinite where none is known.
+    double largest_value = std::numeric_limits<double>::infinity();
     std::string_view evaluations = "evaluations";  ///< what is counted as its work
 
     [[nodiscard]] constexpr bool takes_points() const { return dimension > 0; }

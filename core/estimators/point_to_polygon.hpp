@@ -45,6 +45,7 @@ class PointToPolygon {
         .reference = "baum1989",
         .dimension = 2,
         .points = PointsServe::patches,
+        .largest_value = 1,
     };
 
     /// All surfaces have to be parallelograms.

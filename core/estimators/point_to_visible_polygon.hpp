@@ -27,6 +27,7 @@ class PointToVisiblePolygon {
         .dimension = 2,
         .points = PointsServe::patches,
         .sees_occluders = true,
+        .largest_value = 1,
     };
 
     static std::string refusal(const EstimatorOptions& options, const Scene& scene);

@@ -37,6 +37,7 @@ class RayShooting {
         .has_tracer = true,
         .sees_occluders = true,
         .sees_reflections = true,
+        .largest_value = 1,
         .evaluations = "rays",
     };
 

@@ -43,6 +43,7 @@ class RaysAndKernel : public TwoWays {
         .dimension = 4,
         .points = PointsServe::pairs,
         .sees_occluders = true,
+        .largest_value = 2,
     };
 
     using TwoWays::TwoWays;
@@ -65,6 +66,7 @@ class RaysAndKernelPower : public TwoWays {
         .dimension = 4,
         .points = PointsServe::pairs,
         .sees_occluders = true,
+        .largest_value = 1.5,
     };
 
     using TwoWays::TwoWays;

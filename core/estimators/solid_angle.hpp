@@ -41,6 +41,7 @@ class SolidAngle {
         .dimension = 4,
         .points = PointsServe::pairs,
         .sees_occluders = true,
+        .largest_value = 2,
     };
 
     static std::string refusal(const EstimatorOptions& options, const Scene& scene);

@@ -1,5 +1,6 @@
 #include "reports/comparison/run_comparison.hpp"
 
+#include "reports/comparison/ratio_plot.hpp"
 #include "reports/html/html_view.hpp"
 #include "reports/html/security_policy.hpp"
 #include "reports/json/json_values.hpp"
@@ -25,28 +26,6 @@ using studies::CellComparison;
 using studies::Likeness;
 using studies::RunComparison;
 
-const Scene& scene_of(const RunComparison& comparison, const CellComparison& cell) {
-    const studies::StudyPlan& plan = comparison.first.plan;
-    return plan.scenes[plan.cells[cell.first].scene];
-}
-
-/// The name that the method has in both runs, or that of either.
-std::string method_names(const RunComparison& comparison, const CellComparison& compared) {
-    const auto name_in = [](const studies::StudyPlan& plan, std::size_t cell) -> const std::string& {
-        return plan.spec.methods[plan.cells[cell].method].name;
-    };
-    const std::string& first = name_in(comparison.first.plan, compared.first);
-    const std::string& second = name_in(comparison.second.plan, compared.second);
-    return first == second ? first : fmt::format("{} | {}", first, second);
-}
-
-/// "cube: Sobol' rays", without the scene where there is one only.
-std::string scene_and_method(const RunComparison& comparison, const CellComparison& compared) {
-    const std::string method = method_names(comparison, compared);
-    const bool one_scene = comparison.first.plan.scenes.size() == 1;
-    return one_scene ? method : fmt::format("{}: {}", scene_of(comparison, compared).name, method);
-}
-
 std::string independent_in_words(const RunComparison& comparison, const CellComparison& cell) {
     const double alpha = 1 - comparison.level;
     const Scene& scene = scene_of(comparison, cell);
@@ -71,54 +50,6 @@ std::string independent_in_words(const RunComparison& comparison, const CellComp
                                      : fmt::format(" on {} of {} pairs", cell.pairs - cell.untestable, cell.pairs);
     return fmt::format("no difference found{} (would detect {} in a mean, a factor {} in a standard deviation)",
                        untested, brief(cell.detectable_difference, 2), brief(cell.detectable_ratio, 2));
-}
-
-std::string ratio_text(const studies::RmseRatio& ratio) {
-    const double reach = ratio.interval->width() / 2;
-    return fmt::format("{} [{}, {}]", to_error(*ratio.ratio, reach), to_error(ratio.interval->low, reach),
-                       to_error(ratio.interval->high, reach));
-}
-
-/// An interval as a bar between 1/`reach` and `reach`, on a logarithmic scale with 1 in the middle.
-std::string bar(const studies::RmseRatio& ratio, double reach) {
-    constexpr int half = 15;
-    const auto place = [&](double value) {
-        return half + static_cast<int>(std::lround(half * std::clamp(std::log(value) / std::log(reach), -1.0, 1.0)));
-    };
-    const int low = place(ratio.interval->low);
-    const int high = place(ratio.interval->high);
-    const int middle = place(*ratio.ratio);
-    std::string text;
-    for (int i = 0; i <= 2 * half; ++i) text += i == middle ? "●" : i == half ? "│" : i >= low && i <= high ? "─" : " ";
-    return text;
-}
-
-/// A forest plot in characters: every ratio of RMSEs with its interval. Empty where there is none.
-std::string forest(const RunComparison& comparison) {
-    const auto lead = comparison.lead();
-    if (!lead.ratios) return {};
-    const double reach = std::max({1 / lead.ratios->low, lead.ratios->high, 1.05});
-    const studies::StudyPlan& plan = comparison.first.plan;
-    std::vector<std::array<std::string, 3>> rows{
-        {fmt::format("RMSE of {} / RMSE of {}", comparison.names[1], comparison.names[0]),
-         fmt::format("{:<15.2f}1{:>15.2f}", 1 / reach, reach), ""}};
-    for (const CellComparison& compared : comparison.cells) {
-        for (const studies::RmseRatio& ratio : compared.ratios) {
-            if (!ratio.interval) continue;
-            rows.push_back({fmt::format("{}, {}, {}", scene_and_method(comparison, compared),
-                                        size_label(plan, plan.cells[compared.first]), name(ratio.pair_class)),
-                            bar(ratio, reach), ratio_text(ratio)});
-        }
-    }
-    std::size_t width = 0;
-    for (const auto& row : rows) width = std::max(width, visible_length(row[0]));
-    std::string out;
-    for (const auto& [label, drawn, figures] : rows) {
-        std::string line =
-            fmt::format("{}{}  {}  {}", label, std::string(width - visible_length(label), ' '), drawn, figures);
-        out += line.substr(0, line.find_last_not_of(' ') + 1) + '\n';
-    }
-    return out;
 }
 
 std::string trials_text(const RunComparison& comparison, const CellComparison& cell) {
@@ -283,7 +214,7 @@ TableCell likeness_in_words(const RunComparison& comparison, const CellCompariso
 std::string comparison_text(const RunComparison& comparison, const TextStyle& style) {
     std::string out =
         fmt::format("{}\n{}\n\n{}\n\n", description(comparison, 0), description(comparison, 1), verdict(comparison));
-    if (const std::string plot = forest(comparison); !plot.empty()) out += plot + '\n';
+    if (const std::string plot = ratio_plot(comparison); !plot.empty()) out += plot + '\n';
     out += text_table(cells_table(comparison), style);
     if (!comparison.differences.empty()) {
         const Table differences = differences_table(comparison);
@@ -298,7 +229,7 @@ std::string comparison_text(const RunComparison& comparison, const TextStyle& st
 std::string comparison_markdown(const RunComparison& comparison) {
     std::string out = fmt::format("# Two runs side by side\n\n**{}**\n\n- {}\n- {}\n\n", verdict(comparison),
                                   description(comparison, 0), description(comparison, 1));
-    if (const std::string plot = forest(comparison); !plot.empty()) out += fmt::format("```\n{}```\n\n", plot);
+    if (const std::string plot = ratio_plot(comparison); !plot.empty()) out += fmt::format("```\n{}```\n\n", plot);
     for (const Table& table : {cells_table(comparison), differences_table(comparison)}) {
         if (table.rows.empty()) continue;
         out += fmt::format("## {}\n\n", table.title);
@@ -352,7 +283,7 @@ std::string comparison_html(const RunComparison& comparison, const Templates& te
                           {"first", description(comparison, 0)},
                           {"second", description(comparison, 1)},
                           {"verdict", verdict(comparison)},
-                          {"forest", forest(comparison)},
+                          {"forest", ratio_plot(comparison)},
                           {"tables", std::move(tables)},
                           {"remarks", std::move(lines)}},
                          escape_html);

@@ -17,6 +17,8 @@ std::string_view name(studies::BiasFinding finding) {
             return "no_bias_found";
         case studies::BiasFinding::biased:
             return "biased";
+        case studies::BiasFinding::inconclusive:
+            return "inconclusive";
         case studies::BiasFinding::untestable:
             break;
     }
@@ -96,11 +98,15 @@ Json bias_json(const studies::StudyPlan& plan, const studies::CellFindings& foun
             {"infinite_variance", family.infinite},
             {"no_exact_value", family.unknown},
             {"too_few_hits", family.sparse},
+            {"too_skewed", family.skewed},
             {"not_finite", family.undefined},
             {"constant_and_wrong", family.constant_and_wrong},
             {"largest_t", family.largest_t},
             {"largest_pair", family.largest_t > 0 ? Json(quantity_label(scene, family.largest_pair)) : Json(nullptr)},
             {"adjusted_p", family.adjusted_p},
+            {"student_p", family.student_p},
+            {"heavy_tails", family.heavy_tails},
+            {"unseen_value", optional_json(family.unseen_value)},
             {"multiplicity", "holm over pairs, sidak over cells"},
             {"alpha", 1.0 - plan.spec.level},
             {"power", plan.spec.power},
@@ -109,7 +115,7 @@ Json bias_json(const studies::StudyPlan& plan, const studies::CellFindings& foun
             {"equivalence",
              {{"finding", name(found.equivalence)},
               {"margin", optional_json(family.margin)},
-              {"shown_below", family.shown_below},
+              {"shown_below", std::isfinite(family.shown_below) ? Json(family.shown_below) : Json(nullptr)},
               {"planned_margin", family.planned_margin}}}};
 }
 

@@ -45,14 +45,11 @@ bool follows(const Summary& s, Completion completion) {
 
 /// The pair of the largest |t|; of the largest error where nothing is tested.
 const Summary* worst_pair(const CellFindings& found) {
-    const auto badness = [](const Summary& s) {
-        const auto t = t_statistic(s);
-        return std::pair(t.has_value(), std::abs(t ? *t : s.bias.value_or(0.0)));
-    };
+    if (found.bias && found.bias->largest_t > 0) return &found.summary(found.bias->largest_pair);
     const Summary* worst = nullptr;
     for (const Summary& s : found.summaries) {
         if (s.quantity.kind != QuantityKind::form_factor) continue;
-        if (worst == nullptr || badness(s) > badness(*worst)) worst = &s;
+        if (worst == nullptr || std::abs(s.bias.value_or(0.0)) > std::abs(worst->bias.value_or(0.0))) worst = &s;
     }
     return worst;
 }
@@ -115,9 +112,9 @@ std::string bias_section(const studies::StudyResults& results) {
     const StudyPlan& plan = results.findings.plan;
     std::string out = fmt::format(
         "## Bias pair by pair\n\n"
-        "Of every method and size the pair with the largest |t|, t = bias / standard error (Student t with trials − 1 "
-        "degrees of freedom); of a deterministic method the pair with the largest error. The interval is Student's t, "
-        "level {:g}, for the pair by itself; *detectable* is the bias that the study-wide test at {:g} % finds with "
+        "Of every method and size the pair with the largest |t|, t = bias / standard error; of a deterministic method "
+        "the pair with the largest error. The interval allows for skewness, level {:g}, for the pair by itself; "
+        "*detectable* is the bias that the study-wide test at {:g} % finds with "
         "power {:g}. Intervals of the standard deviation are χ², or bootstrap (b) where the kurtosis forbids it. "
         "Normality: Anderson-Darling, hit counts jittered by half a hit. VOV is below 0.1 in a healthy tally; a tail "
         "index below 2 means infinite variance. All pairs, with all their statistics: "

@@ -102,7 +102,7 @@ std::optional<Picture> estimates_picture(const studies::StudyResults& results, s
                                     fmt::format("Estimates against the exact values, {}.", v.label));
     if (intervals > 0) {
         picture.finding = fmt::format(
-            "Intervals that miss the exact value (Student t, {:g} %, {} trials): {} of {}, where "
+            "Intervals that miss the exact value ({:g} %, {} trials): {} of {}, where "
             "chance alone makes {:.2g}.",
             100 * results.findings.plan.spec.level, v.found.trials, missed, intervals,
             static_cast<double>(intervals) * (1 - results.findings.plan.spec.level));

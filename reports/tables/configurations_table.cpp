@@ -32,7 +32,7 @@ TableCell verdict(const studies::ConfigurationEstimate& row) {
     const studies::CellFindings& found = *row.found;
     if (!found.bias) return {"deterministic", Mark::open};
     if (found.bias_finding == studies::BiasFinding::biased) return {bias_in_words(found), Mark::bad};
-    if (found.bias_finding == studies::BiasFinding::untestable) return {bias_in_words(found), Mark::open};
+    if (found.bias_finding != studies::BiasFinding::no_bias_found) return {bias_in_words(found), Mark::open};
     if (!row.interval) return {fmt::format("no interval: {}", why_no_interval(row.variance)), Mark::open};
     return {"agrees", Mark::good};
 }

@@ -42,17 +42,19 @@ Table methods_table(const studies::StudyResults& results) {
     const studies::StudyPlan& plan = results.findings.plan;
     bool others = false;
     for (const auto& found : results.findings.cells) others |= found.class_error(PairClass::other) != nullptr;
-    Table table{"methods",
-                "Methods and sizes",
-                fmt::format("RMSE: of one run against the exact form factors, over trials and the pairs of a class; ± "
-                            "half the width of its {:g} % interval (Student t over trials). Σ r.e.: sum over faces of "
-                            "100 |row sum − 1|, mean and range of 95 % of single runs. Bias: all distinct pairs "
-                            "together (Student t, Holm over pairs, Šidák over methods and sizes, {:g} % over the whole "
-                            "study); in parentheses what is detected with power {:g}.",
-                            100 * plan.spec.level, 100 * (1 - plan.spec.level), plan.spec.power),
-                {{"method", false, ""}, {"size (patches per face)", false, ""}, {"bias", false, ""}},
-                {},
-                plan.warnings};
+    Table table{
+        "methods",
+        "Methods and sizes",
+        fmt::format(
+            "RMSE: of one run against the exact form factors, over trials and the pairs of a class; ± "
+            "half the width of its {:g} % interval (Student t over trials). Σ r.e.: sum over faces of "
+            "100 |row sum − 1|, mean and range of 95 % of single runs. Bias: all distinct pairs "
+            "together (allowing for skewness, Holm over pairs, Šidák over methods and sizes, {:g} % over the whole "
+            "study); in parentheses what is detected with power {:g}.",
+            100 * plan.spec.level, 100 * (1 - plan.spec.level), plan.spec.power),
+        {{"method", false, ""}, {"size (patches per face)", false, ""}, {"bias", false, ""}},
+        {},
+        plan.warnings};
     std::vector<PairClass> classes{PairClass::parallel, PairClass::adjacent};
     if (others) classes.push_back(PairClass::other);
     const bool margin = plan.spec.equivalence_margin.has_value();
@@ -91,7 +93,7 @@ Table pairs_table(const studies::StudyResults& results, std::size_t cell_index) 
                 fmt::format("{}, pair by pair", cell_label(plan, cell)),
                 cell.deterministic
                     ? "Deterministic: one run says all, and the bias is the error."
-                    : fmt::format("Intervals: Student t over {} trials, level {:g}, each row on its own.", found.trials,
+                    : fmt::format("Intervals: of the mean of {} trials, level {:g}, each row on its own.", found.trials,
                                   plan.spec.level),
                 {{"", false, ""},
                  {"exact", true, "", true},

@@ -83,7 +83,7 @@ Table exitance_table(const studies::StudyResults& results, Between between) {
                     "condition of I − P F (1-norm, estimated) and energy lost (share of the emitted power that "
                     "nothing absorbs; negative: made of nothing): medians and ranges over trials. Mean "
                     "exitance: of all {0} by area, relative to that with exact factors; ± half of its {1:g} % "
-                    "interval (Student t). Error of the light: root mean square over trials and {0}, relative to "
+                    "interval. Error of the light: root mean square over trials and {0}, relative to "
                     "the mean exact exitance; at the worst: relative to its own. Negative light: trials "
                     "with a negative exitance. Where some of several trials are not convergent, the "
                     "exitance passes a pole and has no mean.",

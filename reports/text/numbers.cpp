@@ -21,6 +21,7 @@ std::string to_error(double value, double error) {
 }
 
 std::string brief(double value, int digits) {
+    if (std::isinf(value)) return value > 0 ? "∞" : "-∞";
     return fmt::format("{:.{}g}", value, digits);
 }
 

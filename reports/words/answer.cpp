@@ -171,7 +171,7 @@ std::vector<std::string> configuration_clauses(const StudyResults& results) {
             largest = std::max(largest, std::abs(row.bias));
         } else if (row.found->bias_finding == studies::BiasFinding::biased) {
             ++biased;
-        } else if (row.found->bias_finding == studies::BiasFinding::untestable || !row.interval) {
+        } else if (row.found->bias_finding != studies::BiasFinding::no_bias_found || !row.interval) {
             ++untested;
         } else {
             ++agree;

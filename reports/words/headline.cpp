@@ -82,6 +82,7 @@ KeyNumber contest_number(const Rivalry& rivalry, const Contest& c) {
 KeyNumber bias_number(const studies::Findings& findings) {
     std::size_t sampled = 0;
     std::size_t biased = 0;
+    std::size_t inconclusive = 0;
     std::size_t untestable = 0;
     std::size_t shown = 0;
     std::uint64_t lost = 0;
@@ -91,6 +92,7 @@ KeyNumber bias_number(const studies::Findings& findings) {
         if (!found.bias) continue;
         ++sampled;
         if (found.bias_finding == studies::BiasFinding::biased) ++biased;
+        if (found.bias_finding == studies::BiasFinding::inconclusive) ++inconclusive;
         if (found.bias_finding == studies::BiasFinding::untestable) ++untestable;
         if (found.equivalence == studies::EquivalenceFinding::shown) ++shown;
         detectable = std::max(detectable, found.bias->minimum_detectable_bias);
@@ -103,6 +105,7 @@ KeyNumber bias_number(const studies::Findings& findings) {
     if (detectable > 0)
         number.detail += fmt::format("; a bias of {} on one pair is found with power {:g}", brief(detectable, 2),
                                      findings.plan.spec.power);
+    if (inconclusive > 0) number.detail += fmt::format("; {} may be biased or skewed", inconclusive);
     number.detail += untestable == 0 ? "." : fmt::format("; {} cannot be tested.", untestable);
     if (const auto margin = findings.plan.spec.equivalence_margin)
         number.detail += fmt::format(" Within ±{} shown on every pair of {}.", brief(*margin, 2), shown);

@@ -5,6 +5,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <string_view>
 #include <vector>
 
@@ -19,6 +21,7 @@ std::string why_untested(const studies::BiasFamily& family) {
     if (family.unknown > 0) reasons.emplace_back("no exact value");
     if (family.infinite > 0) reasons.emplace_back("infinite variance");
     if (reasons.empty() && family.sparse > 0) reasons.emplace_back("too few hits");
+    if (reasons.empty() && family.skewed > 0) reasons.emplace_back("too few trials to rule out skewness");
     return reasons.empty() ? "no spread" : fmt::format("{}", fmt::join(reasons, " or "));
 }
 
@@ -26,6 +29,33 @@ bool has_exact_value(const studies::CellFindings& found) {
     return std::any_of(found.summaries.begin(), found.summaries.end(), [](const studies::Summary& summary) {
         return summary.quantity.kind == studies::QuantityKind::form_factor && summary.reference;
     });
+}
+
+/// Fewer trials than this cannot show that they are not skewed.
+constexpr std::size_t enough_trials = 30;
+
+std::string_view undefined_in_words(const studies::BiasFamily& family) {
+    return family.undefined > 0 ? "; infinity or no number in some trials of other pairs" : "";
+}
+
+/// "BIASED (t up to ±9.1, p = ...), unless a value of 4.2 occurs less often than once in 64 trials"
+std::string biased_in_words(const studies::CellFindings& found) {
+    const studies::BiasFamily& family = *found.bias;
+    if (family.constant_and_wrong) return "BIASED (one wrong value in every trial)";
+    std::string words = fmt::format("BIASED (t up to ±{:.1f}, {})", family.largest_t, p_text(family.adjusted_p));
+    if (family.unseen_value)
+        words += fmt::format(", unless a value of {} occurs less often than once in {} trials",
+                             brief(*family.unseen_value, 2), found.trials);
+    return words.append(undefined_in_words(family));
+}
+
+/// A difference that a skewed law without bias would show too.
+std::string inconclusive_in_words(const studies::CellFindings& found) {
+    const studies::BiasFamily& family = *found.bias;
+    const std::string_view why = family.heavy_tails             ? "the tails are too heavy for a verdict"
+                                 : found.trials < enough_trials ? "too few trials to rule out skewness"
+                                                                : "the trials are too skewed for a verdict";
+    return fmt::format("inconclusive: t up to ±{:.1f}, but {}{}", family.largest_t, why, undefined_in_words(family));
 }
 
 }  // namespace
@@ -37,10 +67,9 @@ std::string bias_in_words(const studies::CellFindings& found) {
         case studies::BiasFinding::untestable:
             return fmt::format("no test: {}", has_exact_value(found) ? why_untested(*found.bias) : "no exact value");
         case studies::BiasFinding::biased:
-            if (found.bias->constant_and_wrong) return "BIASED (one wrong value in every trial)";
-            return fmt::format(
-                "BIASED (t up to ±{:.1f}, {}){}", found.bias->largest_t, p_text(found.bias->adjusted_p),
-                found.bias->undefined > 0 ? "; infinity or no number in some trials of other pairs" : "");
+            return biased_in_words(found);
+        case studies::BiasFinding::inconclusive:
+            return inconclusive_in_words(found);
         case studies::BiasFinding::no_bias_found:
             break;
     }
@@ -55,15 +84,17 @@ std::string bias_in_words(const studies::CellFindings& found) {
 std::string equivalence_in_words(const studies::CellFindings& found) {
     if (!found.bias || !found.bias->margin) return "";
     const std::string margin = brief(*found.bias->margin, 2);
-    const std::string reach = brief(found.bias->shown_below, 2);
+    const std::string reach = std::isfinite(found.bias->shown_below)
+                                  ? fmt::format("only ±{}", brief(found.bias->shown_below, 2))
+                                  : "the trials are too few, or too skewed, for an interval";
     switch (found.equivalence) {
         case studies::EquivalenceFinding::shown:
-            return fmt::format("bias within ±{} shown (even ±{})", margin, reach);
+            return fmt::format("bias within ±{} shown (even ±{})", margin, brief(found.bias->shown_below, 2));
         case studies::EquivalenceFinding::refuted:
             return fmt::format("bias within ±{} refuted", margin);
         case studies::EquivalenceFinding::inconclusive:
             return found.bias->untestable > 0 ? fmt::format("inconclusive: {}", why_untested(*found.bias))
-                                              : fmt::format("bias within ±{} not shown (only ±{})", margin, reach);
+                                              : fmt::format("bias within ±{} not shown ({})", margin, reach);
         case studies::EquivalenceFinding::not_asked:
             break;
     }
@@ -75,6 +106,7 @@ Mark bias_mark(const studies::CellFindings& found) {
     switch (found.bias_finding) {
         case studies::BiasFinding::biased:
             return Mark::bad;
+        case studies::BiasFinding::inconclusive:
         case studies::BiasFinding::untestable:
             return Mark::open;
         case studies::BiasFinding::no_bias_found:

@@ -2,12 +2,9 @@
 
 #include "core/exact/known_factors.hpp"
 #include "core/visibility/pair_class.hpp"
-#include "stats/bias_test.hpp"
 #include "stats/interval.hpp"
-#include "stats/moments.hpp"
 #include "stats/multiplicity.hpp"
 #include "stats/power.hpp"
-#include "stats/two_stage.hpp"
 #include "studies/theory/known_variance.hpp"
 #include "studies/trials/until.hpp"
 
@@ -15,22 +12,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <span>
 
 namespace ff::studies {
 namespace {
-
-/// Cells whose bias is tested; at least 1.
-std::size_t sampled_cells(const StudyPlan& plan) {
-    const auto sampled =
-        std::count_if(plan.cells.begin(), plan.cells.end(), [](const Cell& cell) { return !cell.deterministic; });
-    return static_cast<std::size_t>(std::max<std::ptrdiff_t>(1, sampled));
-}
-
-/// Level of the test of one pair: the study's error rate, shared among its cells, then among the pairs of a cell.
-double level_of_pair(const StudyPlan& plan, std::size_t pairs) {
-    return stats::sidak_level(stats::sidak_level(1.0 - plan.spec.level, sampled_cells(plan)), pairs);
-}
 
 /// Minimum detectable bias in standard deviations of a trial; 0 where no test is possible.
 double detectable_in_sigmas(const StudyPlan& plan, std::size_t pairs, std::size_t trials,
@@ -40,89 +24,6 @@ double detectable_in_sigmas(const StudyPlan& plan, std::size_t pairs, std::size_
     const std::size_t behind_spread = std::min(trials, pilot.value_or(trials));
     const double gain = std::sqrt(static_cast<double>(behind_spread) / static_cast<double>(trials));
     return gain * stats::minimum_detectable_bias(1.0, behind_spread, {level_of_pair(plan, pairs), plan.spec.power});
-}
-
-/// @param tested  how many of the pairs have an exact value; at least 1
-BiasFamily judge_family(const CellEstimates& estimates, const std::vector<Quantity>& pairs, std::size_t tested,
-                        const CellFindings& findings, const StudyPlan& plan, bool& refuted) {
-    const StudySpec& spec = plan.spec;
-    BiasFamily family;
-    family.pairs = pairs.size();
-    family.margin = spec.equivalence_margin;
-    const double alpha = 1.0 - spec.level;
-    const std::size_t cells = sampled_cells(plan);
-    const double pair_alpha = level_of_pair(plan, tested);
-    if (estimates.trials() < stats::fewest_replicates) {
-        family.few_trials = true;
-        family.untestable = family.pairs;
-        return family;
-    }
-    std::vector<double> p_values;
-    std::vector<std::size_t> constants;  // of p_values: those of pairs with one value in every trial
-    double largest_std = 0;
-    for (const Quantity pair : pairs) {
-        const Summary& summary = findings.summary(pair);
-        const bool testable = summary.variance == VarianceStatus::finite && summary.reference;
-        const std::span<const double> values = estimates.values(pair);
-        // Values that are no numbers have no moments either.
-        const auto moments =
-            stats::moments_of(values.first(testable ? values.size() : 0), summary.reference.value_or(0.0));
-        const auto pilot =
-            testable && spec.until ? stats::pilot_of(values, spec.until->pilot) : std::optional<stats::Pilot>();
-        const auto test = testable ? stats::test_bias(moments, pilot) : std::nullopt;
-        if (!test) {
-            ++family.untestable;
-            if (!summary.reference) {
-                ++family.unknown;
-                continue;
-            }
-            if (summary.variance == VarianceStatus::infinite) ++family.infinite;
-            if (summary.variance == VarianceStatus::sparse) ++family.sparse;
-            if (summary.variance == VarianceStatus::undefined) ++family.undefined;
-            const bool varies = summary.std && *summary.std > 0;
-            if (summary.variance != VarianceStatus::finite || varies || !summary.bias || estimates.trials() < 2)
-                continue;
-            // Trials that all give one wrong value: their random numbers are no replicates, or the method is wrong.
-            const double p = p_of_constant(*summary.bias, estimates.lattice(pair), estimates.trials());
-            if (p == 1) continue;
-            constants.push_back(p_values.size());
-            p_values.push_back(p);
-            continue;
-        }
-        p_values.push_back(test->p);
-        largest_std = std::max(largest_std, summary.std.value_or(0.0));
-        if (std::abs(test->t) > family.largest_t) {
-            family.largest_t = std::abs(test->t);
-            family.largest_pair = pair;
-        }
-        family.minimum_detectable_bias =
-            std::max(family.minimum_detectable_bias, summary.minimum_detectable_bias.value_or(1.0));
-        const double margin = spec.equivalence_margin.value_or(1.0);
-        if (const auto equivalence = stats::test_equivalence(moments, pilot, margin, alpha)) {
-            const double reach = std::max(std::abs(equivalence->interval.low), std::abs(equivalence->interval.high));
-            family.shown_below = std::max(family.shown_below, reach);
-        }
-        if (const auto strict = stats::test_equivalence(moments, pilot, margin, pair_alpha / 2))
-            refuted = refuted || strict->different;
-    }
-    if (p_values.empty()) return family;
-    const auto adjusted = stats::holm(p_values);
-    const double of_cell = *std::min_element(adjusted.begin(), adjusted.end());
-    const auto over_cells = [cells](double p) { return -std::expm1(static_cast<double>(cells) * std::log1p(-p)); };
-    family.adjusted_p = over_cells(of_cell);
-    family.constant_and_wrong =
-        std::any_of(constants.begin(), constants.end(), [&](std::size_t i) { return over_cells(adjusted[i]) < alpha; });
-    // A form factor lies between 0 and 1: a larger bias is none that could be.
-    const bool nothing_found = family.adjusted_p >= alpha && family.untestable < family.pairs;
-    if (nothing_found && family.minimum_detectable_bias >= 1) {
-        family.few_trials = true;
-        family.untestable = family.pairs;
-        family.minimum_detectable_bias = 0;
-    }
-    if (largest_std > 0 && estimates.trials() >= 2) {
-        family.planned_margin = stats::equivalence_margin(largest_std, estimates.trials(), {alpha, spec.power}, tested);
-    }
-    return family;
 }
 
 /// Finite where it is so for every one of these pairs.
@@ -153,27 +54,6 @@ std::optional<double> reference_of(const Scene& scene, const KnownFactors& known
             break;  // its expectation is no property of the scene
     }
     return std::nullopt;
-}
-
-double p_of_constant(double bias, std::optional<double> lattice, std::size_t trials) {
-    constexpr double rounding = 1e-12;
-    const double error = std::abs(bias);
-    if (error <= lattice.value_or(0.0) + rounding) return 1;
-    const double steps = lattice ? std::floor(error / *lattice) : 1;
-    return std::pow(1 / (steps + 1), static_cast<double>(trials - 1));
-}
-
-BiasFinding bias_finding(const BiasFamily& family, double level) {
-    if (family.constant_and_wrong) return BiasFinding::biased;
-    if (family.few_trials || family.untestable == family.pairs) return BiasFinding::untestable;
-    return family.adjusted_p < 1.0 - level ? BiasFinding::biased : BiasFinding::no_bias_found;
-}
-
-EquivalenceFinding equivalence_finding(const BiasFamily& family, bool refuted) {
-    if (!family.margin) return EquivalenceFinding::not_asked;
-    if (refuted && !family.few_trials) return EquivalenceFinding::refuted;
-    return family.untestable == 0 && family.shown_below < *family.margin ? EquivalenceFinding::shown
-                                                                         : EquivalenceFinding::inconclusive;
 }
 
 const Summary& CellFindings::summary(Quantity quantity) const {
@@ -235,12 +115,15 @@ CellFindings analyse_cell(const Store& store, std::size_t cell_index) {
         }
         const bool counts = quantity.kind != QuantityKind::sum_relative_error &&
                             (equal_areas || method.completion == Completion::direct);
-        if (counts) request.lattice = estimates.lattice(quantity);
+        request.binomial = counts_hits(plan, estimates, quantity, request.variance);
+        if (counts || request.binomial) request.lattice = estimates.lattice(quantity);
         request.evaluations_per_face =
             quantity.kind == QuantityKind::sum_relative_error ? 0 : estimates.evaluations_per_face;
         request.level = plan.spec.level;
         request.detectable_bias = detectable;
+        request.pair_alpha = level_of_pair(plan, tested);
         request.pilot = pilot;
+        request.largest_part = largest_part(method, scene, cell.subdivision, quantity, estimates.evaluations_per_face);
         request.key = derive_key(plan.spec.seed, fmt::format("summary|{}|{}|{}|{}", cell.canonical,
                                                              name(method.completion), quantity.from, quantity.to));
         findings.summaries.push_back(summarise(estimates.values(quantity), request));
@@ -265,7 +148,7 @@ CellFindings analyse_cell(const Store& store, std::size_t cell_index) {
         findings.patch_errors = patch_errors(store, cell_index);
     if (!cell.deterministic) {
         bool refuted = false;
-        findings.bias = judge_family(estimates, pairs, tested, findings, plan, refuted);
+        findings.bias = judge_bias(plan, estimates, pairs, findings.summaries, refuted);
         findings.bias_finding = bias_finding(*findings.bias, plan.spec.level);
         findings.equivalence = equivalence_finding(*findings.bias, refuted);
     }

@@ -3,6 +3,7 @@
 #include "core/visibility/facing.hpp"
 #include "stats/distributions.hpp"
 #include "stats/mean_interval.hpp"
+#include "stats/mean_test.hpp"
 #include "stats/moments.hpp"
 #include "stats/quantiles.hpp"
 
@@ -72,13 +73,14 @@ double log_variance(const ClassError& error) {
 }
 
 /// @param squares  of the errors, about the exact values
-void add_efficiency(const stats::Moments& squares, double level, ClassError& found) {
+void add_efficiency(std::span<const double> squares, double level, ClassError& found) {
     if (found.rmse == 0) return;
-    found.mean_square_se = squares.standard_error().value_or(0.0);
+    const auto moments = stats::moments_of(squares);
+    found.mean_square_se = moments.standard_error().value_or(0.0);
     const auto evaluations = static_cast<double>(found.evaluations);
-    found.efficiency = 1 / (*squares.mean() * evaluations);
-    if (squares.count() < stats::fewest_replicates) return;
-    const auto interval = stats::mean_interval_t(squares, level);
+    found.efficiency = 1 / (*moments.mean() * evaluations);
+    if (squares.size() < stats::fewest_replicates) return;
+    const auto interval = stats::mean_interval_t(moments, level);
     if (!interval || interval->low <= 0) return;
     found.interval = stats::square_root(*interval);
     found.efficiency_interval = efficiency_interval(*found.interval, evaluations);
@@ -105,15 +107,15 @@ ClassError class_error_of(std::span<const double> errors, std::size_t pairs, std
     found.evaluations = evaluations;
     found.status = status;
     const std::vector<double> exactly(found.pairs, 0.0);
-    const auto squares = stats::moments_of(trial_means(squared_deviations(errors, exactly), found.pairs), 0.0);
-    const auto means = stats::moments_of(trial_means(errors, found.pairs));
-    found.rmse = std::sqrt(*squares.mean());
+    const auto squares = trial_means(squared_deviations(errors, exactly), found.pairs);
+    const auto means = trial_means(errors, found.pairs);
+    found.rmse = std::sqrt(*stats::moments_of(squares).mean());
     found.median_abs_error = *stats::median_absolute_error(errors, 0);
-    found.bias = *means.mean();
+    found.bias = *stats::moments_of(means).mean();
     // Too few hits make no test of a mean, but their spread is one all the same.
     if (status == VarianceStatus::finite || status == VarianceStatus::sparse) add_variance(errors, level, found);
     if (status != VarianceStatus::finite) return found;
-    found.bias_interval = stats::mean_interval_t(means, level);
+    found.bias_interval = stats::mean_interval(means, 0, level);
     add_efficiency(squares, level, found);
     return found;
 }

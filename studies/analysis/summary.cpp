@@ -1,6 +1,6 @@
 #include "studies/analysis/summary.hpp"
 
-#include "stats/mean_interval.hpp"
+#include "stats/distributions.hpp"
 #include "stats/moments.hpp"
 #include "stats/normality.hpp"
 #include "stats/quantiles.hpp"
@@ -34,6 +34,52 @@ void add_quantiles(std::span<const double> values, Summary& summary) {
     summary.max = q[6];
 }
 
+/// The mean of the trials less `centre`: by hits where they are binomial, otherwise by the rule for means.
+struct MeanOfTrials {
+    std::optional<stats::Interval> interval;
+    double caution = 0;  ///< by how much skewness lengthens the reach of the family-wise test, in standard errors
+    std::optional<double> spread;  ///< standard deviation of a trial, where it is known from the exact value
+};
+
+MeanOfTrials mean_about(double centre, std::span<const double> values, const SummaryRequest& request) {
+    const auto hits = request.binomial ? binomial_hits(values, *request.lattice) : std::nullopt;
+    if (hits) {
+        auto interval = stats::clopper_pearson_interval(*hits, request.level);
+        interval.low -= centre;
+        interval.high -= centre;
+        const double p = request.reference.value_or(0);
+        return {interval, 0, std::sqrt(p * (1 - p) * *request.lattice)};
+    }
+    if (request.variance != VarianceStatus::finite) return {};
+    const auto mean = mean_of_trials(values, centre, request.pilot, request.largest_part);
+    if (!mean) return {};
+    const auto interval = stats::interval_of(*mean, request.level);
+    if (!interval.is_finite()) return {};
+    const double strict = stats::interval_of(*mean, 1 - request.pair_alpha).width() / (2 * mean->standard_error);
+    return {interval, strict - stats::student_critical(mean->freedom, request.pair_alpha / 2), {}};
+}
+
+void add_mean(std::span<const double> values, const SummaryRequest& request, Summary& summary) {
+    if (summary.trials < 2) return;
+    const double centre = request.reference.value_or(values.front());
+    const auto [interval, caution, known_spread] = mean_about(centre, values, request);
+    if (!interval) return;
+    summary.mean_interval = interval;
+    summary.mean_interval->low += centre;
+    summary.mean_interval->high += centre;
+    if (!request.reference) return;
+    summary.bias_interval = interval;
+    const auto pilot = request.pilot ? stats::pilot_of(values, *request.pilot) : std::nullopt;
+    const double spread = pilot ? pilot->standard_deviation : known_spread.value_or(*summary.std);
+    if (spread == 0) return;
+    summary.bias_se = spread / std::sqrt(static_cast<double>(values.size()));
+    if (request.detectable_bias <= 0) return;
+    const double detectable = request.detectable_bias * spread + caution * *summary.bias_se;
+    constexpr double largest_possible = 1;  // a form factor lies between 0 and 1
+    const bool possible = detectable < largest_possible || request.quantity.kind != QuantityKind::form_factor;
+    if (std::isfinite(detectable) && possible) summary.minimum_detectable_bias = detectable;
+}
+
 void add_spread(std::span<const double> values, const stats::Moments& moments, const SummaryRequest& request,
                 Summary& summary) {
     summary.std = moments.standard_deviation();
@@ -48,35 +94,44 @@ void add_spread(std::span<const double> values, const stats::Moments& moments, c
         if (const auto test = stats::test_normality(jittered)) summary.normality_p = test->p;
     }
     // A sample variance exists under infinite variance too, but says nothing: no interval, no standard error.
-    if (request.variance != VarianceStatus::finite) return;
-    summary.std_interval = stats::standard_deviation_interval(values, request.level, {request.key});
-    if (constant) return;
-    if (request.evaluations_per_face > 0) {
-        summary.efficiency_samples =
-            1.0 / (*summary.std * *summary.std * static_cast<double>(request.evaluations_per_face));
+    if (request.variance == VarianceStatus::finite) {
+        summary.std_interval = stats::standard_deviation_interval(values, request.level, {request.key});
+        if (!constant && request.evaluations_per_face > 0) {
+            summary.efficiency_samples =
+                1.0 / (*summary.std * *summary.std * static_cast<double>(request.evaluations_per_face));
+        }
     }
-    const auto pilot = request.pilot ? stats::pilot_of(values, *request.pilot) : std::nullopt;
-    const auto about_centre = pilot ? stats::bias_interval_two_stage(moments, *pilot, request.level)
-                                    : stats::bias_interval_t(moments, request.level);
-    if ((summary.mean_interval = about_centre)) {
-        const double centre = request.reference.value_or(values.front());
-        summary.mean_interval->low += centre;
-        summary.mean_interval->high += centre;
-    }
-    if (!request.reference) return;
-    summary.bias_interval = about_centre;
-    const double spread = pilot ? pilot->standard_deviation : *summary.std;
-    summary.bias_se = pilot ? spread / std::sqrt(static_cast<double>(values.size())) : moments.standard_error();
-    const double detectable = request.detectable_bias * spread;
-    constexpr double largest_possible = 1;  // a form factor lies between 0 and 1
-    if (detectable > 0 && (detectable < largest_possible || request.quantity.kind != QuantityKind::form_factor))
-        summary.minimum_detectable_bias = detectable;
+    add_mean(values, request, summary);
 }
 
 /// From here up (damaged stores hold such values) fourth powers are infinite: a value counts as infinite itself.
 constexpr double largest_value = 1e75;
 
 }  // namespace
+
+std::optional<stats::Proportion> binomial_hits(std::span<const double> values, double lattice) {
+    constexpr double improbable = 1e-4;
+    const double rays = std::round(1 / lattice);
+    const double mean = *stats::moments_of(values).mean();
+    const double variance = mean * (1 - mean) / rays;
+    if (variance > 0) {
+        const auto freedom = static_cast<double>(values.size() - 1);
+        const double dispersion = *stats::moments_of(values, mean).variance() * freedom / variance;
+        const double above = stats::chi_squared_tail(dispersion, freedom);
+        if (std::min(above, 1 - above) < improbable / 2) return std::nullopt;
+    }
+    stats::Proportion counts;
+    for (const double value : values) counts.hits += static_cast<std::uint64_t>(std::llround(value * rays));
+    counts.trials = values.size() * static_cast<std::uint64_t>(rays);
+    return counts;
+}
+
+std::optional<stats::MeanEvidence> mean_of_trials(std::span<const double> values, double reference,
+                                                  std::optional<std::size_t> pilot_trials, double largest_part) {
+    if (!pilot_trials) return stats::mean_evidence(values, reference, largest_part);
+    const auto pilot = stats::skewed_pilot_of(values, *pilot_trials, largest_part);
+    return pilot ? std::optional(stats::mean_evidence_after(*pilot, values, reference)) : std::nullopt;
+}
 
 Summary summarise(std::span<const double> values, const SummaryRequest& request) {
     Summary summary;

@@ -1,7 +1,7 @@
 #include "studies/claims/claim_evidence.hpp"
 
 #include "stats/binomial.hpp"
-#include "stats/mean_interval.hpp"
+#include "stats/mean_test.hpp"
 #include "stats/moments.hpp"
 
 #include <algorithm>
@@ -99,9 +99,11 @@ Share share_of(std::size_t count, std::size_t of, double level) {
 }
 
 MeanWithError mean_with_error(const std::vector<double>& values, double level) {
-    const auto moments = stats::moments_of(values, values.front());
-    const auto interval = stats::mean_interval_t(moments, level);
-    return {*moments.mean(), interval ? interval->width() / 2 : 0.0};
+    const double mean = *stats::moments_of(values, values.front()).mean();
+    if (std::all_of(values.begin(), values.end(), [&](double value) { return value == values.front(); }))
+        return {mean, 0};
+    const auto interval = stats::mean_interval(values, mean, level);
+    return {mean, interval ? std::max(-interval->low, interval->high) : std::numeric_limits<double>::infinity()};
 }
 
 }  // namespace ff::studies

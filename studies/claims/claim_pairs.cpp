@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <vector>
 
@@ -82,9 +83,9 @@ Judgement judge_count(const ClaimEvidence& evidence, const PublishedClaim& claim
                                       : ClaimVerdict::refuted;
         return {
             verdict,
-            fmt::format(
-                "{:.2f} ± {:.2f} of {} pairs in the mean, {:g} to {:g} in {:g} % of single runs; the claim says {:g}",
-                mean.mean, mean.half_width, pairs.size(), range->low, range->high, 100 * level, *claim.number)};
+            fmt::format("{:.2f}{} of {} pairs in the mean, {:g} to {:g} in {:g} % of single runs; the claim says {:g}",
+                        mean.mean, std::isfinite(mean.half_width) ? fmt::format(" ± {:.2f}", mean.half_width) : "",
+                        pairs.size(), range->low, range->high, 100 * level, *claim.number)};
     });
 }
 

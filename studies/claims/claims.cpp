@@ -18,6 +18,8 @@ Judgement not_in_study() {
 std::string percent(const MeanWithError& value) {
     if (value.half_width == 0 && value.mean < rounding_percent) return "exact to rounding";
     if (value.half_width == 0) return fmt::format("{:.3g} %", value.mean);
+    if (!std::isfinite(value.half_width))
+        return fmt::format("{:.3g} % (of too few trials, or too skewed ones, for an interval)", value.mean);
     const int decimals = std::max(0, 1 - static_cast<int>(std::floor(std::log10(value.half_width))));
     return fmt::format("{:.{}f} ± {:.{}f} %", value.mean, decimals, value.half_width, decimals);
 }

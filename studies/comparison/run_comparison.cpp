@@ -3,7 +3,7 @@
 #include "core/support/error.hpp"
 #include "core/support/nearest_name.hpp"
 #include "stats/distributions.hpp"
-#include "stats/mean_difference.hpp"
+#include "stats/mean_test.hpp"
 #include "stats/multiplicity.hpp"
 #include "stats/spread.hpp"
 #include "stats/variance_test.hpp"
@@ -41,12 +41,37 @@ Basis basis_of(const Cell& first, const Cell& second) {
     return first.key == second.key ? Basis::same_random_numbers : Basis::independent;
 }
 
-std::optional<std::size_t> counterpart(const StudyPlan& plan, const std::string& scene, const std::string& method,
+/// Whether factors of two scenes are of the same faces, whatever stands between these.
+bool have_same_faces(const Scene& a, const Scene& b) {
+    const auto faces_of = [](const Scene& scene) {
+        std::vector<std::pair<int, Shape>> shapes;
+        for (const Surface& surface : scene.surfaces) {
+            if (surface.face >= 0) shapes.emplace_back(surface.face, surface.shape);
+        }
+        return shapes;
+    };
+    return a.canonical == b.canonical || (a.faces == b.faces && faces_of(a) == faces_of(b));
+}
+
+std::vector<ChangedScene> changed_scenes(const StudyPlan& first, const StudyPlan& second) {
+    std::vector<ChangedScene> changed;
+    for (const Scene& a : first.scenes) {
+        for (const Scene& b : second.scenes) {
+            if (a.name == b.name && a.canonical != b.canonical)
+                changed.push_back({a.name, have_same_faces(a, b), {a.faces.size(), b.faces.size()}});
+        }
+    }
+    return changed;
+}
+
+std::optional<std::size_t> counterpart(const StudyPlan& plan, const Scene& scene, const std::string& method,
                                        const Cell& size) {
     for (std::size_t i = 0; i < plan.cells.size(); ++i) {
         const Cell& cell = plan.cells[i];
-        if (plan.scenes[cell.scene].name == scene && plan.spec.methods[cell.method].name == method &&
-            cell.subdivision.m == size.subdivision.m && cell.samples == size.samples)
+        const Scene& there = plan.scenes[cell.scene];
+        if (there.name == scene.name && have_same_faces(there, scene) &&
+            plan.spec.methods[cell.method].name == method && cell.subdivision.m == size.subdivision.m &&
+            cell.samples == size.samples)
             return i;
     }
     return std::nullopt;
@@ -103,12 +128,17 @@ void test_pairs(const CellEstimates& a, const CellEstimates& b, const Findings& 
         const double centre = finite && !x.empty() ? x.front() : 0;
         const auto in_a = stats::moments_of(finite ? std::span<const double>(x) : std::span<const double>(), centre);
         const auto in_b = stats::moments_of(finite ? std::span<const double>(y) : std::span<const double>(), centre);
-        const auto means = stats::test_means_welch(in_a, in_b);
+        const auto means = finite ? stats::difference_of_means(x, y) : std::nullopt;
         if (!means || std::min(in_a.count(), in_b.count()) < stats::fewest_replicates) {
             ++cell.untestable;
             continue;
         }
-        tests.push_back({index, Tested::mean, {pair, means->difference, means->standard_error, 1}, means->p, 0, 0});
+        tests.push_back({index,
+                         Tested::mean,
+                         {pair, means->difference, means->standard_error, 1},
+                         stats::test_mean(*means).p,
+                         0,
+                         0});
         // A sample that never varies cannot stand below; then the ratio is 1 / 0.
         const bool inverse = *in_a.variance() == 0;
         const auto spread =
@@ -241,11 +271,12 @@ Lead RunComparison::lead() const {
 
 RunComparison compare_runs(const Store& first, const Store& second, std::array<std::string, 2> names,
                            const std::optional<MethodNames>& methods) {
-    RunComparison out{std::move(names), analyse(first), analyse(second), {}, {}, {}, {}, 0, 0.95, 0.9};
+    RunComparison out{std::move(names), analyse(first), analyse(second), {}, {}, {}, {}, {}, 0, 0.95, 0.9};
     const StudyPlan& a = first.plan();
     const StudyPlan& b = second.plan();
     out.level = a.spec.level;
     out.power = a.spec.power;
+    out.changed_scenes = changed_scenes(a, b);
     out.differences = differences_of(a.spec, b.spec);
     if (methods) {
         expect_method(a, (*methods)[0]);
@@ -260,7 +291,7 @@ RunComparison compare_runs(const Store& first, const Store& second, std::array<s
         const Cell& cell = a.cells[i];
         if (!is_meant(a, cell, 0)) continue;
         const std::string& there = methods ? (*methods)[1] : a.spec.methods[cell.method].name;
-        const auto other = counterpart(b, a.scenes[cell.scene].name, there, cell);
+        const auto other = counterpart(b, a.scenes[cell.scene], there, cell);
         if (!other) {
             out.only_first.push_back(i);
             continue;
@@ -275,6 +306,7 @@ RunComparison compare_runs(const Store& first, const Store& second, std::array<s
         const auto in_b = load_estimates(second, *other);
         const auto pairs = pairs_of(in_a, a, cell, b, b.cells[*other]);
         compared.pairs = pairs.size();
+        if (in_a.trials() == 0 || in_b.trials() == 0) continue;  // one of the runs has just begun
         switch (compared.basis) {
             case Basis::independent:
                 test_pairs(in_a, in_b, out.first, out.second, pairs, out.cells.size() - 1, compared, tests);
@@ -294,6 +326,13 @@ RunComparison compare_runs(const Store& first, const Store& second, std::array<s
         if (!met[i] && is_meant(b, b.cells[i], 1)) out.only_second.push_back(i);
     }
     if (out.cells.empty()) {
+        for (const ChangedScene& scene : out.changed_scenes) {
+            if (!scene.same_faces)
+                throw UserError(fmt::format(
+                    "nothing to compare (scene '{}' has other faces in each run: {} there and {} here). Run the study "
+                    "again with one scene, or give each scene a name of its own.",
+                    scene.name, scene.faces[0], scene.faces[1]));
+        }
         throw UserError(fmt::format(
             "nothing to compare (no scene, method and size is in both; scenes are {} there and {} here). Give "
             "two runs that share the names of some methods.",

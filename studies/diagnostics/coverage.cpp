@@ -57,7 +57,8 @@ std::optional<Taken> take_two_stage(std::span<const double> left, const Task& ta
     if (!pilot) return Taken{std::nullopt, task.replicates};
     const std::uint64_t trials = stats::trials_for_half_width(*pilot, task.half_width, task.level);
     if (trials > left.size()) return std::nullopt;
-    return Taken{stats::bias_interval_two_stage(moments_of(left.first(trials), task), *pilot, task.level), trials};
+    const auto mean = stats::mean_evidence_after(*pilot, left.first(trials), task.reference);
+    return Taken{stats::interval_of(mean, task.level), trials};
 }
 
 std::optional<Taken> take_until_short(std::span<const double> left, const Task& task) {

@@ -1,7 +1,9 @@
 #include "studies/gates/gate_comparison.hpp"
 
 #include "stats/mean_interval.hpp"
+#include "stats/mean_test.hpp"
 #include "stats/repeats.hpp"
+#include "studies/theory/known_variance.hpp"
 #include "studies/verdicts/measurement.hpp"
 #include "studies/verdicts/needed_trials.hpp"
 
@@ -49,7 +51,12 @@ void compare_means(const Gate& gate, const GatePlan& plan, const Effect& effect,
         row.measurement = measure_exactly(*moments.bias(), row.band);
         return judge_into(row);
     }
-    row.measurement = measure_mean(moments, reference, row.band, plan.levels);
+    const Cell& cell = plan.study.cells[effect.cells.front()];
+    const double part = gate.kind == GateKind::bias
+                            ? largest_part(plan.study.spec.methods[cell.method], plan.study.scenes[cell.scene],
+                                           cell.subdivision, effect.quantity, estimates.evaluations_per_face)
+                            : stats::unknown_parts;
+    row.measurement = measure_mean(values, reference, row.band, plan.levels, part);
     judge_into(row);
     if (!row.measurement) row.note = "every trial gave the same value";
     const auto lattice = gate.kind == GateKind::bias ? estimates.lattice(effect.quantity) : std::nullopt;

@@ -1,6 +1,6 @@
 #include "studies/radiosity/collector.hpp"
 
-#include "stats/mean_interval.hpp"
+#include "stats/mean_test.hpp"
 #include "stats/moments.hpp"
 #include "stats/quantiles.hpp"
 
@@ -26,7 +26,7 @@ void add_moments(ExitanceFindings& findings, const std::vector<double>& values, 
     const auto moments = stats::moments_of(values, findings.exact);
     findings.mean = moments.mean();
     findings.bias = moments.bias();
-    findings.bias_interval = stats::bias_interval_t(moments, level);
+    findings.bias_interval = stats::mean_interval(values, findings.exact, level);
     findings.std = moments.standard_deviation();
     findings.rmse = moments.root_mean_squared_error();
 }

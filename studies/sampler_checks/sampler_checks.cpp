@@ -2,8 +2,8 @@
 
 #include "core/support/error.hpp"
 #include "samplers/net_parameter.hpp"
-#include "stats/bias_test.hpp"
 #include "stats/chi_squared.hpp"
+#include "stats/mean_test.hpp"
 #include "stats/moments.hpp"
 #include "stats/multiplicity.hpp"
 #include "stats/power.hpp"
@@ -123,11 +123,11 @@ std::vector<Tested> test_all(const DrawnTrials& drawn, std::size_t dimension, st
     for (std::size_t f = 0; f < integrand_names.size(); ++f) {
         const auto& means = drawn.means[f];
         const auto moments = stats::moments_of(means, 1.0);
-        const auto bias = stats::test_bias(moments);
+        const auto mean = stats::mean_evidence(means, 1.0);
         const double sigma = moments.standard_deviation().value_or(0);
         // Without spread there is no test; what rounding leaves of the integral is then the whole error.
-        tests.push_back({fmt::format("mean of {}", integrand_names[f]), bias ? bias->p : 1.0,
-                         bias ? stats::minimum_detectable_bias(sigma, means.size(), risks) : 1.0, worst_bias,
+        tests.push_back({fmt::format("mean of {}", integrand_names[f]), mean ? stats::test_mean(*mean).p : 1.0,
+                         mean ? stats::minimum_detectable_bias(sigma, means.size(), risks) : 1.0, worst_bias,
                          "biased by"});
         const auto serial = stats::test_serial_correlation(means);
         // Of the two tests under this p each has half of alpha; a correlation's standard error is 1 / sqrt(n).

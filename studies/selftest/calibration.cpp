@@ -1,8 +1,9 @@
 #include "studies/selftest/calibration.hpp"
 
-#include "stats/bias_test.hpp"
 #include "stats/distributions.hpp"
 #include "stats/kolmogorov.hpp"
+#include "stats/mean_test.hpp"
+#include "stats/moments.hpp"
 #include "stats/power.hpp"
 #include "studies/selftest/bench.hpp"
 #include "studies/verdicts/measurement.hpp"
@@ -27,15 +28,15 @@ struct GateOnMean {
     Levels levels;
 };
 
-stats::Moments draw_trials(const GateOnMean& experiment, stats::Draws& draws) {
-    stats::Moments moments(0);
-    for (std::size_t i = 0; i < experiment.trials; ++i) moments.add(experiment.bias + trial_sigma * draw_normal(draws));
-    return moments;
+std::vector<double> draw_trials(const GateOnMean& experiment, stats::Draws& draws) {
+    std::vector<double> trials(experiment.trials);
+    for (double& trial : trials) trial = experiment.bias + trial_sigma * draw_normal(draws);
+    return trials;
 }
 
 Verdict judge_drawn_trials(const GateOnMean& experiment, stats::Draws& draws) {
     const Band band{-experiment.half_width, experiment.half_width};
-    return judge(measure_mean(draw_trials(experiment, draws), {}, band, experiment.levels), band);
+    return judge(measure_mean(draw_trials(experiment, draws), {}, band, experiment.levels, stats::not_skewed), band);
 }
 
 Levels levels_at(double fail_alpha) {
@@ -55,7 +56,7 @@ struct CalibrationBench {
 
     [[nodiscard]] PValues p_values(const std::string& what, const GateOnMean& experiment) const {
         const auto p = repetitions.collect(times, what, [&](stats::Draws& draws) {
-            const stats::Moments moments = draw_trials(experiment, draws);
+            const stats::Moments moments = stats::moments_of(draw_trials(experiment, draws));
             return stats::student_tail((*moments.bias() - experiment.half_width) / *moments.standard_error(),
                                        static_cast<double>(experiment.trials - 1));
         });

@@ -6,6 +6,7 @@
 #include "studies/selftest/estimate_checks.hpp"
 #include "studies/selftest/looking_checks.hpp"
 #include "studies/selftest/reported_checks.hpp"
+#include "studies/selftest/study_checks.hpp"
 
 #include <algorithm>
 
@@ -51,7 +52,8 @@ Selftest run_selftest(const GatesSpec& controls, const SelftestOptions& options)
     selftest.detection = measure_detection(controls, repetitions, options.seeds);
     selftest.calibration = measure_calibration(repetitions, options.repetitions);
     selftest.estimates = measure_estimate_checks(repetitions, options.repetitions);
-    for (const auto measure : {measure_reported_checks, measure_looking_checks, measure_distribution_checks}) {
+    for (const auto measure :
+         {measure_study_checks, measure_reported_checks, measure_looking_checks, measure_distribution_checks}) {
         const auto tables = measure(repetitions, options.repetitions);
         selftest.estimates.insert(selftest.estimates.end(), tables.begin(), tables.end());
     }

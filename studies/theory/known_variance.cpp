@@ -1,7 +1,10 @@
 #include "studies/theory/known_variance.hpp"
 
+#include "samplers/sampler.hpp"
+
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace ff::studies {
 namespace {
@@ -34,6 +37,58 @@ bool too_few_hits(std::optional<double> lattice, std::optional<double> reference
     if (!lattice || !reference || *reference == 1.0) return false;
     const double rays = static_cast<double>(trials) / *lattice;
     return std::min(*reference, std::abs(1.0 - *reference)) * rays < least_hits;
+}
+
+namespace {
+
+/// Independent evaluations among those of a trial; 1 where they are not independent of each other.
+double independent_parts(const Method& method, std::uint64_t evaluations) {
+    using samplers::Spread;
+    const auto all = static_cast<double>(evaluations);
+    if (method.sampler.empty()) return 1;
+    switch (samplers::find(method.sampler).info.spread) {
+        case Spread::independent:
+        case Spread::grid:  // one in each cell
+            return all;
+        case Spread::mirrored:
+            return all / 2;
+        default:
+            return 1;
+    }
+}
+
+/// The only surface of a face; null where there are several.
+const Surface* only_surface(const Scene& scene, int face) {
+    const Surface* only = nullptr;
+    for (const Surface& surface : scene.surfaces) {
+        if (surface.face != face) continue;
+        if (only != nullptr) return nullptr;
+        only = &surface;
+    }
+    return only;
+}
+
+}  // namespace
+
+double largest_part(const Method& method, const Scene& scene, Subdivision subdivision, Quantity quantity,
+                    std::uint64_t evaluations) {
+    const EstimatorInfo& info = estimator_info(method);
+    const bool whole = quantity.kind == QuantityKind::form_factor && only_surface(scene, quantity.from - 1) &&
+                       only_surface(scene, quantity.to - 1);
+    // Where points serve pairs of patches, a factor is a sum over the patches of the target.
+    if (!whole || evaluations == 0 || (info.points == PointsServe::pairs && subdivision.m != 1))
+        return std::numeric_limits<double>::infinity();
+    return info.largest_value / independent_parts(method, evaluations);
+}
+
+bool has_independent_hits(const Method& method, Quantity quantity) {
+    return quantity.kind == QuantityKind::form_factor && !method.sampler.empty() &&
+           estimator_info(method).observes == Observes::hits && samplers::find(method.sampler).info.independent();
+}
+
+bool starts_anywhere(const Scene& scene, Subdivision subdivision, Quantity quantity) {
+    const Surface* from = only_surface(scene, quantity.from - 1);
+    return from != nullptr && subdivision.of(*from) == undivided;
 }
 
 }  // namespace ff::studies

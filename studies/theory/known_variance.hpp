@@ -5,6 +5,7 @@
 #include "studies/theory/quantity.hpp"
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 
 namespace ff::studies {
@@ -26,5 +27,17 @@ VarianceStatus known_variance(const Method& method, const Scene& scene, Quantity
 /// Whether a counted quantity has too few hits, or misses, in all trials together for Student's t to hold.
 /// @param lattice  1 / rays of a trial; empty where nothing is counted
 bool too_few_hits(std::optional<double> lattice, std::optional<double> reference, std::size_t trials);
+
+/// How much one part of a trial's estimate can move it, as the rule for means wants it (stats/mean_test.hpp): the
+/// largest value of an evaluation over the number of independent ones. Infinite where values have no known bound, and
+/// for quantities other than form factors; `evaluations` are those of a face, or of a pair of faces.
+double largest_part(const Method& method, const Scene& scene, Subdivision subdivision, Quantity quantity,
+                    std::uint64_t evaluations);
+
+/// Whether a trial's hits are those of independent rays. From one undivided surface they are binomial; from patches
+/// they vary less than that, so that binomial tests and intervals hold all the same [hoeffding1956].
+bool has_independent_hits(const Method& method, Quantity quantity);
+/// Whether the rays of a face start from one undivided surface.
+bool starts_anywhere(const Scene& scene, Subdivision subdivision, Quantity quantity);
 
 }  // namespace ff::studies

@@ -29,7 +29,10 @@ std::vector<PairPilot> pilots(const Store& store, std::size_t cell_index) {
         const auto reference = known.at(pair.from - 1, pair.to - 1);
         if (one.variance == VarianceStatus::finite && too_few_hits(estimates.lattice(pair), reference, size))
             one.variance = VarianceStatus::sparse;
-        if (one.variance == VarianceStatus::finite) one.pilot = stats::pilot_of(estimates.values(pair), size);
+        if (one.variance == VarianceStatus::finite) {
+            const double part = largest_part(method, scene, cell.subdivision, pair, estimates.evaluations_per_face);
+            one.pilot = stats::skewed_pilot_of(estimates.values(pair), size, part);
+        }
     }
     return found;
 }

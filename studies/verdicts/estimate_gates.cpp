@@ -3,11 +3,11 @@
 #include "core/support/contract.hpp"
 #include "core/support/error.hpp"
 #include "stats/confidence_sequence.hpp"
-#include "stats/quantiles.hpp"
+#include "stats/moments.hpp"
 #include "stats/repeats.hpp"
 #include "stats/serial_correlation.hpp"
 #include "stats/spread.hpp"
-#include "stats/tail_index.hpp"
+#include "stats/tail_doubt.hpp"
 #include "studies/verdicts/distribution_gates.hpp"
 #include "studies/verdicts/measurement.hpp"
 #include "studies/verdicts/needed_trials.hpp"
@@ -23,15 +23,7 @@ namespace {
 
 constexpr double repeat_alpha = 1e-6;
 constexpr double serial_alpha = 0.05;
-constexpr double tail_alpha = 0.005;          // of each tail
-constexpr double largest_vov = 0.1;           // of a healthy mean [pederson1997]
-constexpr double largest_vov_of_few = 10;     // over n: that of an exponential distribution is 8 / n
-constexpr double largest_shape = 2.0 / 3;     // of the outer tenth about the median: an index of 3/2
-constexpr std::size_t fewest_for_tails = 50;  // below, a normal sample may look like anything
-constexpr std::size_t fewest_exceedances = 10;
-constexpr std::size_t enough_for_tails = 1000;  // to show that a tail as light as the exponential one has a variance
-constexpr double light_alpha = 0.05;            // of calling one finite that is not
-constexpr double fewest_effective = 30;         // independent trials that correlated ones have to be worth
+constexpr double fewest_effective = 30;  // independent trials that correlated ones have to be worth
 
 [[noreturn]] void refuse_estimates(const EstimateSeries& series, const std::string& origin, std::size_t index,
                                    const std::string& problem) {
@@ -68,40 +60,25 @@ void refuse_repeats(const EstimateSeries& series, const std::string& origin) {
                         how_it_happens));
 }
 
-/// Index of both tails together by Hill's estimate about the median; empty where too many values are equal to it.
-std::optional<double> outer_index(const std::vector<double>& values) {
-    const double median = stats::quantile(stats::sorted(values), 0.5);
-    std::vector<double> distances = values;
-    for (double& distance : distances) distance = std::abs(distance - median);
-    const auto tail = stats::fit_tail_hill(distances, std::max(fewest_exceedances, values.size() / 10));
-    return tail && tail->shape > largest_shape ? tail->index : std::nullopt;
-}
-
-/// Why no interval of the mean can be believed, in words; empty where nothing speaks against one. No test is enough
-/// alone: tail indices need many values, and the variance of the variance a large one among them.
+/// Why no interval of the mean can be believed, in words; empty where nothing speaks against one.
 std::string heavy_tail(const std::vector<double>& values) {
-    if (values.size() < fewest_for_tails) return {};
-    std::vector<double> mirrored = values;
-    for (double& value : mirrored) value = -value;
-    for (const auto& side : {values, mirrored}) {
-        const auto tail = stats::fit_tail(side);
-        if (!tail) continue;
-        if (stats::judge_variance(*tail, tail_alpha) == stats::VarianceHealth::infinite)
-            return fmt::format("tail index {:.2g}: infinite variance, so no interval holds", *tail->index);
-        const bool light = stats::judge_variance(*tail, light_alpha) == stats::VarianceHealth::finite;
-        if (values.size() >= enough_for_tails && !light)
+    using enum stats::TailDoubt::Reason;
+    const auto doubt = stats::doubt_tails(values);
+    if (!doubt) return {};
+    switch (doubt->reason) {
+        case infinite_variance:
+            return fmt::format("tail index {:.2g}: infinite variance, so no interval holds", doubt->value);
+        case not_shown_finite:
             return "the tail may be of infinite variance (its index is not shown to be above 2), so no interval holds";
+        case few_values_decide:
+            return fmt::format(
+                "variance of the variance {:.2g} (above {:.2g}): a few values make the mean, so no interval holds",
+                doubt->value, doubt->limit);
+        case outer_tails_infinite:
+            break;
     }
-    const auto vov = stats::moments_of(values, values.front()).variance_of_variance();
-    const double largest = std::max(largest_vov, largest_vov_of_few / static_cast<double>(values.size()));
-    if (vov && *vov > largest)
-        return fmt::format(
-            "variance of the variance {:.2g} (above {:.2g}): a few values make the mean, so no interval holds", *vov,
-            largest);
-    if (const auto index = outer_index(values))
-        return fmt::format("the tails look as if their variance were infinite (index {:.2g}), so no interval holds",
-                           *index);
-    return {};
+    return fmt::format("the tails look as if their variance were infinite (index {:.2g}), so no interval holds",
+                       doubt->value);
 }
 
 /// By confidence sequences, which hold at all looks together; what would fail is not known.
@@ -139,8 +116,8 @@ std::optional<Measurement> measurement_of(const Gate& gate, const EstimatesPlan&
         return measure_anytime(gate, values, plan.levels);
     }
     if (gate.kind == GateKind::bias)
-        return measure_unknown_mean(values, {.value = *gate.reference, .standard_error = gate.reference_se.value_or(0)},
-                                    gate.band, plan.levels, plan.independence.correlation);
+        return measure_mean(values, {.value = *gate.reference, .standard_error = gate.reference_se.value_or(0)},
+                            gate.band, plan.levels, stats::unknown_parts, plan.independence.correlation);
     if (gate.kind == GateKind::distribution) {
         if (plan.independence.correlation) return std::nullopt;
         if (!plan.other) return measure_distribution(values, *gate.law, plan.levels);
@@ -170,7 +147,7 @@ std::string missing(const Gate& gate, const EstimatesPlan& plan, const Compariso
     }
     if (!row.measurement) return plan.independence.correlation ? "their spread cannot be judged" : "no spread";
     const Measurement& m = *row.measurement;
-    if (row.verdict != Verdict::inconclusive || !(m.passing_is_open || m.below_is_open || m.above_is_open)) return {};
+    if (row.verdict != Verdict::inconclusive || (m.passing.is_finite() && m.failing.is_finite())) return {};
     const auto moments = stats::moments_of(plan.series.values, *gate.reference);
     return fmt::format("skewness {:.2g} of {} trials: too skewed, or too few, for intervals at these levels",
                        moments.skewness().value_or(0), plan.series.values.size());

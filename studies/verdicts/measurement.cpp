@@ -2,12 +2,9 @@
 
 #include "core/support/contract.hpp"
 #include "stats/distributions.hpp"
-#include "stats/skewed_mean.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <string_view>
 
 namespace ff::studies {
 namespace {
@@ -55,86 +52,28 @@ double log_variance(const stats::Spread& spread) {
     return 1 / (2 * spread.freedom);
 }
 
-/// A mean's standard error with what the reference adds, and its degrees of freedom.
-struct Uncertainty {
-    double error = 0;
-    double freedom = 0;
-};
-
-/// Welch and Satterthwaite: error^4 / freedom is the sum of both parts'.
-Uncertainty with_reference(const Uncertainty& own, const MeanReference& reference) {
-    const double error = std::hypot(own.error, reference.standard_error);
-    const auto part = [&](double standard_error, double freedom) {
-        return std::pow(standard_error / error, 4) / freedom;
-    };
-    return {.error = error,
-            .freedom = 1 / (part(own.error, own.freedom) + part(reference.standard_error, reference.freedom))};
-}
-
 /// Effect beyond the band that fails with the power, the lower limit of the failing interval lying `critical` standard
 /// errors below the mean. Quantile of the noncentral t distribution [abramowitz1964] 26.7.10; exact ones cost a
 /// millisecond each.
-double detectable_mean(const Band& band, const Uncertainty& mean, double critical, double power) {
+double detectable_mean(const Band& band, const stats::MeanEvidence& mean, double critical, double power) {
     const double shift = critical * (1 - 1 / (4 * mean.freedom)) +
                          stats::normal_critical(1 - power) * std::sqrt(1 + critical * critical / (2 * mean.freedom));
-    return beyond(band, shift * mean.error);
-}
-
-std::string_view method_of_mean(const MeanReference& reference) {
-    return reference.standard_error > 0 ? "welch_t" : "student_t";
+    return beyond(band, shift * mean.standard_error);
 }
 
 }  // namespace
 
-std::optional<Measurement> measure_mean(const stats::Moments& moments, const MeanReference& reference, const Band& band,
-                                        const Levels& levels) {
-    FF_EXPECT(moments.reference() == reference.value);
-    const auto own = moments.standard_error();
-    if (!own || *own == 0) return std::nullopt;
-    const Uncertainty mean = with_reference({*own, static_cast<double>(moments.count() - 1)}, reference);
-    const auto interval_of = [&](double level) {
-        return around(*moments.bias(), stats::student_critical(mean.freedom, (1 - level) / 2) * mean.error,
-                      {.level = level, .method = method_of_mean(reference), .n = moments.count()});
-    };
-    Measurement measurement = measured_at(*moments.bias(), levels, interval_of);
-    measurement.minimum_detectable =
-        detectable_mean(band, mean, stats::student_critical(mean.freedom, levels.fail_alpha / 2), levels.power);
+std::optional<Measurement> measure_mean(std::span<const double> values, const MeanReference& reference,
+                                        const Band& band, const Levels& levels, double largest_part,
+                                        const std::optional<stats::Autocorrelation>& correlation) {
+    const auto own = stats::mean_evidence(values, reference.value, largest_part, correlation);
+    if (!own) return std::nullopt;
+    const auto mean = stats::with_uncertain_reference(*own, reference.standard_error, reference.freedom);
+    Measurement measurement =
+        measured_at(mean.difference, levels, [&](double level) { return stats::interval_of(mean, level); });
+    const double below = (mean.difference - measurement.failing.low) / mean.standard_error;
+    measurement.minimum_detectable = detectable_mean(band, mean, below, levels.power);
     return measurement;
-}
-
-std::optional<Measurement> measure_unknown_mean(std::span<const double> values, const MeanReference& reference,
-                                                const Band& band, const Levels& levels,
-                                                const std::optional<stats::Autocorrelation>& correlation) {
-    FF_EXPECT(!values.empty());
-    // About a value of its own, so that a reference far away costs no digits of the spread.
-    const auto moments = stats::moments_of(values, values.front());
-    const auto n = static_cast<double>(values.size());
-    const double time = correlation ? correlation->time : 1;
-    const double effective = n / time;
-    const double freedom = (correlation ? std::min(correlation->freedom, effective) : n) - 1;
-    const auto independent = moments.standard_error();
-    if (values.size() < 3 || *independent == 0 || effective < 2 || freedom < 1) return std::nullopt;
-    const Uncertainty mean = with_reference({*independent * std::sqrt(time), freedom}, reference);
-    const double value = values.front() - reference.value + *moments.bias();
-    const auto reach_at = [&](double tail) { return stats::reach_of_mean(values, effective, mean.freedom, tail); };
-    const auto interval_at = [&](const stats::SkewedReach& reach, double level) {
-        return stats::Interval{.low = value - reach.below * mean.error,
-                               .high = value + reach.above * mean.error,
-                               .level = level,
-                               .method = reference.standard_error > 0 ? "skewed_welch_t" : "skewed_t",
-                               .n = values.size()};
-    };
-    const auto passing = reach_at(levels.pass_alpha);
-    const auto failing = reach_at(levels.fail_alpha / 2);
-    return Measurement{.value = value,
-                       .passing = interval_at(passing, passing_level(levels)),
-                       .failing = interval_at(failing, failing_level(levels)),
-                       .minimum_detectable = failing.below_is_open
-                                                 ? std::numeric_limits<double>::infinity()
-                                                 : detectable_mean(band, mean, failing.below, levels.power),
-                       .passing_is_open = passing.below_is_open || passing.above_is_open,
-                       .below_is_open = failing.below_is_open,
-                       .above_is_open = failing.above_is_open};
 }
 
 Measurement measure_spread(const stats::Spread& spread, double reference, const Band& band, const Levels& levels) {

@@ -2,7 +2,7 @@
 
 #include "stats/binomial.hpp"
 #include "stats/convergence.hpp"
-#include "stats/moments.hpp"
+#include "stats/mean_test.hpp"
 #include "stats/serial_correlation.hpp"
 #include "stats/spread.hpp"
 #include "studies/verdicts/verdict.hpp"
@@ -23,17 +23,13 @@ struct MeanReference {
     double freedom = std::numeric_limits<double>::infinity();  ///< of that standard error
 };
 
-/// Mean minus reference. Student's t; with an uncertain reference Welch's [welch1947].
-/// @pre moments.reference() == reference.value
-std::optional<Measurement> measure_mean(const stats::Moments& moments, const MeanReference& reference, const Band& band,
-                                        const Levels& levels);
-
-/// The same for arbitrary values, which may be skewed (stats/skewed_mean.hpp) and serially
-/// correlated.
-/// @param correlation  of the values in order; by default that of independent ones
-std::optional<Measurement> measure_unknown_mean(std::span<const double> values, const MeanReference& reference,
-                                                const Band& band, const Levels& levels,
-                                                const std::optional<stats::Autocorrelation>& correlation = {});
+/// Mean minus reference by the rule for means (stats/mean_test.hpp).
+/// @param largest_part  of the values, which limits their skewness
+/// @param correlation   of the values in order; by default that of independent ones
+std::optional<Measurement> measure_mean(std::span<const double> values, const MeanReference& reference,
+                                        const Band& band, const Levels& levels,
+                                        double largest_part = stats::unknown_parts,
+                                        const std::optional<stats::Autocorrelation>& correlation = {});
 
 /// Root of a mean square (standard deviation or RMSE) over a known one, > 0.
 Measurement measure_spread(const stats::Spread& spread, double reference, const Band& band, const Levels& levels);

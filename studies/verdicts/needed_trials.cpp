@@ -2,7 +2,9 @@
 
 #include "core/support/contract.hpp"
 #include "stats/distributions.hpp"
+#include "stats/moments.hpp"
 #include "stats/power.hpp"
+#include "stats/skewed_reach.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -39,6 +41,17 @@ std::optional<double> room_beside(double half_width, double reference_se, double
     return std::sqrt(half_width * half_width - uncertain * uncertain);
 }
 
+/// How many times the trials of Student's t an interval takes that allows for skewness which normal values do not have.
+double price_of_caution(const Levels& levels, std::size_t comparisons, std::uint64_t trials) {
+    const auto n = static_cast<double>(std::max(trials, fewest_trials));
+    const double t = stats::student_critical(n - 1, levels.pass_alpha);
+    const double z = stats::normal_critical(levels.pass_alpha);
+    const gate::MeanSkewness skewness{.error =
+                                          *stats::skewness_standard_error(static_cast<std::size_t>(n)) / std::sqrt(n)};
+    const double longer = gate::skewed_reach(skewness, 1, t, z) - t;
+    return std::pow(1 + longer / reach_to_pass(levels, comparisons), 2);
+}
+
 }  // namespace
 
 bool can_decide_mean(double half_width, double sigma, double reference_se, const Levels& levels,
@@ -58,7 +71,7 @@ std::optional<std::uint64_t> trials_for_mean(double half_width, double sigma, do
     if (!enough || sigma == 0) return enough;
     const auto trials = static_cast<std::uint64_t>(
         stats::trials_for_equivalence(room, sigma, {levels.pass_alpha, levels.power}, comparisons));
-    return std::max(*enough, trials);
+    return whole(static_cast<double>(std::max(*enough, trials)) * price_of_caution(levels, comparisons, trials));
 }
 
 std::optional<std::uint64_t> trials_for_ratio(const Band& band, double excess_kurtosis, double reference_freedom,

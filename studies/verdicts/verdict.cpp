@@ -17,10 +17,8 @@ std::string_view name(Verdict verdict) {
 Verdict judge(const std::optional<Measurement>& measurement, const Band& band) {
     if (!measurement) return Verdict::inconclusive;
     const Measurement& m = *measurement;
-    if (m.failing.low > band.high && !m.below_is_open) return Verdict::fail;
-    if (m.failing.high < band.low && !m.above_is_open) return Verdict::fail;
-    const bool inside = band.holds(m.passing.low) && band.holds(m.passing.high);
-    return inside && !m.passing_is_open ? Verdict::pass : Verdict::inconclusive;
+    if (m.failing.low > band.high || m.failing.high < band.low) return Verdict::fail;
+    return band.holds(m.passing.low) && band.holds(m.passing.high) ? Verdict::pass : Verdict::inconclusive;
 }
 
 Verdict together(Verdict a, Verdict b) {

@@ -32,20 +32,15 @@ struct Levels {
 /// A measured effect: its value, and the two intervals that decide.
 struct Measurement {
     double value = 0;
+    // An infinite limit proves nothing, because the values are too skewed for their number.
     stats::Interval passing;  ///< level 1 - 2 pass_alpha: has to lie inside the band
     stats::Interval failing;  ///< level 1 - fail_alpha: must not lie wholly outside
     /// Effect beyond the band's upper end (its lower one where that is infinite) that fails with the power.
     double minimum_detectable = 0;
-
-    // Limits that prove nothing, because the values are too skewed for their number.
-    bool passing_is_open = false;  ///< the effect is not shown to lie inside
-    bool below_is_open = false;    ///< the failing interval's lower limit: no effect above the band is shown
-    bool above_is_open = false;    ///< its upper limit
 };
 
 /// The rule of every gate, whose null hypothesis is composite ("inside the band"). Fail: the failing interval lies
-/// wholly outside. Pass: the passing interval lies inside. Otherwise, or without a measurement, inconclusive. An open
-/// limit decides nothing.
+/// wholly outside. Pass: the passing interval lies inside. Otherwise, or without a measurement, inconclusive.
 Verdict judge(const std::optional<Measurement>& measurement, const Band& band);
 
 /// One verdict for several comparisons: fail if one fails, pass if all pass.

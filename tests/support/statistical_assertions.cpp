@@ -1,8 +1,8 @@
 #include "tests/support/statistical_assertions.hpp"
 
-#include "stats/bias_test.hpp"
 #include "stats/binomial.hpp"
 #include "stats/distributions.hpp"
+#include "stats/mean_test.hpp"
 #include "stats/power.hpp"
 
 #include <cmath>
@@ -39,14 +39,14 @@ AssertionResult describe(AssertionResult result, std::uint64_t hits, std::uint64
 }  // namespace
 
 AssertionResult unbiased(std::span<const double> replicates, double truth, StatisticalRisk risk) {
-    const auto moments = stats::moments_of(replicates, truth);
-    const auto test = stats::test_bias(moments);
-    if (!test) return AssertionFailure() << replicates.size() << " replicates without spread show nothing";
-    const double detectable = stats::minimum_detectable_bias(*moments.standard_deviation(), replicates.size(),
-                                                             {.alpha = risk.alpha, .power = risk.power});
-    AssertionResult result = judge(test->p, detectable, risk);
+    const auto mean = stats::mean_evidence(replicates, truth, stats::not_skewed);
+    if (!mean) return AssertionFailure() << replicates.size() << " replicates without spread show nothing";
+    const double detectable =
+        stats::minimum_detectable_bias(mean->standard_error * std::sqrt(static_cast<double>(replicates.size())),
+                                       replicates.size(), {.alpha = risk.alpha, .power = risk.power});
+    AssertionResult result = judge(stats::test_mean(*mean).p, detectable, risk);
     if (result) return result;
-    return result << ": bias " << test->bias << " with standard error " << test->standard_error;
+    return result << ": bias " << mean->difference << " with standard error " << mean->standard_error;
 }
 
 AssertionResult has_probability(std::uint64_t hits, std::uint64_t trials, double probability, StatisticalRisk risk) {

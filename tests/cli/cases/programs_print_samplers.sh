@@ -62,7 +62,7 @@ study text text
 ffstudy run text.toml --threads 1 --out a
 expect_status 0
 expect_stderr "note: text.toml:8:11 runs command:$python mine.py text {n} {d} {seed} {trial}"
-expect_stdout "none found"
+expect_stdout "too few trials to rule out skewness"
 mkdir elsewhere
 cp text.toml mine.py elsewhere
 ffstudy run elsewhere/text.toml --threads 2 --out b

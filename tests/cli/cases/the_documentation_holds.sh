@@ -42,10 +42,10 @@ for command in "list configurations" "explain squares_blocked"; do
     expect_equal_files "$folder/promised" "$folder/stdout"
 done
 
-# Every row of the study of the catalogue is there, with its exact value, and none of few trials is biased. (Estimates
+# Every row of the study of the catalogue is there, with its exact value, and none is biased. (Estimates
 # may differ in the last digits where Embree has other code for a CPU.)
 rows() { sed -nE 's/^([a-z_0-9]+) +(.*, ([0-9]+ × [0-9²]+ [a-z]+|exact)) .* (0\.[0-9]{12}) .*$/\1 \2 \4/p'; }
-ffstudy run catalogue --trials 8 --out catalogue
+ffstudy run catalogue --trials 40 --out catalogue
 expect_status 0
 ! grep -q BIASED "$folder/stdout" || fail "the study of the catalogue finds a bias"
 for text in "$folder/stdout" "$root/docs/catalogue.md"; do

@@ -149,7 +149,7 @@ TEST(JudgeEstimates, SaysThatValuesAreTooSkewedForSoFew) {
     EXPECT_EQ(result.verdict, Verdict::inconclusive);
     EXPECT_THAT(result.note, HasSubstr("too skewed, or too few"));
     EXPECT_FALSE(std::isfinite(
-        judge_file(bias_gate(1), file_of_estimates(estimates(20, 0))).comparisons[0].measurement->minimum_detectable));
+        judge_file(bias_gate(1), file_of_estimates(estimates(12, 0))).comparisons[0].measurement->minimum_detectable));
 }
 
 TEST(JudgeEstimates, SurvivesAnEstimateWithoutItsDecimalPoint) {

@@ -18,28 +18,30 @@ using test::eight_values;
 constexpr Levels usual_levels{.fail_alpha = 0.01, .pass_alpha = 0.05, .power = 0.9};
 
 // stats.t.interval(.9, 7, x.mean() - 3, stats.sem(x)), and .99
-TEST(MeasureMean, IsStudentsIntervalAtBothLevels) {
-    const auto measurement = measure_mean(stats::moments_of(eight_values, 3), {.value = 3}, {-1, 1}, usual_levels);
+TEST(MeasureMean, IsStudentsIntervalAtBothLevelsWhereNothingIsSkewed) {
+    const auto measurement = measure_mean(eight_values, {.value = 3}, {-1, 1}, usual_levels, stats::not_skewed);
     EXPECT_NEAR(measurement->value, 1.15, 1e-14);
     EXPECT_NEAR(measurement->passing.low, -0.5547447946823611, 1e-13);
     EXPECT_NEAR(measurement->passing.high, 2.854744794682361, 1e-13);
     EXPECT_DOUBLE_EQ(measurement->passing.level, 0.9);
     EXPECT_DOUBLE_EQ(measurement->failing.level, 0.99);
     EXPECT_LT(measurement->failing.low, measurement->passing.low);
-    EXPECT_EQ(measurement->passing.method, "student_t");
+    EXPECT_EQ(measurement->passing.method, "skewed_t");
 }
 
 TEST(MeasureMean, IsEmptyForTooFewOrEqualValues) {
-    EXPECT_FALSE(measure_mean(stats::moments_of(std::array{1.0}, 1), {.value = 1}, {-1, 1}, usual_levels));
-    EXPECT_FALSE(measure_mean(stats::moments_of(std::array{1.0, 1.0}, 1), {.value = 1}, {-1, 1}, usual_levels));
+    EXPECT_FALSE(measure_mean(std::array{1.0, 2.0}, {.value = 1}, {-1, 1}, usual_levels));
+    EXPECT_FALSE(measure_mean(std::array{1.0, 1.0, 1.0}, {.value = 1}, {-1, 1}, usual_levels));
 }
 
 TEST(MeasureMean, AllowsForAnUncertainReference) {
-    const auto moments = stats::moments_of(eight_values, 3);
-    const double own = *moments.standard_error();
-    const auto certain = measure_mean(moments, {.value = 3}, {-1, 1}, usual_levels);
-    const auto same = measure_mean(moments, {.value = 3, .standard_error = own, .freedom = 7}, {-1, 1}, usual_levels);
-    EXPECT_EQ(same->passing.method, "welch_t");
+    const double own = *stats::moments_of(eight_values, 3).standard_error();
+    const auto measure = [](const MeanReference& reference) {
+        return measure_mean(eight_values, reference, {-1, 1}, usual_levels, stats::not_skewed);
+    };
+    const auto certain = measure({.value = 3});
+    const auto same = measure({.value = 3, .standard_error = own, .freedom = 7});
+    EXPECT_EQ(same->passing.method, "skewed_welch_t");
     // Equal parts: sqrt(2) the error, twice the freedom. stats.t.ppf(.95, 14) = 1.7613101357748562
     EXPECT_NEAR(same->passing.width() / 2, std::sqrt(2) * own * 1.7613101357748562, 1e-12);
     EXPECT_GT(same->minimum_detectable, certain->minimum_detectable);
@@ -53,9 +55,8 @@ TEST(MeasureMean, FailsAtTheMinimumDetectableEffectWithItsPower) {
     const double effect =
         0.3 + stats::minimum_detectable_bias(1, trials, {usual_levels.fail_alpha, usual_levels.power});
     const auto fails = [&] {
-        const auto moments = stats::moments_of(test::normal_sample(trials, engine, effect));
-        const auto measurement = measure_mean(moments, {}, band, usual_levels);
-        return judge(measurement, band) == Verdict::fail;
+        const auto values = test::normal_sample(trials, engine, effect);
+        return judge(measure_mean(values, {}, band, usual_levels, stats::not_skewed), band) == Verdict::fail;
     };
     constexpr std::uint64_t runs = 6000;
     EXPECT_TRUE(test::has_probability(test::count_events(runs, fails), runs, usual_levels.power,
@@ -66,13 +67,23 @@ TEST(MeasureMean, StatesTheMinimumDetectableEffectWithinAPercent) {
     std::mt19937_64 engine(12);
     for (const std::size_t trials : {8u, 40u, 1000u}) {
         for (const double alpha : {0.01, 1e-7}) {
-            const auto moments = stats::moments_of(test::normal_sample(trials, engine));
+            const auto values = test::normal_sample(trials, engine);
             const Levels strict{.fail_alpha = alpha, .pass_alpha = 0.05, .power = 0.9};
-            const double shift = measure_mean(moments, {}, {-1, 1}, strict)->minimum_detectable - 1;
-            const double exact = stats::minimum_detectable_bias(*moments.standard_deviation(), trials, {alpha, 0.9});
+            const double shift = measure_mean(values, {}, {-1, 1}, strict, stats::not_skewed)->minimum_detectable - 1;
+            const double sigma = *stats::moments_of(values).standard_deviation();
+            const double exact = stats::minimum_detectable_bias(sigma, trials, {alpha, 0.9});
             EXPECT_NEAR(shift, exact, 0.01 * exact) << trials << " trials, alpha " << alpha;
         }
     }
+}
+
+TEST(MeasureMean, DetectsLessWhereValuesMayBeSkewed) {
+    std::mt19937_64 engine(13);
+    const auto values = test::normal_sample(40, engine);
+    const auto known = measure_mean(values, {}, {-1, 1}, usual_levels, stats::not_skewed);
+    const auto unknown = measure_mean(values, {}, {-1, 1}, usual_levels);
+    EXPECT_GT(unknown->minimum_detectable, known->minimum_detectable);
+    EXPECT_LT(unknown->failing.low, known->failing.low);
 }
 
 TEST(MeasureSpread, IsOneForTheReferenceItself) {

@@ -29,8 +29,8 @@ TEST(NeededTrials, LetAMeanWithoutBiasPassWithThePower) {
         const Band band{-0.5, 0.5};
         const auto trials = *trials_for_mean(0.5, sigma, 0, 0, strict_levels, 1);
         expect_power([&] {
-            const auto moments = stats::moments_of(test::normal_sample(trials, engine, 0, sigma));
-            return judge(measure_mean(moments, {}, band, strict_levels), band) == Verdict::pass;
+            const auto values = test::normal_sample(trials, engine, 0, sigma);
+            return judge(measure_mean(values, {}, band, strict_levels), band) == Verdict::pass;
         });
     }
 }
@@ -43,8 +43,8 @@ TEST(NeededTrials, AllowForAnUncertainReferenceAsLongAsTheBandIsWider) {
     EXPECT_GT(trials, *trials_for_mean(0.5, 1, 0, 0, strict_levels, 1));
     expect_power([&] {
         const double reference = std::normal_distribution<double>(0, error)(engine);
-        const auto moments = stats::moments_of(test::normal_sample(trials, engine), reference);
-        return judge(measure_mean(moments, {.value = reference, .standard_error = error}, band, strict_levels), band) ==
+        const auto values = test::normal_sample(trials, engine);
+        return judge(measure_mean(values, {.value = reference, .standard_error = error}, band, strict_levels), band) ==
                Verdict::pass;
     });
     EXPECT_FALSE(trials_for_mean(0.5, 1, 0, 0.5, strict_levels, 1));
@@ -54,7 +54,7 @@ TEST(NeededTrials, GrowWithComparisonsAndSkewness) {
     EXPECT_GT(*trials_for_mean(0.1, 1, 0, 0, strict_levels, 30), *trials_for_mean(0.1, 1, 0, 0, strict_levels, 1));
     const auto skewed = *trials_for_mean(0.1, 1, 1, 0, strict_levels, 1);
     // exp(z^3 g / (3 sqrt(T))) = 2 at z = 4.417173, two-sided 1e-5
-    EXPECT_NEAR(std::exp(std::pow(4.417173, 3) / (3 * std::sqrt(static_cast<double>(skewed)))), 2, 1e-3);
+    EXPECT_NEAR(std::exp(std::pow(4.417173, 3) / (3 * std::sqrt(static_cast<double>(skewed)))), 2, 1e-2);
     EXPECT_GE(*trials_for_mean(1e9, 1, 0, 0, strict_levels, 1), 32u);
     EXPECT_EQ(*trials_for_mean(1, 0, 0, 0, strict_levels, 1), 32u);
 }

@@ -1,0 +1,74 @@
+#pragma once
+
+#include "stats/interval.hpp"
+#include "stats/serial_correlation.hpp"
+#include "stats/skewed_reach.hpp"
+#include "stats/two_stage.hpp"
+
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <span>
+#include <string_view>
+
+namespace ff::stats {
+
+/// The one rule for means: whatever is said of a mean of trials (its bias, its equivalence, its difference from another
+/// one) rests on these intervals and p-values, which allow for skewness as far as the values may have it
+/// (stats/skewed_reach.hpp).
+
+/// Values are often means themselves, of independent parts. Where no part moves a value by more than `largest_part`, a
+/// value's third moment is at most that times its variance, so that its skewness is at most largest_part / standard
+/// deviation. Infinite where nothing is known; 0 for values that are known not to be skewed.
+inline constexpr double unknown_parts = std::numeric_limits<double>::infinity();
+inline constexpr double not_skewed = 0;
+
+/// A mean beside its reference, or beside another mean, and all that is needed to judge the difference.
+struct MeanEvidence {
+    double difference = 0;  ///< mean - reference, or second mean - first
+    double standard_error = 0;
+    double freedom = 0;  ///< degrees of freedom of the standard error
+    gate::MeanSkewness skewness;
+    std::string_view method;  ///< of intervals: "skewed_t", "skewed_welch_t" or "stein_two_stage"
+    std::size_t n = 0;        ///< values behind it
+
+    [[nodiscard]] double t() const { return difference / standard_error; }
+};
+
+/// A mean of independent values, or of correlated ones in order.
+/// @return empty below three values, for values that are all equal, and where correlated ones are worth less than two
+std::optional<MeanEvidence> mean_evidence(std::span<const double> values, double reference,
+                                          double largest_part = unknown_parts,
+                                          const std::optional<Autocorrelation>& correlation = {});
+
+/// A mean of values whose number was fixed by a pilot, the first of them.
+MeanEvidence mean_evidence_after(const Pilot& pilot, std::span<const double> values, double reference);
+
+/// Welch's difference of two means, whose variances may differ, and one of which may be 0. @see [welch1947]
+/// @return empty below three values in a sample, and where neither varies
+std::optional<MeanEvidence> difference_of_means(std::span<const double> first, std::span<const double> second);
+
+/// The same mean beside a reference that has a standard error and its degrees of freedom.
+MeanEvidence with_uncertain_reference(const MeanEvidence& mean, double standard_error, double freedom);
+
+/// Interval of the difference. An end is infinite where the values are too skewed, or too few, for the level.
+Interval interval_of(const MeanEvidence& mean, double level);
+
+/// Interval of the mean less the reference. Empty below three values, for values that are all equal, and where an end
+/// would be infinite.
+std::optional<Interval> mean_interval(std::span<const double> values, double reference, double level,
+                                      double largest_part = unknown_parts);
+
+/// Test of "there is no difference", two-sided. A large p does not prove that there is none: print the minimum
+/// detectable bias (stats/power.hpp) beside it, or show that the interval lies within a margin.
+struct MeanTest {
+    double p = 1;          ///< 1 - the highest level at which the interval leaves 0 out
+    double student_p = 1;  ///< by Student's t, for values without skewness; never above `p`
+};
+MeanTest test_mean(const MeanEvidence& mean);
+
+/// The value that would explain a difference if one trial in n had it: n values that have missed it have their mean at
+/// `mean` where the truth is `reference`. No rule can exclude such a law [bahadur1956].
+double unseen_value(double mean, double reference, std::size_t n);
+
+}  // namespace ff::stats

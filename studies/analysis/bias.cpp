@@ -1,0 +1,263 @@
+#include "studies/analysis/bias.hpp"
+
+#include "stats/binomial.hpp"
+#include "stats/mean_test.hpp"
+#include "stats/multiplicity.hpp"
+#include "stats/power.hpp"
+#include "stats/tail_doubt.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <tuple>
+#include <utility>
+
+namespace ff::studies {
+namespace {
+
+/// Cells whose bias is tested; at least 1.
+std::size_t sampled_cells(const StudyPlan& plan) {
+    const auto sampled =
+        std::count_if(plan.cells.begin(), plan.cells.end(), [](const Cell& cell) { return !cell.deterministic; });
+    return static_cast<std::size_t>(std::max<std::ptrdiff_t>(1, sampled));
+}
+
+/// The test of one pair.
+struct PairTest {
+    double t = 0;
+    stats::MeanTest test;
+    bool bounded = false;                     ///< the tails are known to end
+    std::optional<stats::MeanEvidence> mean;  ///< empty for binomial hits, which are counted
+    stats::Interval equivalence;              ///< of the bias, level 1 - 2 alpha
+    stats::Interval strict;                   ///< of the bias, at the level of the family
+};
+
+/// How a cell's pairs are tested.
+struct PairTester {
+    const StudyPlan& plan;
+    const CellEstimates& estimates;
+    double alpha;       ///< of an equivalence test
+    double pair_alpha;  ///< of a pair in its family
+
+    [[nodiscard]] const Cell& cell() const { return plan.cells[estimates.cell]; }
+    [[nodiscard]] const Method& method() const { return plan.spec.methods[cell().method]; }
+
+    /// Empty where nothing can be tested.
+    [[nodiscard]] std::optional<PairTest> test(const Summary& summary) const {
+        if (!summary.reference || summary.not_finite > 0) return std::nullopt;
+        const auto& values = estimates.values(summary.quantity);
+        if (counts_hits(plan, estimates, summary.quantity, summary.variance)) {
+            const auto hits = binomial_hits(values, *estimates.lattice(summary.quantity));
+            if (hits) return test_hits(summary, *hits);
+        }
+        if (summary.variance != VarianceStatus::finite) return std::nullopt;
+        const double part = largest_part(method(), plan.scenes[cell().scene], cell().subdivision, summary.quantity,
+                                         estimates.evaluations_per_face);
+        const auto pilot =
+            plan.spec.until ? std::optional<std::size_t>(plan.spec.until->pilot) : std::optional<std::size_t>();
+        const auto mean = mean_of_trials(values, *summary.reference, pilot, part);
+        if (!mean) return std::nullopt;
+        return PairTest{.t = mean->t(),
+                        .test = stats::test_mean(*mean),
+                        .bounded = std::isfinite(part),
+                        .mean = mean,
+                        .equivalence = stats::interval_of(*mean, 1 - 2 * alpha),
+                        .strict = stats::interval_of(*mean, 1 - pair_alpha)};
+    }
+
+  private:
+    [[nodiscard]] std::optional<PairTest> test_hits(const Summary& summary, const stats::Proportion& counts) const {
+        const double truth = *summary.reference;
+        if (truth <= 0 || truth >= 1) return std::nullopt;
+        const double p = stats::binomial_two_sided_p(counts, truth);
+        const auto of_bias = [&](double level) {
+            auto interval = stats::clopper_pearson_interval(counts, level);
+            interval.low -= truth;
+            interval.high -= truth;
+            return interval;
+        };
+        return PairTest{.t = *summary.bias / std::sqrt(truth * (1 - truth) / static_cast<double>(counts.trials)),
+                        .test = {.p = p, .student_p = p},
+                        .bounded = true,
+                        .mean = {},
+                        .equivalence = of_bias(1 - 2 * alpha),
+                        .strict = of_bias(1 - pair_alpha)};
+    }
+};
+
+/// Nothing is said of a mean whose trials may have no variance.
+void withdraw(PairTest& found) {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    found.test.p = 1;
+    for (stats::Interval* interval : {&found.equivalence, &found.strict})
+        std::tie(interval->low, interval->high) = std::pair(-infinity, infinity);
+}
+
+/// Withdraws what would be said of pairs whose tails are doubted, by their own trials or by those of all pairs
+/// together.
+/// @return whether there are any
+bool withdraw_heavy_tails(const CellEstimates& estimates, std::span<const Quantity> pairs,
+                          std::vector<std::optional<PairTest>>& tests) {
+    stats::PooledTails pooled;
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+        if (tests[i] && !tests[i]->bounded) pooled.add(estimates.values(pairs[i]));
+    }
+    const bool all = pooled.doubt().has_value();
+    bool some = false;
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+        if (!tests[i] || tests[i]->bounded || !(all || stats::doubt_tails(estimates.values(pairs[i])))) continue;
+        withdraw(*tests[i]);
+        some = true;
+    }
+    return some;
+}
+
+/// The value of a trial that would explain the difference on a pair; empty where there can be none.
+std::optional<double> unseen_value(const PairTest& found, const Summary& summary, const EstimatorInfo& estimator) {
+    if (!found.mean) return std::nullopt;
+    const double value = stats::unseen_value(*summary.mean, *summary.reference, summary.trials);
+    const bool bounded = std::isfinite(estimator.largest_value);
+    const bool impossible = bounded && (value < 0 || value > estimator.largest_value);
+    return impossible ? std::nullopt : std::optional(value);
+}
+
+bool leaves_out(const stats::Interval& interval, double margin) {
+    return interval.low > margin || interval.high < -margin;
+}
+
+}  // namespace
+
+double level_of_pair(const StudyPlan& plan, std::size_t tested) {
+    return stats::sidak_level(stats::sidak_level(1.0 - plan.spec.level, sampled_cells(plan)), tested);
+}
+
+bool counts_hits(const StudyPlan& plan, const CellEstimates& estimates, Quantity pair, VarianceStatus variance) {
+    const Cell& cell = plan.cells[estimates.cell];
+    // What reciprocity makes of another pair's hits is no multiple of a hit.
+    const bool completed = plan.spec.methods[cell.method].completion == Completion::reciprocal && pair.from > pair.to;
+    return !completed && !plan.spec.until && estimates.lattice(pair) &&
+           has_independent_hits(plan.spec.methods[cell.method], pair) &&
+           (variance == VarianceStatus::sparse ||
+            (variance == VarianceStatus::finite && starts_anywhere(plan.scenes[cell.scene], cell.subdivision, pair)));
+}
+
+BiasFamily judge_bias(const StudyPlan& plan, const CellEstimates& estimates, std::span<const Quantity> pairs,
+                      std::span<const Summary> summaries, bool& refuted) {
+    const StudySpec& spec = plan.spec;
+    const auto summary_of = [&](Quantity pair) -> const Summary& {
+        return *std::find_if(summaries.begin(), summaries.end(), [&](const Summary& s) { return s.quantity == pair; });
+    };
+    const auto known = std::count_if(pairs.begin(), pairs.end(),
+                                     [&](Quantity pair) { return summary_of(pair).reference.has_value(); });
+    const auto tested = static_cast<std::size_t>(std::max<std::ptrdiff_t>(1, known));
+    const double alpha = 1.0 - spec.level;
+    const std::size_t cells = sampled_cells(plan);
+    const PairTester tester{plan, estimates, alpha, level_of_pair(plan, tested)};
+    BiasFamily family;
+    family.pairs = pairs.size();
+    family.margin = spec.equivalence_margin;
+    if (estimates.trials() < stats::fewest_replicates) {
+        family.few_trials = true;
+        family.untestable = family.pairs;
+        return family;
+    }
+    std::vector<std::optional<PairTest>> tests;
+    for (const Quantity pair : pairs) tests.push_back(tester.test(summary_of(pair)));
+    const bool matters = spec.equivalence_margin || std::any_of(tests.begin(), tests.end(), [&](const auto& test) {
+                             return test && test->test.p < alpha;
+                         });
+    family.heavy_tails = matters && withdraw_heavy_tails(estimates, pairs, tests);
+    std::vector<double> p_values;
+    std::vector<double> student_p;
+    std::vector<std::size_t> constants;  // of p_values: those of pairs with one value in every trial
+    double largest_std = 0;
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+        const Summary& summary = summary_of(pairs[i]);
+        const auto& test = tests[i];
+        if (!test) {
+            ++family.untestable;
+            if (!summary.reference) {
+                ++family.unknown;
+                continue;
+            }
+            if (summary.variance == VarianceStatus::infinite) ++family.infinite;
+            if (summary.variance == VarianceStatus::sparse) ++family.sparse;
+            if (summary.variance == VarianceStatus::undefined) ++family.undefined;
+            const bool varies = summary.std && *summary.std > 0;
+            if (summary.variance != VarianceStatus::finite || varies || !summary.bias || estimates.trials() < 2)
+                continue;
+            // Trials that all give one wrong value: their random numbers are no replicates, or the method is wrong.
+            const double p = p_of_constant(*summary.bias, estimates.lattice(pairs[i]), estimates.trials());
+            if (p == 1) continue;
+            constants.push_back(p_values.size());
+            p_values.push_back(p);
+            student_p.push_back(p);
+            continue;
+        }
+        p_values.push_back(test->test.p);
+        student_p.push_back(test->test.student_p);
+        largest_std = std::max(largest_std, summary.std.value_or(0.0));
+        if (std::abs(test->t) > family.largest_t) {
+            family.largest_t = std::abs(test->t);
+            family.largest_pair = pairs[i];
+            family.unseen_value = unseen_value(*test, summary, estimator_info(tester.method()));
+        }
+        if (test->strict.is_finite()) {
+            family.minimum_detectable_bias =
+                std::max(family.minimum_detectable_bias, summary.minimum_detectable_bias.value_or(1.0));
+        } else {
+            ++family.untestable;
+            ++family.skewed;
+        }
+        const stats::Interval& interval = test->equivalence;
+        family.shown_below = std::max({family.shown_below, std::abs(interval.low), std::abs(interval.high)});
+        refuted = refuted || leaves_out(test->strict, spec.equivalence_margin.value_or(1.0));
+    }
+    if (p_values.empty()) return family;
+    const auto adjusted = stats::holm(p_values);
+    const auto over_cells = [cells](double p) { return -std::expm1(static_cast<double>(cells) * std::log1p(-p)); };
+    const auto smallest = [&](const std::vector<double>& p) {
+        return over_cells(*std::min_element(p.begin(), p.end()));
+    };
+    family.adjusted_p = smallest(adjusted);
+    family.student_p = smallest(stats::holm(student_p));
+    family.constant_and_wrong =
+        std::any_of(constants.begin(), constants.end(), [&](std::size_t k) { return over_cells(adjusted[k]) < alpha; });
+    // A form factor lies between 0 and 1: a larger bias is none that could be.
+    const bool nothing_found = family.student_p >= alpha && family.untestable < family.pairs;
+    if (nothing_found && family.minimum_detectable_bias >= 1) {
+        family.few_trials = true;
+        family.untestable = family.pairs;
+        family.minimum_detectable_bias = 0;
+    }
+    if (largest_std > 0 && estimates.trials() >= 2) {
+        family.planned_margin = stats::equivalence_margin(largest_std, estimates.trials(), {alpha, spec.power}, tested);
+    }
+    return family;
+}
+
+double p_of_constant(double bias, std::optional<double> lattice, std::size_t trials) {
+    constexpr double rounding = 1e-12;
+    const double error = std::abs(bias);
+    if (error <= lattice.value_or(0.0) + rounding) return 1;
+    const double steps = lattice ? std::floor(error / *lattice) : 1;
+    return std::pow(1 / (steps + 1), static_cast<double>(trials - 1));
+}
+
+BiasFinding bias_finding(const BiasFamily& family, double level) {
+    if (family.constant_and_wrong) return BiasFinding::biased;
+    if (family.few_trials) return BiasFinding::untestable;
+    const double alpha = 1.0 - level;
+    if (family.adjusted_p < alpha) return BiasFinding::biased;
+    if (family.student_p < alpha) return BiasFinding::inconclusive;
+    return family.untestable == family.pairs ? BiasFinding::untestable : BiasFinding::no_bias_found;
+}
+
+EquivalenceFinding equivalence_finding(const BiasFamily& family, bool refuted) {
+    if (!family.margin) return EquivalenceFinding::not_asked;
+    if (refuted && !family.few_trials) return EquivalenceFinding::refuted;
+    return family.untestable == 0 && family.shown_below < *family.margin ? EquivalenceFinding::shown
+                                                                         : EquivalenceFinding::inconclusive;
+}
+
+}  // namespace ff::studies
