@@ -43,7 +43,7 @@ std::string size_label(const studies::StudyPlan& plan, const studies::Cell& cell
         return fmt::format("{} × {}²·{}² nodes", patches, source, target);
     }
     const EstimatorInfo& estimator = estimator_info(method);
-    if (cell.samples == 0) return "exact";
+    if (cell.samples == 0) return estimator.exact ? "exact" : "one size";
     const std::string_view counted = estimator.observes == Observes::hits ? "rays"
                                      : estimator.own_points               ? estimator.evaluations
                                                                           : "points";

@@ -1,6 +1,7 @@
 #include "reports/words/reduction_words.hpp"
 
 #include "reports/text/labels.hpp"
+#include "reports/words/standing.hpp"
 
 #include <fmt/format.h>
 
@@ -58,14 +59,7 @@ std::vector<std::string> reductions_in_brief(const studies::StudyResults& result
     for (const VarianceReduction& first : results.reductions) {
         if (!seen.emplace(first.random_cell, first.pair_class).second) continue;
         if (is_below_the_top(results, first.random_cell)) continue;
-        const VarianceReduction* best = &first;
-        for (const VarianceReduction& r : results.reductions) {
-            const bool rival = r.random_cell == first.random_cell && r.pair_class == first.pair_class;
-            if (rival && r.factor > best->factor) best = &r;
-        }
-        lines.push_back(fmt::format("At {} on {} pairs {} has the least variance: {} times less than random points.",
-                                    scene_and_size(plan, plan.cells[first.random_cell]), name(first.pair_class),
-                                    method_of(plan, *best).name, factor_text(*best)));
+        lines.push_back(sentence(variance_clause(results, first.random_cell, first.pair_class)));
     }
     for (const VarianceReduction& face : results.reductions) {
         const VarianceReduction* patch = with_a_sequence_a_patch(results, face);

@@ -1,6 +1,7 @@
 #include "reports/words/slope_words.hpp"
 
 #include "reports/text/numbers.hpp"
+#include "reports/words/standing.hpp"
 
 #include <fmt/format.h>
 
@@ -57,24 +58,6 @@ std::string sizes_text(const studies::StudyPlan& plan, const studies::Ladder& la
 
 namespace {
 
-/// The ladder whose judged slope on these pairs is steepest or, with `sign` -1, flattest.
-std::string extreme(const studies::StudyResults& results, std::size_t scene, PairClass pair_class, int sign) {
-    const studies::LadderSlopes* best = nullptr;
-    const studies::Slope* best_slope = nullptr;
-    for (const studies::LadderSlopes& ladder : results.slopes) {
-        for (const studies::ClassSlopes& found : ladder.classes) {
-            const studies::Slope& slope = found.judged();
-            if (ladder.ladder.scene != scene || found.pair_class != pair_class || !slope.interval) continue;
-            if (best != nullptr && sign * *slope.slope >= sign * *best_slope->slope) continue;
-            best = &ladder;
-            best_slope = &slope;
-        }
-    }
-    if (best == nullptr) return {};
-    const bool median = best_slope->error == studies::ErrorSize::median_abs_error;
-    return fmt::format("{} ({}slope {})", best->ladder.label, median ? "median " : "", slope_text(*best_slope));
-}
-
 /// How many verdicts are of each kind.
 std::string verdicts_in_words(const std::vector<studies::LadderSlopes>& ladders) {
     std::size_t judged = 0;
@@ -101,16 +84,12 @@ std::string verdicts_in_words(const std::vector<studies::LadderSlopes>& ladders)
 
 std::vector<std::string> slopes_in_brief(const studies::StudyResults& results) {
     std::vector<std::string> lines;
-    const auto& scenes = results.findings.plan.scenes;
-    // Of a study of occlusion its own words say so.
-    for (std::size_t scene = 0; results.occlusion.empty() && scene < scenes.size(); ++scene) {
+    // Where scenes differ in what hides, they are told together.
+    const std::size_t scenes = results.occlusion.empty() ? results.findings.plan.scenes.size() : 0;
+    for (std::size_t scene = 0; scene < scenes; ++scene) {
         for (const PairClass pair_class : {PairClass::parallel, PairClass::adjacent, PairClass::other}) {
-            const std::string fastest = extreme(results, scene, pair_class, 1);
-            const std::string slowest = extreme(results, scene, pair_class, -1);
-            if (fastest.empty() || fastest == slowest) continue;
-            lines.push_back(fmt::format("{}On {} pairs {} converges fastest, {} slowest.",
-                                        scenes.size() == 1 ? "" : scenes[scene].name + ": ", name(pair_class), fastest,
-                                        slowest));
+            if (const std::string clause = rate_clause(results, scene, pair_class); !clause.empty())
+                lines.push_back(sentence(clause));
         }
     }
     if (std::string verdicts = verdicts_in_words(results.slopes); !verdicts.empty())

@@ -15,6 +15,12 @@ bool are_apart(const Measured& a, const Measured& b, double alpha) {
                        std::min(a.trials, b.trials)}) < alpha;
 }
 
+/// Level of the test of one pair of values, which share that of all pairs.
+double alpha_of_pair(std::size_t values, double level) {
+    const double pairs = static_cast<double>(values) * (static_cast<double>(values) - 1) / 2;
+    return (1 - level) / std::max(1.0, pairs);
+}
+
 /// Groups of what has been measured, and the whole in their order, best first.
 void put_in_order(std::vector<Ranked>& ranked, const std::vector<Measured>& measured, double level) {
     const auto groups = groups_apart(measured, level);
@@ -26,6 +32,9 @@ void put_in_order(std::vector<Ranked>& ranked, const std::vector<Measured>& meas
     for (const std::size_t i : order) {
         sorted.push_back(ranked[i]);
         sorted.back().group = groups[i];
+        sorted.back().alone = std::all_of(order.begin(), order.end(), [&](std::size_t other) {
+            return other == i || are_apart(measured[i], measured[other], alpha_of_pair(measured.size(), level));
+        });
     }
     ranked = std::move(sorted);
 }
@@ -68,8 +77,7 @@ std::vector<std::size_t> groups_apart(std::span<const double> values,
 std::vector<std::size_t> groups_apart(std::span<const Measured> values, double level) {
     std::vector<double> sizes;
     for (const Measured& measured : values) sizes.push_back(measured.value);
-    const auto pairs = static_cast<double>(values.size() * (values.size() - std::min<std::size_t>(values.size(), 1)));
-    const double alpha = (1 - level) / std::max(1.0, pairs / 2);
+    const double alpha = alpha_of_pair(values.size(), level);
     return groups_apart(sizes, [&](std::size_t a, std::size_t b) { return are_apart(values[a], values[b], alpha); });
 }
 
@@ -90,7 +98,7 @@ RankedSlopes rank_slopes(std::span<const LadderSlopes> ladders, std::size_t scen
         const Slope& slope = out.of_median ? found.median : found.rmse;
         if (!slope.slope || !slope.interval) return;
         const double widening = found.bent ? slope.misfit : 1;
-        Ranked ranked{i, *slope.slope, slope.interval, 0};
+        Ranked ranked{i, *slope.slope, slope.interval, 0, false};
         ranked.interval->low = *slope.slope - widening * (*slope.slope - slope.interval->low);
         ranked.interval->high = *slope.slope + widening * (slope.interval->high - *slope.slope);
         const double critical = stats::normal_critical((1 - slope.interval->level) / 2);
@@ -106,13 +114,14 @@ std::vector<Ranked> rank_errors(const Findings& findings, std::span<const std::s
     std::vector<Measured> measured;
     for (const std::size_t cell : cells) {
         const ClassError* error = findings.cells[cell].class_error(pair_class);
-        const bool deterministic = findings.plan.cells[cell].deterministic;
         if (error == nullptr || findings.cells[cell].has_infinite_variance(pair_class)) continue;
-        if (!deterministic && !error->interval) continue;
+        // Where nothing is left but rounding, trials would not show more.
+        const bool certain = findings.plan.cells[cell].deterministic || error->rmse < rounding_error;
+        if (!certain && !error->interval) continue;
         const double size = std::log(std::max(error->rmse, rounding_error));
-        const double spread = deterministic ? 0 : error->mean_square_se / (2 * error->rmse * error->rmse);
-        measured.push_back({size, spread, deterministic ? endless_trials : error->trials});
-        ranked.push_back({cell, error->rmse, deterministic ? std::nullopt : error->interval, 0});
+        const double spread = certain ? 0 : error->mean_square_se / (2 * error->rmse * error->rmse);
+        measured.push_back({size, spread, certain ? endless_trials : error->trials});
+        ranked.push_back({cell, error->rmse, certain ? std::nullopt : error->interval, 0, false});
     }
     put_in_order(ranked, measured, findings.plan.spec.level);
     return ranked;
@@ -128,8 +137,8 @@ std::vector<Ranked> rank_reductions(const Findings& findings, std::span<const Va
     };
     for (const VarianceReduction& reduction : reductions) {
         if (reduction.random_cell != random_cell || reduction.pair_class != pair_class) continue;
-        if (ranked.empty()) add({random_cell, 1, std::nullopt, 0});
-        add({reduction.cell, reduction.factor, reduction.interval, 0});
+        if (ranked.empty()) add({random_cell, 1, std::nullopt, 0, false});
+        add({reduction.cell, reduction.factor, reduction.interval, 0, false});
     }
     put_in_order(ranked, measured, findings.plan.spec.level);
     return ranked;

@@ -38,6 +38,7 @@ struct Ranked {
     double value = 0;                         ///< slope, RMSE or factor
     std::optional<stats::Interval> interval;  ///< individual interval; empty for deterministic methods
     std::size_t group = 0;                    ///< see groups_apart
+    bool alone = false;                       ///< differs from every other, by the same tests as groups
 };
 
 /// Slopes on a class of pairs, steepest first: of the RMSE or, where one of them has no variance, of the median error

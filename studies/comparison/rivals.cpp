@@ -44,6 +44,13 @@ std::vector<std::size_t> published_rivals(const Findings& findings, const std::v
     return {};
 }
 
+/// Whether no pair is off by more than rounding, as it is at every size then.
+bool is_exact_to_rounding(const CellFindings& found) {
+    return !found.class_errors.empty() &&
+           std::all_of(found.class_errors.begin(), found.class_errors.end(),
+                       [](const ClassError& error) { return error.rmse < rounding_error; });
+}
+
 /// One cell per method: sampled ones at the size that most of them share, quadratures at the same number of patches.
 std::vector<std::size_t> comparable_cells(const Findings& findings, std::size_t scene) {
     const StudyPlan& plan = findings.plan;
@@ -65,7 +72,8 @@ std::vector<std::size_t> comparable_cells(const Findings& findings, std::size_t 
         if (may_be_luck(plan, cell)) continue;
         const bool fits =
             cell.deterministic ? cell.subdivision.m == size.first : std::pair(cell.subdivision.m, cell.samples) == size;
-        if (fits || (cell.deterministic && !chosen.contains(cell.method))) chosen.insert_or_assign(cell.method, i);
+        const bool any_size = cell.deterministic || is_exact_to_rounding(findings.cells[i]);
+        if (fits || (any_size && !chosen.contains(cell.method))) chosen.insert_or_assign(cell.method, i);
     }
     std::vector<std::size_t> cells;
     for (const auto& [method, cell] : chosen) cells.push_back(cell);
