@@ -5,6 +5,7 @@
 #include "app/commands/check_session.hpp"
 #include "app/commands/look_ledger.hpp"
 #include "app/commands/run_context.hpp"
+#include "app/commands/save_means.hpp"
 #include "app/folders/output_folder.hpp"
 
 #include "core/support/error.hpp"

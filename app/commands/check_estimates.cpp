@@ -1,10 +1,7 @@
 #include "app/commands/check_estimates.hpp"
 
-#include "app/folders/output_folder.hpp"
 
 #include "core/support/error.hpp"
-#include "reports/files/output_file.hpp"
-#include "stats/moments.hpp"
 #include "studies/readers/text_file.hpp"
 #include "studies/verdicts/at_gate.hpp"
 #include "studies/verdicts/reported_gates.hpp"
@@ -111,34 +108,6 @@ std::vector<studies::GateResult> judge_file(const CheckCommand& command, const G
     if (!command.against.empty()) against = studies::load_reported(command.against, studies::Errors::optional);
     return each_on_estimates(
         spec, [&](const studies::Gate& gate) { return judge_reported(spec, gate, file, pointer_to(against)); });
-}
-
-void save_means(const CheckCommand& command) {
-    const auto text = studies::read_text_file(command.estimates, studies::FileKind::estimates);
-    const std::string origin = command.estimates.string();
-    std::string means = text;
-    if (studies::reports_means(text)) {
-        static_cast<void>(studies::parse_reported(text, origin, studies::Errors::optional));
-    } else {
-        means = "quantity,mean,standard_error,n\n";
-        const auto file = studies::parse_estimates(text, origin);
-        for (const studies::EstimateSeries& series : file.series) {
-            const double first = series.values.front();
-            const auto moments = stats::moments_of(series.values, first);
-            const double error = *moments.standard_error();
-            if (error == 0)
-                throw UserError(
-                    fmt::format("{}: all values of '{}' are equal (no spread is no evidence of precision). "
-                                "Was every trial seeded alike?",
-                                origin, series.quantity));
-            means +=
-                fmt::format("{},{},{},{}\n", series.quantity, first + *moments.bias(), error, series.values.size());
-        }
-    }
-    const auto parent = command.save_baseline.parent_path();
-    const OutputFolder lock(parent.empty() ? "." : parent, "baseline");
-    reports::write_file(command.save_baseline, means);
-    if (!command.quiet) fmt::print("Baseline: {} (compare with it by --against)\n", command.save_baseline.string());
 }
 
 std::vector<studies::EstimatesPlan> plan_file(const CheckCommand& command, const GatesSpec& spec) {

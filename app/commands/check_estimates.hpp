@@ -15,9 +15,6 @@ void expect_estimates(const CheckCommand& command, const studies::GatesSpec& spe
 /// @throws UserError, IoError
 std::vector<studies::GateResult> judge_file(const CheckCommand& command, const studies::GatesSpec& spec);
 
-/// Writes the contents of --estimates as a file of means for --against (--save-baseline).
-void save_means(const CheckCommand& command);
-
 /// Trials that each gate on a file of trials needs.
 std::vector<studies::EstimatesPlan> plan_file(const CheckCommand& command, const studies::GatesSpec& spec);
 

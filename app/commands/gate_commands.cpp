@@ -4,6 +4,7 @@
 #include "app/commands/check_estimates.hpp"
 #include "app/commands/check_session.hpp"
 #include "app/commands/program_context.hpp"
+#include "app/commands/save_means.hpp"
 
 #include "reports/terminal/gates_terminal.hpp"
 #include "studies/verdicts/bands_file.hpp"

@@ -3,6 +3,7 @@
 #include "core/estimators/added.hpp"
 #include "core/support/error.hpp"
 #include "python/module/python_lock.hpp"
+#include "python/module/words.hpp"
 #include "samplers/outside_points.hpp"
 #include "studies/scene_files/scene_writer.hpp"
 
@@ -48,8 +49,11 @@ py::object described(const Scene& scene) {
 
 class FunctionEstimator final : public Estimator {
   public:
-    FunctionEstimator(PyObject* function, std::string name, const Scene& scene)
-        : function_(function), name_(std::move(name)), faces_(static_cast<py::ssize_t>(scene.faces.size())) {
+    FunctionEstimator(PyObject* function, std::string name, std::shared_ptr<Repeatable> repeatable, const Scene& scene)
+        : function_(function),
+          name_(std::move(name)),
+          repeatable_(std::move(repeatable)),
+          faces_(static_cast<py::ssize_t>(scene.faces.size())) {
         const PythonLock held;
         scene_ = described(scene).release().ptr();
     }
@@ -62,28 +66,35 @@ class FunctionEstimator final : public Estimator {
 
     void observe(const EstimatorTask& task, Outcome& outcome, PatchTotals& /*totals*/) const override {
         const auto request = samplers::request_of({task.key, task.trial, 0, 0}, task.samples, 0);
+        const WithoutPythonLock free;
+        repeatable_->expect(name_, "estimates", [&](OutsideSeed seed) { return call(seed, task.samples); });
+        outcome = {};
+        outcome.estimates = call({request.seed, request.trial}, task.samples);
+    }
+
+  private:
+    [[nodiscard]] Eigen::MatrixXd call(OutsideSeed seed, std::uint64_t samples) const {
         const std::string origin =
-            fmt::format("{} (trial {}, seed {}, {} samples)", name_, request.trial, request.seed, task.samples);
+            fmt::format("{} (trial {}, seed {}, {} samples)", name_, seed.trial, seed.seed, samples);
         const PythonLock held;
         try {
-            const py::object made =
-                py::handle(function_)(py::handle(scene_), task.samples, request.seed, request.trial);
+            const py::object made = py::handle(function_)(py::handle(scene_), samples, seed.seed, seed.trial);
             const Numbers rows = Numbers::ensure(made);
             if (!rows || rows.ndim() != 2 || rows.shape(0) != faces_ || rows.shape(1) != faces_)
                 throw UserError(fmt::format("{}: returned no array of shape ({}, {}). Return a row for each face.",
                                             origin, faces_, faces_));
-            outcome = {};
-            outcome.estimates = rows.cast<Eigen::MatrixXd>();
-            if (!outcome.estimates.allFinite())
+            auto estimates = rows.cast<Eigen::MatrixXd>();
+            if (!estimates.allFinite())
                 throw UserError(fmt::format("{}: returned a number that is not finite. Correct the function.", origin));
+            return estimates;
         } catch (const py::error_already_set& error) {
             throw UserError(fmt::format("{}: raised {}", origin, error.what()));
         }
     }
 
-  private:
     PyObject* function_;
     std::string name_;
+    std::shared_ptr<Repeatable> repeatable_;
     py::ssize_t faces_;
     PyObject* scene_ = nullptr;
 };
@@ -94,12 +105,13 @@ void add_estimator(const std::string& name, const std::string& hash, py::functio
                    bool randomised) {
     // Kept for ever, as estimators are: no lock of the interpreter would be there to give it back at the end.
     PyObject* const function = estimate.release().ptr();
+    const auto repeatable = std::make_shared<Repeatable>(randomised, words_of_functions);
     add(std::make_unique<AddedEstimator>(
             AddedEstimator::Texts{fmt::format("{}#{}", name, hash), "form factors that a Python function finds",
                                   "A function of the Python session. What it promises is its author's affair."},
             program_traits(has_sizes, randomised), nullptr,
-            [function, name](const Scene& scene) {
-                return std::make_unique<FunctionEstimator>(function, name, scene);
+            [function, name, repeatable](const Scene& scene) {
+                return std::make_unique<FunctionEstimator>(function, name, repeatable, scene);
             }),
         name);
 }

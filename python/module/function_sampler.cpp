@@ -2,6 +2,7 @@
 
 #include "core/support/error.hpp"
 #include "python/module/python_lock.hpp"
+#include "python/module/words.hpp"
 #include "samplers/added.hpp"
 #include "samplers/outside_points.hpp"
 #include "samplers/set_of_rows.hpp"
@@ -58,12 +59,19 @@ std::string add_function(const std::string& name, const std::string& hash, py::f
         samplers::parts_of([function, name](const samplers::SetRequest& request, samplers::PointSet& set) {
             call(function, name, request, set);
         });
+    const auto repeatable = std::make_shared<Repeatable>(randomised, words_of_functions);
     const auto& entry = samplers::add(
         std::make_unique<samplers::AddedSampler>(
             samplers::AddedSampler::Texts{fmt::format("{}#{}", name, hash), "points that a Python function makes",
                                           "A function of the Python session. What it promises is its author's affair."},
             traits, std::vector<std::uint64_t>{},
-            [part, randomised](const samplers::PointSetSpec& spec) {
+            [part, randomised, repeatable, function, name](const samplers::PointSetSpec& spec) {
+                const WithoutPythonLock free;
+                repeatable->expect(name, "points", [&](OutsideSeed seed) {
+                    samplers::PointSet set;
+                    call(function, name, {spec.points, spec.dimension, seed.seed, seed.trial}, set);
+                    return set.coordinate;
+                });
                 return samplers::outside_points(spec.points, randomised, part);
             }),
         name, samplers::ShortName::moves);

@@ -104,7 +104,8 @@ Program::Program(std::string_view name, std::filesystem::path folder, double dea
       words_(words_of_command(text_)),
       folder_(std::move(folder)),
       deadline_(deadline),
-      full_name_(name_now(text_, folder_)) {
+      full_name_(name_now(text_, folder_)),
+      repeatable_(is_randomised(), {"prints", "{seed}", "leave {seed} and {trial} out"}) {
     const bool has_hash = name.size() > command_prefix.size() + text_.size();
     if (has_hash && full_name_ != name)
         throw UserError(fmt::format(
@@ -170,20 +171,6 @@ void Program::expect_sound(const std::string& place, const ChildOutput& output, 
             fail(fmt::format("printed more than {} bytes, and was stopped", most_output));
             break;
     }
-}
-
-void Program::refuse_unrepeatable(std::string_view what) const {
-    throw UserError(
-        fmt::format("{}: run twice, it prints different {} (they must follow from seed and sizes alone, "
-                    "not from the time). Let its random numbers follow from {{seed}}.",
-                    title(), what));
-}
-
-void Program::refuse_seedless(std::string_view what) const {
-    throw UserError(
-        fmt::format("{}: prints the same {} for every seed (trials would be equal). Let its random numbers "
-                    "follow from {{seed}}, or leave {{seed}} and {{trial}} out where nothing is random.",
-                    title(), what));
 }
 
 }  // namespace ff::studies

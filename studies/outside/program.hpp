@@ -1,12 +1,11 @@
 #pragma once
 
 #include "core/support/child_process.hpp"
-#include "core/support/processor_time.hpp"
+#include "core/support/repeatable.hpp"
 
 #include <cstdint>
 #include <filesystem>
 #include <functional>
-#include <mutex>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -31,11 +30,7 @@ class Program {
     /// Replacements: {"{n}", "1024"}.
     using Values = std::vector<std::pair<std::string_view, std::string>>;
 
-    /// What one run depends on besides the values.
-    struct Seed {
-        std::uint64_t seed = 0;
-        std::uint32_t trial = 0;
-    };
+    using Seed = OutsideSeed;
 
     /// @param name  "command:…", with or without a hash  @param folder  where it runs  @param deadline  seconds, above
     /// 0
@@ -60,34 +55,23 @@ class Program {
     [[nodiscard]] std::string ask(const std::string& place, const std::string& line,
                                   const ChildConversation::Size& size, std::uint64_t most_output) const;
 
-    /// Called once, before its first result: two runs with one seed have to agree; another seed has to differ.
-    /// @param what  it prints, in the plural @param result of a run, for the comparison
-    /// @throws UserError; what `result` throws
+    /// Sees to it that it repeats, and that its seed counts. @param what  it prints, in the plural
     template <class Result>
     void expect_repeatable(std::string_view what, const Result& result) {
-        std::call_once(checked_, [&] {
-            const UncountedTime no_cost_of_trials;
-            constexpr Seed seed{0x5eed0123456789ab, 0};
-            constexpr Seed another{0x0123456789ab5eed, 1};
-            const auto once = result(seed);
-            if (once != result(seed)) refuse_unrepeatable(what);
-            if (is_randomised() && once == result(another)) refuse_seedless(what);
-        });
+        repeatable_.expect(title(), what, result);
     }
 
   private:
     static constexpr std::string_view requests = "{requests}";
 
     void expect_sound(const std::string& place, const ChildOutput& output, std::uint64_t most_output) const;
-    [[noreturn]] void refuse_unrepeatable(std::string_view what) const;
-    [[noreturn]] void refuse_seedless(std::string_view what) const;
 
     std::string text_;
     std::vector<std::string> words_;
     std::filesystem::path folder_;
     double deadline_;
     std::string full_name_;
-    std::once_flag checked_;
+    Repeatable repeatable_;
 };
 
 }  // namespace ff::studies

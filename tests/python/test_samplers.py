@@ -72,6 +72,8 @@ def test_functions_can_be_of_fewer_coordinates_and_fixed():
     (lambda n, d, seed, trial: "points", "returned no array of numbers"),
     (lambda n, d, seed, trial: 1 / 0, "mine \\(trial 0.*raised ZeroDivisionError"),
     (lambda n: 0, "raised TypeError"),
+    (lambda n, d, seed, trial: numpy.random.random((n, d)), "run twice, it returns different points"),
+    (lambda n, d, seed, trial: numpy.full((n, d), 0.5), "returns the same points for every seed"),
     (5, "not a function"),
     (numpy.sin, "not a function written in Python"),
     ((shifted, {"dimension": 2}), "its options are d and randomised"),
