@@ -41,7 +41,7 @@ target_link_options(ff_settings INTERFACE
 
 # ff_rooms(TARGET [a+b ...])
 #
-# With CMAKE_UNITY_BUILD the .cpp files of a folder are compiled as one unit, of at most 12 files; the folders named
+# With CMAKE_UNITY_BUILD the .cpp files of a folder are compiled as one unit, of at most 24 files; the folders named
 # together, like "exact+geometry", are one folder to it. Most of a small file's compile time is its headers, which this
 # reads once for all of them. Names are unique within such a room, also in anonymous namespaces. Files that Highway
 # compiles several times stay alone. The preset "edit" compiles each file alone, and shows which one forgets an include.
@@ -76,7 +76,7 @@ function(ff_rooms target)
   foreach(room ${rooms})
     list(SORT files_of_${room})
     list(LENGTH files_of_${room} count)
-    math(EXPR units "(${count} + 11) / 12")
+    math(EXPR units "(${count} + 23) / 24")
     set(index 0)
     foreach(source ${files_of_${room}})
       math(EXPR unit "${index} * ${units} / ${count}")

@@ -1,6 +1,5 @@
 #include "app/commands/check_estimates.hpp"
 
-
 #include "core/support/error.hpp"
 #include "studies/readers/text_file.hpp"
 #include "studies/verdicts/at_gate.hpp"

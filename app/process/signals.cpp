@@ -34,7 +34,7 @@ State& state() {
 }
 
 /// Seconds that units in hand have to be finished.
-constexpr unsigned patience = 2;
+constexpr unsigned seconds_to_finish = 2;
 
 constexpr std::array received{SIGINT, SIGTERM, SIGUSR1};
 
@@ -128,7 +128,7 @@ const std::atomic<bool>& drop_flag() {
 
 void ask_for_the_end() {
     state().stop = true;
-    ::alarm(patience);
+    ::alarm(seconds_to_finish);
 }
 
 OnEnd::OnEnd(std::function<void()> action) : action_(std::move(action)) {

@@ -164,7 +164,7 @@ BiasFamily judge_bias(const StudyPlan& plan, const CellEstimates& estimates, std
     std::vector<std::optional<PairTest>> tests;
     for (const Quantity pair : pairs) tests.push_back(tester.test(summary_of(pair)));
     const bool matters = spec.equivalence_margin || std::any_of(tests.begin(), tests.end(), [&](const auto& test) {
-                             return test && test->test.p < alpha;
+                             return test && test->test.p < tester.pair_alpha;
                          });
     family.heavy_tails = matters && withdraw_heavy_tails(estimates, pairs, tests);
     std::vector<double> p_values;

@@ -54,7 +54,7 @@ struct RecoveredHits {
 /// The Monte Carlo values of one experiment taken together, misprints corrected.
 struct SpreadFinding {
     std::string experiment;
-    Spread spread;
+    JointDistance spread;
 };
 
 /// All findings of an audit. All indices are into the tables' `figures`.

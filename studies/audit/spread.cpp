@@ -72,8 +72,8 @@ ReadingEvidence weigh_reading(const PublishedTables& tables, const SceneFacts& f
 
 }  // namespace
 
-std::optional<Spread> weigh_spread(const PublishedTables& tables, const SceneFacts& facts,
-                                   const SrDistribution& distribution, std::span<const SampledValue> values) {
+std::optional<JointDistance> weigh_spread(const PublishedTables& tables, const SceneFacts& facts,
+                                          const SrDistribution& distribution, std::span<const SampledValue> values) {
     const bool pairs = std::any_of(values.begin(), values.end(), [&](const SampledValue& v) {
         return tables.figures[v.figure].kind == FigureKind::form_factor;
     });
@@ -87,7 +87,7 @@ std::optional<Spread> weigh_spread(const PublishedTables& tables, const SceneFac
     const auto n = static_cast<Index>(of_position.size());
     Eigen::MatrixXd part(n, n);
     std::vector<double> deviations;
-    Spread spread;
+    JointDistance spread;
     Index i = 0;
     for (const auto& [row, value] : of_position) {
         Index j = 0;

@@ -21,7 +21,7 @@ struct SampledValue {
 };
 
 /// The joint distance of Monte Carlo values from the truth, relative to their exact covariance.
-struct Spread {
+struct JointDistance {
     stats::ChiSquared chi_squared;
     double too_far = 1;    ///< P(at least as far)
     double too_close = 1;  ///< P(at least as close)
@@ -29,8 +29,8 @@ struct Spread {
 };
 
 /// Uses pairs if there are any, otherwise row sums; each quantity once. Empty where nothing can vary.
-std::optional<Spread> weigh_spread(const PublishedTables& tables, const SceneFacts& facts,
-                                   const SrDistribution& distribution, std::span<const SampledValue> values);
+std::optional<JointDistance> weigh_spread(const PublishedTables& tables, const SceneFacts& facts,
+                                          const SrDistribution& distribution, std::span<const SampledValue> values);
 
 /// An interpretation of a table's columns, judged by its figures.
 struct ReadingEvidence {
@@ -39,9 +39,9 @@ struct ReadingEvidence {
     std::string stated_in;
     std::vector<std::uint64_t> rays_per_face{};  ///< one per column
     FormatEvidence hits{};
-    std::vector<std::optional<Spread>> spread{};  ///< one per column
-    double log_odds = 0;                          ///< natural, against the likeliest reading of the table
-    bool refuted = false;                         ///< less likely than the best one by more than `refuting_odds`
+    std::vector<std::optional<JointDistance>> spread{};  ///< one per column
+    double log_odds = 0;                                 ///< natural, against the likeliest reading of the table
+    bool refuted = false;                                ///< less likely than the best one by more than `refuting_odds`
 };
 
 inline constexpr double refuting_odds = 1e4;

@@ -10,7 +10,7 @@ namespace ff::studies {
 namespace {
 
 /// The row sums of "MC" in the simulated tables, their deviations from 1 multiplied by `factor`.
-std::optional<Spread> spread_of_sums(std::uint64_t seed, double factor) {
+std::optional<JointDistance> spread_of_sums(std::uint64_t seed, double factor) {
     const PublishedTables tables = test::simulate_tables(seed);
     const SceneFacts facts = scene_facts(tables);
     DistributionCache cache;
