@@ -1,5 +1,6 @@
 #include "samplers/net_parameter.hpp"
 
+#include "core/support/contract.hpp"
 #include "samplers/sizes.hpp"
 
 #include <algorithm>
@@ -8,49 +9,50 @@
 namespace ff::samplers {
 namespace {
 
-/// One elementary interval a point: its number among base^(sum of the digits taken).
+/// The elementary interval of each point: its number among base^(sum of the digits taken).
 class Intervals {
   public:
     /// @param most  points that an interval holds where all hold as many
     Intervals(const PointSet& points, std::uint64_t set, std::uint32_t base, std::uint64_t most)
         : points_(points), set_(set), base_(base), most_(most), cell_(points.points, 0) {}
 
-    /// Whether for every way to divide `digits` among the coordinates from `d` on all intervals hold as many points.
-    bool are_fair(std::uint32_t digits, std::size_t d = 0) {
-        if (d + 1 == points_.dimension) {
+    /// An interval that holds more than its share, for any way to divide `digits` among the coordinates from `d` on.
+    std::optional<ElementaryInterval> find_crowded(std::uint32_t digits, std::size_t d = 0) {
+        const bool last = d + 1 == points_.dimension;
+        for (std::uint32_t own = last ? digits : 0; own <= digits; ++own) {
             const auto kept = cell_;
-            divide(d, digits);
-            const bool fair = hold_as_many();
-            cell_ = kept;
-            return fair;
-        }
-        for (std::uint32_t own = 0; own <= digits; ++own) {
-            const auto kept = cell_;
+            digits_[d] = own;
             divide(d, own);
-            const bool fair = are_fair(digits - own, d + 1);
+            auto found = last ? most_crowded() : find_crowded(digits - own, d + 1);
             cell_ = kept;
-            if (!fair) return false;
+            if (found) return found;
         }
-        return true;
+        return std::nullopt;
     }
 
   private:
+    [[nodiscard]] std::uint64_t part_of(std::uint32_t x, std::uint32_t digits) const {
+        const std::uint64_t centre = (std::uint64_t{x} << 1) + 1;  // times 2^-33
+        return centre * integer_power(base_, digits) >> 33;
+    }
+
     void divide(std::size_t d, std::uint32_t digits) {
         const std::uint64_t parts = integer_power(base_, digits);
         const auto row = points_.row(set_, d);
-        for (std::size_t i = 0; i < row.size(); ++i) {
-            const std::uint64_t centre = (std::uint64_t{row[i]} << 1) + 1;  // times 2^-33
-            cell_[i] = cell_[i] * parts + static_cast<std::uint64_t>(centre * parts >> 33);
-        }
+        for (std::size_t i = 0; i < row.size(); ++i) cell_[i] = cell_[i] * parts + part_of(row[i], digits);
     }
 
-    [[nodiscard]] bool hold_as_many() const {
-        std::vector<std::uint64_t> sorted = cell_;
-        std::sort(sorted.begin(), sorted.end());
-        for (std::size_t i = 0; i + most_ < sorted.size(); ++i) {
-            if (sorted[i] == sorted[i + most_]) return false;
-        }
-        return true;
+    [[nodiscard]] std::optional<ElementaryInterval> most_crowded() const {
+        std::vector<std::uint64_t> counts(points_.points / most_, 0);
+        for (const std::uint64_t cell : cell_) ++counts[cell];
+        const auto largest = std::max_element(counts.begin(), counts.end());
+        if (*largest <= most_) return std::nullopt;
+        const auto inside =
+            std::find(cell_.begin(), cell_.end(), static_cast<std::uint64_t>(largest - counts.begin())) - cell_.begin();
+        ElementaryInterval found{digits_, {}, *largest};
+        for (std::size_t d = 0; d < points_.dimension; ++d)
+            found.number[d] = part_of(points_.row(set_, d)[static_cast<std::size_t>(inside)], digits_[d]);
+        return found;
     }
 
     const PointSet& points_;
@@ -58,18 +60,32 @@ class Intervals {
     std::uint32_t base_;
     std::uint64_t most_;
     std::vector<std::uint64_t> cell_;
+    std::array<std::uint32_t, max_dimension> digits_{};  ///< that each coordinate is divided by
 };
 
-}  // namespace
-
-std::optional<std::uint32_t> net_parameter(const PointSet& points, std::uint64_t set, std::uint32_t base) {
+/// m where the number of points is base^m.
+std::optional<std::uint32_t> exponent_of(const PointSet& points, std::uint32_t base) {
     std::uint32_t m = 0;
     while (integer_power(base, m) < points.points) ++m;
     if (integer_power(base, m) != points.points) return std::nullopt;
-    for (std::uint32_t t = 0; t < m; ++t) {
-        if (Intervals(points, set, base, integer_power(base, t)).are_fair(m - t)) return t;
-    }
     return m;
+}
+
+}  // namespace
+
+std::optional<ElementaryInterval> crowded_interval(const PointSet& points, std::uint64_t set, std::uint32_t base,
+                                                   std::uint32_t t) {
+    const auto m = exponent_of(points, base);
+    FF_EXPECT(m && t <= *m);
+    return Intervals(points, set, base, integer_power(base, t)).find_crowded(*m - t);
+}
+
+std::optional<std::uint32_t> net_parameter(const PointSet& points, std::uint64_t set, std::uint32_t base) {
+    const auto m = exponent_of(points, base);
+    if (!m) return std::nullopt;
+    std::uint32_t t = 0;
+    while (t < *m && crowded_interval(points, set, base, t)) ++t;
+    return t;
 }
 
 }  // namespace ff::samplers

@@ -170,6 +170,9 @@ void add_check_sampler(ProgramDefinition& program, CheckSamplerCommand& command)
     sub.option("--d", command.dimension, "Coordinates of a point (default: all, at most 4)");
     sub.option("--trials", command.trials, "Trials (default: about a second's)", {.numbers = Numbers::positive});
     sub.option("--seed", command.seed, "Seed of all random numbers", {.shows_default = true});
+    sub.option("--promises", command.promises,
+               "What every set is, several after commas: latin, net:T, stratified, lattice (default: it is looked for)",
+               {.type = "STRUCTURE", .delimiter = ','});
     add_outside_options(sub, command.outside, OutsideCodeFrom::command_line);
     sub.action = [&] { return check_sampler(command); };
 }

@@ -49,6 +49,8 @@ std::string_view word(studies::SamplerVerdict verdict) {
             return "pass";
         case studies::SamplerVerdict::fail:
             return "FAIL";
+        case studies::SamplerVerdict::note:
+            return "note";
         case studies::SamplerVerdict::inconclusive:
             break;
     }
@@ -80,13 +82,14 @@ ExitCode check_sampler(const CheckSamplerCommand& command) {
     request.dimension = command.dimension.value_or(sampler.info.most_dimension);
     request.trials = command.trials.value_or(0);
     request.seed = command.seed;
+    for (const std::string& text : command.promises) request.promises.push_back(studies::parse_promise(text));
     const auto found = studies::check_sampler(sampler, request);
     fmt::print("{}: {} points of {} coordinates, {} trial{}, seed {}\n", sampler.info.name, request.points,
                request.dimension, found.trials, found.trials == 1 ? "" : "s", request.seed);
     fmt::print(
         "A sound sampler fails with probability {} at most; in each statistical check, what is said to be seen is "
-        "missed with probability {:.2g}.\n\n",
-        request.alpha, 1 - request.power);
+        "missed with probability {:.2g}. Structure is looked for in {} set{}.\n\n",
+        request.alpha, 1 - request.power, found.sets, found.sets == 1 ? "" : "s");
     std::size_t width = 0;
     for (const auto& check : found.checks) width = std::max(width, check.name.size());
     bool failed = false;

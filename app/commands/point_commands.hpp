@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace ff::app {
 
@@ -28,13 +29,15 @@ struct CheckSamplerCommand {
     std::optional<std::size_t> dimension;
     std::optional<std::uint64_t> trials;
     std::uint64_t seed = 1;
+    std::vector<std::string> promises;  ///< structure that every set has, each as "net:2"
     OutsideOptions outside;
 };
 
 /// Writes a point set as .npy, .csv, .dat or .svg, or prints its evenness.
 ExitCode points(const PointsCommand& command);
 
-/// Checks a sampler against the contract: failed where it breaks it, inconclusive where trials are too few.
+/// Checks a sampler against the contract: failed where it breaks it or a promise, inconclusive where trials are too
+/// few, or where its points are nearly a structure.
 ExitCode check_sampler(const CheckSamplerCommand& command);
 
 }  // namespace ff::app

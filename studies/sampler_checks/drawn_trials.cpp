@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace ff::studies {
 namespace {
@@ -36,12 +37,68 @@ struct Integrands {
     }
 };
 
+/// Counts points in slices, trial by trial.
+class SliceCounter {
+  public:
+    SliceCounter(std::uint64_t points, std::size_t dimension)
+        : points_(points), sums_(dimension), in_slice_(points * dimension, 0), in_wide_(dimension) {}
+
+    void add(const PointBlock& block) {
+        for (std::size_t d = 0; d < block.dimension; ++d) {
+            std::uint32_t* const counts = &in_slice_[d * points_];
+            std::uint64_t shared = 0;
+            for (std::size_t i = 0; i < block.size; ++i) {
+                const std::uint32_t x = block.coordinate[d][i];
+                shared += counts[x * points_ >> 32]++;
+                for (std::size_t k = 0; k < wide_slices.size(); ++k) ++in_wide_[d][k][x * wide_slices[k] >> 32];
+            }
+            sums_[d].shared += static_cast<double>(shared);
+        }
+    }
+
+    void end_trial() {
+        const auto points = static_cast<double>(points_);
+        for (std::size_t d = 0; d < sums_.size(); ++d) {
+            for (std::size_t k = 0; k < wide_slices.size(); ++k) {
+                const auto slices = static_cast<double>(wide_slices[k]);
+                double squares = 0;
+                for (std::size_t slice = 0; slice < wide_slices[k]; ++slice) {
+                    const double deviation = static_cast<double>(in_wide_[d][k][slice]) - points / slices;
+                    squares += deviation * deviation;
+                }
+                sums_[d].variance[k] += squares / (points * (1 - 1 / slices));
+            }
+        }
+        std::fill(in_slice_.begin(), in_slice_.end(), 0u);
+        std::fill(in_wide_.begin(), in_wide_.end(), WideCounts{});
+    }
+
+    [[nodiscard]] std::vector<SliceCounts> averages(std::uint64_t trials) const {
+        std::vector<SliceCounts> result = sums_;
+        for (SliceCounts& one : result) {
+            one.shared /= static_cast<double>(trials);
+            for (double& variance : one.variance) variance /= static_cast<double>(trials);
+        }
+        return result;
+    }
+
+  private:
+    using WideCounts = std::array<std::array<std::uint64_t, wide_slices.back()>, wide_slices.size()>;
+
+    std::uint64_t points_;
+    std::vector<SliceCounts> sums_;
+    std::vector<std::uint32_t> in_slice_;  ///< [dimension][slice]
+    std::vector<WideCounts> in_wide_;
+};
+
 }  // namespace
 
 DrawnTrials draw_trials(const PointSource& source, std::size_t dimension, StreamKey key, std::uint64_t trials) {
     const Integrands integrands{dimension};
     const std::uint64_t points = source.points();
     DrawnTrials drawn;
+    std::optional<SliceCounter> slices;
+    if (points <= most_for_slices) slices.emplace(points, dimension);
     PointBlock block;
     block.dimension = dimension;
     for (std::uint64_t trial = 0; trial < trials; ++trial) {
@@ -53,6 +110,7 @@ DrawnTrials draw_trials(const PointSource& source, std::size_t dimension, Stream
         for (PointIndex first = 0; first < points; first += block.size) {
             block.size = std::min<std::uint64_t>(block_capacity, points - first);
             source.fill(stream, first, block);
+            if (slices) slices->add(block);
             for (std::size_t i = 0; i < block.size; ++i) {
                 std::array<double, max_dimension> x{};
                 for (std::size_t d = 0; d < dimension; ++d) x[d] = (block.coordinate[d][i] + 0.5) * 0x1p-32;
@@ -65,7 +123,9 @@ DrawnTrials draw_trials(const PointSource& source, std::size_t dimension, Stream
             }
         }
         for (std::size_t f = 0; f < sums.size(); ++f) drawn.means[f].push_back(sums[f] / static_cast<double>(points));
+        if (slices) slices->end_trial();
     }
+    if (slices) drawn.slices = slices->averages(trials);
     return drawn;
 }
 

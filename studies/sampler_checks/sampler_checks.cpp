@@ -9,6 +9,7 @@
 #include "stats/power.hpp"
 #include "stats/serial_correlation.hpp"
 #include "studies/sampler_checks/drawn_trials.hpp"
+#include "studies/sampler_checks/structure_checks.hpp"
 
 #include <fmt/format.h>
 
@@ -139,6 +140,41 @@ std::vector<Tested> test_all(const DrawnTrials& drawn, std::size_t dimension, st
     return tests;
 }
 
+std::uint32_t base_of(const SamplerInfo& info, std::uint64_t points) {
+    return base_of_structure(points, info.sizes == samplers::Sizes::powers ? info.base : 0);
+}
+
+void expect_possible(const SamplerCheckRequest& request, std::uint32_t base) {
+    for (const Promise& promise : request.promises) {
+        const std::string why = why_impossible(promise, request.points, request.dimension, base);
+        if (!why.empty()) throw UserError(fmt::format("--promises {} ({}). Change --n.", name_of(promise), why));
+    }
+}
+
+SamplerCheck keeps_promise(const Promise& promise, const StructureEvidence& evidence) {
+    const std::string name = "promise: " + name_of(promise);
+    for (std::uint64_t set = 0; set < evidence.drawn.sets; ++set) {
+        if (const auto where = broken_by(promise, evidence.drawn, set, evidence.base))
+            return {name, SamplerVerdict::fail, fmt::format("trial {}, {}", set, *where)};
+    }
+    return {name, SamplerVerdict::pass,
+            fmt::format("{} set{} keep{} it", evidence.drawn.sets, evidence.drawn.sets == 1 ? "" : "s",
+                        evidence.drawn.sets == 1 ? "s" : "")};
+}
+
+/// Promises, or what the sets look like.
+void add_structure(const SamplerCheckRequest& request, const StructureEvidence& evidence, SamplerChecks& result) {
+    result.sets = evidence.drawn.sets;
+    const auto add = [&](std::vector<SamplerCheck> checks) {
+        std::move(checks.begin(), checks.end(), std::back_inserter(result.checks));
+    };
+    for (const Promise& promise : request.promises) result.checks.push_back(keeps_promise(promise, evidence));
+    add(doubt_values(evidence));
+    if (!request.promises.empty()) return;
+    add(doubt_structure(evidence));
+    add(describe(evidence));
+}
+
 }  // namespace
 
 std::uint64_t usual_trials(const SamplerInfo& info, std::uint64_t points) {
@@ -160,13 +196,17 @@ SamplerChecks check_sampler(const samplers::CatalogueEntry& sampler, const Sampl
     if (info.most_trials != 0 && result.trials > info.most_trials)
         throw UserError(
             fmt::format("--trials {} ({} has {}). Take fewer.", result.trials, info.name, info.most_trials));
+    const std::uint32_t base = base_of(info, request.points);
+    expect_possible(request, base);
     result.checks.push_back(same_bits(sampler, spec, key));
     if (auto check = keeps_sizes(sampler, spec, key)) {
         result.checks.push_back(std::move(*check));
     } else {
         result.not_asked.emplace_back("what its sizes promise: this size promises nothing");
     }
+    StructureEvidence structure = draw_structure(*source, request.dimension, key, result.trials, base);
     if (!source->randomised()) {
+        add_structure(request, structure, result);
         result.not_asked.emplace_back("uniform points, unbiased means, independent trials: it is not randomised");
         return result;
     }
@@ -190,6 +230,8 @@ SamplerChecks check_sampler(const samplers::CatalogueEntry& sampler, const Sampl
                     : fmt::format("would be seen if {} {:.2g}{}", test.what, test.detectable,
                                   sharp ? "" : fmt::format("; {} is wanted, take more trials", test.worst))});
     }
+    structure.slices = drawn.slices;
+    add_structure(request, structure, result);
     return result;
 }
 

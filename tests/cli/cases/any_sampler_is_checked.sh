@@ -64,6 +64,51 @@ expect_stdout "FAIL          trials independent, a smooth function"
 ffstudy check-sampler same_seed
 expect_stdout "same_seed"
 
+# A promise is kept by every set, or broken at a place.
+for promised in "latin_hypercube latin" "sobol latin,net:3" "stratified stratified" "lattice lattice,latin" "faure net:0"; do
+    read -r sampler promises <<<"$promised"
+    ffstudy check-sampler "$sampler" --promises "$promises"
+    expect_status 0
+    expect_stdout "pass          promise: ${promises%%,*}"
+done
+ffstudy check-sampler random --n 64 --promises latin,net:2
+expect_status 1
+expect_stdout "FAIL          promise: latin"
+expect_stdout "coordinate 0: slice "
+ffstudy check-sampler file:moved.csv#digital_shift --d 2 --promises net:0
+expect_status 1
+expect_stdout "FAIL          promise: net:0"
+ffstudy check-sampler sobol --n 100 --promises net:2
+expect_status 2
+expect_stderr "100 points are no power of 2"
+ffstudy check-sampler sobol --promises nets
+expect_status 2
+expect_stderr "latin, net:T with a number T, stratified or lattice"
+
+# Without one the structure is looked for. What nearly has it is inconclusive where points are randomised, else a note.
+ffstudy check-sampler random
+expect_status 0
+expect_stdout "of every coordinate, in 256 points"
+expect_stdout "t in base 2 is "
+ffstudy check-sampler sobol_raw
+expect_status 0
+expect_stdout "note          nearly a Latin hypercube"
+ffstudy points sobol_raw --n 64 --out skipped.csv
+ffstudy check-sampler file:skipped.csv#digital_shift
+expect_status 4
+expect_stdout "inconclusive  nearly a Latin hypercube"
+expect_stdout "62 of 64 slices of coordinate"
+{ echo 0,0; head -n 63 skipped.csv | cut -d, -f1,2; } >whole.csv
+ffstudy check-sampler file:whole.csv#digital_shift
+expect_status 0
+ffstudy check-sampler file:whole.csv#shift
+expect_status 4
+expect_stdout "inconclusive  shifted net"
+awk -F, '{ printf "%.12f,%.12f\n", $1, (int(8 * $2) + 0.5) / 8 }' whole.csv >few_values.csv
+ffstudy check-sampler file:few_values.csv#shift
+expect_status 4
+expect_stdout "coordinate 1: 8 values in 64 points"
+
 # Too few sets show nothing.
 awk 'BEGIN { x = 1; for (s = 0; s < 20; ++s) { for (i = 0; i < 16; ++i) { x = (x * 16807) % 2147483647; printf "%.12f\n", x / 2147483647 } print "#" } }' >few.txt
 ffstudy check-sampler file:few.txt

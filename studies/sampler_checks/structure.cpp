@@ -1,0 +1,112 @@
+#include "studies/sampler_checks/structure.hpp"
+
+#include "core/support/contract.hpp"
+#include "samplers/net_parameter.hpp"
+#include "samplers/sizes.hpp"
+#include "studies/sampler_checks/point_groups.hpp"
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+
+namespace ff::studies {
+namespace {
+
+std::uint64_t count_singles(const std::vector<std::uint64_t>& cells) {
+    return static_cast<std::uint64_t>(std::count(cells.begin(), cells.end(), 1));
+}
+
+/// For each point the first point with the same value.
+std::vector<std::uint32_t> first_with_value(std::span<const std::uint32_t> row) {
+    std::vector<std::uint32_t> order(row.size());
+    std::iota(order.begin(), order.end(), 0u);
+    std::sort(order.begin(), order.end(),
+              [&](std::uint32_t a, std::uint32_t b) { return row[a] != row[b] ? row[a] < row[b] : a < b; });
+    std::vector<std::uint32_t> first(row.size());
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        const bool known = i > 0 && row[order[i]] == row[order[i - 1]];
+        first[order[i]] = known ? first[order[i - 1]] : order[i];
+    }
+    return first;
+}
+
+CoordinateStructure coordinate_structure(const std::vector<std::uint32_t>& first) {
+    CoordinateStructure found;
+    std::vector<std::uint64_t> met(first.size(), 0);  // points with the value of this one
+    for (std::size_t i = 0; i < first.size(); ++i) {
+        found.equal_pairs += met[first[i]]++;
+        if (first[i] == i) {
+            ++found.values;
+        } else if (first[i] != first[i - 1]) {
+            found.equal_are_neighbours = false;
+        }
+    }
+    return found;
+}
+
+}  // namespace
+
+samplers::PointSet projection(const samplers::PointSet& set, std::uint64_t which,
+                              const std::vector<std::size_t>& coordinates) {
+    samplers::PointSet result{set.points, coordinates.size(), 1, {}};
+    for (const std::size_t d : coordinates) {
+        const auto row = set.row(which, d);
+        result.coordinate.insert(result.coordinate.end(), row.begin(), row.end());
+    }
+    return result;
+}
+
+std::vector<std::uint64_t> points_of_cells(const samplers::PointSet& set, std::uint64_t which, std::uint64_t k,
+                                           Edge edge) {
+    std::vector<std::uint64_t> counts(samplers::integer_power(k, set.dimension), 0);
+    for (std::size_t i = 0; i < set.points; ++i) {
+        std::uint64_t cell = 0;
+        for (std::size_t d = set.dimension; d-- > 0;) cell = cell * k + slice_of(set.row(which, d)[i], k, edge);
+        ++counts[cell];
+    }
+    return counts;
+}
+
+std::uint32_t base_of_structure(std::uint64_t points, std::uint32_t base_of_powers) {
+    if (base_of_powers != 0) return base_of_powers;
+    for (const std::uint32_t base : {2u, 3u, 5u, 7u, 11u, 13u}) {
+        if (samplers::integer_power(base, samplers::count_digits(points, base)) == points) return base;
+    }
+    return 2;
+}
+
+SetStructure structure_of(const samplers::PointSet& set, std::uint64_t which, std::uint32_t base) {
+    FF_EXPECT(which < set.sets && set.points >= 1);
+    SetStructure found;
+    found.points = set.points;
+    std::vector<std::vector<std::uint32_t>> firsts;
+    for (std::size_t d = 0; d < set.dimension; ++d) {
+        firsts.push_back(first_with_value(set.row(which, d)));
+        CoordinateStructure& coordinate = found.coordinates.emplace_back(coordinate_structure(firsts.back()));
+        coordinate.repeats_as =
+            static_cast<std::size_t>(std::find(firsts.begin(), firsts.end(), firsts.back()) - firsts.begin());
+        const auto one = projection(set, which, {d});
+        for (const Edge edge : {Edge::upper, Edge::lower})
+            coordinate.single_slices =
+                std::max(coordinate.single_slices, count_singles(points_of_cells(one, 0, set.points, edge)));
+    }
+    const std::uint64_t k = samplers::floor_root(set.points, set.dimension);
+    if (set.dimension > 1 && k > 1 && samplers::integer_power(k, set.dimension) == set.points) {
+        found.cells_a_side = k;
+        for (const Edge edge : {Edge::upper, Edge::lower})
+            found.single_cells = std::max(found.single_cells, count_singles(points_of_cells(set, which, k, edge)));
+    }
+    if (set.points <= most_for_groups) found.lattice = !first_off_lattice(set, which);
+    if (set.points > most_for_t_of_structure) return found;
+    found.t = samplers::net_parameter(set, which, base);
+    if (!found.t || set.dimension < 3) return found;
+    for (std::size_t a = 0; a < set.dimension; ++a) {
+        for (std::size_t b = a + 1; b < set.dimension; ++b) {
+            const auto t = samplers::net_parameter(projection(set, which, {a, b}), 0, base);
+            found.pairs.push_back({a, b, t.value_or(0)});
+        }
+    }
+    return found;
+}
+
+}  // namespace ff::studies

@@ -1,0 +1,63 @@
+#pragma once
+
+#include "samplers/point_set.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace ff::studies {
+
+/// What one coordinate of n points looks like.
+struct CoordinateStructure {
+    std::uint64_t values = 0;          ///< that differ; n where none is there twice
+    std::uint64_t equal_pairs = 0;     ///< pairs of points with the same value
+    bool equal_are_neighbours = true;  ///< points with the same value follow one another
+    std::size_t repeats_as = 0;        ///< the first coordinate whose values are the same for the same points
+    std::uint64_t single_slices = 0;   ///< of n slices, those that hold one point
+};
+
+/// The t-value of two coordinates.
+struct PairStructure {
+    std::size_t first = 0;
+    std::size_t second = 0;
+    std::uint32_t t = 0;
+};
+
+/// Facts about one point set; nothing in it is a judgement.
+struct SetStructure {
+    std::uint64_t points = 0;
+    std::vector<CoordinateStructure> coordinates;
+    std::uint64_t cells_a_side = 0;    ///< k where n = k^d, d > 1; else 0
+    std::uint64_t single_cells = 0;    ///< of these n cells, those that hold one point
+    std::optional<std::uint32_t> t;    ///< empty where n is no power of the base, or large
+    std::vector<PairStructure> pairs;  ///< every two coordinates, where `t` is there and d > 2
+    bool lattice = false;              ///< false for very large sets, too
+};
+
+inline constexpr std::uint64_t most_for_t_of_structure = 1u << 14;
+
+/// @param base  of t-values  @pre which < set.sets, set.points >= 1
+SetStructure structure_of(const samplers::PointSet& set, std::uint64_t which, std::uint32_t base);
+
+/// The set without all coordinates but these. @pre each is below set.dimension, which < set.sets
+samplers::PointSet projection(const samplers::PointSet& set, std::uint64_t which,
+                              const std::vector<std::size_t>& coordinates);
+
+/// Which end of the cell of width 2^-32 that a point lies in decides on its slice, where the cell lies in two.
+enum class Edge { lower, upper };
+
+/// Which of `slices` slices of [0, 1) a coordinate lies in. @pre slices <= 2^32
+inline std::uint64_t slice_of(std::uint32_t x, std::uint64_t slices, Edge edge) {
+    return edge == Edge::lower ? x * slices >> 32 : ((x + std::uint64_t{1}) * slices - 1) >> 32;
+}
+
+/// How many points each of k^d cells holds; those of one coordinate are slices.
+std::vector<std::uint64_t> points_of_cells(const samplers::PointSet& set, std::uint64_t which, std::uint64_t k,
+                                           Edge edge);
+
+/// The base of t-values: of a sampler that is made for powers its own; else 2, or the least of 3, 5, 7, 11 and 13 that
+/// the number of points is a power of.
+std::uint32_t base_of_structure(std::uint64_t points, std::uint32_t base_of_powers);
+
+}  // namespace ff::studies

@@ -1,0 +1,138 @@
+#include "studies/sampler_checks/structure_checks.hpp"
+
+#include "samplers/draw_set.hpp"
+#include "samplers/net_parameter.hpp"
+#include "samplers/sizes.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+
+namespace ff::studies {
+namespace {
+
+constexpr std::uint64_t most_sets = 100;
+constexpr std::uint64_t usual_points = 1u << 19;  // of all sets that are drawn
+
+/// Slices, of n, that hold one of n independent points, on average.
+double random_singles(std::uint64_t n) {
+    const auto points = static_cast<double>(n);
+    return points * std::pow(1 - 1 / points, points - 1);
+}
+
+/// "3", or "3 to 5", over all sets.
+std::string range(const StructureEvidence& evidence, const std::function<std::uint64_t(const SetStructure&)>& value) {
+    std::uint64_t least = std::numeric_limits<std::uint64_t>::max();
+    std::uint64_t most = 0;
+    for (const SetStructure& set : evidence.sets) {
+        least = std::min(least, value(set));
+        most = std::max(most, value(set));
+    }
+    return least == most ? fmt::format("{}", least) : fmt::format("{} to {}", least, most);
+}
+
+/// "3 of coordinate 0, 4 to 5 of coordinate 1", or "4 of every coordinate".
+std::string by_coordinate(const StructureEvidence& evidence,
+                          const std::function<std::uint64_t(const CoordinateStructure&)>& value) {
+    std::vector<std::string> ranges;
+    for (std::size_t d = 0; d < evidence.drawn.dimension; ++d)
+        ranges.push_back(range(evidence, [&](const SetStructure& set) { return value(set.coordinates[d]); }));
+    if (std::count(ranges.begin(), ranges.end(), ranges.front()) == static_cast<std::ptrdiff_t>(ranges.size()))
+        return ranges.front() + " of every coordinate";
+    std::string text;
+    for (std::size_t d = 0; d < ranges.size(); ++d)
+        text += fmt::format("{}{} of coordinate {}", d == 0 ? "" : ", ", ranges[d], d);
+    return text;
+}
+
+SamplerCheck describe_values(const StructureEvidence& evidence) {
+    return {"distinct values", SamplerVerdict::note,
+            fmt::format("{}, in {} points",
+                        by_coordinate(evidence, [](const CoordinateStructure& one) { return one.values; }),
+                        evidence.drawn.points)};
+}
+
+SamplerCheck describe_slices(const StructureEvidence& evidence) {
+    const std::uint64_t n = evidence.drawn.points;
+    return {fmt::format("slices of 1/{} with one point", n), SamplerVerdict::note,
+            fmt::format("{}; random points: {:.0f}",
+                        by_coordinate(evidence, [](const CoordinateStructure& one) { return one.single_slices; }),
+                        random_singles(n))};
+}
+
+SamplerCheck describe_cells(const StructureEvidence& evidence) {
+    const std::uint64_t n = evidence.drawn.points;
+    return {
+        fmt::format("cells of {} a side with one point", evidence.sets.front().cells_a_side), SamplerVerdict::note,
+        fmt::format("{} of {}; random points: {:.0f}",
+                    range(evidence, [](const SetStructure& set) { return set.single_cells; }), n, random_singles(n))};
+}
+
+/// The t-value of the house's own net of this size, where it has one.
+std::optional<std::uint32_t> t_of_house(const StructureEvidence& evidence) {
+    const auto& house = samplers::house_sampler();
+    if (house.info.base != evidence.base) return std::nullopt;
+    const auto set = samplers::draw_set(house, {evidence.drawn.points, evidence.drawn.dimension});
+    return samplers::net_parameter(set, 0, evidence.base);
+}
+
+SamplerCheck describe_net(const StructureEvidence& evidence) {
+    std::string found = fmt::format("t in base {} is {} (0 is best, {} no structure", evidence.base,
+                                    range(evidence, [](const SetStructure& set) { return set.t.value_or(0); }),
+                                    samplers::count_digits(evidence.drawn.points, evidence.base));
+    if (const auto house = t_of_house(evidence))
+        found += fmt::format("; {} has {}", samplers::house_sampler().info.name, *house);
+    found += ")";
+    const auto& pairs = evidence.sets.front().pairs;
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+        found += fmt::format("{}{} and {}: {}", i == 0 ? "; of coordinates " : ", ", pairs[i].first, pairs[i].second,
+                             range(evidence, [&](const SetStructure& set) { return set.pairs[i].t; }));
+    }
+    return {"net", SamplerVerdict::note, found};
+}
+
+}  // namespace
+
+StructureEvidence draw_structure(const PointSource& source, std::size_t dimension, StreamKey key, std::uint64_t trials,
+                                 std::uint32_t base) {
+    StructureEvidence evidence;
+    evidence.base = base;
+    evidence.randomised = source.randomised();
+    evidence.trials = trials;
+    const std::uint64_t n = source.points();
+    const std::uint64_t affordable = std::clamp<std::uint64_t>(usual_points / n, 2, most_sets);
+    const std::uint64_t sets = evidence.randomised ? std::min(trials, affordable) : 1;
+    evidence.drawn = {n, dimension, sets, std::vector<std::uint32_t>(sets * dimension * n)};
+    PointBlock block;
+    block.dimension = dimension;
+    for (std::uint64_t set = 0; set < sets; ++set) {
+        const Stream stream{.key = key, .trial = static_cast<std::uint32_t>(set)};
+        for (PointIndex first = 0; first < n; first += block.size) {
+            block.size = std::min<std::uint64_t>(block_capacity, n - first);
+            source.fill(stream, first, block);
+            for (std::size_t d = 0; d < dimension; ++d)
+                std::copy_n(block.coordinate[d].begin(), block.size,
+                            &evidence.drawn.coordinate[(set * dimension + d) * n + first]);
+        }
+        evidence.sets.push_back(structure_of(evidence.drawn, set, base));
+    }
+    return evidence;
+}
+
+std::vector<SamplerCheck> describe(const StructureEvidence& evidence) {
+    const SetStructure& first = evidence.sets.front();
+    std::vector<SamplerCheck> notes{describe_values(evidence), describe_slices(evidence)};
+    if (first.cells_a_side != 0) notes.push_back(describe_cells(evidence));
+    if (first.t && first.points > 1) notes.push_back(describe_net(evidence));
+    const auto lattices =
+        std::count_if(evidence.sets.begin(), evidence.sets.end(), [](const SetStructure& set) { return set.lattice; });
+    if (lattices > 0 && first.points > 2)
+        notes.push_back({"lattices", SamplerVerdict::note,
+                         fmt::format("{} of {} sets are one, shifted or not", lattices, evidence.sets.size())});
+    return notes;
+}
+
+}  // namespace ff::studies

@@ -1,0 +1,41 @@
+#pragma once
+
+#include "studies/sampler_checks/drawn_trials.hpp"
+#include "studies/sampler_checks/sampler_verdict.hpp"
+#include "studies/sampler_checks/structure.hpp"
+
+#include <cstdint>
+#include <vector>
+
+namespace ff::studies {
+
+/// Whole sets of a sampler, and what was counted over all trials.
+struct StructureEvidence {
+    samplers::PointSet drawn;         ///< at least one set
+    std::vector<SetStructure> sets;   ///< of each
+    std::uint32_t base = 2;           ///< of t-values
+    bool randomised = true;           ///< sets are independent
+    std::vector<SliceCounts> slices;  ///< over all trials, one a coordinate; empty where nothing was counted
+    std::uint64_t trials = 0;
+};
+
+/// Chance that any of the doubts below is raised by independent random points, at most.
+inline constexpr double false_doubts = 1e-6;
+
+/// Looks at as many of the first trials as take about a second. @pre trials >= 1
+StructureEvidence draw_structure(const PointSource& source, std::size_t dimension, StreamKey key, std::uint64_t trials,
+                                 std::uint32_t base);
+
+/// What the sets look like, beside random points: notes alone.
+std::vector<SamplerCheck> describe(const StructureEvidence& evidence);
+
+/// Values that are few: inconclusive where neither chance nor origins that consecutive points share explain it, and
+/// where all values of a randomised sampler lie on a grid of 2^16 steps or fewer, as numbers of a few bits or decimals
+/// do. A note where consecutive points share origins, and where sets have values in common otherwise.
+std::vector<SamplerCheck> doubt_values(const StructureEvidence& evidence);
+
+/// Sets of a randomised sampler that are nearly a Latin hypercube, partly one, or a net that a shift modulo 1 has
+/// broken: inconclusive. A note where the sampler is not randomised and its set is nearly a Latin hypercube.
+std::vector<SamplerCheck> doubt_structure(const StructureEvidence& evidence);
+
+}  // namespace ff::studies

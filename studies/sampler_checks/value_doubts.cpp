@@ -1,0 +1,144 @@
+#include "stats/binomial.hpp"
+#include "studies/sampler_checks/structure_checks.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+#include <optional>
+#include <utility>
+
+namespace ff::studies {
+namespace {
+
+// With 2^16 values, two of the 256 points that a check usually takes share one with a probability of 0.4.
+constexpr std::uint64_t few_values = 1u << 16;
+constexpr std::size_t least_on_grid = 6;  // the grid is chosen by them: fewer lie on one by chance
+
+/// Repeats and common values of every coordinate share a third of `false_doubts`.
+double level_of_each(const StructureEvidence& evidence) {
+    return false_doubts / (6 * static_cast<double>(evidence.drawn.dimension));
+}
+
+/// Whether there are more pairs of points with equal values, in all sets, than values of 32 bits have by chance.
+bool repeats_values(const StructureEvidence& evidence, std::size_t d) {
+    const std::uint64_t n = evidence.drawn.points;
+    std::uint64_t equal = 0;
+    for (const SetStructure& set : evidence.sets) equal += set.coordinates[d].equal_pairs;
+    const std::uint64_t pairs = evidence.sets.size() * (n * (n - 1) / 2);
+    if (equal == 0 || pairs == 0) return false;
+    return stats::binomial_upper_p({equal, pairs}, 0x1p-32) < level_of_each(evidence);
+}
+
+/// Whether consecutive points share all coordinates but the last one or two: an origin with several directions.
+bool shares_origins(const StructureEvidence& evidence, const std::vector<std::size_t>& repeating) {
+    const std::size_t dimension = evidence.drawn.dimension;
+    if (repeating.size() + 1 != dimension && repeating.size() + 2 != dimension) return false;
+    if (repeating.back() + 1 != repeating.size()) return false;
+    for (const SetStructure& set : evidence.sets) {
+        for (const std::size_t d : repeating) {
+            if (set.coordinates[d].repeats_as != 0 || !set.coordinates[d].equal_are_neighbours) return false;
+        }
+    }
+    return true;
+}
+
+/// M where all values lie on a grid of M equal steps from 0 to 1, to within rounding to 2^-32, and neighbours in it
+/// occur; else 0. @pre ascending, each once
+std::uint64_t steps_of_grid(const std::vector<std::uint32_t>& values) {
+    std::uint64_t gap = std::uint64_t{1} << 32;
+    for (std::size_t i = 1; i < values.size(); ++i) gap = std::min<std::uint64_t>(gap, values[i] - values[i - 1]);
+    const std::uint64_t steps = ((std::uint64_t{1} << 32) + gap / 2) / gap;
+    for (const std::uint32_t x : values) {
+        const std::uint64_t scaled = std::uint64_t{x - values.front()} * steps;
+        const auto beyond = static_cast<std::uint32_t>(scaled);
+        if (std::min(beyond, 0u - beyond) > 2 * steps) return 0;
+    }
+    return steps;
+}
+
+/// Whether numbers of a few bits or decimals have so many steps: 2^k, 2^k - 1 as of an integer over the largest, 10^k.
+/// Other grids are those of radical inverses and lattices, which have more to them than single values.
+bool is_of_short_numbers(std::uint64_t steps) {
+    std::uint64_t tenths = steps;
+    while (tenths % 10 == 0) tenths /= 10;
+    return tenths == 1 || std::has_single_bit(steps) || std::has_single_bit(steps + 1);
+}
+
+/// Values of one coordinate that different sets have in common.
+struct CommonValues {
+    std::vector<std::uint32_t> values;  ///< of all sets together, ascending, each once
+    std::uint64_t sharing = 0;          ///< pairs of sets with a value in common
+};
+
+CommonValues common_values(const StructureEvidence& evidence, std::size_t d) {
+    const samplers::PointSet& drawn = evidence.drawn;
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> values;  // with their set
+    for (std::uint32_t set = 0; set < drawn.sets; ++set) {
+        for (const std::uint32_t x : drawn.row(set, d)) values.emplace_back(x, set);
+    }
+    std::sort(values.begin(), values.end());
+    CommonValues found;
+    std::vector<bool> share(drawn.sets * drawn.sets, false);
+    for (auto first = values.begin(); first != values.end();) {
+        const auto last = std::find_if(first, values.end(), [&](const auto& one) { return one.first != first->first; });
+        found.values.push_back(first->first);
+        std::vector<std::uint32_t> sets;
+        for (; first != last; ++first) {
+            if (sets.empty() || sets.back() != first->second) sets.push_back(first->second);
+        }
+        for (std::size_t a = 0; a < sets.size(); ++a)
+            for (std::size_t b = a + 1; b < sets.size(); ++b) share[sets[a] * drawn.sets + sets[b]] = true;
+    }
+    found.sharing = static_cast<std::uint64_t>(std::count(share.begin(), share.end(), true));
+    return found;
+}
+
+/// Values of a randomised sampler lie anywhere, so that independent sets have next to none in common. Those of a coarse
+/// grid are in doubt; a randomisation that has few outcomes is worth a note.
+std::optional<SamplerCheck> doubt_grid(const StructureEvidence& evidence, std::size_t d) {
+    const auto points = static_cast<double>(evidence.drawn.points);
+    const std::uint64_t sets = evidence.drawn.sets;
+    if (sets < 2) return std::nullopt;
+    const CommonValues common = common_values(evidence, d);
+    const double by_chance = std::min(1.0, points * points * 0x1p-32);  // an upper bound for each pair of sets
+    const bool meet = common.sharing > 0 && stats::binomial_upper_p({common.sharing, sets * (sets - 1) / 2},
+                                                                    by_chance) < level_of_each(evidence);
+    const std::uint64_t steps = steps_of_grid(common.values);
+    // Each value of 32 bits lies near a grid of 2^16 steps with a probability of 2^-13 at most.
+    const bool coarse = steps != 0 && steps <= few_values && common.values.size() >= least_on_grid;
+    if (!meet && !coarse) return std::nullopt;
+    if (coarse)
+        return SamplerCheck{"values", is_of_short_numbers(steps) ? SamplerVerdict::inconclusive : SamplerVerdict::note,
+                            fmt::format("coordinate {}: all {} values in {} sets lie on a grid of 1/{}", d,
+                                        common.values.size(), sets, steps)};
+    return SamplerCheck{"values", SamplerVerdict::note,
+                        fmt::format("coordinate {}: {} different values in {} sets of {} points; those of a set hardly "
+                                    "ever occur in another where a randomisation has many outcomes",
+                                    d, common.values.size(), sets, evidence.drawn.points)};
+}
+
+}  // namespace
+
+std::vector<SamplerCheck> doubt_values(const StructureEvidence& evidence) {
+    std::vector<SamplerCheck> doubts;
+    std::vector<std::size_t> repeating;
+    for (std::size_t d = 0; d < evidence.drawn.dimension; ++d)
+        if (repeats_values(evidence, d)) repeating.push_back(d);
+    const bool origins = !repeating.empty() && shares_origins(evidence, repeating);
+    for (const std::size_t d : repeating) {
+        const std::uint64_t values = evidence.sets.front().coordinates[d].values;
+        const std::string found =
+            fmt::format("coordinate {}: {} values in {} points", d, values, evidence.drawn.points);
+        doubts.push_back({"values", origins ? SamplerVerdict::note : SamplerVerdict::inconclusive,
+                          origins ? found + ", as where consecutive points share an origin"
+                                  : found + "; chance would let nearly all differ"});
+    }
+    if (!evidence.randomised) return doubts;
+    for (std::size_t d = 0; d < evidence.drawn.dimension; ++d) {
+        if (auto doubt = doubt_grid(evidence, d)) doubts.push_back(std::move(*doubt));
+    }
+    return doubts;
+}
+
+}  // namespace ff::studies
