@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <numeric>
 
 namespace ff::studies {
@@ -42,6 +43,23 @@ CoordinateStructure coordinate_structure(const std::vector<std::uint32_t>& first
         }
     }
     return found;
+}
+
+/// Whether one point lies in each of n slices modulo 1, wherever the first begins. Point i in order is then within a
+/// slice of i / n, all by the same shift.
+bool fills_shifted_slices(std::span<const std::uint32_t> row) {
+    if (row.size() > most_for_groups) return false;
+    std::vector<std::uint32_t> sorted(row.begin(), row.end());
+    std::sort(sorted.begin(), sorted.end());
+    const auto n = static_cast<std::int64_t>(row.size());
+    std::int64_t least = std::numeric_limits<std::int64_t>::max();
+    std::int64_t most = std::numeric_limits<std::int64_t>::min();
+    for (std::int64_t i = 0; i < n; ++i) {
+        const std::int64_t beyond = sorted[static_cast<std::size_t>(i)] * n - (i << 32);
+        least = std::min(least, beyond);
+        most = std::max(most, beyond);
+    }
+    return most - least < std::int64_t{1} << 32;
 }
 
 }  // namespace
@@ -85,6 +103,7 @@ SetStructure structure_of(const samplers::PointSet& set, std::uint64_t which, st
         CoordinateStructure& coordinate = found.coordinates.emplace_back(coordinate_structure(firsts.back()));
         coordinate.repeats_as =
             static_cast<std::size_t>(std::find(firsts.begin(), firsts.end(), firsts.back()) - firsts.begin());
+        coordinate.fills_shifted = fills_shifted_slices(set.row(which, d));
         const auto one = projection(set, which, {d});
         for (const Edge edge : {Edge::upper, Edge::lower})
             coordinate.single_slices =

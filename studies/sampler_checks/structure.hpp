@@ -15,6 +15,7 @@ struct CoordinateStructure {
     bool equal_are_neighbours = true;  ///< points with the same value follow one another
     std::size_t repeats_as = 0;        ///< the first coordinate whose values are the same for the same points
     std::uint64_t single_slices = 0;   ///< of n slices, those that hold one point
+    bool fills_shifted = false;        ///< n slices that begin elsewhere than at 0 hold a point each; n <= 2^16
 };
 
 /// The t-value of two coordinates.

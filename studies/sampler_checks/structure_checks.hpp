@@ -34,8 +34,8 @@ std::vector<SamplerCheck> describe(const StructureEvidence& evidence);
 /// do. A note where consecutive points share origins, and where sets have values in common otherwise.
 std::vector<SamplerCheck> doubt_values(const StructureEvidence& evidence);
 
-/// Sets of a randomised sampler that are nearly a Latin hypercube, partly one, or a net that a shift modulo 1 has
-/// broken: inconclusive. A note where the sampler is not randomised and its set is nearly a Latin hypercube.
+/// Sets of a randomised sampler that are nearly a Latin hypercube, partly one, or one or a net that a shift modulo 1
+/// has broken: inconclusive. A note where the sampler is not randomised and its set is nearly a Latin hypercube.
 std::vector<SamplerCheck> doubt_structure(const StructureEvidence& evidence);
 
 }  // namespace ff::studies

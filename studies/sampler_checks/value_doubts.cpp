@@ -127,9 +127,10 @@ std::vector<SamplerCheck> doubt_values(const StructureEvidence& evidence) {
         if (repeats_values(evidence, d)) repeating.push_back(d);
     const bool origins = !repeating.empty() && shares_origins(evidence, repeating);
     for (const std::size_t d : repeating) {
-        const std::uint64_t values = evidence.sets.front().coordinates[d].values;
+        std::uint64_t values = evidence.drawn.points;
+        for (const SetStructure& set : evidence.sets) values = std::min(values, set.coordinates[d].values);
         const std::string found =
-            fmt::format("coordinate {}: {} values in {} points", d, values, evidence.drawn.points);
+            fmt::format("coordinate {}: as few as {} values in {} points", d, values, evidence.drawn.points);
         doubts.push_back({"values", origins ? SamplerVerdict::note : SamplerVerdict::inconclusive,
                           origins ? found + ", as where consecutive points share an origin"
                                   : found + "; chance would let nearly all differ"});

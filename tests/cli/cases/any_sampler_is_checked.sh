@@ -33,7 +33,7 @@ expect_stdout "t-value in base 2: "
 grep -Fq "t-value in base 2: 0" "$folder/stdout" && fail "a net with a point moved is no net"
 
 # Sound ones pass: independent, a net, a set of a file with each randomisation.
-for sampler in random sobol faure "file:points.csv#owen" "file:points.csv#shift" "file:points.csv#lms"; do
+for sampler in random sobol faure "file:points.csv#owen" "file:points.csv#digital_shift" "file:points.csv#lms"; do
     ffstudy check-sampler "$sampler"
     expect_status 0
     expect_stdout "same bits for the same seed"
@@ -104,10 +104,13 @@ expect_status 0
 ffstudy check-sampler file:whole.csv#shift
 expect_status 4
 expect_stdout "inconclusive  shifted net"
+ffstudy check-sampler file:points.csv#shift
+expect_status 4
+expect_stdout "inconclusive  shifted slices"
 awk -F, '{ printf "%.12f,%.12f\n", $1, (int(8 * $2) + 0.5) / 8 }' whole.csv >few_values.csv
 ffstudy check-sampler file:few_values.csv#shift
 expect_status 4
-expect_stdout "coordinate 1: 8 values in 64 points"
+expect_stdout "coordinate 1: as few as 8 values in 64 points"
 
 # Too few sets show nothing.
 awk 'BEGIN { x = 1; for (s = 0; s < 20; ++s) { for (i = 0; i < 16; ++i) { x = (x * 16807) % 2147483647; printf "%.12f\n", x / 2147483647 } print "#" } }' >few.txt

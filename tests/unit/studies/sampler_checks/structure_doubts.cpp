@@ -23,7 +23,8 @@ std::vector<std::string> doubts_of(const samplers::CatalogueEntry& sampler, std:
     const auto checks =
         check_sampler(sampler, {.points = points, .dimension = dimension, .trials = trials, .seed = seed});
     std::vector<std::string> doubts;
-    for (const char* const name : {"values", "nearly a Latin hypercube", "partly random", "shifted net"}) {
+    for (const char* const name :
+         {"values", "nearly a Latin hypercube", "partly random", "shifted slices", "shifted net"}) {
         const auto some = test::found(checks, SamplerVerdict::inconclusive, name);
         doubts.insert(doubts.end(), some.begin(), some.end());
     }
@@ -75,6 +76,22 @@ TEST(StructureDoubts, FindANetThatAShiftHasBroken) {
     EXPECT_THAT(doubts.front(), HasSubstr("a digital net of t 0 in base 2, shifted modulo 1"));
 }
 
+TEST(StructureDoubts, FindALatinHypercubeThatAShiftHasBroken) {
+    const auto shifted = [](std::size_t n, std::size_t d, std::mt19937_64& random) {
+        auto rows = test::latin_rows(n, d, random);
+        for (std::size_t j = 0; j < d; ++j) {
+            const double shift = test::uniform(random);
+            for (auto& row : rows) row[j] = std::fmod(row[j] + shift, 1.0);
+        }
+        return rows;
+    };
+    for (const std::uint64_t n : {64u, 100u}) {
+        const auto doubts = doubts_of(shifted, n, 3);
+        ASSERT_THAT(doubts, SizeIs(1)) << n;
+        EXPECT_THAT(doubts.front(), HasSubstr("shifted slices: every coordinate has one point in each of "));
+    }
+}
+
 TEST(StructureDoubts, FindTheFirstPointDropped) {
     const auto doubts =
         doubts_of([](auto n, auto d, auto& random) { return test::net_rows(n, d, random, 1, true); }, 64, 2);
@@ -106,7 +123,7 @@ TEST(StructureDoubts, FindAFewValuesForManyPoints) {
     };
     const auto doubts = doubts_of(middles, 64, 3);
     ASSERT_THAT(doubts, SizeIs(2));
-    EXPECT_THAT(doubts[0], HasSubstr("coordinate 2: 8 values in 64 points"));
+    EXPECT_THAT(doubts[0], HasSubstr("coordinate 2: as few as 8 values in 64 points"));
     EXPECT_THAT(doubts[1], HasSubstr("coordinate 2: all 8 values in 100 sets lie on a grid of 1/8"));
     const auto drawn_anew = [](std::size_t n, std::size_t d, std::mt19937_64& random) {
         auto rows = test::random_rows(n, d, random);
