@@ -79,7 +79,7 @@ CommonValues common_values(const StructureEvidence& evidence, std::size_t d) {
     }
     std::sort(values.begin(), values.end());
     CommonValues found;
-    std::vector<bool> share(drawn.sets * drawn.sets, false);
+    std::vector<bool> in_common(drawn.sets * drawn.sets, false);
     for (auto first = values.begin(); first != values.end();) {
         const auto last = std::find_if(first, values.end(), [&](const auto& one) { return one.first != first->first; });
         found.values.push_back(first->first);
@@ -88,9 +88,9 @@ CommonValues common_values(const StructureEvidence& evidence, std::size_t d) {
             if (sets.empty() || sets.back() != first->second) sets.push_back(first->second);
         }
         for (std::size_t a = 0; a < sets.size(); ++a)
-            for (std::size_t b = a + 1; b < sets.size(); ++b) share[sets[a] * drawn.sets + sets[b]] = true;
+            for (std::size_t b = a + 1; b < sets.size(); ++b) in_common[sets[a] * drawn.sets + sets[b]] = true;
     }
-    found.sharing = static_cast<std::uint64_t>(std::count(share.begin(), share.end(), true));
+    found.sharing = static_cast<std::uint64_t>(std::count(in_common.begin(), in_common.end(), true));
     return found;
 }
 
