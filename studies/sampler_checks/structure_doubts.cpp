@@ -61,10 +61,11 @@ std::optional<SamplerCheck> nearly_latin(const StructureEvidence& evidence) {
 }
 
 /// In every set a shift modulo 1 would make every coordinate fill its slices, and without it some do not. Independent
-/// points are so with a probability below n! / n^(n - 1), 1e-11 of 32 points.
+/// points are so with a probability below n! / n^(n - 1), 1e-11 of 32 points. At sizes that are no power of two a
+/// lattice in base 2 is so, too, as with 96 = 64 + 32 points.
 std::optional<SamplerCheck> shifted_slices(const StructureEvidence& evidence) {
     const std::uint64_t n = evidence.drawn.points;
-    if (!is_telling_size(n, evidence.drawn.dimension)) return std::nullopt;
+    if (!std::has_single_bit(n) || !is_telling_size(n, evidence.drawn.dimension)) return std::nullopt;
     std::uint64_t whole = 0;
     for (const SetStructure& set : evidence.sets) {
         const auto& coordinates = set.coordinates;

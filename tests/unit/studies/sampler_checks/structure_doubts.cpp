@@ -39,7 +39,7 @@ std::vector<std::string> doubts_of(const test::MakeRows& rows, std::uint64_t poi
 TEST(StructureDoubts, SpareTheCatalogueAtItsOwnAndAtOddSizes) {
     for (const auto& sampler : samplers::catalogue()) {
         if (!sampler.info.equal_weights) continue;
-        for (const std::uint64_t n : {16u, 63u, 64u, 100u, 128u, 256u, 625u, 1000u}) {
+        for (const std::uint64_t n : {16u, 63u, 64u, 96u, 100u, 128u, 256u, 625u, 1000u}) {
             for (const std::size_t d : {std::size_t{2}, max_dimension}) {
                 if (samplers::check_size(sampler.info, n, d).fatal) continue;
                 EXPECT_THAT(doubts_of(sampler, n, d), IsEmpty()) << sampler.info.name << ' ' << n << ' ' << d;
@@ -85,7 +85,7 @@ TEST(StructureDoubts, FindALatinHypercubeThatAShiftHasBroken) {
         }
         return rows;
     };
-    for (const std::uint64_t n : {64u, 100u}) {
+    for (const std::uint64_t n : {64u, 128u}) {
         const auto doubts = doubts_of(shifted, n, 3);
         ASSERT_THAT(doubts, SizeIs(1)) << n;
         EXPECT_THAT(doubts.front(), HasSubstr("shifted slices: every coordinate has one point in each of "));
