@@ -31,16 +31,20 @@ std::vector<std::uint32_t> first_with_value(std::span<const std::uint32_t> row) 
     return first;
 }
 
+/// Whether each point has the value of the one before it.
+std::vector<bool> repeats_previous(std::span<const std::uint32_t> row) {
+    std::vector<bool> repeats(row.size(), false);
+    for (std::size_t i = 1; i < row.size(); ++i) repeats[i] = row[i] == row[i - 1];
+    return repeats;
+}
+
 CoordinateStructure coordinate_structure(const std::vector<std::uint32_t>& first) {
     CoordinateStructure found;
     std::vector<std::uint64_t> met(first.size(), 0);  // points with the value of this one
     for (std::size_t i = 0; i < first.size(); ++i) {
         found.equal_pairs += met[first[i]]++;
-        if (first[i] == i) {
-            ++found.values;
-        } else if (first[i] != first[i - 1]) {
-            found.equal_are_neighbours = false;
-        }
+        if (first[i] == i) ++found.values;
+        if (i == 0 || first[i] != first[i - 1]) ++found.runs;
     }
     return found;
 }
@@ -97,12 +101,13 @@ SetStructure structure_of(const samplers::PointSet& set, std::uint64_t which, st
     FF_EXPECT(which < set.sets && set.points >= 1);
     SetStructure found;
     found.points = set.points;
-    std::vector<std::vector<std::uint32_t>> firsts;
+    std::vector<std::vector<bool>> repeats;
     for (std::size_t d = 0; d < set.dimension; ++d) {
-        firsts.push_back(first_with_value(set.row(which, d)));
-        CoordinateStructure& coordinate = found.coordinates.emplace_back(coordinate_structure(firsts.back()));
+        repeats.push_back(repeats_previous(set.row(which, d)));
+        CoordinateStructure& coordinate =
+            found.coordinates.emplace_back(coordinate_structure(first_with_value(set.row(which, d))));
         coordinate.repeats_as =
-            static_cast<std::size_t>(std::find(firsts.begin(), firsts.end(), firsts.back()) - firsts.begin());
+            static_cast<std::size_t>(std::find(repeats.begin(), repeats.end(), repeats.back()) - repeats.begin());
         coordinate.fills_shifted = fills_shifted_slices(set.row(which, d));
         const auto one = projection(set, which, {d});
         for (const Edge edge : {Edge::upper, Edge::lower})

@@ -10,12 +10,12 @@ namespace ff::studies {
 
 /// What one coordinate of n points looks like.
 struct CoordinateStructure {
-    std::uint64_t values = 0;          ///< that differ; n where none is there twice
-    std::uint64_t equal_pairs = 0;     ///< pairs of points with the same value
-    bool equal_are_neighbours = true;  ///< points with the same value follow one another
-    std::size_t repeats_as = 0;        ///< the first coordinate whose values are the same for the same points
-    std::uint64_t single_slices = 0;   ///< of n slices, those that hold one point
-    bool fills_shifted = false;        ///< n slices that begin elsewhere than at 0 hold a point each; n <= 2^16
+    std::uint64_t values = 0;         ///< that differ; n where none is there twice
+    std::uint64_t equal_pairs = 0;    ///< pairs of points with the same value
+    std::uint64_t runs = 0;           ///< of points that follow one another with the same value
+    std::size_t repeats_as = 0;       ///< the first coordinate with the same runs
+    std::uint64_t single_slices = 0;  ///< of n slices, those that hold one point
+    bool fills_shifted = false;       ///< n slices that begin elsewhere than at 0 hold a point each; n <= 2^16
 };
 
 /// The t-value of two coordinates.

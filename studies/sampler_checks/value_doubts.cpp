@@ -35,10 +35,16 @@ bool shares_origins(const StructureEvidence& evidence, const std::vector<std::si
     const std::size_t dimension = evidence.drawn.dimension;
     if (repeating.size() + 1 != dimension && repeating.size() + 2 != dimension) return false;
     if (repeating.back() + 1 != repeating.size()) return false;
-    for (const SetStructure& set : evidence.sets) {
-        for (const std::size_t d : repeating) {
-            if (set.coordinates[d].repeats_as != 0 || !set.coordinates[d].equal_are_neighbours) return false;
+    for (const std::size_t d : repeating) {
+        std::uint64_t apart = 0;  // runs with the value of an earlier one, which chance may give
+        std::uint64_t pairs = 0;
+        for (const SetStructure& set : evidence.sets) {
+            const CoordinateStructure& one = set.coordinates[d];
+            if (one.repeats_as != 0) return false;
+            apart += one.runs - one.values;
+            pairs += one.runs * (one.runs - 1) / 2;
         }
+        if (apart > 0 && stats::binomial_upper_p({apart, pairs}, 0x1p-32) < level_of_each(evidence)) return false;
     }
     return true;
 }

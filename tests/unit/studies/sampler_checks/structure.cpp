@@ -18,10 +18,10 @@ TEST(Structure, CountsValuesAndSlices) {
     const SetStructure found = structure_of(set, 0, 2);
     EXPECT_EQ(found.coordinates[0].values, 3u);
     EXPECT_EQ(found.coordinates[0].equal_pairs, 1u);
-    EXPECT_TRUE(found.coordinates[0].equal_are_neighbours);
+    EXPECT_EQ(found.coordinates[0].runs, 3u);
     EXPECT_EQ(found.coordinates[0].single_slices, 2u);
     EXPECT_EQ(found.coordinates[1].values, 3u);
-    EXPECT_FALSE(found.coordinates[1].equal_are_neighbours);
+    EXPECT_EQ(found.coordinates[1].runs, 4u);
     EXPECT_EQ(found.coordinates[1].repeats_as, 1u);
     EXPECT_EQ(found.cells_a_side, 2u);
     EXPECT_EQ(found.single_cells, 1u);

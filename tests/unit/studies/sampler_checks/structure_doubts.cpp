@@ -48,6 +48,12 @@ TEST(StructureDoubts, SpareTheCatalogueAtItsOwnAndAtOddSizes) {
     }
 }
 
+// Two of 20 000 origins may share a coordinate by chance.
+TEST(StructureDoubts, SpareOriginsThatMeetByChance) {
+    for (std::uint64_t seed = 1; seed <= 3; ++seed)
+        EXPECT_THAT(doubts_of(samplers::find("antithetic_directions"), 40000, 3, seed, 10), IsEmpty()) << seed;
+}
+
 TEST(StructureDoubts, SpareAThousandRandomSets) {
     for (std::uint64_t seed = 1; seed <= 10; ++seed)
         EXPECT_THAT(doubts_of(samplers::find("random"), 64, max_dimension, seed, 100), IsEmpty()) << seed;
