@@ -121,7 +121,7 @@ void CheckSession::print(const std::string& text) const {
 /// The folder for these files, once it is certain that they may be written.
 OutputFolder open_folder(const std::filesystem::path& out, const std::vector<std::string>& files) {
     end_on_signals(fmt::format("\nstopped early; the gates that were done are in {}.\n", out.string()));
-    return OutputFolder(out, "check", files);
+    return {out, "check", files};
 }
 
 ExitCode judge(CheckSession session) {
