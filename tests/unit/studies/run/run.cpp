@@ -1,5 +1,6 @@
 #include "studies/run/run.hpp"
 
+#include "samplers/added.hpp"
 #include "studies/results/results.hpp"
 #include "tests/support/studies.hpp"
 
@@ -7,6 +8,9 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <condition_variable>
+#include <memory>
+#include <mutex>
 #include <numeric>
 #include <thread>
 
@@ -117,29 +121,90 @@ TEST_F(Run, KeepsOnlyAFewUnitsInMemoryWhileTheDiskIsSlow) {
     EXPECT_LE(saved, 1u + (2 * threads + 2) + 2 * threads);  // reported + waiting + in hand
 }
 
+/// Holds every trial but the first from its first point on, until it is opened. The sampler stays known by its name,
+/// but no other test asks for it.
+class Gate {
+  public:
+    /// A sampler whose points wait here. Its units have one trial each: a point is said to cost a second.
+    void add_as(std::string name) {
+        samplers::SamplerInfo traits;
+        traits.nanoseconds = 1e9;
+        samplers::add(std::make_unique<samplers::AddedSampler>(
+            samplers::AddedSampler::Texts{std::move(name), "", ""}, traits, std::vector<std::uint64_t>(),
+            [this](const samplers::PointSetSpec& spec) { return std::make_unique<Points>(*this, spec); }));
+    }
+
+    void wait_until_a_trial_is_held() {
+        std::unique_lock lock(mutex_);
+        changed_.wait(lock, [this] { return held_; });
+    }
+
+    void open() {
+        const std::lock_guard lock(mutex_);
+        open_ = true;
+        changed_.notify_all();
+    }
+
+  private:
+    class Points : public PointSource {
+      public:
+        Points(Gate& gate, const samplers::PointSetSpec& spec)
+            : gate_(gate), points_(samplers::find("random").make(spec)) {}
+        [[nodiscard]] std::uint64_t points() const override { return points_->points(); }
+        [[nodiscard]] bool randomised() const override { return true; }
+        [[nodiscard]] bool equal_weights() const override { return true; }
+        void fill(const Stream& stream, PointIndex first, PointBlock& block) const override {
+            gate_.pass(stream.trial);
+            points_->fill(stream, first, block);
+        }
+        void fill(const Stream& stream, PointIndex first, WeightedBlock& block) const override {
+            gate_.pass(stream.trial);
+            points_->fill(stream, first, block);
+        }
+
+      private:
+        Gate& gate_;
+        std::unique_ptr<PointSource> points_;
+    };
+
+    void pass(std::uint32_t trial) {
+        if (trial == 0) return;
+        std::unique_lock lock(mutex_);
+        held_ = true;
+        changed_.notify_all();
+        changed_.wait(lock, [this] { return open_; });
+    }
+
+    std::mutex mutex_;
+    std::condition_variable changed_;
+    bool held_ = false;
+    bool open_ = false;
+};
+
 TEST_F(Run, FinishesCurrentUnitsUnlessToldToDropThem) {
-    // A unit of some 0.2 s; the second is in hand while the first is reported.
-    const StudyPlan plan =
-        plan_of(study_text("trials = 3",
-                           "[[method]]\nname = \"a\"\nsampler = \"random\"\nestimator = \"ray_shooting\"\n"
-                           "samples_per_patch = 20000000"));
-    ASSERT_EQ(plan.units.size(), 3u);
-    const auto units_saved = [&](bool drop) {
+    const auto units_saved = [](const std::string& sampler, bool drop) {
+        Gate gate;
+        gate.add_as(sampler);
+        const StudyPlan plan =
+            plan_of(study_text("trials = 3", "[[method]]\nname = \"a\"\nsampler = \"" + sampler +
+                                                 "\"\nestimator = \"ray_shooting\"\nsamples_per_patch = 10"));
+        EXPECT_EQ(plan.units.size(), 3u);
         Store store = Store::create_or_resume(test::in_memory, plan);
         std::atomic<bool> stop{false};
         RunOptions options;
         options.stop = &stop;
         if (drop) options.drop = &stop;
         options.report = [&](const Progress&) {
-            if (!stop) std::this_thread::sleep_for(std::chrono::milliseconds(100));
+            gate.wait_until_a_trial_is_held();
             stop = true;
+            gate.open();
         };
         EXPECT_EQ(run_study(store, options), RunOutcome::stopped);
         const auto done = store.finished_units();
         return std::count(done.begin(), done.end(), true);
     };
-    EXPECT_EQ(units_saved(false), 2);
-    EXPECT_EQ(units_saved(true), 1);
+    EXPECT_EQ(units_saved("held_points", false), 2);
+    EXPECT_EQ(units_saved("held_points_to_drop", true), 1);
 }
 
 TEST_F(Run, StopsWithinATrialThatWouldTakeHours) {
