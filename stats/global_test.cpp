@@ -1,6 +1,7 @@
 #include "stats/global_test.hpp"
 
 #include "core/support/contract.hpp"
+#include "stats/distributions.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -41,6 +42,16 @@ double cauchy_combination(std::span<const double> p) {
     }
     const double mean = sum / static_cast<double>(p.size());
     return upper_tail(mean - std::log1p(sum) / std::numbers::pi);
+}
+
+double chi_squared_combination(std::span<const double> p) {
+    FF_EXPECT(!p.empty());
+    double sum = 0;
+    for (const double value : p) {
+        if (value < std::numeric_limits<double>::min()) return 0;
+        sum += std::pow(normal_critical(value / 2), 2);
+    }
+    return chi_squared_tail(sum, static_cast<double>(p.size()));
 }
 
 }  // namespace ff::stats

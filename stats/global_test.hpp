@@ -4,7 +4,7 @@
 
 namespace ff::stats {
 
-/// One p-value for "every one of these null hypotheses holds". Both are less strict than Holm's smallest adjusted
+/// One p-value for "every one of these null hypotheses holds". All are less strict than Holm's smallest adjusted
 /// p-value, but do not tell which hypothesis fails. @pre not empty, all p in [0, 1]
 
 /// min of m p_(i) / i: valid where the tests are independent or positively dependent, never above Holm's smallest
@@ -16,5 +16,9 @@ double simes(std::span<double> p);
 /// and would outweigh all others; the excess of the remaining mean over Cauchy's distribution, ln(1 + m T) / pi, is
 /// subtracted.
 double cauchy_combination(std::span<const double> p);
+
+/// The sum of the chi-squared values, of one degree of freedom each, that have these p-values: for independent tests,
+/// whatever their distributions are. It finds small effects in many of them [lancaster1961].
+double chi_squared_combination(std::span<const double> p);
 
 }  // namespace ff::stats

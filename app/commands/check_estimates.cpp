@@ -60,6 +60,28 @@ const File* pointer_to(const std::optional<File>& file) {
     return file ? &*file : nullptr;
 }
 
+/// What one of two functions makes of each gate, the file and the one that it is compared with: `of_trials`, or
+/// `of_reports` where the header is that of means or shares.
+template <class OfTrials, class OfReports>
+auto on_estimates(const CheckCommand& command, const GatesSpec& spec, const OfTrials& of_trials,
+                  const OfReports& of_reports) {
+    const std::string origin = command.estimates.string();
+    std::string text = studies::read_text_file(command.estimates, studies::FileKind::estimates);
+    if (!studies::reports_means(text)) {
+        expect_gates_on_trials(command, spec);
+        const auto file = studies::parse_estimates(text, origin);
+        const auto against = trials_against(command);
+        return each_on_estimates(
+            spec, [&](const studies::Gate& gate) { return of_trials(spec, gate, file, pointer_to(against)); });
+    }
+    const auto file = studies::parse_reported(text, origin, studies::Errors::required);
+    text = {};  // a hundred megabytes, with a million bins
+    std::optional<studies::ReportedFile> against;
+    if (!command.against.empty()) against = studies::load_reported(command.against, studies::Errors::optional);
+    return each_on_estimates(
+        spec, [&](const studies::Gate& gate) { return of_reports(spec, gate, file, pointer_to(against)); });
+}
+
 }  // namespace
 
 void expect_estimates(const CheckCommand& command, const GatesSpec& spec) {
@@ -92,30 +114,12 @@ void expect_estimates(const CheckCommand& command, const GatesSpec& spec) {
 
 std::vector<studies::GateResult> judge_file(const CheckCommand& command, const GatesSpec& spec) {
     if (command.estimates.empty()) return {};
-    const std::string origin = command.estimates.string();
-    std::string text = studies::read_text_file(command.estimates, studies::FileKind::estimates);
-    if (!studies::reports_means(text)) {
-        expect_gates_on_trials(command, spec);
-        const auto file = studies::parse_estimates(text, origin);
-        const auto against = trials_against(command);
-        return each_on_estimates(
-            spec, [&](const studies::Gate& gate) { return judge_estimates(spec, gate, file, pointer_to(against)); });
-    }
-    const auto file = studies::parse_reported(text, origin, studies::Errors::required);
-    text = {};  // a hundred megabytes, with a million bins
-    std::optional<studies::ReportedFile> against;
-    if (!command.against.empty()) against = studies::load_reported(command.against, studies::Errors::optional);
-    return each_on_estimates(
-        spec, [&](const studies::Gate& gate) { return judge_reported(spec, gate, file, pointer_to(against)); });
+    return on_estimates(command, spec, studies::judge_estimates, studies::judge_reported);
 }
 
 std::vector<studies::EstimatesPlan> plan_file(const CheckCommand& command, const GatesSpec& spec) {
     if (command.estimates.empty()) return {};
-    expect_gates_on_trials(command, spec);
-    const auto file = studies::load_estimates_file(command.estimates);
-    const auto against = trials_against(command);
-    return each_on_estimates(
-        spec, [&](const studies::Gate& gate) { return plan_estimates(spec, gate, file, pointer_to(against)); });
+    return on_estimates(command, spec, studies::plan_estimates, studies::plan_reported);
 }
 
 }  // namespace ff::app

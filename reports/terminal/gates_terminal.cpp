@@ -108,9 +108,11 @@ std::string estimates_plan(const studies::GatesSpec& spec, std::span<const studi
     const std::size_t width = name_width(spec);
     out += fmt::format("{:<{}}  {:<11}  {:>11}  {:>10}  {:>10}  {}\n", "gate", width, "kind", "comparisons", "trials",
                        "core time", "at most");
-    for (const studies::EstimatesPlan& file : files)
+    for (const studies::EstimatesPlan& file : files) {
+        const std::string needed = fmt::format("{}{}", file.needed, file.in_runs ? " runs" : "");
         out += fmt::format("{:<{}}  {:<11}  {:>11}  {:>10}  {:>10}  {} in the file\n", file.gate, width,
-                           name(file.kind), 1, file.needed, "", file.series.values.size());
+                           name(file.kind), file.comparisons, needed, "", file.at_hand);
+    }
     return out;
 }
 

@@ -7,6 +7,7 @@
 
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <system_error>
 
 namespace ff::studies {
@@ -14,6 +15,15 @@ namespace ff::studies {
 /// @throws UserError at the gate's place in its file
 [[noreturn]] inline void refuse_gate(const Gate& gate, const std::string& problem) {
     throw UserError(fmt::format("{}: {}", gate.place, problem));
+}
+
+/// @param unit  what there would have to be more of
+[[noreturn]] inline void refuse_undecidable(const Gate& gate, std::string_view unit) {
+    refuse_gate(
+        gate,
+        fmt::format("no number of {} can decide (the reference is too uncertain for this band, or the band is far "
+                    "below the noise). Widen the band, or find a better reference.",
+                    unit));
 }
 
 /// Calls `task`, and names the gate where a statistic is out of Boost.Math's range.

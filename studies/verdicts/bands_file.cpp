@@ -110,16 +110,19 @@ void read_anytime(const TomlReader& reader, Gate& gate) {
     if (gate.tightest_at < 2) reader.fail("tightest_at", "(a number of trials, at least 2). Try 100.");
 }
 
-/// The file that a gate on all bins together needs, from the folder of the bands file.
+/// How the bins vary that a gate judges together: independently, or by a file from the folder of the bands file.
 void read_covariance(const TomlReader& reader, Gate& gate) {
     const bool known = gate.combine == Combination::chi_squared;
     if (known && gate.kind != GateKind::bias && gate.kind != GateKind::equal)
         reader.fail("combine", "(covariances are of means: kind \"bias\" or \"equal\"). Take \"cauchy\".");
     if (reader.has("covariance") != known)
         reader.fail("covariance", known ? "missing (how do the bins vary together?). Add a file with the columns "
-                                          "bin,other_bin,covariance."
+                                          "bin,other_bin,covariance, or \"independent\"."
                                         : "(it belongs to combine = \"chi_squared\"). Remove the key, or add that.");
-    if (known) gate.covariance = std::filesystem::path(reader.origin()).parent_path() / reader.text("covariance");
+    if (!known) return;
+    const std::string covariance(reader.text("covariance"));
+    if (covariance != "independent")
+        gate.covariance = std::filesystem::path(reader.origin()).parent_path() / covariance;
 }
 
 /// What a gate on another program's quantity may have.

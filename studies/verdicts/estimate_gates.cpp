@@ -8,6 +8,7 @@
 #include "stats/serial_correlation.hpp"
 #include "stats/spread.hpp"
 #include "stats/tail_doubt.hpp"
+#include "studies/verdicts/at_gate.hpp"
 #include "studies/verdicts/distribution_gates.hpp"
 #include "studies/verdicts/measurement.hpp"
 #include "studies/verdicts/needed_trials.hpp"
@@ -109,32 +110,40 @@ void expect_bounded(const Gate& gate, const EstimateSeries& series, const std::s
     }
 }
 
-std::optional<Measurement> measurement_of(const Gate& gate, const EstimatesPlan& plan) {
-    const auto& values = plan.series.values;
+/// The data that a gate on a file of trials has.
+struct ExaminedSeries {
+    EstimateSeries series;
+    std::optional<EstimateSeries> other;  ///< of the second file
+    Independence independence;
+    Levels levels;
+};
+
+std::optional<Measurement> measurement_of(const Gate& gate, const ExaminedSeries& examined) {
+    const auto& values = examined.series.values;
     if (gate.anytime != Anytime::no) {
-        if (plan.independence.correlation) return std::nullopt;
-        return measure_anytime(gate, values, plan.levels);
+        if (examined.independence.correlation) return std::nullopt;
+        return measure_anytime(gate, values, examined.levels);
     }
     if (gate.kind == GateKind::bias)
         return measure_mean(values, {.value = *gate.reference, .standard_error = gate.reference_se.value_or(0)},
-                            gate.band, plan.levels, stats::unknown_parts, plan.independence.correlation);
+                            gate.band, examined.levels, stats::unknown_parts, examined.independence.correlation);
     if (gate.kind == GateKind::distribution) {
-        if (plan.independence.correlation) return std::nullopt;
-        if (!plan.other) return measure_distribution(values, *gate.law, plan.levels);
-        if (std::min(values.size(), plan.other->values.size()) < fewest_of_two) return std::nullopt;
-        return measure_distributions(values, plan.other->values, plan.levels);
+        if (examined.independence.correlation) return std::nullopt;
+        if (!examined.other) return measure_distribution(values, *gate.law, examined.levels);
+        if (std::min(values.size(), examined.other->values.size()) < fewest_of_two) return std::nullopt;
+        return measure_distributions(values, examined.other->values, examined.levels);
     }
     FF_EXPECT(gate.kind == GateKind::std);
     const auto spread = stats::spread_of(stats::moments_of(values, values.front()));
-    if (!spread || plan.independence.correlation) return std::nullopt;
-    return measure_spread(*spread, *gate.reference, gate.band, plan.levels);
+    if (!spread || examined.independence.correlation) return std::nullopt;
+    return measure_spread(*spread, *gate.reference, gate.band, examined.levels);
 }
 
 /// What the measurement cannot say, in words.
-std::string missing(const Gate& gate, const EstimatesPlan& plan, const Comparison& row) {
+std::string missing(const Gate& gate, const ExaminedSeries& examined, const Comparison& row) {
     if (gate.kind == GateKind::distribution) {
         if (row.measurement) return {};
-        return plan.independence.correlation
+        return examined.independence.correlation
                    ? "correlated values crowd as no independent ones do: their distribution is not judged"
                    : fmt::format("fewer than {} values in one of the files", fewest_of_two);
     }
@@ -145,72 +154,63 @@ std::string missing(const Gate& gate, const EstimatesPlan& plan, const Compariso
                    : "at any time: assumes values between the bounds, with one mean, and every look at the same trials "
                      "with more added";
     }
-    if (!row.measurement) return plan.independence.correlation ? "their spread cannot be judged" : "no spread";
+    if (!row.measurement) return examined.independence.correlation ? "their spread cannot be judged" : "no spread";
     const Measurement& m = *row.measurement;
     if (row.verdict != Verdict::inconclusive || (m.passing.is_finite() && m.failing.is_finite())) return {};
-    const auto moments = stats::moments_of(plan.series.values, *gate.reference);
+    const auto moments = stats::moments_of(examined.series.values, *gate.reference);
     return fmt::format("skewness {:.2g} of {} trials: too skewed, or too few, for intervals at these levels",
-                       moments.skewness().value_or(0), plan.series.values.size());
+                       moments.skewness().value_or(0), examined.series.values.size());
 }
 
 /// Of a trial, by those at hand, as if they were independent.
-double spread_of_trials(const EstimatesPlan& plan) {
-    const auto& values = plan.series.values;
-    const double time = plan.independence.correlation ? plan.independence.correlation->time : 1;
+double spread_of_trials(const ExaminedSeries& examined) {
+    const auto& values = examined.series.values;
+    const double time = examined.independence.correlation ? examined.independence.correlation->time : 1;
     return *stats::moments_of(values, values.front()).standard_deviation() * std::sqrt(time);
 }
 
-std::optional<std::uint64_t> trials_for_spread(const Gate& gate, const EstimatesPlan& plan) {
-    const auto& values = plan.series.values;
+std::optional<std::uint64_t> trials_for_spread(const Gate& gate, const ExaminedSeries& examined) {
+    const auto& values = examined.series.values;
     return trials_for_ratio(gate.band, stats::moments_of(values, values.front()).excess_kurtosis().value_or(0),
-                            std::numeric_limits<double>::infinity(), plan.levels, 1);
-}
-
-[[noreturn]] void refuse_hopeless(const Gate& gate) {
-    throw UserError(
-        fmt::format("{}: no number of trials can decide (the reference is too uncertain for this band, or the band "
-                    "is far below the noise). Widen the band, or find a better reference.",
-                    gate.place));
+                            std::numeric_limits<double>::infinity(), examined.levels, 1);
 }
 
 /// The trials of the second file: of the same quantity, and of no run that the first has.
-void add_other(const Gate& gate, const EstimatesFile& against, EstimatesPlan& plan) {
-    plan.other = find_series(against, gate.quantity, gate.place);
-    const auto second = examine_independence(*plan.other, against.origin);
-    if (plan.other->values == plan.series.values)
+void add_other(const Gate& gate, const EstimatesFile& against, ExaminedSeries& examined) {
+    examined.other = find_series(against, gate.quantity, gate.place);
+    const auto second = examine_independence(*examined.other, against.origin);
+    if (examined.other->values == examined.series.values)
         throw UserError(
             fmt::format("{}: '{}' has the same values in both files (a file is equal to itself; that shows nothing). "
                         "Compare runs with random numbers of their own.",
                         gate.place, gate.quantity));
-    if (!plan.independence.correlation && second.correlation) plan.independence = second;
+    if (!examined.independence.correlation && second.correlation) examined.independence = second;
 }
 
-std::uint64_t trials_for_distribution(const Gate& gate, const EstimatesPlan& plan) {
-    return values_for_distance(gate.band.high, plan.levels, plan.other ? 2 : 1);
+std::uint64_t trials_for_distribution(const Gate& gate, const ExaminedSeries& examined) {
+    return values_for_distance(gate.band.high, examined.levels, examined.other ? 2 : 1);
 }
 
-/// All but the number of trials that are needed.
-EstimatesPlan examine(const GatesSpec& spec, const Gate& gate, const EstimatesFile& file,
-                      const EstimatesFile* against) {
+ExaminedSeries examine(const GatesSpec& spec, const Gate& gate, const EstimatesFile& file,
+                       const EstimatesFile* against) {
     FF_EXPECT(gate.from_estimates() && (gate.reference || gate.law || against != nullptr));
-    EstimatesPlan plan;
-    plan.gate = gate.name;
-    plan.kind = gate.kind;
-    plan.series = find_series(file, gate.quantity, gate.place);
-    if (gate.anytime == Anytime::bounded) expect_bounded(gate, plan.series, file.origin);
-    plan.independence = examine_independence(plan.series, file.origin);
+    ExaminedSeries examined;
+    examined.series = find_series(file, gate.quantity, gate.place);
+    if (gate.anytime == Anytime::bounded) expect_bounded(gate, examined.series, file.origin);
+    examined.independence = examine_independence(examined.series, file.origin);
     GatesSpec one_look = spec;  // nothing can be added to a file
     one_look.looks = 1;
-    plan.levels = levels_of(one_look, 1);
+    examined.levels = levels_of(one_look, 1);
     if (gate.kind == GateKind::distribution) {
-        if (!gate.law) add_other(gate, *against, plan);
-        return plan;
+        if (!gate.law) add_other(gate, *against, examined);
+        return examined;
     }
-    const bool decidable = gate.kind == GateKind::std ? trials_for_spread(gate, plan).has_value()
-                                                      : can_decide_mean(gate.band.high, spread_of_trials(plan),
-                                                                        gate.reference_se.value_or(0), plan.levels, 1);
-    if (!decidable) refuse_hopeless(gate);
-    return plan;
+    const bool decidable = gate.kind == GateKind::std
+                               ? trials_for_spread(gate, examined).has_value()
+                               : can_decide_mean(gate.band.high, spread_of_trials(examined),
+                                                 gate.reference_se.value_or(0), examined.levels, 1);
+    if (!decidable) refuse_undecidable(gate, "trials");
+    return examined;
 }
 
 }  // namespace
@@ -232,37 +232,38 @@ Independence examine_independence(const EstimateSeries& series, const std::strin
 
 EstimatesPlan plan_estimates(const GatesSpec& spec, const Gate& gate, const EstimatesFile& file,
                              const EstimatesFile* against) {
-    EstimatesPlan plan = examine(spec, gate, file, against);
+    const ExaminedSeries examined = examine(spec, gate, file, against);
+    EstimatesPlan plan{.gate = gate.name, .kind = gate.kind, .at_hand = examined.series.values.size()};
     if (gate.kind == GateKind::distribution) {
-        plan.needed = trials_for_distribution(gate, plan);
+        plan.needed = trials_for_distribution(gate, examined);
         return plan;
     }
-    const auto needed = gate.kind == GateKind::std ? trials_for_spread(gate, plan)
-                                                   : trials_for_mean(gate.band.high, spread_of_trials(plan), 0,
-                                                                     gate.reference_se.value_or(0), plan.levels, 1);
-    if (!needed) refuse_hopeless(gate);
+    const auto needed = gate.kind == GateKind::std ? trials_for_spread(gate, examined)
+                                                   : trials_for_mean(gate.band.high, spread_of_trials(examined), 0,
+                                                                     gate.reference_se.value_or(0), examined.levels, 1);
+    if (!needed) refuse_undecidable(gate, "trials");
     plan.needed = *needed;
     return plan;
 }
 
 GateResult judge_estimates(const GatesSpec& spec, const Gate& gate, const EstimatesFile& file,
                            const EstimatesFile* against) {
-    const EstimatesPlan plan = examine(spec, gate, file, against);
+    const ExaminedSeries examined = examine(spec, gate, file, against);
     Comparison row;
     row.quantity = gate.quantity;
     row.band = gate.band;
-    row.levels = plan.levels;
-    row.trials = plan.series.values.size();
-    row.note = plan.independence.note;
+    row.levels = examined.levels;
+    row.trials = examined.series.values.size();
+    row.note = examined.independence.note;
     const bool of_moments = gate.kind != GateKind::distribution && gate.anytime != Anytime::bounded;
-    if (const std::string reason = of_moments ? heavy_tail(plan.series.values) : ""; !reason.empty()) {
+    if (const std::string reason = of_moments ? heavy_tail(examined.series.values) : ""; !reason.empty()) {
         row.note = reason;
-    } else if (of_moments && !plan.independence.enough) {
+    } else if (of_moments && !examined.independence.enough) {
         row.note += ", too few to judge by";
     } else {
-        row.measurement = measurement_of(gate, plan);
+        row.measurement = measurement_of(gate, examined);
         row.verdict = judge(row.measurement, row.band);
-        const std::string open = missing(gate, plan, row);
+        const std::string open = missing(gate, examined, row);
         row.note += row.note.empty() || open.empty() ? open : "; " + open;
     }
     return {.gate = gate.name,

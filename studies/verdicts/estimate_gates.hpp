@@ -5,6 +5,7 @@
 #include "studies/verdicts/gate.hpp"
 #include "studies/verdicts/gate_result.hpp"
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -24,15 +25,14 @@ struct Independence {
 ///         1e-6), and where the series repeats itself
 Independence examine_independence(const EstimateSeries& series, const std::string& origin);
 
-/// The data that a gate on a file of estimates has, and the trials that it needs.
+/// What a gate on a file would need.
 struct EstimatesPlan {
     std::string gate;
     GateKind kind = GateKind::bias;
-    EstimateSeries series;
-    std::optional<EstimateSeries> other;  ///< of the second file
-    Independence independence;
-    Levels levels;
-    std::uint64_t needed = 0;  ///< trials with which it would pass with the power if there is no effect
+    std::size_t comparisons = 1;  ///< bins
+    std::uint64_t needed = 0;     ///< trials with which it would pass with the power if there is no effect
+    std::uint64_t at_hand = 0;
+    bool in_runs = false;  ///< both are runs of means or shares rather than trials
 };
 
 /// @param against  a second file of trials to compare distributions with; null: none

@@ -47,7 +47,7 @@ enum class Combination {
     holm,         ///< each bin at its share: names the bins
     simes,        ///< all together, for bins that are independent or vary in the same direction
     cauchy,       ///< all together, for bins that are correlated in any way
-    chi_squared,  ///< all together, by a known covariance
+    chi_squared,  ///< all together, by a known covariance, or independent
 };
 
 std::string_view name(Combination combination);
@@ -110,7 +110,7 @@ struct Gate {
     double interval_level = 0.95;                         ///< coverage
     std::uint64_t replicates = 10;                        ///< coverage: trials behind one interval
     Combination combine = Combination::holm;              ///< bins of a quantity
-    std::filesystem::path covariance;                     ///< the file, for Combination::chi_squared
+    std::filesystem::path covariance;                     ///< for Combination::chi_squared; empty: independent
     bool relative = false;                                ///< the band is a share of each bin's reference
     Anytime anytime = Anytime::no;
     Band bounds;               ///< of the values, where that is assumed

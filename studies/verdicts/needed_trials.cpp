@@ -74,6 +74,14 @@ std::optional<std::uint64_t> trials_for_mean(double half_width, double sigma, do
     return whole(static_cast<double>(std::max(*enough, trials)) * price_of_caution(levels, comparisons, trials));
 }
 
+std::optional<std::uint64_t> runs_for_mean(double half_width, double error, double reference_se, const Levels& levels,
+                                           std::size_t comparisons) {
+    if (!can_decide_mean(half_width, error, reference_se, levels, comparisons)) return std::nullopt;
+    const double reach = reach_to_pass(levels, comparisons);
+    const double runs = std::pow(reach * error / room_beside(half_width, reference_se, reach).value(), 2);
+    return std::max(std::uint64_t{1}, static_cast<std::uint64_t>(std::ceil(runs)));
+}
+
 std::optional<std::uint64_t> trials_for_ratio(const Band& band, double excess_kurtosis, double reference_freedom,
                                               const Levels& levels, std::size_t comparisons) {
     FF_EXPECT(band.low < 1 && band.high > 1);

@@ -22,6 +22,11 @@ std::optional<std::uint64_t> trials_for_mean(double half_width, double sigma, do
 bool can_decide_mean(double half_width, double sigma, double reference_se, const Levels& levels,
                      std::size_t comparisons);
 
+/// Runs of another program for a mean of theirs, whose standard error is as stated.
+/// @param error  of one run, >= 0
+std::optional<std::uint64_t> runs_for_mean(double half_width, double error, double reference_se, const Levels& levels,
+                                           std::size_t comparisons);
+
 /// A ratio of standard deviations; 1 lies inside the band.
 /// @param excess_kurtosis  of a trial     @param reference_freedom  infinite for an exact reference
 std::optional<std::uint64_t> trials_for_ratio(const Band& band, double excess_kurtosis, double reference_freedom,

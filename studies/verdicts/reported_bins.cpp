@@ -60,8 +60,15 @@ Reach reach_of(const BinEffects& effects, double tail) {
 }
 
 /// Whether the passing interval lies inside the band: both one-sided tests reject "at an end or beyond".
-bool is_inside(const BinEffect& bin, EffectScale scale, double pass_alpha, const Reach& reach) {
+bool is_inside(const BinEffects& effects, std::size_t index, double pass_alpha, const Reach& reach) {
+    const BinEffect& bin = effects.bins[index];
+    const EffectScale scale = effects.scale;
     if (!(bin.band.low < bin.value && bin.value < bin.band.high)) return false;
+    if (scale == EffectScale::difference_of_shares) {
+        const auto& [counts, reference] = effects.shares[index];
+        const stats::Interval passing = stats::share_difference_interval(counts, reference, 1 - 2 * pass_alpha);
+        return bin.band.low < passing.low && passing.high < bin.band.high;
+    }
     if (scale != EffectScale::difference) {
         const bool under = std::isinf(bin.band.high) || p_below(bin, scale, bin.band.high) <= pass_alpha;
         return under && p_above(bin, scale, bin.band.low) <= pass_alpha;
@@ -79,19 +86,36 @@ double errors_beyond_band(const BinEffect& bin) {
 
 }  // namespace
 
-double p_value(const BinEffect& bin, EffectScale scale) {
+double p_value(const BinEffects& effects, std::size_t index) {
+    const BinEffect& bin = effects.bins[index];
     if (bin.band.holds(bin.value)) return 1;
     const bool above = bin.value > bin.band.high;
-    const double one_sided = scale == EffectScale::difference ? tail_beyond(errors_beyond_band(bin), bin.freedom)
-                             : above                          ? p_above(bin, scale, bin.band.high)
-                                                              : p_below(bin, scale, bin.band.low);
+    double one_sided = 0;
+    switch (effects.scale) {
+        case EffectScale::difference:
+            one_sided = tail_beyond(errors_beyond_band(bin), bin.freedom);
+            break;
+        case EffectScale::difference_of_shares: {
+            const auto& [counts, reference] = effects.shares[index];
+            one_sided = above ? stats::p_of_at_most(counts, reference, bin.band.high)
+                              : stats::p_of_at_least(counts, reference, bin.band.low);
+            break;
+        }
+        default:
+            one_sided = above ? p_above(bin, effects.scale, bin.band.high) : p_below(bin, effects.scale, bin.band.low);
+    }
     return std::min(1.0, 2 * one_sided);
 }
 
-Measurement measure_bin(const BinEffect& bin, EffectScale scale, const Levels& levels) {
+Measurement measure_bin(const BinEffects& effects, std::size_t index, const Levels& levels) {
+    const BinEffect& bin = effects.bins[index];
+    const EffectScale scale = effects.scale;
     const auto n = static_cast<std::size_t>(std::isfinite(bin.freedom) ? bin.freedom + 1 : 0);
     const auto interval_at = [&](double level) {
         const double tail = (1 - level) / 2;
+        if (scale == EffectScale::difference_of_shares)
+            return stats::share_difference_interval(effects.shares[index].counts, effects.shares[index].reference,
+                                                    level);
         stats::Interval interval;
         interval.level = level;
         interval.n = n;
@@ -112,16 +136,16 @@ Measurement measure_bin(const BinEffect& bin, EffectScale scale, const Levels& l
                   .passing = interval_at(1 - 2 * levels.pass_alpha),
                   .failing = interval_at(1 - levels.fail_alpha)};
     const bool upwards = std::isfinite(bin.band.high);
-    const double reach =
-        critical(std::max(1.0, bin.freedom), levels.fail_alpha / 2) + stats::normal_critical(1 - levels.power);
+    const double power = stats::normal_critical(1 - levels.power);
     if (scale == EffectScale::difference) {
+        const double reach = critical(std::max(1.0, bin.freedom), levels.fail_alpha / 2) + power;
         m.minimum_detectable = bin.band.high + reach * bin.error;
+    } else if (scale == EffectScale::difference_of_shares) {
+        m.minimum_detectable = bin.band.high + (bin.value - m.failing.low) + power * bin.error;
     } else {
         const double log_error = std::sqrt(2 / bin.freedom + 2 / bin.freedom_below);
-        const double factor = as_effect(
-            std::exp((stats::normal_critical(levels.fail_alpha / 2) + stats::normal_critical(1 - levels.power)) *
-                     log_error),
-            scale);
+        const double factor =
+            as_effect(std::exp((stats::normal_critical(levels.fail_alpha / 2) + power) * log_error), scale);
         m.minimum_detectable = upwards ? bin.band.high * factor : bin.band.low / factor;
     }
     return m;
@@ -134,8 +158,8 @@ BinsVerdict judge_bins(const BinEffects& effects, Combination combine, double al
     std::vector<double> p(bins.size());
     std::size_t inside = 0;
     for (std::size_t i = 0; i < bins.size(); ++i) {
-        p[i] = p_value(bins[i], effects.scale);
-        inside += is_inside(bins[i], effects.scale, pass_alpha, reach) ? 1u : 0u;
+        p[i] = p_value(effects, i);
+        inside += is_inside(effects, i, pass_alpha, reach) ? 1u : 0u;
     }
     BinsVerdict result;
     std::vector<std::uint32_t> order(bins.size());
@@ -164,7 +188,7 @@ BinsVerdict judge_bins(const BinEffects& effects, Combination combine, double al
             result.p = stats::cauchy_combination(p);
             break;
         case Combination::chi_squared:
-            result.p = effects.together;
+            result.p = effects.together ? *effects.together : stats::chi_squared_combination(p);
             break;
     }
     result.verdict = result.p <= alpha ? Verdict::fail : inside == bins.size() ? Verdict::pass : Verdict::inconclusive;

@@ -1,10 +1,12 @@
 #pragma once
 
+#include "stats/share_test.hpp"
 #include "studies/verdicts/gate.hpp"
 #include "studies/verdicts/gate_result.hpp"
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,29 +16,40 @@ namespace ff::studies {
 /// computed only for the worst.
 struct BinEffect {
     double value = 0;          ///< a difference, or a ratio
-    double error = 0;          ///< of a difference: its standard error, > 0
+    double error = 0;          ///< of a difference: its standard error, > 0; of shares an approximate one
     double freedom = 0;        ///< of that error, or of a ratio's numerator; may be infinite
     double freedom_below = 0;  ///< of a ratio's denominator; may be infinite
     Band band;
     std::uint32_t name = 0;  ///< number of the bin, chosen by the caller
 };
 
-/// Kinds of effects: differences are judged by Student's t, ratios of standard deviations and of variances
-/// (efficiencies) by F.
-enum class EffectScale { difference, ratio_of_deviations, ratio_of_variances };
+/// Kinds of effects: differences of means are judged by Student's t, of shares by binomial tails, ratios of standard
+/// deviations and of variances (efficiencies) by F.
+enum class EffectScale { difference, difference_of_shares, ratio_of_deviations, ratio_of_variances };
+
+/// A share and what it is compared with.
+struct SharePair {
+    stats::Proportion counts;
+    stats::ShareReference reference;
+};
 
 /// The bins of one gate.
 struct BinEffects {
     EffectScale scale = EffectScale::difference;
     std::vector<BinEffect> bins;
-    double together = 1;  ///< p-value of all bins by their covariance, for Combination::chi_squared
+    std::vector<SharePair> shares;   ///< one for each bin, for differences of shares only
+    std::optional<double> together;  ///< p-value of all bins by their covariance; empty where they are independent
+
+    [[nodiscard]] bool are_differences() const {
+        return scale == EffectScale::difference || scale == EffectScale::difference_of_shares;
+    }
 };
 
-/// The p-value of "the effect lies in the band": twice that of the nearer end, 1 inside.
-double p_value(const BinEffect& bin, EffectScale scale);
+/// The p-value of "the effect lies in the band", for one of the bins: twice that of the nearer end, 1 inside.
+double p_value(const BinEffects& effects, std::size_t bin);
 
 /// Both intervals of one bin.
-Measurement measure_bin(const BinEffect& bin, EffectScale scale, const Levels& levels);
+Measurement measure_bin(const BinEffects& effects, std::size_t bin, const Levels& levels);
 
 /// One verdict for all bins. Fail: some bin (by Holm), or all bins together (by a global test), lie outside the band at
 /// `alpha`. Pass: every bin's passing interval lies inside (an intersection-union test).

@@ -1,9 +1,11 @@
 #include "studies/verdicts/reported_effects.hpp"
 
 #include "stats/distributions.hpp"
+#include "stats/independence.hpp"
 #include "studies/verdicts/at_gate.hpp"
 #include "studies/verdicts/covariance.hpp"
 #include "studies/verdicts/reported_gates.hpp"
+#include "studies/verdicts/reported_shares.hpp"
 #include "studies/verdicts/reporting_faults.hpp"
 
 #include <fmt/format.h>
@@ -12,43 +14,21 @@
 #include <cmath>
 #include <limits>
 #include <utility>
+#include <vector>
 
 namespace ff::studies {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// A mean over runs with its error.
-struct Mean {
-    double value = 0;
-    double error = 0;
-    double freedom = infinity;
-};
-
-Mean mean_of(Rows runs) {
-    const auto n = static_cast<double>(runs.size());
-    if (runs.size() == 1) return {runs[0].mean, runs[0].standard_error, runs[0].n > 0 ? runs[0].n - 1 : infinity};
-    Mean mean;
-    for (const ReportedRow& run : runs) mean.value += run.mean / n;
-    double squares = 0;
-    if (runs.size() >= enough_runs) {
-        for (const ReportedRow& run : runs) squares += (run.mean - mean.value) * (run.mean - mean.value) / (n - 1);
-        mean.error = std::sqrt(squares / n);
-        mean.freedom = n - 1;
-        return mean;
-    }
-    for (const ReportedRow& run : runs) squares += run.standard_error * run.standard_error;
-    mean.error = std::sqrt(squares) / n;
-    if (runs.front().n > 0) mean.freedom = n * (runs.front().n - 1);
-    return mean;
-}
-
 /// Of a - b, by Welch and Satterthwaite.
-BinEffect difference(const Mean& a, const Mean& b) {
+BinEffect difference(const MeanReference& a, const MeanReference& b) {
     BinEffect effect;
     effect.value = a.value - b.value;
-    effect.error = std::hypot(a.error, b.error);
-    const auto part = [&](const Mean& mean) { return std::pow(mean.error / effect.error, 4) / mean.freedom; };
+    effect.error = std::hypot(a.standard_error, b.standard_error);
+    const auto part = [&](const MeanReference& mean) {
+        return std::pow(mean.standard_error / effect.error, 4) / mean.freedom;
+    };
     effect.freedom = 1 / (part(a) + part(b));
     return effect;
 }
@@ -57,9 +37,6 @@ BinEffect difference(const Mean& a, const Mean& b) {
 bool trusts(const Bins& bins) {
     return bins.file->has_errors && bins.runs < enough_runs;
 }
-
-/// Rate at which errors that are right are said to be contradicted by their own runs.
-constexpr double false_alarm_of_scatter = 1e-3;
 
 /// Errors are trusted where runs are few, but not against what these few show: variances given as errors make them
 /// scatter far too much. By F of the spread between runs over what they state, averaged over bins, with the freedom of
@@ -100,13 +77,13 @@ void expect_scatter_as_stated(Comparing& comparing, const Bins& bins) {
 
 void compare_means(Comparing& comparing, const Bins* against) {
     const Gate& gate = comparing.gate;
-    const Mean number{gate.reference.value_or(0), gate.reference_se.value_or(0), infinity};
+    const MeanReference number{gate.reference.value_or(0), gate.reference_se.value_or(0), infinity};
     comparing.effects.bins.reserve(comparing.bins.count());
     for (std::size_t bin = 0; bin < comparing.bins.count(); ++bin) {
         const Rows runs = comparing.bins.runs_of(bin);
-        const Mean own = mean_of(runs);
-        const Mean reference = against != nullptr ? mean_of(against->runs_of(bin)) : number;
-        if (own.error == 0) {
+        const MeanReference own = mean_of(runs);
+        const MeanReference reference = against != nullptr ? mean_of(against->runs_of(bin)) : number;
+        if (own.standard_error == 0) {
             if (own.value != 0)
                 refuse_gate(gate,
                             fmt::format("bin '{}' of {} has the same mean in every run (repeated runs are not runs). "
@@ -117,18 +94,10 @@ void compare_means(Comparing& comparing, const Bins* against) {
         }
         BinEffect effect = difference(own, reference);
         effect.name = static_cast<std::uint32_t>(bin);
-        effect.band = gate.band;
-        if (gate.relative) {
-            if (reference.value == 0)
-                refuse_gate(
-                    gate, fmt::format("relative = true, and the reference of bin '{}' is 0 (a share of nothing). Leave "
-                                      "the bin out, or give an absolute band.",
-                                      comparing.bins.name(bin)));
-            effect.band = {gate.band.low * std::abs(reference.value), gate.band.high * std::abs(reference.value)};
-        }
+        effect.band = band_beside(comparing, bin, reference.value);
         comparing.effects.bins.push_back(effect);
     }
-    if (gate.combine == Combination::chi_squared && !comparing.effects.bins.empty())
+    if (!gate.covariance.empty() && !comparing.effects.bins.empty())
         comparing.effects.together = p_by_covariance(gate, comparing.bins, comparing.effects.bins);
     ReportedRow as_row;
     as_row.mean = number.value;
@@ -280,7 +249,55 @@ void compare_errors(Comparing& comparing) {
         fmt::format(".{}", fault_of_errors(std::exp(ratios / judged), std::exp(errors / judged), bins.rows[0].n));
 }
 
+/// Bins that are said to be independent are looked at where there are several runs, also of hits.
+void expect_independent_bins(Comparing& comparing, const Bins& bins) {
+    constexpr std::size_t most_runs = 50;  // more would take long, and show little more
+    const std::size_t runs = std::min(bins.runs, most_runs);
+    std::vector<double> values;
+    values.reserve(runs * bins.count());
+    for (std::size_t bin = 0; bin < bins.count(); ++bin) {
+        for (const ReportedRow& row : bins.runs_of(bin).first(runs))
+            values.push_back(bins.file->holds == Holds::hits ? row.mean / std::max(1.0, row.n) : row.mean);
+    }
+    const auto p = stats::p_of_independence(values, runs);
+    if (!p) add_note(comparing.note, fmt::format("takes the bins of {} for independent", bins.file->origin));
+    if (!p || *p >= false_alarm_of_scatter) return;
+    comparing.contradicted = true;
+    add_note(comparing.note,
+             fmt::format("the bins of {} vary together from run to run (p = {:.2g}): no verdict rests on their "
+                         "independence. Take combine = \"cauchy\", or give their covariance",
+                         bins.file->origin, *p));
+}
+
 }  // namespace
+
+MeanReference mean_of(Rows runs) {
+    const auto n = static_cast<double>(runs.size());
+    if (runs.size() == 1) return {runs[0].mean, runs[0].standard_error, runs[0].n > 0 ? runs[0].n - 1 : infinity};
+    MeanReference mean;
+    for (const ReportedRow& run : runs) mean.value += run.mean / n;
+    double squares = 0;
+    if (runs.size() >= enough_runs) {
+        for (const ReportedRow& run : runs) squares += (run.mean - mean.value) * (run.mean - mean.value) / (n - 1);
+        mean.standard_error = std::sqrt(squares / n);
+        mean.freedom = n - 1;
+        return mean;
+    }
+    for (const ReportedRow& run : runs) squares += run.standard_error * run.standard_error;
+    mean.standard_error = std::sqrt(squares) / n;
+    if (runs.front().n > 0) mean.freedom = n * (runs.front().n - 1);
+    return mean;
+}
+
+Band band_beside(const Comparing& comparing, std::size_t bin, double reference) {
+    const Gate& gate = comparing.gate;
+    if (!gate.relative) return gate.band;
+    if (reference == 0)
+        refuse_gate(gate, fmt::format("relative = true, and the reference of bin '{}' is 0 (a share of nothing). Leave "
+                                      "the bin out, or give an absolute band.",
+                                      comparing.bins.name(bin)));
+    return {gate.band.low * std::abs(reference), gate.band.high * std::abs(reference)};
+}
 
 void add_note(std::string& note, std::string_view text) {
     if (text.empty()) return;
@@ -301,8 +318,16 @@ Comparing effects_of(const Gate& gate, const Bins& bins, const Bins* against) {
             compare_efficiencies(comparing, *against);
             break;
         default:
-            compare_means(comparing, against);
+            if (bins.file->holds == Holds::hits) {
+                compare_shares(comparing, against);
+            } else {
+                compare_means(comparing, against);
+            }
             break;
+    }
+    if (gate.combine == Combination::chi_squared && gate.covariance.empty()) {
+        expect_independent_bins(comparing, bins);
+        if (against != nullptr) expect_independent_bins(comparing, *against);
     }
     return comparing;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "studies/verdicts/measurement.hpp"
 #include "studies/verdicts/reported_bins.hpp"
 #include "studies/verdicts/reported_quantity.hpp"
 
@@ -15,9 +16,19 @@ struct Comparing {
     Bins bins;
     BinEffects effects;
     std::size_t empty = 0;      ///< bins without any sample
-    bool contradicted = false;  ///< runs scatter more than their trusted errors allow: there is no verdict
+    bool contradicted = false;  ///< runs scatter otherwise than the verdict would have to assume: there is none
     std::string note;
 };
+
+/// Rate at which runs that keep an assumption are said to contradict it.
+inline constexpr double false_alarm_of_scatter = 1e-3;
+
+/// The mean of all runs of a bin with its standard error: by what the runs state, or by their spread where they are
+/// many. The error is 0 where none is stated.
+MeanReference mean_of(Rows runs);
+
+/// The gate's band in one bin, whose reference scales it where it is relative.
+Band band_beside(const Comparing& comparing, std::size_t bin, double reference);
 
 /// Appends to the note, after a semicolon if there is one already.
 void add_note(std::string& note, std::string_view text);

@@ -24,19 +24,20 @@ namespace {
 
 /// Places in `reported_columns`, with names too short for the whole namespace.
 struct ReportedColumns {
-    enum Column : std::size_t { quantity, mean, standard_error, n, cost, bin, run, count, share };
+    enum Column : std::size_t { quantity, mean, standard_error, n, cost, bin, run, count, share, hits };
 };
 using ReportedColumn = ReportedColumns::Column;
-constexpr std::array<std::string_view, 9> reported_columns{"quantity", "mean", "standard_error", "n",    "cost",
-                                                           "bin",      "run",  "count",          "share"};
-constexpr std::array<ReportedColumn, 3> value_columns{ReportedColumn::mean, ReportedColumn::count,
-                                                      ReportedColumn::share};  // in the order of Holds
+constexpr std::array<std::string_view, 10> reported_columns{"quantity", "mean", "standard_error", "n",     "cost",
+                                                            "bin",      "run",  "count",          "share", "hits"};
+constexpr std::array<ReportedColumn, 4> value_columns{
+    ReportedColumn::mean, ReportedColumn::count, ReportedColumn::share, ReportedColumn::hits};  // in the order of Holds
 
 /// Where each column stands in a record.
 using ReportedHeader = std::vector<std::optional<std::size_t>>;
 
 /// By the columns that are there; means where none of them is.
 Holds held(const ReportedHeader& header) {
+    if (header[ReportedColumn::hits]) return Holds::hits;
     if (header[ReportedColumn::count]) return Holds::counts;
     return header[ReportedColumn::share] ? Holds::shares : Holds::means;
 }
@@ -53,12 +54,19 @@ ReportedHeader read_reported_header(CsvReader& reader, std::string_view origin, 
     const ReportedColumn value = value_columns.at(static_cast<std::size_t>(held(header)));
     std::vector<ReportedColumn> needed{quantity, value};
     if (value == mean && errors == Errors::required) needed.push_back(standard_error);
-    if (value != mean) needed.push_back(bin);
+    if (value == hits) {
+        needed.push_back(n);
+    } else if (value != mean) {
+        needed.push_back(bin);
+    }
     for (const ReportedColumn other : {mean, standard_error, n, cost, count, share}) {
-        if (value != mean && other != value && header[other])
-            reader.fail(record[*header[other]],
-                        fmt::format("column '{}' beside '{}' (a histogram has quantity, bin and {}). Keep one.",
-                                    reported_columns[other], reported_columns[value], reported_columns[value]));
+        const bool belongs = other == value || (value == hits && other == n);
+        if (value != mean && !belongs && header[other])
+            reader.fail(
+                record[*header[other]],
+                fmt::format("column '{}' beside '{}' ({} has quantity, {} and {}). Keep one.", reported_columns[other],
+                            reported_columns[value], value == hits ? "a file of hits" : "a histogram",
+                            value == hits ? "n" : "bin", reported_columns[value]));
     }
     for (const ReportedColumn column : needed) {
         if (!header[column])
@@ -86,7 +94,11 @@ class RowReader {
         if (header_[standard_error]) read_error(record, row);
         if (header_[n]) {
             row.n = number(record, n);
-            if (row.n < 2) fail(record, n, "a spread needs at least 2). Give the number of samples or batches");
+            if (held(header_) == Holds::hits) {
+                expect_trials(record, row);
+            } else if (row.n < 2) {
+                fail(record, n, "a spread needs at least 2). Give the number of samples or batches");
+            }
         }
         if (header_[cost]) {
             row.cost = number(record, cost);
@@ -116,11 +128,21 @@ class RowReader {
         const ReportedColumn column = value_columns.at(static_cast<std::size_t>(holds));
         const double value = number(record, column);
         if (holds != Holds::means && value < 0) fail(record, column, "it cannot be negative). Give 0 or more");
+        if (holds == Holds::hits && value != std::floor(value))
+            fail(record, column, "not a whole number). Give the trials that hit, or a mean with its standard error");
         if (holds == Holds::counts && value != std::floor(value))
             fail(record, column,
                  "not a whole number: weighted events are not distributed like counts). Give each bin a mean with its "
                  "standard error");
         return value;
+    }
+
+    void expect_trials(const std::vector<CsvField>& record, const ReportedRow& row) const {
+        constexpr double most = 0x1p53;  // whole numbers up to here are exact
+        if (row.n != std::floor(row.n) || row.n < 0 || row.n > most)
+            fail(record, n, "not a whole number up to 2^53). Give the number of trials");
+        if (row.mean > row.n)
+            fail(record, hits, fmt::format("more hits than the {:g} trials). Give each bin its own n", row.n));
     }
 
     void read_error(const std::vector<CsvField>& record, ReportedRow& row) const {
@@ -130,7 +152,7 @@ class RowReader {
             fail(record, standard_error,
                  fmt::format(
                      "beside a mean of {:g}: no spread is no evidence of precision; was there one batch only, or "
-                     "one hit?). Leave the line out, or merge bins",
+                     "one hit?). Leave the line out, merge bins, or give shares by the columns hits and n",
                      row.mean));
         if (row.standard_error != 0 && row.standard_error < smallest_magnitude)
             fail(record, standard_error, "its powers cannot be computed). Choose another unit");

@@ -11,24 +11,30 @@
 namespace ff::studies {
 
 /// The meaning of the column of values.
-enum class Holds { means, counts, shares };
+enum class Holds {
+    means,
+    counts,  ///< events in a bin of a histogram
+    shares,  ///< known probabilities of bins
+    hits,    ///< of n independent trials
+};
 
 /// A code's report of one bin in one run. A million of them are common, hence the narrow members.
 struct ReportedRow {
-    double mean = 0;            ///< or the count, or the share
+    double mean = 0;            ///< or the count, the share, or the hits
     double standard_error = 0;  ///< of the mean; 0 where the file has none
-    double n = 0;               ///< samples or batches behind it; 0 where not stated
+    double n = 0;               ///< samples or batches behind it, or trials behind hits; 0 where not stated
     double cost = 0;            ///< seconds, or whatever the code counts; 0 where not stated
     std::uint64_t run = 0;
     std::uint32_t name = 0;  ///< index into ReportedFile::names: the bin, or the quantity where it has no bins
     std::uint32_t line = 0;
 
-    /// Whether a bin has no sample, hence neither mean nor spread.
+    /// Whether a bin of means has no sample, hence neither mean nor spread.
     [[nodiscard]] bool is_empty() const { return mean == 0 && standard_error == 0; }
 };
 
 /// Means with standard errors as another program reports them: a CSV file with the columns quantity, mean and
-/// standard_error, and optionally n, cost, bin and run. Or a histogram: quantity, bin and count, or share.
+/// standard_error, and optionally n, cost, bin and run. Or a histogram: quantity, bin and count, or share. Or hits of n
+/// trials: quantity, hits and n, and optionally bin and run.
 struct ReportedFile {
     std::string origin;  ///< names the file in messages
     Holds holds = Holds::means;

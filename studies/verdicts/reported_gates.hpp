@@ -1,5 +1,6 @@
 #pragma once
 
+#include "studies/verdicts/estimate_gates.hpp"
 #include "studies/verdicts/gate.hpp"
 #include "studies/verdicts/gate_result.hpp"
 #include "studies/verdicts/reported_file.hpp"
@@ -18,5 +19,10 @@ inline constexpr std::size_t fewest_runs = 5;
 ///   files that hold the same numbers
 GateResult judge_reported(const GatesSpec& spec, const Gate& gate, const ReportedFile& file,
                           const ReportedFile* against);
+
+/// How many runs like those of the file it would take for every bin of a gate on means or shares to pass.
+/// @throws as judge_reported; UserError for other kinds, and where no number of runs can decide
+EstimatesPlan plan_reported(const GatesSpec& spec, const Gate& gate, const ReportedFile& file,
+                            const ReportedFile* against);
 
 }  // namespace ff::studies

@@ -7,25 +7,43 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 namespace ff::studies {
 namespace {
 
 bool same_numbers(const ReportedRow& a, const ReportedRow& b) {
-    return a.mean == b.mean && a.standard_error == b.standard_error;
+    return a.mean == b.mean && a.standard_error == b.standard_error && a.n == b.n;
+}
+
+/// The chance that a second row of its kind holds the same number: about 1 / sqrt(4 pi v) for counts and hits of
+/// variance v; real numbers never do.
+double chance_of_equal(const ReportedFile& file, const ReportedRow& row) {
+    if (file.holds != Holds::counts && file.holds != Holds::hits) return file.has_errors ? 0 : 1;
+    double variance = row.mean;
+    if (file.holds == Holds::hits) variance *= 1 - row.mean / std::max(1.0, row.n);
+    return std::min(1.0, 1 / std::sqrt(4 * std::numbers::pi * variance));
+}
+
+/// Whether independent numbers may well equal all of these.
+bool may_be_equal(const ReportedFile& file, Rows rows) {
+    constexpr double rare = 1e-6;
+    double chance = 1;
+    for (const ReportedRow& row : rows) chance *= chance_of_equal(file, row);
+    return chance > rare;
 }
 
 void refuse_equal_runs(const Gate& gate, const Bins& bins) {
-    constexpr std::size_t telling = 3;  // counts of a bin or two may agree by chance
+    constexpr std::size_t telling = 3;  // rounded means of a bin or two may agree by chance
     for (std::size_t run = 1; run < bins.runs; ++run) {
-        std::size_t filled = 0;
+        std::vector<ReportedRow> filled;
         bool equal = true;
         for (std::size_t bin = 0; equal && bin < bins.count(); ++bin) {
             const Rows runs = bins.runs_of(bin);
             equal = same_numbers(runs[run - 1], runs[run]);
-            filled += runs[run].is_empty() ? 0u : 1u;
+            if (!runs[run].is_empty()) filled.push_back(runs[run]);
         }
-        if (equal && filled >= telling)
+        if (equal && filled.size() >= telling && !may_be_equal(*bins.file, filled))
             throw UserError(fmt::format(
                 "{}: runs {} and {} of '{}' hold the same numbers in all {} bins (a run repeated "
                 "is not a second run). Give every run a seed of its own.",
@@ -46,16 +64,6 @@ void expect_same_bins(const Gate& gate, const Bins& ours, const Bins& theirs) {
     };
     missing_in(ours, theirs);
     missing_in(theirs, ours);
-}
-
-/// Whether two independent files may well hold the same numbers. Real ones never do; counts do where they are small or
-/// few: as Poisson numbers of the same mean c, with a probability of about 1 / sqrt(4 pi c) each.
-bool may_be_equal(const ReportedFile& file, Rows rows) {
-    if (file.holds != Holds::counts) return !file.has_errors;  // exact values
-    constexpr double rare = 1e-6;
-    double chance = 1;
-    for (const ReportedRow& row : rows) chance *= std::min(1.0, 1 / std::sqrt(4 * std::numbers::pi * row.mean));
-    return chance > rare;
 }
 
 void refuse_equal_files(const Gate& gate, const Bins& ours, const Bins& theirs) {

@@ -28,38 +28,72 @@ BinEffect ratio(double value, double freedom, double freedom_below) {
     return bin;
 }
 
+BinEffects only(const BinEffect& bin, EffectScale scale) {
+    return {.scale = scale, .bins = {bin}, .shares = {}, .together = {}};
+}
+
+double p_of(const BinEffect& bin, EffectScale scale) {
+    return p_value(only(bin, scale), 0);
+}
+
+BinEffects share(std::uint64_t hits, std::uint64_t trials, const stats::ShareReference& reference, double band) {
+    BinEffect bin = difference(static_cast<double>(hits) / static_cast<double>(trials) - reference.value, 0.01,
+                               static_cast<double>(trials), band);
+    return {.scale = EffectScale::difference_of_shares,
+            .bins = {bin},
+            .shares = {{{hits, trials}, reference}},
+            .together = {}};
+}
+
 TEST(PValueOfABin, IsOneInsideTheBandAndThatOfTheNearerEndOutside) {
     const auto scale = EffectScale::difference;
-    EXPECT_EQ(p_value(difference(1, 1, 10, 2), scale), 1);
-    EXPECT_NEAR(p_value(difference(5, 1, 10, 2), scale), 0.013343655022569565, 1e-12);  // SciPy: 2 * t.sf(3, 10)
-    EXPECT_NEAR(p_value(difference(-5, 1, 10, 2), scale), 0.013343655022569565, 1e-12);
-    EXPECT_NEAR(p_value(difference(5, 1, infinity, 2), scale), 0.0026997960632601866, 1e-12);  // SciPy: 2 * norm.sf(3)
+    EXPECT_EQ(p_of(difference(1, 1, 10, 2), scale), 1);
+    EXPECT_NEAR(p_of(difference(5, 1, 10, 2), scale), 0.013343655022569565, 1e-12);  // SciPy: 2 * t.sf(3, 10)
+    EXPECT_NEAR(p_of(difference(-5, 1, 10, 2), scale), 0.013343655022569565, 1e-12);
+    EXPECT_NEAR(p_of(difference(5, 1, infinity, 2), scale), 0.0026997960632601866, 1e-12);  // SciPy: 2 * norm.sf(3)
 }
 
 TEST(PValueOfABin, OfARatioIsThatOfFBeyondTheEnd) {
     // SciPy: 2 * f.sf(1.5**2, 10, 20), 2 * f.sf(1.5, 10, 20)
-    EXPECT_NEAR(p_value(ratio(3, 10, 20), EffectScale::ratio_of_deviations), 0.11772873371246975, 1e-12);
-    EXPECT_NEAR(p_value(ratio(3, 10, 20), EffectScale::ratio_of_variances), 0.42189292503722553, 1e-12);
+    EXPECT_NEAR(p_of(ratio(3, 10, 20), EffectScale::ratio_of_deviations), 0.11772873371246975, 1e-12);
+    EXPECT_NEAR(p_of(ratio(3, 10, 20), EffectScale::ratio_of_variances), 0.42189292503722553, 1e-12);
     // SciPy: 2 * f.sf(2**2, 20, 10)
-    EXPECT_NEAR(p_value(ratio(0.25, 10, 20), EffectScale::ratio_of_deviations), 0.028600199069083825, 1e-12);
+    EXPECT_NEAR(p_of(ratio(0.25, 10, 20), EffectScale::ratio_of_deviations), 0.028600199069083825, 1e-12);
+}
+
+TEST(PValueOfABin, OfAShareIsABinomialTail) {
+    // By fractions: twice the sum of C(100, k) p^k (1 - p)^(100 - k), k >= 30 at p = 0.2, k <= 2 at p = 0.1
+    EXPECT_NEAR(p_value(share(30, 100, {.value = 0.1}, 0.1), 0), 0.02249795744198327, 1e-12);
+    EXPECT_NEAR(p_value(share(2, 100, {.value = 0.2}, 0.1), 0), 0.0038897693037600327, 1e-12);
+    EXPECT_EQ(p_value(share(0, 100, {.value = 0.0}, 0.1), 0), 1);
 }
 
 TEST(MeasureBin, HasIntervalsThatAgreeWithThePValue) {
     for (const double value : {2.5, 4.0, 7.0, -3.0, 0.5}) {
-        const BinEffect bin = difference(value, 1, 30, 1);
-        const double p = p_value(bin, EffectScale::difference);
+        const BinEffects bin = only(difference(value, 1, 30, 1), EffectScale::difference);
+        const double p = p_value(bin, 0);
         for (const double alpha : {1e-1, 1e-3, 1e-5}) {
             const Levels levels{.fail_alpha = alpha, .pass_alpha = 0.05, .power = 0.9};
-            const auto verdict = judge(measure_bin(bin, EffectScale::difference, levels), bin.band);
+            const auto verdict = judge(measure_bin(bin, 0, levels), bin.bins[0].band);
             EXPECT_EQ(verdict == Verdict::fail, p < alpha) << value << " " << alpha;
         }
     }
     for (const double value : {0.1, 0.4, 1.0, 2.5, 6.0}) {
-        const BinEffect bin = ratio(value, 12, 30);
-        const double p = p_value(bin, EffectScale::ratio_of_deviations);
+        const BinEffects bin = only(ratio(value, 12, 30), EffectScale::ratio_of_deviations);
+        const double p = p_value(bin, 0);
         const Levels levels{.fail_alpha = 1e-3, .pass_alpha = 0.05, .power = 0.9};
-        const auto verdict = judge(measure_bin(bin, EffectScale::ratio_of_deviations, levels), bin.band);
+        const auto verdict = judge(measure_bin(bin, 0, levels), bin.bins[0].band);
         EXPECT_EQ(verdict == Verdict::fail, p < 1e-3) << value;
+    }
+    const stats::ShareReference other{.value = 0.1, .counts = stats::Proportion{5, 50}};
+    for (const std::uint64_t hits : {0u, 1u, 5u, 20u, 40u, 80u, 100u}) {
+        for (const stats::ShareReference& reference : {stats::ShareReference{.value = 0.1}, other}) {
+            const BinEffects bin = share(hits, 100, reference, 0.05);
+            const double p = p_value(bin, 0);
+            const Levels levels{.fail_alpha = 1e-3, .pass_alpha = 0.05, .power = 0.9};
+            const auto verdict = judge(measure_bin(bin, 0, levels), bin.bins[0].band);
+            EXPECT_EQ(verdict == Verdict::fail, p < 1e-3) << hits;
+        }
     }
 }
 

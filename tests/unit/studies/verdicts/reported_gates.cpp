@@ -201,5 +201,128 @@ TEST(JudgeReported, NeverPassesWithBinsThatNothingFellInto) {
     EXPECT_THAT(result.note, HasSubstr("1 bin that no sample fell into is not judged"));
 }
 
+/// Hits of `trials` in each of `bins` bins and runs, of this probability, which a burst of `together` trials share.
+ReportedFile file_of_hits(std::size_t bins, std::size_t runs, std::uint64_t trials, double probability,
+                          std::uint64_t seed, std::uint64_t together = 1) {
+    std::mt19937_64 engine(seed);
+    std::binomial_distribution<std::uint64_t> hits(trials / together, probability);
+    std::string text = "quantity,bin,run,hits,n\n";
+    for (std::size_t run = 0; run < runs; ++run) {
+        for (std::size_t bin = 0; bin < bins; ++bin)
+            text += fmt::format("flux,{},{},{},{}\n", bin, run, together * hits(engine), trials);
+    }
+    return parse_reported(text, "hits.csv", Errors::required);
+}
+
+Gate share_gate(double reference, double band) {
+    Gate gate = reported_gate(GateKind::bias, {-band, band});
+    gate.against = Against::number;
+    gate.reference = reference;
+    return gate;
+}
+
+TEST(JudgeShares, NeitherRefuseNorBlockWhereAllOrNoneHit) {
+    EXPECT_EQ(judged(share_gate(0, 0.01), file_of_hits(20, 1, 1000, 0, 1)).verdict, Verdict::pass);
+    EXPECT_EQ(judged(share_gate(1, 0.01), file_of_hits(20, 1, 1000, 1, 1)).verdict, Verdict::pass);
+    EXPECT_EQ(judged(share_gate(0, 0.01), file_of_hits(20, 1, 100, 0, 1)).verdict, Verdict::inconclusive)
+        << "no hit among 100 leaves 3 % possible";
+    EXPECT_EQ(judged(share_gate(1, 0.01), file_of_hits(20, 1, 1000, 0, 1)).verdict, Verdict::fail);
+    const auto old = file_of_hits(20, 1, 100'000, 0.3, 2);
+    const Gate equal = reported_gate(GateKind::equal, {-0.02, 0.02});
+    EXPECT_EQ(judged(equal, file_of_hits(20, 1, 100'000, 0.3, 3), &old).verdict, Verdict::pass);
+    EXPECT_EQ(judged(equal, file_of_hits(20, 1, 100'000, 0.4, 3), &old).verdict, Verdict::fail);
+    EXPECT_EQ(judged(equal, file_of_hits(20, 1, 100, 0.3, 3), &old).verdict, Verdict::inconclusive);
+}
+
+TEST(JudgeShares, FailNoMoreOftenThanStatedWhereHitsAreRare) {
+    // 500 files of 50 bins with 0.3 hits expected in each, at 5 %: more than 45 are seen with a probability below 1e-4
+    // where the rate is 5 %. An interval by the normal distribution fails every one of them, for bins without a hit.
+    int failed = 0;
+    for (std::uint64_t seed = 0; seed < 500; ++seed) {
+        GatesSpec spec;
+        spec.alpha = 0.05;
+        spec.gates = {share_gate(3e-4, 1e-9)};
+        const auto file = file_of_hits(50, 1, 1000, 3e-4, seed);
+        failed += judge_reported(spec, spec.gates[0], file, nullptr).verdict == Verdict::fail ? 1 : 0;
+    }
+    EXPECT_LE(failed, 45);
+}
+
+TEST(JudgeShares, AreInconclusiveWhereHitsComeInBursts) {
+    const auto result = judged(share_gate(0.3, 0.1), file_of_hits(20, 10, 1000, 0.3, 5, 20));
+    EXPECT_EQ(result.verdict, Verdict::inconclusive);
+    EXPECT_THAT(result.note, HasSubstr("scatter more than those of independent trials"));
+    EXPECT_EQ(judged(share_gate(0.3, 0.1), file_of_hits(20, 10, 1000, 0.3, 5)).verdict, Verdict::pass);
+}
+
+TEST(JudgeShares, RefuseWhatIsNoShare) {
+    const auto refusal = [](const char* rows) {
+        return test::message_of<UserError>(
+            [&] { parse_reported(std::string("quantity,hits,n\n") + rows, "f.csv", Errors::required); });
+    };
+    EXPECT_THAT(refusal("a,3,2\n"), HasSubstr("more hits than the 2 trials"));
+    EXPECT_THAT(refusal("a,0.5,2\n"), HasSubstr("not a whole number"));
+    EXPECT_THAT(refusal("a,1,2.5\n"), HasSubstr("not a whole number up to 2^53"));
+    EXPECT_THAT(test::message_of<UserError>([] { parse_reported("quantity,hits\na,1\n", "f.csv", Errors::required); }),
+                HasSubstr("column 'n' is missing"));
+}
+
+TEST(PlanReported, SaysHowManyRunsAreNeeded) {
+    GatesSpec spec;
+    const auto shares = plan_reported(spec, share_gate(0.3, 0.01), file_of_hits(20, 1, 1000, 0.3, 1), nullptr);
+    EXPECT_EQ(shares.comparisons, 20u);
+    EXPECT_EQ(shares.at_hand, 1u);
+    int passed = 0;
+    for (std::uint64_t seed = 0; seed < 100; ++seed)
+        passed +=
+            judged(share_gate(0.3, 0.01), file_of_hits(20, 1, 1000 * shares.needed, 0.3, seed)).verdict == Verdict::pass
+                ? 1
+                : 0;
+    // Power 0.9: fewer than 77 of 100 are seen with a probability below 1e-4.
+    EXPECT_GE(passed, 77);
+    Gate means = reported_gate(GateKind::bias, {-5e-4, 5e-4});
+    means.against = Against::number;
+    means.reference = 1;
+    const auto plan = plan_reported(spec, means, file_of_bins(100, 1, 1), nullptr);
+    passed = 0;
+    for (std::uint64_t seed = 0; seed < 100; ++seed)
+        passed += judged(means, file_of_bins(100, plan.needed, seed)).verdict == Verdict::pass ? 1 : 0;
+    EXPECT_GE(passed, 77);
+}
+
+Gate independent_gate(double band) {
+    Gate gate = reported_gate(GateKind::bias, {-band, band});
+    gate.against = Against::number;
+    gate.reference = 1;
+    gate.combine = Combination::chi_squared;
+    return gate;
+}
+
+TEST(IndependentBins, FailTogetherWhereNoneDoesAlone) {
+    // A shift of 1000 bins by 0.85 standard errors, with errors that are stated and with errors from ten runs.
+    const auto result = judged(independent_gate(1e-9), file_of_bins(1000, 1, 3, 1, 0.85));
+    EXPECT_EQ(result.verdict, Verdict::fail);
+    EXPECT_THAT(result.note, HasSubstr("takes the bins of file.csv for independent"));
+    EXPECT_EQ(judged(independent_gate(1e-9), file_of_bins(1000, 10, 3, 1, 0.85 / std::sqrt(10.0))).verdict,
+              Verdict::fail);
+    EXPECT_EQ(judged(independent_gate(1e-9), file_of_bins(1000, 10, 3)).verdict, Verdict::inconclusive);
+    EXPECT_EQ(judged(independent_gate(1e-2), file_of_bins(1000, 10, 3)).verdict, Verdict::pass);
+}
+
+TEST(IndependentBins, AreNotJudgedWhereTheyVaryTogether) {
+    std::mt19937_64 engine(5);
+    std::normal_distribution<double> normal;
+    std::string text = "quantity,bin,run,mean,standard_error\n";
+    for (int run = 0; run < 12; ++run) {
+        const double common = 0.7 * normal(engine);
+        for (int bin = 0; bin < 300; ++bin)
+            text += fmt::format("flux,{},{},{},{}\n", bin, run, 1 + reported_sigma * (common + 0.7 * normal(engine)),
+                                reported_sigma);
+    }
+    const auto result = judged(independent_gate(1e-9), parse_reported(text, "file.csv", Errors::required));
+    EXPECT_EQ(result.verdict, Verdict::inconclusive);
+    EXPECT_THAT(result.note, HasSubstr("vary together from run to run"));
+}
+
 }  // namespace
 }  // namespace ff::studies
