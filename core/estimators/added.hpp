@@ -43,6 +43,16 @@ class AddedEstimator {
     EstimatorEntry entry_;
 };
 
+/// What code from outside gives in a trial: form factors between faces, and what it claims of their errors, if it does.
+struct OutsideFactors {
+    Eigen::MatrixXd estimates;
+    Eigen::MatrixXd errors;  ///< empty, or as large as the estimates
+
+    [[nodiscard]] bool operator==(const OutsideFactors& other) const {
+        return errors.size() == other.errors.size() && estimates == other.estimates && errors == other.errors;
+    }
+};
+
 /// Traits of a program that receives the scene as a file and prints form factors between whole faces.
 /// @param has_sizes  it takes samples_per_patch
 EstimatorInfo program_traits(bool has_sizes, bool randomised);

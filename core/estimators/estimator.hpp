@@ -74,7 +74,7 @@ struct EstimatorInfo {
     bool has_tracer = false;        ///< takes the option `tracer`
     bool has_map = false;           ///< takes the option `map`
     bool exact = false;             ///< no error except rounding: a reference, not a competitor
-    bool claims_errors = false;     ///< states an error bound for every factor
+    bool claims_errors = false;     ///< states an error bound for every factor; those added later may do so without
     bool sees_occluders = false;    ///< obstacles between two faces are noticed
     bool sees_reflections = false;  ///< light by way of mirrors is counted
     /// Largest value of one evaluation, none being negative; infinite where none is known.
@@ -109,7 +109,7 @@ struct RayTally {
 struct Outcome {
     RayTally rays;              ///< of `Observes::hits`; empty otherwise
     Eigen::MatrixXd estimates;  ///< between faces; of `Observes::hits`, shares by area
-    Eigen::MatrixXd claims;     ///< claimed error bound of each estimate; empty without `claims_errors`
+    Eigen::MatrixXd claims;     ///< claimed error of each estimate; empty where nothing is claimed
 };
 
 /// Sums over trials of patch-to-face hits and of their squares, [patch * faces + face]; exact integers.

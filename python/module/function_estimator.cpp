@@ -68,25 +68,37 @@ class FunctionEstimator final : public Estimator {
         const auto request = samplers::request_of({task.key, task.trial, 0, 0}, task.samples, 0);
         const WithoutPythonLock free;
         repeatable_->expect(name_, "estimates", [&](OutsideSeed seed) { return call(seed, task.samples); });
+        OutsideFactors factors = call({request.seed, request.trial}, task.samples);
         outcome = {};
-        outcome.estimates = call({request.seed, request.trial}, task.samples);
+        outcome.estimates = std::move(factors.estimates);
+        outcome.claims = std::move(factors.errors);
     }
 
   private:
-    [[nodiscard]] Eigen::MatrixXd call(OutsideSeed seed, std::uint64_t samples) const {
+    [[nodiscard]] Eigen::MatrixXd matrix(const py::handle& made, const std::string& origin) const {
+        const Numbers rows = Numbers::ensure(made);
+        if (!rows || rows.ndim() != 2 || rows.shape(0) != faces_ || rows.shape(1) != faces_)
+            throw UserError(fmt::format("{}: returned no array of shape ({}, {}). Return a row for each face.", origin,
+                                        faces_, faces_));
+        auto numbers = rows.cast<Eigen::MatrixXd>();
+        if (!numbers.allFinite())
+            throw UserError(fmt::format("{}: returned a number that is not finite. Correct the function.", origin));
+        return numbers;
+    }
+
+    /// The function returns estimates, or a tuple of estimates and their errors.
+    [[nodiscard]] OutsideFactors call(OutsideSeed seed, std::uint64_t samples) const {
         const std::string origin =
             fmt::format("{} (trial {}, seed {}, {} samples)", name_, seed.trial, seed.seed, samples);
         const PythonLock held;
         try {
             const py::object made = py::handle(function_)(py::handle(scene_), samples, seed.seed, seed.trial);
-            const Numbers rows = Numbers::ensure(made);
-            if (!rows || rows.ndim() != 2 || rows.shape(0) != faces_ || rows.shape(1) != faces_)
-                throw UserError(fmt::format("{}: returned no array of shape ({}, {}). Return a row for each face.",
-                                            origin, faces_, faces_));
-            auto estimates = rows.cast<Eigen::MatrixXd>();
-            if (!estimates.allFinite())
-                throw UserError(fmt::format("{}: returned a number that is not finite. Correct the function.", origin));
-            return estimates;
+            if (!py::isinstance<py::tuple>(made) || py::len(made) != 2) return {matrix(made, origin), {}};
+            const auto both = py::reinterpret_borrow<py::tuple>(made);
+            OutsideFactors factors{matrix(both[0], origin), matrix(both[1], origin)};
+            if (factors.errors.minCoeff() < 0)
+                throw UserError(fmt::format("{}: returned an error below 0. Return its size.", origin));
+            return factors;
         } catch (const py::error_already_set& error) {
             throw UserError(fmt::format("{}: raised {}", origin, error.what()));
         }

@@ -53,6 +53,9 @@ std::vector<Picture> pictures_of_cell(const studies::StudyResults& results, std:
 /// Error against the occluded fraction at the common number of evaluations, for each family of scenes.
 std::vector<Picture> occlusion_pictures(const studies::StudyResults& results, const MethodChoice& methods = {});
 
+/// How often claimed errors hold; empty where no error is claimed but that of rays taken as random, and that holds.
+std::optional<Picture> claims_picture(const studies::StudyResults& results);
+
 /// All groups of a report; those of the methods that the verdict compares are open.
 std::vector<PictureGroup> picture_groups(const studies::StudyResults& results);
 

@@ -175,6 +175,7 @@ std::vector<PictureGroup> picture_groups(const studies::StudyResults& results) {
     }
     std::stable_partition(groups.begin(), groups.end(), [](const PictureGroup& group) { return group.open; });
     if (auto light = radiosity_pictures(results)) groups.insert(groups.begin(), std::move(*light));
+    if (auto claims = claims_picture(results)) groups.push_back({"Claimed errors", false, {std::move(*claims)}});
     return groups;
 }
 

@@ -17,13 +17,21 @@ namespace {
 
 constexpr double rounding = 1e-12;
 
-/// Who claims something of a method.
-std::vector<Claimant> claimants(const Method& method, bool counts_hits) {
+/// Who claims something of a cell.
+std::vector<Claimant> claimants(const Store& store, std::size_t cell) {
+    const Method& method = store.plan().spec.methods[store.plan().cells[cell].method];
     std::vector<Claimant> found;
-    if (estimator_info(method).claims_errors) found.push_back(Claimant::estimator);
+    if (store.has(cell, observable::claim)) found.push_back(Claimant::estimator);
     if (method.claimed_error) found.push_back(Claimant::study);
-    if (counts_hits && is_randomised(method)) found.push_back(Claimant::one_run);
+    const bool shoots = estimator_info(method).observes == Observes::hits;
+    if (shoots && is_randomised(method)) found.push_back(Claimant::one_run);
     return found;
+}
+
+/// The share of claims that has to hold.
+double promised(const StudyPlan& plan, std::size_t cell, Claimant claimant) {
+    if (claimant == Claimant::one_run) return plan.spec.level;
+    return plan.spec.methods[plan.cells[cell].method].claimed_level.value_or(1);
 }
 
 /// What is claimed of a pair, by trial.
@@ -81,12 +89,13 @@ std::optional<ClaimedErrors> judge(const Store& store, const CellEstimates& esti
     found.cell = estimates.cell;
     found.pair_class = pair_class;
     found.claimant = claimant;
-    found.promised = claimant == Claimant::one_run ? level : 1;
+    found.promised = promised(plan, estimates.cell, claimant);
     std::vector<double> ratios;
     std::uint64_t fewest = std::numeric_limits<std::uint64_t>::max();
     for (const Quantity pair : pairs) {
-        const auto of_pair = compare(estimates.values(pair), claims_on(store, estimates, pair, claimant),
-                                     known.at(pair.from - 1, pair.to - 1).value());
+        const auto claims = claims_on(store, estimates, pair, claimant);
+        if (claims.size() != estimates.trials()) return std::nullopt;  // a program claims nothing in some of its runs
+        const auto of_pair = compare(estimates.values(pair), claims, known.at(pair.from - 1, pair.to - 1).value());
         found.claims += of_pair.ratios.size();
         found.held += of_pair.held;
         ratios.insert(ratios.end(), of_pair.ratios.begin(), of_pair.ratios.end());
@@ -99,7 +108,7 @@ std::optional<ClaimedErrors> judge(const Store& store, const CellEstimates& esti
                                                         1 - (1 - level) / static_cast<double>(pairs.size()));
     found.median_ratio = *stats::median_absolute_error(ratios, 0);
     found.largest_ratio = *std::max_element(ratios.begin(), ratios.end());
-    const bool wrong = claimant == Claimant::one_run ? found.worst_share.high < level : found.held < found.claims;
+    const bool wrong = found.promised < 1 ? found.worst_share.high < found.promised : found.held < found.claims;
     found.finding = wrong ? ClaimFinding::fails : ClaimFinding::holds;
     return found;
 }
@@ -122,12 +131,12 @@ std::vector<ClaimedErrors> judge_claimed_errors(const Store& store) {
     const StudyPlan& plan = store.plan();
     std::vector<ClaimedErrors> all;
     for (std::size_t i = 0; i < plan.cells.size(); ++i) {
-        const Method& method = plan.spec.methods[plan.cells[i].method];
-        const bool shoots = estimator_info(method).observes == Observes::hits;
-        if (claimants(method, shoots).empty()) continue;
+        const auto claiming = claimants(store, i);
+        if (claiming.empty()) continue;
         const CellEstimates estimates = load_estimates(store, i);
         const KnownFactors known = known_factors(plan.scenes[plan.cells[i].scene]);
-        for (const Claimant claimant : claimants(method, !estimates.rays.empty())) {
+        for (const Claimant claimant : claiming) {
+            if (claimant == Claimant::one_run && estimates.rays.empty()) continue;
             for (const PairClass pair_class : {PairClass::parallel, PairClass::adjacent, PairClass::other}) {
                 if (auto found = judge(store, estimates, known, pair_class, claimant)) all.push_back(*found);
             }

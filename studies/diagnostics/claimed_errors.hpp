@@ -14,15 +14,15 @@ namespace ff::studies {
 
 /// Who claims an error.
 enum class Claimant {
-    estimator,  ///< for each factor in each trial: EstimatorInfo::claims_errors
+    estimator,  ///< for each factor in each trial: Outcome::claims
     study,      ///< one for all: Method::claimed_error
     one_run,    ///< hits treated as independent: binomial standard error times the normal quantile
 };
 std::string_view name(Claimant claimant);
 
 enum class ClaimFinding {
-    holds,  ///< no claim was wrong; for `one_run`, no share is significantly too small
-    fails,  ///< some claim was wrong; for `one_run`, a pair's share is significantly too small
+    holds,  ///< no claim was wrong; where not all have to hold, no share is significantly too small
+    fails,  ///< some claim was wrong; where not all have to hold, a pair's share is significantly too small
 };
 
 /// How often a claimed error holds on the pairs of a class that have an exact value.

@@ -19,6 +19,7 @@
 #include <string>
 #include <system_error>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 namespace ff::studies {
@@ -71,7 +72,7 @@ class SceneFiles {
     Program::Values values_;
 };
 
-/// What a program prints, read with messages that name the run.
+/// Reads what a program prints, with messages that name the run.
 class RowReader {
   public:
     RowReader(const Scene& scene, std::string_view output, std::string_view place)
@@ -79,26 +80,28 @@ class RowReader {
         for (const std::string& face : scene.faces) index_.emplace(face, static_cast<Eigen::Index>(index_.size()));
     }
 
-    Eigen::MatrixXd read() {
+    OutsideFactors read() {
+        const std::size_t columns = read_header();
         const auto faces = static_cast<Eigen::Index>(scene_.faces.size());
-        Eigen::MatrixXd estimates = Eigen::MatrixXd::Constant(faces, faces, std::numeric_limits<double>::quiet_NaN());
+        OutsideFactors printed;
+        Eigen::MatrixXd& estimates = printed.estimates;
+        estimates = Eigen::MatrixXd::Constant(faces, faces, std::numeric_limits<double>::quiet_NaN());
+        if (columns == names.size()) printed.errors = Eigen::MatrixXd::Zero(faces, faces);
         std::vector<CsvField> record;
-        if (!reader_.next(record) || record.size() != 3 || record[0].text != "from" || record[1].text != "to" ||
-            record[2].text != "estimate")
-            throw UserError(
-                fmt::format("{}: does not begin with the line from,to,estimate. Print it, and below it a "
-                            "line for each two faces.",
-                            place_));
         while (reader_.next(record)) {
-            if (record.size() != 3) reader_.fail(record.front(), "not three cells. Print from,to,estimate.");
-            double& entry = estimates(face_of(record[0]), face_of(record[1]));
-            if (!std::isnan(entry)) reader_.fail(record.front(), "this pair stands here again. Print it once.");
-            const auto value = finite_number(record[2].text);
-            constexpr double largest = 1e75;
-            if (!value || std::abs(*value) > largest)
-                reader_.fail(record[2], fmt::format("estimate = '{}' (not a finite number). Print it like 0.19982.",
-                                                    record[2].text));
-            entry = *value;
+            if (record.size() != columns)
+                reader_.fail(record.front(),
+                             fmt::format("{} cells, not {}. Print a number in each column.", record.size(), columns));
+            const Eigen::Index from = face_of(record[0]);
+            const Eigen::Index to = face_of(record[1]);
+            if (!std::isnan(estimates(from, to)))
+                reader_.fail(record.front(), "this pair stands here again. Print it once.");
+            estimates(from, to) = number(record, 2);
+            if (columns < names.size()) continue;
+            printed.errors(from, to) = number(record, 3);
+            if (printed.errors(from, to) < 0)
+                reader_.fail(record[3],
+                             fmt::format("error = '{}' (it cannot be negative). Print its size.", record[3].text));
         }
         for (Eigen::Index i = 0; i < faces; ++i) {
             if (std::isnan(estimates(i, i))) estimates(i, i) = 0;  // what is flat does not see itself
@@ -109,10 +112,36 @@ class RowReader {
                         scene_.faces[static_cast<std::size_t>(i)], scene_.faces[static_cast<std::size_t>(j)]));
             }
         }
-        return estimates;
+        return printed;
     }
 
   private:
+    static constexpr std::array<std::string_view, 4> names{"from", "to", "estimate", "error"};
+
+    /// How many columns there are: the last may be left out.
+    std::size_t read_header() {
+        std::vector<CsvField> record;
+        const bool is_there =
+            reader_.next(record) && record.size() + 1 >= names.size() && record.size() <= names.size() &&
+            std::equal(record.begin(), record.end(), names.begin(),
+                       [](const CsvField& field, std::string_view name) { return field.text == name; });
+        if (!is_there)
+            throw UserError(fmt::format(
+                "{}: does not begin with the line from,to,estimate or from,to,estimate,error. Print it, and "
+                "below it a line for each two faces.",
+                place_));
+        return record.size();
+    }
+
+    double number(const std::vector<CsvField>& record, std::size_t column) const {
+        const auto value = finite_number(record[column].text);
+        constexpr double largest = 1e75;
+        if (!value || std::abs(*value) > largest)
+            reader_.fail(record[column], fmt::format("{} = '{}' (not a finite number). Print it like 0.19982.",
+                                                     names.at(column), record[column].text));
+        return *value;
+    }
+
     Eigen::Index face_of(const CsvField& field) const {
         const auto found = index_.find(field.text);
         if (found == index_.end())
@@ -135,12 +164,14 @@ class CommandEstimator final : public Estimator {
     void observe(const EstimatorTask& task, Outcome& outcome, PatchTotals& /*totals*/) const override {
         program_->expect_repeatable("estimates", [&](Program::Seed seed) { return run(seed, task.samples); });
         const auto request = samplers::request_of({task.key, task.trial, 0, 0}, task.samples, 0);
+        OutsideFactors printed = run({request.seed, request.trial}, task.samples);
         outcome = {};
-        outcome.estimates = run({request.seed, request.trial}, task.samples);
+        outcome.estimates = std::move(printed.estimates);
+        outcome.claims = std::move(printed.errors);
     }
 
   private:
-    [[nodiscard]] Eigen::MatrixXd run(Program::Seed seed, std::uint64_t samples) const {
+    [[nodiscard]] OutsideFactors run(Program::Seed seed, std::uint64_t samples) const {
         const std::string place = fmt::format("{} (scene '{}', {} samples, trial {}, seed {})", program_->title(),
                                               scene_->name, samples, seed.trial, seed.seed);
         Program::Values values = files_.values();

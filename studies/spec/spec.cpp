@@ -31,7 +31,7 @@
 namespace ff::studies {
 namespace {
 
-using MethodKeys = std::array<std::string_view, 14>;
+using MethodKeys = std::array<std::string_view, 15>;
 
 constexpr std::uint64_t max_samples = 1ULL << 32;  // a stream addresses points with 32 bits
 constexpr std::uint32_t max_patches_per_face = 1u << 20;
@@ -178,9 +178,10 @@ void expect_unique_sizes(const TomlReader& reader, const Method& method) {
 }  // namespace
 
 Method read_method(const TomlReader& reader, std::span<const std::string_view> other_keys) {
-    static constexpr MethodKeys own_keys{
-        "name", "sampler", "randomise", "estimator",        "completion",        "allocation", "tracer",
-        "map",  "nodes",   "sizes",     "patches_per_face", "samples_per_patch", "trials",     "claimed_error"};
+    static constexpr MethodKeys own_keys{"name",       "sampler",       "randomise",        "estimator",
+                                         "completion", "allocation",    "tracer",           "map",
+                                         "nodes",      "sizes",         "patches_per_face", "samples_per_patch",
+                                         "trials",     "claimed_error", "claimed_level"};
     std::vector<std::string_view> known(own_keys.begin(), own_keys.end());
     known.insert(known.end(), other_keys.begin(), other_keys.end());
     reader.expect_only(known);
@@ -209,6 +210,11 @@ Method read_method(const TomlReader& reader, std::span<const std::string_view> o
     method.claimed_error = reader.optional_number("claimed_error");
     if (method.claimed_error && !(*method.claimed_error > 0))
         reader.fail("claimed_error", "(no method keeps an error of 0). Give what it claims, as 1e-4.");
+    method.claimed_level = reader.optional_number("claimed_level");
+    if (method.claimed_level && !(0 < *method.claimed_level && *method.claimed_level < 1))
+        reader.fail("claimed_level",
+                    "(the share of errors that should be at most as claimed: between 0 and 1; all, without the key). "
+                    "Give 0.68 for standard errors.");
 
     const auto own_trials = [](const TomlReader& table) {
         const auto trials = table.optional_count("trials");

@@ -51,7 +51,8 @@ struct Method {
     TracerChoice tracer = TracerChoice::automatic;
     PointMap map = PointMap::uniform;
     std::optional<Nodes> nodes;
-    std::optional<double> claimed_error;  ///< upper bound of every factor's error, as claimed by the method's author
+    std::optional<double> claimed_error;  ///< of every factor, as claimed by the method's author
+    std::optional<double> claimed_level;  ///< share of errors that should be at most as claimed; empty: all
     std::vector<Size> sizes;
     auto operator<=>(const Method&) const = default;
 };

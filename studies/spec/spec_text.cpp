@@ -23,6 +23,7 @@ std::string to_toml(const StudySpec& spec) {
         if (estimator.has_allocation()) out += fmt::format("allocation = \"{}\"\n", name(method.allocation));
         if (estimator.has_tracer) out += fmt::format("tracer = \"{}\"\n", name(method.tracer));
         if (method.claimed_error) out += fmt::format("claimed_error = {}\n", *method.claimed_error);
+        if (method.claimed_level) out += fmt::format("claimed_level = {}\n", *method.claimed_level);
         if (method.map != PointMap::uniform) out += fmt::format("map = \"{}\"\n", name(method.map));
         if (method.nodes) {
             const auto [source, target] = *method.nodes;

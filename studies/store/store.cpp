@@ -310,6 +310,12 @@ Store::Series Store::series(std::size_t cell, std::string_view observable, int f
     return series;
 }
 
+bool Store::has(std::size_t cell, std::string_view observable) const {
+    Statement query(database_->handle(), "SELECT 1 FROM observations WHERE cell = ? AND observable = ? LIMIT 1");
+    query.bind(0, static_cast<std::int64_t>(cell)).bind(1, observable);
+    return query.step();
+}
+
 std::int64_t Store::total(std::size_t cell, std::string_view observable, int from_face, int to_face) const {
     Statement query(database_->handle(), fmt::format("SELECT coalesce(sum(value), 0) FROM observations {}", of_a_pair));
     bind_pair(query, cell, observable, from_face, to_face);

@@ -66,6 +66,8 @@ class Store {
         std::vector<double> value;
     };
     [[nodiscard]] Series series(std::size_t cell, std::string_view observable, int from_face, int to_face) const;
+    /// Whether a cell has any value of an observable.
+    [[nodiscard]] bool has(std::size_t cell, std::string_view observable) const;
     /// Sum over all trials of an observable of a pair; 0 where there is none.
     [[nodiscard]] std::int64_t total(std::size_t cell, std::string_view observable, int from_face, int to_face) const;
 

@@ -1,3 +1,4 @@
+import pathlib
 import subprocess
 
 import numpy
@@ -57,6 +58,14 @@ def test_an_estimator_may_be_fixed_and_without_sizes():
     assert set(found.summary["trials"]) == {1}
 
 
+def test_an_estimator_may_say_what_it_claims_of_its_errors(program):
+    ffstudy.Study.from_toml(text()).run(
+        estimators={"mine": lambda *arguments: (kernel_sums(*arguments), numpy.full((6, 6), 1e6))}, out="claims")
+    subprocess.run([program, "report", "claims"], check=True)
+    rows = pathlib.Path("claims/claimed_errors.csv").read_text().splitlines()
+    assert all(",estimator," in row and row.endswith(",not_refuted") for row in rows[1:]) and len(rows) > 1
+
+
 def test_curved_scenes_are_told_in_words():
     seen = []
 
@@ -73,6 +82,7 @@ def test_curved_scenes_are_told_in_words():
     (lambda scene, samples, seed, trial: numpy.zeros((6, 5)), r"no array of shape \(6, 6\)"),
     (lambda scene, samples, seed, trial: numpy.full((6, 6), numpy.inf), "not finite"),
     (lambda scene, samples, seed, trial: "factors", "no array of shape"),
+    (lambda scene, samples, seed, trial: (numpy.zeros((6, 6)), -numpy.ones((6, 6))), "an error below 0"),
     (lambda scene, samples, seed, trial: 1 / 0, "mine \\(trial 0.*raised ZeroDivisionError"),
     (lambda scene, samples, seed, trial: numpy.random.random((6, 6)), "run twice, it returns different estimates"),
     (lambda scene, samples, seed, trial: numpy.full((6, 6), 0.125), "returns the same estimates for every seed"),

@@ -70,6 +70,7 @@ Method any_method(std::string name) {
     const EstimatorInfo& estimator = estimator_info(method);
     method.completion = *rc::gen::element(Completion::direct, Completion::reciprocal);
     if (*rc::gen::arbitrary<bool>()) method.claimed_error = any_fraction();
+    if (*rc::gen::arbitrary<bool>()) method.claimed_level = any_fraction();
     if (!estimator.takes_points()) {
         method.sizes = any_sizes(false);
         for (Size& size : method.sizes) {
