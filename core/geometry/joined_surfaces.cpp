@@ -1,5 +1,7 @@
 #include "core/geometry/joined_surfaces.hpp"
 
+#include "core/geometry/place_numbers.hpp"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -18,27 +20,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Places nearer than this, as a share of the largest coordinate, are one.
-constexpr double resolution = 0x1p-36;
 /// Of the sine of an angle that is none.
 constexpr double straight = 1e-10;
-
-/// Places that are the same but for rounding have the same number. Two of them may be taken for different ones, where
-/// a boundary of the lattice runs between them; then less is joined.
-class PlaceNumbers {
-  public:
-    explicit PlaceNumbers(double largest_coordinate) : cell_(resolution * largest_coordinate) {}
-
-    std::uint32_t operator()(const Vector3d& place) {
-        const std::array<double, 3> at{std::round(place.x() / cell_), std::round(place.y() / cell_),
-                                       std::round(place.z() / cell_)};
-        return numbers_.try_emplace(at, static_cast<std::uint32_t>(numbers_.size())).first->second;
-    }
-
-  private:
-    double cell_;
-    std::map<std::array<double, 3>, std::uint32_t> numbers_;
-};
 
 /// An edge, whichever way it is walked.
 using Edge = std::pair<std::uint32_t, std::uint32_t>;
@@ -97,7 +80,8 @@ double largest_coordinate_of(const Scene& scene) {
 }
 
 Joiner::Joiner(const Scene& scene)
-    : pieces_(scene.surfaces.begin(), scene.surfaces.end()), number_(largest_coordinate_of(scene)) {
+    : pieces_(scene.surfaces.begin(), scene.surfaces.end()),
+      number_(resolution_of_places * largest_coordinate_of(scene)) {
     for (std::size_t i = 0; i < pieces_.size(); ++i) {
         joined_to_.push_back(i);
         index_edges(i);

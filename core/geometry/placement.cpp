@@ -82,6 +82,7 @@ Scene placed(const Scene& scene, const Placement& placement) {
                    surface.shape);
     }
     if (result.empty_box) *result.empty_box /= placement.unit;
+    result.coordinate_rounding /= placement.unit;
     return result;
 }
 

@@ -37,6 +37,13 @@ struct Surface {
     Grid grid = undivided;
 };
 
+/// The part of a face that something stands on, or that stands on something: it has been cut out.
+struct CoveredPart {
+    std::string face;
+    double area = 0;   ///< cut out
+    double whole = 0;  ///< area of the face before
+};
+
 /// Surfaces, and the faces (groups of surfaces) that results are reported for.
 struct Scene {
     std::string name;       ///< as the user wrote it, e.g. "cube"
@@ -44,6 +51,8 @@ struct Scene {
     std::vector<Surface> surfaces;
     std::vector<std::string> faces;  ///< face labels as reported, e.g. "1" .. "6"
     bool closed = false;             ///< every ray hits something: a ray that does not is lost
+    double coordinate_rounding = 0;  ///< by which the coordinates of a file may be off, as far as their digits tell
+    std::vector<CoveredPart> covered;
     std::optional<Eigen::Vector3d>
         empty_box;  ///< edge lengths a, b, c where the scene is the inside of [0,a]x[0,b]x[0,c]
 };

@@ -42,7 +42,7 @@ class DoubleTracer final : public Tracer {
           tree_(boxes_of(scene.surfaces)),
           closed_(scene.closed),
           faces_(scene.faces.size()),
-          gap_(level_rounding * farthest_coordinate(scene)) {}
+          gap_(level_gap(scene)) {}
 
     [[nodiscard]] std::string_view name() const override { return "double"; }
 

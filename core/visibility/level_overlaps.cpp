@@ -5,11 +5,13 @@
 #include "core/geometry/placement.hpp"
 #include "core/geometry/shaft.hpp"
 #include "core/geometry/surface_map.hpp"
+#include "core/visibility/rounding_room.hpp"
 
 #include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace ff {
@@ -19,6 +21,10 @@ using Eigen::Vector3d;
 
 /// Of the smaller surface: less is what adjacent surfaces cover for rounding.
 constexpr double least_share = 1e-6;
+/// How many times as far as a coordinate the plane of a surface may be off beside its corners.
+constexpr double planes_off = 16;
+/// Of the smaller surface's size: nearer planes are near.
+constexpr double near = 1e-6;
 /// Places of a disc along each of its coordinates.
 constexpr int lattice = 32;
 
@@ -83,22 +89,34 @@ double common_area(const Surface& a, const Surface& b) {
     return std::max(covered_share(a, b) * area(a.shape), covered_share(b, a) * area(b.shape));
 }
 
+double level_gap(const Scene& scene) {
+    Eigen::AlignedBox3d box;
+    for (const Surface& surface : scene.surfaces) box.extend(box_around(surface));
+    constexpr double epsilon = std::numeric_limits<double>::epsilon();
+    return std::max({rounding_room * box.diagonal().norm(), 8 * epsilon * farthest_coordinate(scene),
+                     planes_off * scene.coordinate_rounding});
+}
+
 std::vector<LevelOverlap> level_overlaps(const Scene& scene) {
     std::vector<Eigen::AlignedBox3d> boxes;
     for (const Surface& surface : scene.surfaces) boxes.push_back(box_around(surface));
-    const double gap = level_rounding * farthest_coordinate(scene);
+    const double gap = level_gap(scene);
     const BoxTree tree(boxes);
     std::vector<LevelOverlap> overlaps;
     for (std::uint32_t i = 0; i < boxes.size(); ++i) {
         const Surface& a = scene.surfaces[i];
         if (!is_flat(a.shape)) continue;
-        const Vector3d room = Vector3d::Constant(gap);
+        const Vector3d room = Vector3d::Constant(std::max(gap, near * std::sqrt(area(a.shape))));
         tree.within({boxes[i].min() - room, boxes[i].max() + room}, [&](std::uint32_t j) {
             const Surface& b = scene.surfaces[j];
-            if (j <= i || !is_flat(b.shape) || !lie_in_one_plane(a, b, gap)) return;
+            if (j <= i || !is_flat(b.shape)) return;
+            const double smaller = std::min(area(a.shape), area(b.shape));
+            if (!lie_in_one_plane(a, b, std::max(gap, near * std::sqrt(smaller)))) return;
             const double common = common_area(a, b);
-            if (common > least_share * std::min(area(a.shape), area(b.shape)))
-                overlaps.push_back({i, j, a.normal.dot(b.normal) > 0, common});
+            // Along its rim, which for what is long and thin is longer than the root of its area.
+            const double rim = boxes[i].intersection(boxes[j]).diagonal().norm() + std::sqrt(smaller);
+            if (common <= std::max(least_share * smaller, 4 * gap / planes_off * rim)) return;
+            overlaps.push_back({i, j, a.normal.dot(b.normal) > 0, common, lie_in_one_plane(a, b, gap)});
         });
     }
     std::sort(overlaps.begin(), overlaps.end(), [](const LevelOverlap& a, const LevelOverlap& b) {

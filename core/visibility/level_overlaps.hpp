@@ -7,20 +7,23 @@
 
 namespace ff {
 
-/// By this share of a scene's largest coordinate, planes that are the same may lie apart for rounding alone.
-inline constexpr double level_rounding = 0x1p-46;
+/// Planes nearer than this may be the same but for rounding: of the coordinates as they were read, of computing with
+/// them, and the room that proofs about occlusion have (core/visibility/rounding_room.hpp). So a surface in front of
+/// another either hides it or is level with it.
+double level_gap(const Scene& scene);
 
-/// Two coplanar surfaces that overlap. Coordinates do not tell which of them hides the other.
+/// Two surfaces that overlap in one plane, or nearly.
 struct LevelOverlap {
     std::uint32_t first = 0;  ///< index of a surface
     std::uint32_t second = 0;
     bool same_side = false;  ///< they radiate to the same side; else they are back to back, as the sides of a thin wall
     double area = 0;         ///< covered by both; approximate for discs
+    bool level = true;       ///< within level_gap: coordinates do not tell which of them hides the other
 };
 
-/// All overlaps of a scene that cover at least a millionth of the smaller surface; for discs, those that show on a
-/// lattice of 1024 places. Planes count as equal within 2^-46 of the scene's largest coordinate. Takes n log n steps
-/// for n surfaces with few neighbours each.
+/// All overlaps of a scene that cover at least a millionth of the smaller surface, and more than rounding does along
+/// its rim; for discs, those that show on a lattice of 1024 places. Those that are not level lie apart by a millionth
+/// of the smaller surface's size at most. Takes n log n steps for n surfaces with few neighbours each.
 std::vector<LevelOverlap> level_overlaps(const Scene& scene);
 
 /// Whether the corners of one flat surface, or the rim of a disc, lie within `gap` of the plane of the other.

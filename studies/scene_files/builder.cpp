@@ -1,9 +1,12 @@
 #include "studies/scene_files/builder.hpp"
 
+#include "core/geometry/standing_bodies.hpp"
 #include "core/geometry/surface_map.hpp"
 #include "core/support/error.hpp"
 #include "core/support/excerpt.hpp"
+#include "core/visibility/level_overlaps.hpp"
 #include "studies/readers/printable.hpp"
+#include "studies/scene_files/coordinate_rounding.hpp"
 
 #include <fmt/format.h>
 
@@ -14,6 +17,8 @@
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <utility>
+#include <vector>
 
 namespace ff::studies {
 namespace {
@@ -76,6 +81,22 @@ std::uint64_t fingerprint(const Numbers& numbers) {
     return print.value();
 }
 
+/// What a scene is: its surfaces, whatever their order of corners.
+std::string canonical_of(const Scene& scene) {
+    Fingerprint content;
+    content.add(scene.closed ? 1 : 0);
+    for (const Surface& surface : scene.surfaces) {
+        content.add(fingerprint(numbers_of(surface)));
+        content.add(static_cast<std::uint64_t>(surface.face));
+        for (const double component : surface.normal) content.add(std::bit_cast<std::uint64_t>(component + 0.0));
+        // Scenes without grids are what they were before there were any.
+        if (surface.grid == undivided) continue;
+        content.add(surface.grid.columns);
+        content.add(surface.grid.rows);
+    }
+    return fmt::format("scene {:016x}", content.value());
+}
+
 }  // namespace
 
 int SceneBuilder::face(const std::string& label, std::uint64_t line) {
@@ -101,7 +122,25 @@ void SceneBuilder::fail(std::uint64_t line, std::string_view problem) const {
     throw UserError(fmt::format("{}:{}: {}", name_, line, problem));
 }
 
+void SceneBuilder::note(const Vector3d& place) {
+    constexpr std::size_t enough = 10'000;
+    for (const double coordinate : place) {
+        if (coordinate != 0 && coordinates_.size() < enough) coordinates_.insert(std::abs(coordinate));
+    }
+}
+
 void SceneBuilder::add(Surface surface, std::uint64_t line) {
+    if (const auto* p = std::get_if<Parallelogram>(&surface.shape)) {
+        for (const Vector3d& given : {p->corner, p->edge_u, p->edge_v}) note(given);
+    } else if (const auto* disc = std::get_if<Disc>(&surface.shape)) {
+        note(disc->centre);
+    } else {
+        for (const Vector3d& corner : corners(surface.shape)) note(corner);
+    }
+    append(std::move(surface), line);
+}
+
+void SceneBuilder::append(Surface surface, std::uint64_t line) {
     double size = 0;
     for (Eigen::Index axis = 0; axis < 3; ++axis) {
         const Extent along = extent(surface, Vector3d::Unit(axis));
@@ -134,6 +173,7 @@ void SceneBuilder::add_polygon(const std::vector<Vector3d>& corners, int face, s
     const Vector3d normal = sum.normalized();
     for (std::size_t i = 0; i < n; ++i) {
         const Vector3d& corner = corners[i];
+        note(corner);
         const Vector3d& next = corners[(i + 1) % n];
         const double height = normal.dot(corner - corners[0]);
         if (!(std::abs(height) <= most_bend * size)) {
@@ -147,33 +187,58 @@ void SceneBuilder::add_polygon(const std::vector<Vector3d>& corners, int face, s
         }
     }
     if (n == 4 && (corners[0] + corners[2] - corners[1] - corners[3]).norm() <= parallelogram_gap * size) {
-        add({Parallelogram{corners[0], corners[1] - corners[0], corners[3] - corners[0]}, normal, face}, line);
+        append({Parallelogram{corners[0], corners[1] - corners[0], corners[3] - corners[0]}, normal, face}, line);
         return;
     }
     for (std::size_t i = 1; i + 1 < n; ++i) {
         const Vector3d own = (corners[i] - corners[0]).cross(corners[i + 1] - corners[0]);
         if (!(own.norm() > least_share_of_area * size * size)) continue;  // three corners in a line
-        add({Triangle{corners[0], corners[i], corners[i + 1]}, own.normalized(), face}, line);
+        append({Triangle{corners[0], corners[i], corners[i + 1]}, own.normalized(), face}, line);
     }
 }
 
-Scene SceneBuilder::finish(bool closed) {
+void SceneBuilder::cut_out_covered_parts(std::vector<FaceMaterial>* materials) {
+    const StandingBodies standing = standing_bodies(scene_, level_gap(scene_));
+    if (!standing.any()) return;
+    const auto faces = scene_.faces.size();
+    std::vector<double> before(faces);
+    for (std::size_t face = 0; face < faces; ++face) before[face] = face_area(scene_, static_cast<int>(face));
+    const std::vector<Surface> surfaces = std::exchange(scene_.surfaces, {});
+    for (std::size_t i = 0; i < surfaces.size(); ++i) {
+        if (!standing.left[i]) {
+            scene_.surfaces.push_back(surfaces[i]);
+        } else {
+            for (const ConvexPolygon& polygon : *standing.left[i]) add_polygon(polygon, surfaces[i].face, lines_[i]);
+        }
+    }
+    std::vector<int> number(faces, no_face);
+    std::vector<std::string> kept;
+    std::vector<FaceMaterial> kept_materials;
+    for (std::size_t face = 0; face < faces; ++face) {
+        const double after = face_area(scene_, static_cast<int>(face));
+        constexpr double rounding = 1e-12;
+        if (before[face] - after > rounding * before[face])
+            scene_.covered.push_back({scene_.faces[face], before[face] - after, before[face]});
+        if (after == 0) continue;
+        number[face] = static_cast<int>(kept.size());
+        kept.push_back(scene_.faces[face]);
+        if (materials != nullptr && face < materials->size()) kept_materials.push_back((*materials)[face]);
+    }
+    for (Surface& surface : scene_.surfaces) {
+        if (surface.face >= 0) surface.face = number[static_cast<std::size_t>(surface.face)];
+    }
+    scene_.faces = std::move(kept);
+    if (materials != nullptr) *materials = std::move(kept_materials);
+}
+
+Scene SceneBuilder::finish(bool closed, std::vector<FaceMaterial>* materials) {
     if (scene_.faces.empty()) throw UserError(fmt::format("{}: no face (nothing would be computed). Add one.", name_));
     std::vector<std::size_t> surfaces_of(scene_.faces.size());
-    Fingerprint content;
-    content.add(closed ? 1 : 0);
     std::vector<std::pair<std::uint64_t, std::size_t>> prints;
     for (std::size_t i = 0; i < scene_.surfaces.size(); ++i) {
         const Surface& surface = scene_.surfaces[i];
         if (surface.face != no_face) ++surfaces_of[static_cast<std::size_t>(surface.face)];
         prints.emplace_back(fingerprint(numbers_of(surface)), i);
-        content.add(prints.back().first);
-        content.add(static_cast<std::uint64_t>(surface.face));
-        for (const double component : surface.normal) content.add(std::bit_cast<std::uint64_t>(component + 0.0));
-        // Scenes without grids are what they were before there were any.
-        if (surface.grid == undivided) continue;
-        content.add(surface.grid.columns);
-        content.add(surface.grid.rows);
     }
     for (std::size_t face = 0; face < surfaces_of.size(); ++face) {
         if (surfaces_of[face] == 0) {
@@ -190,8 +255,11 @@ Scene SceneBuilder::finish(bool closed) {
                                          owner(scene_.surfaces[second].face), lines_[first]));
     }
     scene_.name = name_;
-    scene_.canonical = fmt::format("scene {:016x}", content.value());
     scene_.closed = closed;
+    const std::vector<double> coordinates(coordinates_.begin(), coordinates_.end());
+    scene_.coordinate_rounding = coordinate_rounding(coordinates);
+    cut_out_covered_parts(materials);
+    scene_.canonical = canonical_of(scene_);
     return std::move(scene_);
 }
 

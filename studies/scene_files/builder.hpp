@@ -1,11 +1,13 @@
 #pragma once
 
 #include "core/geometry/scene.hpp"
+#include "studies/scene_files/scene_file.hpp"
 
 #include <cstdint>
 #include <string>
 #include <string_view>
 #include <unordered_map>
+#include <unordered_set>
 #include <vector>
 
 namespace ff::studies {
@@ -33,16 +35,22 @@ class SceneBuilder {
 
     [[noreturn]] void fail(std::uint64_t line, std::string_view problem) const;
 
+    /// Cuts out what bodies cover that stand on surfaces. Faces of which nothing is left are left out.
+    /// @param materials  of the faces; those of faces that are left out are taken out. Null: none
     /// @throws UserError where there is no surface, no face, a face without surfaces, or a surface twice
-    Scene finish(bool closed);
+    Scene finish(bool closed, std::vector<FaceMaterial>* materials = nullptr);
 
   private:
     [[nodiscard]] std::string owner(int face) const;
+    void note(const Eigen::Vector3d& place);
+    void append(Surface surface, std::uint64_t line);
+    void cut_out_covered_parts(std::vector<FaceMaterial>* materials);
 
     std::string name_;
     Scene scene_;
     std::unordered_map<std::string, int> faces_;
-    std::vector<std::uint64_t> lines_;  ///< one per surface
+    std::vector<std::uint64_t> lines_;        ///< one per surface
+    std::unordered_set<double> coordinates_;  ///< different ones, without signs and 0; of a large file, the first
 };
 
 }  // namespace ff::studies

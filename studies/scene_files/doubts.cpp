@@ -42,11 +42,42 @@ struct Overlap {
     double area = 0;
 };
 
+std::string face_in_words(const Scene& scene, int face) {
+    return face < 0 ? std::string("an occluder")
+                    : fmt::format("face '{}'", scene.faces[static_cast<std::size_t>(face)]);
+}
+
+/// The sides of a thin wall may be as near to each other as they like.
+void add_near(const Scene& scene, const LevelOverlap& overlap, SceneDoubts& doubts) {
+    const auto [low, high] = std::minmax(scene.surfaces[overlap.first].face, scene.surfaces[overlap.second].face);
+    if (!overlap.same_side || high < 0) return;
+    std::string note = fmt::format(
+        "scene '{}': {} and {} lie over each other, less than a millionth of their size apart (the one in "
+        "front is taken to hide the other)",
+        scene.name, face_in_words(scene, low), face_in_words(scene, high));
+    if (std::find(doubts.notes.begin(), doubts.notes.end(), note) == doubts.notes.end())
+        doubts.notes.push_back(std::move(note));
+}
+
+void add_covered(const Scene& scene, SceneDoubts& doubts) {
+    for (const CoveredPart& part : scene.covered) {
+        const bool whole = part.area == part.whole;
+        doubts.notes.push_back(fmt::format(
+            "scene '{}': {} of face '{}' is covered, by a body that stands on it or by what it stands on ({})",
+            scene.name, whole ? "all" : fmt::format("{:.3g} %", 100 * part.area / part.whole), part.face,
+            whole ? "the face is left out" : "that part is left out, and its area is that of the rest"));
+    }
+}
+
 void add_overlaps(const Scene& scene, SceneDoubts& doubts) {
     const Placement placement = placement_of(scene);
     const Scene where = placed(scene, placement);
     std::map<std::tuple<bool, int, int>, Overlap> by_faces;
     for (const LevelOverlap& overlap : level_overlaps(where)) {
+        if (!overlap.level) {
+            add_near(scene, overlap, doubts);
+            continue;
+        }
         const auto [low, high] = std::minmax(scene.surfaces[overlap.first].face, scene.surfaces[overlap.second].face);
         if (high < 0) continue;  // two occluders hide what they hide together
         Overlap& all = by_faces[{overlap.same_side, low, high}];
@@ -109,6 +140,21 @@ void add_resolution(const Scene& scene, SceneDoubts& doubts) {
         "scene '{}': {} {} small beside coordinates of {:.2g} (which are rounded: sampled factors of a face of "
         "size {:.2g} are known to {:.1g} at best)",
         scene.name, names(scene, small), small.size() == 1 ? "is" : "are", farthest, least, step / least));
+}
+
+/// Coordinates with so few digits that faces are not where they were meant.
+void add_rounding(const Scene& scene, SceneDoubts& doubts) {
+    constexpr double too_much = 0.01;  // of a face's size
+    std::vector<std::size_t> small;
+    for (std::size_t face = 0; face < scene.faces.size(); ++face) {
+        if (scene.coordinate_rounding > too_much * std::sqrt(face_area(scene, static_cast<int>(face))))
+            small.push_back(face);
+    }
+    if (small.empty()) return;
+    doubts.faults.push_back(fmt::format(
+        "scene '{}': coordinates seem to be rounded to {:.1g}, which is more than a hundredth of the size of {}. Write "
+        "them with more digits, or move the scene to the origin first.",
+        scene.name, 2 * scene.coordinate_rounding, names(scene, small)));
 }
 
 /// A room whose walls face outwards, said to be closed or not: no front sees a front, but backs see backs.
@@ -184,8 +230,12 @@ void add_orientation(const Scene& scene, SceneDoubts& doubts) {
 SceneDoubts examine_scene(const Scene& scene) {
     SceneDoubts doubts;
     if (scene.empty_box) return doubts;
+    add_covered(scene, doubts);
     add_overlaps(scene, doubts);
-    if (scene.faces.size() <= most_faces_examined) add_resolution(scene, doubts);
+    if (scene.faces.size() <= most_faces_examined) {
+        add_resolution(scene, doubts);
+        add_rounding(scene, doubts);
+    }
     if (scene.surfaces.size() <= most_surfaces_examined && scene.faces.size() <= most_faces_examined)
         add_orientation(scene, doubts);
     return doubts;

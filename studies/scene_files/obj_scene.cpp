@@ -176,7 +176,7 @@ SceneWithMaterials read_obj_scene(std::string_view name, std::string_view text) 
             if (face != no_face) add_name(materials, static_cast<std::size_t>(face), material);
         }
     }
-    Scene scene = builder.finish(lines.closed);
+    Scene scene = builder.finish(lines.closed, &materials);
     materials.resize(scene.faces.size());
     return {std::move(scene), std::move(materials)};
 }

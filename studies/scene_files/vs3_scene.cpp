@@ -58,7 +58,7 @@ class Vs3Reader {
     }
 
     SceneWithMaterials finish() {
-        Scene scene = builder_.finish(closed_);
+        Scene scene = builder_.finish(closed_, &materials_);
         materials_.resize(scene.faces.size());
         return {std::move(scene), std::move(materials_)};
     }

@@ -1,5 +1,7 @@
 #include "core/visibility/level_overlaps.hpp"
 
+#include "core/visibility/occlusion.hpp"
+
 #include "core/geometry/box.hpp"
 #include "tests/support/round_scenes.hpp"
 
@@ -41,10 +43,32 @@ TEST(LevelOverlaps, AreFoundWithTheirArea) {
 TEST(LevelOverlaps, AreNotSurfacesSideBySideOrApart) {
     EXPECT_TRUE(level_overlaps(make_box(3, 2, 1)).empty());
     const Scene apart = test::faces_of({level_rectangle(0, 0, 1, 1), level_rectangle(1, 0, 1, 1),
-                                        level_rectangle(0, 1, 1.7, 1), level_rectangle(0.2, 0.2, 0.2, 0.2, 1e-12)},
+                                        level_rectangle(0, 1, 1.7, 1), level_rectangle(0.2, 0.2, 0.2, 0.2, 1e-6)},
                                        false);
     EXPECT_TRUE(level_overlaps(apart).empty());
     EXPECT_TRUE(level_overlaps(turned(apart)).empty());
+}
+
+// Between them nothing is counted twice without a word: what proofs about occlusion leave room for is level.
+TEST(LevelOverlaps, AreLevelWhereverOcclusionHasRoom) {
+    for (const double height : {0.0, 1e-15, 1e-14, 1e-13, 1e-12, 3e-12, 1e-11, 1e-10, 1e-8, 1e-7}) {
+        const Scene scene =
+            turned(test::faces_of({level_rectangle(0, 0, 1, 1), level_rectangle(0.2, 0.2, 0.2, 0.2, height),
+                                   level_rectangle(0, 0, 1, 1, 1, true)},
+                                  false));
+        const auto found = level_overlaps(scene);
+        ASSERT_EQ(found.size(), 1u) << height;
+        const bool hides = !keeps_clear(scene.surfaces[1], scene.surfaces[0], scene.surfaces[2]);
+        EXPECT_TRUE(hides || found[0].level) << height;
+        EXPECT_EQ(found[0].level, height <= level_gap(scene)) << height;
+    }
+}
+
+TEST(LevelOverlaps, AreLevelAsFarAsCoordinatesAreRounded) {
+    Scene scene = test::faces_of({level_rectangle(0, 0, 1, 1), level_rectangle(0.2, 0.2, 0.2, 0.2, 1e-7)}, false);
+    EXPECT_FALSE(level_overlaps(scene).front().level);
+    scene.coordinate_rounding = 1e-7;
+    EXPECT_TRUE(level_overlaps(scene).front().level);
 }
 
 TEST(LevelOverlaps, AreFoundOfDiscs) {

@@ -115,6 +115,35 @@ TEST(SceneDoubts, NameAnOccluderThatLiesOnAFace) {
                 ElementsAre(AllOf(HasSubstr("an occluder lies on face 'a'"), HasSubstr("16 % of it"))));
 }
 
+TEST(SceneDoubts, NameFacesThatAreNearlyInOnePlane) {
+    const SceneDoubts doubts = examine_scene(read_obj(
+        room_obj(false, {}, "v 0.2 0.2 1e-7\nv 0.4 0.2 1e-7\nv 0.4 0.4 1e-7\nv 0.2 0.4 1e-7\ng mat\nf 9 10 11 12\n")));
+    EXPECT_THAT(doubts.faults, IsEmpty());
+    EXPECT_THAT(doubts.notes, ElementsAre(HasSubstr("less than a millionth of their size apart")));
+}
+
+// A picture on a turned wall, whose coordinates have six decimals: it is in front here and behind there.
+TEST(SceneDoubts, TakeCoordinatesForNoMoreThanTheirDigits) {
+    std::string text;
+    for (const auto& [x, y] :
+         {std::pair(0.0, 0.0), {1.0, 0.0}, {1.0, 1.0}, {0.0, 1.0}, {0.3, 0.4}, {0.6, 0.4}, {0.6, 0.7}, {0.3, 0.7}}) {
+        const Eigen::Vector3d place = x * Eigen::Vector3d(0.8, 0.36, 0.48) + y * Eigen::Vector3d(-0.6, 0.48, 0.64);
+        text += fmt::format("v {:.6f} {:.6f} {:.6f}\n", place.x() / 2.71, place.y() / 2.71, place.z() / 2.71);
+    }
+    text += "g wall\nf 1 2 3\nf 1 3 4\ng picture\nf 5 6 7\nf 5 7 8\n";
+    const Scene scene = read_obj(text);
+    EXPECT_DOUBLE_EQ(scene.coordinate_rounding, 5e-7);
+    EXPECT_THAT(examine_scene(scene).faults, ElementsAre(HasSubstr("lie over each other in one plane")));
+}
+
+TEST(SceneDoubts, AreFaultsWhereCoordinatesAreTooCoarse) {
+    const Scene scene = read_obj(
+        "v 41234.5 1.23457 2.34568\nv 41234.7 1.23457 2.34568\nv 41234.7 1.43457 2.34568\n"
+        "v 41234.5 1.43457 3.34568\nv 41234.7 1.23457 3.34568\nv 41234.7 1.43457 3.34568\n"
+        "g a\nf 1 2 3\ng b\nf 6 5 4\n");
+    EXPECT_THAT(examine_scene(scene).faults, testing::Contains(HasSubstr("coordinates seem to be rounded to 0.1")));
+}
+
 TEST(SceneDoubts, TreatSurfacesBackToBackAsAThinWall) {
     const SceneDoubts doubts =
         doubts_of(two_plates + square("under", "[0, 0, 0]", 1.001, true) + square("c", "[0, 0, -1]", 1));

@@ -1,0 +1,341 @@
+#include "core/geometry/standing_bodies.hpp"
+
+#include "core/geometry/box_tree.hpp"
+#include "core/geometry/place_numbers.hpp"
+#include "core/geometry/surface_map.hpp"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <numeric>
+#include <utility>
+
+namespace ff {
+namespace {
+
+using Eigen::Vector3d;
+using Edge = std::pair<std::uint32_t, std::uint32_t>;  // by numbers of its ends
+
+double area_of(const ConvexPolygon& polygon) {
+    return polygon.size() < 3 ? 0 : twice_area(polygon).norm() / 2;
+}
+
+double length_around(const ConvexPolygon& polygon) {
+    double length = 0;
+    for (std::size_t k = 0; k < polygon.size(); ++k) length += (polygon[(k + 1) % polygon.size()] - polygon[k]).norm();
+    return length;
+}
+
+/// Whether a polygon is what rounding leaves along an edge.
+bool is_sliver(const ConvexPolygon& polygon, double gap) {
+    return area_of(polygon) <= gap * length_around(polygon);
+}
+
+/// Without corners that are another, or lie on the line between their neighbours, but for rounding.
+ConvexPolygon cleaned(ConvexPolygon polygon, double gap) {
+    for (std::size_t k = 0; k < polygon.size() && polygon.size() >= 3;) {
+        const std::size_t n = polygon.size();
+        const Vector3d& before = polygon[(k + n - 1) % n];
+        const Vector3d& after = polygon[(k + 1) % n];
+        if (distance(polygon[k], before, after) > gap) {
+            ++k;
+        } else {
+            polygon.erase(polygon.begin() + static_cast<std::ptrdiff_t>(k));
+            k = k > 0 ? k - 1 : 0;
+        }
+    }
+    return polygon;
+}
+
+/// The part of a polygon on one side of an edge of another, both in a plane with this normal.
+ConvexPolygon beside_edge(const ConvexPolygon& polygon, const Vector3d& a, const Vector3d& b, const Vector3d& normal,
+                          double side) {
+    const Vector3d inwards = side * normal.cross(b - a).normalized();
+    return clipped(polygon, inwards, inwards.dot(a));
+}
+
+ConvexPolygon common_part(ConvexPolygon polygon, const ConvexPolygon& other, const Vector3d& normal) {
+    for (std::size_t k = 0; k < other.size() && polygon.size() >= 3; ++k)
+        polygon = beside_edge(polygon, other[k], other[(k + 1) % other.size()], normal, 1);
+    return polygon;
+}
+
+/// What is left of convex pieces without a convex polygon that is counter-clockwise around their normal.
+std::vector<ConvexPolygon> without(const std::vector<ConvexPolygon>& pieces, const ConvexPolygon& polygon,
+                                   const Vector3d& normal, double gap) {
+    std::vector<ConvexPolygon> left;
+    for (const ConvexPolygon& piece : pieces) {
+        if (is_sliver(common_part(piece, polygon, normal), gap)) {
+            left.push_back(piece);
+            continue;
+        }
+        ConvexPolygon rest = piece;
+        for (std::size_t k = 0; k < polygon.size(); ++k) {
+            const Vector3d& a = polygon[k];
+            const Vector3d& b = polygon[(k + 1) % polygon.size()];
+            ConvexPolygon outside = beside_edge(rest, a, b, normal, -1);
+            if (!is_sliver(outside, gap)) left.push_back(cleaned(std::move(outside), gap));
+            rest = beside_edge(rest, a, b, normal, 1);
+        }
+    }
+    return left;
+}
+
+/// A simple polygon, counter-clockwise around its normal, as triangles: ears are cut off one after the other.
+std::vector<ConvexPolygon> triangles_of(std::vector<Vector3d> polygon, const Vector3d& normal) {
+    std::vector<ConvexPolygon> triangles;
+    const auto turn = [&](const Vector3d& a, const Vector3d& b, const Vector3d& c) {
+        return (b - a).cross(c - b).dot(normal);
+    };
+    while (polygon.size() > 3) {
+        const std::size_t n = polygon.size();
+        std::size_t ear = n;
+        for (std::size_t k = 0; k < n && ear == n; ++k) {
+            const Vector3d& a = polygon[(k + n - 1) % n];
+            const Vector3d& b = polygon[k];
+            const Vector3d& c = polygon[(k + 1) % n];
+            const auto is_in_the_way = [&](const Vector3d& corner) {
+                return &corner != &a && &corner != &b && &corner != &c && turn(a, b, corner) >= 0 &&
+                       turn(b, c, corner) >= 0 && turn(c, a, corner) >= 0;
+            };
+            if (turn(a, b, c) > 0 && std::none_of(polygon.begin(), polygon.end(), is_in_the_way)) ear = k;
+        }
+        if (ear == n) return {};  // not simple, or only rounding is left
+        triangles.push_back({polygon[(ear + n - 1) % n], polygon[ear], polygon[(ear + 1) % n]});
+        polygon.erase(polygon.begin() + static_cast<std::ptrdiff_t>(ear));
+    }
+    triangles.push_back(std::move(polygon));
+    return triangles;
+}
+
+/// A simple polygon, counter-clockwise around its normal, in as few convex parts as are easily found.
+std::vector<ConvexPolygon> convex_parts(const ConvexPolygon& polygon, const Vector3d& normal) {
+    const std::size_t n = polygon.size();
+    for (std::size_t k = 0; k < n; ++k) {
+        const Vector3d along = polygon[(k + 1) % n] - polygon[k];
+        const Vector3d next = polygon[(k + 2) % n] - polygon[(k + 1) % n];
+        constexpr double rounding = 1e-9;
+        if (along.cross(next).dot(normal) < -rounding * along.norm() * next.norm())
+            return triangles_of(polygon, normal);
+    }
+    return {polygon};
+}
+
+class Finder {
+  public:
+    Finder(const Scene& scene, double gap);
+    StandingBodies find();
+
+  private:
+    const Scene& scene_;
+    double gap_;
+    PlaceNumbers number_;
+    std::vector<ConvexPolygon> polygons_;            ///< of the surfaces; empty for round ones
+    std::vector<std::vector<std::uint32_t>> rings_;  ///< numbers of their corners
+    std::vector<Vector3d> places_;                   ///< by number
+    std::map<Edge, std::vector<std::uint32_t>> at_edge_;
+    std::vector<Eigen::AlignedBox3d> boxes_;
+    StandingBodies result_;
+
+    static Edge edge_between(std::uint32_t a, std::uint32_t b) { return {std::min(a, b), std::max(a, b)}; }
+    /// How far a surface reaches along a normal from a place.
+    [[nodiscard]] Extent heights(std::uint32_t surface, const Vector3d& normal, const Vector3d& place) const {
+        const Extent reach = extent(scene_.surfaces[surface], normal);
+        return {reach.low - normal.dot(place), reach.high - normal.dot(place)};
+    }
+    [[nodiscard]] bool is_level(std::uint32_t surface, const Vector3d& normal, const Vector3d& place) const {
+        const Extent reach = heights(surface, normal, place);
+        return reach.low >= -gap_ && reach.high <= gap_;
+    }
+    [[nodiscard]] bool rises(std::uint32_t surface, const Vector3d& normal, const Vector3d& place) const {
+        const Extent reach = heights(surface, normal, place);
+        return reach.low >= -gap_ && reach.high > gap_;
+    }
+    /// Whether the body of a bottom rises at all of its edges, but those between parts of the bottom.
+    [[nodiscard]] bool is_bottom_on(std::uint32_t bottom, std::uint32_t ground) const;
+    void find_bottoms(const BoxTree& tree);
+    void find_rims(const BoxTree& tree);
+    /// A convex part of a rim, and a surface that it lies on.
+    struct Cover {
+        std::uint32_t ground = 0;
+        ConvexPolygon polygon;
+    };
+    /// The surfaces that all of a body's rim lies on, which face the body; none where it does not stand so.
+    [[nodiscard]] std::vector<Cover> covered_by_rim(const ConvexPolygon& rim, const std::vector<std::uint32_t>& body,
+                                                    const BoxTree& tree) const;
+    /// Surfaces that touch at edges have the same number.
+    [[nodiscard]] std::vector<std::uint32_t> bodies() const;
+    void take_away(std::uint32_t surface, ConvexPolygon polygon);
+};
+
+Finder::Finder(const Scene& scene, double gap) : scene_(scene), gap_(gap), number_(gap) {
+    for (std::uint32_t i = 0; i < scene.surfaces.size(); ++i) {
+        boxes_.push_back(box_around(scene.surfaces[i]));
+        polygons_.push_back(corners(scene.surfaces[i].shape));
+        std::vector<std::uint32_t>& ring = rings_.emplace_back();
+        for (const Vector3d& corner : polygons_[i]) {
+            ring.push_back(number_(corner));
+            if (ring.back() == places_.size()) places_.push_back(corner);
+        }
+        // Corners of a parallelogram need not be in the order that the normal asks for.
+        if (!ring.empty() && twice_area(polygons_[i]).dot(scene.surfaces[i].normal) < 0) {
+            std::reverse(ring.begin(), ring.end());
+            std::reverse(polygons_[i].begin(), polygons_[i].end());
+        }
+        for (std::size_t k = 0; k < ring.size(); ++k)
+            at_edge_[edge_between(ring[k], ring[(k + 1) % ring.size()])].push_back(i);
+    }
+}
+
+void Finder::take_away(std::uint32_t surface, ConvexPolygon polygon) {
+    const Surface& from = scene_.surfaces[surface];
+    if (from.grid != undivided) return;
+    if (twice_area(polygon).dot(from.normal) < 0) std::reverse(polygon.begin(), polygon.end());
+    if (is_sliver(common_part(polygons_[surface], polygon, from.normal), gap_)) return;
+    if (result_.left.empty()) result_.left.resize(scene_.surfaces.size());
+    auto& left = result_.left[surface];
+    if (!left) left = std::vector<ConvexPolygon>{polygons_[surface]};
+    *left = without(*left, polygon, from.normal, gap_);
+}
+
+bool Finder::is_bottom_on(std::uint32_t bottom, std::uint32_t ground) const {
+    const Vector3d& normal = scene_.surfaces[ground].normal;
+    const Vector3d& place = polygons_[ground].front();
+    const auto& ring = rings_[bottom];
+    bool any = false;
+    for (std::size_t k = 0; k < ring.size(); ++k) {
+        const auto& here = at_edge_.at(edge_between(ring[k], ring[(k + 1) % ring.size()]));
+        const bool side = std::any_of(here.begin(), here.end(), [&](std::uint32_t other) {
+            return other != bottom && rises(other, normal, place);
+        });
+        const bool more_of_it = std::any_of(here.begin(), here.end(), [&](std::uint32_t other) {
+            return other != bottom && is_level(other, normal, place) && scene_.surfaces[other].normal.dot(normal) < 0;
+        });
+        if (!side && !more_of_it) return false;
+        any = any || side;
+    }
+    return any;
+}
+
+void Finder::find_bottoms(const BoxTree& tree) {
+    for (std::uint32_t ground = 0; ground < polygons_.size(); ++ground) {
+        if (polygons_[ground].empty()) continue;
+        const Vector3d& normal = scene_.surfaces[ground].normal;
+        const Vector3d room = Vector3d::Constant(gap_);
+        tree.within({boxes_[ground].min() - room, boxes_[ground].max() + room}, [&](std::uint32_t bottom) {
+            if (polygons_[bottom].empty() || scene_.surfaces[bottom].normal.dot(normal) >= 0 ||
+                !is_level(bottom, normal, polygons_[ground].front()) || !is_bottom_on(bottom, ground))
+                return;
+            take_away(ground, polygons_[bottom]);
+            take_away(bottom, polygons_[ground]);
+        });
+    }
+}
+
+std::vector<std::uint32_t> Finder::bodies() const {
+    std::vector<std::uint32_t> body(polygons_.size());
+    std::iota(body.begin(), body.end(), std::uint32_t{0});
+    const auto root = [&](std::uint32_t at) {
+        while (body[at] != at) at = body[at] = body[body[at]];
+        return at;
+    };
+    for (const auto& [edge, surfaces] : at_edge_) {
+        for (const std::uint32_t other : surfaces) body[root(other)] = root(surfaces.front());
+    }
+    for (std::uint32_t i = 0; i < body.size(); ++i) body[i] = root(i);
+    return body;
+}
+
+/// A closed walk along free edges, which are taken out; empty where one of them ends nowhere.
+std::vector<std::uint32_t> walk(std::map<std::uint32_t, std::uint32_t>& edges) {
+    std::vector<std::uint32_t> rim;
+    const std::uint32_t first = edges.begin()->first;
+    std::uint32_t at = first;
+    do {
+        const auto edge = edges.find(at);
+        if (edge == edges.end()) return {};
+        rim.push_back(at);
+        at = edge->second;
+        edges.erase(edge);
+    } while (at != first);
+    return rim;
+}
+
+std::vector<Finder::Cover> Finder::covered_by_rim(const ConvexPolygon& rim, const std::vector<std::uint32_t>& body,
+                                                  const BoxTree& tree) const {
+    const Vector3d normal = twice_area(rim).normalized();  // to where a body stands whose sides face outwards
+    Eigen::AlignedBox3d box;
+    for (const Vector3d& corner : rim) {
+        if (std::abs(normal.dot(corner - rim.front())) > gap_) return {};
+        box.extend(corner);
+    }
+    const auto is_before = [&](std::uint32_t part) { return heights(part, normal, rim.front()).low >= -gap_; };
+    const auto is_above = [&](std::uint32_t part) { return rises(part, normal, rim.front()); };
+    if (!std::all_of(body.begin(), body.end(), is_before) || std::none_of(body.begin(), body.end(), is_above))
+        return {};
+    std::vector<Cover> covers;
+    double covered = 0;
+    const Vector3d room = Vector3d::Constant(gap_);
+    for (const ConvexPolygon& part : convex_parts(rim, normal)) {
+        tree.within({box.min() - room, box.max() + room}, [&](std::uint32_t ground) {
+            if (polygons_[ground].empty() || scene_.surfaces[ground].normal.dot(normal) <= 0 ||
+                !is_level(ground, normal, rim.front()))
+                return;
+            const double common = area_of(common_part(polygons_[ground], part, normal));
+            if (common > 0) covers.push_back({ground, part});
+            covered += common;
+        });
+    }
+    // What is not covered is no more than rounding leaves along the rim and between the surfaces beneath it.
+    constexpr double rounding = 1e-6;
+    const double missing = std::max(rounding * area_of(rim), gap_ * (length_around(rim) + box.diagonal().norm()));
+    return covered >= area_of(rim) - missing ? covers : std::vector<Cover>();
+}
+
+void Finder::find_rims(const BoxTree& tree) {
+    const std::vector<std::uint32_t> body = bodies();
+    // By body, the edges that only one surface has, as that surface is walked around: beginning and end.
+    std::map<std::uint32_t, std::map<std::uint32_t, std::uint32_t>> free_edges;
+    std::map<std::uint32_t, std::vector<std::uint32_t>> members;
+    for (std::uint32_t i = 0; i < rings_.size(); ++i) {
+        members[body[i]].push_back(i);
+        for (std::size_t k = 0; k < rings_[i].size(); ++k) {
+            const std::uint32_t from = rings_[i][k];
+            const std::uint32_t to = rings_[i][(k + 1) % rings_[i].size()];
+            if (at_edge_.at(edge_between(from, to)).size() == 1) free_edges[body[i]].emplace(from, to);
+        }
+    }
+    for (auto& [which, edges] : free_edges) {
+        std::vector<Cover> covers;
+        bool is_closed = true;  // a body that is open anywhere lets light in
+        while (!edges.empty() && is_closed) {
+            ConvexPolygon rim;
+            for (const std::uint32_t corner : walk(edges)) rim.push_back(places_[corner]);
+            const auto more = rim.empty() ? std::vector<Cover>() : covered_by_rim(rim, members[which], tree);
+            is_closed = !more.empty();
+            covers.insert(covers.end(), more.begin(), more.end());
+        }
+        if (!is_closed) continue;
+        for (const Cover& cover : covers) take_away(cover.ground, cover.polygon);
+    }
+}
+
+StandingBodies Finder::find() {
+    const BoxTree tree(boxes_);
+    find_bottoms(tree);
+    find_rims(tree);
+    return std::move(result_);
+}
+
+}  // namespace
+
+StandingBodies standing_bodies(const Scene& scene, double gap) {
+    if (!(gap > 0)) return {};
+    return Finder(scene, gap).find();
+}
+
+}  // namespace ff

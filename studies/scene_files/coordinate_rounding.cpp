@@ -1,0 +1,79 @@
+#include "studies/scene_files/coordinate_rounding.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace ff::studies {
+namespace {
+
+/// Whether two numbers are the same to readers that do not round to the nearest double.
+bool are_same(double a, double b) {
+    constexpr double off = 4 * std::numeric_limits<double>::epsilon();
+    return std::abs(a - b) <= off * std::abs(b);
+}
+
+/// The shortest decimal number that is the same as a value: so many significant digits, the first at 10^exponent.
+struct Digits {
+    int significant = 0;
+    int exponent = 0;
+
+    [[nodiscard]] int decimals() const { return significant - 1 - exponent; }
+};
+
+/// More are what a double has that was not rounded to digits.
+constexpr int most_digits = 14;
+/// As many tell single-precision numbers apart.
+constexpr int digits_of_single = 9;
+/// Fewer are meant so.
+constexpr int fewest_digits = 6;
+
+Digits digits_of(double value) {
+    std::array<char, 32> text{};
+    for (int digits = 1;; ++digits) {
+        const auto [end, ignored] =
+            std::to_chars(text.begin(), text.end(), value, std::chars_format::scientific, digits - 1);
+        double rounded = 0;
+        std::from_chars(text.begin(), end, rounded);
+        if (digits <= most_digits && !are_same(rounded, value)) continue;
+        const char* const exponent = std::find(text.begin(), end, 'e') + 1;
+        Digits found{digits, 0};
+        std::from_chars(*exponent == '+' ? exponent + 1 : exponent, end, found.exponent);
+        return found;
+    }
+}
+
+}  // namespace
+
+double coordinate_rounding(std::span<const double> values) {
+    std::vector<Digits> all;
+    int decimals = 0;
+    int significant = 0;
+    double largest = 0;
+    for (const double value : values) {
+        all.push_back(digits_of(value));
+        largest = std::max(largest, std::abs(value));
+        if (all.back().significant > most_digits) continue;
+        decimals = std::max(decimals, all.back().decimals());
+        significant = std::max(significant, all.back().significant);
+    }
+    const auto share = [&](const auto& holds) {
+        return static_cast<double>(std::count_if(all.begin(), all.end(), holds)) / static_cast<double>(all.size());
+    };
+    const auto is_single = [](double value) { return are_same(static_cast<double>(static_cast<float>(value)), value); };
+    constexpr double most = 0.5;
+    if (share([](const Digits& digits) { return digits.significant > digits_of_single; }) > most &&
+        std::all_of(values.begin(), values.end(), is_single))
+        return largest * 0x1p-24;
+    if (significant < fewest_digits) return 0;
+    const double as_decimals = share([&](const Digits& digits) { return digits.decimals() == decimals; });
+    const double as_significant = share([&](const Digits& digits) { return digits.significant == significant; });
+    if (std::max(as_decimals, as_significant) <= most) return 0;
+    const int last = as_decimals >= as_significant ? -decimals : digits_of(largest).exponent + 1 - significant;
+    return 0.5 * std::pow(10, last);
+}
+
+}  // namespace ff::studies

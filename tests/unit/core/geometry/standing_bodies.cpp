@@ -1,0 +1,108 @@
+#include "core/geometry/standing_bodies.hpp"
+
+#include "core/geometry/box.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+
+#include <vector>
+
+namespace ff {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double gap = 1e-12;
+
+/// A rectangle from two edges, which radiates to the side of their cross product.
+Surface side(const Vector3d& corner, const Vector3d& u, const Vector3d& v, int face) {
+    return {Parallelogram{corner, u, v}, u.cross(v).normalized(), face};
+}
+
+/// The sides of a box that face outwards, then its top and its bottom.
+std::vector<Surface> body(const Vector3d& at, const Vector3d& size, int face) {
+    const Vector3d x(size.x(), 0, 0);
+    const Vector3d y(0, size.y(), 0);
+    const Vector3d z(0, 0, size.z());
+    return {side(at, x, z, face),      side(at + x, y, z, face), side(at + x + y, -x, z, face),
+            side(at + y, -y, z, face), side(at + z, x, y, face), side(at, y, x, face)};
+}
+
+/// A floor of 4 x 4 in two tiles that faces up, in faces 0; what stands on it is of face 1.
+Scene floor_with(const std::vector<Surface>& above) {
+    Scene scene;
+    scene.faces = {"floor", "above"};
+    scene.surfaces = {side({0, 0, 0}, {2, 0, 0}, {0, 4, 0}, 0), side({2, 0, 0}, {2, 0, 0}, {0, 4, 0}, 0)};
+    scene.surfaces.insert(scene.surfaces.end(), above.begin(), above.end());
+    return scene;
+}
+
+double area_left(const Scene& scene, const StandingBodies& found, int face) {
+    double sum = 0;
+    for (std::size_t i = 0; i < scene.surfaces.size(); ++i) {
+        if (scene.surfaces[i].face != face) continue;
+        if (!found.any() || !found.left[i]) {
+            sum += area(scene.surfaces[i].shape);
+        } else {
+            for (const ConvexPolygon& polygon : *found.left[i]) {
+                EXPECT_GT(twice_area(polygon).dot(scene.surfaces[i].normal), 0) << "it faces where it did";
+                sum += twice_area(polygon).norm() / 2;
+            }
+        }
+    }
+    return sum;
+}
+
+TEST(StandingBodies, CoverTheFloorBeneathThem) {
+    for (const bool has_bottom : {true, false}) {
+        std::vector<Surface> box = body({1.5, 1, 0}, {1, 2, 0.5}, 1);
+        const double walls = 2 * (0.5 + 1) + 2;
+        if (!has_bottom) box.pop_back();
+        const Scene scene = floor_with(box);
+        const auto found = standing_bodies(scene, gap);
+        EXPECT_NEAR(area_left(scene, found, 0), 14, 1e-12) << "across both tiles";
+        EXPECT_NEAR(area_left(scene, found, 1), walls, 1e-12);
+    }
+}
+
+TEST(StandingBodies, CoverWhatIsBeneathAnyOfTheirParts) {
+    // An L of three unit squares, which has no bottom and is not convex.
+    const std::vector<Vector3d> rim{{0.5, 0.5, 0}, {1.5, 0.5, 0}, {2.5, 0.5, 0}, {2.5, 1.5, 0},
+                                    {1.5, 1.5, 0}, {1.5, 2.5, 0}, {0.5, 2.5, 0}, {0.5, 1.5, 0}};
+    std::vector<Surface> l;
+    for (std::size_t k = 0; k < rim.size(); ++k)
+        l.push_back(side(rim[k], rim[(k + 1) % rim.size()] - rim[k], {0, 0, 1}, 1));
+    for (const Vector3d& corner : {rim[0], rim[1], rim[7]})
+        l.push_back(side(corner + Vector3d(0, 0, 1), {1, 0, 0}, {0, 1, 0}, 1));
+    const Scene scene = floor_with(l);
+    EXPECT_NEAR(area_left(scene, standing_bodies(scene, gap), 0), 16 - 3, 1e-12);
+}
+
+TEST(StandingBodies, StandOnEachOther) {
+    std::vector<Surface> two = body({1, 1, 0}, {2, 2, 1}, 1);
+    for (const Surface& surface : body({1.5, 1.5, 1}, {1, 1, 1}, 1)) two.push_back(surface);
+    const Scene scene = floor_with(two);
+    const auto found = standing_bodies(scene, gap);
+    EXPECT_NEAR(area_left(scene, found, 0), 12, 1e-12);
+    EXPECT_NEAR(area_left(scene, found, 1), 8 + 4 - 1 + 4 + 1, 1e-12);
+}
+
+TEST(StandingBodies, AreNotThinWallsOpenTubesPicturesOrRooms) {
+    const Scene wall = floor_with({side({1, 1, 0}, {0, 1, 0}, {1, 0, 0}, 1)});
+    EXPECT_FALSE(standing_bodies(wall, gap).any()) << "the other side of the floor";
+    std::vector<Surface> tube = body({1, 1, 0}, {1, 1, 1}, 1);
+    tube.resize(4);
+    EXPECT_FALSE(standing_bodies(floor_with(tube), gap).any()) << "light falls in from above";
+    const Scene picture = floor_with({side({1, 1, 0}, {1, 0, 0}, {0, 1, 0}, 1)});
+    EXPECT_FALSE(standing_bodies(picture, gap).any());
+    Scene room = make_box(3, 2, 1);
+    EXPECT_FALSE(standing_bodies(room, gap).any());
+    const Scene above = floor_with(body({1, 1, 1e-9}, {1, 1, 1}, 1));
+    EXPECT_FALSE(standing_bodies(above, gap).any()) << "it hovers";
+    std::vector<Surface> beneath = body({1, 1, -1}, {1, 1, 1}, 1);
+    EXPECT_FALSE(standing_bodies(floor_with(beneath), gap).any()) << "its top is the other side of the floor";
+}
+
+}  // namespace
+}  // namespace ff

@@ -1,0 +1,53 @@
+#include "studies/scene_files/coordinate_rounding.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <random>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+namespace ff::studies {
+namespace {
+
+/// 60 numbers of a turned scene, written in this format and read again.
+std::vector<double> written(const std::string& format, double scale = 1) {
+    std::mt19937_64 engine(3);
+    std::uniform_real_distribution<double> uniform(0.1, 0.9);
+    std::vector<double> values;
+    for (int i = 0; i < 60; ++i)
+        values.push_back(std::strtod(fmt::format(fmt::runtime(format), scale * uniform(engine)).c_str(), nullptr));
+    return values;
+}
+
+TEST(CoordinateRounding, IsHalfAUnitOfTheLastDigit) {
+    EXPECT_DOUBLE_EQ(coordinate_rounding(written("{:.6f}")), 5e-7);
+    EXPECT_DOUBLE_EQ(coordinate_rounding(written("{:.4f}", 1000)), 5e-5);
+    EXPECT_DOUBLE_EQ(coordinate_rounding(written("{:.6g}", 1e-3)), 5e-10);
+    EXPECT_DOUBLE_EQ(coordinate_rounding(written("{:.9g}", 1e5)), 5e-5);
+}
+
+TEST(CoordinateRounding, IsThatOfSinglePrecision) {
+    std::vector<double> values = written("{:.17g}");
+    for (double& value : values) value = static_cast<double>(static_cast<float>(value));
+    EXPECT_NEAR(coordinate_rounding(values), 0.9 * 0x1p-24, 0.1 * 0x1p-24);
+}
+
+TEST(CoordinateRounding, IsNoneOfNumbersThatAreMeantSo) {
+    EXPECT_EQ(coordinate_rounding(written("{:.17g}")), 0);
+    EXPECT_EQ(coordinate_rounding(std::vector<double>{0.25, 1, 3.5, 500000.25, 1e-7, 4, 2.125}), 0);
+    EXPECT_EQ(coordinate_rounding(std::vector<double>{500000.01, 500000, 500004, 500010, 4}), 0);
+    EXPECT_EQ(coordinate_rounding({}), 0);
+}
+
+TEST(CoordinateRounding, SeesDigitsInNumbersThatAReaderGotALittleWrong) {
+    std::vector<double> values = written("{:.6f}");
+    for (double& value : values) value = std::nextafter(value, 1);
+    EXPECT_DOUBLE_EQ(coordinate_rounding(values), 5e-7);
+}
+
+}  // namespace
+}  // namespace ff::studies
