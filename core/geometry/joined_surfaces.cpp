@@ -9,7 +9,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <map>
+#include <limits>
 #include <optional>
 #include <unordered_map>
 #include <utility>
@@ -81,7 +81,7 @@ double largest_coordinate_of(const Scene& scene) {
 
 Joiner::Joiner(const Scene& scene)
     : pieces_(scene.surfaces.begin(), scene.surfaces.end()),
-      number_(resolution_of_places * largest_coordinate_of(scene)) {
+      number_(std::max(resolution_of_places * largest_coordinate_of(scene), std::numeric_limits<double>::min())) {
     for (std::size_t i = 0; i < pieces_.size(); ++i) {
         joined_to_.push_back(i);
         index_edges(i);

@@ -4,29 +4,57 @@
 
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
-#include <map>
+#include <unordered_map>
+#include <utility>
+#include <vector>
 
 namespace ff {
 
-/// Places that are the same but for rounding have the same number. Two of them may be taken for different ones, where
-/// a boundary of the lattice runs between them.
+/// Numbers places from 0 up, those that are the same but for rounding alike.
 class PlaceNumbers {
   public:
-    /// @param cell  places nearer than this are one, > 0
-    explicit PlaceNumbers(double cell) : cell_(cell) {}
+    /// @param nearest  places nearer than this are one, > 0
+    explicit PlaceNumbers(double nearest) : nearest_(nearest) {}
 
     std::uint32_t operator()(const Eigen::Vector3d& place) {
-        const std::array<double, 3> at{std::round(place.x() / cell_), std::round(place.y() / cell_),
-                                       std::round(place.z() / cell_)};
-        return numbers_.try_emplace(at, static_cast<std::uint32_t>(numbers_.size())).first->second;
+        // Cells are so much larger than what is near that a place seldom is near to more than one.
+        const double cell = 1024 * nearest_;
+        Cell at;
+        std::array<std::array<double, 2>, 3> near;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const double x = place[static_cast<Eigen::Index>(axis)];
+            at[axis] = std::floor(x / cell);
+            near[axis] = {std::floor((x - nearest_) / cell), std::floor((x + nearest_) / cell)};
+        }
+        for (double x = near[0][0]; x <= near[0][1]; ++x) {
+            for (double y = near[1][0]; y <= near[1][1]; ++y) {
+                for (double z = near[2][0]; z <= near[2][1]; ++z) {
+                    const auto here = places_.find({x, y, z});
+                    if (here == places_.end()) continue;
+                    for (const auto& [other, number] : here->second) {
+                        if ((other - place).cwiseAbs().maxCoeff() < nearest_) return number;
+                    }
+                }
+            }
+        }
+        places_[at].emplace_back(place, count_);
+        return count_++;
     }
 
-    [[nodiscard]] std::size_t size() const { return numbers_.size(); }
-
   private:
-    double cell_;
-    std::map<std::array<double, 3>, std::uint32_t> numbers_;
+    using Cell = std::array<double, 3>;
+    struct CellHash {
+        std::size_t operator()(const Cell& cell) const {
+            std::size_t hash = 0;
+            for (const double x : cell) hash = hash * 0x9e3779b97f4a7c15U + std::hash<double>{}(x);
+            return hash;
+        }
+    };
+    double nearest_;
+    std::uint32_t count_ = 0;
+    std::unordered_map<Cell, std::vector<std::pair<Eigen::Vector3d, std::uint32_t>>, CellHash> places_;
 };
 
 /// Nearer places are one, as a share of a scene's largest coordinate.
