@@ -5,10 +5,17 @@
 #include "core/geometry/surface_map.hpp"
 #include "core/visibility/visible_polygon.hpp"
 
-#include <Eigen/Geometry>
+#include <fmt/format.h>
 
+#include <Eigen/Geometry>
+#include <boost/math/quadrature/gauss.hpp>
+
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
+#include <optional>
+#include <utility>
 #include <vector>
 
 namespace ff::studies {
@@ -34,14 +41,7 @@ Surface rectangle(const Vector3d& corner, const Vector3d& u, const Vector3d& v, 
 }
 
 BoundedValue<long double> polygon_exchange(const Surface& a, const Surface& b) {
-    const auto of = [](const Surface& surface) {
-        Corners<long double> result;
-        for (const Vector3d& corner : corners(surface.shape)) result.push_back(corner.cast<long double>());
-        const auto across = (result[1] - result[0]).cross(result[2] - result[1]).eval();
-        if (across.dot(surface.normal.cast<long double>()) < 0) std::reverse(result.begin(), result.end());
-        return result;
-    };
-    return polygon_exchange_area<long double>(of(a), of(b));
+    return polygon_exchange_area<long double>(corners_of<long double>(a), corners_of<long double>(b));
 }
 
 /// The near surface lies in z = 0 and is seen from above.
@@ -152,100 +152,254 @@ double disc_exchange(const Surface& disc, const Surface& far) {
     return std::numbers::pi * radius * radius * sum / weights;
 }
 
-void turn(Scene& scene, Draws& draws) {
+/// What a sphere and a rectangle exchange that is in front of it: r²/d² cos of the angle, over the rectangle.
+double ball_exchange(const SphereZone& ball, const Surface& far) {
+    using Gauss = boost::math::quadrature::gauss<double, 10>;
+    const auto& p = parallelogram(far);
+    constexpr int panels = 12;
+    double sum = 0;
+    for (int i = 0; i < panels; ++i) {
+        for (int j = 0; j < panels; ++j) {
+            sum += Gauss::integrate(
+                [&](double s) {
+                    return Gauss::integrate(
+                        [&](double t) {
+                            const Vector3d ray = ball.centre - (p.corner + s * p.edge_u + t * p.edge_v);
+                            return far.normal.dot(ray) / (ray.squaredNorm() * ray.norm());
+                        },
+                        j / double{panels}, (j + 1) / double{panels});
+                },
+                i / double{panels}, (i + 1) / double{panels});
+        }
+    }
+    return sum * ball.radius * ball.radius * area(far.shape);
+}
+
+/// Turns a scene, and puts it anywhere at any size.
+void move(AdversarialScene& drawn, Draws& draws) {
     Vector3d axis(between(draws, -1, 1), between(draws, -1, 1), between(draws, 0.1, 1));
     const Eigen::Matrix3d rotation =
         Eigen::AngleAxisd(between(draws, 0, std::numbers::pi), axis.normalized()).toRotationMatrix();
-    for (Surface& surface : scene.surfaces) {
+    const double unit = draws.below(2) == 0 ? 1 : decades(draws, 1e-6, 1e6);
+    Vector3d origin = Vector3d::Zero();
+    if (draws.below(4) == 0) {
+        for (double& coordinate : origin) coordinate = unit * decades(draws, 1, 1e6) * (draws.below(2) == 0 ? 1 : -1);
+    }
+    const auto place = [&](Vector3d& at) { at = origin + unit * (rotation * at); };
+    const auto length = [&](Vector3d& along) { along = unit * (rotation * along); };
+    double rims = 0;
+    for (Surface& surface : drawn.scene.surfaces) {
+        rims += std::sqrt(area(surface.shape)) * unit;
         surface.normal = rotation * surface.normal;
         if (auto* disc = std::get_if<Disc>(&surface.shape)) {
-            disc->centre = rotation * disc->centre;
+            place(disc->centre);
+            disc->outer_radius *= unit;
+        } else if (auto* ball = std::get_if<SphereZone>(&surface.shape)) {
+            place(ball->centre);
+            ball->radius *= unit;
         } else {
             auto& p = parallelogram(surface);
-            p = {rotation * p.corner, rotation * p.edge_u, rotation * p.edge_v};
+            place(p.corner);
+            length(p.edge_u);
+            length(p.edge_v);
         }
     }
+    for (KnownExchange& known : drawn.known) known.area *= unit * unit;
+    // Coordinates are rounded, and with them every rim.
+    constexpr double extent = 4;
+    drawn.error = drawn.error * unit * unit +
+                  16 * std::numeric_limits<double>::epsilon() * (origin.norm() + extent * unit) * rims;
+}
+
+/// Two surfaces and what stands between them; empty where what was drawn is not what the kind wants.
+struct Obstructed {
+    Surface near;
+    Surface far;
+    std::vector<Surface> plates;
+    std::vector<std::pair<Surface, int>>
+        hides;  ///< rectangles whose exchange with the far surface is hidden (1) or not (-1)
+};
+
+/// Whether a plate hides from the far surface only what would arrive at the near one.
+bool is_fine(const Surface& plate, const Obstructed& drawn) {
+    return is_caught(plate, drawn.far, drawn.near) && is_in_front(facing(plate, drawn.far), drawn.far) &&
+           is_in_front(drawn.far, plate);
+}
+
+/// Plates that no line from the far surface meets two of.
+void draw_plates(Draws& draws, Obstructed& drawn) {
+    const std::size_t wanted = 1 + draws.below(3);
+    const ConvexPolygon far_corners = corners(drawn.far.shape);
+    for (int attempt = 0; attempt < 30 && drawn.plates.size() < wanted; ++attempt) {
+        const Surface plate = draw_plate(draws, false);
+        if (!is_fine(plate, drawn)) continue;
+        const bool apart = std::all_of(drawn.plates.begin(), drawn.plates.end(), [&](const Surface& other) {
+            return is_clear_of(plate, far_corners, other) && is_clear_of(other, far_corners, plate);
+        });
+        if (!apart) continue;
+        drawn.plates.push_back(plate);
+        drawn.hides.emplace_back(facing(plate, drawn.far), 1);
+    }
+}
+
+void draw_sheet(Draws& draws, Obstructed& drawn) {
+    const Surface sheet = draw_plate(draws, true);
+    if (!is_fine(sheet, drawn)) return;
+    const auto& p = parallelogram(sheet);
+    const double width = decades(draws, 1e-4, 0.9);
+    const double height = width * decades(draws, 0.3, 1);
+    const Surface hole = rectangle(p.corner + between(draws, 0.02, 0.98 - 0.96 * width) * p.edge_u +
+                                       between(draws, 0.02, 0.98 - 0.96 * height) * p.edge_v,
+                                   0.96 * width * p.edge_u, 0.96 * height * p.edge_v);
+    drawn.hides.emplace_back(facing(sheet, drawn.far), 1);
+    drawn.hides.emplace_back(facing(hole, drawn.far), -1);
+    add_sheet(p, parallelogram(hole), drawn.plates);
+}
+
+/// A sphere, where every line from the far surface through the box around it meets the near one.
+void draw_ball(Draws& draws, Obstructed& drawn) {
+    SphereZone ball;
+    ball.radius = decades(draws, 1e-5, 0.2);
+    ball.centre = {between(draws, -1, 1), between(draws, -1, 1), ball.radius * (1 + decades(draws, 1e-4, 1))};
+    ball.axis = Vector3d::UnitZ();
+    ball.low = -1;
+    ball.high = 1;
+    ball.facing = Facing::outward;
+    const double r = ball.radius;
+    for (const double z : {-r, r}) {
+        const Surface side = rectangle(ball.centre + Vector3d(-r, -r, z), {2 * r, 0, 0}, {0, 2 * r, 0});
+        if (!is_fine(side, drawn)) return;
+    }
+    drawn.plates.push_back(flat(ball, Vector3d::Zero(), no_face));
+}
+
+/// Parts of a rectangle, each a face from `first` on.
+std::vector<Surface> parts_of(const Surface& surface, Grid grid, int first) {
+    std::vector<Surface> parts;
+    for (std::uint32_t i = 0; i < grid.parts(); ++i) {
+        parts.push_back(patch(surface, grid, i));
+        parts.back().face = first + static_cast<int>(i);
+    }
+    return parts;
+}
+
+std::optional<AdversarialScene> draw_obstructed(Trap trap, Draws& draws) {
+    Obstructed drawn;
+    drawn.near = rectangle({0, 0, 0}, {between(draws, 0.5, 1.5), 0, 0}, {0, between(draws, 0.5, 1.5), 0}, 0);
+    if (trap == Trap::near_disc) drawn.near = flat(Disc{Vector3d::Zero(), 0, 1}, Vector3d::UnitZ(), 0);
+    drawn.far = draw_far(draws);
+    const Surface ground = rectangle({-1, -1, 0}, {3, 0, 0}, {0, 3, 0});
+    if (!is_in_front(drawn.far, ground)) drawn.far.normal = -drawn.far.normal;
+    if (!is_in_front(drawn.far, ground)) return std::nullopt;
+    if (trap == Trap::hole) {
+        draw_sheet(draws, drawn);
+    } else if (trap == Trap::ball) {
+        draw_ball(draws, drawn);
+    } else {
+        draw_plates(draws, drawn);
+    }
+    if (drawn.plates.empty()) return std::nullopt;
+    AdversarialScene result;
+    result.scene.faces = {"near"};
+    result.scene.surfaces = {drawn.near};
+    const Grid grid = trap == Trap::many_faces ? Grid{24, 25} : undivided;
+    for (const Surface& far : parts_of(drawn.far, grid, 1)) {
+        long double exchange = 0;
+        if (trap == Trap::near_disc) {
+            exchange = disc_exchange(drawn.near, far);
+            result.error += 1e-12;
+        } else {
+            const auto whole = polygon_exchange(drawn.near, far);
+            exchange = whole.value;
+            result.error += static_cast<double>(whole.error);
+        }
+        for (const auto& [plate, sign] : drawn.hides) {
+            const auto hidden = polygon_exchange(plate, far);
+            exchange -= sign * hidden.value;
+            result.error += static_cast<double>(hidden.error);
+        }
+        if (trap == Trap::ball) {
+            exchange -= ball_exchange(std::get<SphereZone>(drawn.plates.front().shape), far);
+            result.error += 1e-13;
+        }
+        result.known.push_back({0, static_cast<std::uint32_t>(far.face), static_cast<double>(exchange)});
+        result.scene.faces.push_back(fmt::format("far {}", far.face));
+        result.scene.surfaces.push_back(far);
+    }
+    result.scene.surfaces.insert(result.scene.surfaces.end(), drawn.plates.begin(), drawn.plates.end());
+    return result;
+}
+
+/// A room with a plate near its floor that is a face above and an occluder beneath. Known is what the ceiling exchanges
+/// with all others, and the plate with the walls: the plate is so near to the floor, and so far from the walls, that no
+/// line from the ceiling passes it and meets a wall below.
+AdversarialScene draw_room(Draws& draws) {
+    const Vector3d size(between(draws, 1, 3), between(draws, 1, 3), between(draws, 0.5, 2));
+    const Vector3d x(size.x(), 0, 0);
+    const Vector3d y(0, size.y(), 0);
+    const Vector3d z(0, 0, size.z());
+    const double gap = decades(draws, 1e-6, 1e-2);
+    const double edge = decades(draws, 1e-4, 0.4);
+    const Vector3d corner(between(draws, 0.2, 0.8 * size.x() - edge), between(draws, 0.2, 0.8 * size.y() - edge), gap);
+    const Surface plate = rectangle(corner, {edge, 0, 0}, {0, edge, 0}, 6);
+    Surface beneath = rectangle(corner, {0, edge, 0}, {edge, 0, 0});
+    AdversarialScene result;
+    result.scene.closed = true;
+    result.scene.faces = {"floor", "ceiling", "south", "east", "north", "west", "plate"};
+    result.scene.surfaces = {rectangle({0, 0, 0}, x, y, 0),
+                             rectangle(z, y, x, 1),
+                             rectangle({0, 0, 0}, z, x, 2),
+                             rectangle(x, z, y, 3),
+                             rectangle(x + y, z, -x, 4),
+                             rectangle(y, z, -y, 5),
+                             plate,
+                             beneath};
+    const auto add = [&](std::uint32_t from, std::uint32_t to, const Surface& a, const Surface& b, double hidden) {
+        const auto exchange = polygon_exchange(a, b);
+        result.known.push_back({from, to, static_cast<double>(exchange.value) - hidden});
+        result.error += 2 * static_cast<double>(exchange.error);
+    };
+    const auto& surfaces = result.scene.surfaces;
+    const double hidden = static_cast<double>(polygon_exchange(surfaces[1], plate).value);
+    add(0, 1, surfaces[0], surfaces[1], hidden);
+    add(1, 6, surfaces[1], plate, 0);
+    for (std::uint32_t wall = 2; wall < 6; ++wall) {
+        add(1, wall, surfaces[1], surfaces[wall], 0);
+        Surface above = surfaces[wall];  // of the plate's plane
+        auto& p = parallelogram(above);
+        p.corner.z() += gap;
+        p.edge_u.z() -= gap;
+        add(wall, 6, above, plate, 0);
+    }
+    return result;
 }
 
 }  // namespace
 
-std::string_view name(Obstacle obstacle) {
-    switch (obstacle) {
-        case Obstacle::plates:
+std::string_view name(Trap trap) {
+    switch (trap) {
+        case Trap::plates:
             return "plates before a rectangle";
-        case Obstacle::hole:
+        case Trap::hole:
             return "a sheet with a hole";
-        case Obstacle::near_disc:
+        case Trap::near_disc:
+            return "plates before a disc";
+        case Trap::ball:
+            return "a sphere before a rectangle";
+        case Trap::many_faces:
+            return "plates before one of 601 faces";
+        case Trap::room:
             break;
     }
-    return "plates before a disc";
+    return "a room with a plate on its floor";
 }
 
-AdversarialScene draw_adversarial(Obstacle obstacle, Draws& draws) {
-    AdversarialScene result;
-    for (;;) {
-        Surface near = rectangle({0, 0, 0}, {between(draws, 0.5, 1.5), 0, 0}, {0, between(draws, 0.5, 1.5), 0}, 0);
-        if (obstacle == Obstacle::near_disc) near = flat(Disc{Vector3d::Zero(), 0, 1}, Vector3d::UnitZ(), 0);
-        Surface far = draw_far(draws);
-        if (!is_in_front(far, rectangle({-1, -1, 0}, {3, 0, 0}, {0, 3, 0}))) far.normal = -far.normal;
-        if (!is_in_front(far, rectangle({-1, -1, 0}, {3, 0, 0}, {0, 3, 0}))) continue;
-        std::vector<Surface> in_between;
-        long double hidden = 0;
-        long double error = 0;
-        const auto add = [&](const Surface& plate, int sign) {
-            const auto exchange = polygon_exchange(facing(plate, far), far);
-            hidden += sign * exchange.value;
-            error += exchange.error;
-        };
-        const auto is_fine = [&](const Surface& plate) {
-            return is_caught(plate, far, near) && is_in_front(facing(plate, far), far) && is_in_front(far, plate);
-        };
-        if (obstacle == Obstacle::hole) {
-            const Surface sheet = draw_plate(draws, true);
-            const auto& p = parallelogram(sheet);
-            const double width = decades(draws, 1e-4, 0.9);
-            const double height = width * decades(draws, 0.3, 1);
-            const Surface hole = rectangle(p.corner + between(draws, 0.02, 0.98 - 0.96 * width) * p.edge_u +
-                                               between(draws, 0.02, 0.98 - 0.96 * height) * p.edge_v,
-                                           0.96 * width * p.edge_u, 0.96 * height * p.edge_v);
-            if (!is_fine(sheet)) continue;
-            add(sheet, 1);
-            add(hole, -1);
-            add_sheet(p, parallelogram(hole), in_between);
-        } else {
-            const std::size_t wanted = 1 + draws.below(3);
-            for (int attempt = 0; attempt < 30 && in_between.size() < wanted; ++attempt) {
-                const Surface plate = draw_plate(draws, false);
-                if (!is_fine(plate)) continue;
-                const ConvexPolygon far_corners = corners(far.shape);
-                bool apart = true;  // no line from the far surface meets two of them
-                for (const Surface& other : in_between) {
-                    apart = apart && is_clear_of(plate, far_corners, other) && is_clear_of(other, far_corners, plate);
-                }
-                if (!apart) continue;
-                add(plate, 1);
-                in_between.push_back(plate);
-            }
-            if (in_between.empty()) continue;
-        }
-        long double whole = 0;
-        if (obstacle == Obstacle::near_disc) {
-            whole = disc_exchange(near, far);
-            error += 1e-12L;
-        } else {
-            const auto exchange = polygon_exchange(near, far);
-            whole = exchange.value;
-            error += exchange.error;
-        }
-        result.exchange = static_cast<double>(whole - hidden);
-        result.exchange_error = static_cast<double>(error);
-        result.scene.name = result.scene.canonical = "adversarial";
-        result.scene.faces = {"near", "far"};
-        result.scene.surfaces = {near, far};
-        result.scene.surfaces.insert(result.scene.surfaces.end(), in_between.begin(), in_between.end());
-        turn(result.scene, draws);
-        return result;
-    }
+AdversarialScene draw_adversarial(Trap trap, Draws& draws) {
+    std::optional<AdversarialScene> drawn;
+    while (!drawn) drawn = trap == Trap::room ? draw_room(draws) : draw_obstructed(trap, draws);
+    drawn->scene.name = drawn->scene.canonical = "adversarial";
+    move(*drawn, draws);
+    return std::move(*drawn);
 }
 
 }  // namespace ff::studies

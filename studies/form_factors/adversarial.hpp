@@ -2,33 +2,40 @@
 
 #include "core/geometry/scene.hpp"
 #include "stats/resampling.hpp"
+#include "studies/form_factors/tiled_walls.hpp"
 
 #include <array>
 #include <cstdint>
 #include <string_view>
+#include <vector>
 
 namespace ff::studies {
 
-/// The kind of obstacle between the two surfaces of an adversarial scene.
-enum class Obstacle : std::uint8_t {
-    plates,     ///< one to three, near one of the surfaces
-    hole,       ///< a sheet with a hole in it
-    near_disc,  ///< plates, one surface being a disc
+/// The kinds of adversarial scenes.
+enum class Trap : std::uint8_t {
+    plates,      ///< one to three, near one of two rectangles
+    hole,        ///< a sheet with a hole in it
+    near_disc,   ///< plates, one surface being a disc
+    ball,        ///< a sphere, near one of two rectangles
+    many_faces,  ///< plates, one surface being divided into 600 faces
+    room,        ///< a closed box with a plate near its floor
 };
-inline constexpr std::array obstacles{Obstacle::plates, Obstacle::hole, Obstacle::near_disc};
+inline constexpr std::array traps{Trap::plates, Trap::hole, Trap::near_disc, Trap::ball, Trap::many_faces, Trap::room};
 
-std::string_view name(Obstacle obstacle);
+std::string_view name(Trap trap);
 
-/// Two faces, surfaces 0 and 1, and obstacles that belong to no face.
+/// A scene some of whose entries are known.
 struct AdversarialScene {
     Scene scene;
-    double exchange = 0;  ///< known exchange area of the two faces
-    double exchange_error = 0;
+    std::vector<KnownExchange> known;
+    double error = 0;  ///< bound of the error of all of these
 };
 
 /// Draws obstacles whose sizes and distances from a surface are spread over five decades, anywhere, tilted or not.
 /// Every line from the far surface through an obstacle meets the near one, so that the hidden exchange is that between
-/// the far surface and the obstacle, found by contour integrals (core/formulas/polygon_exchange.hpp).
-AdversarialScene draw_adversarial(Obstacle obstacle, stats::Draws& draws);
+/// the far surface and the obstacle, found by contour integrals (core/formulas/polygon_exchange.hpp), or for a sphere
+/// by Gauss's rule over the far surface. Half of all scenes are of any size over twelve decades, and a quarter lie up
+/// to a million of their sizes from the origin.
+AdversarialScene draw_adversarial(Trap trap, stats::Draws& draws);
 
 }  // namespace ff::studies

@@ -99,8 +99,8 @@ TEST(AddedSamplers, AreFoundAndKeepTheirFirstMeaning) {
     add(sampler("first"));
     EXPECT_EQ(add(sampler("second")).info.summary, "first");
     EXPECT_EQ(find("added_for_a_test").make({.points = 16})->points(), 16u);
-    EXPECT_THROW(find("added_for_a_test").make({.points = 65}), UserError);
-    EXPECT_THROW(find("added_for_a_test").make({.points = 16, .dimension = 5}), UserError);
+    EXPECT_THROW(static_cast<void>(find("added_for_a_test").make({.points = 65})), UserError);
+    EXPECT_THROW(static_cast<void>(find("added_for_a_test").make({.points = 16, .dimension = 5})), UserError);
     EXPECT_TRUE(check_size(find("added_for_a_test").info, 64).message.empty());
     EXPECT_FALSE(check_size(find("added_for_a_test").info, 63).fatal);
     EXPECT_FALSE(check_size(find("added_for_a_test").info, 63).message.empty());

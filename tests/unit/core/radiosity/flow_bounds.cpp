@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <Eigen/LU>
 
+#include <algorithm>
 #include <random>
 #include <vector>
 

@@ -4,6 +4,7 @@
 #include "samplers/outside_points.hpp"
 #include "studies/sampler_checks/sampler_checks.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <memory>
