@@ -1,14 +1,12 @@
 #include "studies/form_factors/adversarial.hpp"
 
-#include "core/formulas/polygon_exchange.hpp"
 #include "core/geometry/shaft.hpp"
 #include "core/geometry/surface_map.hpp"
-#include "core/visibility/visible_polygon.hpp"
+#include "studies/form_factors/exchange_truths.hpp"
 
 #include <fmt/format.h>
 
 #include <Eigen/Geometry>
-#include <boost/math/quadrature/gauss.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -38,10 +36,6 @@ Surface flat(const Shape& shape, const Vector3d& normal, int face) {
 
 Surface rectangle(const Vector3d& corner, const Vector3d& u, const Vector3d& v, int face = no_face) {
     return flat(Parallelogram{corner, u, v}, u.cross(v).normalized(), face);
-}
-
-BoundedValue<long double> polygon_exchange(const Surface& a, const Surface& b) {
-    return polygon_exchange_area<long double>(corners_of<long double>(a), corners_of<long double>(b));
 }
 
 /// The near surface lies in z = 0 and is seen from above.
@@ -124,55 +118,6 @@ void add_sheet(const Parallelogram& sheet, const Parallelogram& hole, std::vecto
     pieces.push_back(rectangle(middle, across_u, before_v * v));
     const Vector3d above = middle + before_v * v + hole.edge_v;
     pieces.push_back(rectangle(above, across_u, sheet.edge_v - before_v * v - hole.edge_v));
-}
-
-/// Of a disc and a polygon above its plane, with nothing in between: a smooth integrand, by rules that converge faster
-/// than any power of their size.
-double disc_exchange(const Surface& disc, const Surface& far) {
-    const VisiblePolygon target(far, {});
-    const double radius = std::get<Disc>(disc.shape).outer_radius;
-    constexpr int rings = 48;
-    constexpr int spokes = 192;
-    double sum = 0;
-    double weights = 0;
-    for (int i = -3 * rings; i <= 3 * rings; ++i) {
-        const double x = 3.2 * i / (3.0 * rings);
-        const double inner = std::numbers::pi / 2 * std::sinh(x);
-        const double r2 = 0.5 * (1 + std::tanh(inner));
-        const double weight = std::cosh(x) / (std::cosh(inner) * std::cosh(inner));
-        double ring = 0;
-        for (int k = 0; k < spokes; ++k) {
-            const double angle = 2 * std::numbers::pi * (k + 0.5) / spokes;
-            const Vector3d place = radius * std::sqrt(r2) * Vector3d(std::cos(angle), std::sin(angle), 0);
-            ring += target.from(place, Vector3d::UnitZ()).whole;
-        }
-        sum += weight * ring / spokes;
-        weights += weight;
-    }
-    return std::numbers::pi * radius * radius * sum / weights;
-}
-
-/// What a sphere and a rectangle exchange that is in front of it: r²/d² cos of the angle, over the rectangle.
-double ball_exchange(const SphereZone& ball, const Surface& far) {
-    using Gauss = boost::math::quadrature::gauss<double, 10>;
-    const auto& p = parallelogram(far);
-    constexpr int panels = 12;
-    double sum = 0;
-    for (int i = 0; i < panels; ++i) {
-        for (int j = 0; j < panels; ++j) {
-            sum += Gauss::integrate(
-                [&](double s) {
-                    return Gauss::integrate(
-                        [&](double t) {
-                            const Vector3d ray = ball.centre - (p.corner + s * p.edge_u + t * p.edge_v);
-                            return far.normal.dot(ray) / (ray.squaredNorm() * ray.norm());
-                        },
-                        j / double{panels}, (j + 1) / double{panels});
-                },
-                i / double{panels}, (i + 1) / double{panels});
-        }
-    }
-    return sum * ball.radius * ball.radius * area(far.shape);
 }
 
 /// Turns a scene, and puts it anywhere at any size.
