@@ -21,14 +21,14 @@ RateTable measured(std::uint64_t scenes, double shrink) {
     return measure_form_factor_coverage(options).adversarial;
 }
 
-// Intervals hold in at least 0.99 of all random scenes (alpha 1e-3). With probability 0.9, 0.92 would be noticed in the
-// scenes of a push, and 0.98 in those of a night.
+// Intervals hold in at least 0.95 of all random scenes (alpha 1e-3). With probability 0.9, 0.85 would be noticed in the
+// scenes of a push, and 0.93 in those of a night.
 TEST(AdversarialScenes, AreHeldByTheirIntervals) {
     const std::uint64_t scenes_of_a_kind = test::repetitions(40, 900);
-    const double detects = scenes_of_a_kind < 900 ? 0.07 : 0.01;
+    const double detects = scenes_of_a_kind < 900 ? 0.1 : 0.02;
     const RateTable table = measured(scenes_of_a_kind, 1);
     const stats::Proportion held = table.rates[table.rates.size() - 2].counts;
-    EXPECT_TRUE(test::has_probability_at_least(held.hits, held.trials, 0.99,
+    EXPECT_TRUE(test::has_probability_at_least(held.hits, held.trials, 0.95,
                                                {.alpha = 1e-3, .detects = detects, .power = 0.9}));
     EXPECT_EQ(table.rates.back().counts.hits, 0u) << "scenes that miss with too many of their seeds";
 }
