@@ -43,8 +43,11 @@ END
 for scene in cut with_bottom; do
     ffstudy heat $scene.obj --materials materials.toml --tolerance 1e-3
     expect_status 0
-    grep -o '^box .*' "$folder/stdout" | awk '{print $1, $2}' >$scene.txt
+    awk '$1 ~ /^(floor|walls|box)$/ {print $1, $2, $12, $NF}' "$folder/stdout" >$scene.txt  # area, power, temperature
 done
+paste -d ' ' cut.txt with_bottom.txt | awk '
+    {away = $3 - $7; wrong += $1 != $5 || $2 != $6 || away > 0.1 || away < -0.1 || $4 != $8}
+    END {exit wrong || NR != 3}' || fail "expected the heat flows of the floor that is cut out"
 
 # A round body is not understood: that is said, and nothing is trusted.
 cat >can.toml <<'END'
