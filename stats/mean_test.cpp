@@ -40,16 +40,13 @@ MeanEvidence mean_of(std::span<const double> values, double reference) {
     return {.difference = values.front() - reference, .freedom = 1, .skewness = {}, .method = {}, .n = values.size()};
 }
 
-/// Whether the interval with this tail beyond each end leaves 0 out.
-bool excludes_zero(const MeanEvidence& mean, double z) {
-    const int side = mean.difference > 0 ? -1 : 1;
-    const double t = student_critical(mean.freedom, normal_tail(z));
-    return std::abs(mean.t()) > skewed_reach(mean.skewness, side, t, z);
-}
-
 }  // namespace
 
-std::optional<MeanEvidence> mean_evidence(std::span<const double> values, double reference, double largest_part,
+double Unmet::reach(double tail) const {
+    return largest_jump == 0 ? 0 : -largest_jump * std::expm1(std::log(tail) / evaluations);
+}
+
+std::optional<MeanEvidence> mean_evidence(std::span<const double> values, double reference, const KnownLimits& limits,
                                           const std::optional<Autocorrelation>& correlation) {
     if (values.size() < 3) return std::nullopt;
     // Its spread about a value of its own, so that a reference far away costs no digits of it.
@@ -64,9 +61,10 @@ std::optional<MeanEvidence> mean_evidence(std::span<const double> values, double
                       .standard_error = independent * std::sqrt(time),
                       .freedom = freedom,
                       .skewness = gate::skewness_of_mean(values, effective),
+                      .unmet = limits.unmet,
                       .method = "skewed_t",
                       .n = values.size()};
-    mean.skewness.most = largest_part / *moments.standard_deviation() / std::sqrt(effective);
+    mean.skewness.most = limits.largest_part / *moments.standard_deviation() / std::sqrt(effective);
     return mean;
 }
 
@@ -89,23 +87,25 @@ std::optional<MeanEvidence> difference_of_means(std::span<const double> first, s
 
 MeanEvidence with_uncertain_reference(const MeanEvidence& mean, double standard_error, double freedom) {
     if (standard_error == 0) return mean;
-    return less(mean, {.standard_error = standard_error, .freedom = freedom, .skewness = {.most = 0}, .method = {}});
+    return less(mean,
+                {.standard_error = standard_error, .freedom = freedom, .skewness = {.most = no_part}, .method = {}});
 }
 
 Interval interval_of(const MeanEvidence& mean, double level) {
     const double tail = (1 - level) / 2;
     const double t = student_critical(mean.freedom, tail);
     const double z = normal_critical(tail);
-    return {.low = mean.difference - mean.standard_error * gate::skewed_reach(mean.skewness, -1, t, z),
-            .high = mean.difference + mean.standard_error * gate::skewed_reach(mean.skewness, 1, t, z),
+    const double unmet = mean.unmet.reach(tail);
+    return {.low = mean.difference - mean.standard_error * gate::skewed_reach(mean.skewness, -1, t, z) - unmet,
+            .high = mean.difference + mean.standard_error * gate::skewed_reach(mean.skewness, 1, t, z) + unmet,
             .level = level,
             .method = mean.method,
             .n = mean.n};
 }
 
 std::optional<Interval> mean_interval(std::span<const double> values, double reference, double level,
-                                      double largest_part) {
-    const auto mean = mean_evidence(values, reference, largest_part);
+                                      const KnownLimits& limits) {
+    const auto mean = mean_evidence(values, reference, limits);
     if (!mean) return std::nullopt;
     const Interval interval = interval_of(*mean, level);
     return interval.is_finite() ? std::optional(interval) : std::nullopt;
@@ -115,17 +115,29 @@ MeanTest test_mean(const MeanEvidence& mean) {
     FF_EXPECT(mean.standard_error > 0);
     MeanTest test;
     test.student_p = student_two_sided_p(mean.t(), mean.freedom);
+    if (mean.skewness.most == 0 && mean.unmet.largest_jump == 0) return {test.student_p, test.student_p};
+    const int side = mean.difference > 0 ? -1 : 1;
+    // The smallest tail is that of Student's t.
+    test.p = two_sided_p(
+        [&](double tail) {
+            const double t = student_critical(mean.freedom, tail);
+            const double reach = skewed_reach(mean.skewness, side, t, normal_critical(tail));
+            return std::abs(mean.difference) > reach * mean.standard_error + mean.unmet.reach(tail);
+        },
+        test.student_p);
+    return test;
+}
+
+double two_sided_p(const std::function<bool(double)>& leaves_out, double least) {
     double excluding = 0;
-    // The smallest tail is that of Student's t; z of a p-value of 1e-300 is 37.
-    double including = std::min(37.0, test.student_p > 0 ? normal_critical(test.student_p / 2) : 37.0);
-    if (!(including > 0)) return test;
-    if (mean.skewness.most == 0) return {test.student_p, test.student_p};
+    // z of a p-value of 1e-300 is 37.
+    double including = std::min(37.0, least > 0 ? normal_critical(least / 2) : 37.0);
+    if (!(including > 0)) return 1;
     for (int i = 0; i < 40; ++i) {
         const double z = (excluding + including) / 2;
-        (z > 0 && excludes_zero(mean, z) ? excluding : including) = z;
+        (z > 0 && leaves_out(normal_tail(z)) ? excluding : including) = z;
     }
-    test.p = normal_two_sided_p(including);
-    return test;
+    return normal_two_sided_p(including);
 }
 
 double unseen_value(double mean, double reference, std::size_t n) {

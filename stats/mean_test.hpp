@@ -6,6 +6,7 @@
 #include "stats/two_stage.hpp"
 
 #include <cstddef>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <span>
@@ -21,7 +22,23 @@ namespace ff::stats {
 /// value's third moment is at most that times its variance, so that its skewness is at most largest_part / standard
 /// deviation. Infinite where nothing is known; 0 for values that are known not to be skewed.
 inline constexpr double unknown_parts = std::numeric_limits<double>::infinity();
-inline constexpr double not_skewed = 0;
+inline constexpr double no_part = 0;
+
+/// What the evaluations behind all values may have missed. Places that are entitled to a share p of n evaluations are
+/// met by none of them with probability (1 - p)^n, if they are spread no less evenly than independent ones.
+struct Unmet {
+    double largest_jump = 0;  ///< of an evaluation from one place to the next; 0 where there is none
+    double evaluations = 1;   ///< n
+
+    /// How far the mean may be off for it, except with probability `tail`: largest_jump * p, with (1 - p)^n = tail.
+    [[nodiscard]] double reach(double tail) const;
+};
+
+/// What is known of values from how they are made.
+struct KnownLimits {
+    double largest_part = unknown_parts;
+    Unmet unmet;
+};
 
 /// A mean beside its reference, or beside another mean, and all that is needed to judge the difference.
 struct MeanEvidence {
@@ -29,16 +46,20 @@ struct MeanEvidence {
     double standard_error = 0;
     double freedom = 0;  ///< degrees of freedom of the standard error
     gate::MeanSkewness skewness;
+    Unmet unmet = {};         ///< adds to what the standard error says
     std::string_view method;  ///< of intervals: "skewed_t", "skewed_welch_t" or "stein_two_stage"
     std::size_t n = 0;        ///< values behind it
 
     [[nodiscard]] double t() const { return difference / standard_error; }
 };
 
+/// Of values that are known not to be skewed.
+inline constexpr KnownLimits not_skewed{.largest_part = no_part, .unmet = {}};
+
 /// A mean of independent values, or of correlated ones in order.
 /// @return empty below three values, for values that are all equal, and where correlated ones are worth less than two
 std::optional<MeanEvidence> mean_evidence(std::span<const double> values, double reference,
-                                          double largest_part = unknown_parts,
+                                          const KnownLimits& limits = {},
                                           const std::optional<Autocorrelation>& correlation = {});
 
 /// A mean of values whose number was fixed by a pilot, the first of them.
@@ -57,7 +78,7 @@ Interval interval_of(const MeanEvidence& mean, double level);
 /// Interval of the mean less the reference. Empty below three values, for values that are all equal, and where an end
 /// would be infinite.
 std::optional<Interval> mean_interval(std::span<const double> values, double reference, double level,
-                                      double largest_part = unknown_parts);
+                                      const KnownLimits& limits = {});
 
 /// Test of "there is no difference", two-sided. A large p does not prove that there is none: print the minimum
 /// detectable bias (stats/power.hpp) beside it, or show that the interval lies within a margin.
@@ -66,6 +87,11 @@ struct MeanTest {
     double student_p = 1;  ///< by Student's t, for values without skewness; never above `p`
 };
 MeanTest test_mean(const MeanEvidence& mean);
+
+/// Twice the smallest tail at which an interval leaves 0 out.
+/// @param leaves_out  whether the interval with this tail beyond each end does
+/// @param least       what p cannot be below
+double two_sided_p(const std::function<bool(double tail)>& leaves_out, double least = 0);
 
 /// The value that would explain a difference if one trial in n had it: n values that have missed it have their mean at
 /// `mean` where the truth is `reference`. No rule can exclude such a law [bahadur1956].

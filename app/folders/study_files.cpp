@@ -42,7 +42,7 @@ std::filesystem::path find_study(const std::string& name_or_file) {
     }
     if (name_or_file == studies::selftest_description.name)
         throw UserError(fmt::format("'{0}' has options of its own. Run 'ffstudy {0}'.", name_or_file));
-    const std::filesystem::path file(name_or_file);
+    std::filesystem::path file(name_or_file);
     if (std::filesystem::exists(file) || file.extension() == ".toml") return file;
     std::vector<std::string_view> names;
     for (const BuiltInStudy& study : list) names.push_back(study.name);

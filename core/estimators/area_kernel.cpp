@@ -1,5 +1,6 @@
 #include "core/estimators/area_kernel.hpp"
 
+#include "core/estimators/graded_map.hpp"
 #include "core/estimators/transfer.hpp"
 #include "core/geometry/surface_map.hpp"
 #include "core/patches/patch_order.hpp"
@@ -322,6 +323,10 @@ std::optional<Integrand> AreaKernel::integrand(const EstimatorOptions& options, 
 
 bool AreaKernel::finite_variance(const EstimatorOptions& options, const Scene& scene, int from, int to) {
     return kernel_has_variance(scene, from, to, options.map);
+}
+
+double AreaKernel::largest_jump(const EstimatorOptions& /*options*/, const Scene& scene, int from, int to) {
+    return may_be_occluded(scene, from, to) || are_partly_behind(scene, from, to) ? largest_kernel(scene, from, to) : 0;
 }
 
 void AreaKernel::observe(const EstimatorTask& task, Outcome& outcome, PatchTotals& totals) const {

@@ -1,5 +1,6 @@
 #include "core/estimators/control_variate.hpp"
 
+#include "core/estimators/graded_map.hpp"
 #include "core/estimators/patch_pairs.hpp"
 #include "core/formulas/polygon_exchange.hpp"
 #include "core/visibility/contact.hpp"
@@ -61,6 +62,10 @@ std::optional<Integrand> ControlVariate::integrand(const EstimatorOptions& /*opt
 
 bool ControlVariate::finite_variance(const EstimatorOptions& /*options*/, const Scene& scene, int from, int to) {
     return closest_contact(scene, from, to) == Contact::none || !may_be_occluded(scene, from, to);
+}
+
+double ControlVariate::largest_jump(const EstimatorOptions& /*options*/, const Scene& scene, int from, int to) {
+    return may_be_occluded(scene, from, to) || are_partly_behind(scene, from, to) ? largest_kernel(scene, from, to) : 0;
 }
 
 void ControlVariate::observe(const EstimatorTask& task, Outcome& outcome, PatchTotals& /*totals*/) const {

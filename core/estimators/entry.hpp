@@ -19,6 +19,7 @@ namespace ff {
 ///     static std::string size_problem(std::uint64_t samples); // required if own_points
 ///     static std::optional<Integrand> integrand(const EstimatorOptions&, PairClass, Hiding);
 ///     static bool finite_variance(const EstimatorOptions&, const Scene&, int from, int to);
+///     static double largest_jump(const EstimatorOptions&, const Scene&, int from, int to);
 ///
 /// `estimator_entry<T>()` turns it into a line of the catalogue.
 template <class T>
@@ -71,6 +72,14 @@ EstimatorEntry estimator_entry() {
                         return T::finite_variance(options, scene, from, to);
                     } else {
                         return true;
+                    }
+                },
+            .largest_jump =
+                [](const EstimatorOptions& options, const Scene& scene, int from, int to) {
+                    if constexpr (requires { T::largest_jump(options, scene, from, to); }) {
+                        return T::largest_jump(options, scene, from, to);
+                    } else {
+                        return 0.0;
                     }
                 },
             .make = [](const Scene& scene, TracerChoice tracer) -> std::unique_ptr<Estimator> {

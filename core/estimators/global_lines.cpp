@@ -132,6 +132,10 @@ std::optional<Integrand> GlobalLines::integrand(const EstimatorOptions& /*option
     return Integrand::jumping;
 }
 
+double GlobalLines::largest_jump(const EstimatorOptions& /*options*/, const Scene& scene, int from, int /*to*/) {
+    return GlobalLines(scene, TracerChoice::automatic).area_ / face_area(scene, from);
+}
+
 void GlobalLines::observe(const EstimatorTask& task, Outcome& outcome, PatchTotals& /*totals*/) const {
     const auto faces = static_cast<Eigen::Index>(scene_->faces.size());
     Eigen::MatrixXd exchanges = Eigen::MatrixXd::Zero(faces, faces);

@@ -52,6 +52,8 @@ class GlobalLines {
 
     static double nanoseconds(const EstimatorOptions& options, const Scene& scene);
     static std::optional<Integrand> integrand(const EstimatorOptions& options, PairClass pair_class, Hiding hiding);
+    /// A line is one of those that cross the face: at least as large a share of all as its area is of the box's.
+    static double largest_jump(const EstimatorOptions& options, const Scene& scene, int from, int to);
 
     GlobalLines(const Scene& scene, TracerChoice tracer);
     void observe(const EstimatorTask& task, Outcome& outcome, PatchTotals& totals) const;

@@ -57,9 +57,10 @@ void PointToVisiblePolygon::observe(const EstimatorTask& task, Outcome& outcome,
         [&](const SourcePatch& patch, const WeightedBlock& block, std::span<double> sums) {
             const auto columns = patch.grid.columns;
             for (std::size_t i = 0; i < block.size; ++i) {
-                const SurfacePoint place =
-                    maps[patch.surface].at((patch.index % columns + block.coordinate[0][i]) / columns,
-                                           (patch.index / columns + block.coordinate[1][i]) / patch.grid.rows);
+                const auto column = patch.index % columns;
+                const auto row = patch.index / columns;
+                const SurfacePoint place = maps[patch.surface].at((column + block.coordinate[0][i]) / columns,
+                                                                  (row + block.coordinate[1][i]) / patch.grid.rows);
                 for (const Target& target : targets_[patch.surface]) {
                     const double factor = target.polygon.from(place.position, place.normal).visible;
                     sums[target.surface] += block.weight[i] * std::max(0.0, factor);

@@ -80,6 +80,10 @@ std::optional<Integrand> TwoWays::integrand(const EstimatorOptions& /*options*/,
     return pair_class == PairClass::adjacent ? Integrand::rough : Integrand::jumping;
 }
 
+double TwoWays::largest_jump(const EstimatorOptions& /*options*/, const Scene& /*scene*/, int /*from*/, int /*to*/) {
+    return RaysAndKernel::info.largest_value;
+}
+
 Eigen::MatrixXd TwoWays::estimate(const EstimatorTask& task, Heuristic heuristic) const {
     constexpr std::size_t dimension = RaysAndKernel::info.dimension;
     return average_over_pairs(*scene_, task, dimension, [heuristic](const PatchPair& pair, const WeightedBlock& block) {

@@ -3,6 +3,7 @@
 #include "core/estimators/patch_pairs.hpp"
 #include "core/estimators/spherical_rectangle.hpp"
 #include "core/geometry/unit_circle.hpp"
+#include "core/visibility/facing.hpp"
 #include "core/visibility/occlusion.hpp"
 
 #include <Eigen/Geometry>
@@ -138,6 +139,10 @@ double SolidAngle::nanoseconds(const EstimatorOptions& /*options*/, const Scene&
 std::optional<Integrand> SolidAngle::integrand(const EstimatorOptions& /*options*/, PairClass /*pair_class*/,
                                                Hiding /*hiding*/) {
     return Integrand::rough;
+}
+
+double SolidAngle::largest_jump(const EstimatorOptions& /*options*/, const Scene& scene, int from, int to) {
+    return may_be_occluded(scene, from, to) || are_partly_behind(scene, from, to) ? info.largest_value : 0;
 }
 
 void SolidAngle::observe(const EstimatorTask& task, Outcome& outcome, PatchTotals& /*totals*/) const {

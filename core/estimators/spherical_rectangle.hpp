@@ -15,11 +15,11 @@ struct SeenRectangle {
 };
 
 /// Half the solid angle, in steradians; 0 to pi. Keeps all digits where it is small. @see [vanoosterom1983]
-double half_solid_angle(const SeenRectangle& rectangle);
+double half_solid_angle(const SeenRectangle& seen);
 
 /// The place at (s, t) in [0, 1]^2, from the corner, a map that keeps shares of solid angle: `s` moves a line along the
 /// width, `t` leads along the line. Smooth in both, and the same bits on every CPU. @see [urena2013]
 /// @param half_area  its half_solid_angle
-Eigen::Vector2d place_in(const SeenRectangle& rectangle, double half_area, double s, double t);
+Eigen::Vector2d place_in(const SeenRectangle& seen, double half_area, double s, double t);
 
 }  // namespace ff

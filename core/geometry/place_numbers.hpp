@@ -22,15 +22,17 @@ class PlaceNumbers {
         // Cells are so much larger than what is near that a place seldom is near to more than one.
         const double cell = 1024 * nearest_;
         Cell at;
-        std::array<std::array<double, 2>, 3> near;
+        std::array<std::vector<double>, 3> near;
         for (std::size_t axis = 0; axis < 3; ++axis) {
             const double x = place[static_cast<Eigen::Index>(axis)];
             at[axis] = std::floor(x / cell);
-            near[axis] = {std::floor((x - nearest_) / cell), std::floor((x + nearest_) / cell)};
+            near[axis] = {std::floor((x - nearest_) / cell)};
+            const double above = std::floor((x + nearest_) / cell);
+            if (above != near[axis].front()) near[axis].push_back(above);
         }
-        for (double x = near[0][0]; x <= near[0][1]; ++x) {
-            for (double y = near[1][0]; y <= near[1][1]; ++y) {
-                for (double z = near[2][0]; z <= near[2][1]; ++z) {
+        for (const double x : near[0]) {
+            for (const double y : near[1]) {
+                for (const double z : near[2]) {
                     const auto here = places_.find({x, y, z});
                     if (here == places_.end()) continue;
                     for (const auto& [other, number] : here->second) {

@@ -58,10 +58,10 @@ ConvexPolygon beside_edge(const ConvexPolygon& polygon, const Vector3d& a, const
     return clipped(polygon, inwards, inwards.dot(a));
 }
 
-ConvexPolygon common_part(ConvexPolygon polygon, const ConvexPolygon& other, const Vector3d& normal) {
-    for (std::size_t k = 0; k < other.size() && polygon.size() >= 3; ++k)
-        polygon = beside_edge(polygon, other[k], other[(k + 1) % other.size()], normal, 1);
-    return polygon;
+ConvexPolygon common_part(ConvexPolygon part, const ConvexPolygon& polygon, const Vector3d& normal) {
+    for (std::size_t k = 0; k < polygon.size() && part.size() >= 3; ++k)
+        part = beside_edge(part, polygon[k], polygon[(k + 1) % polygon.size()], normal, 1);
+    return part;
 }
 
 /// What is left of convex pieces without a convex polygon that is counter-clockwise around their normal.

@@ -56,7 +56,8 @@ bool flat_ones_are_close(const Surface& a, const Surface& b, double distance) {
 bool comes_close(const Surface& surface, const Surface& other, double distance) {
     const SurfaceMap map(surface);
     for (int i = 0; i < lattice * lattice; ++i) {
-        const SurfacePoint place = map.at((i % lattice + 0.5) / lattice, (i / lattice + 0.5) / lattice);
+        const int row = i / lattice;
+        const SurfacePoint place = map.at((i % lattice + 0.5) / lattice, (row + 0.5) / lattice);
         for (const Vector3d& direction : {place.normal, Vector3d(-place.normal)}) {
             const auto meeting = line_meets({place.position, direction}, other);
             if (!meeting || meeting->time > distance) continue;

@@ -104,6 +104,6 @@ enum class TracerChoice {
 
 /// The box tracer where it applies, unless told otherwise.
 /// @throws UserError where the box tracer is asked for in a scene that is not an empty box
-std::unique_ptr<Tracer> make_tracer(const Scene& scene, TracerChoice choice);
+std::unique_ptr<Tracer> make_tracer(const Scene& given, TracerChoice choice);
 
 }  // namespace ff

@@ -78,6 +78,20 @@ bool face_each_other(const Scene& scene, int from_face, int to_face) {
     });
 }
 
+bool are_partly_behind(const Scene& scene, int from_face, int to_face) {
+    const auto is_behind = [](const Surface& surface, const Surface& other) {
+        const Extent above = heights(surface, other);
+        return above.low < -rounding_room * std::max(1.0, above.high - above.low);
+    };
+    for (const Surface* a : surfaces_of(scene, from_face)) {
+        for (const Surface* b : surfaces_of(scene, to_face)) {
+            if (a == b || !is_flat(a->shape) || !is_flat(b->shape)) continue;
+            if (is_behind(*a, *b) || is_behind(*b, *a)) return true;
+        }
+    }
+    return false;
+}
+
 bool sees_itself(const Scene& scene, int face) {
     if (sees_itself_in_mirrors(scene, face)) return true;
     const auto own = surfaces_of(scene, face);

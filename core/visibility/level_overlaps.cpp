@@ -65,7 +65,8 @@ double covered_share(const Surface& surface, const Surface& by) {
     const double distance = std::sqrt(area(surface.shape));
     int covered = 0;
     for (int i = 0; i < lattice * lattice; ++i) {
-        const Vector3d place = map.at((i % lattice + 0.5) / lattice, (i / lattice + 0.5) / lattice).position;
+        const int row = i / lattice;
+        const Vector3d place = map.at((i % lattice + 0.5) / lattice, (row + 0.5) / lattice).position;
         covered += line_meets({place + distance * surface.normal, -surface.normal}, by).has_value();
     }
     return covered / double{lattice * lattice};

@@ -106,6 +106,7 @@ Json bias_json(const studies::StudyPlan& plan, const studies::CellFindings& foun
             {"adjusted_p", family.adjusted_p},
             {"student_p", family.student_p},
             {"heavy_tails", family.heavy_tails},
+            {"may_be_unmet", family.may_be_unmet},
             {"unseen_value", optional_json(family.unseen_value)},
             {"multiplicity", "holm over pairs, sidak over cells"},
             {"alpha", 1.0 - plan.spec.level},

@@ -107,7 +107,8 @@ Json contests_json(const studies::StudyResults& results) {
             ratios.push_back({{"better", handicap.better},
                               {"worse", handicap.worse},
                               {"ratio", handicap.ratio},
-                              {"interval", interval_json(handicap.interval)}});
+                              {"interval", interval_json(handicap.interval)},
+                              {"apart", handicap.apart}});
         }
         rows.push_back({{"scene", plan.scenes[contest.scene].name},
                         {"pair_class", ff::name(contest.pair_class)},

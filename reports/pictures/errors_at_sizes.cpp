@@ -61,7 +61,8 @@ std::vector<Picture> errors_at_sizes(const studies::StudyResults& results, const
     const studies::Findings& findings = results.findings;
     const studies::StudyPlan& plan = findings.plan;
     std::vector<Picture> pictures;
-    for (const auto& [power, octave] : octaves_of(findings)) {
+    for (const auto& entry : octaves_of(findings)) {
+        const auto& octave = entry.second;
         RankingRows rows(methods);
         for (std::size_t scene = 0; scene < plan.scenes.size(); ++scene) {
             std::vector<std::size_t> cells = octave.cells;

@@ -5,6 +5,7 @@
 #include "reports/text/labels.hpp"
 #include "reports/text/numbers.hpp"
 #include "reports/words/size_series.hpp"
+#include "reports/words/standing.hpp"
 
 #include <fmt/format.h>
 
@@ -94,34 +95,26 @@ void label_errors(const std::vector<SizeSeries>& all, PairClass pair_class, cons
     labels.set(values, style_scales(styles));
 }
 
-/// The point with the smallest RMSE; of medians where there is no other.
-/// @return null where there is no such point
-const SizePoint* least_error(const studies::StudyPlan& plan, const std::vector<SizeSeries>& all, bool deterministic) {
-    const SizePoint* best = nullptr;
+std::vector<std::size_t> cells_of(const studies::StudyPlan& plan, const std::vector<SizeSeries>& all,
+                                  bool deterministic) {
+    std::vector<std::size_t> cells;
     for (const SizeSeries& series : all) {
         for (const SizePoint& point : series.points) {
-            if (plan.cells[point.found->cell].deterministic != deterministic) continue;
-            if (best == nullptr || std::pair(point.is_median, point.error) < std::pair(best->is_median, best->error))
-                best = &point;
+            if (plan.cells[point.found->cell].deterministic == deterministic) cells.push_back(point.found->cell);
         }
     }
-    return best;
+    return cells;
 }
 
 /// The one error of a deterministic method may be small by luck, so that it is not set against those of samples.
-std::string least_errors_in_words(const studies::StudyPlan& plan, const std::vector<SizeSeries>& all) {
-    std::vector<std::string> parts;
-    for (const bool deterministic : {false, true}) {
-        const SizePoint* best = least_error(plan, all, deterministic);
-        if (best == nullptr) continue;
-        const char* measure = deterministic ? "an error of" : best->is_median ? "a median error of" : "an RMSE of";
-        parts.push_back(fmt::format("of {} methods {} has the least error, {} {} with {} evaluations",
-                                    deterministic ? "deterministic" : "sampled",
-                                    cell_label(plan, plan.cells[best->found->cell]), measure, brief(best->error),
-                                    best->found->evaluations_per_face));
+std::string smallest_errors_in_words(const studies::Findings& findings, const std::vector<SizeSeries>& all,
+                                     PairClass pair_class) {
+    std::string text;
+    for (const bool deterministic : {true, false}) {
+        const std::string smallest = smallest_errors(findings, cells_of(findings.plan, all, deterministic), pair_class);
+        if (smallest.empty()) continue;
+        text += fmt::format("Among {} methods {}. ", deterministic ? "deterministic" : "sampled", smallest);
     }
-    std::string text = fmt::format("{}.", fmt::join(parts, "; "));
-    text.front() = 'O';
     return text;
 }
 
@@ -139,13 +132,14 @@ Picture convergence_picture(const studies::Findings& findings, std::size_t scene
     picture.id = slug(fmt::format("convergence-{}", place));
     picture.kind = "convergence";
     picture.title = fmt::format("Error against evaluations, {}.", place);
-    picture.finding = fmt::format("{} Bands and bars: {:g} % intervals; dashed: the slope that theory expects.",
-                                  least_errors_in_words(findings.plan, all), 100 * findings.plan.spec.level);
+    const std::string smallest = smallest_errors_in_words(findings, all, pair_class);
+    picture.finding = fmt::format("{}Bands and bars: {:g} % intervals; dashed: the slope that theory expects.",
+                                  smallest, 100 * findings.plan.spec.level);
     picture.description = fmt::format(
         "RMSE of a run on {} against evaluations per face, both logarithmic, with {:g} % intervals, a line for each "
         "method; where the variance is infinite, the median of the absolute error. Thin dashed lines have the slope "
         "that theory expects. {}",
-        place, 100 * findings.plan.spec.level, least_errors_in_words(findings.plan, all));
+        place, 100 * findings.plan.spec.level, smallest);
     picture.values = values.text();
     return picture;
 }
@@ -154,8 +148,7 @@ std::optional<Picture> efficiency_picture(const studies::Findings& findings, std
                                           const std::vector<SizeSeries>& all, const std::vector<MethodStyle>& styles) {
     PictureValues values({"method", "size", "evaluations", "efficiency", "low", "high"});
     auto names = nlohmann::ordered_json::array();
-    const studies::CellFindings* best = nullptr;
-    const studies::CellFindings* least = nullptr;
+    std::vector<std::size_t> cells;
     LineLabels labels(HeightAxis::logarithmic);
     const auto efficiency = [&](const studies::CellFindings& found) {
         return found.class_error(pair_class)->efficiency;
@@ -170,8 +163,7 @@ std::optional<Picture> efficiency_picture(const studies::Findings& findings, std
                         found.evaluations_per_face, drawn(error.efficiency),
                         interval_end(error.efficiency_interval, &stats::Interval::low),
                         interval_end(error.efficiency_interval, &stats::Interval::high)});
-            if (best == nullptr || *efficiency(found) > *efficiency(*best)) best = &found;
-            if (least == nullptr || *efficiency(found) < *efficiency(*least)) least = &found;
+            cells.push_back(found.cell);
             last = *efficiency(found);
             labels.make_room(*last);
             for (const double end : ends_of(error.efficiency_interval)) labels.make_room(end);
@@ -180,7 +172,7 @@ std::optional<Picture> efficiency_picture(const studies::Findings& findings, std
         names.push_back(series.method);
         if (in_colour(styles, series.method)) labels.add(series.method, series.method, *last);
     }
-    if (best == nullptr || best == least) return std::nullopt;  // one point is no picture
+    if (cells.size() < 2) return std::nullopt;
     values.set("isolate", std::move(names));
     labels.set(values, style_scales(styles));
     const std::string place = where(findings.plan, scene, pair_class);
@@ -188,10 +180,8 @@ std::optional<Picture> efficiency_picture(const studies::Findings& findings, std
     picture.id = slug(fmt::format("efficiency-{}", place));
     picture.kind = "efficiency";
     picture.title = fmt::format("Efficiency against evaluations, {}.", place);
-    picture.finding = fmt::format("Per evaluation {} achieves most, {} times as much as {}.",
-                                  cell_label(findings.plan, findings.plan.cells[best->cell]),
-                                  brief(*efficiency(*best) / *efficiency(*least)),
-                                  cell_label(findings.plan, findings.plan.cells[least->cell]));
+    const std::string largest = largest_efficiencies(findings, cells, pair_class);
+    picture.finding = largest.empty() ? "Bars: intervals." : fmt::format("Per evaluation {}.", largest);
     picture.description = fmt::format(
         "1 / (RMSE² N) of the sampled methods on {} against N, the evaluations for a face, "
         "with {:g} % intervals. {}",

@@ -34,13 +34,13 @@ class RankingRows {
     /// Adds a row unless the method is not chosen.
     void add(const Row& row);
     [[nodiscard]] std::size_t rows() const { return rows_; }
-    [[nodiscard]] bool full() const { return blocks_ >= most_blocks_; }
+    [[nodiscard]] bool full() const { return blocks_ >= most_blocks; }
     PictureValues& values() { return values_; }
     [[nodiscard]] const nlohmann::ordered_json& order() const { return order_; }
     [[nodiscard]] const std::set<std::string>& methods() const { return methods_; }
 
   private:
-    static constexpr std::size_t most_blocks_ = 4;
+    static constexpr std::size_t most_blocks = 4;
     const MethodChoice& chosen_;
     bool begun_ = false;  ///< whether the heading of this block stands
     PictureValues values_{{"row", "method", "size", "value", "low", "high", "end", "expected", "group"}};

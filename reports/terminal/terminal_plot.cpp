@@ -42,7 +42,7 @@ std::string plot_of(const studies::StudyPlan& plan, std::size_t scene, PairClass
             all, [&](const SizeSeries& series) { return plan.cells[series.points.back().found->cell].deterministic; });
     }
     if (all.size() > at_most) {
-        which = fmt::format(" (of {1} sampled methods the {0} best and the worst at their largest sizes)", best_of_many,
+        which = fmt::format(" (of {1} sampled methods those whose lines end lowest, {0}, and highest)", best_of_many,
                             all.size());
         std::stable_sort(all.begin(), all.end(), ends_lower);
         all.erase(all.begin() + best_of_many, all.end() - 1);

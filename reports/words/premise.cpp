@@ -69,7 +69,7 @@ std::string in_words(const studies::StudyResults& results, const PrintedErrors& 
     for (const std::size_t cell : cells) {
         const studies::ClassError* other = findings.cells[cell].class_error(errors.pair_class);
         if (cell == errors.cell || other == nullptr || !other->interval) continue;
-        const auto ratio = studies::rmse_ratio_interval(*other, own, plan.spec.level);
+        const auto ratio = studies::ratio_interval(*log_rmse(*other), *log_rmse(own, true), plan.spec.level);
         text += fmt::format(
             " The RMSE of {} ({} per face) is {} to {} times that of {} ({}) by these figures, and {} times by the "
             "printed ones.",

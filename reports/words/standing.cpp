@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <iterator>
 #include <vector>
 
@@ -28,6 +29,12 @@ std::vector<Ranked> leaders(const std::vector<Ranked>& ranked) {
     std::copy_if(ranked.begin(), ranked.end(), std::back_inserter(best),
                  [](const Ranked& each) { return each.group == 0; });
     return best;
+}
+
+std::vector<std::string> cell_labels(const studies::StudyPlan& plan, const std::vector<Ranked>& ranked) {
+    std::vector<std::string> labels;
+    for (const Ranked& each : ranked) labels.push_back(cell_label(plan, plan.cells[each.index]));
+    return labels;
 }
 
 /// "-0.98 to -0.94", ends once where they are alike.
@@ -103,10 +110,40 @@ std::string error_clause(const StudyResults& results, std::size_t scene, PairCla
     const auto& better = *findings.cells[first.index].class_error(pair_class);
     const auto& worse = *findings.cells[next.index].class_error(pair_class);
     const auto pairs = static_cast<double>(ranked.size() * (ranked.size() - 1)) / 2;
-    const auto ratio = studies::rmse_ratio_interval(better, worse, 1 - (1 - plan.spec.level) / pairs);
-    const std::string times = ratio ? from_to(brief(ratio->low), brief(ratio->high)) : brief(next.value / first.value);
+    const auto log_of = [&](const Ranked& each, const studies::ClassError& error) {
+        return *log_rmse(error, plan.cells[each.index].deterministic);
+    };
+    const auto ratio =
+        studies::ratio_interval(log_of(first, better), log_of(next, worse), 1 - (1 - plan.spec.level) / pairs);
+    std::string times = brief(next.value / first.value);
+    if (ratio) {
+        times = std::isfinite(ratio->high) ? from_to(brief(ratio->low), brief(ratio->high))
+                                           : fmt::format("at least {}", brief(ratio->low));
+    }
     return fmt::format("{} {} has the smallest error, {} times smaller than {} (RMSE {}, {})", where, names.front(),
                        times, method_name(plan, next.index), brief(first.value), size);
+}
+
+std::string smallest_errors(const studies::Findings& findings, std::span<const std::size_t> cells,
+                            PairClass pair_class) {
+    const auto ranked = studies::rank_errors(findings, cells, pair_class);
+    if (ranked.empty()) return {};
+    const auto best = leaders(ranked);
+    return fmt::format(
+        "{} {} (RMSE {})", listed(cell_labels(findings.plan, best)),
+        best.size() == 1 ? "has the smallest error" : "have the smallest errors and cannot be told apart",
+        from_to(brief(best.front().value), brief(best.back().value)));
+}
+
+std::string largest_efficiencies(const studies::Findings& findings, std::span<const std::size_t> cells,
+                                 PairClass pair_class) {
+    const auto ranked = studies::rank_efforts(findings, cells, pair_class);
+    if (ranked.size() < 2) return {};
+    const auto best = leaders(ranked);
+    if (best.size() == ranked.size()) return fmt::format("all {} cannot be told apart", best.size());
+    return fmt::format("{} {} most, {} times as much as the last of {}", listed(cell_labels(findings.plan, best)),
+                       best.size() == 1 ? "achieves" : "achieve", brief(ranked.back().value / best.front().value),
+                       ranked.size());
 }
 
 std::string variance_clause(const StudyResults& results, std::size_t random_cell, PairClass pair_class) {

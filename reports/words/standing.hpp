@@ -3,6 +3,7 @@
 #include "studies/results/results.hpp"
 
 #include <cstddef>
+#include <span>
 #include <string>
 
 namespace ff::reports {
@@ -20,6 +21,15 @@ std::string rate_clause(const studies::StudyResults& results, std::size_t scene,
 
 /// Whose errors are smallest, at sizes that can be compared.
 std::string error_clause(const studies::StudyResults& results, std::size_t scene, PairClass pair_class);
+
+/// Which of these methods and sizes have the smallest errors; "" where none has a variance.
+std::string smallest_errors(const studies::Findings& findings, std::span<const std::size_t> cells,
+                            PairClass pair_class);
+
+/// Which of these methods and sizes have the smallest errors for their evaluations, and how many times those of the
+/// last ones are larger; "" where fewer than two have a variance.
+std::string largest_efficiencies(const studies::Findings& findings, std::span<const std::size_t> cells,
+                                 PairClass pair_class);
 
 /// Whose variance is least beside that of a cell with random points.
 std::string variance_clause(const studies::StudyResults& results, std::size_t random_cell, PairClass pair_class);

@@ -123,7 +123,8 @@ CellFindings analyse_cell(const Store& store, std::size_t cell_index) {
         request.detectable_bias = detectable;
         request.pair_alpha = level_of_pair(plan, tested);
         request.pilot = pilot;
-        request.largest_part = largest_part(method, scene, cell.subdivision, quantity, estimates.evaluations_per_face);
+        request.limits =
+            known_limits(method, scene, cell.subdivision, quantity, estimates.evaluations_per_face, estimates.trials());
         request.key = derive_key(plan.spec.seed, fmt::format("summary|{}|{}|{}|{}", cell.canonical,
                                                              name(method.completion), quantity.from, quantity.to));
         findings.summaries.push_back(summarise(estimates.values(quantity), request));

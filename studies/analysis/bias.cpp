@@ -42,6 +42,16 @@ struct PairTester {
     [[nodiscard]] const Cell& cell() const { return plan.cells[estimates.cell]; }
     [[nodiscard]] const Method& method() const { return plan.spec.methods[cell().method]; }
 
+    [[nodiscard]] stats::KnownLimits limits_of(Quantity quantity) const {
+        return known_limits(method(), plan.scenes[cell().scene], cell().subdivision, quantity,
+                            estimates.evaluations_per_face, estimates.trials());
+    }
+
+    /// Whether values that jump may make the difference where no evaluation has been.
+    [[nodiscard]] bool may_be_unmet(const Summary& summary) const {
+        return std::abs(*summary.bias) <= limits_of(summary.quantity).unmet.reach(pair_alpha / 2);
+    }
+
     /// Empty where nothing can be tested.
     [[nodiscard]] std::optional<PairTest> test(const Summary& summary) const {
         if (!summary.reference || summary.not_finite > 0) return std::nullopt;
@@ -51,15 +61,14 @@ struct PairTester {
             if (hits) return test_hits(summary, *hits);
         }
         if (summary.variance != VarianceStatus::finite) return std::nullopt;
-        const double part = largest_part(method(), plan.scenes[cell().scene], cell().subdivision, summary.quantity,
-                                         estimates.evaluations_per_face);
+        const stats::KnownLimits limits = limits_of(summary.quantity);
         const auto pilot =
             plan.spec.until ? std::optional<std::size_t>(plan.spec.until->pilot) : std::optional<std::size_t>();
-        const auto mean = mean_of_trials(values, *summary.reference, pilot, part);
+        const auto mean = mean_of_trials(values, *summary.reference, pilot, limits);
         if (!mean) return std::nullopt;
         return PairTest{.t = mean->t(),
                         .test = stats::test_mean(*mean),
-                        .bounded = std::isfinite(part),
+                        .bounded = std::isfinite(limits.largest_part),
                         .mean = mean,
                         .equivalence = stats::interval_of(*mean, 1 - 2 * alpha),
                         .strict = stats::interval_of(*mean, 1 - pair_alpha)};
@@ -189,6 +198,10 @@ BiasFamily judge_bias(const StudyPlan& plan, const CellEstimates& estimates, std
             // Trials that all give one wrong value: their random numbers are no replicates, or the method is wrong.
             const double p = p_of_constant(*summary.bias, estimates.lattice(pairs[i]), estimates.trials());
             if (p == 1) continue;
+            if (tester.may_be_unmet(summary)) {
+                ++family.sparse;
+                continue;
+            }
             constants.push_back(p_values.size());
             p_values.push_back(p);
             student_p.push_back(p);
@@ -200,6 +213,7 @@ BiasFamily judge_bias(const StudyPlan& plan, const CellEstimates& estimates, std
         if (std::abs(test->t) > family.largest_t) {
             family.largest_t = std::abs(test->t);
             family.largest_pair = pairs[i];
+            family.may_be_unmet = tester.may_be_unmet(summary);
             family.unseen_value = unseen_value(*test, summary, estimator_info(tester.method()));
         }
         if (test->strict.is_finite()) {

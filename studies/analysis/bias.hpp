@@ -26,7 +26,8 @@ struct BiasFamily {
     Quantity largest_pair;
     double adjusted_p = 1;  ///< smallest p-value, adjusted for pairs (Holm) and cells (Sidak): the family-wise verdict
     double student_p = 1;   ///< the same if no value were skewed
-    bool heavy_tails = false;  ///< a difference counts for nothing, because of the tails of the trials
+    bool heavy_tails = false;   ///< a difference counts for nothing, because of the tails of the trials
+    bool may_be_unmet = false;  ///< jumps that no evaluation has met may make the difference on the largest pair
     /// The value on the largest pair that would explain its difference if one trial in all of them had it; empty where
     /// it is known to be impossible (stats/mean_test.hpp).
     std::optional<double> unseen_value;

@@ -42,20 +42,26 @@ std::vector<double> pair_means(std::span<const double> errors, std::size_t pairs
     return means;
 }
 
+/// Of a positive mean; empty where an end would be 0 or infinite.
+std::optional<stats::Interval> positive_interval(const stats::MeanEvidence& mean, double level) {
+    const auto interval = stats::interval_of(mean, level);
+    return interval.low > 0 && interval.is_finite() ? std::optional(interval) : std::nullopt;
+}
+
 void add_variance(std::span<const double> errors, double level, ClassError& found) {
-    const auto deviations = squared_deviations(errors, pair_means(errors, found.pairs));
-    const auto squares = stats::moments_of(trial_means(deviations, found.pairs));
+    const auto deviations = trial_means(squared_deviations(errors, pair_means(errors, found.pairs)), found.pairs);
+    const auto squares = stats::moments_of(deviations);
     const auto trials = static_cast<double>(found.trials);
     if (trials < 2 || *squares.mean() <= 0) return;
-    found.variance = *squares.mean() * trials / (trials - 1);
+    const double unbiased = trials / (trials - 1);
+    found.variance = *squares.mean() * unbiased;
     if (found.trials < stats::fewest_replicates) return;
-    const double relative_error = *squares.standard_error() / *squares.mean();
-    const double factor = std::exp(stats::student_critical(trials - 1, (1 - level) / 2) * relative_error);
-    found.variance_interval = stats::Interval{.low = *found.variance / factor,
-                                              .high = *found.variance * factor,
-                                              .level = level,
-                                              .method = "log_student_t",
-                                              .n = found.trials};
+    found.squared_deviation = stats::mean_evidence(deviations, 0);
+    if (!found.squared_deviation) return;
+    found.variance_interval = positive_interval(*found.squared_deviation, level);
+    if (!found.variance_interval) return;
+    found.variance_interval->low *= unbiased;
+    found.variance_interval->high *= unbiased;
 }
 
 /// Interval of 1 / (x N) from that of sqrt(x): the ends change places.
@@ -66,22 +72,16 @@ stats::Interval efficiency_interval(stats::Interval rmse, double evaluations) {
     return rmse;
 }
 
-/// Of ln RMSE, from trial to trial; 0 for a deterministic method.
-double log_variance(const ClassError& error) {
-    const double relative = error.mean_square_se / (2 * error.rmse * error.rmse);
-    return relative * relative;
-}
-
 /// @param squares  of the errors, about the exact values
 void add_efficiency(std::span<const double> squares, double level, ClassError& found) {
     if (found.rmse == 0) return;
-    const auto moments = stats::moments_of(squares);
-    found.mean_square_se = moments.standard_error().value_or(0.0);
     const auto evaluations = static_cast<double>(found.evaluations);
-    found.efficiency = 1 / (*moments.mean() * evaluations);
+    found.efficiency = 1 / (found.rmse * found.rmse * evaluations);
     if (squares.size() < stats::fewest_replicates) return;
-    const auto interval = stats::mean_interval_t(moments, level);
-    if (!interval || interval->low <= 0) return;
+    found.mean_square = stats::mean_evidence(squares, 0);
+    if (!found.mean_square) return;
+    const auto interval = positive_interval(*found.mean_square, level);
+    if (!interval) return;
     found.interval = stats::square_root(*interval);
     found.efficiency_interval = efficiency_interval(*found.interval, evaluations);
 }
@@ -147,30 +147,26 @@ std::vector<Quantity> pairs_of_class(const Scene& scene, std::span<const Quantit
     return members;
 }
 
-std::optional<LogRatio> rmse_log_ratio(const ClassError& first, const ClassError& second) {
-    std::size_t trials = std::numeric_limits<std::size_t>::max();
-    for (const ClassError* error : {&first, &second}) {
-        if (error->interval) trials = std::min(trials, error->trials);
-    }
-    if (trials == std::numeric_limits<std::size_t>::max()) return std::nullopt;
-    return LogRatio{std::log(second.rmse / first.rmse), std::sqrt(log_variance(first) + log_variance(second)), trials};
+std::optional<stats::Measured> log_rmse(const ClassError& error, bool certain) {
+    if (certain) return stats::Measured{std::log(error.rmse), {}};
+    if (!error.mean_square) return std::nullopt;
+    stats::Measured logarithm = stats::logarithm_of(*error.mean_square);
+    logarithm.value /= 2;
+    logarithm.parts.front().weight = 0.5;
+    return logarithm;
 }
 
-stats::Interval ratio_interval(const LogRatio& ratio, double level) {
-    const double reach =
-        stats::student_critical(static_cast<double>(ratio.trials - 1), (1 - level) / 2) * ratio.standard_error;
-    return {std::exp(ratio.value - reach), std::exp(ratio.value + reach), level, "student_t_of_logarithm",
-            ratio.trials};
+stats::Measured log_variance(const ClassError& error) {
+    return stats::logarithm_of(*error.squared_deviation, *error.variance / error.squared_deviation->difference);
 }
 
-std::optional<stats::Interval> rmse_ratio_interval(const ClassError& first, const ClassError& second, double level) {
-    const auto ratio = rmse_log_ratio(first, second);
-    return ratio ? std::optional(ratio_interval(*ratio, level)) : std::nullopt;
-}
-
-double p_of_equal(const LogRatio& ratio) {
-    if (ratio.standard_error == 0) return ratio.value == 0 ? 1 : 0;
-    return stats::student_two_sided_p(ratio.value / ratio.standard_error, static_cast<double>(ratio.trials - 1));
+std::optional<stats::Interval> ratio_interval(const stats::Measured& first, const stats::Measured& second, double level,
+                                              double correlation) {
+    auto interval = stats::difference_interval(first, second, level, correlation);
+    if (!interval) return std::nullopt;
+    interval->low = std::exp(interval->low);
+    interval->high = std::exp(interval->high);
+    return interval;
 }
 
 }  // namespace ff::studies

@@ -4,6 +4,8 @@
 #include "core/geometry/scene.hpp"
 #include "core/visibility/pair_class.hpp"
 #include "stats/interval.hpp"
+#include "stats/mean_test.hpp"
+#include "stats/measured.hpp"
 #include "studies/analysis/summary.hpp"
 #include "studies/trials/estimates.hpp"
 
@@ -23,16 +25,17 @@ struct ClassError {
     std::size_t trials = 0;
     std::uint64_t evaluations = 0;  ///< N, per face or per pair of faces
     VarianceStatus status = VarianceStatus::finite;
-    double rmse = 0;            ///< root mean square over trials and pairs; without a variance, for these trials only
-    double mean_square_se = 0;  ///< standard error of rmse², from trial to trial; 0 without a finite variance
-    std::optional<stats::Interval>
-        interval;  ///< of the RMSE: root of Student's t interval of the mean square; empty for few trials
+    double rmse = 0;  ///< root mean square over trials and pairs; without a variance, for these trials only
+    /// Of the mean square, from trial to trial; empty without a finite variance, and for few trials.
+    std::optional<stats::MeanEvidence> mean_square;
+    std::optional<stats::Interval> interval;  ///< of the RMSE; empty also where an end is 0 or infinite
     double median_abs_error = 0;
-    double bias = 0;                                   ///< mean over pairs
-    std::optional<stats::Interval> bias_interval;      ///< Student's t
-    std::optional<double> variance;                    ///< mean over pairs, of one trial
-    std::optional<stats::Interval> variance_interval;  ///< Student's t for its logarithm; empty for few trials
-    std::optional<double> efficiency;                  ///< 1 / (rmse² N)
+    double bias = 0;  ///< mean over pairs
+    std::optional<stats::Interval> bias_interval;
+    std::optional<double> variance;                        ///< mean over pairs, of one trial
+    std::optional<stats::MeanEvidence> squared_deviation;  ///< of trials, about the mean of each pair
+    std::optional<stats::Interval> variance_interval;      ///< empty as `interval`
+    std::optional<double> efficiency;                      ///< 1 / (rmse² N)
     std::optional<stats::Interval> efficiency_interval;
 };
 
@@ -58,23 +61,15 @@ std::vector<Quantity> known_pairs(std::span<const Quantity> pairs, const KnownFa
 /// The pairs of the class that face each other: others are exactly 0, without error.
 std::vector<Quantity> pairs_of_class(const Scene& scene, std::span<const Quantity> pairs, PairClass wanted);
 
-/// ln(second.rmse / first.rmse) of independent trials.
-struct LogRatio {
-    double value = 0;
-    double standard_error = 0;  ///< of both logarithms together, by the delta method
-    std::size_t trials = 0;     ///< the fewest; one less is the degrees of freedom
-};
+/// ln RMSE. Empty for trials without a finite variance, and for few of them.
+/// @param certain  no trials would show more: the method is deterministic, or its error is rounding
+std::optional<stats::Measured> log_rmse(const ClassError& error, bool certain = false);
 
-/// Errors without an interval count as exact; empty where both are.
-std::optional<LogRatio> rmse_log_ratio(const ClassError& first, const ClassError& second);
+/// ln of the variance. @pre there is a squared_deviation
+stats::Measured log_variance(const ClassError& error);
 
-/// Interval of the ratio: exp(ln ratio ± t s).
-stats::Interval ratio_interval(const LogRatio& ratio, double level);
-
-/// The same of second.rmse / first.rmse. Empty as above.
-std::optional<stats::Interval> rmse_ratio_interval(const ClassError& first, const ClassError& second, double level);
-
-/// Two-sided p of equal RMSEs by Student's t.
-double p_of_equal(const LogRatio& ratio);
+/// Interval of the ratio exp(second - first). Ends may be 0 or infinite. Empty where both are exact.
+std::optional<stats::Interval> ratio_interval(const stats::Measured& first, const stats::Measured& second, double level,
+                                              double correlation = 0);
 
 }  // namespace ff::studies

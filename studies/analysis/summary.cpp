@@ -51,7 +51,7 @@ MeanOfTrials mean_about(double centre, std::span<const double> values, const Sum
         return {interval, 0, std::sqrt(p * (1 - p) * *request.lattice)};
     }
     if (request.variance != VarianceStatus::finite) return {};
-    const auto mean = mean_of_trials(values, centre, request.pilot, request.largest_part);
+    const auto mean = mean_of_trials(values, centre, request.pilot, request.limits);
     if (!mean) return {};
     const auto interval = stats::interval_of(*mean, request.level);
     if (!interval.is_finite()) return {};
@@ -127,9 +127,10 @@ std::optional<stats::Proportion> binomial_hits(std::span<const double> values, d
 }
 
 std::optional<stats::MeanEvidence> mean_of_trials(std::span<const double> values, double reference,
-                                                  std::optional<std::size_t> pilot_trials, double largest_part) {
-    if (!pilot_trials) return stats::mean_evidence(values, reference, largest_part);
-    const auto pilot = stats::skewed_pilot_of(values, *pilot_trials, largest_part);
+                                                  std::optional<std::size_t> pilot_trials,
+                                                  const stats::KnownLimits& limits) {
+    if (!pilot_trials) return stats::mean_evidence(values, reference, limits);
+    const auto pilot = stats::skewed_pilot_of(values, *pilot_trials, limits.largest_part);
     return pilot ? std::optional(stats::mean_evidence_after(*pilot, values, reference)) : std::nullopt;
 }
 

@@ -51,9 +51,9 @@ struct SummaryRequest {
     std::optional<PairClass> pair_class;
     VarianceStatus variance = VarianceStatus::finite;
     std::optional<double> reference;
-    std::optional<double> lattice;               ///< spacing of possible values
-    bool binomial = false;                       ///< values are hits of independent rays, in units of `lattice`
-    double largest_part = stats::unknown_parts;  ///< of a value, which limits its skewness (stats/mean_test.hpp)
+    std::optional<double> lattice;  ///< spacing of possible values
+    bool binomial = false;          ///< values are hits of independent rays, in units of `lattice`
+    stats::KnownLimits limits;      ///< of the values (stats/mean_test.hpp)
     std::uint64_t evaluations_per_face = 0;
     double level = 0.95;               ///< of intervals
     double detectable_bias = 0;        ///< that the family-wise test finds in this many normal trials of deviation 1
@@ -66,7 +66,8 @@ Summary summarise(std::span<const double> values, const SummaryRequest& request)
 
 /// The evidence on the mean of trials, whose number a pilot has fixed where there is one.
 std::optional<stats::MeanEvidence> mean_of_trials(std::span<const double> values, double reference,
-                                                  std::optional<std::size_t> pilot_trials, double largest_part);
+                                                  std::optional<std::size_t> pilot_trials,
+                                                  const stats::KnownLimits& limits);
 
 /// The hits behind shares of independent rays; empty where they vary from trial to trial as binomial ones hardly ever
 /// do (once in 10 000), so that they are not what their sampler declares. @pre at least 2 values, 0 < lattice

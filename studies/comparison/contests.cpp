@@ -21,12 +21,11 @@ namespace {
 /// One size of a method on a class of pairs.
 struct Rung {
     std::size_t cell = 0;
-    double cost = 0;         ///< evaluations or seconds of a trial
-    double cost_error = 0;   ///< standard error of its logarithm
-    double mean_square = 0;  ///< not below that of rounding
-    double error = 0;        ///< standard error of its logarithm
-    std::size_t trials = endless_trials;
-    bool repeatable = false;  ///< the mean of several trials has a smaller error
+    double cost = 0;                  ///< evaluations or seconds of a trial
+    double cost_error = 0;            ///< standard error of its logarithm
+    double mean_square = 0;           ///< not below that of rounding
+    stats::Measured log_mean_square;  ///< its logarithm
+    bool repeatable = false;          ///< the mean of several trials has a smaller error
 };
 
 using Costs = std::vector<std::optional<MeasuredCost>>;  // by cell
@@ -34,11 +33,10 @@ using Costs = std::vector<std::optional<MeasuredCost>>;  // by cell
 /// Sizes of a method that differ in cost, by ascending cost.
 using Contender = std::vector<Rung>;
 
-/// An entrant with what its value is off by.
+/// An entrant with the logarithm of its value.
 struct Placed {
     Entrant entrant;
-    double error = 0;  ///< standard error of the logarithm of its value
-    std::size_t trials = endless_trials;
+    stats::Measured logarithm;
 };
 
 std::optional<Rung> rung_of(const Findings& findings, std::size_t index, PairClass pair_class) {
@@ -48,11 +46,13 @@ std::optional<Rung> rung_of(const Findings& findings, std::size_t index, PairCla
     if (error == nullptr || found.has_infinite_variance(pair_class)) return std::nullopt;
     if (estimator_info(findings.plan.spec.methods[cell.method]).exact || may_be_luck(findings.plan, cell))
         return std::nullopt;
-    Rung rung{.cell = found.cell, .mean_square = std::pow(std::max(error->rmse, rounding_error), 2)};
+    Rung rung;
+    rung.cell = found.cell;
+    rung.mean_square = std::pow(std::max(error->rmse, rounding_error), 2);
+    rung.log_mean_square.value = std::log(rung.mean_square);
     if (cell.deterministic || error->rmse < rounding_error) return rung;
-    if (!error->interval) return std::nullopt;
-    rung.error = error->mean_square_se / rung.mean_square;
-    rung.trials = error->trials;
+    if (!error->mean_square) return std::nullopt;
+    rung.log_mean_square = stats::logarithm_of(*error->mean_square);
     rung.repeatable = found.bias_finding != BiasFinding::biased;
     return rung;
 }
@@ -93,6 +93,15 @@ std::vector<Contender> contenders(const Findings& findings, const Costs& costs, 
     return all;
 }
 
+/// Adds what a weighted number is uncertain by.
+void add_parts(const stats::Measured& number, double weight, stats::Measured& sum) {
+    if (weight == 0) return;
+    for (stats::Measured::Part part : number.parts) {
+        part.weight *= weight;
+        sum.parts.push_back(part);
+    }
+}
+
 std::optional<Placed> at_budget(const Contender& contender, double budget) {
     const Rung* largest = nullptr;
     for (const Rung& rung : contender) {
@@ -100,9 +109,13 @@ std::optional<Placed> at_budget(const Contender& contender, double budget) {
     }
     if (largest == nullptr) return std::nullopt;
     const double repeats = largest->repeatable ? std::max(1.0, budget / largest->cost) : 1;
-    return Placed{{largest->cell, repeats, largest->mean_square / repeats, 0},
-                  std::hypot(largest->error, largest->repeatable ? largest->cost_error : 0),
-                  largest->trials};
+    Placed placed{{largest->cell, repeats, largest->mean_square / repeats, 0}, largest->log_mean_square};
+    placed.logarithm.value -= std::log(repeats);
+    if (largest->repeatable && largest->cost_error > 0 && !placed.logarithm.is_exact()) {
+        const std::size_t trials = placed.logarithm.parts.front().mean.n;
+        add_parts(stats::with_error(0, largest->cost_error, trials), 1, placed.logarithm);
+    }
+    return placed;
 }
 
 /// What a mean square error takes.
@@ -111,7 +124,9 @@ std::optional<Placed> to_error(const Contender& contender, double target) {
     if (last.mean_square > target) {
         if (!last.repeatable) return std::nullopt;
         const double repeats = last.mean_square / target;
-        return Placed{{last.cell, repeats, last.cost * repeats, 0}, last.error, last.trials};
+        Placed placed{{last.cell, repeats, last.cost * repeats, 0}, last.log_mean_square};
+        placed.logarithm.value = std::log(placed.entrant.value);
+        return placed;
     }
     for (std::size_t i = contender.size() - 1; i-- > 0;) {
         const Rung& above = contender[i];
@@ -120,12 +135,16 @@ std::optional<Placed> to_error(const Contender& contender, double target) {
         const double fall = std::log(above.mean_square / below.mean_square);
         const double way = std::log(above.mean_square / target) / fall;
         const double stretch = std::log(below.cost / above.cost);
-        return Placed{{way < 1 ? above.cell : below.cell, 1, above.cost * std::exp(way * stretch), 0},
-                      std::hypot((1 - way) * above.error, way * below.error) * stretch / fall,
-                      std::min(above.trials, below.trials)};
+        Placed placed{{way < 1 ? above.cell : below.cell, 1, above.cost * std::exp(way * stretch), 0}, {}};
+        placed.logarithm.value = std::log(placed.entrant.value);
+        add_parts(above.log_mean_square, (1 - way) * stretch / fall, placed.logarithm);
+        add_parts(below.log_mean_square, way * stretch / fall, placed.logarithm);
+        return placed;
     }
     const bool alone = contender.size() == 1 && last.mean_square == target;
-    return alone ? std::optional(Placed{{last.cell, 1, last.cost, 0}, last.error, last.trials}) : std::nullopt;
+    return alone
+               ? std::optional(Placed{{last.cell, 1, last.cost, 0}, {std::log(last.cost), last.log_mean_square.parts}})
+               : std::nullopt;
 }
 
 /// Of the contender with the most sizes, and one for all.
@@ -163,7 +182,7 @@ std::vector<double> squares_of(const Store& store, std::size_t cell, PairClass p
     return squares;
 }
 
-/// Covariance of the logarithms of both mean square errors where trials have the same random numbers, else 0.
+/// Correlation of both mean square errors where trials have the same random numbers, else 0.
 double shared_noise(const Store& store, std::size_t a, std::size_t b, PairClass pair_class) {
     const StudyPlan& plan = store.plan();
     const Cell& one = plan.cells[a];
@@ -174,9 +193,15 @@ double shared_noise(const Store& store, std::size_t a, std::size_t b, PairClass 
     const auto n = static_cast<double>(x.size());
     const double mean_x = std::accumulate(x.begin(), x.end(), 0.0) / n;
     const double mean_y = std::accumulate(y.begin(), y.end(), 0.0) / n;
-    double sum = 0;
-    for (std::size_t i = 0; i < std::min(x.size(), y.size()); ++i) sum += (x[i] - mean_x) * (y[i] - mean_y);
-    return mean_x > 0 && mean_y > 0 ? sum / (n * (n - 1) * mean_x * mean_y) : 0;
+    double products = 0;
+    double squares_x = 0;
+    double squares_y = 0;
+    for (std::size_t i = 0; i < x.size(); ++i) {
+        products += (x[i] - mean_x) * (y[i] - mean_y);
+        squares_x += (x[i] - mean_x) * (x[i] - mean_x);
+        squares_y += (y[i] - mean_y) * (y[i] - mean_y);
+    }
+    return squares_x > 0 && squares_y > 0 ? products / std::sqrt(squares_x * squares_y) : 0;
 }
 
 /// The contests of a scene and class at one thing equal, whose intervals hold together.
@@ -216,7 +241,7 @@ class Family {
             values.push_back(placed[a].entrant.value);
             for (std::size_t b = a + 1; b < n; ++b) {
                 const Handicap handicap = compare(contest, placed, a, b, level);
-                differ[a * n + b] = handicap.interval ? handicap.interval->low > 1 : handicap.ratio > 1 + 1e-9;
+                differ[a * n + b] = handicap.apart;
                 contest.handicaps.push_back(handicap);
             }
         }
@@ -229,15 +254,14 @@ class Family {
                                    std::size_t b, double level) const {
         const Placed& better = placed[a];
         const Placed& worse = placed[b];
-        Handicap handicap{a, b, worse.entrant.value / better.entrant.value, std::nullopt};
-        const double shared = contest.equal == Equal::error
-                                  ? 0
-                                  : shared_noise(*store_, better.entrant.cell, worse.entrant.cell, contest.pair_class);
-        const double variance = better.error * better.error + worse.error * worse.error - 2 * shared;
-        const std::size_t trials = std::min(better.trials, worse.trials);
-        if (trials == endless_trials) return handicap;
-        const LogRatio ratio{std::log(handicap.ratio), std::sqrt(std::max(0.0, variance)), trials};
-        handicap.interval = ratio_interval(ratio, 1 - (1 - level) / pairs_);
+        Handicap handicap{a, b, worse.entrant.value / better.entrant.value, std::nullopt, false};
+        const double shared = contest.equal == Equal::evaluations
+                                  ? shared_noise(*store_, better.entrant.cell, worse.entrant.cell, contest.pair_class)
+                                  : 0;
+        const auto interval = ratio_interval(better.logarithm, worse.logarithm, 1 - (1 - level) / pairs_, shared);
+        handicap.apart = interval ? interval->low > 1 : handicap.ratio > 1 + 1e-9;
+        if (!interval || !interval->is_finite() || interval->low == 0) return handicap;
+        handicap.interval = interval;
         handicap.interval->level = level;
         return handicap;
     }

@@ -34,7 +34,8 @@ struct Handicap {
     std::size_t better = 0;  ///< index into Contest::entrants; the worse one comes later there
     std::size_t worse = 0;
     double ratio = 1;                         ///< of their values, at least 1
-    std::optional<stats::Interval> interval;  ///< empty where neither varies
+    std::optional<stats::Interval> interval;  ///< empty where neither varies, and where an end would be infinite
+    bool apart = false;                       ///< shown to be above 1
 };
 
 /// All methods of a study on a class of pairs of a scene, at one budget. Intervals hold together for all pairs of

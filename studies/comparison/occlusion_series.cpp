@@ -86,7 +86,7 @@ class Errors {
     const std::vector<LadderSlopes>& slopes_;
 };
 
-/// Which method errs least, and whether every method of the other kind is shown to err more.
+/// Which method errs least, and whether every other method is shown to err more.
 /// @param alpha  this scene's share of the study's error rate
 void judge_hidden_pair(const StudyPlan& plan, double alpha, HiddenPair& scene) {
     for (std::size_t method = 0; method < scene.methods.size(); ++method) {
@@ -101,15 +101,20 @@ void judge_hidden_pair(const StudyPlan& plan, double alpha, HiddenPair& scene) {
         return plan.cells[scene.methods[method]->cell].deterministic;
     };
     const PairError& best = *scene.methods[*scene.least];
-    const auto errs_more = [&](const PairError& other) {
+    const auto log_of_best = log_rmse(best.error, is_deterministic(*scene.least));
+    const double others = std::max(1.0, static_cast<double>(scene.methods.size()) - 1);
+    const auto errs_more = [&](std::size_t method) {
+        const PairError& other = *scene.methods[method];
         if (best.size() < rounding_error) return other.size() >= rounding_error;
-        const auto ratio = rmse_log_ratio(best.error, other.error);
-        return ratio && p_of_equal(*ratio) < alpha;
+        if (other.error.status == VarianceStatus::infinite) return true;  // so that its RMSE is infinite
+        const auto log_of_other = log_rmse(other.error, is_deterministic(method));
+        if (!log_of_best || !log_of_other) return false;
+        const auto ratio = ratio_interval(*log_of_best, *log_of_other, 1 - alpha / others);
+        return ratio ? ratio->low > 1 : other.size() > best.size();
     };
     scene.decided = true;
     for (std::size_t method = 0; method < scene.methods.size(); ++method) {
-        if (!scene.methods[method] || is_deterministic(method) == is_deterministic(*scene.least)) continue;
-        scene.decided = scene.decided && errs_more(*scene.methods[method]);
+        if (method != *scene.least && scene.methods[method]) scene.decided = scene.decided && errs_more(method);
     }
 }
 

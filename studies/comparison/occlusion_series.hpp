@@ -27,8 +27,8 @@ struct HiddenPair {
     double exact = 0;
     std::vector<std::optional<PairError>> methods;  ///< by index into StudySpec::methods
     std::optional<std::size_t> least;               ///< method with the smallest error; empty where all are rounding
-    /// Whether the error of `least` is smaller than that of every method of the other kind (sampled, deterministic): at
-    /// the study's level over all scenes of all series together (Bonferroni).
+    /// Whether the error of `least` is shown to be smaller than that of every other method: at the study's level over
+    /// all scenes of all series, and over the methods, from which it is picked (Bonferroni).
     bool decided = false;
 };
 

@@ -5,14 +5,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 namespace ff::studies {
 namespace {
 
-bool are_apart(const Measured& a, const Measured& b, double alpha) {
-    return p_of_equal({b.value - a.value, std::hypot(a.standard_error, b.standard_error),
-                       std::min(a.trials, b.trials)}) < alpha;
+bool are_apart(const stats::Measured& a, const stats::Measured& b, double alpha) {
+    const auto interval = stats::difference_interval(a, b, 1 - alpha);
+    return interval ? !interval->contains(0) : a.value != b.value;
 }
 
 /// Level of the test of one pair of values, which share that of all pairs.
@@ -22,7 +23,7 @@ double alpha_of_pair(std::size_t values, double level) {
 }
 
 /// Groups of what has been measured, and the whole in their order, best first.
-void put_in_order(std::vector<Ranked>& ranked, const std::vector<Measured>& measured, double level) {
+void put_in_order(std::vector<Ranked>& ranked, const std::vector<stats::Measured>& measured, double level) {
     const auto groups = groups_apart(measured, level);
     std::vector<std::size_t> order(ranked.size());
     std::iota(order.begin(), order.end(), 0);
@@ -40,16 +41,9 @@ void put_in_order(std::vector<Ranked>& ranked, const std::vector<Measured>& meas
 }
 
 std::size_t fewest_trials(const ClassSlopes& found) {
-    std::size_t fewest = endless_trials;
+    std::size_t fewest = std::numeric_limits<std::size_t>::max();
     for (const ClassError& size : found.sizes) fewest = std::min(fewest, size.trials);
     return fewest;
-}
-
-Measured log_variance_of(const ClassError& error) {
-    const double critical =
-        stats::student_critical(static_cast<double>(error.trials - 1), (1 - error.variance_interval->level) / 2);
-    return {std::log(*error.variance), std::log(error.variance_interval->high / *error.variance) / critical,
-            error.trials};
 }
 
 }  // namespace
@@ -74,9 +68,9 @@ std::vector<std::size_t> groups_apart(std::span<const double> values,
     return groups;
 }
 
-std::vector<std::size_t> groups_apart(std::span<const Measured> values, double level) {
+std::vector<std::size_t> groups_apart(std::span<const stats::Measured> values, double level) {
     std::vector<double> sizes;
-    for (const Measured& measured : values) sizes.push_back(measured.value);
+    for (const stats::Measured& measured : values) sizes.push_back(measured.value);
     const double alpha = alpha_of_pair(values.size(), level);
     return groups_apart(sizes, [&](std::size_t a, std::size_t b) { return are_apart(values[a], values[b], alpha); });
 }
@@ -93,7 +87,7 @@ RankedSlopes rank_slopes(std::span<const LadderSlopes> ladders, std::size_t scen
     for_each([&](std::size_t, const ClassSlopes& found) {
         out.of_median |= found.rmse.variance == VarianceStatus::infinite && found.median.interval;
     });
-    std::vector<Measured> measured;
+    std::vector<stats::Measured> measured;
     for_each([&](std::size_t i, const ClassSlopes& found) {
         const Slope& slope = out.of_median ? found.median : found.rmse;
         if (!slope.slope || !slope.interval) return;
@@ -102,7 +96,8 @@ RankedSlopes rank_slopes(std::span<const LadderSlopes> ladders, std::size_t scen
         ranked.interval->low = *slope.slope - widening * (*slope.slope - slope.interval->low);
         ranked.interval->high = *slope.slope + widening * (slope.interval->high - *slope.slope);
         const double critical = stats::normal_critical((1 - slope.interval->level) / 2);
-        measured.push_back({*slope.slope, ranked.interval->width() / (2 * critical), fewest_trials(found)});
+        measured.push_back(
+            stats::with_error(*slope.slope, ranked.interval->width() / (2 * critical), fewest_trials(found)));
         out.slopes.push_back(ranked);
     });
     put_in_order(out.slopes, measured, level);
@@ -111,17 +106,30 @@ RankedSlopes rank_slopes(std::span<const LadderSlopes> ladders, std::size_t scen
 
 std::vector<Ranked> rank_errors(const Findings& findings, std::span<const std::size_t> cells, PairClass pair_class) {
     std::vector<Ranked> ranked;
-    std::vector<Measured> measured;
+    std::vector<stats::Measured> measured;
     for (const std::size_t cell : cells) {
         const ClassError* error = findings.cells[cell].class_error(pair_class);
         if (error == nullptr || findings.cells[cell].has_infinite_variance(pair_class)) continue;
         // Where nothing is left but rounding, trials would not show more.
         const bool certain = findings.plan.cells[cell].deterministic || error->rmse < rounding_error;
-        if (!certain && !error->interval) continue;
-        const double size = std::log(std::max(error->rmse, rounding_error));
-        const double spread = certain ? 0 : error->mean_square_se / (2 * error->rmse * error->rmse);
-        measured.push_back({size, spread, certain ? endless_trials : error->trials});
+        if (!certain && !error->mean_square) continue;
+        measured.push_back(certain ? stats::Measured{std::log(std::max(error->rmse, rounding_error)), {}}
+                                   : *log_rmse(*error));
         ranked.push_back({cell, error->rmse, certain ? std::nullopt : error->interval, 0, false});
+    }
+    put_in_order(ranked, measured, findings.plan.spec.level);
+    return ranked;
+}
+
+std::vector<Ranked> rank_efforts(const Findings& findings, std::span<const std::size_t> cells, PairClass pair_class) {
+    std::vector<Ranked> ranked;
+    std::vector<stats::Measured> measured;
+    for (const std::size_t cell : cells) {
+        const ClassError* error = findings.cells[cell].class_error(pair_class);
+        if (error == nullptr || !error->mean_square) continue;
+        const auto evaluations = static_cast<double>(error->evaluations);
+        measured.push_back(stats::logarithm_of(*error->mean_square, evaluations));
+        ranked.push_back({cell, error->rmse * error->rmse * evaluations, std::nullopt, 0, false});
     }
     put_in_order(ranked, measured, findings.plan.spec.level);
     return ranked;
@@ -130,10 +138,10 @@ std::vector<Ranked> rank_errors(const Findings& findings, std::span<const std::s
 std::vector<Ranked> rank_reductions(const Findings& findings, std::span<const VarianceReduction> reductions,
                                     std::size_t random_cell, PairClass pair_class) {
     std::vector<Ranked> ranked;
-    std::vector<Measured> measured;
+    std::vector<stats::Measured> measured;
     const auto add = [&](const Ranked& one) {
         ranked.push_back(one);
-        measured.push_back(log_variance_of(*findings.cells[one.index].class_error(pair_class)));
+        measured.push_back(log_variance(*findings.cells[one.index].class_error(pair_class)));
     };
     for (const VarianceReduction& reduction : reductions) {
         if (reduction.random_cell != random_cell || reduction.pair_class != pair_class) continue;

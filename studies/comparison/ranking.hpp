@@ -1,6 +1,7 @@
 #pragma once
 
 #include "stats/interval.hpp"
+#include "stats/measured.hpp"
 #include "studies/analysis/slopes.hpp"
 #include "studies/diagnostics/variance_reduction.hpp"
 
@@ -13,20 +14,11 @@
 
 namespace ff::studies {
 
-/// Stands for the trials of what does not vary: no number of them would tell more.
-inline constexpr std::size_t endless_trials = std::numeric_limits<std::size_t>::max();
-
-/// A number to be ranked.
-struct Measured {
-    double value = 0;  ///< the smaller, the better
-    double standard_error = 0;
-    std::size_t trials = 0;  ///< one less is the degrees of freedom
-};
-
 /// The group of each value, 0 for the best. A group begins with the best value that differs from the first of the
-/// previous group, and has all that do not differ from its own first. Values differ by Student's t at `level` over all
-/// pairs of them together (Bonferroni), which corrects for having picked the best of many.
-std::vector<std::size_t> groups_apart(std::span<const Measured> values, double level);
+/// previous group, and has all that do not differ from its own first. Values differ by the intervals of their
+/// differences at `level` over all pairs of them together (Bonferroni), which corrects for having picked the best of
+/// many.
+std::vector<std::size_t> groups_apart(std::span<const stats::Measured> values, double level);
 
 /// The same where `differ` says which of two values (by index) differ.
 std::vector<std::size_t> groups_apart(std::span<const double> values,
@@ -52,6 +44,9 @@ RankedSlopes rank_slopes(std::span<const LadderSlopes> ladders, std::size_t scen
 /// RMSEs of these cells on a class of pairs, smallest first. Cells without a variance, and sampled ones with few
 /// trials, are left out; errors at the level of rounding count as equal. Ranked::index is a cell.
 std::vector<Ranked> rank_errors(const Findings& findings, std::span<const std::size_t> cells, PairClass pair_class);
+
+/// RMSE² N of these cells, 1 / efficiency, the same way.
+std::vector<Ranked> rank_efforts(const Findings& findings, std::span<const std::size_t> cells, PairClass pair_class);
 
 /// Variances of all cells that are compared with this random one, smallest first, including the random one itself with
 /// a factor of 1. Ranked::index is a cell.

@@ -11,21 +11,25 @@
 namespace ff::studies {
 namespace {
 
-bool known_spread(const Findings& findings, std::size_t cell, const ClassError& error) {
-    return findings.plan.cells[findings.cells[cell].cell].deterministic || error.interval;
+std::optional<stats::Measured> log_rmse_of(const Findings& findings, std::size_t cell, const ClassError& error) {
+    return log_rmse(error, findings.plan.cells[findings.cells[cell].cell].deterministic);
 }
 
 void add_ratio(const Findings& findings, const ClassError& better, const ClassError& worse, std::size_t methods,
                Rivalry& rivalry) {
     if (better.rmse < rounding_error) return;
     rivalry.ratio = worse.rmse / better.rmse;
-    rivalry.doubtful =
-        !known_spread(findings, rivalry.better, better) || !known_spread(findings, *rivalry.worse, worse);
+    const auto first = log_rmse_of(findings, rivalry.better, better);
+    const auto second = log_rmse_of(findings, *rivalry.worse, worse);
+    rivalry.doubtful = !first || !second;
     if (rivalry.doubtful) return;
     const double level = findings.plan.spec.level;
     const auto pairs = static_cast<double>(methods * (methods - 1)) / 2;
-    rivalry.interval = rmse_ratio_interval(better, worse, 1 - (1 - level) / pairs);
-    if (rivalry.interval) rivalry.interval->level = level;
+    const auto interval = ratio_interval(*first, *second, 1 - (1 - level) / pairs);
+    rivalry.apart = interval ? interval->low > 1 : *rivalry.ratio > 1;
+    if (!interval || !interval->is_finite()) return;
+    rivalry.interval = interval;
+    rivalry.interval->level = level;
 }
 
 /// Cells of the last table that shows two methods for the same scene.
@@ -115,7 +119,7 @@ std::vector<std::size_t> compared_cells(const Findings& findings, std::size_t sc
 
 bool Rivalry::decided() const {
     if (!worse) return false;
-    return interval ? interval->low > 1 : !doubtful && (!ratio || *ratio > 1);
+    return !doubtful && (!ratio || apart);
 }
 
 std::vector<Rivalry> find_rivals(const Findings& findings, const std::vector<TableComparison>& published) {

@@ -93,7 +93,8 @@ std::vector<RmseRatio> ratios_of(const CellFindings& first, const CellFindings& 
         RmseRatio& found = ratios.emplace_back(RmseRatio{a.pair_class, a.rmse, b->rmse, {}, {}, {}, 1});
         if (a.rmse < rounding_error || b->rmse < rounding_error) continue;
         found.ratio = b->rmse / a.rmse;
-        if (basis == Basis::independent && a.interval && b->interval) found.logarithm = rmse_log_ratio(a, *b);
+        if (basis == Basis::independent && a.mean_square && b->mean_square)
+            found.logarithms = {*log_rmse(a), *log_rmse(*b)};
     }
     return ratios;
 }
@@ -104,8 +105,9 @@ void add_simultaneous_intervals(RunComparison& comparison) {
     const double level = 1 - stats::bonferroni_level(1 - comparison.level, comparison.tests);
     for (CellComparison& cell : comparison.cells) {
         for (RmseRatio& ratio : cell.ratios) {
-            if (ratio.logarithm && ratio.logarithm->trials >= stats::fewest_replicates)
-                ratio.interval = ratio_interval(*ratio.logarithm, level);
+            if (ratio.logarithms.empty()) continue;
+            const auto interval = ratio_interval(ratio.logarithms[0], ratio.logarithms[1], level);
+            if (interval->is_finite() && interval->low > 0) ratio.interval = interval;
         }
     }
 }
@@ -158,9 +160,9 @@ void test_pairs(const CellEstimates& a, const CellEstimates& b, const Findings& 
 /// All pairs of a class together see a small difference of all of them, which no pair shows by itself.
 void test_classes(std::size_t index, const CellComparison& cell, std::vector<Test>& tests) {
     for (std::size_t i = 0; i < cell.ratios.size(); ++i) {
-        if (const auto& logarithm = cell.ratios[i].logarithm;
-            logarithm && logarithm->trials >= stats::fewest_replicates)
-            tests.push_back({index, Tested::rmse, {}, p_of_equal(*logarithm), 0, i});
+        const auto& logarithms = cell.ratios[i].logarithms;
+        if (logarithms.empty()) continue;
+        tests.push_back({index, Tested::rmse, {}, stats::p_of_equal(logarithms[0], logarithms[1]), 0, i});
     }
 }
 

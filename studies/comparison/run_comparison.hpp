@@ -27,8 +27,8 @@ struct RmseRatio {
     double first = 0;
     double second = 0;
     std::optional<double> ratio;              ///< second / first; empty where one is rounding
-    std::optional<LogRatio> logarithm;        ///< of the ratio; independent runs only
-    std::optional<stats::Interval> interval;  ///< of the ratio; all intervals of a comparison hold together
+    std::vector<stats::Measured> logarithms;  ///< of both; empty unless the runs are independent and vary
+    std::optional<stats::Interval> interval;  ///< of the ratio, where it is finite; all of a comparison hold together
     double adjusted_p = 1;                    ///< of equal errors, Holm over all tests of the comparison
 };
 

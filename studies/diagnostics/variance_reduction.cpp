@@ -21,21 +21,7 @@ std::optional<std::size_t> counterpart(const StudyPlan& plan, const Cell& cell) 
     return static_cast<std::size_t>(found - plan.cells.begin());
 }
 
-double log_reach(const ClassError& errors) {
-    return std::log(errors.variance_interval->high / *errors.variance);
-}
-
 }  // namespace
-
-stats::Interval variance_ratio_interval(const ClassError& ours, const ClassError& theirs) {
-    const double factor = *theirs.variance / *ours.variance;
-    const double reach = std::exp(std::hypot(log_reach(ours), log_reach(theirs)));
-    return {.low = factor / reach,
-            .high = factor * reach,
-            .level = ours.variance_interval->level,
-            .method = "log_student_t",
-            .n = std::min(ours.trials, theirs.trials)};
-}
 
 std::vector<VarianceReduction> compare_with_random(const Findings& findings) {
     const StudyPlan& plan = findings.plan;
@@ -46,14 +32,16 @@ std::vector<VarianceReduction> compare_with_random(const Findings& findings) {
         for (const PairClass pair_class : {PairClass::parallel, PairClass::adjacent, PairClass::other}) {
             const ClassError* ours = findings.cells[i].class_error(pair_class);
             const ClassError* theirs = findings.cells[*random].class_error(pair_class);
-            if (ours == nullptr || theirs == nullptr || !ours->variance_interval || !theirs->variance_interval)
+            if (ours == nullptr || theirs == nullptr || !ours->squared_deviation || !theirs->squared_deviation)
                 continue;
+            const auto interval = ratio_interval(log_variance(*ours), log_variance(*theirs), plan.spec.level);
+            if (!interval->is_finite() || interval->low == 0) continue;
             VarianceReduction& found = reductions.emplace_back();
             found.cell = i;
             found.random_cell = *random;
             found.pair_class = pair_class;
             found.factor = *theirs->variance / *ours->variance;
-            found.interval = variance_ratio_interval(*ours, *theirs);
+            found.interval = *interval;
         }
     }
     return reductions;

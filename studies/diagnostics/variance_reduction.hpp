@@ -3,7 +3,6 @@
 #include "core/visibility/pair_class.hpp"
 #include "stats/interval.hpp"
 #include "studies/analysis/analysis.hpp"
-#include "studies/analysis/class_error.hpp"
 
 #include <cstddef>
 #include <vector>
@@ -19,10 +18,6 @@ struct VarianceReduction {
     double factor = 1;
     stats::Interval interval;
 };
-
-/// Interval of theirs.variance / ours.variance: Student's t for the logarithm, from both cells' spread over trials.
-/// @pre both have a variance, with intervals of the same level
-stats::Interval variance_ratio_interval(const ClassError& ours, const ClassError& theirs);
 
 /// One for each cell and class that has a variance with an interval, and a random counterpart, in the order of cells.
 /// Pure.

@@ -52,11 +52,12 @@ void compare_means(const Gate& gate, const GatePlan& plan, const Effect& effect,
         return judge_into(row);
     }
     const Cell& cell = plan.study.cells[effect.cells.front()];
-    const double part = gate.kind == GateKind::bias
-                            ? largest_part(plan.study.spec.methods[cell.method], plan.study.scenes[cell.scene],
-                                           cell.subdivision, effect.quantity, estimates.evaluations_per_face)
-                            : stats::unknown_parts;
-    row.measurement = measure_mean(values, reference, row.band, plan.levels, part);
+    const auto limits =
+        gate.kind == GateKind::bias
+            ? known_limits(plan.study.spec.methods[cell.method], plan.study.scenes[cell.scene], cell.subdivision,
+                           effect.quantity, estimates.evaluations_per_face, estimates.trials())
+            : stats::KnownLimits{};
+    row.measurement = measure_mean(values, reference, row.band, plan.levels, limits);
     judge_into(row);
     if (!row.measurement) row.note = "every trial gave the same value";
     const auto lattice = gate.kind == GateKind::bias ? estimates.lattice(effect.quantity) : std::nullopt;

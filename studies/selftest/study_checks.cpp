@@ -19,7 +19,7 @@ constexpr double study_alpha = 0.05;
 
 /// Whether the interval of a pair's bias leaves 0 out.
 bool seems_biased(const std::vector<double>& trials, double truth, double largest_part) {
-    const auto mean = stats::mean_evidence(trials, truth, largest_part);
+    const auto mean = stats::mean_evidence(trials, truth, {.largest_part = largest_part, .unmet = {}});
     return mean && !stats::interval_of(*mean, 1 - stats::sidak_level(study_alpha, means)).contains(0);
 }
 
@@ -78,7 +78,7 @@ RateTable measure_false_findings(const Repetitions& repetitions, std::uint64_t t
             add(hits_law(probability), trials, RateClaim::at_most, 1.0 / 64, "biased, bounds known");
     }
     for (const std::size_t trials : {10u, 50u, 200u})
-        add(log_normal_law(0.7), trials, RateClaim::none, stats::not_skewed, "Student");
+        add(log_normal_law(0.7), trials, RateClaim::none, stats::no_part, "Student");
     for (const Law& law : {jumping_law(10, 33), pareto_law(1.5), jumping_law(1000, 1000)}) {
         for (const std::size_t trials : {30u, 100u, 400u})
             add(law, trials, RateClaim::none, stats::unknown_parts, "biased");
@@ -96,7 +96,7 @@ RateTable measure_power_of_studies(const Repetitions& repetitions, std::uint64_t
     for (const std::size_t trials : {20u, 30u, 50u, 100u, 400u}) {
         for (const double errors : {1.0, 2.0, 5.0, 8.0}) {
             const double bias = errors / std::sqrt(static_cast<double>(trials));
-            for (const double part : {stats::unknown_parts, stats::not_skewed}) {
+            for (const double part : {stats::unknown_parts, stats::no_part}) {
                 const bool ours = part == stats::unknown_parts;
                 const bool promised = ours && errors == 8 && trials >= 30;
                 bench.add(

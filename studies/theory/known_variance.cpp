@@ -70,15 +70,22 @@ const Surface* only_surface(const Scene& scene, int face) {
 
 }  // namespace
 
-double largest_part(const Method& method, const Scene& scene, Subdivision subdivision, Quantity quantity,
-                    std::uint64_t evaluations) {
-    const EstimatorInfo& info = estimator_info(method);
-    const bool whole = quantity.kind == QuantityKind::form_factor && only_surface(scene, quantity.from - 1) &&
-                       only_surface(scene, quantity.to - 1);
+stats::KnownLimits known_limits(const Method& method, const Scene& scene, Subdivision subdivision, Quantity quantity,
+                                std::uint64_t evaluations, std::size_t trials) {
+    stats::KnownLimits limits;
+    if (quantity.kind != QuantityKind::form_factor || evaluations == 0) return limits;
+    const EstimatorEntry& estimator = find_estimator(method.estimator);
+    const EstimatorInfo& info = estimator.info;
+    const int from = quantity.from - 1;
+    const int to = quantity.to - 1;
     // Where points serve pairs of patches, a factor is a sum over the patches of the target.
-    if (!whole || evaluations == 0 || (info.points == PointsServe::pairs && subdivision.m != 1))
-        return std::numeric_limits<double>::infinity();
-    return info.largest_value / independent_parts(method, evaluations);
+    const bool is_sum = info.points == PointsServe::pairs && subdivision.m != 1;
+    if (only_surface(scene, from) && only_surface(scene, to) && !is_sum)
+        limits.largest_part = info.largest_value / independent_parts(method, evaluations);
+    const double terms = is_sum ? static_cast<double>(subdivision.per_part()) : 1;
+    limits.unmet = {.largest_jump = terms * estimator.largest_jump(estimator_options(method), scene, from, to),
+                    .evaluations = static_cast<double>(evaluations) * static_cast<double>(trials)};
+    return limits;
 }
 
 bool has_independent_hits(const Method& method, Quantity quantity) {

@@ -126,7 +126,7 @@ std::optional<Measurement> measurement_of(const Gate& gate, const ExaminedSeries
     }
     if (gate.kind == GateKind::bias)
         return measure_mean(values, {.value = *gate.reference, .standard_error = gate.reference_se.value_or(0)},
-                            gate.band, examined.levels, stats::unknown_parts, examined.independence.correlation);
+                            gate.band, examined.levels, {}, examined.independence.correlation);
     if (gate.kind == GateKind::distribution) {
         if (examined.independence.correlation) return std::nullopt;
         if (!examined.other) return measure_distribution(values, *gate.law, examined.levels);

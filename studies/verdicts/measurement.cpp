@@ -64,9 +64,9 @@ double detectable_mean(const Band& band, const stats::MeanEvidence& mean, double
 }  // namespace
 
 std::optional<Measurement> measure_mean(std::span<const double> values, const MeanReference& reference,
-                                        const Band& band, const Levels& levels, double largest_part,
+                                        const Band& band, const Levels& levels, const stats::KnownLimits& limits,
                                         const std::optional<stats::Autocorrelation>& correlation) {
-    const auto own = stats::mean_evidence(values, reference.value, largest_part, correlation);
+    const auto own = stats::mean_evidence(values, reference.value, limits, correlation);
     if (!own) return std::nullopt;
     const auto mean = stats::with_uncertain_reference(*own, reference.standard_error, reference.freedom);
     Measurement measurement =

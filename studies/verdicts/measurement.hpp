@@ -24,11 +24,10 @@ struct MeanReference {
 };
 
 /// Mean minus reference by the rule for means (stats/mean_test.hpp).
-/// @param largest_part  of the values, which limits their skewness
-/// @param correlation   of the values in order; by default that of independent ones
+/// @param limits       of the values
+/// @param correlation  of the values in order; by default that of independent ones
 std::optional<Measurement> measure_mean(std::span<const double> values, const MeanReference& reference,
-                                        const Band& band, const Levels& levels,
-                                        double largest_part = stats::unknown_parts,
+                                        const Band& band, const Levels& levels, const stats::KnownLimits& limits = {},
                                         const std::optional<stats::Autocorrelation>& correlation = {});
 
 /// Root of a mean square (standard deviation or RMSE) over a known one, > 0.

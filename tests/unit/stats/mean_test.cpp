@@ -126,10 +126,33 @@ TEST(MeanTest, HasNoLimitsForVeryFewValues) {
 TEST(MeanTest, KnowsThatMeansOfManySmallPartsAreHardlySkewed) {
     const auto values = exponential_quantiles(8);
     const auto unknown = mean_evidence(values, 0);
-    const auto known = mean_evidence(values, 0, 1e-4);
+    const auto known = mean_evidence(values, 0, {.largest_part = 1e-4, .unmet = {}});
     EXPECT_TRUE(std::isinf(interval_of(*unknown, 0.999).high));
     const double t = student_critical(7, 0.0005);
     EXPECT_NEAR(interval_of(*known, 0.999).high, known->difference + t * known->standard_error, 1e-2);
+}
+
+// A jump of 2 that none of 1000 evaluations has met: (1 - p)^1000 = 0.025, python: 2 * (1 - 0.025 ** 1e-3).
+TEST(MeanTest, AllowsForJumpsThatNoEvaluationHasMet) {
+    constexpr double missed = 0.00736416779373128;
+    const auto seen = mean_evidence(eight_values, 3, not_skewed);
+    const auto jumping =
+        mean_evidence(eight_values, 3, {.largest_part = no_part, .unmet = {.largest_jump = 2, .evaluations = 1000}});
+    EXPECT_NEAR(interval_of(*jumping, 0.95).low, interval_of(*seen, 0.95).low - missed, 1e-12);
+    EXPECT_NEAR(interval_of(*jumping, 0.95).high, interval_of(*seen, 0.95).high + missed, 1e-12);
+    EXPECT_GT(test_mean(*jumping).p, test_mean(*seen).p);
+    EXPECT_EQ(test_mean(*jumping).student_p, test_mean(*seen).student_p);
+}
+
+// Trials that agree to nine digits are far from the reference, and none has met what one in 500 evaluations may meet.
+TEST(MeanTest, CallsNothingDifferentForWhatRareEvaluationsMayHold) {
+    std::vector<double> values;
+    for (int i = 0; i < 30; ++i) values.push_back(0.5 + 1e-9 * (i % 7));
+    const auto judged = [&](double evaluations) {
+        return test_mean(*mean_evidence(values, 0.501, {.unmet = {.largest_jump = 1, .evaluations = evaluations}})).p;
+    };
+    EXPECT_NEAR(judged(300), 1, 1e-9);
+    EXPECT_LT(judged(30'000), 1e-6);
 }
 
 // Python: va, vb = variance(a) / 4, variance(b) / 5 (statistics); t = (mean(b) - mean(a)) / sqrt(va + vb);

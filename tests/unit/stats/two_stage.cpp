@@ -116,7 +116,7 @@ TEST(TwoStage, AsksForMoreTrialsWhereThePilotMayBeSkewed) {
     const auto values = test::normal_sample(40, engine);
     const Pilot normal = *pilot_of(values, 40);
     const Pilot skewed = *skewed_pilot_of(values, 40, unknown_parts);
-    EXPECT_EQ(skewed_pilot_of(values, 40, not_skewed)->skewness.most, 0);
+    EXPECT_EQ(skewed_pilot_of(values, 40, no_part)->skewness.most, 0);
     const auto trials = trials_for_half_width(skewed, 0.2, two_stage_level);
     EXPECT_GT(trials, trials_for_half_width(normal, 0.2, two_stage_level));
     EXPECT_LE(half_width_of(skewed, trials, two_stage_level), 0.2);

@@ -153,7 +153,7 @@ RC_GTEST_PROP(WholeRange, SeriesThatSpreadHaveReachAndCorrelation, ()) {
     RC_ASSERT(correlation.time >= 1 && correlation.freedom > 0);
     if (const auto test = test_serial_correlation(values)) expect_p(test->p);
     for (const auto& mean :
-         {mean_evidence(values, values.front()), mean_evidence(values, values.front(), unknown_parts, correlation)}) {
+         {mean_evidence(values, values.front()), mean_evidence(values, values.front(), {}, correlation)}) {
         if (!mean) continue;
         expect_p(test_mean(*mean).p);
         const Interval interval = interval_of(*mean, *levels());

@@ -218,12 +218,12 @@ TEST(FewTrials, GiveEstimatesWithoutVerdicts) {
         EXPECT_FALSE(cell.summary({pair, 1, 2}).minimum_detectable_bias);
         for (const ClassError& error : cell.class_errors) {
             EXPECT_GT(error.rmse, 0);
-            EXPECT_FALSE(error.interval || error.variance_interval || error.efficiency_interval);
+            EXPECT_FALSE(error.mean_square || error.squared_deviation || error.interval || error.variance_interval);
         }
     }
     const Findings enough = analyse(normal_trials(plan_of(study_text("trials = 5", many_rays())), 1, 0));
     EXPECT_TRUE(enough.plan.warnings.empty());
-    EXPECT_TRUE(enough.cells.at(0).class_errors.front().interval);
+    EXPECT_TRUE(enough.cells.at(0).class_errors.front().mean_square);
 }
 
 TEST(Bias, IsNotCalledDetectableWhereItIsImpossible) {

@@ -51,24 +51,25 @@ TEST_F(ClassErrors, AreRootMeanSquaresOverTrialsAndPairs) {
 TEST_F(ClassErrors, HaveTheIntervalOfTheMeanOverTrials) {
     const auto error = of({1e-3, 2e-3, 3e-3, 4e-3, 5e-3}, PairClass::adjacent, VarianceStatus::finite, 0.5);
     ASSERT_TRUE(error && error->interval);
-    // Student t of the squares 1, 4, 9, 16, 25: qt(0.75, 4) * sd / sqrt(5) in R's words.
-    const double reach = 0.7406970841 * std::sqrt(93.5 / 5);
-    EXPECT_NEAR(error->interval->low, 1e-3 * std::sqrt(11 - reach), 1e-9);
-    EXPECT_NEAR(error->interval->high, 1e-3 * std::sqrt(11 + reach), 1e-9);
+    const auto squares = stats::mean_interval(std::array{1e-6, 4e-6, 9e-6, 16e-6, 25e-6}, 0, 0.5);
+    EXPECT_NEAR(error->interval->low, std::sqrt(squares->low), 1e-9);
+    EXPECT_NEAR(error->interval->high, std::sqrt(squares->high), 1e-9);
     ASSERT_TRUE(error->efficiency_interval);
     EXPECT_NEAR(error->efficiency_interval->low * error->interval->high * error->interval->high, 0.01, 1e-9);
 }
 
 TEST_F(ClassErrors, HaveBiasAndVarianceOfTheTrials) {
     const auto error = of({1e-3, 2e-3, 3e-3, 4e-3, 5e-3}, PairClass::adjacent);
-    ASSERT_TRUE(error && error->bias_interval && error->variance_interval);
+    ASSERT_TRUE(error && error->bias_interval && error->squared_deviation);
     EXPECT_NEAR(error->bias, 3e-3, 1e-12);
     EXPECT_NEAR(error->median_abs_error, 3e-3, 1e-12);
     EXPECT_NEAR(*error->variance, 2.5e-6, 1e-12);
     const double t = 2.7764451051977987;                                          // qt(0.975, 4)
     EXPECT_GT(error->bias_interval->width() / 2, 1e-3 * t * std::sqrt(2.5 / 5));  // five values may be skewed
     // Squared deviations 4, 1, 0, 1, 4 (times 1e-6): mean 2, standard error sqrt(14 / 4 / 5).
-    EXPECT_NEAR(std::log(error->variance_interval->high / *error->variance), t * std::sqrt(14.0 / 4 / 5) / 2, 1e-9);
+    EXPECT_NEAR(error->squared_deviation->difference, 2e-6, 1e-12);
+    EXPECT_NEAR(error->squared_deviation->standard_error, 1e-6 * std::sqrt(14.0 / 4 / 5), 1e-12);
+    EXPECT_FALSE(error->variance_interval);  // its lower end would be 0
 }
 
 TEST_F(ClassErrors, OfFewHitsHaveASpreadAndNoTest) {

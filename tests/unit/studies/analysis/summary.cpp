@@ -24,7 +24,7 @@ SummaryRequest request() {
     request.quantity = {QuantityKind::form_factor, 1, 2};
     request.reference = 0.2;
     request.evaluations_per_face = 1000;
-    request.largest_part = stats::not_skewed;
+    request.limits = stats::not_skewed;
     request.key = derive_key(Seed{1}, "summary");
     return request;
 }

@@ -12,14 +12,17 @@ namespace {
 
 using testing::ElementsAre;
 
+stats::Measured number(double value, double error) {
+    return stats::with_error(value, error, 100);
+}
+
 TEST(GroupsApart, BeginWhereAValueDiffersFromTheFirstOfTheLastGroup) {
-    const std::array<Measured, 5> values{
-        {{5, 0.1, 100}, {1, 0.1, 100}, {1.1, 0.1, 100}, {5.1, 0.1, 100}, {9, 0.1, 100}}};
+    const std::array values{number(5, 0.1), number(1, 0.1), number(1.1, 0.1), number(5.1, 0.1), number(9, 0.1)};
     EXPECT_THAT(groups_apart(values, 0.95), ElementsAre(1, 0, 0, 1, 2));
 }
 
 TEST(GroupsApart, HoldOnlyEqualValuesWhereNothingVaries) {
-    const std::array<Measured, 3> values{{{2, 0, 1}, {1, 0, 1}, {1, 0, 1}}};
+    const std::array<stats::Measured, 3> values{{{2, {}}, {1, {}}, {1, {}}}};
     EXPECT_THAT(groups_apart(values, 0.95), ElementsAre(1, 0, 0));
 }
 
@@ -34,8 +37,8 @@ TEST(GroupsApart, AreASingleGroupForIndistinguishableValues) {
     std::normal_distribution<double> normal;
     int apart = 0;
     for (int repetition = 0; repetition < 400; ++repetition) {
-        std::array<Measured, 14> values;
-        for (Measured& value : values) value = {normal(random), 1, 10000};
+        std::array<stats::Measured, 14> values;
+        for (stats::Measured& value : values) value = stats::with_error(normal(random), 1, 10000);
         const auto groups = groups_apart(values, 0.95);
         apart += *std::max_element(groups.begin(), groups.end()) > 0 ? 1 : 0;
     }

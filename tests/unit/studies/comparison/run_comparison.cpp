@@ -113,7 +113,7 @@ TEST(RunComparison, TestsNothingWithoutVariance) {
     const CellComparison& cell = comparison.cells.front();
     EXPECT_EQ(cell.untestable, 24u);  // of 30, the adjacent ones
     for (const RmseRatio& ratio : cell.ratios)
-        EXPECT_EQ(ratio.interval.has_value(), ratio.pair_class == PairClass::parallel);
+        EXPECT_EQ(ratio.logarithms.size(), ratio.pair_class == PairClass::parallel ? 2u : 0u);
 }
 
 constexpr const char* better = R"([[method]]
