@@ -20,7 +20,7 @@ struct MethodStyle {
 
 /// One for each method, in the order of the study. With more than seven, colours go to the ones that a publication
 /// compares, the random reference, the three best-ranked and the user's own, as long as there are colours.
-std::vector<MethodStyle> method_styles(const studies::StudyResults& results, const MethodChoice& methods = {});
+std::vector<MethodStyle> method_styles(const studies::StudyResults& results, const MethodChoice& choice = {});
 
 /// The scales "color" and "shape" of a picture, for Picture::values.
 nlohmann::ordered_json style_scales(const std::vector<MethodStyle>& styles);

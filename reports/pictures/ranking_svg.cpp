@@ -50,7 +50,9 @@ class Axis {
             const double rough = (high_ - low_) / 5;
             const double power = std::pow(10, std::floor(std::log10(rough)));
             const double between = power * (rough / power < 1.5 ? 1 : rough / power < 3.5 ? 2 : 5);
-            for (double i = std::ceil(low_ / between); i * between <= high_; ++i) ticks.push_back(i * between);
+            const double first = std::ceil(low_ / between);
+            const double last = std::floor(high_ / between);
+            for (int i = 0; i <= last - first; ++i) ticks.push_back((first + i) * between);
         }
         std::erase_if(ticks, [&](double tick) { return scaled(tick) < low_ || scaled(tick) > high_; });
         return ticks;
@@ -90,12 +92,12 @@ std::string row_svg(const Row& row, const Axis& axis, double y, const std::strin
     std::string out;
     if (row.has("expected")) {
         const double x = axis.at(row.number("expected"));
-        out += line(x, x, y - 7, y + 7, "stroke=\"#595959\" stroke-width=\"1.5\"");
+        out += line(x, x, y - 7, y + 7, R"(stroke="#595959" stroke-width="1.5")");
     }
-    if (!row.has("value")) return out + text(axis_left + 4, y + 4, " fill=\"#595959\"", "exact to rounding");
+    if (!row.has("value")) return out + text(axis_left + 4, y + 4, R"( fill="#595959")", "exact to rounding");
     if (row.has("low")) {
         out += line(axis.at(row.number("low")), axis.at(row.number("high")), y, y,
-                    fmt::format("stroke=\"{}\" stroke-width=\"2\"", colour));
+                    fmt::format(R"(stroke="{}" stroke-width="2")", colour));
     }
     out += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"4\" fill=\"{}\"/>\n", axis.at(row.number("value")), y,
                        colour);

@@ -35,6 +35,6 @@ struct Decision {
 std::vector<Decision> decide(const StudyPlan& plan, std::span<const Contest> contests, Equal equal);
 
 /// Whether something may stand between two faces of a class, among pairs with an exact value.
-bool may_be_occluded(const Scene& scene, PairClass pair_class);
+bool may_be_occluded(const Scene& scene, PairClass wanted);
 
 }  // namespace ff::studies

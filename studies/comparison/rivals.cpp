@@ -112,7 +112,7 @@ bool may_be_luck(const StudyPlan& plan, const Cell& cell) {
 
 std::vector<std::size_t> compared_cells(const Findings& findings, std::size_t scene,
                                         const std::vector<TableComparison>& published) {
-    const auto printed = published_rivals(findings, published);
+    auto printed = published_rivals(findings, published);
     if (!printed.empty() && findings.plan.cells[printed.front()].scene == scene) return printed;
     return comparable_cells(findings, scene);
 }

@@ -47,8 +47,8 @@ bool holds_place(const Surface& near, const Vector3d& place) {
 }
 
 /// Whether no line from a plate to a polygon meets another plate.
-bool is_clear_of(const Surface& plate, const ConvexPolygon& to, const Surface& other) {
-    return Shaft(corners(plate.shape), to).crossed_by(corners(other.shape)) == Shaft::Crossing::none;
+bool is_clear_of(const Surface& surface, const ConvexPolygon& to, const Surface& blocker) {
+    return Shaft(corners(surface.shape), to).crossed_by(corners(blocker.shape)) == Shaft::Crossing::none;
 }
 
 /// Whether every line from the far surface through an obstacle meets the near one.
