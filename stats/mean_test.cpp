@@ -40,6 +40,14 @@ MeanEvidence mean_of(std::span<const double> values, double reference) {
     return {.difference = values.front() - reference, .freedom = 1, .skewness = {}, .method = {}, .n = values.size()};
 }
 
+/// How far a mean may be off on one side, except with probability `tail`.
+double reach_of(const MeanEvidence& mean, int side, double tail) {
+    if (mean.unmet.largest_jump > 0) tail /= 2;
+    const double t = student_critical(mean.freedom, tail);
+    return mean.standard_error * gate::skewed_reach(mean.skewness, side, t, normal_critical(tail)) +
+           mean.unmet.reach(tail);
+}
+
 }  // namespace
 
 double Unmet::reach(double tail) const {
@@ -68,12 +76,14 @@ std::optional<MeanEvidence> mean_evidence(std::span<const double> values, double
     return mean;
 }
 
-MeanEvidence mean_evidence_after(const Pilot& pilot, std::span<const double> values, double reference) {
+MeanEvidence mean_evidence_after(const Pilot& pilot, std::span<const double> values, double reference,
+                                 const Unmet& unmet) {
     const auto n = static_cast<double>(values.size());
     return {.difference = *moments_of(values, reference).bias(),
             .standard_error = pilot.standard_deviation / std::sqrt(n),
             .freedom = pilot.freedom(),
             .skewness = pilot.skewness_at(values.size()),
+            .unmet = unmet,
             .method = "stein_two_stage",
             .n = values.size()};
 }
@@ -93,11 +103,8 @@ MeanEvidence with_uncertain_reference(const MeanEvidence& mean, double standard_
 
 Interval interval_of(const MeanEvidence& mean, double level) {
     const double tail = (1 - level) / 2;
-    const double t = student_critical(mean.freedom, tail);
-    const double z = normal_critical(tail);
-    const double unmet = mean.unmet.reach(tail);
-    return {.low = mean.difference - mean.standard_error * gate::skewed_reach(mean.skewness, -1, t, z) - unmet,
-            .high = mean.difference + mean.standard_error * gate::skewed_reach(mean.skewness, 1, t, z) + unmet,
+    return {.low = mean.difference - reach_of(mean, -1, tail),
+            .high = mean.difference + reach_of(mean, 1, tail),
             .level = level,
             .method = mean.method,
             .n = mean.n};
@@ -118,13 +125,8 @@ MeanTest test_mean(const MeanEvidence& mean) {
     if (mean.skewness.most == 0 && mean.unmet.largest_jump == 0) return {test.student_p, test.student_p};
     const int side = mean.difference > 0 ? -1 : 1;
     // The smallest tail is that of Student's t.
-    test.p = two_sided_p(
-        [&](double tail) {
-            const double t = student_critical(mean.freedom, tail);
-            const double reach = skewed_reach(mean.skewness, side, t, normal_critical(tail));
-            return std::abs(mean.difference) > reach * mean.standard_error + mean.unmet.reach(tail);
-        },
-        test.student_p);
+    test.p = two_sided_p([&](double tail) { return std::abs(mean.difference) > reach_of(mean, side, tail); },
+                         test.student_p);
     return test;
 }
 

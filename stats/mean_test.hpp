@@ -46,7 +46,7 @@ struct MeanEvidence {
     double standard_error = 0;
     double freedom = 0;  ///< degrees of freedom of the standard error
     gate::MeanSkewness skewness;
-    Unmet unmet = {};         ///< adds to what the standard error says
+    Unmet unmet = {};         ///< adds to what the standard error says; each of both then has half of a tail
     std::string_view method;  ///< of intervals: "skewed_t", "skewed_welch_t" or "stein_two_stage"
     std::size_t n = 0;        ///< values behind it
 
@@ -63,7 +63,8 @@ std::optional<MeanEvidence> mean_evidence(std::span<const double> values, double
                                           const std::optional<Autocorrelation>& correlation = {});
 
 /// A mean of values whose number was fixed by a pilot, the first of them.
-MeanEvidence mean_evidence_after(const Pilot& pilot, std::span<const double> values, double reference);
+MeanEvidence mean_evidence_after(const Pilot& pilot, std::span<const double> values, double reference,
+                                 const Unmet& unmet = {});
 
 /// Welch's difference of two means, whose variances may differ, and one of which may be 0. @see [welch1947]
 /// @return empty below three values in a sample, and where neither varies

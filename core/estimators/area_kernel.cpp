@@ -326,7 +326,7 @@ bool AreaKernel::finite_variance(const EstimatorOptions& options, const Scene& s
 }
 
 double AreaKernel::largest_jump(const EstimatorOptions& /*options*/, const Scene& scene, int from, int to) {
-    return may_be_occluded(scene, from, to) || are_partly_behind(scene, from, to) ? largest_kernel(scene, from, to) : 0;
+    return may_be_seen_in_part(scene, from, to) ? largest_kernel(scene, from, to) : 0;
 }
 
 void AreaKernel::observe(const EstimatorTask& task, Outcome& outcome, PatchTotals& totals) const {

@@ -65,7 +65,7 @@ bool ControlVariate::finite_variance(const EstimatorOptions& /*options*/, const 
 }
 
 double ControlVariate::largest_jump(const EstimatorOptions& /*options*/, const Scene& scene, int from, int to) {
-    return may_be_occluded(scene, from, to) || are_partly_behind(scene, from, to) ? largest_kernel(scene, from, to) : 0;
+    return may_be_occluded(scene, from, to) ? largest_kernel(scene, from, to) : 0;
 }
 
 void ControlVariate::observe(const EstimatorTask& task, Outcome& outcome, PatchTotals& /*totals*/) const {

@@ -167,9 +167,9 @@ struct EstimatorEntry {
     /// Whether random points have a variance between two faces, from 0.
     bool (*finite_variance)(const EstimatorOptions& options, const Scene& scene, int from, int to);
 
-    /// By how much an evaluation between two faces, from 0, may differ from those at places beside its own: where a
-    /// blocker begins, or a ray just misses. 0 where it cannot, and for hits, which are counted; infinite where no
-    /// bound is known.
+    /// How large the values of evaluations between two faces, from 0, may be at places that many evaluations miss:
+    /// where a blocker begins, a ray just misses, or little of one face is in front of the other. 0 where there are no
+    /// such places or, for added estimators, where nothing is known of them; infinite where no bound is known.
     double (*largest_jump)(const EstimatorOptions& options, const Scene& scene, int from, int to);
 
     std::function<std::unique_ptr<Estimator>(const Scene& scene, TracerChoice tracer)> make;

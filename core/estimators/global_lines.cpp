@@ -133,7 +133,11 @@ std::optional<Integrand> GlobalLines::integrand(const EstimatorOptions& /*option
 }
 
 double GlobalLines::largest_jump(const EstimatorOptions& /*options*/, const Scene& scene, int from, int /*to*/) {
-    return GlobalLines(scene, TracerChoice::automatic).area_ / face_area(scene, from);
+    double crossings = 0;  // of one line with the face, at most
+    for (const Surface& surface : scene.surfaces) {
+        if (surface.face == from) crossings += is_flat(surface.shape) ? 1 : 2;
+    }
+    return crossings * GlobalLines(scene, TracerChoice::automatic).area_ / (2 * face_area(scene, from));
 }
 
 void GlobalLines::observe(const EstimatorTask& task, Outcome& outcome, PatchTotals& /*totals*/) const {

@@ -52,7 +52,8 @@ class GlobalLines {
 
     static double nanoseconds(const EstimatorOptions& options, const Scene& scene);
     static std::optional<Integrand> integrand(const EstimatorOptions& options, PairClass pair_class, Hiding hiding);
-    /// A line is one of those that cross the face: at least as large a share of all as its area is of the box's.
+    /// A line's crossings count by the expected number of all: twice the face's area over that of the box for each
+    /// line.
     static double largest_jump(const EstimatorOptions& options, const Scene& scene, int from, int to);
 
     GlobalLines(const Scene& scene, TracerChoice tracer);

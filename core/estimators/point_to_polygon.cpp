@@ -3,6 +3,7 @@
 #include "core/estimators/source_points.hpp"
 #include "core/formulas/polygon_factor.hpp"
 #include "core/visibility/facing.hpp"
+#include "core/visibility/occlusion.hpp"
 
 #include <fmt/format.h>
 #include <Eigen/Geometry>
@@ -115,6 +116,10 @@ double PointToPolygon::nanoseconds(const EstimatorOptions& /*options*/, const Sc
 std::optional<Integrand> PointToPolygon::integrand(const EstimatorOptions& /*options*/, PairClass pair_class,
                                                    Hiding /*hiding*/) {
     return pair_class == PairClass::adjacent ? Integrand::rough : Integrand::smooth;
+}
+
+double PointToPolygon::largest_jump(const EstimatorOptions& /*options*/, const Scene& scene, int from, int to) {
+    return may_be_seen_in_part(scene, from, to) ? info.largest_value : 0;
 }
 
 void PointToPolygon::observe(const EstimatorTask& task, Outcome& outcome, PatchTotals& /*totals*/) const {

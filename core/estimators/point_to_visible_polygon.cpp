@@ -49,6 +49,10 @@ std::optional<Integrand> PointToVisiblePolygon::integrand(const EstimatorOptions
     return kinks ? Integrand::rough : Integrand::smooth;
 }
 
+double PointToVisiblePolygon::largest_jump(const EstimatorOptions& /*options*/, const Scene& scene, int from, int to) {
+    return may_be_seen_in_part(scene, from, to) ? info.largest_value : 0;
+}
+
 void PointToVisiblePolygon::observe(const EstimatorTask& task, Outcome& outcome, PatchTotals& /*totals*/) const {
     std::vector<SurfaceMap> maps;
     for (const Surface& surface : scene_->surfaces) maps.emplace_back(surface);

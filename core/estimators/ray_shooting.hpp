@@ -45,6 +45,9 @@ class RayShooting {
     static std::string refusal(const EstimatorOptions& options, const Scene& scene);
     static double nanoseconds(const EstimatorOptions& options, const Scene& scene);
     static std::optional<Integrand> integrand(const EstimatorOptions& options, PairClass pair_class, Hiding hiding);
+    static double largest_jump(const EstimatorOptions& /*options*/, const Scene& /*scene*/, int /*from*/, int /*to*/) {
+        return info.largest_value;
+    }
 
     RayShooting(const Scene& scene, TracerChoice tracer) : scene_(&scene), tracer_(make_tracer(scene, tracer)) {}
     void observe(const EstimatorTask& task, Outcome& outcome, PatchTotals& totals) const;

@@ -142,7 +142,7 @@ std::optional<Integrand> SolidAngle::integrand(const EstimatorOptions& /*options
 }
 
 double SolidAngle::largest_jump(const EstimatorOptions& /*options*/, const Scene& scene, int from, int to) {
-    return may_be_occluded(scene, from, to) || are_partly_behind(scene, from, to) ? info.largest_value : 0;
+    return may_be_seen_in_part(scene, from, to) ? info.largest_value : 0;
 }
 
 void SolidAngle::observe(const EstimatorTask& task, Outcome& outcome, PatchTotals& /*totals*/) const {

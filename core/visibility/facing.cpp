@@ -80,13 +80,13 @@ bool face_each_other(const Scene& scene, int from_face, int to_face) {
 
 bool are_partly_behind(const Scene& scene, int from_face, int to_face) {
     const auto is_behind = [](const Surface& surface, const Surface& other) {
+        if (!is_flat(surface.shape)) return false;
         const Extent above = heights(surface, other);
         return above.low < -rounding_room * std::max(1.0, above.high - above.low);
     };
     for (const Surface* a : surfaces_of(scene, from_face)) {
         for (const Surface* b : surfaces_of(scene, to_face)) {
-            if (a == b || !is_flat(a->shape) || !is_flat(b->shape)) continue;
-            if (is_behind(*a, *b) || is_behind(*b, *a)) return true;
+            if (a != b && (is_behind(*a, *b) || is_behind(*b, *a))) return true;
         }
     }
     return false;

@@ -12,8 +12,7 @@ bool face_each_other(const Surface& a, const Surface& b);
 /// 4 million pairs. Faces from 0.
 bool face_each_other(const Scene& scene, int from_face, int to_face);
 
-/// Whether some part of a flat surface of one face lies behind a flat one of the other, which it cannot see. Faces from
-/// 0.
+/// Whether some part of a surface of one face lies behind a flat one of the other, which it cannot see. Faces from 0.
 bool are_partly_behind(const Scene& scene, int from_face, int to_face);
 
 /// Whether a ray may lead from the radiating side of a face to that side again, straight or by way of mirrors.

@@ -110,6 +110,10 @@ bool may_be_occluded(const Scene& scene, int from_face, int to_face) {
     });
 }
 
+bool may_be_seen_in_part(const Scene& scene, int from_face, int to_face) {
+    return may_be_occluded(scene, from_face, to_face) || are_partly_behind(scene, from_face, to_face);
+}
+
 bool sees(const Vector3d& place, const Surface& from, const Vector3d& other, const Surface& to,
           const std::vector<const Surface*>& blockers) {
     const Line line{place, other - place};

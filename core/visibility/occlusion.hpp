@@ -27,6 +27,10 @@ bool may_be_occluded(const Scene& scene);
 /// test in a scene of more than 512 surfaces. Faces from 0.
 bool may_be_occluded(const Scene& scene, int from_face, int to_face);
 
+/// Whether places of one face may see another only in part, or not at all: something may stand between, or parts lie
+/// behind the other's plane. Faces from 0.
+bool may_be_seen_in_part(const Scene& scene, int from_face, int to_face);
+
 /// Whether nothing of `blockers` lies between a place on `from` and one on `to` that each lie in front of the other. In
 /// double precision, and the same on every CPU.
 bool sees(const Eigen::Vector3d& place, const Surface& from, const Eigen::Vector3d& other, const Surface& to,

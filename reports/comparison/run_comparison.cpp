@@ -63,10 +63,11 @@ Table cells_table(const RunComparison& comparison) {
     Table table{
         "runs",
         "Method by method",
-        fmt::format("RMSE of a run against the exact form factors. Verdicts: means by Welch's t, variances by "
-                    "Brown and Forsythe, on every distinct pair, RMSEs by Student's t of their logarithms; {} tests, "
-                    "{:g} % together (Holm); in parentheses what is found with power {:g}.",
-                    comparison.tests, 100 * (1 - comparison.level), comparison.power),
+        fmt::format(
+            "RMSE of a run against the exact form factors. Verdicts: means by Welch's t, variances by "
+            "Brown and Forsythe, on every distinct pair, RMSEs by intervals of the logarithm of their ratio; {} tests, "
+            "{:g} % together (Holm); in parentheses what is found with power {:g}.",
+            comparison.tests, 100 * (1 - comparison.level), comparison.power),
         {{"method", false, ""},
          {"size", false, ""},
          {"trials", true, ""},

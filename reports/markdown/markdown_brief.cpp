@@ -17,6 +17,7 @@ using studies::CellFindings;
 std::string bias_line(const studies::Findings& findings) {
     std::size_t sampled = 0;
     std::size_t clean = 0;
+    std::size_t biased = 0;
     std::size_t shown = 0;
     std::uint64_t lost = 0;
     for (const CellFindings& found : findings.cells) {
@@ -24,11 +25,13 @@ std::string bias_line(const studies::Findings& findings) {
         if (!found.bias) continue;
         ++sampled;
         if (found.bias_finding == studies::BiasFinding::no_bias_found) ++clean;
+        if (found.bias_finding == studies::BiasFinding::biased) ++biased;
         if (found.equivalence == studies::EquivalenceFinding::shown) ++shown;
     }
     if (sampled == 0) return {};
-    std::string out = fmt::format("- Bias: none found in {} of {} sampled methods and sizes ({:g} % over all of them)",
-                                  clean, sampled, 100 * (1 - findings.plan.spec.level));
+    std::string out = fmt::format(
+        "- Bias: {}none found in {} of {} sampled methods and sizes ({:g} % over all of them)",
+        biased > 0 ? fmt::format("found in {}, ", biased) : "", clean, sampled, 100 * (1 - findings.plan.spec.level));
     if (const auto margin = findings.plan.spec.equivalence_margin) {
         out += fmt::format("; a bias within ±{} is shown on every pair of {}", brief(*margin, 2), shown);
     }

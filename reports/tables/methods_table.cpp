@@ -47,7 +47,7 @@ Table methods_table(const studies::StudyResults& results) {
         "Methods and sizes",
         fmt::format(
             "RMSE: of one run against the exact form factors, over trials and the pairs of a class; ± "
-            "half the width of its {:g} % interval (Student t over trials). Σ r.e.: sum over faces of "
+            "half the width of its {:g} % interval (the rule for means, over trials). Σ r.e.: sum over faces of "
             "100 |row sum − 1|, mean and range of 95 % of single runs. Bias: all distinct pairs "
             "together (allowing for skewness, Holm over pairs, Šidák over methods and sizes, {:g} % over the whole "
             "study); in parentheses what is detected with power {:g}.",

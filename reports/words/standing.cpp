@@ -141,9 +141,9 @@ std::string largest_efficiencies(const studies::Findings& findings, std::span<co
     if (ranked.size() < 2) return {};
     const auto best = leaders(ranked);
     if (best.size() == ranked.size()) return fmt::format("all {} cannot be told apart", best.size());
-    return fmt::format("{} {} most, {} times as much as the last of {}", listed(cell_labels(findings.plan, best)),
-                       best.size() == 1 ? "achieves" : "achieve", brief(ranked.back().value / best.front().value),
-                       ranked.size());
+    return fmt::format("{} {} most; the estimates of all {} span a factor of {}",
+                       listed(cell_labels(findings.plan, best)), best.size() == 1 ? "achieves" : "achieve",
+                       ranked.size(), brief(ranked.back().value / best.front().value));
 }
 
 std::string variance_clause(const StudyResults& results, std::size_t random_cell, PairClass pair_class) {
@@ -158,6 +158,8 @@ std::string variance_clause(const StudyResults& results, std::size_t random_cell
         fmt::format("{} with {}", on_pairs(findings.plan, cell.scene, pair_class), size_label(findings.plan, cell));
     if (best.size() == ranked.size())
         return fmt::format("{} the variances of all {} methods cannot be told apart", place, best.size());
+    if (std::any_of(best.begin(), best.end(), [&](const Ranked& leader) { return leader.index == random_cell; }))
+        return fmt::format("{} no method is shown to have less variance than random points", place);
     const auto& interval = best.front().interval;
     const std::string much =
         best.size() > 1 || !interval

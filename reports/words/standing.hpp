@@ -26,8 +26,8 @@ std::string error_clause(const studies::StudyResults& results, std::size_t scene
 std::string smallest_errors(const studies::Findings& findings, std::span<const std::size_t> cells,
                             PairClass pair_class);
 
-/// Which of these methods and sizes have the smallest errors for their evaluations, and how many times those of the
-/// last ones are larger; "" where fewer than two have a variance.
+/// Which of these methods and sizes have the smallest errors for their evaluations, and what factor all of them span;
+/// "" where fewer than two have a variance.
 std::string largest_efficiencies(const studies::Findings& findings, std::span<const std::size_t> cells,
                                  PairClass pair_class);
 

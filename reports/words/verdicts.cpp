@@ -53,7 +53,7 @@ std::string biased_in_words(const studies::CellFindings& found) {
 std::string inconclusive_in_words(const studies::CellFindings& found) {
     const studies::BiasFamily& family = *found.bias;
     const std::string_view why = family.heavy_tails             ? "the tails are too heavy for a verdict"
-                                 : family.may_be_unmet          ? "no evaluation may have met what makes it"
+                                 : family.may_be_unmet          ? "perhaps no evaluation met what would explain it"
                                  : found.trials < enough_trials ? "too few trials to rule out skewness"
                                                                 : "the trials are too skewed for a verdict";
     return fmt::format("inconclusive: t up to ±{:.1f}, but {}{}", family.largest_t, why, undefined_in_words(family));

@@ -199,7 +199,7 @@ BiasFamily judge_bias(const StudyPlan& plan, const CellEstimates& estimates, std
             const double p = p_of_constant(*summary.bias, estimates.lattice(pairs[i]), estimates.trials());
             if (p == 1) continue;
             if (tester.may_be_unmet(summary)) {
-                ++family.sparse;
+                ++family.skewed;
                 continue;
             }
             constants.push_back(p_values.size());

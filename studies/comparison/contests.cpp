@@ -190,6 +190,7 @@ double shared_noise(const Store& store, std::size_t a, std::size_t b, PairClass 
     if (a == b || one.deterministic || one.key != other.key || one.trials != other.trials) return 0;
     const auto x = squares_of(store, a, pair_class);
     const auto y = squares_of(store, b, pair_class);
+    if (x.size() != y.size()) return 0;
     const auto n = static_cast<double>(x.size());
     const double mean_x = std::accumulate(x.begin(), x.end(), 0.0) / n;
     const double mean_y = std::accumulate(y.begin(), y.end(), 0.0) / n;

@@ -21,10 +21,10 @@ bool names_point_file(std::string_view sampler);
 /// @param folder  base of a relative PATH
 /// @param randomise  "" where the name states it, or for none
 /// @throws IoError where no file can be read; UserError where it holds no points, or not those of the hash
-const samplers::CatalogueEntry& load_point_file(std::string_view name, std::string_view randomise,
+const samplers::CatalogueEntry& load_point_file(std::string_view sampler, std::string_view randomise,
                                                 const std::filesystem::path& folder);
 
-/// The same from bytes kept in a store. @throws UserError unless they are those of the hash in `name`
-const samplers::CatalogueEntry& restore_point_file(std::string_view name, samplers::AddedSampler::Content content);
+/// The same from bytes kept in a store. @throws UserError unless they are those of the hash in `sampler`
+const samplers::CatalogueEntry& restore_point_file(std::string_view sampler, samplers::AddedSampler::Content content);
 
 }  // namespace ff::studies

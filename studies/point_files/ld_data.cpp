@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <bit>
 #include <charconv>
+#include <utility>
 #include <vector>
 
 // The format: https://github.com/QMCSoftware/LDData/blob/main/formats.md, as LatNet Builder, SSJ and QMCPy read and
@@ -28,7 +29,7 @@ std::uint32_t reversed_bits(std::uint64_t x) {
 /// The numbers of the file in order; what follows # in a line is a comment.
 class Numbers {
   public:
-    Numbers(std::string_view text, const std::string& origin) : origin_(origin) {
+    Numbers(std::string_view text, std::string origin) : origin_(std::move(origin)) {
         for (std::size_t at = 0; at < text.size();) {
             const std::size_t end = std::min(text.find('\n', at), text.size());
             read_line(text.substr(at, end - at));

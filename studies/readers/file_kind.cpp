@@ -66,8 +66,9 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 8> beginning
 bool begins_geometry(const std::vector<std::string_view>& words) {
     constexpr std::array<std::string_view, 4> first{"v", "V", "f", "S"};
     return words.size() >= 4 && std::find(first.begin(), first.end(), words[0]) != first.end() &&
-           std::all_of(words.begin() + 2, words.begin() + 4,
-                       [](std::string_view word) { return word.find_first_not_of("+-.0123456789eE/") == word.npos; });
+           std::all_of(words.begin() + 2, words.begin() + 4, [](std::string_view word) {
+               return word.find_first_not_of("+-.0123456789eE/") == std::string_view::npos;
+           });
 }
 
 void mark_json(std::string_view text, Marks& marks) {
@@ -93,15 +94,16 @@ void mark_lines(std::string_view text, Marks& marks) {
         }
         if (begins_geometry(words)) mark(marks, FileKind::scene);
         const std::string_view line = words[0];
-        if (heads && words.size() <= 3 && line.find('=') == line.npos && line.find("trial") != line.npos &&
-            text.substr(0, text.find('\n')).find("estimate") != text.npos)
+        if (heads && words.size() <= 3 && line.find('=') == std::string_view::npos &&
+            line.find("trial") != std::string_view::npos &&
+            text.substr(0, text.find('\n')).find("estimate") != std::string_view::npos)
             mark(marks, FileKind::estimates);
     });
 }
 
 bool is_table_header(std::string_view line) {
     const auto has = [&](std::string_view part) { return line.find(part) != std::string_view::npos; };
-    return line.find('=') == line.npos && has("quantity") &&
+    return line.find('=') == std::string_view::npos && has("quantity") &&
            (has("estimate") || has("mean") || has("count") || has("share"));
 }
 

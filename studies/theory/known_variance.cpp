@@ -1,5 +1,6 @@
 #include "studies/theory/known_variance.hpp"
 
+#include "core/patches/face_averages.hpp"
 #include "samplers/sampler.hpp"
 
 #include <algorithm>
@@ -72,19 +73,34 @@ const Surface* only_surface(const Scene& scene, int face) {
 
 stats::KnownLimits known_limits(const Method& method, const Scene& scene, Subdivision subdivision, Quantity quantity,
                                 std::uint64_t evaluations, std::size_t trials) {
-    stats::KnownLimits limits;
-    if (quantity.kind != QuantityKind::form_factor || evaluations == 0) return limits;
-    const EstimatorEntry& estimator = find_estimator(method.estimator);
-    const EstimatorInfo& info = estimator.info;
+    if (quantity.kind != QuantityKind::form_factor || evaluations == 0) return {};
     const int from = quantity.from - 1;
     const int to = quantity.to - 1;
+    if (method.completion == Completion::reciprocal && from > to) {
+        // The factor is another one, times the ratio of the areas.
+        const double ratio = face_area(scene, to) / face_area(scene, from);
+        auto limits =
+            known_limits(method, scene, subdivision, {quantity.kind, quantity.to, quantity.from}, evaluations, trials);
+        limits.largest_part *= ratio;
+        limits.unmet.largest_jump *= ratio;
+        return limits;
+    }
+    const EstimatorEntry& estimator = find_estimator(method.estimator);
+    const EstimatorInfo& info = estimator.info;
+    stats::KnownLimits limits;
     // Where points serve pairs of patches, a factor is a sum over the patches of the target.
     const bool is_sum = info.points == PointsServe::pairs && subdivision.m != 1;
     if (only_surface(scene, from) && only_surface(scene, to) && !is_sum)
         limits.largest_part = info.largest_value / independent_parts(method, evaluations);
-    const double terms = is_sum ? static_cast<double>(subdivision.per_part()) : 1;
+    // Too few hits are no test in any case, where they are counted.
+    if (info.observes == Observes::hits && has_one_surface_a_face(scene)) return limits;
+    const double terms = is_sum && std::isfinite(info.largest_value) ? static_cast<double>(subdivision.per_part()) : 1;
+    // A point and its mirror image may miss the same places.
+    const bool mirrored =
+        !method.sampler.empty() && samplers::find(method.sampler).info.spread == samplers::Spread::mirrored;
+    const double each = static_cast<double>(evaluations) / (mirrored ? 2 : 1);
     limits.unmet = {.largest_jump = terms * estimator.largest_jump(estimator_options(method), scene, from, to),
-                    .evaluations = static_cast<double>(evaluations) * static_cast<double>(trials)};
+                    .evaluations = each * static_cast<double>(trials)};
     return limits;
 }
 

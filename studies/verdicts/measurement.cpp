@@ -71,8 +71,9 @@ std::optional<Measurement> measure_mean(std::span<const double> values, const Me
     const auto mean = stats::with_uncertain_reference(*own, reference.standard_error, reference.freedom);
     Measurement measurement =
         measured_at(mean.difference, levels, [&](double level) { return stats::interval_of(mean, level); });
-    const double below = (mean.difference - measurement.failing.low) / mean.standard_error;
-    measurement.minimum_detectable = detectable_mean(band, mean, below, levels.power);
+    const double unmet = mean.unmet.reach(levels.fail_alpha / 2);
+    const double below = (mean.difference - measurement.failing.low - unmet) / mean.standard_error;
+    measurement.minimum_detectable = detectable_mean(band, mean, below, levels.power) + unmet;
     return measurement;
 }
 

@@ -1,5 +1,6 @@
 #include "tests/support/studies.hpp"
 
+#include "core/visibility/facing.hpp"
 #include "studies/run/run.hpp"
 #include "studies/scene_files/scene_file.hpp"
 
@@ -75,7 +76,7 @@ Store fill(const StudyPlan& plan, const Estimate& estimate) {
         for (std::uint64_t trial = unit.first_trial; trial < unit.first_trial + unit.trials; ++trial) {
             for (int from = 1; from <= faces; ++from) {
                 for (int to = 1; to <= faces; ++to) {
-                    if (from != to)
+                    if (from != to || sees_itself(plan.scenes[cell.scene], from - 1))
                         add_estimate(plan, cell, from, to, trial, estimate(unit.cell, trial, from, to), record);
                 }
             }
