@@ -70,9 +70,9 @@ std::string read_source(const FormFactorsCommand& command) {
                                     studies::scene_extensions_in_words()));
     }
     std::string text = studies::read_scene_file(studies::scene_file(name));
-    if (command.faces == "polygon") text = studies::with_obj_comment(std::move(text), studies::faces_of_polygons);
-    if (command.faces == "material") text = studies::with_obj_comment(std::move(text), studies::faces_of_materials);
-    if (command.closed) text = studies::with_obj_comment(std::move(text), studies::closed_scene);
+    if (command.faces == "polygon") text = studies::with_obj_comment(text, studies::faces_of_polygons);
+    if (command.faces == "material") text = studies::with_obj_comment(text, studies::faces_of_materials);
+    if (command.closed) text = studies::with_obj_comment(text, studies::closed_scene);
     return studies::with_scene_text(name, text);
 }
 

@@ -99,8 +99,9 @@ TiledWalls draw_tiled_walls(std::size_t n, stats::Draws& draws) {
     }
     TiledWalls walls;
     const auto tile = [&](std::size_t k) {
+        const std::size_t row_index = k / n;
         const auto column = static_cast<double>(k % n);
-        const auto row = static_cast<double>(k / n);
+        const auto row = static_cast<double>(row_index);
         return Rectangle{Range{column, column + 1}, Range{row, row + 1}};
     };
     const std::size_t tiles = n * n;

@@ -127,8 +127,8 @@ void add_name(std::vector<FaceMaterial>& materials, std::size_t face, const std:
 
 }  // namespace
 
-std::string with_obj_comment(std::string text, std::string_view comment) {
-    return text + fmt::format("\n# {}\n", comment);
+std::string with_obj_comment(std::string_view text, std::string_view comment) {
+    return fmt::format("{}\n# {}\n", text, comment);
 }
 
 SceneWithMaterials read_obj_scene(std::string_view name, std::string_view text) {

@@ -27,7 +27,7 @@ struct SideProbes {
 
 /// Shoots 64 rays from both sides of each surface of a face, or of a subset where there are more than 1000 surfaces.
 /// The same rays for the same scene.
-SideProbes probe_sides(const Scene& scene);
+SideProbes probe_sides(const Scene& given);
 
 /// The faces that seem to be reversed: with them flipped, at most a tenth as many rays end on backs (or, in a closed
 /// scene, nowhere), and at least half of those on fronts. Empty where fewer than one ray in 20 ends so, or where

@@ -37,7 +37,7 @@ inline constexpr std::string_view faces_of_materials = "faces material";
 inline constexpr std::string_view closed_scene = "closed";
 
 /// The text of an OBJ file, or of a converted mesh, with such a comment.
-std::string with_obj_comment(std::string text, std::string_view comment);
+std::string with_obj_comment(std::string_view text, std::string_view comment);
 
 /// Whether a file of that name is read as OBJ.
 bool is_read_as_obj(std::string_view name);

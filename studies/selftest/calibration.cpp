@@ -113,6 +113,7 @@ void measure_power(const CalibrationBench& bench, Calibration& calibration) {
                                          {trials, wide_band + beyond, wide_band, levels}, Verdict::fail, power));
         constexpr double band = 0.3;
         const std::size_t planned = stats::trials_for_equivalence(band, trial_sigma, {levels.pass_alpha, power});
+        // NOLINTNEXTLINE(readability-suspicious-call-argument)
         const double exact = stats::equivalence_power(band, 0, trial_sigma, planned, levels.pass_alpha);
         table.rates.push_back(
             bench.rate(fmt::format("passes without bias: planned power {} ({} trials: {:.4f})", power, planned, exact),

@@ -20,7 +20,8 @@ using Shares = std::vector<double>;
 
 Shares even_shares() {
     constexpr std::size_t cells = 20;
-    return Shares(cells, 1.0 / cells);
+    Shares shares(cells, 1.0 / cells);
+    return shares;
 }
 
 /// The same with one cell in which a few of a thousand fall.

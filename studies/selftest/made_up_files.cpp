@@ -12,8 +12,12 @@ namespace {
 
 /// Gaps of a Poisson process, counted up to `mean`.
 double draw_poisson(double mean, stats::Draws& draws) {
-    double count = -1;
-    for (double at = 0; at <= mean; at += draw_exponential(draws)) ++count;
+    double count = 0;
+    double at = draw_exponential(draws);
+    while (at <= mean) {
+        at += draw_exponential(draws);
+        ++count;
+    }
     return count;
 }
 

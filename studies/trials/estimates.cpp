@@ -142,17 +142,15 @@ CellEstimates complete(const StudyPlan& plan, std::size_t cell_index, Completion
     const bool counted = shoots && has_one_surface_a_face(scene);
     if (shoots && scene.closed) estimates.lost_rays = direct.lost_rays;  // out of an open scene rays may go
     if (counted) estimates.rays = rays_of_pairs(estimates, scene, completion);
-    const int faces = static_cast<int>(estimates.faces);
-    for (int i = 1; completion == Completion::reciprocal && i <= faces; ++i) {
-        for (int j = 1; j < i; ++j) {
-            const auto row = static_cast<std::size_t>((i - 1) * faces);
-            auto& target = estimates.factors[row + static_cast<std::size_t>(j - 1)];
-            target = estimates.factors[static_cast<std::size_t>((j - 1) * faces + i - 1)];
-            double ratio = face_area(scene, j - 1) / face_area(scene, i - 1);
+    const auto faces = static_cast<std::size_t>(estimates.faces);
+    for (std::size_t i = 0; completion == Completion::reciprocal && i < faces; ++i) {
+        for (std::size_t j = 0; j < i; ++j) {
+            const std::size_t row = i * faces;
+            auto& target = estimates.factors[row + j];
+            target = estimates.factors[j * faces + i];
+            double ratio = face_area(scene, static_cast<int>(j)) / face_area(scene, static_cast<int>(i));
             // Hits of j, as if they were of the rays of i.
-            if (counted)
-                ratio *= estimates.rays[row + static_cast<std::size_t>(i - 1)] /
-                         estimates.rays[row + static_cast<std::size_t>(j - 1)];
+            if (counted) ratio *= estimates.rays[row + i] / estimates.rays[row + j];
             for (double& value : target) value *= ratio;
         }
     }

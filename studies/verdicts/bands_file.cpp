@@ -114,7 +114,7 @@ void read_anytime(const TomlReader& reader, Gate& gate) {
 void read_covariance(const TomlReader& reader, Gate& gate) {
     const bool known = gate.combine == Combination::chi_squared;
     if (known && gate.kind != GateKind::bias && gate.kind != GateKind::equal)
-        reader.fail("combine", "(covariances are of means: kind \"bias\" or \"equal\"). Take \"cauchy\".");
+        reader.fail("combine", R"((covariances are of means: kind "bias" or "equal"). Take "cauchy".)");
     if (reader.has("covariance") != known)
         reader.fail("covariance", known ? "missing (how do the bins vary together?). Add a file with the columns "
                                           "bin,other_bin,covariance, or \"independent\"."

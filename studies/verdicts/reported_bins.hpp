@@ -45,11 +45,11 @@ struct BinEffects {
     }
 };
 
-/// The p-value of "the effect lies in the band", for one of the bins: twice that of the nearer end, 1 inside.
-double p_value(const BinEffects& effects, std::size_t bin);
+/// The p-value of "the effect lies in the band", for the bin of this index: twice that of the nearer end, 1 inside.
+double p_value(const BinEffects& effects, std::size_t index);
 
 /// Both intervals of one bin.
-Measurement measure_bin(const BinEffects& effects, std::size_t bin, const Levels& levels);
+Measurement measure_bin(const BinEffects& effects, std::size_t index, const Levels& levels);
 
 /// One verdict for all bins. Fail: some bin (by Holm), or all bins together (by a global test), lie outside the band at
 /// `alpha`. Pass: every bin's passing interval lies inside (an intersection-union test).

@@ -2,9 +2,9 @@
 
 #include "studies/store/sqlite.hpp"
 
-#include <stdlib.h>
 #include <cstddef>
 #include <cstdint>
+#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <fstream>

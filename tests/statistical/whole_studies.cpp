@@ -28,7 +28,7 @@ struct SoundCell {
     const char* method;
 };
 
-constexpr SoundCell sound_cells[] = {
+constexpr auto sound_cells = std::to_array<SoundCell>({
     {"KernelBehindABlocker", "nested_cubes:5",
      "sampler = \"random\"\nestimator = \"area_kernel\"\nsamples_per_patch = 128"},
     {"KernelPastABlocker", "squares_blocked:0.8",
@@ -46,7 +46,7 @@ constexpr SoundCell sound_cells[] = {
     {"TiedHits", "cube", "sampler = \"sobol\"\nestimator = \"ray_shooting\"\nsamples_per_patch = 64"},
     {"BoundedValues", "cube", "sampler = \"random\"\nestimator = \"rays_and_kernel\"\nsamples_per_patch = 64"},
     {"SolidAngles", "cube", "sampler = \"sobol\"\nestimator = \"solid_angle\"\nsamples_per_patch = 64"},
-};
+});
 
 StudySpec spec_of(const SoundCell& cell) {
     return parse_study(

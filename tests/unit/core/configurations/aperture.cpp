@@ -97,8 +97,8 @@ RC_GTEST_PROP(ExchangeAreaThroughAperture, IsTheSumOverPartsOfTheHole, ()) {
     RC_ASSERT(std::abs(through(whole) - through(left) - through(right)) <= 4e-17L);
     RC_ASSERT(through(whole) <= parallel_exchange_area<Real>(x_from, y_from, x_to, y_to, gap) + 4e-17L);
     // The other way round it is the same, seen from the other end.
-    // NOLINTNEXTLINE(readability-suspicious-call-argument)
     const Aperture back{whole.x, whole.y, 1 - whole.fraction};
+    // NOLINTNEXTLINE(readability-suspicious-call-argument)
     RC_ASSERT(std::abs(through(whole) - exchange_area_through_aperture(x_to, y_to, x_from, y_from, gap, back)) <=
               4e-17L);
 }
