@@ -42,16 +42,16 @@ MeanEvidence mean_of(std::span<const double> values, double reference) {
 
 /// How far a mean may be off on one side, except with probability `tail`.
 double reach_of(const MeanEvidence& mean, int side, double tail) {
-    if (mean.unmet.largest_jump > 0) tail /= 2;
-    const double t = student_critical(mean.freedom, tail);
-    return mean.standard_error * gate::skewed_reach(mean.skewness, side, t, normal_critical(tail)) +
-           mean.unmet.reach(tail);
+    const double met = mean.unmet.tail_of_met(tail);
+    const double t = student_critical(mean.freedom, met);
+    return mean.standard_error * gate::skewed_reach(mean.skewness, side, t, normal_critical(met)) +
+           mean.unmet.reach(mean.unmet.tail_of_unmet(tail)) + mean.rounding;
 }
 
 }  // namespace
 
 double Unmet::reach(double tail) const {
-    return largest_jump == 0 ? 0 : -largest_jump * std::expm1(std::log(tail) / evaluations);
+    return largest == 0 ? 0 : -largest * std::expm1(std::log(tail) / evaluations);
 }
 
 std::optional<MeanEvidence> mean_evidence(std::span<const double> values, double reference, const KnownLimits& limits,
@@ -70,6 +70,7 @@ std::optional<MeanEvidence> mean_evidence(std::span<const double> values, double
                       .freedom = freedom,
                       .skewness = gate::skewness_of_mean(values, effective),
                       .unmet = limits.unmet,
+                      .rounding = limits.rounding,
                       .method = "skewed_t",
                       .n = values.size()};
     mean.skewness.most = limits.largest_part / *moments.standard_deviation() / std::sqrt(effective);
@@ -77,13 +78,14 @@ std::optional<MeanEvidence> mean_evidence(std::span<const double> values, double
 }
 
 MeanEvidence mean_evidence_after(const Pilot& pilot, std::span<const double> values, double reference,
-                                 const Unmet& unmet) {
+                                 const KnownLimits& limits) {
     const auto n = static_cast<double>(values.size());
     return {.difference = *moments_of(values, reference).bias(),
             .standard_error = pilot.standard_deviation / std::sqrt(n),
             .freedom = pilot.freedom(),
             .skewness = pilot.skewness_at(values.size()),
-            .unmet = unmet,
+            .unmet = limits.unmet,
+            .rounding = limits.rounding,
             .method = "stein_two_stage",
             .n = values.size()};
 }
@@ -122,7 +124,8 @@ MeanTest test_mean(const MeanEvidence& mean) {
     FF_EXPECT(mean.standard_error > 0);
     MeanTest test;
     test.student_p = student_two_sided_p(mean.t(), mean.freedom);
-    if (mean.skewness.most == 0 && mean.unmet.largest_jump == 0) return {test.student_p, test.student_p};
+    if (mean.skewness.most == 0 && mean.unmet.largest == 0 && mean.rounding == 0)
+        return {test.student_p, test.student_p};
     const int side = mean.difference > 0 ? -1 : 1;
     // The smallest tail is that of Student's t.
     test.p = two_sided_p([&](double tail) { return std::abs(mean.difference) > reach_of(mean, side, tail); },

@@ -24,13 +24,18 @@ namespace ff::stats {
 inline constexpr double unknown_parts = std::numeric_limits<double>::infinity();
 inline constexpr double no_part = 0;
 
-/// What the evaluations behind all values may have missed. Places that are entitled to a share p of n evaluations are
-/// met by none of them with probability (1 - p)^n, if they are spread no less evenly than independent ones.
+/// What the evaluations behind all values may have missed. Places that make up a share p of all are met by none of n
+/// evaluations with probability (1 - p)^n, if they are spread no less evenly than independent ones.
 struct Unmet {
-    double largest_jump = 0;  ///< of an evaluation from one place to the next; 0 where there is none
-    double evaluations = 1;   ///< n
+    double largest = 0;      ///< value at such places; 0 where there are none
+    double evaluations = 1;  ///< n
 
-    /// How far the mean may be off for it, except with probability `tail`: largest_jump * p, with (1 - p)^n = tail.
+    /// What a tail leaves to the values that were met where something may not have been: 9/10, since the reach of the
+    /// unmet hardly depends on its share.
+    [[nodiscard]] double tail_of_met(double tail) const { return largest > 0 ? 0.9 * tail : tail; }
+    [[nodiscard]] double tail_of_unmet(double tail) const { return 0.1 * tail; }
+
+    /// How far the mean may be off for it, except with probability `tail`: largest * p, with (1 - p)^n = tail.
     [[nodiscard]] double reach(double tail) const;
 };
 
@@ -38,6 +43,7 @@ struct Unmet {
 struct KnownLimits {
     double largest_part = unknown_parts;
     Unmet unmet;
+    double rounding = 0;  ///< bound of the errors of arithmetic, in the values and in their reference
 };
 
 /// A mean beside its reference, or beside another mean, and all that is needed to judge the difference.
@@ -46,7 +52,8 @@ struct MeanEvidence {
     double standard_error = 0;
     double freedom = 0;  ///< degrees of freedom of the standard error
     gate::MeanSkewness skewness;
-    Unmet unmet = {};         ///< adds to what the standard error says; each of both then has half of a tail
+    Unmet unmet = {};         ///< adds to what the standard error says; both then share a tail
+    double rounding = 0;      ///< adds to it in any case
     std::string_view method;  ///< of intervals: "skewed_t", "skewed_welch_t" or "stein_two_stage"
     std::size_t n = 0;        ///< values behind it
 
@@ -54,7 +61,7 @@ struct MeanEvidence {
 };
 
 /// Of values that are known not to be skewed.
-inline constexpr KnownLimits not_skewed{.largest_part = no_part, .unmet = {}};
+inline constexpr KnownLimits not_skewed{.largest_part = no_part, .unmet = {}, .rounding = 0};
 
 /// A mean of independent values, or of correlated ones in order.
 /// @return empty below three values, for values that are all equal, and where correlated ones are worth less than two
@@ -64,7 +71,7 @@ std::optional<MeanEvidence> mean_evidence(std::span<const double> values, double
 
 /// A mean of values whose number was fixed by a pilot, the first of them.
 MeanEvidence mean_evidence_after(const Pilot& pilot, std::span<const double> values, double reference,
-                                 const Unmet& unmet = {});
+                                 const KnownLimits& limits = {});
 
 /// Welch's difference of two means, whose variances may differ, and one of which may be 0. @see [welch1947]
 /// @return empty below three values in a sample, and where neither varies

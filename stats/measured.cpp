@@ -13,9 +13,12 @@ namespace {
 double reach_of(const Measured::Part& part, int side, double tail) {
     const int of_mean = part.weight < 0 ? -side : side;
     const MeanEvidence& mean = part.mean;
+    const double met = mean.unmet.tail_of_met(tail);
     const double standard_errors =
-        gate::skewed_reach(mean.skewness, of_mean, student_critical(mean.freedom, tail), normal_critical(tail));
-    const double reach = standard_errors * mean.standard_error;
+        gate::skewed_reach(mean.skewness, of_mean, student_critical(mean.freedom, met), normal_critical(met));
+    // What no evaluation has met makes a mean square larger, never smaller.
+    const double reach =
+        standard_errors * mean.standard_error + (of_mean > 0 ? mean.unmet.reach(mean.unmet.tail_of_unmet(tail)) : 0);
     const double weight = std::abs(part.weight);
     if (!part.logarithm) return weight * reach;
     const double relative = reach / mean.difference;

@@ -24,7 +24,8 @@ struct Measured {
     [[nodiscard]] bool is_exact() const { return parts.empty(); }
 
     /// How far the truth may be above (side 1) or below (side -1) the value, except with probability `tail`. Reaches of
-    /// parts, each by the rule for means, are added as squares [zou2008]. Infinite where the trials of a part are too
+    /// parts, each by the rule for means, are added as squares [zou2008]; what all evaluations may have missed adds to
+    /// the upper one of a mean. Infinite where the trials of a part are too
     /// few or too skewed.
     [[nodiscard]] double reach(int side, double tail) const;
 };

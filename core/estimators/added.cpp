@@ -45,7 +45,7 @@ AddedEstimator::AddedEstimator(Texts texts, EstimatorInfo traits, Refusal refusa
     entry_.nanoseconds = &nanoseconds_of_others;
     entry_.integrand = [](const EstimatorOptions&, PairClass, Hiding) { return std::optional<Integrand>(); };
     entry_.finite_variance = [](const EstimatorOptions&, const Scene&, int, int) { return true; };
-    entry_.largest_jump = [](const EstimatorOptions&, const Scene&, int, int) { return 0.0; };
+    entry_.largest_unmet = [](const EstimatorOptions&, const Scene&, int, int, double) { return 0.0; };
     entry_.make = [this](const Scene& scene, TracerChoice /*tracer*/) {
         Make known;
         {

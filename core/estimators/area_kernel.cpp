@@ -2,6 +2,7 @@
 
 #include "core/estimators/graded_map.hpp"
 #include "core/estimators/transfer.hpp"
+#include "core/estimators/unmet.hpp"
 #include "core/geometry/surface_map.hpp"
 #include "core/patches/patch_order.hpp"
 #include "core/support/contract.hpp"
@@ -325,8 +326,9 @@ bool AreaKernel::finite_variance(const EstimatorOptions& options, const Scene& s
     return kernel_has_variance(scene, from, to, options.map);
 }
 
-double AreaKernel::largest_jump(const EstimatorOptions& /*options*/, const Scene& scene, int from, int to) {
-    return may_be_seen_in_part(scene, from, to) ? largest_kernel(scene, from, to) : 0;
+double AreaKernel::largest_unmet(const EstimatorOptions& /*options*/, const Scene& scene, int from, int to,
+                                 double evaluations) {
+    return largest_unmet_kernel(scene, from, to, evaluations);
 }
 
 void AreaKernel::observe(const EstimatorTask& task, Outcome& outcome, PatchTotals& totals) const {

@@ -57,7 +57,8 @@ class AreaKernel {
     static double nanoseconds(const EstimatorOptions& options, const Scene& scene);
     static std::optional<Integrand> integrand(const EstimatorOptions& options, PairClass pair_class, Hiding hiding);
     static bool finite_variance(const EstimatorOptions& options, const Scene& scene, int from, int to);
-    static double largest_jump(const EstimatorOptions& options, const Scene& scene, int from, int to);
+    static double largest_unmet(const EstimatorOptions& options, const Scene& scene, int from, int to,
+                                double evaluations);
 
     AreaKernel(const Scene& scene, TracerChoice /*tracer*/) : scene_(&scene) {}
     void observe(const EstimatorTask& task, Outcome& outcome, PatchTotals& totals) const;

@@ -2,6 +2,7 @@
 
 #include "core/estimators/graded_map.hpp"
 #include "core/estimators/patch_pairs.hpp"
+#include "core/estimators/unmet.hpp"
 #include "core/formulas/polygon_exchange.hpp"
 #include "core/visibility/contact.hpp"
 #include "core/visibility/facing.hpp"
@@ -64,7 +65,8 @@ bool ControlVariate::finite_variance(const EstimatorOptions& /*options*/, const 
     return closest_contact(scene, from, to) == Contact::none || !may_be_occluded(scene, from, to);
 }
 
-double ControlVariate::largest_jump(const EstimatorOptions& /*options*/, const Scene& scene, int from, int to) {
+double ControlVariate::largest_unmet(const EstimatorOptions& /*options*/, const Scene& scene, int from, int to,
+                                     double /*evaluations*/) {
     return may_be_occluded(scene, from, to) ? largest_kernel(scene, from, to) : 0;
 }
 

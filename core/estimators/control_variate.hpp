@@ -30,7 +30,8 @@ class ControlVariate {
     /// The integrand jumps at the edge of a shadow; without a shadow there is no error.
     static std::optional<Integrand> integrand(const EstimatorOptions& options, PairClass pair_class, Hiding hiding);
     static bool finite_variance(const EstimatorOptions& options, const Scene& scene, int from, int to);
-    static double largest_jump(const EstimatorOptions& options, const Scene& scene, int from, int to);
+    static double largest_unmet(const EstimatorOptions& options, const Scene& scene, int from, int to,
+                                double evaluations);
 
     ControlVariate(const Scene& scene, TracerChoice tracer);
     void observe(const EstimatorTask& task, Outcome& outcome, PatchTotals& totals) const;

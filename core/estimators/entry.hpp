@@ -19,7 +19,7 @@ namespace ff {
 ///     static std::string size_problem(std::uint64_t samples); // required if own_points
 ///     static std::optional<Integrand> integrand(const EstimatorOptions&, PairClass, Hiding);
 ///     static bool finite_variance(const EstimatorOptions&, const Scene&, int from, int to);
-///     static double largest_jump(const EstimatorOptions&, const Scene&, int from, int to);
+///     static double largest_unmet(const EstimatorOptions&, const Scene&, int from, int to, double evaluations);
 ///
 /// `estimator_entry<T>()` turns it into a line of the catalogue.
 template <class T>
@@ -74,10 +74,10 @@ EstimatorEntry estimator_entry() {
                         return true;
                     }
                 },
-            .largest_jump =
-                [](const EstimatorOptions& options, const Scene& scene, int from, int to) {
-                    if constexpr (requires { T::largest_jump(options, scene, from, to); }) {
-                        return T::largest_jump(options, scene, from, to);
+            .largest_unmet =
+                [](const EstimatorOptions& options, const Scene& scene, int from, int to, double evaluations) {
+                    if constexpr (requires { T::largest_unmet(options, scene, from, to, evaluations); }) {
+                        return T::largest_unmet(options, scene, from, to, evaluations);
                     } else {
                         return 0.0;
                     }

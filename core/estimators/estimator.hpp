@@ -167,10 +167,11 @@ struct EstimatorEntry {
     /// Whether random points have a variance between two faces, from 0.
     bool (*finite_variance)(const EstimatorOptions& options, const Scene& scene, int from, int to);
 
-    /// How large the values of evaluations between two faces, from 0, may be at places that many evaluations miss:
-    /// where a blocker begins, a ray just misses, or little of one face is in front of the other. 0 where there are no
-    /// such places or, for added estimators, where nothing is known of them; infinite where no bound is known.
-    double (*largest_jump)(const EstimatorOptions& options, const Scene& scene, int from, int to);
+    /// How large the values between two faces, from 0, may be at places that so many evaluations may all miss: where a
+    /// blocker begins, a ray just misses, little of one face is in front of the other, or a small surface is close to a
+    /// large one. 0 where there are no such places or, for added estimators, where nothing is known of them; infinite
+    /// where no bound is known.
+    double (*largest_unmet)(const EstimatorOptions& options, const Scene& scene, int from, int to, double evaluations);
 
     std::function<std::unique_ptr<Estimator>(const Scene& scene, TracerChoice tracer)> make;
 };

@@ -1,4 +1,5 @@
 #include "core/estimators/global_lines.hpp"
+#include "core/estimators/unmet.hpp"
 
 #include "core/geometry/line_meets.hpp"
 #include "core/geometry/surface_map.hpp"
@@ -132,12 +133,14 @@ std::optional<Integrand> GlobalLines::integrand(const EstimatorOptions& /*option
     return Integrand::jumping;
 }
 
-double GlobalLines::largest_jump(const EstimatorOptions& /*options*/, const Scene& scene, int from, int /*to*/) {
+double GlobalLines::largest_unmet(const EstimatorOptions& /*options*/, const Scene& scene, int from, int to,
+                                  double evaluations) {
     double crossings = 0;  // of one line with the face, at most
     for (const Surface& surface : scene.surfaces) {
         if (surface.face == from) crossings += is_flat(surface.shape) ? 1 : 2;
     }
-    return crossings * GlobalLines(scene, TracerChoice::automatic).area_ / (2 * face_area(scene, from));
+    const double largest = crossings * GlobalLines(scene, TracerChoice::automatic).area_ / (2 * face_area(scene, from));
+    return largest_unmet_hit(scene, from, to, evaluations, largest);
 }
 
 void GlobalLines::observe(const EstimatorTask& task, Outcome& outcome, PatchTotals& /*totals*/) const {

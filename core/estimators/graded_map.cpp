@@ -58,23 +58,6 @@ bool kernel_has_variance(const Scene& scene, int from, int to, PointMap map) {
     return !index || *index > 2;
 }
 
-double largest_kernel(const Scene& scene, int from, int to) {
-    const auto is_of_sphere = [&](const Surface& surface) {
-        return surface.face != from || std::holds_alternative<SphereZone>(surface.shape);
-    };
-    const auto own = std::count_if(scene.surfaces.begin(), scene.surfaces.end(),
-                                   [&](const Surface& surface) { return surface.face == from; });
-    if (from == to && own == 1 && std::all_of(scene.surfaces.begin(), scene.surfaces.end(), is_of_sphere)) return 1;
-    const auto box_of = [&](int face) {
-        Eigen::AlignedBox3d box;
-        for (const Surface& surface : scene.surfaces) {
-            if (surface.face == face) box.extend(box_around(surface));
-        }
-        return box;
-    };
-    return face_area(scene, to) / (std::numbers::pi * box_of(from).squaredExteriorDistance(box_of(to)));
-}
-
 std::optional<GradedPair> grade_pair(const Parallelogram& from, const Parallelogram& to) {
     const Touch touch = find_touch(from, to);
     if (touch.contact != Contact::edge && touch.contact != Contact::vertex) return std::nullopt;

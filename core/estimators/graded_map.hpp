@@ -32,10 +32,6 @@ std::optional<double> kernel_tail_index(Contact contact, PointMap map);
 /// where occlusion is tested point by point.
 bool kernel_has_variance(const Scene& scene, int from, int to, PointMap map);
 
-/// A bound of the kernel of points on two faces (numbered from 0), area / (pi distance^2) of the boxes around them;
-/// infinite where these meet. That of a part of a sphere to itself is constant: its share of the whole sphere.
-double largest_kernel(const Scene& scene, int from, int to);
-
 /// Two patches whose contact is at 0 of the graded coordinates, so that small distances keep their digits.
 struct GradedPair {
     Parallelogram from;

@@ -1,9 +1,9 @@
 #include "core/estimators/point_to_polygon.hpp"
 
 #include "core/estimators/source_points.hpp"
+#include "core/estimators/unmet.hpp"
 #include "core/formulas/polygon_factor.hpp"
 #include "core/visibility/facing.hpp"
-#include "core/visibility/occlusion.hpp"
 
 #include <fmt/format.h>
 #include <Eigen/Geometry>
@@ -118,8 +118,9 @@ std::optional<Integrand> PointToPolygon::integrand(const EstimatorOptions& /*opt
     return pair_class == PairClass::adjacent ? Integrand::rough : Integrand::smooth;
 }
 
-double PointToPolygon::largest_jump(const EstimatorOptions& /*options*/, const Scene& scene, int from, int to) {
-    return may_be_seen_in_part(scene, from, to) ? info.largest_value : 0;
+double PointToPolygon::largest_unmet(const EstimatorOptions& /*options*/, const Scene& scene, int from, int to,
+                                     double evaluations) {
+    return largest_unmet_factor(scene, from, to, evaluations);
 }
 
 void PointToPolygon::observe(const EstimatorTask& task, Outcome& outcome, PatchTotals& /*totals*/) const {

@@ -52,7 +52,8 @@ class PointToPolygon {
     static std::string refusal(const EstimatorOptions& options, const Scene& scene);
     static double nanoseconds(const EstimatorOptions& options, const Scene& scene);
     static std::optional<Integrand> integrand(const EstimatorOptions& options, PairClass pair_class, Hiding hiding);
-    static double largest_jump(const EstimatorOptions& options, const Scene& scene, int from, int to);
+    static double largest_unmet(const EstimatorOptions& options, const Scene& scene, int from, int to,
+                                double evaluations);
 
     PointToPolygon(const Scene& scene, TracerChoice /*tracer*/) : scene_(&scene) {}
     void observe(const EstimatorTask& task, Outcome& outcome, PatchTotals& totals) const;

@@ -1,6 +1,7 @@
 #include "core/estimators/point_to_visible_polygon.hpp"
 
 #include "core/estimators/source_points.hpp"
+#include "core/estimators/unmet.hpp"
 #include "core/geometry/surface_map.hpp"
 #include "core/visibility/facing.hpp"
 #include "core/visibility/mirrors.hpp"
@@ -49,8 +50,9 @@ std::optional<Integrand> PointToVisiblePolygon::integrand(const EstimatorOptions
     return kinks ? Integrand::rough : Integrand::smooth;
 }
 
-double PointToVisiblePolygon::largest_jump(const EstimatorOptions& /*options*/, const Scene& scene, int from, int to) {
-    return may_be_seen_in_part(scene, from, to) ? info.largest_value : 0;
+double PointToVisiblePolygon::largest_unmet(const EstimatorOptions& /*options*/, const Scene& scene, int from, int to,
+                                            double evaluations) {
+    return largest_unmet_factor(scene, from, to, evaluations);
 }
 
 void PointToVisiblePolygon::observe(const EstimatorTask& task, Outcome& outcome, PatchTotals& /*totals*/) const {

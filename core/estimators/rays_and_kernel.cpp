@@ -1,6 +1,7 @@
 #include "core/estimators/rays_and_kernel.hpp"
 
 #include "core/estimators/patch_pairs.hpp"
+#include "core/estimators/unmet.hpp"
 #include "core/geometry/line_meets.hpp"
 #include "core/geometry/unit_circle.hpp"
 #include "core/visibility/occlusion.hpp"
@@ -80,8 +81,9 @@ std::optional<Integrand> TwoWays::integrand(const EstimatorOptions& /*options*/,
     return pair_class == PairClass::adjacent ? Integrand::rough : Integrand::jumping;
 }
 
-double TwoWays::largest_jump(const EstimatorOptions& /*options*/, const Scene& /*scene*/, int /*from*/, int /*to*/) {
-    return RaysAndKernel::info.largest_value;
+double TwoWays::largest_unmet(const EstimatorOptions& /*options*/, const Scene& scene, int from, int to,
+                              double evaluations) {
+    return largest_unmet_hit(scene, from, to, evaluations, RaysAndKernel::info.largest_value);
 }
 
 Eigen::MatrixXd TwoWays::estimate(const EstimatorTask& task, Heuristic heuristic) const {

@@ -17,7 +17,8 @@ class TwoWays {
     /// Rays jump where the target ends; where faces touch no theory holds.
     static std::optional<Integrand> integrand(const EstimatorOptions& options, PairClass pair_class, Hiding hiding);
     /// A ray counts almost 1 where it meets a target that is small from there.
-    static double largest_jump(const EstimatorOptions& options, const Scene& scene, int from, int to);
+    static double largest_unmet(const EstimatorOptions& options, const Scene& scene, int from, int to,
+                                double evaluations);
 
     TwoWays(const Scene& scene, TracerChoice /*tracer*/) : scene_(&scene) {}
 

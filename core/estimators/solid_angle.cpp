@@ -2,6 +2,7 @@
 
 #include "core/estimators/patch_pairs.hpp"
 #include "core/estimators/spherical_rectangle.hpp"
+#include "core/estimators/unmet.hpp"
 #include "core/geometry/unit_circle.hpp"
 #include "core/visibility/facing.hpp"
 #include "core/visibility/occlusion.hpp"
@@ -141,8 +142,9 @@ std::optional<Integrand> SolidAngle::integrand(const EstimatorOptions& /*options
     return Integrand::rough;
 }
 
-double SolidAngle::largest_jump(const EstimatorOptions& /*options*/, const Scene& scene, int from, int to) {
-    return may_be_seen_in_part(scene, from, to) ? info.largest_value : 0;
+double SolidAngle::largest_unmet(const EstimatorOptions& /*options*/, const Scene& scene, int from, int to,
+                                 double evaluations) {
+    return largest_unmet_factor(scene, from, to, evaluations);
 }
 
 void SolidAngle::observe(const EstimatorTask& task, Outcome& outcome, PatchTotals& /*totals*/) const {

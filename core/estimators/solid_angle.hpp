@@ -48,7 +48,8 @@ class SolidAngle {
     static double nanoseconds(const EstimatorOptions& options, const Scene& scene);
     /// The integrand has kinks where one triangle meets the other: no theory of smooth functions holds.
     static std::optional<Integrand> integrand(const EstimatorOptions& options, PairClass pair_class, Hiding hiding);
-    static double largest_jump(const EstimatorOptions& options, const Scene& scene, int from, int to);
+    static double largest_unmet(const EstimatorOptions& options, const Scene& scene, int from, int to,
+                                double evaluations);
 
     SolidAngle(const Scene& scene, TracerChoice /*tracer*/) : scene_(&scene) {}
     void observe(const EstimatorTask& task, Outcome& outcome, PatchTotals& totals) const;

@@ -61,7 +61,8 @@ struct PairTester {
             if (hits) return test_hits(summary, *hits);
         }
         if (summary.variance != VarianceStatus::finite) return std::nullopt;
-        const stats::KnownLimits limits = limits_of(summary.quantity);
+        stats::KnownLimits limits = limits_of(summary.quantity);
+        limits.rounding = rounding_of_bias(plan.scenes[cell().scene], summary.quantity);
         const auto pilot =
             plan.spec.until ? std::optional<std::size_t>(plan.spec.until->pilot) : std::optional<std::size_t>();
         const auto mean = mean_of_trials(values, *summary.reference, pilot, limits);

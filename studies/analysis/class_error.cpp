@@ -42,13 +42,28 @@ std::vector<double> pair_means(std::span<const double> errors, std::size_t pairs
     return means;
 }
 
-/// Of a positive mean; empty where an end would be 0 or infinite.
+/// Of a mean of squares, which what no evaluation has met can only raise; empty where an end would be 0 or infinite.
 std::optional<stats::Interval> positive_interval(const stats::MeanEvidence& mean, double level) {
-    const auto interval = stats::interval_of(mean, level);
+    auto interval = stats::interval_of(mean, level);
+    stats::MeanEvidence met = mean;
+    met.unmet = {};
+    interval.low = stats::interval_of(met, level).low;
     return interval.low > 0 && interval.is_finite() ? std::optional(interval) : std::nullopt;
 }
 
-void add_variance(std::span<const double> errors, double level, ClassError& found) {
+/// What the mean square of a trial's error has of values that no evaluation has met: an evaluation of n moves the trial
+/// by its value / n, and n of them may do so.
+stats::Unmet unmet_squares(const std::vector<stats::Unmet>& pairs, std::uint64_t evaluations) {
+    stats::Unmet mean;
+    for (const stats::Unmet& pair : pairs) {
+        if (pair.largest == 0 || !std::isfinite(pair.largest)) continue;
+        mean.largest += pair.largest * pair.largest / static_cast<double>(evaluations * pairs.size());
+        mean.evaluations = pair.evaluations;
+    }
+    return mean;
+}
+
+void add_variance(std::span<const double> errors, double level, const stats::Unmet& unmet, ClassError& found) {
     const auto deviations = trial_means(squared_deviations(errors, pair_means(errors, found.pairs)), found.pairs);
     const auto squares = stats::moments_of(deviations);
     const auto trials = static_cast<double>(found.trials);
@@ -58,6 +73,7 @@ void add_variance(std::span<const double> errors, double level, ClassError& foun
     if (found.trials < stats::fewest_replicates) return;
     found.squared_deviation = stats::mean_evidence(deviations, 0);
     if (!found.squared_deviation) return;
+    found.squared_deviation->unmet = unmet;
     found.variance_interval = positive_interval(*found.squared_deviation, level);
     if (!found.variance_interval) return;
     found.variance_interval->low *= unbiased;
@@ -73,13 +89,14 @@ stats::Interval efficiency_interval(stats::Interval rmse, double evaluations) {
 }
 
 /// @param squares  of the errors, about the exact values
-void add_efficiency(std::span<const double> squares, double level, ClassError& found) {
+void add_efficiency(std::span<const double> squares, double level, const stats::Unmet& unmet, ClassError& found) {
     if (found.rmse == 0) return;
     const auto evaluations = static_cast<double>(found.evaluations);
     found.efficiency = 1 / (found.rmse * found.rmse * evaluations);
     if (squares.size() < stats::fewest_replicates) return;
     found.mean_square = stats::mean_evidence(squares, 0);
     if (!found.mean_square) return;
+    found.mean_square->unmet = unmet;
     const auto interval = positive_interval(*found.mean_square, level);
     if (!interval) return;
     found.interval = stats::square_root(*interval);
@@ -90,17 +107,19 @@ void add_efficiency(std::span<const double> squares, double level, ClassError& f
 
 std::optional<ClassError> class_error(const CellEstimates& estimates, const Scene& scene, const KnownFactors& known,
                                       std::span<const Quantity> pairs, PairClass pair_class, VarianceStatus status,
-                                      double level) {
+                                      double level, const UnmetOf& unmet_of) {
     const auto members = pairs_of_class(scene, known_pairs(pairs, known), pair_class);
     const auto errors = errors_of(estimates, members, known);
     if (errors.empty()) return std::nullopt;
-    ClassError found = class_error_of(errors, members.size(), estimates.evaluations_per_face, status, level);
+    std::vector<stats::Unmet> unmet;
+    for (const Quantity pair : members) unmet.push_back(unmet_of(pair));
+    ClassError found = class_error_of(errors, members.size(), estimates.evaluations_per_face, status, level, unmet);
     found.pair_class = pair_class;
     return found;
 }
 
 ClassError class_error_of(std::span<const double> errors, std::size_t pairs, std::uint64_t evaluations,
-                          VarianceStatus status, double level) {
+                          VarianceStatus status, double level, const std::vector<stats::Unmet>& unmet) {
     ClassError found;
     found.pairs = pairs;
     found.trials = errors.size() / pairs;
@@ -113,10 +132,11 @@ ClassError class_error_of(std::span<const double> errors, std::size_t pairs, std
     found.median_abs_error = *stats::median_absolute_error(errors, 0);
     found.bias = *stats::moments_of(means).mean();
     // Too few hits make no test of a mean, but their spread is one all the same.
-    if (status == VarianceStatus::finite || status == VarianceStatus::sparse) add_variance(errors, level, found);
+    if (status == VarianceStatus::finite || status == VarianceStatus::sparse)
+        add_variance(errors, level, unmet_squares(unmet, evaluations), found);
     if (status != VarianceStatus::finite) return found;
     found.bias_interval = stats::mean_interval(means, 0, level);
-    add_efficiency(squares, level, found);
+    add_efficiency(squares, level, unmet_squares(unmet, evaluations), found);
     return found;
 }
 

@@ -11,6 +11,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -39,17 +40,21 @@ struct ClassError {
     std::optional<stats::Interval> efficiency_interval;
 };
 
+/// What the evaluations of all trials of a pair may have missed.
+using UnmetOf = std::function<stats::Unmet(Quantity pair)>;
+
 /// Empty where no pair of the class has an exact value, or there is no trial.
 /// @param pairs  distinct ones
 /// @param status  of the estimates of this class: intervals and efficiency need a finite variance
 /// @param level  of the intervals, in (0, 1)
 std::optional<ClassError> class_error(const CellEstimates& estimates, const Scene& scene, const KnownFactors& known,
                                       std::span<const Quantity> pairs, PairClass pair_class, VarianceStatus status,
-                                      double level);
+                                      double level, const UnmetOf& unmet_of);
 
 /// The same from errors, [trial * pairs + pair]; the class is not set. @pre at least one trial
+/// @param unmet  one for each pair; none where nothing is known
 ClassError class_error_of(std::span<const double> errors, std::size_t pairs, std::uint64_t evaluations,
-                          VarianceStatus status, double level);
+                          VarianceStatus status, double level, const std::vector<stats::Unmet>& unmet = {});
 
 /// Estimate - exact value, [trial * pairs + pair]. @pre all pairs have one
 std::vector<double> errors_of(const CellEstimates& estimates, std::span<const Quantity> pairs,

@@ -131,7 +131,7 @@ std::optional<stats::MeanEvidence> mean_of_trials(std::span<const double> values
                                                   const stats::KnownLimits& limits) {
     if (!pilot_trials) return stats::mean_evidence(values, reference, limits);
     const auto pilot = stats::skewed_pilot_of(values, *pilot_trials, limits.largest_part);
-    return pilot ? std::optional(stats::mean_evidence_after(*pilot, values, reference, limits.unmet)) : std::nullopt;
+    return pilot ? std::optional(stats::mean_evidence_after(*pilot, values, reference, limits)) : std::nullopt;
 }
 
 Summary summarise(std::span<const double> values, const SummaryRequest& request) {

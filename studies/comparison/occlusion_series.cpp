@@ -4,6 +4,7 @@
 #include "core/configurations/families.hpp"
 #include "core/exact/known_factors.hpp"
 #include "studies/comparison/rivals.hpp"
+#include "studies/theory/known_variance.hpp"
 
 #include <algorithm>
 #include <array>
@@ -73,8 +74,11 @@ class Errors {
         if (status == VarianceStatus::undefined) return std::nullopt;
         PairError found;
         found.cell = cell;
+        const StudyPlan& plan = findings_.plan;
+        const auto limits = known_limits(plan.spec.methods[method], plan.scenes[scene], plan.cells[cell].subdivision,
+                                         pair, estimates.evaluations_per_face, estimates.trials());
         found.error = class_error_of(errors_of(estimates, std::array{pair}, known), 1, estimates.evaluations_per_face,
-                                     status, findings_.plan.spec.level);
+                                     status, plan.spec.level, {limits.unmet});
         const ErrorSize size = status == VarianceStatus::infinite ? ErrorSize::median_abs_error : ErrorSize::rmse;
         found.slope = slope_of(slopes_, scene, method, pair, size);
         return found;

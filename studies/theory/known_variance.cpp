@@ -1,5 +1,6 @@
 #include "studies/theory/known_variance.hpp"
 
+#include "core/geometry/surface_map.hpp"
 #include "core/patches/face_averages.hpp"
 #include "samplers/sampler.hpp"
 
@@ -82,7 +83,7 @@ stats::KnownLimits known_limits(const Method& method, const Scene& scene, Subdiv
         auto limits =
             known_limits(method, scene, subdivision, {quantity.kind, quantity.to, quantity.from}, evaluations, trials);
         limits.largest_part *= ratio;
-        limits.unmet.largest_jump *= ratio;
+        limits.unmet.largest *= ratio;
         return limits;
     }
     const EstimatorEntry& estimator = find_estimator(method.estimator);
@@ -98,10 +99,22 @@ stats::KnownLimits known_limits(const Method& method, const Scene& scene, Subdiv
     // A point and its mirror image may miss the same places.
     const bool mirrored =
         !method.sampler.empty() && samplers::find(method.sampler).info.spread == samplers::Spread::mirrored;
-    const double each = static_cast<double>(evaluations) / (mirrored ? 2 : 1);
-    limits.unmet = {.largest_jump = terms * estimator.largest_jump(estimator_options(method), scene, from, to),
-                    .evaluations = each * static_cast<double>(trials)};
+    const double all = static_cast<double>(evaluations) * static_cast<double>(trials) / (mirrored ? 2 : 1);
+    limits.unmet = {.largest = terms * estimator.largest_unmet(estimator_options(method), scene, from, to, all),
+                    .evaluations = all};
     return limits;
+}
+
+double rounding_of_bias(const Scene& scene, Quantity quantity) {
+    constexpr double of_factors = 1e-15;
+    constexpr double of_exchange_areas = 1e-18;
+    if (quantity.kind != QuantityKind::form_factor) return static_cast<double>(scene.faces.size()) * of_factors;
+    Eigen::AlignedBox3d box;
+    for (const Surface& surface : scene.surfaces) {
+        if (surface.face == quantity.from - 1 || surface.face == quantity.to - 1) box.extend(box_around(surface));
+    }
+    const double area = face_area(scene, quantity.from - 1);
+    return of_factors + of_exchange_areas * box.diagonal().squaredNorm() / area;
 }
 
 bool has_independent_hits(const Method& method, Quantity quantity) {

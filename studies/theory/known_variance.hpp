@@ -31,11 +31,15 @@ bool too_few_hits(std::optional<double> lattice, std::optional<double> reference
 
 /// What theory knows of a trial's estimate, as the rule for means wants it (stats/mean_test.hpp). How much one part can
 /// move it: the largest value of an evaluation over the number of independent ones; infinite where values have no known
-/// bound, and for quantities other than form factors. What the evaluations of all trials may have missed: as far as
-/// they jump, for form factors.
+/// bound, and for quantities other than form factors. What the evaluations of all trials may have missed: shadows,
+/// edges and peaks, for form factors.
 /// @param evaluations  of a trial, for a face or for a pair of faces
 stats::KnownLimits known_limits(const Method& method, const Scene& scene, Subdivision subdivision, Quantity quantity,
                                 std::uint64_t evaluations, std::size_t trials);
+
+/// How far a method without bias may be off a reference, because both are computed: estimates and factors about 1 are
+/// right to 1e-15, exchange areas to 1e-18 of the squared extent (core/exact/exact.hpp).
+double rounding_of_bias(const Scene& scene, Quantity quantity);
 
 /// Whether a trial's hits are those of independent rays. From one undivided surface they are binomial; from patches
 /// they vary less than that, so that binomial tests and intervals hold all the same [hoeffding1956].

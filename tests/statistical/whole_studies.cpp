@@ -43,6 +43,8 @@ constexpr auto sound_cells = std::to_array<SoundCell>({
     {"RareHits", "nested_cubes:5", "sampler = \"random\"\nestimator = \"ray_shooting\"\nsamples_per_patch = 128"},
     {"RareHitsAmongKernels", "box:1x1x16",
      "sampler = \"sobol\"\nestimator = \"rays_and_kernel\"\nsamples_per_patch = 64"},
+    {"FactorsNearAnEdge", "box:1000x1000x1",
+     "sampler = \"random\"\nestimator = \"solid_angle\"\nsamples_per_patch = 64"},
     {"TiedHits", "cube", "sampler = \"sobol\"\nestimator = \"ray_shooting\"\nsamples_per_patch = 64"},
     {"BoundedValues", "cube", "sampler = \"random\"\nestimator = \"rays_and_kernel\"\nsamples_per_patch = 64"},
     {"SolidAngles", "cube", "sampler = \"sobol\"\nestimator = \"solid_angle\"\nsamples_per_patch = 64"},

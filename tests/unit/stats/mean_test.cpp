@@ -132,16 +132,24 @@ TEST(MeanTest, KnowsThatMeansOfManySmallPartsAreHardlySkewed) {
     EXPECT_NEAR(interval_of(*known, 0.999).high, known->difference + t * known->standard_error, 1e-2);
 }
 
-// A jump of 2 that none of 1000 evaluations has met, at half of the tail of 0.025: python: 2 * (1 - 0.0125 ** 1e-3).
+// A jump of 2 that none of 1000 evaluations has met, at a tenth of the tail of 0.025: python: 2 * (1 - 0.0025 ** 1e-3).
 TEST(MeanTest, AllowsForJumpsThatNoEvaluationHasMet) {
-    constexpr double missed = 0.00874487912934252;
+    constexpr double missed = 0.011947103032699191;
     const auto seen = mean_evidence(eight_values, 3, not_skewed);
     const auto jumping =
-        mean_evidence(eight_values, 3, {.largest_part = no_part, .unmet = {.largest_jump = 2, .evaluations = 1000}});
-    EXPECT_NEAR(interval_of(*jumping, 0.95).low, interval_of(*seen, 0.975).low - missed, 1e-12);
-    EXPECT_NEAR(interval_of(*jumping, 0.95).high, interval_of(*seen, 0.975).high + missed, 1e-12);
+        mean_evidence(eight_values, 3, {.largest_part = no_part, .unmet = {.largest = 2, .evaluations = 1000}});
+    EXPECT_NEAR(interval_of(*jumping, 0.95).low, interval_of(*seen, 0.955).low - missed, 1e-12);
+    EXPECT_NEAR(interval_of(*jumping, 0.95).high, interval_of(*seen, 0.955).high + missed, 1e-12);
     EXPECT_GT(test_mean(*jumping).p, test_mean(*seen).p);
     EXPECT_EQ(test_mean(*jumping).student_p, test_mean(*seen).student_p);
+}
+
+TEST(MeanTest, AllowsForTheRoundingOfValuesAndReference) {
+    const auto exact = mean_evidence(eight_values, 3, not_skewed);
+    const auto rounded = mean_evidence(eight_values, 3, {.largest_part = no_part, .unmet = {}, .rounding = 0.25});
+    EXPECT_NEAR(interval_of(*rounded, 0.95).low, interval_of(*exact, 0.95).low - 0.25, 1e-12);
+    EXPECT_NEAR(interval_of(*rounded, 0.95).high, interval_of(*exact, 0.95).high + 0.25, 1e-12);
+    EXPECT_GT(test_mean(*rounded).p, test_mean(*exact).p);
 }
 
 // Trials that agree to nine digits are far from the reference, and none has met what one in 500 evaluations may meet.
@@ -149,7 +157,7 @@ TEST(MeanTest, CallsNothingDifferentForWhatRareEvaluationsMayHold) {
     std::vector<double> values;
     for (int i = 0; i < 30; ++i) values.push_back(0.5 + 1e-9 * (i % 7));
     const auto judged = [&](double evaluations) {
-        return test_mean(*mean_evidence(values, 0.501, {.unmet = {.largest_jump = 1, .evaluations = evaluations}})).p;
+        return test_mean(*mean_evidence(values, 0.501, {.unmet = {.largest = 1, .evaluations = evaluations}})).p;
     };
     EXPECT_NEAR(judged(300), 1, 1e-9);
     EXPECT_LT(judged(30'000), 1e-6);

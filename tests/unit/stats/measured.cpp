@@ -35,6 +35,15 @@ TEST(Measured, ReachesInProportionBelowMeansNear0) {
     EXPECT_NEAR(logarithm_of(known_mean(5)).reach(-1, 0.025), 2 * 2.5 * t, 1e-12);
 }
 
+// What no evaluation has met makes a mean square larger, never smaller.
+TEST(Measured, ReachesHigherWhereEvaluationsMayHaveMissedSomething) {
+    MeanEvidence mean = known_mean();
+    mean.unmet = {.largest = 1, .evaluations = 100};
+    const double t = student_critical(99, 0.9 * 0.025);
+    EXPECT_NEAR(logarithm_of(mean).reach(1, 0.025), std::log1p(0.05 * t + mean.unmet.reach(0.1 * 0.025) / 2), 1e-14);
+    EXPECT_NEAR(logarithm_of(mean).reach(-1, 0.025), -std::log1p(-0.05 * t), 1e-14);
+}
+
 TEST(Measured, AddsReachesAsSquaresAndTurnsThoseOfNegativeParts) {
     Measured sum = logarithm_of(known_mean());
     sum.parts.push_back(sum.parts.front());

@@ -32,7 +32,7 @@ class ClassErrors : public testing::Test {
                                                VarianceStatus status = VarianceStatus::finite,
                                                double level = 0.95) const {
         return class_error(shifted(exact, errors), cube, KnownFactors(exact), distinct_pairs(6, Completion::direct),
-                           pair_class, status, level);
+                           pair_class, status, level, [](Quantity) { return stats::Unmet{}; });
     }
 
     Scene cube = make_box(1, 1, 1);

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "core/geometry/scene.hpp"
+
+namespace ff {
+
+/// What the evaluations of an estimator may all have missed: how large its values between two faces (numbered from 0)
+/// may be at places that few evaluations meet. These are places where a blocker begins or one face rises above the
+/// plane of the other, and peaks: a small surface close to a large one owes all its light to the few points beneath it.
+
+/// A bound of the kernel of points on two faces, area / (pi distance^2) of the boxes around them; infinite where these
+/// meet. That of a part of a sphere to itself is constant: its share of the whole sphere.
+double largest_kernel(const Scene& scene, int from, int to);
+
+/// For the kernel at random pairs of points. 0 where all pairs of surfaces are seen whole and are peaked so little that
+/// enough of the evaluations meet the peak; what touching surfaces hide is a matter of their variance.
+double largest_unmet_kernel(const Scene& scene, int from, int to, double evaluations);
+
+/// The same for factors from random points to a whole face, which are at most 1.
+double largest_unmet_factor(const Scene& scene, int from, int to, double evaluations);
+
+/// For rays and lines, whose evaluations have a value other than 0, at most `largest`, only where they meet both faces.
+double largest_unmet_hit(const Scene& scene, int from, int to, double evaluations, double largest);
+
+}  // namespace ff

@@ -1,0 +1,56 @@
+#include "core/estimators/unmet.hpp"
+
+#include "core/exact/exact.hpp"
+#include "core/geometry/box.hpp"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+namespace ff {
+namespace {
+
+/// A large square, and a small one above its middle that looks down on it.
+Scene lamp_above_floor(double edge, double lamp, double height) {
+    const double low = (edge - lamp) / 2;
+    Scene scene;
+    scene.surfaces = {{Parallelogram{{0, 0, 0}, {edge, 0, 0}, {0, edge, 0}}, {0, 0, 1}, 0},
+                      {Parallelogram{{low, low, height}, {lamp, 0, 0}, {0, lamp, 0}}, {0, 0, -1}, 1}};
+    scene.faces = {"floor", "lamp"};
+    return scene;
+}
+
+TEST(Unmet, IsNothingWhereMostPointsSeeMuchOfTheOtherFace) {
+    const Scene cube = make_box(1, 1, 1);
+    for (int to = 1; to < 6; ++to) {
+        EXPECT_EQ(largest_unmet_factor(cube, 0, to, 100), 0) << to;
+        EXPECT_EQ(largest_unmet_hit(cube, 0, to, 5000, 2), 0) << to;
+    }
+}
+
+// The lamp owes its factor to some 1e-5 of the points of the floor: a million of them meet it, a thousand do not.
+TEST(Unmet, IsThePeakOfASmallFaceCloseToALargeOne) {
+    const Scene scene = lamp_above_floor(100, 0.2, 0.2);
+    EXPECT_DOUBLE_EQ(largest_unmet_factor(scene, 0, 1, 1000), 1 / std::numbers::pi);
+    EXPECT_EQ(largest_unmet_factor(scene, 0, 1, 1e7), 0);
+    EXPECT_DOUBLE_EQ(largest_unmet_kernel(scene, 0, 1, 1000), largest_kernel(scene, 0, 1));
+    EXPECT_EQ(largest_unmet_kernel(scene, 0, 1, 1e7), 0);
+    EXPECT_EQ(largest_unmet_factor(scene, 1, 0, 100), 0) << "all points of the lamp see the floor alike";
+}
+
+TEST(Unmet, HasAPeakForEachSurfaceOfAFace) {
+    Scene scene = lamp_above_floor(100, 0.2, 0.2);
+    scene.surfaces.push_back({Parallelogram{{0, 0, 60}, {100, 0, 0}, {0, 100, 0}}, {0, 0, -1}, 1});
+    scene.empty_box = Eigen::Vector3d(100, 100, 60);  // leaves out what the lamp hides
+    EXPECT_DOUBLE_EQ(largest_unmet_factor(scene, 0, 1, 1000), 1);
+    EXPECT_EQ(largest_unmet_factor(scene, 0, 1, 1e7), 0);
+}
+
+TEST(Unmet, HitsAreMissedWhereFewAreExpected) {
+    const Scene tube = make_box(1, 1, 16);
+    EXPECT_EQ(largest_unmet_hit(tube, 0, 5, 2000, 2), 2);
+    EXPECT_EQ(largest_unmet_hit(tube, 0, 5, 2e6, 2), 0);
+}
+
+}  // namespace
+}  // namespace ff
