@@ -24,7 +24,6 @@ struct Commands {
     AuditCommand audit_command;
     CheckCommand check_command;
     OutsideOptions check_outside;
-    SelftestCommand selftest_command;
     ff::studies::ConvergenceRequest convergence_request;
     RadiosityOptions radiosity_options;
     EnclosureCommand enclosure_command;
@@ -57,9 +56,6 @@ void add_commands(ProgramDefinition& program, Commands& all) {
     add_merge(program, all.merge_command);
     add_audit(program, all.audit_command);
     add_check(program, all.check_command, all.check_outside);
-    add_selftest(program, all.selftest_command);
-    add_form_factors_selftest(program, all.selftest_command);
-    add_heat_selftest(program, all.selftest_command);
     add_points(program, all.points_command);
     add_check_sampler(program, all.check_sampler_command);
     add_built_in_studies(program, all.run_command);

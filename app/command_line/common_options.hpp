@@ -7,9 +7,6 @@
 
 namespace ff::app {
 
-/// Seeds that a command repeats everything with, at most.
-inline constexpr std::uint64_t most_seeds = 1'000'000;
-
 /// Options that several commands take, checked.
 /// @throws UserError
 

@@ -9,7 +9,6 @@
 #include "samplers/added.hpp"
 #include "studies/explain/controls.hpp"
 #include "studies/explain/descriptions.hpp"
-#include "studies/selftest/selftest.hpp"
 
 #include <fmt/format.h>
 
@@ -89,7 +88,6 @@ std::vector<Listed> listed(std::string_view plural) {
             add(configuration.name, fmt::format("{} {}", exact_digits(configuration), configuration.summary));
     } else if (plural == "studies") {
         for (const auto& study : built_in_studies()) add(study.name, study.title);
-        add(studies::selftest_description.name, studies::selftest_description.summary);
     } else if (plural == "formats") {
         for (const Format& format : all_formats()) add(format.name, format.files);
     } else if (plural == "controls") {

@@ -122,15 +122,4 @@ struct ListCommand {
     bool json = false;
 };
 
-struct SelftestCommand {
-    std::optional<std::uint64_t> seed;
-    std::optional<std::uint64_t> repetitions;
-    std::optional<std::uint64_t> seeds;
-    std::optional<double> tolerance;  ///< of form factors
-    std::vector<std::string> scenes;  ///< of form factors; empty: all
-    std::optional<unsigned> threads;
-    std::filesystem::path out;  ///< empty: nothing is written
-    bool quiet = false;
-};
-
 }  // namespace ff::app

@@ -170,6 +170,7 @@ std::vector<studies::Verdict> verdicts_with_seed(Check check, std::uint64_t seed
 ExitCode sweep(Check& check, const CheckSession& session) {
     const auto out = session.out();
     const std::uint64_t seeds = check.command.seed_sweep;
+    constexpr std::uint64_t most_seeds = 1'000'000;
     if (seeds > most_seeds)
         throw UserError(fmt::format("--seed-sweep {} (at most {} seeds). Take fewer.", seeds, most_seeds));
     static_cast<void>(prepare(check, GatePurpose::check));

@@ -34,15 +34,6 @@ ExitCode audit(const AuditCommand& command);
 /// Checks the gates of a bands file: failed where one fails, else inconclusive where one is undecided.
 ExitCode check(const CheckCommand& command, const OutsideOptions& outside);
 
-/// Measures whether gates and intervals keep their promises; failed where a claim does not hold.
-ExitCode gates_selftest(const SelftestCommand& command);
-
-/// Measures how often the intervals of form_factors contain exact values; failed where this is too rare.
-ExitCode form_factors_selftest(const SelftestCommand& command);
-
-/// Measures how often the limits of heat contain exact flows; failed where this is too rare.
-ExitCode heat_selftest(const SelftestCommand& command);
-
 /// Lists samplers, estimators, scenes, studies or formats; without a kind, an overview.
 ExitCode list(const ListCommand& command);
 

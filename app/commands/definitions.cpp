@@ -6,29 +6,11 @@
 #include "app/commands/gate_commands.hpp"
 #include "app/folders/result_files.hpp"
 
-#include "studies/selftest/selftest.hpp"
-
 #include <fmt/format.h>
 
 #include <string>
 
 namespace ff::app {
-namespace {
-
-void add_coverage_options(CommandDefinition& sub, SelftestCommand& command) {
-    sub.option("--seeds", command.seeds, "Seeds that every scene is computed with (default: 200)",
-               {.numbers = Numbers::positive});
-    sub.option("--tolerance", command.tolerance, "Of the form factors (default: 0.004)",
-               {.numbers = Numbers::positive});
-    sub.option("--scene", command.scenes, "Scenes, separated by commas (default: the catalogue)",
-               {.type = "SCENE", .delimiter = ','});
-    sub.option("--seed", command.seed, "The first seed (default: 1)", {.numbers = Numbers::not_negative});
-    sub.option("--threads", command.threads, "Threads; results do not depend on them (default: all cores)");
-    sub.option("--out", command.out, "Folder for selftest.md (default: none is written)", {.type = "DIR"});
-    add_verbosity(sub, command.quiet);
-}
-
-}  // namespace
 
 void add_report(ProgramDefinition& program, ReportCommand& command) {
     CommandDefinition& sub = program.command(everyday, "report", "Write the reports of a finished study again");
@@ -104,34 +86,6 @@ void add_check(ProgramDefinition& program, CheckCommand& command, OutsideOptions
     add_outside_options(sub, outside, OutsideCodeFrom::files_too);
     sub.option("--threads", command.threads, "Threads; verdicts do not depend on them (default: all cores)");
     sub.action = [&] { return check(command, outside); };
-}
-
-void add_selftest(ProgramDefinition& program, SelftestCommand& command) {
-    constexpr auto& description = studies::selftest_description;
-    CommandDefinition& sub = program.command(checks, std::string(description.name), std::string(description.summary));
-    sub.option("--seeds", command.seeds, "Seeds that every control is run with (default: 200)",
-               {.numbers = Numbers::positive});
-    sub.option("--repetitions", command.repetitions, "Repetitions on made-up trials (default: 20000)",
-               {.numbers = Numbers::positive});
-    sub.option("--seed", command.seed, "Seed of all random numbers (default: 1)", {.numbers = Numbers::not_negative});
-    sub.option("--threads", command.threads, "Threads; results do not depend on them (default: all cores)");
-    sub.option("--out", command.out, "Folder for selftest.md (default: none is written)", {.type = "DIR"});
-    add_verbosity(sub, command.quiet);
-    sub.action = [&] { return gates_selftest(command); };
-}
-
-void add_form_factors_selftest(ProgramDefinition& program, SelftestCommand& command) {
-    CommandDefinition& sub = program.command(
-        checks, "form_factors_selftest", "How often the intervals of 'form_factors' hold the values of the catalogue");
-    add_coverage_options(sub, command);
-    sub.action = [&] { return form_factors_selftest(command); };
-}
-
-void add_heat_selftest(ProgramDefinition& program, SelftestCommand& command) {
-    CommandDefinition& sub =
-        program.command(checks, "heat_selftest", "How often the limits of 'heat' hold flows of the catalogue's scenes");
-    add_coverage_options(sub, command);
-    sub.action = [&] { return heat_selftest(command); };
 }
 
 void add_list(ProgramDefinition& program, ListCommand& command) {

@@ -17,7 +17,6 @@
 #include "studies/point_files/file_sampler.hpp"
 #include "studies/readers/text_file.hpp"
 #include "studies/scene_files/scene_file.hpp"
-#include "studies/selftest/selftest.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -93,7 +92,6 @@ std::vector<Explanation> described() {
     for (const auto& [kind, plural, descriptions] : studies::all_choices()) {
         for (const auto& description : descriptions) all.push_back(explanation(std::string(kind), description));
     }
-    all.push_back(explanation("study", studies::selftest_description));
     for (const Format& format : all_formats())
         all.push_back(
             {"format", std::string(format.name), std::string(format.files), "What is in them: docs/results.md.", ""});

@@ -25,7 +25,6 @@ constexpr std::array marks{
     Mark{"audit.md", "# Audit of published tables\n", ""},
     Mark{"comparison.md", "# Two runs side by side\n", ""},
     Mark{"enclosure.md", "", "\n## Exact form factors\n"},
-    Mark{"selftest.md", "", "ffstudy "},
     Mark{"results.json", "{", R"("schema": "ffstudy.results/)"},
     Mark{"verdicts.json", "{", R"("schema": "ffstudy.)"},
     Mark{"context.json", "{", R"("command": "ffstudy )"},

@@ -2,7 +2,6 @@
 
 #include "core/support/error.hpp"
 #include "core/support/nearest_name.hpp"
-#include "studies/selftest/selftest.hpp"
 
 #include "app/build_info.hpp"
 
@@ -40,8 +39,6 @@ std::filesystem::path find_study(const std::string& name_or_file) {
     for (const BuiltInStudy& study : list) {
         if (study.name == name_or_file) return study.file;
     }
-    if (name_or_file == studies::selftest_description.name)
-        throw UserError(fmt::format("'{0}' has options of its own. Run 'ffstudy {0}'.", name_or_file));
     std::filesystem::path file(name_or_file);
     if (std::filesystem::exists(file) || file.extension() == ".toml") return file;
     std::vector<std::string_view> names;

@@ -1,79 +1,165 @@
-#include "app/commands/commands.hpp"
-
-#include "app/command_line/common_options.hpp"
-#include "app/folders/output_folder.hpp"
-#include "app/folders/study_files.hpp"
+// ffstudy-validate: how often the verdicts, intervals and limits of ffstudy err. docs/validation.md is what it prints.
 
 #include "core/support/error.hpp"
-#include "reports/markdown/selftest_markdown.hpp"
-#include "studies/form_factors/coverage.hpp"
+#include "reports/files/output_file.hpp"
 #include "studies/gates/gate_experiment.hpp"
-#include "studies/heat/coverage.hpp"
-#include "studies/selftest/selftest.hpp"
 #include "studies/verdicts/bands_file.hpp"
+#include "tests/validation/form_factors/coverage.hpp"
+#include "tests/validation/gates/selftest.hpp"
+#include "tests/validation/heat/coverage.hpp"
+#include "tests/validation/markdown.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <charconv>
 #include <cstdint>
+#include <exception>
+#include <filesystem>
+#include <limits>
+#include <map>
+#include <span>
+#include <sstream>
+#include <string>
 #include <string_view>
+#include <thread>
 
-namespace ff::app {
+namespace ff::studies {
 namespace {
 
-constexpr std::uint64_t most_repetitions = 1'000'000'000;
+constexpr std::string_view help =
+    R"(usage: ffstudy-validate gates [--seeds N] [--repetitions N] [--seed S] [--threads T] [--out DIR]
+       ffstudy-validate form_factors [--seeds N] [--tolerance T] [--scene A,B] [--seed S] [--threads T] [--out DIR]
+       ffstudy-validate heat          with the same options
 
-/// @throws UserError for 0 and for more than `most`
-std::uint64_t checked_count(std::string_view option, std::uint64_t count, std::uint64_t most) {
-    if (count >= 1 && count <= most) return count;
-    throw UserError(fmt::format("{} {} (from 1 to {}). Take another number.", option, count, most));
+Measures how often the verdicts of gates, the intervals of form factors and the limits of heat flows err, and prints
+tables in Markdown; exit code 1 where a claim does not hold.
+
+  --seeds N        seeds that every control or scene is computed with (default: 200)
+  --repetitions N  of every rate on made-up trials (default: 20000)
+  --tolerance T    of the form factors (default: 0.004)
+  --scene A,B      scenes of the catalogue (default: all of them, and random ones)
+  --seed S         the first seed (default: 1)
+  --threads T      results do not depend on them (default: all cores)
+  --out DIR        folder for selftest.md (default: none is written)
+)";
+
+/// What follows the first argument: options, each with a value. Those that are read are forgotten.
+class Options {
+  public:
+    /// @throws UserError where the last one has no value
+    explicit Options(std::span<char*> arguments) {
+        if (arguments.size() % 2 != 0)
+            throw UserError(fmt::format("{} (takes a value). See --help.", arguments.back()));
+        for (std::size_t i = 0; i < arguments.size(); i += 2) values_[arguments[i]] = arguments[i + 1];
+    }
+
+    /// Its value; empty where it was not given.
+    std::string text(const std::string& option) {
+        const auto given = values_.extract(option);
+        return given.empty() ? "" : given.mapped();
+    }
+
+    /// Leaves a number as it is where none was given.
+    /// @throws UserError for what is no number from `least` to `most`
+    template <class Number>
+    void read(const std::string& option, Number& number, Number least, Number most) {
+        const std::string value = text(option);
+        if (value.empty()) return;
+        const char* const end = value.data() + value.size();
+        const auto [rest, error] = std::from_chars(value.data(), end, number);
+        if (error != std::errc() || rest != end || !(number >= least && number <= most)) {
+            throw UserError(fmt::format("{} {} (from {} to {}). Take another number.", option, value, least, most));
+        }
+    }
+
+    /// @throws UserError for an option that nothing has read
+    void expect_none_left() const {
+        if (!values_.empty())
+            throw UserError(fmt::format("{} (not an option of this). See --help.", values_.begin()->first));
+    }
+
+  private:
+    std::map<std::string, std::string> values_;
+};
+
+/// Reads the options that all take, and expects that no other is left.
+template <class WhatOptions>
+void read_last(Options& given, WhatOptions& options) {
+    options.threads = std::max(1u, std::thread::hardware_concurrency());
+    given.read("--threads", options.threads, 1u, 4096u);
+    given.read<std::uint64_t>("--seed", options.seed.value, 0, std::numeric_limits<std::int64_t>::max());
+    given.read<std::uint64_t>("--seeds", options.seeds, 1, 1'000'000);
+    given.expect_none_left();
 }
 
-/// Writes and prints the page; some contradictions make it a failure.
-ExitCode conclude(const SelftestCommand& command, const std::string& text, std::size_t contradictions) {
-    if (!command.out.empty()) OutputFolder(command.out, "selftest").write("selftest.md", text);
-    if (!command.quiet) fmt::print("{}", text);
-    return contradictions > 0 ? ExitCode::failed : ExitCode::passed;
-}
-
-studies::FormFactorCoverageOptions coverage_options(const SelftestCommand& command) {
-    studies::FormFactorCoverageOptions options;
-    options.threads = thread_count(command.threads);
-    if (command.seed) options.seed = checked_seed(*command.seed);
-    if (command.seeds) options.seeds = checked_count("--seeds", *command.seeds, most_seeds);
-    if (command.tolerance) options.tolerance = *command.tolerance;
-    options.scenes = command.scenes;
+SelftestOptions gate_options(Options given) {
+    SelftestOptions options;
+    given.read<std::uint64_t>("--repetitions", options.repetitions, 1, 1'000'000'000);
+    read_last(given, options);
     return options;
 }
 
-}  // namespace
-
-ExitCode gates_selftest(const SelftestCommand& command) {
-    studies::SelftestOptions options;
-    options.threads = thread_count(command.threads);
-    if (command.seed) options.seed = checked_seed(*command.seed);
-    if (command.repetitions)
-        options.repetitions = checked_count("--repetitions", *command.repetitions, most_repetitions);
-    if (command.seeds) options.seeds = checked_count("--seeds", *command.seeds, most_seeds);
-    const auto selftest = studies::run_selftest(
-        studies::load_bands(studies_folder() / "gates/controls.toml", studies::read_experiment), options);
-    const std::string text = reports::selftest_markdown(selftest);
-    return conclude(command, text, selftest.contradictions());
-}
-
-ExitCode form_factors_selftest(const SelftestCommand& command) {
-    auto options = coverage_options(command);
-    if (command.scenes.empty()) {
+FormFactorCoverageOptions coverage_options(Options given) {
+    FormFactorCoverageOptions options;
+    given.read("--tolerance", options.tolerance, 1e-15, 1.0);
+    std::istringstream scenes(given.text("--scene"));
+    for (std::string scene; std::getline(scenes, scene, ',');) options.scenes.push_back(scene);
+    read_last(given, options);
+    if (options.scenes.empty()) {
         options.adversarial = 20 * options.seeds;
         options.walls = 2 * options.seeds;
     }
-    const auto coverage = studies::measure_form_factor_coverage(options);
-    const std::string text = reports::form_factor_coverage_markdown(coverage);
-    return conclude(command, text, coverage.contradictions());
+    return options;
 }
 
-ExitCode heat_selftest(const SelftestCommand& command) {
-    const auto coverage = studies::measure_flow_coverage(coverage_options(command));
-    return conclude(command, reports::flow_coverage_markdown(coverage), coverage.contradictions());
+/// Prints the page of what was measured, and writes it where there is a folder. Returns the exit code.
+template <class Measured>
+int conclude(const Measured& measured, const std::filesystem::path& out) {
+    const std::string page = markdown(measured);
+    if (!out.empty()) {
+        std::filesystem::create_directories(out);
+        reports::write_file(out / "selftest.md", page);
+    }
+    fmt::print("{}", page);
+    return measured.contradictions() > 0 ? 1 : 0;
 }
 
-}  // namespace ff::app
+int validate(std::string_view what, Options given) {
+    const std::string out = given.text("--out");
+    if (what == "gates") {
+        const auto controls = load_bands(FF_BUILT_IN_STUDIES "/gates/controls.toml", read_experiment);
+        return conclude(run_selftest(controls, gate_options(given)), out);
+    }
+    if (what == "form_factors") return conclude(measure_form_factor_coverage(coverage_options(given)), out);
+    if (what == "heat") return conclude(measure_flow_coverage(coverage_options(given)), out);
+    throw UserError(fmt::format("{} (only gates, form_factors and heat are validated). See --help.", what));
+}
+
+int fail(int code, std::string_view message) {
+    fmt::print(stderr, "ffstudy-validate: {}\n", message);
+    return code;
+}
+
+}  // namespace
+}  // namespace ff::studies
+
+int main(int argc, char** argv) {
+    using namespace ff::studies;
+    const std::span<char*> arguments(argv, static_cast<std::size_t>(argc));
+    if (argc < 2) {
+        fmt::print(stderr, "{}", help);
+        return 2;
+    }
+    if (std::ranges::find(arguments, std::string_view("--help")) != arguments.end()) {
+        fmt::print("{}", help);
+        return 0;
+    }
+    try {
+        return validate(arguments[1], Options(arguments.subspan(2)));
+    } catch (const ff::UserError& error) {
+        return fail(2, error.what());
+    } catch (const std::exception& error) {
+        return fail(3, error.what());
+    }
+}

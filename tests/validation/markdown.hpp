@@ -1,23 +1,16 @@
 #pragma once
 
-#include "studies/form_factors/coverage.hpp"
-#include "studies/heat/coverage.hpp"
-#include "studies/selftest/selftest.hpp"
+#include "tests/validation/form_factors/coverage.hpp"
+#include "tests/validation/gates/selftest.hpp"
+#include "tests/validation/heat/coverage.hpp"
 
 #include <string>
 
-namespace ff::reports {
+namespace ff::studies {
 
-/// The tables of docs/validation.md, in Markdown.
-std::string selftest_markdown(const studies::Selftest& selftest);
+/// What ffstudy-validate prints of what was measured, in Markdown: the tables of docs/validation.md.
+std::string markdown(const Selftest& selftest);
+std::string markdown(const FormFactorCoverage& coverage);
+std::string markdown(const FlowCoverage& coverage);
 
-/// Measured rates beside their claims, a row each, under the table's title.
-std::string rate_table_markdown(const studies::RateTable& table, double level);
-
-/// What `ffstudy form_factors_selftest` prints.
-std::string form_factor_coverage_markdown(const studies::FormFactorCoverage& coverage);
-
-/// What `ffstudy heat_selftest` prints.
-std::string flow_coverage_markdown(const studies::FlowCoverage& coverage);
-
-}  // namespace ff::reports
+}  // namespace ff::studies

@@ -1,8 +1,8 @@
-#include "studies/form_factors/adversarial.hpp"
+#include "tests/validation/form_factors/adversarial.hpp"
 
 #include "core/geometry/shaft.hpp"
 #include "core/geometry/surface_map.hpp"
-#include "studies/form_factors/exchange_truths.hpp"
+#include "tests/validation/form_factors/exchange_truths.hpp"
 
 #include <fmt/format.h>
 

@@ -2,7 +2,7 @@
 
 #include "core/geometry/scene.hpp"
 #include "stats/resampling.hpp"
-#include "studies/form_factors/tiled_walls.hpp"
+#include "tests/validation/form_factors/tiled_walls.hpp"
 
 #include <array>
 #include <cstdint>

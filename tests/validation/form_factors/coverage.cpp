@@ -1,14 +1,14 @@
-#include "studies/form_factors/coverage.hpp"
+#include "tests/validation/form_factors/coverage.hpp"
 
 #include "core/configurations/built_in_scene.hpp"
 #include "core/configurations/catalogue.hpp"
 #include "stats/binomial.hpp"
 #include "stats/multiplicity.hpp"
-#include "studies/form_factors/adversarial.hpp"
 #include "studies/form_factors/form_factors.hpp"
-#include "studies/form_factors/tiled_walls.hpp"
 #include "studies/run/parallel.hpp"
-#include "studies/selftest/repetitions.hpp"
+#include "tests/validation/form_factors/adversarial.hpp"
+#include "tests/validation/form_factors/tiled_walls.hpp"
+#include "tests/validation/rates/repetitions.hpp"
 
 #include <fmt/format.h>
 

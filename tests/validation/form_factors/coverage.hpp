@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/points/stream.hpp"
-#include "studies/selftest/measured_rate.hpp"
+#include "tests/validation/rates/measured_rate.hpp"
 
 #include <cstdint>
 #include <string>

@@ -1,4 +1,4 @@
-#include "studies/form_factors/exchange_truths.hpp"
+#include "tests/validation/form_factors/exchange_truths.hpp"
 
 #include "core/visibility/visible_polygon.hpp"
 

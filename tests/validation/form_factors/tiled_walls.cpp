@@ -1,4 +1,4 @@
-#include "studies/form_factors/tiled_walls.hpp"
+#include "tests/validation/form_factors/tiled_walls.hpp"
 
 #include <fmt/format.h>
 #include <boost/math/quadrature/gauss.hpp>

@@ -1,12 +1,12 @@
-#include "studies/selftest/calibration.hpp"
+#include "tests/validation/gates/calibration.hpp"
 
 #include "stats/distributions.hpp"
 #include "stats/kolmogorov.hpp"
 #include "stats/mean_test.hpp"
 #include "stats/moments.hpp"
 #include "stats/power.hpp"
-#include "studies/selftest/bench.hpp"
 #include "studies/verdicts/measurement.hpp"
+#include "tests/validation/rates/bench.hpp"
 
 #include <fmt/format.h>
 

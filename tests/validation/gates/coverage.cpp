@@ -1,4 +1,4 @@
-#include "studies/selftest/coverage.hpp"
+#include "tests/validation/gates/coverage.hpp"
 
 #include "stats/convergence.hpp"
 #include "stats/ecdf_band.hpp"

@@ -1,4 +1,4 @@
-#include "studies/selftest/detection.hpp"
+#include "tests/validation/gates/detection.hpp"
 
 #include "core/configurations/built_in_scene.hpp"
 #include "core/exact/exact.hpp"
@@ -7,8 +7,8 @@
 #include "studies/gates/gate_experiment.hpp"
 #include "studies/gates/gate_run.hpp"
 #include "studies/run/parallel.hpp"
-#include "studies/selftest/bench.hpp"
 #include "studies/verdicts/estimate_gates.hpp"
+#include "tests/validation/rates/bench.hpp"
 
 #include <fmt/format.h>
 

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "studies/selftest/measured_rate.hpp"
-#include "studies/selftest/repetitions.hpp"
 #include "studies/verdicts/gate.hpp"
+#include "tests/validation/rates/measured_rate.hpp"
+#include "tests/validation/rates/repetitions.hpp"
 
 #include <cstdint>
 #include <string>

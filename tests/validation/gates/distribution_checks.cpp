@@ -1,8 +1,8 @@
-#include "studies/selftest/distribution_checks.hpp"
+#include "tests/validation/gates/distribution_checks.hpp"
 
-#include "studies/selftest/bench.hpp"
 #include "studies/verdicts/distribution_gates.hpp"
 #include "studies/verdicts/reported_gates.hpp"
+#include "tests/validation/rates/bench.hpp"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "studies/selftest/measured_rate.hpp"
-#include "studies/selftest/repetitions.hpp"
+#include "tests/validation/rates/measured_rate.hpp"
+#include "tests/validation/rates/repetitions.hpp"
 
 #include <cstdint>
 #include <vector>

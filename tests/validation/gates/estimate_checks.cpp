@@ -1,12 +1,12 @@
-#include "studies/selftest/estimate_checks.hpp"
+#include "tests/validation/gates/estimate_checks.hpp"
 
 #include "core/support/error.hpp"
 #include "stats/multiplicity.hpp"
 #include "studies/analysis/analysis.hpp"
-#include "studies/selftest/bench.hpp"
-#include "studies/selftest/made_up_files.hpp"
 #include "studies/verdicts/estimate_gates.hpp"
 #include "studies/verdicts/measurement.hpp"
+#include "tests/validation/gates/made_up_files.hpp"
+#include "tests/validation/rates/bench.hpp"
 
 #include <fmt/format.h>
 

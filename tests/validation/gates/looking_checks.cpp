@@ -1,11 +1,11 @@
-#include "studies/selftest/looking_checks.hpp"
+#include "tests/validation/gates/looking_checks.hpp"
 
 #include "stats/confidence_sequence.hpp"
 #include "stats/mean_interval.hpp"
 #include "stats/moments.hpp"
-#include "studies/selftest/bench.hpp"
 #include "studies/verdicts/ledger.hpp"
 #include "studies/verdicts/reported_gates.hpp"
+#include "tests/validation/rates/bench.hpp"
 
 #include <fmt/format.h>
 

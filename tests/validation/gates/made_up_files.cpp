@@ -1,6 +1,6 @@
-#include "studies/selftest/made_up_files.hpp"
+#include "tests/validation/gates/made_up_files.hpp"
 
-#include "studies/selftest/repetitions.hpp"
+#include "tests/validation/rates/repetitions.hpp"
 
 #include <fmt/format.h>
 

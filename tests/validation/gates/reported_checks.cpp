@@ -1,10 +1,10 @@
-#include "studies/selftest/reported_checks.hpp"
+#include "tests/validation/gates/reported_checks.hpp"
 
 #include "stats/box_distance.hpp"
 #include "stats/distributions.hpp"
 #include "stats/multiplicity.hpp"
-#include "studies/selftest/bench.hpp"
 #include "studies/verdicts/reported_gates.hpp"
+#include "tests/validation/rates/bench.hpp"
 
 #include <fmt/format.h>
 

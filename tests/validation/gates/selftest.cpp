@@ -1,12 +1,12 @@
-#include "studies/selftest/selftest.hpp"
+#include "tests/validation/gates/selftest.hpp"
 
 #include "stats/multiplicity.hpp"
-#include "studies/selftest/coverage.hpp"
-#include "studies/selftest/distribution_checks.hpp"
-#include "studies/selftest/estimate_checks.hpp"
-#include "studies/selftest/looking_checks.hpp"
-#include "studies/selftest/reported_checks.hpp"
-#include "studies/selftest/study_checks.hpp"
+#include "tests/validation/gates/coverage.hpp"
+#include "tests/validation/gates/distribution_checks.hpp"
+#include "tests/validation/gates/estimate_checks.hpp"
+#include "tests/validation/gates/looking_checks.hpp"
+#include "tests/validation/gates/reported_checks.hpp"
+#include "tests/validation/gates/study_checks.hpp"
 
 #include <algorithm>
 

@@ -1,25 +1,14 @@
 #pragma once
 
-#include "studies/explain/descriptions.hpp"
-#include "studies/selftest/calibration.hpp"
-#include "studies/selftest/detection.hpp"
-#include "studies/selftest/measured_rate.hpp"
 #include "studies/verdicts/gate.hpp"
+#include "tests/validation/gates/calibration.hpp"
+#include "tests/validation/gates/detection.hpp"
+#include "tests/validation/rates/measured_rate.hpp"
 
 #include <cstdint>
 #include <vector>
 
 namespace ff::studies {
-
-/// Listed and explained along with the studies that are files.
-inline constexpr Description selftest_description{
-    "gates_selftest", "Check the gates and intervals themselves: what is broken is caught, what is sound is not",
-    "Runs every control ('ffstudy list controls') through its gate with many seeds, and its sound counterpart beside "
-    "it;\nmeasures false alarms at the ends of the band and at a point null, p-values, power, the coverage of every "
-    "interval\nmethod, and what becomes of estimates that are skewed, correlated, repeated or of infinite variance. "
-    "Claims are tested "
-    "together, at 1 %;\nexit code 1 where one does not hold. A command of its own: ffstudy gates_selftest --help.",
-    ""};
 
 struct SelftestOptions {
     Seed seed{1};

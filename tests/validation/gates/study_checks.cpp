@@ -1,10 +1,10 @@
-#include "studies/selftest/study_checks.hpp"
+#include "tests/validation/gates/study_checks.hpp"
 
 #include "stats/mean_test.hpp"
 #include "stats/multiplicity.hpp"
 #include "stats/tail_doubt.hpp"
-#include "studies/selftest/bench.hpp"
-#include "studies/selftest/made_up_files.hpp"
+#include "tests/validation/gates/made_up_files.hpp"
+#include "tests/validation/rates/bench.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "studies/heat/coverage.hpp"
+#include "tests/validation/heat/coverage.hpp"
 
 #include "core/configurations/built_in_scene.hpp"
 #include "core/configurations/catalogue.hpp"
@@ -7,8 +7,8 @@
 #include "stats/multiplicity.hpp"
 #include "studies/form_factors/form_factors.hpp"
 #include "studies/heat/heat.hpp"
-#include "studies/heat/known_flows.hpp"
 #include "studies/run/parallel.hpp"
+#include "tests/validation/heat/known_flows.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "studies/form_factors/coverage.hpp"
-#include "studies/selftest/measured_rate.hpp"
+#include "tests/validation/form_factors/coverage.hpp"
+#include "tests/validation/rates/measured_rate.hpp"
 
 #include <cstddef>
 

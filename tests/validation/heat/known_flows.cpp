@@ -1,4 +1,4 @@
-#include "studies/heat/known_flows.hpp"
+#include "tests/validation/heat/known_flows.hpp"
 
 #include "core/configurations/cylinder_and_cone.hpp"
 #include "studies/scene_files/scene_file.hpp"

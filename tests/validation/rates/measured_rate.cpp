@@ -1,4 +1,4 @@
-#include "studies/selftest/measured_rate.hpp"
+#include "tests/validation/rates/measured_rate.hpp"
 
 namespace ff::studies {
 

@@ -1,4 +1,4 @@
-#include "studies/selftest/repetitions.hpp"
+#include "tests/validation/rates/repetitions.hpp"
 
 #include "stats/distributions.hpp"
 #include "studies/run/parallel.hpp"

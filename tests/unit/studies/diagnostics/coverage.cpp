@@ -16,7 +16,7 @@ namespace ff::studies {
 namespace {
 
 /// Normal trials around the exact value, off by `bias` standard deviations.
-Store normal_trials(const StudyPlan& plan, double bias, double deviation_of_second = 0.01) {
+Store trials_around_exact(const StudyPlan& plan, double bias, double deviation_of_second = 0.01) {
     const auto exact = *exact_form_factors(plan.scenes.front());
     return test::fill(plan, [=](std::size_t cell, std::uint64_t trial, int from, int to) {
         std::seed_seq seed{static_cast<int>(cell), static_cast<int>(trial), from, to};
@@ -43,7 +43,7 @@ const Coverage& row(const std::vector<Coverage>& rows, IntervalRule rule) {
 
 // 300 groups of 5 from each of 6 faces. Risks: 1e-6; .90 is noticed with power .99.
 TEST(Coverage, OfNormalTrialsIsNominalForStudentAndTwoStagesOnly) {
-    const auto rows = measure_coverage(normal_trials(coverage_plan(), 0));
+    const auto rows = measure_coverage(trials_around_exact(coverage_plan(), 0));
     const auto agrees = [&](IntervalRule rule) {
         const Coverage& found = row(rows, rule);
         return test::has_probability(found.covered, found.intervals, 0.95,
@@ -61,7 +61,7 @@ TEST(Coverage, OfNormalTrialsIsNominalForStudentAndTwoStagesOnly) {
 }
 
 TEST(Coverage, FallsShortWhereThereIsABias) {
-    const auto rows = measure_coverage(normal_trials(coverage_plan(), 1));
+    const auto rows = measure_coverage(trials_around_exact(coverage_plan(), 1));
     EXPECT_TRUE(row(rows, IntervalRule::student_t).short_of_nominal);
 }
 
@@ -82,7 +82,7 @@ sampler = "sobol"
 estimator = "point_to_polygon"
 samples_per_patch = 32
 )"));
-    const Store store = normal_trials(plan, 0, 0.005);
+    const Store store = trials_around_exact(plan, 0, 0.005);
     const auto found = compare_with_random(analyse(store));
     ASSERT_EQ(found.size(), 2u);  // the classes of "other"
     for (const VarianceReduction& reduction : found) {

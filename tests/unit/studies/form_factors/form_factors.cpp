@@ -5,7 +5,6 @@
 #include "core/exact/exact.hpp"
 #include "core/geometry/box.hpp"
 #include "core/support/error.hpp"
-#include "studies/form_factors/coverage.hpp"
 #include "studies/form_factors/words.hpp"
 #include "tests/support/statistical_assertions.hpp"
 
@@ -219,35 +218,6 @@ TEST(FormFactors, RefuseUnattainableTolerances) {
     FormFactorRequest request = request_within(1e-3);
     request.level = 1;
     EXPECT_THROW(find_form_factors(round, request), UserError);
-}
-
-/// 100 seeds on three scenes of points and rays, level 0.95 of each entry and of the matrix.
-FormFactorCoverage coverage_of(double shrink) {
-    FormFactorCoverageOptions options;
-    options.seeds = 100;
-    options.tolerance = 4e-3;
-    options.threads = 2;
-    options.shrink = shrink;
-    options.scenes = {"squares_blocked", "discs_blocked", "sphere_to_disc", "cube_adjacent_faces"};
-    return measure_form_factor_coverage(options);
-}
-
-// Six rates, each claimed to be at least 0.95: one of them falls below its interval, at level 1 - 0.05 / 6, with
-// probability 0.05 at most if all are 0.95 (fixed seeds). Coverage of 0.83 is noticed with probability 0.9 in each:
-// P(X <= 88) for X ~ B(100, 0.83), 88 being the most whose interval ends below 0.95.
-TEST(FormFactorCoverage, IsThatOfTheLevel) {
-    const FormFactorCoverage coverage = coverage_of(1);
-    EXPECT_EQ(coverage.contradictions(), 0u);
-    EXPECT_EQ(coverage.entries.rates.size(), 3u);
-    EXPECT_EQ(coverage.matrices.rates.size(), 3u);
-    EXPECT_EQ(coverage.exact_pairs, 1u);
-    EXPECT_EQ(coverage.exact_missed, 0u);
-    EXPECT_EQ(coverage.out_of_tolerance, 0u);
-}
-
-// Half the width holds about 0.71 of all values where it should hold 0.955 (Student's t, 15 degrees of freedom).
-TEST(FormFactorCoverage, IsSeenToFallShortWhereIntervalsAreTooNarrow) {
-    EXPECT_EQ(coverage_of(0.5).contradictions(), 6u);
 }
 
 }  // namespace

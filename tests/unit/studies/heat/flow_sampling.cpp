@@ -3,8 +3,8 @@
 #include "core/configurations/built_in_scene.hpp"
 #include "core/support/error.hpp"
 #include "studies/heat/flow_plan.hpp"
-#include "studies/heat/known_flows.hpp"
 #include "studies/scene_files/scene_file.hpp"
+#include "tests/validation/heat/known_flows.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,8 +1,8 @@
 #include "studies/heat/heat.hpp"
 
 #include "core/support/error.hpp"
-#include "studies/heat/known_flows.hpp"
 #include "studies/scene_files/scene_file.hpp"
+#include "tests/validation/heat/known_flows.hpp"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>

@@ -1,9 +1,9 @@
-#include "studies/form_factors/adversarial.hpp"
+#include "tests/validation/form_factors/adversarial.hpp"
 
-#include "studies/form_factors/coverage.hpp"
 #include "studies/form_factors/form_factors.hpp"
 #include "tests/support/repetitions.hpp"
 #include "tests/support/statistical_assertions.hpp"
+#include "tests/validation/form_factors/coverage.hpp"
 
 #include <gtest/gtest.h>
 

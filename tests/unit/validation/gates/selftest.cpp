@@ -1,4 +1,4 @@
-#include "studies/selftest/selftest.hpp"
+#include "tests/validation/gates/selftest.hpp"
 
 #include "stats/moments.hpp"
 #include "studies/run/parallel.hpp"

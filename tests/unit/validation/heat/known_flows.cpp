@@ -1,4 +1,4 @@
-#include "studies/heat/known_flows.hpp"
+#include "tests/validation/heat/known_flows.hpp"
 
 #include "stats/binomial.hpp"
 #include "tests/references/furnace_walks.hpp"
