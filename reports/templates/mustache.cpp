@@ -2,8 +2,8 @@
 
 #include "core/support/error.hpp"
 #include "core/support/excerpt.hpp"
+#include "core/support/words.hpp"
 #include "studies/readers/printable.hpp"
-#include "studies/readers/words.hpp"
 
 #include <fmt/format.h>
 #include <kainjow/mustache.hpp>
@@ -45,13 +45,13 @@ std::vector<std::string> included_in(std::string_view text) {
     for (std::size_t at = 0; (at = text.find(begin, at)) != std::string_view::npos;) {
         at += begin.size();
         const std::size_t stop = std::min(text.find(end, at), text.size());
-        const std::string_view tag = studies::trimmed(text.substr(at, stop - at));
+        const std::string_view tag = trimmed(text.substr(at, stop - at));
         at = std::min(stop + end.size(), text.size());
-        if (tag.starts_with('>')) names.emplace_back(studies::trimmed(tag.substr(1)));
+        if (tag.starts_with('>')) names.emplace_back(trimmed(tag.substr(1)));
         const std::size_t blank = tag.find(' ');
         if (tag.size() < 4 || !tag.starts_with('=') || blank == std::string_view::npos) continue;
-        begin = studies::trimmed(tag.substr(1, blank - 1));  // {{=<% %>=}} changes the delimiters
-        end = studies::trimmed(tag.substr(blank, tag.size() - 1 - blank));
+        begin = trimmed(tag.substr(1, blank - 1));  // {{=<% %>=}} changes the delimiters
+        end = trimmed(tag.substr(blank, tag.size() - 1 - blank));
         if (begin.empty() || end.empty()) break;  // refused when it is parsed
     }
     return names;

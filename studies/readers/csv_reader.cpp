@@ -3,7 +3,7 @@
 #include "core/support/error.hpp"
 #include "core/support/excerpt.hpp"
 #include "core/support/nearest_name.hpp"
-#include "studies/readers/words.hpp"
+#include "core/support/words.hpp"
 
 #include <fmt/format.h>
 

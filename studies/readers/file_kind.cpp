@@ -1,7 +1,7 @@
 #include "studies/readers/file_kind.hpp"
 
 #include "core/support/error.hpp"
-#include "studies/readers/words.hpp"
+#include "core/support/words.hpp"
 
 #include <fmt/format.h>
 

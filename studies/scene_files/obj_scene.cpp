@@ -1,10 +1,10 @@
-#include "studies/readers/words.hpp"
 #include "studies/scene_files/builder.hpp"
 #include "studies/scene_files/formats.hpp"
 #include "studies/scene_files/scene_file.hpp"
 
 #include "core/support/error.hpp"
 #include "core/support/excerpt.hpp"
+#include "core/support/words.hpp"
 
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
 #include "core/support/excerpt.hpp"
-#include "studies/readers/words.hpp"
+#include "core/support/words.hpp"
 #include "studies/scene_files/builder.hpp"
 #include "studies/scene_files/formats.hpp"
 

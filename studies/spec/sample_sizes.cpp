@@ -2,8 +2,8 @@
 
 #include "core/support/error.hpp"
 #include "core/support/excerpt.hpp"
+#include "core/support/words.hpp"
 #include "samplers/size_ladder.hpp"
-#include "studies/readers/words.hpp"
 
 #include <fmt/format.h>
 

@@ -3,9 +3,9 @@
 #include "core/support/error.hpp"
 #include "core/support/excerpt.hpp"
 #include "core/support/nearest_name.hpp"
+#include "core/support/words.hpp"
 #include "studies/readers/csv_reader.hpp"
 #include "studies/readers/text_file.hpp"
-#include "studies/readers/words.hpp"
 #include "studies/verdicts/gate.hpp"
 
 #include <fmt/format.h>

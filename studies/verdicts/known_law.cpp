@@ -1,8 +1,8 @@
 #include "studies/verdicts/known_law.hpp"
 
 #include "core/support/nearest_name.hpp"
+#include "core/support/words.hpp"
 #include "stats/distributions.hpp"
-#include "studies/readers/words.hpp"
 
 #include <fmt/format.h>
 

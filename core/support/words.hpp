@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-namespace ff::studies {
+namespace ff {
 
 /// The text without leading and trailing blanks and line ends.
 inline std::string_view trimmed(std::string_view text) {
@@ -54,4 +54,4 @@ inline std::optional<double> finite_number(std::string_view word) {
     return value && std::isfinite(*value) ? value : std::nullopt;
 }
 
-}  // namespace ff::studies
+}  // namespace ff
