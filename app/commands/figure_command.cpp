@@ -7,6 +7,7 @@
 
 #include "core/support/error.hpp"
 #include "core/support/nearest_name.hpp"
+#include "core/support/words.hpp"
 #include "reports/pictures/drawing_request.hpp"
 #include "reports/text/text_table.hpp"
 
@@ -14,7 +15,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <string_view>
 #include <utility>
 
@@ -35,11 +35,9 @@ constexpr double most_mm = 2000;
 double length_in_mm(const std::string& option, const std::string& text) {
     for (const LengthUnit& unit : length_units) {
         if (!text.ends_with(unit.name)) continue;
-        const char* const end = text.data() + text.size() - unit.name.size();
-        double number = 0;
-        const auto [rest, error] = std::from_chars(text.data(), end, number);
-        const double mm = number * unit.mm;
-        if (error == std::errc() && rest == end && mm >= least_mm && mm <= most_mm) return mm;
+        const std::string_view number(text.data(), text.size() - unit.name.size());
+        const double mm = parse_bare_number<double>(number).value_or(0) * unit.mm;
+        if (mm >= least_mm && mm <= most_mm) return mm;
     }
     throw UserError(
         fmt::format(R"({} {} (a length from {:g} to {:g} mm, in mm, cm, in or pt). Write it like "84mm" or "3.3in".)",

@@ -6,6 +6,7 @@
 #include "app/terminal/terminal_style.hpp"
 
 #include "core/support/error.hpp"
+#include "core/support/words.hpp"
 #include "reports/csv/heat_csv.hpp"
 #include "reports/html/scene_html.hpp"
 #include "reports/terminal/heat_text.hpp"
@@ -16,11 +17,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <optional>
 #include <string>
 #include <string_view>
-#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -62,10 +61,7 @@ studies::FlowTolerance flow_tolerance_of(const HeatCommand& command, const studi
 double factor_tolerance_of(const HeatCommand& command) {
     constexpr double by_default = 1e-4;
     if (!command.tolerance) return by_default;
-    const char* const end = command.tolerance->data() + command.tolerance->size();
-    double tolerance = 0;
-    const auto [rest, error] = std::from_chars(command.tolerance->data(), end, tolerance);
-    if (error == std::errc{} && rest == end) return tolerance;
+    if (const auto tolerance = parse_bare_number<double>(*command.tolerance)) return *tolerance;
     throw UserError(
         fmt::format("--tolerance {} (not a number, as a tolerance of form factors is). Write 1e-4, or add "
                     "--tolerance-of flux.",

@@ -6,11 +6,11 @@
 #include "core/support/error.hpp"
 #include "core/support/excerpt.hpp"
 #include "core/support/nearest_name.hpp"
+#include "core/support/words.hpp"
 
 #include <fmt/format.h>
 
 #include <array>
-#include <charconv>
 #include <optional>
 #include <string>
 #include <utility>
@@ -24,18 +24,13 @@ constexpr double cube_edge = 6;
 /// Takes "AxBxC" apart; empty unless it is three numbers.
 std::optional<std::array<double, 3>> parse_edges(std::string_view text) {
     std::array<double, 3> edges{};
-    const char* next = text.data();
-    const char* const end = next + text.size();
-    for (double& edge : edges) {
-        if (&edge != edges.data()) {
-            if (next == end || *next != 'x') return std::nullopt;
-            ++next;
-        }
-        const auto [after, error] = std::from_chars(next, end, edge);
-        if (error != std::errc{}) return std::nullopt;
-        next = after;
+    const auto parts = split_at('x', text);
+    if (parts.size() != edges.size()) return std::nullopt;
+    for (std::size_t axis = 0; axis < edges.size(); ++axis) {
+        const auto edge = parse_bare_number<double>(parts[axis]);
+        if (!edge) return std::nullopt;
+        edges.at(axis) = *edge;
     }
-    if (next != end) return std::nullopt;
     return edges;
 }
 

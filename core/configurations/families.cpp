@@ -5,12 +5,12 @@
 #include "core/configurations/scenes.hpp"
 #include "core/support/error.hpp"
 #include "core/support/excerpt.hpp"
+#include "core/support/words.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <string>
 
 namespace ff {
@@ -73,13 +73,6 @@ const SceneFamily* find_family(std::string_view name) {
     return found == families.end() ? nullptr : found;
 }
 
-std::optional<double> number(std::string_view text) {
-    double value = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
-    return value;
-}
-
 }  // namespace
 
 std::span<const SceneFamily> scene_families() {
@@ -90,7 +83,7 @@ std::optional<Scene> family_scene(std::string_view name) {
     const std::size_t colon = name.find(':');
     const SceneFamily* family = find_family(name.substr(0, colon));
     if (family == nullptr || colon == std::string_view::npos) return std::nullopt;
-    const auto measure = number(name.substr(colon + 1));
+    const auto measure = parse_bare_number<double>(name.substr(colon + 1));
     const auto refuse = [&](std::string_view why) {
         throw UserError(
             fmt::format("scene {} ({}). Try {}:{}.", excerpt(name), why, family->name, family->of_catalogue));
@@ -114,7 +107,7 @@ std::optional<FamilyMember> family_member(const Scene& scene) {
     const SceneFamily* family = find_family(text.substr(0, space));
     if (family == nullptr) return std::nullopt;
     if (space == std::string_view::npos) return FamilyMember{family, family->of_catalogue};
-    return FamilyMember{family, number(text.substr(space + 1)).value()};
+    return FamilyMember{family, parse_bare_number<double>(text.substr(space + 1)).value()};
 }
 
 }  // namespace ff

@@ -17,36 +17,52 @@ inline std::string_view trimmed(std::string_view text) {
     return text.substr(first, text.find_last_not_of(blanks) - first + 1);
 }
 
-/// Words between blanks.
-inline std::vector<std::string_view> split_words(std::string_view line) {
-    constexpr std::string_view blanks = " \t\r";
+/// Words between blanks, or between whatever separates them; none is empty.
+inline std::vector<std::string_view> split_words(std::string_view line, std::string_view separators = " \t\r") {
     std::vector<std::string_view> words;
-    for (std::size_t begin = line.find_first_not_of(blanks); begin != std::string_view::npos;) {
-        const std::size_t end = line.find_first_of(blanks, begin);
+    for (std::size_t begin = line.find_first_not_of(separators); begin != std::string_view::npos;) {
+        const std::size_t end = line.find_first_of(separators, begin);
         words.push_back(line.substr(begin, end - begin));
-        begin = line.find_first_not_of(blanks, end);
+        begin = line.find_first_not_of(separators, end);
     }
     return words;
 }
 
-/// Calls visit(number from 1, words) for every line.
+/// The parts before, between and after separators; of a text without any, the text.
+inline std::vector<std::string_view> split_at(char separator, std::string_view text) {
+    std::vector<std::string_view> parts;
+    for (std::size_t end = text.find(separator); end != std::string_view::npos; end = text.find(separator)) {
+        parts.push_back(text.substr(0, end));
+        text.remove_prefix(end + 1);
+    }
+    parts.push_back(text);
+    return parts;
+}
+
+/// Calls visit(number from 1, line without its end) for every line.
 template <class Visit>
 void for_each_line(std::string_view text, Visit visit) {
     std::uint64_t number = 0;
     while (!text.empty()) {
         const std::size_t end = text.find('\n');
-        visit(++number, split_words(text.substr(0, end)));
+        visit(++number, text.substr(0, end));
         text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
     }
 }
 
+/// The whole of the text as a number, without a plus sign; empty where it is none.
+template <class Number>
+std::optional<Number> parse_bare_number(std::string_view text) {
+    Number number{};
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    return error == std::errc{} && end == text.data() + text.size() ? std::optional(number) : std::nullopt;
+}
+
+/// The same, with a plus sign or without.
 template <class Number>
 std::optional<Number> parse_number(std::string_view word) {
-    if (!word.empty() && word.front() == '+') word.remove_prefix(1);
-    Number value{};
-    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-    if (error != std::errc{} || end != word.data() + word.size()) return std::nullopt;
-    return value;
+    if (word.starts_with('+')) word.remove_prefix(1);
+    return parse_bare_number<Number>(word);
 }
 
 inline std::optional<double> finite_number(std::string_view word) {

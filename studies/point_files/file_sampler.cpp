@@ -1,13 +1,13 @@
 #include "studies/point_files/file_sampler.hpp"
 
 #include "core/support/error.hpp"
+#include "core/support/words.hpp"
 #include "studies/point_files/content.hpp"
 #include "studies/point_files/point_file.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <map>
 #include <memory>
 #include <system_error>
@@ -64,9 +64,7 @@ std::map<std::uint64_t, std::filesystem::path> files_of_ladder(const std::filesy
         if (file.size() <= before.size() + after.size() || !file.starts_with(before) || !file.ends_with(after))
             continue;
         const std::string digits = file.substr(before.size(), file.size() - before.size() - after.size());
-        std::uint64_t n = 0;
-        const auto [rest, bad] = std::from_chars(digits.data(), digits.data() + digits.size(), n);
-        if (bad == std::errc() && rest == digits.data() + digits.size()) files[n] = pattern.parent_path() / file;
+        if (const auto n = parse_bare_number<std::uint64_t>(digits)) files[*n] = pattern.parent_path() / file;
     }
     if (files.empty())
         throw IoError(fmt::format("{}: no such files ({} stands for a number of points). Check the folder.",

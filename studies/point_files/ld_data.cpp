@@ -1,12 +1,12 @@
 #include "core/support/error.hpp"
 #include "core/support/excerpt.hpp"
+#include "core/support/words.hpp"
 #include "studies/point_files/point_file.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <bit>
-#include <charconv>
 #include <utility>
 #include <vector>
 
@@ -30,11 +30,15 @@ std::uint32_t reversed_bits(std::uint64_t x) {
 class Numbers {
   public:
     Numbers(std::string_view text, std::string origin) : origin_(std::move(origin)) {
-        for (std::size_t at = 0; at < text.size();) {
-            const std::size_t end = std::min(text.find('\n', at), text.size());
-            read_line(text.substr(at, end - at));
-            at = end + 1;
-        }
+        for_each_line(text, [&](std::uint64_t number, std::string_view line) {
+            for (const std::string_view word : split_words(line.substr(0, line.find('#')))) {
+                const auto value = parse_bare_number<std::uint64_t>(word);
+                if (!value)
+                    throw UserError(fmt::format("{}:{}: \"{}\" (a whole number is wanted here). Mark comments with #.",
+                                                origin_, number, excerpt(word)));
+                numbers_.push_back(*value);
+            }
+        });
     }
 
     std::uint64_t next(std::string_view what) {
@@ -47,27 +51,9 @@ class Numbers {
     }
 
   private:
-    void read_line(std::string_view line) {
-        ++line_;
-        line = line.substr(0, line.find('#'));
-        constexpr std::string_view separators = " \t\r";
-        for (std::size_t at = line.find_first_not_of(separators); at != std::string_view::npos;
-             at = line.find_first_not_of(separators, at)) {
-            const std::size_t end = std::min(line.find_first_of(separators, at), line.size());
-            std::uint64_t value = 0;
-            const auto [rest, error] = std::from_chars(line.data() + at, line.data() + end, value);
-            if (error != std::errc() || rest != line.data() + end)
-                throw UserError(fmt::format("{}:{}: \"{}\" (a whole number is wanted here). Mark comments with #.",
-                                            origin_, line_, excerpt(line.substr(at, end - at))));
-            numbers_.push_back(value);
-            at = end;
-        }
-    }
-
     std::string origin_;
     std::vector<std::uint64_t> numbers_;
     std::size_t at_ = 0;
-    std::size_t line_ = 0;
 };
 
 void expect_range(const std::string& origin, std::string_view what, std::uint64_t value, std::uint64_t least,

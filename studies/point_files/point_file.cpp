@@ -2,18 +2,16 @@
 
 #include "core/support/error.hpp"
 #include "core/support/excerpt.hpp"
+#include "core/support/words.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <vector>
 
 namespace ff::studies {
 namespace {
-
-constexpr std::string_view separators_of_numbers = " \t,;\r";
 
 /// Rows of text, and where each set ends.
 struct Rows {
@@ -28,21 +26,16 @@ void end_set(Rows& rows) {
 }
 
 void read_row(std::string_view line, Rows& rows, const std::string& place) {
-    std::size_t width = 0;
-    for (std::size_t at = line.find_first_not_of(separators_of_numbers); at != std::string_view::npos;
-         at = line.find_first_not_of(separators_of_numbers, at)) {
-        const std::size_t end = std::min(line.find_first_of(separators_of_numbers, at), line.size());
-        const std::string_view word = line.substr(at, end - at);
-        double value = 0;
-        const auto [rest, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-        if (error != std::errc() || rest != word.data() + word.size())
+    const auto words = split_words(line, " \t,;\r");
+    for (const std::string_view word : words) {
+        const auto value = parse_bare_number<double>(word);
+        if (!value)
             throw UserError(
                 fmt::format("{}: \"{}\" (not a number). Write a point a line, numbers separated by spaces or commas.",
                             place, excerpt(word)));
-        rows.values.push_back(value);
-        ++width;
-        at = end;
+        rows.values.push_back(*value);
     }
+    const std::size_t width = words.size();
     if (width == 0) return;
     if (rows.width == 0) rows.width = width;
     if (width != rows.width)
@@ -53,18 +46,13 @@ void read_row(std::string_view line, Rows& rows, const std::string& place) {
 
 samplers::PointSet parse_text(std::string_view text, const std::string& origin) {
     Rows rows;
-    std::size_t number = 0;
-    for (std::size_t at = 0; at < text.size();) {
-        const std::size_t end = std::min(text.find('\n', at), text.size());
-        const std::string_view line = text.substr(at, end - at);
-        ++number;
+    for_each_line(text, [&](std::uint64_t number, std::string_view line) {
         if (line.starts_with('#')) {
             end_set(rows);
         } else {
             read_row(line, rows, fmt::format("{}:{}", origin, number));
         }
-        at = end + 1;
-    }
+    });
     end_set(rows);
     const std::uint64_t sets = rows.ends.size();
     const std::uint64_t points = sets == 0 ? 0 : rows.ends.front();

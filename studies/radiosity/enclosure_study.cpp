@@ -3,6 +3,7 @@
 #include "core/configurations/built_in_scene.hpp"
 #include "core/support/error.hpp"
 #include "core/support/nearest_name.hpp"
+#include "core/support/words.hpp"
 #include "studies/radiosity/collector.hpp"
 #include "studies/radiosity/lighting.hpp"
 
@@ -10,7 +11,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -29,16 +29,13 @@ constexpr std::array<std::string_view, 6> kinds{"cylinder", "cap", "cone", "sphe
 
 /// The two lengths of "kind:AxB".
 std::pair<double, double> lengths(std::string_view name) {
-    const std::string_view text = name.substr(std::min(name.size(), name.find(':') + 1));
-    const char* const end = text.data() + text.size();
-    std::array<double, 2> values{};
-    const auto first = std::from_chars(text.data(), end, values[0]);
-    const bool separated = first.ec == std::errc() && first.ptr != end && *first.ptr == 'x';
-    const auto second = separated ? std::from_chars(first.ptr + 1, end, values[1]) : first;
-    const auto length = [](double value) { return std::isfinite(value) && value >= 1e-70 && value <= 1e70; };
-    if (!separated || second.ec != std::errc() || second.ptr != end || !length(values[0]) || !length(values[1]))
+    const auto parts = split_at('x', name.substr(std::min(name.size(), name.find(':') + 1)));
+    const double first = parse_bare_number<double>(parts.front()).value_or(0);
+    const double second = parse_bare_number<double>(parts.back()).value_or(0);
+    const auto is_length = [](double value) { return value >= 1e-70 && value <= 1e70; };
+    if (parts.size() != 2 || !is_length(first) || !is_length(second))
         fail(name, "(two lengths from 1e-70 to 1e70 are wanted). Write it like cylinder:1x2.");
-    return {values[0], values[1]};
+    return {first, second};
 }
 
 NamedEnclosure mirrored_box(std::string_view name, const std::optional<std::string>& mirror) {

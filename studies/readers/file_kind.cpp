@@ -86,16 +86,17 @@ void mark_store(std::string_view bytes, Marks& marks) {
 
 void mark_lines(std::string_view text, Marks& marks) {
     bool is_first = true;
-    for_each_line(text, [&](std::uint64_t, const std::vector<std::string_view>& words) {
+    for_each_line(text, [&](std::uint64_t, std::string_view line) {
+        const auto words = split_words(line);
         if (words.empty() || words[0].front() == '#' || words[0].front() == '!') return;
         const bool heads = std::exchange(is_first, false);
         for (const auto& [heading, kind] : headings) {
             if (words[0] == heading) mark(marks, kind);
         }
         if (begins_geometry(words)) mark(marks, FileKind::scene);
-        const std::string_view line = words[0];
-        if (heads && words.size() <= 3 && line.find('=') == std::string_view::npos &&
-            line.find("trial") != std::string_view::npos &&
+        const std::string_view first = words[0];
+        if (heads && words.size() <= 3 && first.find('=') == std::string_view::npos &&
+            first.find("trial") != std::string_view::npos &&
             text.substr(0, text.find('\n')).find("estimate") != std::string_view::npos)
             mark(marks, FileKind::estimates);
     });

@@ -3,6 +3,7 @@
 #include "core/support/contract.hpp"
 #include "core/support/error.hpp"
 #include "core/support/excerpt.hpp"
+#include "core/support/words.hpp"
 #include "samplers/net_parameter.hpp"
 #include "samplers/sizes.hpp"
 #include "studies/sampler_checks/evenness_of_set.hpp"
@@ -12,7 +13,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 
 namespace ff::studies {
 namespace {
@@ -79,11 +79,8 @@ Promise parse_promise(std::string_view text) {
     if (text == "latin") return {PromiseKind::latin};
     if (text == "stratified") return {PromiseKind::stratified};
     if (text == "lattice") return {PromiseKind::lattice};
-    if (text.substr(0, 4) == "net:") {
-        Promise promise{PromiseKind::net};
-        const char* const end = text.data() + text.size();
-        const auto [rest, error] = std::from_chars(text.data() + 4, end, promise.t);
-        if (error == std::errc{} && rest == end) return promise;
+    if (text.starts_with("net:")) {
+        if (const auto t = parse_bare_number<std::uint32_t>(text.substr(4))) return {PromiseKind::net, *t};
     }
     throw UserError(
         fmt::format("--promises {}. It is latin, net:T with a number T, stratified or lattice.", excerpt(text)));

@@ -54,16 +54,10 @@ struct Lines {
 void expect_indices(const SceneBuilder& builder, std::uint64_t line, const std::vector<std::string_view>& words) {
     const auto is_index = [](std::string_view text) { return parse_number<std::int32_t>(text).value_or(0) != 0; };
     for (std::size_t corner = 1; corner < words.size(); ++corner) {
-        std::string_view rest = words[corner];
-        const std::size_t end = std::min(rest.find('/'), rest.size());
-        bool good = is_index(rest.substr(0, end));
-        rest.remove_prefix(end);
-        for (std::size_t slashes = 0; good && !rest.empty(); ++slashes) {
-            rest.remove_prefix(1);
-            const std::size_t length = std::min(rest.find('/'), rest.size());
-            good = slashes < 2 && (length == 0 || is_index(rest.substr(0, length)));
-            rest.remove_prefix(length);
-        }
+        const auto indices = split_at('/', words[corner]);
+        const bool good = indices.size() <= 3 && is_index(indices[0]) &&
+                          std::all_of(indices.begin() + 1, indices.end(),
+                                      [&](std::string_view index) { return index.empty() || is_index(index); });
         if (!good)
             builder.fail(line, fmt::format("corner {} is '{}' (vertices count from 1, or back from -1). Write f 1 2 3.",
                                            corner, excerpt(words[corner])));
@@ -80,7 +74,8 @@ Lines read_lines(const SceneBuilder& builder, std::string_view text) {
     const auto expect_polygons = [&] {
         if (group_line != 0) builder.fail(group_line, fmt::format("group '{}' is empty. Remove it.", excerpt(group)));
     };
-    for_each_line(text, [&](std::uint64_t number, const std::vector<std::string_view>& words) {
+    for_each_line(text, [&](std::uint64_t number, std::string_view line) {
+        const auto words = split_words(line);
         const bool wanted =
             !words.empty() && std::find(shape_keywords.begin(), shape_keywords.end(), words[0]) != shape_keywords.end();
         if (wanted) lines.of_shapes += fmt::format("{}", fmt::join(words, " "));

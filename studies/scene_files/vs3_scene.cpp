@@ -156,7 +156,8 @@ class Vs3Reader {
 
 SceneWithMaterials read_vs3_scene(std::string_view name, std::string_view text) {
     Vs3Reader reader(name);
-    for_each_line(text, [&](std::uint64_t line, const LineWords& words) { reader.read_line(line, words); });
+    for_each_line(text,
+                  [&](std::uint64_t number, std::string_view line) { reader.read_line(number, split_words(line)); });
     return reader.finish();
 }
 

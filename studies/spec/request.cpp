@@ -2,13 +2,13 @@
 
 #include "core/exact/exact_rooms.hpp"
 #include "core/support/error.hpp"
+#include "core/support/words.hpp"
 #include "studies/readers/toml_reader.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <optional>
 #include <string_view>
@@ -121,17 +121,13 @@ void check_radiosity(const RadiosityRequest& request, const std::string& place) 
 
 std::vector<double> parse_numbers(const std::string& text, const std::string& option) {
     std::vector<double> numbers;
-    const char* at = text.data();
-    const char* const end = at + text.size();
-    while (true) {
-        double value = 0;
-        const auto [rest, error] = std::from_chars(at, end, value);
-        if (error != std::errc() || !std::isfinite(value) || (rest != end && *rest != ','))
+    for (const std::string_view part : split_at(',', text)) {
+        const auto number = parse_bare_number<double>(part);
+        if (!number || !std::isfinite(*number))
             throw UserError(fmt::format("{} {}: not a list of numbers. Write it like 0.5,0.9.", option, text));
-        numbers.push_back(value);
-        if (rest == end) return numbers;
-        at = rest + 1;
+        numbers.push_back(*number);
     }
+    return numbers;
 }
 
 std::string to_toml(const RadiosityRequest& request) {

@@ -8,7 +8,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <optional>
 #include <unordered_set>
 
@@ -16,11 +15,9 @@ namespace ff::studies {
 namespace {
 
 std::optional<std::uint64_t> whole_number(std::string_view text) {
-    std::uint64_t value = 0;
-    const char* end = text.data() + text.size();
-    const auto [stop, error] = std::from_chars(text.data(), end, value);
-    if (error != std::errc() || stop != end) return std::nullopt;
-    return std::min(value, samplers::max_points + 1);  // beyond it all are alike: too many
+    const auto value = parse_bare_number<std::uint64_t>(text);
+    if (!value) return std::nullopt;
+    return std::min(*value, samplers::max_points + 1);  // beyond it all are alike: too many
 }
 
 /// "1000" or "5^4".
@@ -65,12 +62,10 @@ std::vector<std::uint64_t> read_sample_sizes(std::string_view text, const sample
                                              std::size_t dimension) {
     std::vector<std::uint64_t> sizes;
     std::unordered_set<std::uint64_t> seen;
-    for (std::size_t begin = 0; begin <= text.size();) {
-        const std::size_t end = std::min(text.find(',', begin), text.size());
-        for (const std::uint64_t size : read_part(trimmed(text.substr(begin, end - begin)), sampler, dimension)) {
+    for (const std::string_view part : split_at(',', text)) {
+        for (const std::uint64_t size : read_part(trimmed(part), sampler, dimension)) {
             if (seen.insert(size).second) sizes.push_back(size);
         }
-        begin = end + 1;
     }
     return sizes;
 }

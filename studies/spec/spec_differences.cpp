@@ -1,7 +1,8 @@
 #include "studies/spec/spec_differences.hpp"
 
+#include "core/support/words.hpp"
+
 #include <algorithm>
-#include <sstream>
 #include <utility>
 
 namespace ff::studies {
@@ -10,13 +11,12 @@ namespace {
 using KeyValues = std::vector<std::pair<std::string, std::string>>;
 
 /// The "key = value" lines of a study file.
-KeyValues keys_of(const std::string& text) {
+KeyValues keys_of(std::string_view text) {
     KeyValues keys;
-    std::istringstream lines(text);
-    for (std::string line; std::getline(lines, line);) {
+    for_each_line(text, [&](std::uint64_t, std::string_view line) {
         const auto equals = line.find(" = ");
-        if (equals != std::string::npos) keys.emplace_back(line.substr(0, equals), line.substr(equals + 3));
-    }
+        if (equals != std::string_view::npos) keys.emplace_back(line.substr(0, equals), line.substr(equals + 3));
+    });
     return keys;
 }
 

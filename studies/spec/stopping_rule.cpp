@@ -1,12 +1,12 @@
 #include "studies/spec/stopping_rule.hpp"
 
 #include "core/support/error.hpp"
+#include "core/support/words.hpp"
 #include "studies/readers/toml_reader.hpp"
 
 #include <fmt/format.h>
 
 #include <array>
-#include <charconv>
 #include <cmath>
 
 namespace ff::studies {
@@ -47,12 +47,10 @@ StoppingRule parse_stopping_rule(std::string_view text) {
     if (equals == std::string_view::npos) throw fail("a goal and its value are wanted");
     for (const StoppingGoal goal : goals) {
         if (name(goal) != text.substr(0, equals)) continue;
-        const std::string_view number = text.substr(equals + 1);
         StoppingRule rule;
         rule.goal = goal;
-        const auto [stop, error] = std::from_chars(number.data(), number.data() + number.size(), rule.target);
-        const bool whole = error == std::errc() && stop == number.data() + number.size();
-        if (!whole || !std::isfinite(rule.target) || rule.target <= 0) throw fail("not a number above 0");
+        rule.target = parse_bare_number<double>(text.substr(equals + 1)).value_or(0);
+        if (!std::isfinite(rule.target) || rule.target <= 0) throw fail("not a number above 0");
         return rule;
     }
     throw fail("the goals are rmse and ci");

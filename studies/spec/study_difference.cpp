@@ -1,5 +1,7 @@
 #include "studies/spec/study_difference.hpp"
 
+#include "core/support/words.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -19,10 +21,7 @@ struct Entry {
 std::vector<Entry> entries_of(std::string_view text) {
     std::vector<Entry> entries;
     std::string section;
-    while (!text.empty()) {
-        const std::size_t end = std::min(text.find('\n'), text.size());
-        const std::string_view line = text.substr(0, end);
-        text.remove_prefix(std::min(end + 1, text.size()));
+    for_each_line(text, [&](std::uint64_t, std::string_view line) {
         const std::size_t equals = line.find(" = ");
         if (line.starts_with('[')) {
             section = line;
@@ -33,7 +32,7 @@ std::vector<Entry> entries_of(std::string_view text) {
             if (section == "[[method]]") section += fmt::format(" {}", value);  // its name comes first
             entries.push_back({section, std::string(line.substr(0, equals)), std::string(value)});
         }
-    }
+    });
     return entries;
 }
 

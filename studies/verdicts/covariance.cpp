@@ -1,6 +1,7 @@
 #include "studies/verdicts/covariance.hpp"
 
 #include "core/support/error.hpp"
+#include "core/support/words.hpp"
 #include "stats/box_distance.hpp"
 #include "stats/distributions.hpp"
 #include "studies/readers/csv_reader.hpp"
@@ -10,7 +11,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -41,13 +41,11 @@ void expect_header(CsvReader& reader, std::string_view origin) {
 }
 
 double read_number(const CsvReader& reader, const CsvField& field) {
-    double value = 0;
-    const char* const last = field.text.data() + field.text.size();
-    const auto [end, error] = std::from_chars(field.text.data(), last, value);
-    if (error != std::errc() || end != last || !(std::abs(value) <= largest_magnitude))
+    const auto value = parse_bare_number<double>(field.text);
+    if (!value || !(std::abs(*value) <= largest_magnitude))
         reader.fail(field, fmt::format("covariance = '{}' (not a finite number, at most {:g}). Write it like 2.5e-6.",
                                        field.text, largest_magnitude));
-    return value;
+    return *value;
 }
 
 /// Row by row; NaN where the file has no line for a pair. Bins that are not judged are passed over.

@@ -12,7 +12,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <map>
 #include <optional>
@@ -36,14 +35,6 @@ struct Row {
     std::size_t line = 0;
 };
 using RowsByQuantity = std::map<std::string, std::vector<Row>>;
-
-/// The whole of the text as a number, without a plus sign; empty where it is none.
-template <class Number>
-std::optional<Number> parse_bare_number(std::string_view text) {
-    Number number{};
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-    return error == std::errc() && end == text.data() + text.size() ? std::optional(number) : std::nullopt;
-}
 
 EstimateHeader read_estimate_header(CsvReader& reader, std::string_view origin) {
     std::vector<CsvField> record;

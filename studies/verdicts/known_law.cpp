@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <cstddef>
 #include <vector>
@@ -23,16 +22,12 @@ constexpr std::array<std::size_t, 3> parameters{2, 2, 1};
 /// What stands between the brackets; empty where something is no finite number.
 std::vector<double> numbers_of(std::string_view text) {
     std::vector<double> numbers;
-    while (true) {
-        const auto comma = text.find(',');
-        const std::string_view part = trimmed(text.substr(0, comma));
-        double number = 0;
-        const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), number);
-        if (error != std::errc() || end != part.data() + part.size() || !std::isfinite(number)) return {};
-        numbers.push_back(number);
-        if (comma == std::string_view::npos) return numbers;
-        text.remove_prefix(comma + 1);
+    for (const std::string_view part : split_at(',', text)) {
+        const auto number = parse_bare_number<double>(trimmed(part));
+        if (!number || !std::isfinite(*number)) return {};
+        numbers.push_back(*number);
     }
+    return numbers;
 }
 
 }  // namespace

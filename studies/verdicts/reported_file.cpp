@@ -12,7 +12,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -105,10 +104,9 @@ class RowReader {
             if (row.cost <= 0) fail(record, cost, "efficiency is 1 over it). Give a positive one");
         }
         if (header_[run]) {
-            const std::string_view text = cell(record, run);
-            const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), row.run);
-            if (error != std::errc() || end != text.data() + text.size())
-                fail(record, run, "not a whole number from 0 up). Number the runs 0, 1, 2, ...");
+            const auto number_of_run = parse_bare_number<std::uint64_t>(cell(record, run));
+            if (!number_of_run) fail(record, run, "not a whole number from 0 up). Number the runs 0, 1, 2, ...");
+            row.run = *number_of_run;
         }
         return row;
     }
@@ -159,18 +157,15 @@ class RowReader {
     }
 
     double number(const std::vector<CsvField>& record, ReportedColumn column) const {
-        const std::string_view text = cell(record, column);
-        double value = 0;
-        const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-        if (error != std::errc() || end != text.data() + text.size())
-            fail(record, column, "not a number). Write it like 0.19982 or 2.5e-3");
-        if (!std::isfinite(value))
+        const auto value = parse_bare_number<double>(cell(record, column));
+        if (!value) fail(record, column, "not a number). Write it like 0.19982 or 2.5e-3");
+        if (!std::isfinite(*value))
             fail(record, column,
                  "not a finite number; nothing can be compared with it). Find out why the code gave it");
-        if (std::abs(value) > largest_magnitude)
+        if (std::abs(*value) > largest_magnitude)
             fail(record, column,
                  fmt::format("beyond {:g}: its powers cannot be computed). Choose another unit", largest_magnitude));
-        return value;
+        return *value;
     }
 
     [[noreturn]] void fail(const std::vector<CsvField>& record, ReportedColumn column, std::string_view why) const {
