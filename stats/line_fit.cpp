@@ -35,8 +35,6 @@ std::optional<LineFit> fit_line(std::span<const double> x, std::span<const doubl
     fit.slope = sum_xy / sum_xx;
     fit.intercept = mean_y - fit.slope * mean_x;
     fit.variance_slope = 1 / sum_xx;
-    fit.variance_intercept = 1 / weight + mean_x * mean_x / sum_xx;
-    fit.covariance = -mean_x / sum_xx;
     for (std::size_t i = 0; i < x.size(); ++i) {
         const double residual = y[i] - mean_y - fit.slope * (x[i] - mean_x);
         fit.chi_squared += residual * residual / variances[i];

@@ -12,9 +12,7 @@ namespace ff::stats {
 struct LineFit {
     double intercept = 0;
     double slope = 0;
-    double variance_intercept = 0;
     double variance_slope = 0;
-    double covariance = 0;
     double chi_squared = 0;               ///< sum of squared standardised residuals
     std::size_t freedom = 0;              ///< points - 2
     std::optional<double> lack_of_fit_p;  ///< P(chi-squared >= that); empty for two points

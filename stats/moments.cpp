@@ -2,7 +2,6 @@
 
 #include "core/support/contract.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 namespace ff::stats {
@@ -18,9 +17,6 @@ std::optional<double> root(std::optional<double> value) {
 void Moments::add(double value) {
     FF_EXPECT(std::isfinite(value));
     const double x = value - reference_;
-    minimum_ = count_ == 0 ? x : std::min(minimum_, x);
-    maximum_ = count_ == 0 ? x : std::max(maximum_, x);
-
     const double before = static_cast<double>(count_);
     const double n = static_cast<double>(++count_);
     const double delta = x - offset_;
@@ -52,8 +48,6 @@ void Moments::merge(const Moments& other) {
     sum2_ += other.sum2_ + delta * step * a * b;
     offset_ += step * b;
     count_ += other.count_;
-    minimum_ = std::min(minimum_, other.minimum_);
-    maximum_ = std::max(maximum_, other.maximum_);
 }
 
 std::optional<double> Moments::mean() const {
@@ -64,16 +58,6 @@ std::optional<double> Moments::mean() const {
 std::optional<double> Moments::bias() const {
     if (count_ == 0) return std::nullopt;
     return offset_;
-}
-
-std::optional<double> Moments::minimum() const {
-    if (count_ == 0) return std::nullopt;
-    return reference_ + minimum_;
-}
-
-std::optional<double> Moments::maximum() const {
-    if (count_ == 0) return std::nullopt;
-    return reference_ + maximum_;
 }
 
 std::optional<double> Moments::variance() const {

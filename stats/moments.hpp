@@ -6,7 +6,7 @@
 
 namespace ff::stats {
 
-/// Count, mean, extremes and central moments up to the fourth of a stream of numbers, in one pass and mergeable
+/// Count, mean and central moments up to the fourth of a stream of numbers, in one pass and mergeable
 /// (Welford, Chan, Pebay [pebay2008]).
 ///
 /// Everything is kept relative to `reference`, usually the exact value: a bias far below the mean, or a variance of
@@ -28,8 +28,6 @@ class Moments {
     [[nodiscard]] std::optional<double> mean() const;
     /// Mean minus reference without cancellation: the estimated bias. Empty without values.
     [[nodiscard]] std::optional<double> bias() const;
-    [[nodiscard]] std::optional<double> minimum() const;
-    [[nodiscard]] std::optional<double> maximum() const;
 
     /// Unbiased variance (divisor n - 1), exactly 0 for equal values; empty below two values.
     [[nodiscard]] std::optional<double> variance() const;
@@ -52,8 +50,6 @@ class Moments {
     double reference_;
     std::size_t count_ = 0;
     double offset_ = 0;                      // mean - reference
-    double minimum_ = 0;                     // of value - reference
-    double maximum_ = 0;                     // of value - reference
     double sum2_ = 0, sum3_ = 0, sum4_ = 0;  // of powers of (value - mean)
 };
 

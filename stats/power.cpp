@@ -93,13 +93,6 @@ void expect_valid_risks([[maybe_unused]] Risks risks) {
 
 }  // namespace
 
-double bias_test_power(double bias, double sigma, std::size_t trials, double alpha) {
-    FF_EXPECT(sigma > 0 && trials >= 2);
-    const double freedom = static_cast<double>(trials - 1);
-    return rejection_probability(in_standard_errors(bias, sigma, trials), freedom,
-                                 student_critical(freedom, alpha / 2));
-}
-
 double minimum_detectable_bias(double sigma, std::size_t trials, Risks risks) {
     FF_EXPECT(sigma >= 0 && trials >= 2);
     expect_valid_risks(risks);
@@ -132,13 +125,6 @@ std::size_t trials_for_equivalence(double margin, double sigma, Risks risks, std
     const double power = power_for_each(risks.power, pairs);
     return least_trials(
         [&](std::size_t trials) { return equivalence_power(margin, 0, sigma, trials, risks.alpha) >= power; });
-}
-
-double minimum_detectable_shift(double probability, std::size_t trials, Risks risks) {
-    FF_EXPECT(0 < probability && probability < 1 && trials >= 1);
-    expect_valid_risks(risks);
-    const double sd = std::sqrt(probability * (1 - probability) / static_cast<double>(trials));
-    return (normal_critical(risks.alpha / 2) + normal_critical(1 - risks.power)) * sd;
 }
 
 double detectable_deviation(std::size_t cells, std::uint64_t draws, Risks risks) {

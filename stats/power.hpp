@@ -11,10 +11,6 @@ struct Risks {
     double power = 0.9;   ///< above alpha, at most 1 - 1e-9
 };
 
-/// Probability that the two-sided t test at `alpha` rejects, exact for normal data (noncentral t).
-/// @pre sigma > 0, trials >= 2
-double bias_test_power(double bias, double sigma, std::size_t trials, double alpha);
-
 /// The bias that the two-sided t test detects with the given power, in the unit of sigma. Close to (t_{alpha/2} +
 /// z_beta) sigma / sqrt(trials), but exact for normal data. 0 for sigma = 0.
 /// @param sigma  standard deviation of one trial, known or estimated; >= 0     @param trials  at least 2
@@ -31,10 +27,6 @@ double equivalence_margin(double sigma, std::size_t trials, Risks risks, std::si
 
 /// Trials with which equivalence_margin is at most `margin`. At least 2. @pre margin > 0, sigma > 0
 std::size_t trials_for_equivalence(double margin, double sigma, Risks risks, std::size_t pairs = 1);
-
-/// Shift of a hit probability that the exact two-sided binomial test detects with the given power (normal approximation
-/// with the variance of the null). @pre 0 < probability < 1
-double minimum_detectable_shift(double probability, std::size_t trials, Risks risks);
 
 /// Root mean square relative deviation of the probabilities of `cells` equally likely cells that Pearson's test finds
 /// with the given power (noncentral chi-squared). @pre cells >= 2, draws >= 1

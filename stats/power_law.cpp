@@ -5,16 +5,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace ff::stats {
 namespace {
 
 PowerLaw with_residuals(double coefficient, double exponent, std::span<const double> sizes,
                         std::span<const double> errors) {
-    PowerLaw law{.coefficient = coefficient, .exponent = exponent, .relative_residuals = {}, .largest_residual = 0};
+    PowerLaw law{.coefficient = coefficient, .exponent = exponent, .largest_residual = 0};
     for (std::size_t i = 0; i < sizes.size(); ++i) {
         const double residual = errors[i] * std::pow(sizes[i], exponent) / coefficient - 1;
-        law.relative_residuals.push_back(residual);
         law.largest_residual = std::max(law.largest_residual, std::abs(residual));
     }
     return law;

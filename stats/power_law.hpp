@@ -2,7 +2,6 @@
 
 #include <optional>
 #include <span>
-#include <vector>
 
 namespace ff::stats {
 
@@ -10,8 +9,7 @@ namespace ff::stats {
 struct PowerLaw {
     double coefficient = 0;  ///< signed
     double exponent = 0;
-    std::vector<double> relative_residuals;  ///< error / law - 1 at each size
-    double largest_residual = 0;             ///< in absolute value
+    double largest_residual = 0;  ///< of error / law - 1 at each size, in absolute value
 };
 
 /// Fits both by least squares of ln|error|. Empty below two distinct sizes, or unless all errors have one sign.

@@ -104,7 +104,6 @@ Balanced balance(const Eigen::MatrixXd& estimates, const Eigen::MatrixXd& weight
         exchange = terms.exchange(multipliers);
     }
     result.factors = areas.cwiseInverse().asDiagonal() * exchange;
-    result.chi_squared = weights.cwiseProduct((result.factors - estimates).cwiseAbs2()).sum();
     return result;
 }
 

@@ -29,8 +29,7 @@ Eigen::MatrixXd weights_of_values(const Eigen::MatrixXd& factors);
 
 struct Balanced {
     Eigen::MatrixXd factors;
-    bool balanced = false;   ///< false where no such factors exist, e.g. where one patch exceeds all others together
-    double chi_squared = 0;  ///< weighted sum of squared corrections
+    bool balanced = false;  ///< false where no such factors exist, e.g. where one patch exceeds all others together
 };
 
 /// The factors nearest to estimates (weighted least squares) that are reciprocal, sum to 1 in every row and are nowhere

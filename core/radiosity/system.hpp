@@ -15,9 +15,6 @@ struct RadiositySystem {
     [[nodiscard]] Eigen::Index size() const { return areas.size(); }
 };
 
-/// @throws UserError where sizes differ, or a value is not a number or outside the ranges stated above
-void expect_physical(const RadiositySystem& system);
-
 /// P F: the part of the exitance of others that is reflected.
 Eigen::MatrixXd reflection_matrix(const RadiositySystem& system);
 

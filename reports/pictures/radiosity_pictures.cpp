@@ -39,7 +39,7 @@ std::vector<Shown> shown_of(const studies::StudyResults& results, std::size_t sc
             const Consequences* found = results.radiosity->find(cell, treatment);
             const studies::Method& method = plan.spec.methods[plan.cells[cell].method];
             const bool own = treatment == studies::treatment_of(method.completion);
-            if (found == nullptr || found->settings.empty()) continue;
+            if (found->settings.empty()) continue;
             if (!own && treatment != studies::Treatment::balanced) continue;
             shown.push_back({method.name, size_label(plan, plan.cells[cell]), treatment, own, found});
         }
@@ -199,7 +199,6 @@ std::optional<Picture> residuals_picture(const studies::StudyResults& results, s
     for (const std::size_t cell : lit_cells(plan, scene)) {
         const auto own = studies::treatment_of(plan.spec.methods[plan.cells[cell].method].completion);
         const Consequences* found = results.radiosity->find(cell, own);
-        if (found == nullptr) continue;
         for (const studies::SettingFindings& at : found->settings) {
             add(fmt::format("{}, reflectance {}", cell_label(plan, plan.cells[cell]), setting_text(plan, at.setting)),
                 at.solvers);

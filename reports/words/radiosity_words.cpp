@@ -64,7 +64,7 @@ std::vector<std::string> lines_of_scene(const studies::StudyResults& results, st
     std::vector<std::string> lines;
     for (const std::size_t cell : lit_cells(plan, scene)) {
         const Consequences* found = results.radiosity->find(cell, own_treatment(plan, cell));
-        if (found == nullptr || found->settings.empty()) continue;
+        if (found->settings.empty()) continue;
         std::string line =
             fmt::format("{}, {}: I − P F {}; {}", cell_label(plan, plan.cells[cell]), studies::name(found->treatment),
                         dominance_text(*found), light_text(plan, *found, told));
@@ -84,7 +84,7 @@ std::string repair_line(const studies::StudyResults& results) {
             std::vector<std::string> errors;
             for (const Treatment treatment : studies::all_treatments) {
                 const Consequences* found = results.radiosity->find(cell, treatment);
-                if (found == nullptr || found->settings.empty() || !found->settings[told].light_error) continue;
+                if (found->settings.empty() || !found->settings[told].light_error) continue;
                 errors.push_back(
                     fmt::format("{} {}", studies::name(treatment), percent(*found->settings[told].light_error)));
             }
@@ -228,7 +228,7 @@ std::optional<LightInBrief> light_in_brief(const studies::StudyResults& results)
     for (std::size_t scene = 0; scene < plan.scenes.size(); ++scene) {
         for (const std::size_t cell : lit_cells(plan, scene)) {
             const Consequences* found = results.radiosity->find(cell, own_treatment(plan, cell));
-            if (found == nullptr || found->settings.empty() || !found->settings[told].light_error) continue;
+            if (found->settings.empty() || !found->settings[told].light_error) continue;
             double& error = errors[plan.spec.methods[plan.cells[cell].method].name];
             error = std::max(error, *found->settings[told].light_error);
         }

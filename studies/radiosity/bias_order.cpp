@@ -37,7 +37,7 @@ std::vector<BiasOrder> bias_orders(const StudyPlan& plan, const RadiosityResults
                 BiasOrder order{ladder.label, ladder.scene, treatment, setting, {}, {}, {}};
                 for (const std::size_t cell : ladder.cells) {
                     const Consequences* found = results.find(cell, treatment);
-                    if (found == nullptr || found->settings.empty()) continue;
+                    if (found->settings.empty()) continue;
                     const auto& exitance = found->settings[setting].exitance;
                     if (exitance.empty() || exitance.front().std.value_or(0) <= rounding * exitance.front().exact)
                         continue;

@@ -26,9 +26,10 @@ AssertionResult judge(double p, double detectable, StatisticalRisk risk) {
     return sharp_enough(detectable, risk);
 }
 
-/// Shift that a one-sided binomial test notices: as the two-sided one at twice the alpha.
+/// Shift that a binomial test notices (normal approximation with the variance of the null).
 double detectable_shift(std::uint64_t trials, double probability, StatisticalRisk risk, double sides) {
-    return stats::minimum_detectable_shift(probability, trials, {.alpha = risk.alpha * 2 / sides, .power = risk.power});
+    const double sd = std::sqrt(probability * (1 - probability) / static_cast<double>(trials));
+    return (stats::normal_critical(risk.alpha / sides) + stats::normal_critical(1 - risk.power)) * sd;
 }
 
 AssertionResult describe(AssertionResult result, std::uint64_t hits, std::uint64_t trials, double probability) {

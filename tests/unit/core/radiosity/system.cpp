@@ -1,12 +1,9 @@
 #include "core/radiosity/system.hpp"
 
 #include "core/radiosity/solver.hpp"
-#include "core/support/error.hpp"
 #include "tests/unit/core/radiosity/systems.hpp"
 
 #include <gtest/gtest.h>
-
-#include <limits>
 
 namespace ff {
 namespace {
@@ -52,23 +49,6 @@ TEST(EnergyBalance, IsEvenForExactFactorsAndNotForOthers) {
     EXPECT_LT(balance().defect(), -1e-3);
     system.factors.row(2) *= 0.8;
     EXPECT_GT(balance().defect(), 1e-3);
-}
-
-TEST(PhysicalSystem, IsRequired) {
-    const auto refuses = [](auto change) {
-        RadiositySystem system = test::lit_box();
-        change(system);
-        EXPECT_THROW(expect_physical(system), UserError);
-    };
-    EXPECT_NO_THROW(expect_physical(test::lit_box()));
-    refuses([](RadiositySystem& s) { s.reflectance[1] = 1; });
-    refuses([](RadiositySystem& s) { s.reflectance[1] = -0.1; });
-    refuses([](RadiositySystem& s) { s.reflectance[1] = std::numeric_limits<double>::quiet_NaN(); });
-    refuses([](RadiositySystem& s) { s.emission[0] = -1; });
-    refuses([](RadiositySystem& s) { s.areas[0] = 0; });
-    refuses([](RadiositySystem& s) { s.factors(0, 1) = -1e-3; });
-    refuses([](RadiositySystem& s) { s.emission.conservativeResize(5); });
-    refuses([](RadiositySystem& s) { s = {}; });
 }
 
 TEST(Residual, IsZeroAtTheSolutionOnly) {
