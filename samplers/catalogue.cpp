@@ -90,10 +90,8 @@ const CatalogueEntry& find(std::string_view name) {
         }
     }
     if (const AddedSampler* added = find_added(name)) return added->entry();
-    const std::string near = nearest_name(name, all_names);
-    const std::string suggestion = near.empty() ? "" : fmt::format("Did you mean \"{}\"? ", near);
     throw UserError(fmt::format("sampler \"{}\" (there is none of this name). {}Known samplers: {}.", excerpt(name),
-                                suggestion, fmt::join(all_names, ", ")));
+                                did_you_mean(name, all_names, '"'), fmt::join(all_names, ", ")));
 }
 
 }  // namespace ff::samplers

@@ -133,8 +133,7 @@ ExitCode save_baseline(Check& check, const CheckSession& session) {
         baseline.gates.push_back(std::move(stored));
     }
     {
-        const auto parent = check.command.save_baseline.parent_path();
-        const OutputFolder folder(parent.empty() ? "." : parent, "baseline");
+        const OutputFolder folder(reports::folder_of(check.command.save_baseline), "baseline");
         reports::write_file(check.command.save_baseline, baseline_json(baseline));
     }
     session.print(fmt::format("\nBaseline: {}\n", check.command.save_baseline.string()));

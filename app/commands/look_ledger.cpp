@@ -16,8 +16,7 @@ namespace {
 /// Reads the ledger, has `change` change it, and writes it, while no other process does.
 template <class Change>
 auto change_ledger(const std::filesystem::path& file, const Change& change) {
-    const auto parent = file.parent_path();
-    const OutputFolder lock(parent.empty() ? "." : parent, "ledger");
+    const OutputFolder lock(reports::folder_of(file), "ledger");
     studies::Ledger ledger;
     if (std::filesystem::exists(file))
         ledger = studies::parse_ledger(studies::read_text_file(file, studies::FileKind::estimates), file.string());

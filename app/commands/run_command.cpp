@@ -93,7 +93,7 @@ void save_study(const std::filesystem::path& file, const studies::StudySpec& spe
     if (file.extension() != ".toml") {
         throw UserError(fmt::format("--save-study {}: study files end in .toml. Choose such a name.", file.string()));
     }
-    const OutputFolder folder(file.has_parent_path() ? file.parent_path() : ".", "study file");
+    const OutputFolder folder(reports::folder_of(file), "study file");
     reports::write_file(file, studies::to_toml(spec));
 }
 

@@ -37,8 +37,7 @@ void save_means(const CheckCommand& command) {
                                  series.values.size());
         }
     }
-    const auto parent = command.save_baseline.parent_path();
-    const OutputFolder lock(parent.empty() ? "." : parent, "baseline");
+    const OutputFolder lock(reports::folder_of(command.save_baseline), "baseline");
     reports::write_file(command.save_baseline, means);
     if (!command.quiet) fmt::print("Baseline: {} (compare with it by --against)\n", command.save_baseline.string());
 }

@@ -130,8 +130,7 @@ void write_figure(const std::filesystem::path& file, const reports::Picture& pic
         throw UserError(fmt::format("--out {} (a figure ends in .pdf, .svg or .png). Name it so.", file.string()));
     converted ? expect_pdf_programs() : expect_svg_programs();
     expect_drawable(picture, templates, style);
-    const auto parent = file.parent_path();
-    const OutputFolder folder(parent.empty() ? "." : parent, "figure");
+    const OutputFolder folder(reports::folder_of(file), "figure");
     const auto workshop = folder.make_workshop();
     draw(reports::drawing_request({picture}, templates, style), workshop);
     const auto drawing = workshop / (picture.id + ".svg");

@@ -1,5 +1,7 @@
 #include "core/support/nearest_name.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cstddef>
 #include <vector>
@@ -54,9 +56,9 @@ std::string nearest_name(std::string_view wanted, std::span<const std::string_vi
     return std::string(nearest);
 }
 
-std::string did_you_mean(std::string_view wanted, std::span<const std::string_view> known) {
+std::string did_you_mean(std::string_view wanted, std::span<const std::string_view> known, char quote) {
     const std::string nearest = nearest_name(wanted, known);
-    return nearest.empty() ? nearest : "Did you mean '" + nearest + "'? ";
+    return nearest.empty() ? nearest : fmt::format("Did you mean {1}{0}{1}? ", nearest, quote);
 }
 
 }  // namespace ff

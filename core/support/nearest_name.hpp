@@ -14,6 +14,6 @@ namespace ff {
 std::string nearest_name(std::string_view wanted, std::span<const std::string_view> known);
 
 /// "Did you mean 'cube'? " with the nearest name, for the middle of a message; empty where no name is near.
-std::string did_you_mean(std::string_view wanted, std::span<const std::string_view> known);
+std::string did_you_mean(std::string_view wanted, std::span<const std::string_view> known, char quote = '\'');
 
 }  // namespace ff

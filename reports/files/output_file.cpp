@@ -22,10 +22,6 @@ namespace {
                               file.string(), error == 0 ? "output error" : std::generic_category().message(error)));
 }
 
-std::filesystem::path folder_of(const std::filesystem::path& file) {
-    return file.has_parent_path() ? file.parent_path() : ".";
-}
-
 /// What messages of others who fill the file say; short enough for a longer name to be made of it.
 std::string shown_name(const std::filesystem::path& file) {
     constexpr std::size_t most_bytes = 100;
@@ -79,6 +75,10 @@ class Temporary {
 };
 
 }  // namespace
+
+std::filesystem::path folder_of(const std::filesystem::path& file) {
+    return file.has_parent_path() ? file.parent_path() : ".";
+}
 
 void write_file(const std::filesystem::path& file, const std::function<void(std::ostream&)>& write) {
     Temporary temporary(file);

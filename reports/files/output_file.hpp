@@ -7,6 +7,9 @@
 
 namespace ff::reports {
 
+/// The folder that a file is in; "." for a name without one.
+std::filesystem::path folder_of(const std::filesystem::path& file);
+
 /// Writes a file completely or not at all: to a new temporary file beside it, synchronised, then renamed.
 /// @throws IoError with the system's message
 void write_file(const std::filesystem::path& file, const std::function<void(std::ostream&)>& write);

@@ -84,6 +84,12 @@ void CsvReader::fail(const CsvField& field, std::string_view problem) const {
     throw UserError(fmt::format("{}:{}:{}: {}", origin_, field.line, field.column, problem));
 }
 
+std::string_view CsvReader::filled(const CsvField& field, std::string_view name) const {
+    const std::string_view text = trimmed(field.text);
+    if (text.empty()) fail(field, fmt::format("no {} (an empty cell). Fill it, or leave the line out.", name));
+    return text;
+}
+
 std::vector<std::optional<std::size_t>> find_columns(const CsvReader& reader, const std::vector<CsvField>& header,
                                                      std::span<const std::string_view> names) {
     std::vector<std::optional<std::size_t>> places(names.size());

@@ -29,6 +29,9 @@ class CsvReader {
     /// Fails at a field: "origin:line:column: problem (why). Suggestion."
     [[noreturn]] void fail(const CsvField& field, std::string_view problem) const;
 
+    /// The text of a field, trimmed. @param name  of its column @throws UserError where nothing is left
+    [[nodiscard]] std::string_view filled(const CsvField& field, std::string_view name) const;
+
   private:
     [[nodiscard]] bool at_end() const { return place_ == text_.size(); }
     [[nodiscard]] bool at_line_end() const;

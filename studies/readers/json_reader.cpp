@@ -78,9 +78,7 @@ std::size_t JsonReader::choice(const JsonValue& value, std::string_view key,
     const auto* const found = std::find(words.begin(), words.end(), word);
     if (found != words.end()) return static_cast<std::size_t>(found - words.begin());
     const std::vector<std::string_view> known(words);
-    const std::string nearest = nearest_name(word, known);
-    fail(value, fmt::format("\"{}\" is no {}. {}Known: {}.", excerpt(word), key,
-                            nearest.empty() ? std::string{} : fmt::format("Did you mean \"{}\"? ", nearest),
+    fail(value, fmt::format("\"{}\" is no {}. {}Known: {}.", excerpt(word), key, did_you_mean(word, known, '"'),
                             fmt::join(known, ", ")));
 }
 

@@ -54,12 +54,7 @@ EstimateHeader read_estimate_header(CsvReader& reader, std::string_view origin) 
 
 std::string_view cell(const CsvReader& reader, const std::vector<CsvField>& record, const EstimateHeader& header,
                       EstimateColumns::Column column) {
-    const CsvField& field = record[header[column]];
-    const std::string_view text = trimmed(field.text);
-    if (text.empty())
-        reader.fail(field,
-                    fmt::format("no {} (an empty cell). Fill it, or leave the line out.", estimate_columns[column]));
-    return text;
+    return reader.filled(record[header[column]], estimate_columns[column]);
 }
 
 Row read_row(const CsvReader& reader, const std::vector<CsvField>& record, const EstimateHeader& header) {

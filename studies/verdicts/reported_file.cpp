@@ -112,12 +112,7 @@ class RowReader {
     }
 
     std::string_view cell(const std::vector<CsvField>& record, ReportedColumn column) const {
-        const CsvField& field = record[*header_[column]];
-        const std::string_view text = trimmed(field.text);
-        if (text.empty())
-            reader_.fail(
-                field, fmt::format("no {} (an empty cell). Fill it, or leave the line out.", reported_columns[column]));
-        return text;
+        return reader_.filled(record[*header_[column]], reported_columns[column]);
     }
 
   private:
