@@ -164,7 +164,7 @@ std::vector<const samplers::CatalogueEntry*> load_plugin(const std::filesystem::
                                                          const std::filesystem::path& folder) {
     const std::filesystem::path file = folder / path;
     const std::string shown = file.string();
-    const std::string hash = hash_of({{shown, read_bytes(file)}});
+    const std::string hash = hash_of({{shown, read_regular_file(file)}});
     void* const library = open_library(std::filesystem::absolute(file), shown, hash);
     using Entry = const ffstudy_plugin*();
     auto* const entry = reinterpret_cast<Entry*>(::dlsym(library, "ffstudy_samplers"));  // NOLINT: as POSIX wants it

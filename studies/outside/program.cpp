@@ -61,7 +61,8 @@ Files files_of(const std::vector<std::string>& words, const std::filesystem::pat
     for (const std::string& word : words) {
         const bool is_program = &word == &words.front();
         if (is_program && word.find('/') == std::string::npos) continue;  // looked for on PATH, not here
-        if (std::filesystem::is_regular_file(folder / word, error)) files.emplace_back(word, read_bytes(folder / word));
+        if (std::filesystem::is_regular_file(folder / word, error))
+            files.emplace_back(word, read_regular_file(folder / word));
     }
     return files;
 }

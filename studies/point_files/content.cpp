@@ -2,30 +2,19 @@
 
 #include "core/points/stream.hpp"
 #include "core/support/error.hpp"
+#include "studies/readers/text_file.hpp"
 
 #include <fmt/format.h>
 
-#include <cerrno>
-#include <fstream>
-#include <sstream>
 #include <system_error>
 
 namespace ff::studies {
 
-std::string read_bytes(const std::filesystem::path& file) {
+std::string read_regular_file(const std::filesystem::path& file) {
     std::error_code status;
     if (std::filesystem::exists(file, status) && !std::filesystem::is_regular_file(file, status))
         throw IoError(fmt::format("{}: not a file (points are read from files). Check the name.", file.string()));
-    errno = 0;
-    std::ifstream in(file, std::ios::binary);
-    std::ostringstream bytes;
-    if (in.peek() != std::ifstream::traits_type::eof()) bytes << in.rdbuf();
-    if (in.fail() || !bytes) {
-        const int error = errno;
-        throw IoError(fmt::format("{}: cannot be read ({}). Check the name and the permissions.", file.string(),
-                                  error == 0 ? "input error" : std::generic_category().message(error)));
-    }
-    return std::move(bytes).str();
+    return read_bytes(file);
 }
 
 std::string hash_of(const samplers::AddedSampler::Content& content) {

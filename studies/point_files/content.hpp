@@ -7,8 +7,8 @@
 
 namespace ff::studies {
 
-/// All bytes of a file. @throws IoError where it cannot be read, or is not a file
-std::string read_bytes(const std::filesystem::path& file);
+/// All bytes of a file. @throws IoError where it cannot be read, or is a folder or a device
+std::string read_regular_file(const std::filesystem::path& file);
 
 /// A hash of 16 hexadecimal digits that depends on the bytes alone: a file may be renamed.
 std::string hash_of(const samplers::AddedSampler::Content& content);

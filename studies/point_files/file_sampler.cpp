@@ -76,10 +76,11 @@ AddedSampler::Content read_content(const std::string& path, const std::filesyste
     const std::filesystem::path file = folder / path;
     AddedSampler::Content content;
     if (path.find(ladder) == std::string::npos) {
-        content.emplace_back(path, read_bytes(file));
+        content.emplace_back(path, read_regular_file(file));
     } else {
         for (const auto& [n, step] : files_of_ladder(file))
-            content.emplace_back(step.lexically_relative(folder.empty() ? "." : folder).string(), read_bytes(step));
+            content.emplace_back(step.lexically_relative(folder.empty() ? "." : folder).string(),
+                                 read_regular_file(step));
     }
     return content;
 }

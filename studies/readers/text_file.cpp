@@ -31,18 +31,22 @@ void expect_utf8(std::string_view text, const std::filesystem::path& file, FileK
 
 }  // namespace
 
-std::string read_text_file(const std::filesystem::path& file, FileKind wanted) {
+std::string read_bytes(const std::filesystem::path& file) {
     errno = 0;
     std::ifstream in(file, std::ios::binary);
-    std::ostringstream text;
+    std::ostringstream bytes;
     // Writing the buffer of an empty file would set an error.
-    if (in.peek() != std::ifstream::traits_type::eof()) text << in.rdbuf();
-    if (in.fail() || !text) {
+    if (in.peek() != std::ifstream::traits_type::eof()) bytes << in.rdbuf();
+    if (in.fail() || !bytes) {
         const int error = errno;
         throw IoError(fmt::format("{}: cannot be read ({}). Check the name and the permissions.", file.string(),
                                   error == 0 ? "input error" : std::generic_category().message(error)));
     }
-    std::string bytes = std::move(text).str();
+    return std::move(bytes).str();
+}
+
+std::string read_text_file(const std::filesystem::path& file, FileKind wanted) {
+    std::string bytes = read_bytes(file);
     constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
     if (bytes.starts_with(byte_order_mark)) bytes.erase(0, byte_order_mark.size());
     expect_kind(wanted, bytes, file);

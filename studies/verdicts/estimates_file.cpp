@@ -2,11 +2,11 @@
 
 #include "core/support/error.hpp"
 #include "core/support/excerpt.hpp"
-#include "core/support/nearest_name.hpp"
 #include "core/support/words.hpp"
 #include "studies/readers/csv_reader.hpp"
 #include "studies/readers/text_file.hpp"
 #include "studies/verdicts/gate.hpp"
+#include "studies/verdicts/reported_file.hpp"
 
 #include <fmt/format.h>
 
@@ -14,7 +14,6 @@
 #include <array>
 #include <cmath>
 #include <map>
-#include <optional>
 #include <tuple>
 
 namespace ff::studies {
@@ -142,12 +141,7 @@ const EstimateSeries& find_series(const EstimatesFile& file, std::string_view wa
         if (series.quantity == wanted) return series;
         names.emplace_back(series.quantity);
     }
-    constexpr std::size_t most_shown = 10;
-    std::vector<std::string_view> shown = names;
-    shown.resize(std::min(names.size(), most_shown));
-    throw UserError(fmt::format("{}: quantity = \"{}\" ({} has no such estimates). {}It has: {}{}.", place, wanted,
-                                file.origin, did_you_mean(wanted, names), fmt::join(shown, ", "),
-                                names.size() > most_shown ? ", ..." : ""));
+    fail_without(wanted, "estimates", file.origin, names, place);
 }
 
 }  // namespace ff::studies

@@ -269,18 +269,19 @@ ReportedFile load_reported(const std::filesystem::path& file, Errors errors) {
     return parse_reported(read_text_file(file, FileKind::estimates), file.string(), errors);
 }
 
-std::span<const ReportedRow> find_rows(const ReportedFile& file, std::string_view wanted, std::string_view place) {
-    std::vector<std::string_view> names;
-    for (std::size_t q = 0; q < file.quantities.size(); ++q) {
-        if (file.quantities[q] == wanted) return file.rows[q];
-        names.emplace_back(file.quantities[q]);
-    }
+void fail_without(std::string_view wanted, std::string_view what, std::string_view origin,
+                  const std::vector<std::string_view>& names, std::string_view place) {
     constexpr std::size_t most_shown = 10;
-    std::vector<std::string_view> shown = names;
-    shown.resize(std::min(names.size(), most_shown));
-    throw UserError(fmt::format("{}: quantity = \"{}\" ({} has no such quantity). {}It has: {}{}.", place, wanted,
-                                file.origin, did_you_mean(wanted, names), fmt::join(shown, ", "),
+    const auto shown = std::span(names).first(std::min(names.size(), most_shown));
+    throw UserError(fmt::format("{}: quantity = \"{}\" ({} has no such {}). {}It has: {}{}.", place, wanted, origin,
+                                what, did_you_mean(wanted, names), fmt::join(shown, ", "),
                                 names.size() > most_shown ? ", ..." : ""));
+}
+
+std::span<const ReportedRow> find_rows(const ReportedFile& file, std::string_view wanted, std::string_view place) {
+    const auto found = std::find(file.quantities.begin(), file.quantities.end(), wanted);
+    if (found != file.quantities.end()) return file.rows[static_cast<std::size_t>(found - file.quantities.begin())];
+    fail_without(wanted, "quantity", file.origin, {file.quantities.begin(), file.quantities.end()}, place);
 }
 
 }  // namespace ff::studies

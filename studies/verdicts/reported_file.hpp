@@ -63,6 +63,10 @@ ReportedFile parse_reported(std::string_view text, std::string_view origin, Erro
 /// @throws IoError, UserError
 ReportedFile load_reported(const std::filesystem::path& file, Errors errors);
 
+/// @throws UserError at `place`: a file has nothing of a quantity, only of others @param what  it has none of
+[[noreturn]] void fail_without(std::string_view wanted, std::string_view what, std::string_view origin,
+                               const std::vector<std::string_view>& names, std::string_view place);
+
 /// The rows of a quantity. @throws UserError at `place` where the file has no such quantity, with the nearest
 /// one
 std::span<const ReportedRow> find_rows(const ReportedFile& file, std::string_view wanted, std::string_view place);
