@@ -99,11 +99,18 @@ bool ends_before(const Descriptor& timer, pid_t child, int& status) {
     return true;
 }
 
-/// How a process that has ended, or is ended here, did.
-void take_end(pid_t child, bool kill, int status, ChildOutput& result) {
-    if (kill) {
-        ::kill(-child, SIGKILL);
-        wait_for_child(child);
+void end_child(pid_t child) {
+    ::kill(-child, SIGKILL);
+    wait_for_child(child);
+}
+
+/// How a process ended that prints no more but may still run, or why it is ended here.
+void take_end(const Descriptor& end, pid_t child, ChildOutput& result) {
+    int status = 0;
+    if (result.end == ChildOutput::End::exited && !ends_before(end, child, status))
+        result.end = ChildOutput::End::too_slow;
+    if (result.end != ChildOutput::End::exited) {
+        end_child(child);
     } else if (WIFSIGNALED(status)) {
         result.end = ChildOutput::End::killed;
         result.code = WTERMSIG(status);
@@ -114,6 +121,20 @@ void take_end(pid_t child, bool kill, int status, ChildOutput& result) {
 
 void keep_the_last(std::string& errors) {
     if (errors.size() > 2 * kept_of_errors) errors.erase(0, errors.size() - kept_of_errors);
+}
+
+/// Waits for what a child prints, and takes some of it. @return false where it is to be ended, for what `result` says
+bool read_or_refuse(const Descriptor& end, Descriptor& output, Descriptor& errors, std::uint64_t most_output,
+                    ChildOutput& result) {
+    std::array<pollfd, 3> wait{pollfd{end.number(), POLLIN, 0}, pollfd{output.number(), POLLIN, 0},
+                               pollfd{errors.number(), POLLIN, 0}};
+    if (::poll(wait.data(), wait.size(), -1) < 0) return true;
+    if (wait[1].revents != 0) read_some(output, result.output);
+    if (wait[2].revents != 0) read_some(errors, result.errors);
+    keep_the_last(result.errors);
+    if (result.output.size() > most_output) result.end = ChildOutput::End::too_large;
+    if (wait[0].revents != 0) result.end = ChildOutput::End::too_slow;
+    return result.end == ChildOutput::End::exited;
 }
 
 }  // namespace
@@ -159,24 +180,10 @@ ChildOutput read_from_child(const ChildCommand& command, std::uint64_t most_outp
     errors.write.close();
 
     ChildOutput result;
-    bool kill = false;
-    while (!kill && (output.read.is_open() || errors.read.is_open())) {
-        std::array<pollfd, 3> wait{pollfd{end.number(), POLLIN, 0}, pollfd{output.read.number(), POLLIN, 0},
-                                   pollfd{errors.read.number(), POLLIN, 0}};
-        if (::poll(wait.data(), wait.size(), -1) < 0) continue;
-        if (wait[1].revents != 0) read_some(output.read, result.output);
-        if (wait[2].revents != 0) read_some(errors.read, result.errors);
-        keep_the_last(result.errors);
-        if (result.output.size() > most_output) result.end = ChildOutput::End::too_large;
-        if (wait[0].revents != 0) result.end = ChildOutput::End::too_slow;
-        kill = result.end != ChildOutput::End::exited;
+    while ((output.read.is_open() || errors.read.is_open()) &&
+           read_or_refuse(end, output.read, errors.read, most_output, result)) {
     }
-    int status = 0;
-    if (!kill && !ends_before(end, child, status)) {  // it may print no more and still run
-        result.end = ChildOutput::End::too_slow;
-        kill = true;
-    }
-    take_end(child, kill, status, result);
+    take_end(end, child, result);
     return result;
 }
 
@@ -199,8 +206,7 @@ ChildConversation::ChildConversation(const ChildCommand& command)
 }
 
 ChildConversation::~ChildConversation() {
-    ChildOutput ignored;
-    if (ends_->child > 0) take_end(ends_->child, true, 0, ignored);
+    if (ends_->child > 0) end_child(ends_->child);
 }
 
 ChildOutput ChildConversation::ask(std::string_view line, const Size& size, std::uint64_t most_output,
@@ -211,28 +217,15 @@ ChildOutput ChildConversation::ask(std::string_view line, const Size& size, std:
     // A line is shorter than a socket holds, and one is under way at a time: it is sent at once, or nobody reads.
     const ssize_t written = ::send(ends.input.write.number(), line.data(), line.size(), MSG_NOSIGNAL);
     bool over = written != static_cast<ssize_t>(line.size());
-    bool kill = false;
-    while (!over && !kill) {
+    while (!over) {
         if (result.output.size() == size(result.output)) return result;
-        std::array<pollfd, 3> wait{pollfd{end.number(), POLLIN, 0}, pollfd{ends.output.read.number(), POLLIN, 0},
-                                   pollfd{ends.errors.read.number(), POLLIN, 0}};
-        if (::poll(wait.data(), wait.size(), -1) < 0) continue;
-        if (wait[1].revents != 0) read_some(ends.output.read, result.output);
-        if (wait[2].revents != 0) read_some(ends.errors.read, result.errors);
-        keep_the_last(result.errors);
-        over = !ends.output.read.is_open();
-        if (result.output.size() > most_output) result.end = ChildOutput::End::too_large;
-        if (wait[0].revents != 0) result.end = ChildOutput::End::too_slow;
-        kill = result.end != ChildOutput::End::exited;
+        over = !read_or_refuse(end, ends.output.read, ends.errors.read, most_output, result) ||
+               !ends.output.read.is_open();
     }
-    int status = 0;
-    if (!kill && !ends_before(end, ends.child, status)) {
-        result.end = ChildOutput::End::too_slow;
-        kill = true;
-    }
-    while (ends.errors.read.is_open() && !kill) read_some(ends.errors.read, result.errors);
+    take_end(end, std::exchange(ends.child, -1), result);
+    const bool ended_by_itself = result.end == ChildOutput::End::exited || result.end == ChildOutput::End::killed;
+    while (ends.errors.read.is_open() && ended_by_itself) read_some(ends.errors.read, result.errors);
     keep_the_last(result.errors);
-    take_end(std::exchange(ends.child, -1), kill, status, result);
     return result;
 }
 

@@ -30,28 +30,24 @@ void add_matrix(const Eigen::MatrixXd& values, std::string_view observable, cons
     }
 }
 
-void add_rays(const RayTally& tally, std::uint64_t trial, UnitRecord& record) {
-    for (std::size_t i = 0; i < tally.rays.size(); ++i) {
-        const int from = static_cast<int>(i) + 1;
-        record.observations.push_back({observable::rays, from, 0, trial, static_cast<std::int64_t>(tally.rays[i])});
-        if (tally.lost[i] != 0) {
-            record.observations.push_back({observable::lost, from, 0, trial, static_cast<std::int64_t>(tally.lost[i])});
-        }
-    }
+void add_rays(const RayTally& tally, std::size_t face, std::uint64_t trial, UnitRecord& record) {
+    const auto add = [&](std::string_view observable, std::uint64_t count) {
+        record.observations.push_back(
+            {observable, static_cast<int>(face) + 1, 0, trial, static_cast<std::int64_t>(count)});
+    };
+    add(observable::rays, tally.rays[face]);
+    if (tally.lost[face] != 0) add(observable::lost, tally.lost[face]);
 }
 
 void add_tally(const RayTally& tally, const Observed& with_itself, std::uint64_t trial, UnitRecord& record) {
     const std::size_t faces = tally.rays.size();
     for (std::size_t i = 0; i < faces; ++i) {
-        const int from = static_cast<int>(i) + 1;
-        record.observations.push_back({observable::rays, from, 0, trial, static_cast<std::int64_t>(tally.rays[i])});
-        if (tally.lost[i] != 0) {
-            record.observations.push_back({observable::lost, from, 0, trial, static_cast<std::int64_t>(tally.lost[i])});
-        }
+        add_rays(tally, i, trial, record);
         for (std::size_t j = 0; j < faces; ++j) {
             if (i == j && !with_itself[i]) continue;
             const auto hits = static_cast<std::int64_t>(tally.hits[i * faces + j]);
-            record.observations.push_back({observable::hits, from, static_cast<int>(j) + 1, trial, hits});
+            record.observations.push_back(
+                {observable::hits, static_cast<int>(i) + 1, static_cast<int>(j) + 1, trial, hits});
         }
     }
 }
@@ -140,7 +136,8 @@ UnitRecord Worker::carry_out(const WorkUnit& unit, BegunUnit begun) const {
         if (tools.counts_hits) {
             add_tally(outcome.rays, tools.with_itself, trial, record);
         } else {
-            add_rays(outcome.rays, trial, record);
+            for (std::size_t face = 0; face < outcome.rays.rays.size(); ++face)
+                add_rays(outcome.rays, face, trial, record);
             add_matrix(outcome.estimates, observable::estimate, tools.with_itself, trial, record);
             add_matrix(outcome.claims, observable::claim, tools.with_itself, trial, record);
         }
