@@ -72,8 +72,7 @@ double covered_share(const Surface& surface, const Surface& by) {
     return covered / double{lattice * lattice};
 }
 
-}  // namespace
-
+/// Whether the corners of one flat surface, or the rim of a disc, lie within `gap` of the plane of the other.
 bool lie_in_one_plane(const Surface& a, const Surface& b, double gap) {
     const auto heights = [](const Surface& flat, const Surface& other) {
         const Extent own = extent(flat, flat.normal);
@@ -82,6 +81,8 @@ bool lie_in_one_plane(const Surface& a, const Surface& b, double gap) {
     };
     return heights(a, b) <= gap && heights(b, a) <= gap;
 }
+
+}  // namespace
 
 double common_area(const Surface& a, const Surface& b) {
     const ConvexPolygon of_a = corners(a.shape);

@@ -26,9 +26,6 @@ struct LevelOverlap {
 /// of the smaller surface's size at most. Takes n log n steps for n surfaces with few neighbours each.
 std::vector<LevelOverlap> level_overlaps(const Scene& scene);
 
-/// Whether the corners of one flat surface, or the rim of a disc, lie within `gap` of the plane of the other.
-bool lie_in_one_plane(const Surface& a, const Surface& b, double gap);
-
 /// The area of the first that the second covers, seen along the first's normal; for discs on a lattice of places.
 /// @pre both are flat
 double common_area(const Surface& a, const Surface& b);

@@ -22,8 +22,7 @@ std::string stopping_rule_in_words(const studies::StudySpec& spec) {
                        spec.trials);
 }
 
-}  // namespace
-
+/// The outcome for a cell of an adaptive study, e.g. "reached: 9.7e-06 with 412 trials".
 std::string until_in_words(const studies::StudySpec& spec, const studies::UntilOutcome& outcome) {
     const std::string achieved = outcome.achieved
                                      ? fmt::format("{} with {} trials", brief(*outcome.achieved), outcome.trials)
@@ -44,6 +43,8 @@ std::string until_in_words(const studies::StudySpec& spec, const studies::UntilO
     }
     return fmt::format("NOT reached: {} pairs have one value in all trials of the pilot", outcome.unjudged);
 }
+
+}  // namespace
 
 std::vector<std::string> until_in_brief(const studies::StudyResults& results) {
     if (results.until.empty()) return {};

@@ -181,6 +181,14 @@ void scale_areas(FormFactorMatrix& matrix, double unit) {
     }
 }
 
+/// Whether an entry is as accurate as requested.
+bool is_within(const FormFactorMatrix& matrix, const FaceExchange& exchange, const FormFactorRequest& request) {
+    const double factor = exchange.value / std::min(matrix.areas[exchange.from], matrix.areas[exchange.to]);
+    return !exchange.contradicted &&
+           worst_half_width(matrix, exchange) <=
+               std::max(request.tolerance_between(exchange.from, exchange.to), request.relative * factor);
+}
+
 }  // namespace
 
 FaceExchange no_exchange(std::size_t from, std::size_t to) {
@@ -250,13 +258,6 @@ bool is_trusted(const Scene& scene, const FormFactorMatrix& matrix, double toler
 bool leaks(const FormFactorMatrix& matrix, double tolerance) {
     constexpr double share_of_tolerance = 0.01;
     return static_cast<double>(matrix.lost_rays) > share_of_tolerance * tolerance * static_cast<double>(matrix.rays);
-}
-
-bool is_within(const FormFactorMatrix& matrix, const FaceExchange& exchange, const FormFactorRequest& request) {
-    const double factor = exchange.value / std::min(matrix.areas[exchange.from], matrix.areas[exchange.to]);
-    return !exchange.contradicted &&
-           worst_half_width(matrix, exchange) <=
-               std::max(request.tolerance_between(exchange.from, exchange.to), request.relative * factor);
 }
 
 double worst_half_width(const FormFactorMatrix& matrix, const FaceExchange& exchange) {

@@ -95,9 +95,6 @@ bool is_trusted(const Scene& scene, const FormFactorMatrix& matrix, double toler
 /// Whether the share of lost rays exceeds a hundredth of the tolerance.
 bool leaks(const FormFactorMatrix& matrix, double tolerance);
 
-/// Whether an entry is as accurate as requested.
-bool is_within(const FormFactorMatrix& matrix, const FaceExchange& exchange, const FormFactorRequest& request);
-
 /// The larger half of a pair's interval, as a form factor of its smaller face.
 double worst_half_width(const FormFactorMatrix& matrix, const FaceExchange& exchange);
 

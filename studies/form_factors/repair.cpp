@@ -18,6 +18,15 @@ double closure_defect(const Eigen::MatrixXd& factors) {
     return (factors.rowwise().sum().array() - 1).abs().maxCoeff();
 }
 
+/// @param what  takes the matrix with all its zeros  @throws UserError for more faces than most_dense_faces
+void expect_dense(const Scene& scene, std::string_view what) {
+    if (scene.faces.size() <= most_dense_faces) return;
+    throw UserError(
+        fmt::format("{}: scene '{}' has {} faces (it takes a matrix with all zeros, of at most {}). Put "
+                    "surfaces into groups.",
+                    what, scene.name, scene.faces.size(), most_dense_faces));
+}
+
 }  // namespace
 
 RepairedFactors repair(const FormFactorMatrix& matrix) {
@@ -57,14 +66,6 @@ RepairedFactors compare_repaired(const FormFactorMatrix& matrix, Eigen::MatrixXd
         }
     }
     return result;
-}
-
-void expect_dense(const Scene& scene, std::string_view what) {
-    if (scene.faces.size() <= most_dense_faces) return;
-    throw UserError(
-        fmt::format("{}: scene '{}' has {} faces (it takes a matrix with all zeros, of at most {}). Put "
-                    "surfaces into groups.",
-                    what, scene.name, scene.faces.size(), most_dense_faces));
 }
 
 void expect_repairable(const Scene& scene) {

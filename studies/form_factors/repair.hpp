@@ -13,9 +13,6 @@ RepairedFactors repair(const FormFactorMatrix& matrix);
 /// How repaired factors compare with those of the matrix.
 RepairedFactors compare_repaired(const FormFactorMatrix& matrix, Eigen::MatrixXd repaired, bool possible);
 
-/// @param what  takes the matrix with all its zeros  @throws UserError for more faces than most_dense_faces
-void expect_dense(const Scene& scene, std::string_view what);
-
 /// @throws UserError for a scene that is not closed, whose row sums are unknown; for too many faces
 void expect_repairable(const Scene& scene);
 

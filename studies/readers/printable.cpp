@@ -61,14 +61,16 @@ bool is_formula(std::string_view name) {
            name.find_first_of(of_formulas, 1) != std::string_view::npos;
 }
 
+/// Position of the first character that a report cannot contain: a control character, a line or paragraph separator, a
+/// mark that changes the writing direction, or bytes that are not UTF-8. npos where there is none.
+std::size_t find_unprintable(std::string_view text) {
+    return find_character(text, [](const Character& character) { return !is_printable(character); });
+}
+
 }  // namespace
 
 std::size_t find_no_utf8(std::string_view text) {
     return find_character(text, [](const Character& character) { return !character.is_utf8; });
-}
-
-std::size_t find_unprintable(std::string_view text) {
-    return find_character(text, [](const Character& character) { return !is_printable(character); });
 }
 
 std::string visible_text(std::string_view text) {

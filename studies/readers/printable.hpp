@@ -9,10 +9,6 @@ namespace ff::studies {
 /// Position of the first byte that is not valid UTF-8; npos where all is.
 std::size_t find_no_utf8(std::string_view text);
 
-/// Position of the first character that a report cannot contain: a control character, a line or paragraph separator, a
-/// mark that changes the writing direction, or bytes that are not UTF-8. npos where there is none.
-std::size_t find_unprintable(std::string_view text);
-
 /// The text with those characters as escapes: \x1b for a byte, \u202e for others.
 std::string visible_text(std::string_view text);
 

@@ -175,12 +175,13 @@ void add_structure(const SamplerCheckRequest& request, const StructureEvidence& 
     add(describe(evidence));
 }
 
-}  // namespace
-
+/// Trials that take about a second, limited to those available.
 std::uint64_t usual_trials(const SamplerInfo& info, std::uint64_t points) {
     const std::uint64_t affordable = std::clamp<std::uint64_t>((std::uint64_t{1} << 25) / points, 1000, 20000);
     return info.most_trials == 0 ? affordable : std::min(affordable, info.most_trials);
 }
+
+}  // namespace
 
 SamplerChecks check_sampler(const samplers::CatalogueEntry& sampler, const SamplerCheckRequest& request) {
     const SamplerInfo& info = sampler.info;

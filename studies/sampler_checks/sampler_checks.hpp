@@ -15,7 +15,7 @@ namespace ff::studies {
 struct SamplerCheckRequest {
     std::uint64_t points = 0;
     std::size_t dimension = max_dimension;
-    std::uint64_t trials = 0;  ///< 0: as many as `usual_trials` says
+    std::uint64_t trials = 0;  ///< 0: as many as take about a second, limited to those available
     std::uint64_t seed = 1;
     std::vector<Promise> promises{};  ///< what the author says that every set has; empty: the structure is looked for
     double alpha = 1e-3;              ///< of rejecting a sound sampler, over all statistical checks (Holm)
@@ -28,9 +28,6 @@ struct SamplerChecks {
     std::vector<SamplerCheck> checks;
     std::vector<std::string> not_asked;  ///< checks left out, with the reason
 };
-
-/// Trials that take about a second, limited to those available.
-std::uint64_t usual_trials(const samplers::SamplerInfo& info, std::uint64_t points);
 
 /// Checks any sampler against the contract of the catalogue: the same bits from any first point, points in [0, 1), a
 /// stratified axis where its sizes promise it; for a randomised one also uniform coordinates, and uniform pairs of

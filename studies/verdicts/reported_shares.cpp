@@ -42,17 +42,8 @@ void expect_binomial_scatter(Comparing& comparing, const Bins& bins) {
                          bins.runs, bins.file->origin, together));
 }
 
-}  // namespace
-
-stats::Proportion pooled(Rows runs) {
-    stats::Proportion all;
-    for (const ReportedRow& run : runs) {
-        all.hits += static_cast<std::uint64_t>(run.mean);
-        all.trials += static_cast<std::uint64_t>(run.n);
-    }
-    return all;
-}
-
+/// What the share of a bin is compared with: the gate's number, or this bin of a second file, which may hold hits, or
+/// means with or without errors.
 stats::ShareReference share_reference(const Gate& gate, const Bins* against, std::size_t bin) {
     stats::ShareReference reference;
     if (against == nullptr) {
@@ -68,6 +59,17 @@ stats::ShareReference share_reference(const Gate& gate, const Bins* against, std
         reference.freedom = mean.freedom;
     }
     return reference;
+}
+
+}  // namespace
+
+stats::Proportion pooled(Rows runs) {
+    stats::Proportion all;
+    for (const ReportedRow& run : runs) {
+        all.hits += static_cast<std::uint64_t>(run.mean);
+        all.trials += static_cast<std::uint64_t>(run.n);
+    }
+    return all;
 }
 
 void compare_shares(Comparing& comparing, const Bins* against) {

@@ -7,10 +7,6 @@ namespace ff::studies {
 /// The hits of all runs of a bin, of all their trials.
 stats::Proportion pooled(Rows runs);
 
-/// What the share of a bin is compared with: the gate's number, or this bin of a second file, which may hold hits, or
-/// means with or without errors.
-stats::ShareReference share_reference(const Gate& gate, const Bins* against, std::size_t bin);
-
 /// The difference of each bin's share from its reference, with notes. Hits of several runs are added up; where they
 /// scatter more than those of independent trials, there is no verdict.
 void compare_shares(Comparing& comparing, const Bins* against);
