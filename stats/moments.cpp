@@ -29,27 +29,6 @@ void Moments::add(double value) {
     sum2_ += term;
 }
 
-void Moments::merge(const Moments& other) {
-    FF_EXPECT(reference_ == other.reference_);
-    if (other.count_ == 0) return;
-    if (count_ == 0) {
-        *this = other;
-        return;
-    }
-    const double a = static_cast<double>(count_);
-    const double b = static_cast<double>(other.count_);
-    const double n = a + b;
-    const double delta = other.offset_ - offset_;
-    const double step = delta / n;
-
-    sum4_ += other.sum4_ + delta * step * step * step * a * b * (a * a - a * b + b * b) +
-             6 * step * step * (a * a * other.sum2_ + b * b * sum2_) + 4 * step * (a * other.sum3_ - b * sum3_);
-    sum3_ += other.sum3_ + delta * step * step * a * b * (a - b) + 3 * step * (a * other.sum2_ - b * sum2_);
-    sum2_ += other.sum2_ + delta * step * a * b;
-    offset_ += step * b;
-    count_ += other.count_;
-}
-
 std::optional<double> Moments::mean() const {
     if (count_ == 0) return std::nullopt;
     return reference_ + offset_;

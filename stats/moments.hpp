@@ -6,20 +6,18 @@
 
 namespace ff::stats {
 
-/// Count, mean and central moments up to the fourth of a stream of numbers, in one pass and mergeable
-/// (Welford, Chan, Pebay [pebay2008]).
+/// Count, mean and central moments up to the fourth of a stream of numbers, in one pass (Welford, Pebay
+/// [pebay2008]).
 ///
 /// Everything is kept relative to `reference`, usually the exact value: a bias far below the mean, or a variance of
-/// 1e-24 beside a mean of 0.2, survives. Results are equal to the bit for the same values in the same order; merging in
-/// another order changes the last digits.
+/// 1e-24 beside a mean of 0.2, survives. Results are equal to the bit for the same values in the same order; another
+/// order changes the last digits.
 class Moments {
   public:
     /// @param reference  what offsets are measured from, e.g. the exact form factor
     explicit Moments(double reference = 0) : reference_(reference) {}
 
     void add(double value);
-    /// As if all values of `other` had been added here. @pre equal references
-    void merge(const Moments& other);
 
     [[nodiscard]] std::size_t count() const { return count_; }
     [[nodiscard]] double reference() const { return reference_; }

@@ -39,11 +39,6 @@ std::string_view name(Solver solver) {
     return names.at(static_cast<std::size_t>(solver));
 }
 
-std::string_view name(SolverOutcome outcome) {
-    static constexpr std::array<std::string_view, 4> names{"converged", "diverged", "stalled", "exhausted"};
-    return names.at(static_cast<std::size_t>(outcome));
-}
-
 SolverRun iterate(const RadiositySystem& system, const SolverOptions& options, double flops_per_iteration,
                   const Iteration& iteration) {
     SolverRun run;

@@ -50,8 +50,6 @@ enum class SolverOutcome {
     exhausted,  ///< it falls, but too slowly for most_iterations
 };
 
-std::string_view name(SolverOutcome outcome);
-
 struct SolverRun {
     SolverOutcome outcome = SolverOutcome::exhausted;
     Eigen::VectorXd exitance;       ///< where the run ended, converged or not

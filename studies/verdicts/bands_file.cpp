@@ -220,10 +220,6 @@ std::string_view name(Combination combination) {
     return combination_names.at(static_cast<std::size_t>(combination));
 }
 
-std::string_view name(Spending spending) {
-    return spending_names.at(static_cast<std::size_t>(spending));
-}
-
 GatesSpec parse_bands(std::string_view text, std::string_view origin, const ReadExperiment& read_experiment) {
     const toml::table root = parse_toml(text, origin);
     const TomlReader file(root, origin);

@@ -66,8 +66,6 @@ enum class Spending {
     obrien_fleming,  ///< `looks` of them, with little for the first and most for the last [lan1983]
 };
 
-std::string_view name(Spending spending);
-
 /// The reference of the effect.
 enum class Against {
     exact,     ///< computed from the scene

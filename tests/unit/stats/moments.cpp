@@ -75,24 +75,6 @@ TEST(Moments, SurviveAHugeOffsetThatDefeatsSumsOfSquares) {
     EXPECT_GT(std::abs((sum_of_squares - sum * sum / 8) / 7 - 6.477142857142856), 1);  // the textbook formula is lost
 }
 
-TEST(Moments, MergeLikeOneStreamWhereverItIsCut) {
-    std::mt19937_64 engine(1);
-    const auto values = test::sample(std::exponential_distribution<double>(), 200, engine);
-    const std::span<const double> all(values);
-    const Moments whole = moments_of(all, 1);
-    for (const std::size_t cut : {0u, 1u, 2u, 77u, 199u, 200u}) {
-        Moments merged = moments_of(all.first(cut), 1);
-        merged.merge(moments_of(all.subspan(cut), 1));
-        EXPECT_EQ(merged.count(), whole.count());
-        EXPECT_NEAR(*merged.bias(), *whole.bias(), 1e-14);
-        EXPECT_NEAR(*merged.variance(), *whole.variance(), 1e-13);
-        EXPECT_NEAR(*merged.skewness(), *whole.skewness(), 1e-12);
-        EXPECT_NEAR(*merged.excess_kurtosis(), *whole.excess_kurtosis(), 1e-11);
-    }
-}
-
-// import math
-// n=20; ses=math.sqrt(6*n*(n-1)/((n-2)*(n+1)*(n+3))); print(ses, 2*ses*math.sqrt((n*n-1)/((n-3)*(n+5))))
 TEST(ShapeStandardErrors, AreThoseOfSpssAndSas) {
     EXPECT_NEAR(*skewness_standard_error(20), 0.5121033367077574, 1e-14);
     EXPECT_NEAR(*excess_kurtosis_standard_error(20), 0.992383612541845, 1e-14);
