@@ -1,5 +1,8 @@
 #include "reports/csv/csv.hpp"
 #include "reports/csv/csv_field.hpp"
+#include "reports/csv/csv_records.hpp"
+#include "reports/json/json_cells.hpp"
+#include "reports/json/json_laboratory.hpp"
 #include "reports/text/labels.hpp"
 #include "reports/text/numbers.hpp"
 
@@ -36,19 +39,34 @@ void write_comparisons_csv(std::ostream& out, const studies::StudyResults& resul
 }
 
 void write_claimed_errors_csv(std::ostream& out, const studies::StudyResults& results) {
-    out << "study,scene,method,patches_per_face,samples_per_patch,pair_class,claimant,promised,claims,held,worst_from,"
-           "worst_to,worst_held,worst_share_ci_low,worst_share_ci_high,median_ratio,largest_ratio,finding\n";
+    CsvRecords csv(out,
+                   "study,scene,method,patches_per_face,samples_per_patch,pair_class,claimant,promised,claims,held,"
+                   "worst_from,worst_to,worst_held,worst_share_ci_low=worst_share_interval/low,"
+                   "worst_share_ci_high=worst_share_interval/high,median_ratio,largest_ratio,finding");
     const studies::StudyPlan& plan = results.findings.plan;
-    for (const studies::ClaimedErrors& row : results.claimed_errors) {
+    const Json rows = claimed_errors_json(results);
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        const studies::ClaimedErrors& row = results.claimed_errors[i];
         const studies::Cell& cell = plan.cells[row.cell];
-        const Scene& scene = plan.scenes[cell.scene];
-        out << fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", csv_field(plan.spec.name),
-                           csv_field(scene.name), csv_field(plan.spec.methods[cell.method].name),
-                           cell.subdivision.per_part(), cell.samples, name(row.pair_class), studies::name(row.claimant),
-                           exact(row.promised), row.claims, row.held, csv_field(from_label(scene, row.worst)),
-                           csv_field(to_label(scene, row.worst)), row.worst_held, exact(row.worst_share.low),
-                           exact(row.worst_share.high), exact(row.median_ratio), exact(row.largest_ratio),
-                           row.finding == studies::ClaimFinding::fails ? "fails" : "not_refuted");
+        Json record = in_cell(plan, row.cell, rows[i]);
+        record["samples_per_patch"] = cell.samples;  // 0 for none
+        record["worst_from"] = from_label(plan.scenes[cell.scene], row.worst);
+        record["worst_to"] = to_label(plan.scenes[cell.scene], row.worst);
+        csv.add(record);
+    }
+}
+
+void write_coverage_csv(std::ostream& out, const studies::StudyResults& results) {
+    CsvRecords csv(out,
+                   "study,scene,method,patches_per_face,samples_per_patch,pair_class,interval_method,replicates,"
+                   "mean_trials,intervals,covered,coverage,coverage_ci_low=coverage_interval/low,"
+                   "coverage_ci_high=coverage_interval/high,level,short_of_nominal");
+    const Json rows = coverage_json(results);
+    const studies::StudyPlan& plan = results.findings.plan;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        Json record = in_cell(plan, results.coverage[i].cell, rows[i]);
+        record["samples_per_patch"] = plan.cells[results.coverage[i].cell].samples;  // 0 for none
+        csv.add(record);
     }
 }
 

@@ -1,52 +1,24 @@
 #include "reports/csv/gates_csv.hpp"
 
 #include "reports/csv/csv_field.hpp"
+#include "reports/csv/csv_records.hpp"
+#include "reports/json/comparison_json.hpp"
 #include "reports/text/numbers.hpp"
 
 #include <fmt/format.h>
 
-#include <string>
-#include <vector>
-
 namespace ff::reports {
-namespace {
-
-template <class Number>
-std::string whole(const std::optional<Number>& number) {
-    return number ? std::to_string(*number) : std::string();
-}
-
-std::string row(const studies::GateResult& result, const studies::Comparison& c) {
-    const auto& measurement = c.measurement;
-    const auto of_measurement = [&](auto value) { return measurement ? exact(value(*measurement)) : std::string(); };
-    const std::vector<std::string> fields{
-        csv_field(result.gate),
-        csv_field(c.scene),
-        csv_field(c.method),
-        whole(c.patches_per_face),
-        whole(c.samples_per_patch),
-        csv_field(c.from_face),
-        csv_field(c.to_face),
-        csv_field(c.quantity),
-        of_measurement([](const studies::Measurement& e) { return e.value; }),
-        of_measurement([](const studies::Measurement& e) { return e.passing.low; }),
-        of_measurement([](const studies::Measurement& e) { return e.passing.high; }),
-        exact(c.band.low),
-        exact(c.band.high),
-        std::string(name(c.verdict)),
-        of_measurement([](const studies::Measurement& e) { return e.minimum_detectable; }),
-        exact(c.levels.fail_alpha),
-        exact(c.levels.power)};
-    return fmt::format("{}\n", fmt::join(fields, ","));
-}
-
-}  // namespace
-
 void write_verdicts_csv(std::ostream& out, const studies::CheckResults& check) {
-    out << "gate,scene,method,patches_per_face,samples_per_patch,from_face,to_face,quantity,value,ci_low,ci_high,"
-           "band_low,band_high,verdict,minimum_detectable,alpha,power\n";
+    CsvRecords csv(out,
+                   "gate,scene,method,patches_per_face,samples_per_patch,from_face,to_face,quantity,value,"
+                   "ci_low=passing_interval/low,ci_high=passing_interval/high,band_low=band/low,band_high=band/high,"
+                   "verdict,minimum_detectable,alpha,power");
     for (const studies::GateResult& result : check.results) {
-        for (const studies::Comparison& comparison : result.comparisons) out << row(result, comparison);
+        for (const studies::Comparison& comparison : result.comparisons) {
+            Json record = comparison_json(comparison);
+            record["gate"] = result.gate;
+            csv.add(record);
+        }
     }
 }
 

@@ -1,9 +1,8 @@
 #include "reports/json/gates_json.hpp"
 
-#include "reports/json/json_values.hpp"
+#include "reports/json/comparison_json.hpp"
 
 namespace ff::reports {
-namespace {
 
 Json comparison_json(const studies::Comparison& c) {
     const auto& measurement = c.measurement;
@@ -26,8 +25,6 @@ Json comparison_json(const studies::Comparison& c) {
             {"trials", c.trials},
             {"note", c.note}};
 }
-
-}  // namespace
 
 std::string verdicts_json(const studies::CheckResults& check) {
     Json gates = Json::array();

@@ -1,5 +1,6 @@
 #include "reports/json/json.hpp"
 
+#include "reports/json/json_cells.hpp"
 #include "reports/json/json_laboratory.hpp"
 #include "reports/json/json_radiosity.hpp"
 #include "reports/json/json_slopes.hpp"
@@ -55,39 +56,6 @@ std::string_view name(studies::VarianceStatus status) {
     return "none";
 }
 
-Json summary_json(const Scene& scene, const studies::Summary& s) {
-    return {{"from_face", from_label(scene, s.quantity)},
-            {"to_face", to_label(scene, s.quantity)},
-            {"pair_class", s.pair_class ? Json(ff::name(*s.pair_class)) : Json(nullptr)},
-            {"variance", name(s.variance)},
-            {"not_finite", s.not_finite},
-            {"reference", optional_json(s.reference)},
-            {"mean", optional_json(s.mean)},
-            {"bias", optional_json(s.bias)},
-            {"bias_se", optional_json(s.bias_se)},
-            {"bias_interval", interval_json(s.bias_interval)},
-            {"minimum_detectable_bias", optional_json(s.minimum_detectable_bias)},
-            {"std", optional_json(s.std)},
-            {"std_interval", interval_json(s.std_interval)},
-            {"rmse", optional_json(s.rmse)},
-            {"median_abs_error", optional_json(s.median_abs_error)},
-            {"relative_error_percent", optional_json(s.relative_error_percent)},
-            {"skewness", optional_json(s.skewness)},
-            {"excess_kurtosis", optional_json(s.excess_kurtosis)},
-            {"quantiles",
-             {{"min", optional_json(s.min)},
-              {"q025", optional_json(s.q025)},
-              {"q05", optional_json(s.q05)},
-              {"median", optional_json(s.median)},
-              {"q95", optional_json(s.q95)},
-              {"q975", optional_json(s.q975)},
-              {"max", optional_json(s.max)}}},
-            {"normality_p", optional_json(s.normality_p)},
-            {"vov", optional_json(s.vov)},
-            {"tail_index", optional_json(s.tail_index)},
-            {"efficiency_samples", optional_json(s.efficiency_samples)}};
-}
-
 Json bias_json(const studies::StudyPlan& plan, const studies::CellFindings& found) {
     if (!found.bias) return nullptr;
     const studies::BiasFamily& family = *found.bias;
@@ -124,33 +92,6 @@ Json nodes_json(const studies::Method& method) {
     if (!method.nodes) return nullptr;
     const auto [source, target] = *method.nodes;
     return target == 0 ? Json::array({source}) : Json::array({source, target});
-}
-
-Json cell_json(const studies::StudyPlan& plan, const studies::CellFindings& found) {
-    const studies::Cell& cell = plan.cells[found.cell];
-    const studies::Method& method = plan.spec.methods[cell.method];
-    const EstimatorInfo& estimator = estimator_info(method);
-    Json json{{"scene", plan.scenes[cell.scene].name},
-              {"method", method.name},
-              {"sampler", method.sampler.empty() ? Json(nullptr) : Json(method.sampler)},
-              {"estimator", method.estimator},
-              {"completion", studies::name(method.completion)},
-              {"allocation", estimator.has_allocation() ? Json(studies::name(method.allocation)) : Json(nullptr)},
-              {"tracer", estimator.has_tracer ? Json(studies::name(method.tracer)) : Json(nullptr)},
-              {"map", estimator.has_map ? Json(studies::name(method.map)) : Json(nullptr)},
-              {"nodes", nodes_json(method)},
-              {"patches_per_face", cell.subdivision.per_part()},
-              {"samples_per_patch", cell.samples == 0 ? Json(nullptr) : Json(cell.samples)},
-              {"deterministic", cell.deterministic},
-              {"trials", found.trials},
-              {"trials_planned", found.trials_planned},
-              {"lost_rays", found.lost_rays},
-              {"evaluations_per_face", found.evaluations_per_face},
-              {"bias_test", bias_json(plan, found)}};
-    Json& summaries = json["summaries"] = Json::array();
-    for (const studies::Summary& summary : found.summaries)
-        summaries.push_back(summary_json(plan.scenes[cell.scene], summary));
-    return json;
 }
 
 Json table_comparison_json(const studies::PublishedResults& published, const studies::TableComparison& table) {
@@ -214,6 +155,73 @@ Json published_json(const studies::PublishedResults& published) {
 
 }  // namespace
 
+Json summary_json(const Scene& scene, const studies::Summary& s) {
+    return {{"from_face", from_label(scene, s.quantity)},
+            {"to_face", to_label(scene, s.quantity)},
+            {"pair_class", s.pair_class ? Json(ff::name(*s.pair_class)) : Json(nullptr)},
+            {"variance", name(s.variance)},
+            {"not_finite", s.not_finite},
+            {"reference", optional_json(s.reference)},
+            {"mean", optional_json(s.mean)},
+            {"bias", optional_json(s.bias)},
+            {"bias_se", optional_json(s.bias_se)},
+            {"bias_interval", interval_json(s.bias_interval)},
+            {"minimum_detectable_bias", optional_json(s.minimum_detectable_bias)},
+            {"std", optional_json(s.std)},
+            {"std_interval", interval_json(s.std_interval)},
+            {"rmse", optional_json(s.rmse)},
+            {"median_abs_error", optional_json(s.median_abs_error)},
+            {"relative_error_percent", optional_json(s.relative_error_percent)},
+            {"skewness", optional_json(s.skewness)},
+            {"excess_kurtosis", optional_json(s.excess_kurtosis)},
+            {"quantiles",
+             {{"min", optional_json(s.min)},
+              {"q025", optional_json(s.q025)},
+              {"q05", optional_json(s.q05)},
+              {"median", optional_json(s.median)},
+              {"q95", optional_json(s.q95)},
+              {"q975", optional_json(s.q975)},
+              {"max", optional_json(s.max)}}},
+            {"normality_p", optional_json(s.normality_p)},
+            {"vov", optional_json(s.vov)},
+            {"tail_index", optional_json(s.tail_index)},
+            {"efficiency_samples", optional_json(s.efficiency_samples)}};
+}
+
+Json cell_json(const studies::StudyPlan& plan, const studies::CellFindings& found) {
+    const studies::Cell& cell = plan.cells[found.cell];
+    const studies::Method& method = plan.spec.methods[cell.method];
+    const EstimatorInfo& estimator = estimator_info(method);
+    return {{"scene", plan.scenes[cell.scene].name},
+            {"method", method.name},
+            {"sampler", method.sampler.empty() ? Json(nullptr) : Json(method.sampler)},
+            {"estimator", method.estimator},
+            {"completion", studies::name(method.completion)},
+            {"allocation", estimator.has_allocation() ? Json(studies::name(method.allocation)) : Json(nullptr)},
+            {"tracer", estimator.has_tracer ? Json(studies::name(method.tracer)) : Json(nullptr)},
+            {"map", estimator.has_map ? Json(studies::name(method.map)) : Json(nullptr)},
+            {"nodes", nodes_json(method)},
+            {"patches_per_face", cell.subdivision.per_part()},
+            {"samples_per_patch", cell.samples == 0 ? Json(nullptr) : Json(cell.samples)},
+            {"deterministic", cell.deterministic},
+            {"trials", found.trials},
+            {"trials_planned", found.trials_planned},
+            {"lost_rays", found.lost_rays},
+            {"evaluations_per_face", found.evaluations_per_face}};
+}
+
+Json in_cell(const studies::StudyPlan& plan, std::size_t cell, const Json& record) {
+    const studies::Cell& of = plan.cells[cell];
+    Json all{{"study", plan.spec.name},
+             {"scene", plan.scenes[of.scene].name},
+             {"method", plan.spec.methods[of.method].name},
+             {"patches_per_face", of.subdivision.per_part()},
+             {"samples_per_patch", of.samples == 0 ? Json(nullptr) : Json(of.samples)},
+             {"level", plan.spec.level}};
+    all.update(record);
+    return all;
+}
+
 std::string results_json(const studies::StudyResults& results) {
     const studies::StudyPlan& plan = results.findings.plan;
     Json json{{"schema", fmt::format("ffstudy.results/{}", results_json_version)},
@@ -226,7 +234,13 @@ std::string results_json(const studies::StudyResults& results) {
               {"equivalence_margin", optional_json(plan.spec.equivalence_margin)},
               {"warnings", plan.warnings}};
     Json& cells = json["cells"] = Json::array();
-    for (const studies::CellFindings& found : results.findings.cells) cells.push_back(cell_json(plan, found));
+    for (const studies::CellFindings& found : results.findings.cells) {
+        Json& cell = cells.emplace_back(cell_json(plan, found));
+        cell["bias_test"] = bias_json(plan, found);
+        Json& summaries = cell["summaries"] = Json::array();
+        for (const studies::Summary& summary : found.summaries)
+            summaries.push_back(summary_json(plan.scenes[plan.cells[found.cell].scene], summary));
+    }
     json["slopes"] = slopes_json(results);
     json["heavy_tails"] = heavy_tails_json(results);
     json["variance_reductions"] = reductions_json(results);

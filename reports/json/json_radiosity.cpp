@@ -21,17 +21,47 @@ Json range_json(const studies::OverTrials& range) {
 
 Json solvers_json(const std::vector<studies::SolverFindings>& solvers) {
     Json list = Json::array();
-    for (const studies::SolverFindings& found : solvers) {
-        list.push_back({{"solver", ff::name(found.solver)},
-                        {"runs", found.runs},
-                        {"converged", found.converged},
-                        {"diverged", found.diverged},
-                        {"stalled", found.stalled},
-                        {"exhausted", found.exhausted},
-                        {"iterations", found.iterations ? range_json(*found.iterations) : Json(nullptr)},
-                        {"flops", optional_json(found.flops)}});
+    for (const studies::SolverFindings& found : solvers) list.push_back(solver_json(found));
+    return list;
+}
+
+/// Of all together and each face; between patches of all and the worst patch, the rest is in exitance.csv.
+Json exitances_json(const studies::StudyPlan& plan, const studies::Consequences& of,
+                    const studies::SettingFindings& at) {
+    Json list = Json::array();
+    if (of.between == studies::Between::faces) {
+        for (const auto& found : at.exitance) list.push_back(exitance_json(plan, of, found));
+    } else if (!at.exitance.empty()) {
+        list.push_back(exitance_json(plan, of, at.exitance.front()));
+        if (const auto* worst = worst_element(at)) list.push_back(exitance_json(plan, of, *worst));
     }
     return list;
+}
+
+Json order_json(const studies::StudyPlan& plan, const studies::BiasOrder& order) {
+    Json points = Json::array();
+    for (const auto& point : order.points)
+        points.push_back({{"evaluations", point.evaluations}, {"bias", point.bias}, {"error", point.error}});
+    return {{"scene", plan.scenes[order.scene].name},
+            {"label", order.label},
+            {"treatment", studies::name(order.treatment)},
+            {"reflectance", plan.spec.radiosity->reflectance[order.setting]},
+            {"points", std::move(points)},
+            {"slope", optional_json(order.slope)},
+            {"interval", interval_json(order.interval)}};
+}
+
+}  // namespace
+
+Json solver_json(const studies::SolverFindings& found) {
+    return {{"solver", ff::name(found.solver)},
+            {"runs", found.runs},
+            {"converged", found.converged},
+            {"diverged", found.diverged},
+            {"stalled", found.stalled},
+            {"exhausted", found.exhausted},
+            {"iterations", found.iterations ? range_json(*found.iterations) : Json(nullptr)},
+            {"flops", optional_json(found.flops)}};
 }
 
 Json exitance_json(const studies::StudyPlan& plan, const studies::Consequences& of,
@@ -52,19 +82,6 @@ Json exitance_json(const studies::StudyPlan& plan, const studies::Consequences& 
             {"q025", found.q025},
             {"median", found.median},
             {"q975", found.q975}};
-}
-
-/// Of all together and each face; between patches of all and the worst patch, the rest is in exitance.csv.
-Json exitances_json(const studies::StudyPlan& plan, const studies::Consequences& of,
-                    const studies::SettingFindings& at) {
-    Json list = Json::array();
-    if (of.between == studies::Between::faces) {
-        for (const auto& found : at.exitance) list.push_back(exitance_json(plan, of, found));
-    } else if (!at.exitance.empty()) {
-        list.push_back(exitance_json(plan, of, at.exitance.front()));
-        if (const auto* worst = worst_element(at)) list.push_back(exitance_json(plan, of, *worst));
-    }
-    return list;
 }
 
 Json setting_json(const studies::StudyPlan& plan, const studies::Consequences& of, const studies::SettingFindings& at) {
@@ -113,21 +130,6 @@ Json exact_json(const studies::StudyPlan& plan, const studies::ExactSystem& syst
             {"condition", number(system.properties.condition)},
             {"solvers", solvers_json(system.solvers)}};
 }
-
-Json order_json(const studies::StudyPlan& plan, const studies::BiasOrder& order) {
-    Json points = Json::array();
-    for (const auto& point : order.points)
-        points.push_back({{"evaluations", point.evaluations}, {"bias", point.bias}, {"error", point.error}});
-    return {{"scene", plan.scenes[order.scene].name},
-            {"label", order.label},
-            {"treatment", studies::name(order.treatment)},
-            {"reflectance", plan.spec.radiosity->reflectance[order.setting]},
-            {"points", std::move(points)},
-            {"slope", optional_json(order.slope)},
-            {"interval", interval_json(order.interval)}};
-}
-
-}  // namespace
 
 Json radiosity_json(const studies::StudyResults& results) {
     if (!results.radiosity) return nullptr;

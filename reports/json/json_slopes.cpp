@@ -30,20 +30,6 @@ Json expected_json(const studies::Slope& slope) {
             {"because", slope.expected->because}};
 }
 
-Json slope_json(const Scene& scene, const studies::Slope& slope) {
-    return {{"from_face", slope.pair ? Json(from_label(scene, *slope.pair)) : Json(nullptr)},
-            {"to_face", slope.pair ? Json(to_label(scene, *slope.pair)) : Json(nullptr)},
-            {"pair_class", ff::name(slope.pair_class)},
-            {"statistic", studies::name(slope.error)},
-            {"slope", optional_json(slope.slope)},
-            {"interval", interval_json(slope.interval)},
-            {"interval_from_fit", interval_json(slope.from_fit)},
-            {"lack_of_fit_p", optional_json(slope.lack_of_fit_p)},
-            {"expected", expected_json(slope)},
-            {"p", optional_json(slope.p)},
-            {"points", slope.points}};
-}
-
 Json class_json(const Scene& scene, const studies::ClassSlopes& found) {
     Json json{{"pair_class", ff::name(found.pair_class)},
               {"pairs", found.pairs},
@@ -65,6 +51,20 @@ Json class_json(const Scene& scene, const studies::ClassSlopes& found) {
 }
 
 }  // namespace
+
+Json slope_json(const Scene& scene, const studies::Slope& slope) {
+    return {{"from_face", slope.pair ? Json(from_label(scene, *slope.pair)) : Json(nullptr)},
+            {"to_face", slope.pair ? Json(to_label(scene, *slope.pair)) : Json(nullptr)},
+            {"pair_class", ff::name(slope.pair_class)},
+            {"statistic", studies::name(slope.error)},
+            {"slope", optional_json(slope.slope)},
+            {"interval", interval_json(slope.interval)},
+            {"interval_from_fit", interval_json(slope.from_fit)},
+            {"lack_of_fit_p", optional_json(slope.lack_of_fit_p)},
+            {"expected", expected_json(slope)},
+            {"p", optional_json(slope.p)},
+            {"points", slope.points}};
+}
 
 Json slopes_json(const studies::StudyResults& results) {
     const studies::StudyPlan& plan = results.findings.plan;

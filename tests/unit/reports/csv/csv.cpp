@@ -1,4 +1,5 @@
 #include "reports/csv/csv.hpp"
+#include "reports/csv/csv_records.hpp"
 
 #include "tests/unit/reports/small_study.hpp"
 
@@ -51,6 +52,14 @@ CsvTable trials() {
     std::ostringstream out;
     write_trials_csv(out, test::small_store());
     return parse_csv(out.str());
+}
+
+TEST(CsvRecords, HaveTheirColumnsInOrderAndNothingWhereAValueIsMissing) {
+    std::ostringstream out;
+    CsvRecords csv(out, "b,a,low=interval/low,list,flag,absent");
+    csv.add({{"a", 1}, {"b", "x, \"y\""}, {"interval", {{"low", 0.1}}}, {"list", {0.5, 1.0}}, {"flag", true}});
+    csv.add({{"a", 2}, {"b", nullptr}, {"interval", nullptr}, {"list", nullptr}, {"flag", false}});
+    EXPECT_EQ(out.str(), "b,a,low,list,flag,absent\n\"x, \"\"y\"\"\",1,0.1,0.5;1,true,\n,2,,,false,\n");
 }
 
 TEST(SummaryCsv, HasTheDocumentedColumnsInOrder) {

@@ -1,0 +1,11 @@
+#pragma once
+
+#include "reports/json/json_values.hpp"
+#include "studies/verdicts/check_results.hpp"
+
+namespace ff::reports {
+
+/// A record of verdicts.json and of verdicts.csv (docs/gates.md).
+Json comparison_json(const studies::Comparison& c);
+
+}  // namespace ff::reports
