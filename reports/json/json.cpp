@@ -9,51 +9,24 @@
 
 #include <fmt/format.h>
 
+#include <array>
+
 namespace ff::reports {
 namespace {
 
 std::string_view name(studies::BiasFinding finding) {
-    switch (finding) {
-        case studies::BiasFinding::no_bias_found:
-            return "no_bias_found";
-        case studies::BiasFinding::biased:
-            return "biased";
-        case studies::BiasFinding::inconclusive:
-            return "inconclusive";
-        case studies::BiasFinding::untestable:
-            break;
-    }
-    return "untestable";
+    constexpr std::array<std::string_view, 4> names{"no_bias_found", "biased", "inconclusive", "untestable"};
+    return names.at(static_cast<std::size_t>(finding));
 }
 
 std::string_view name(studies::EquivalenceFinding finding) {
-    switch (finding) {
-        case studies::EquivalenceFinding::shown:
-            return "shown";
-        case studies::EquivalenceFinding::refuted:
-            return "refuted";
-        case studies::EquivalenceFinding::inconclusive:
-            return "inconclusive";
-        case studies::EquivalenceFinding::not_asked:
-            break;
-    }
-    return "not_asked";
+    constexpr std::array<std::string_view, 4> names{"shown", "refuted", "inconclusive", "not_asked"};
+    return names.at(static_cast<std::size_t>(finding));
 }
 
 std::string_view name(studies::VarianceStatus status) {
-    switch (status) {
-        case studies::VarianceStatus::finite:
-            return "finite";
-        case studies::VarianceStatus::infinite:
-            return "infinite";
-        case studies::VarianceStatus::sparse:
-            return "sparse";
-        case studies::VarianceStatus::undefined:
-            return "undefined";
-        case studies::VarianceStatus::none:
-            break;
-    }
-    return "none";
+    constexpr std::array<std::string_view, 5> names{"finite", "infinite", "none", "sparse", "undefined"};
+    return names.at(static_cast<std::size_t>(status));
 }
 
 Json bias_json(const studies::StudyPlan& plan, const studies::CellFindings& found) {

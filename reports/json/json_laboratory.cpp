@@ -2,25 +2,16 @@
 
 #include "reports/text/labels.hpp"
 
+#include <array>
 #include <utility>
 
 namespace ff::reports {
 namespace {
 
 std::string_view name(studies::UntilFinding finding) {
-    switch (finding) {
-        case studies::UntilFinding::reached:
-            return "reached";
-        case studies::UntilFinding::too_many_trials:
-            return "too_many_trials";
-        case studies::UntilFinding::infinite_variance:
-            return "infinite_variance";
-        case studies::UntilFinding::too_few_hits:
-            return "too_few_hits";
-        case studies::UntilFinding::no_spread:
-            break;
-    }
-    return "no_spread";
+    constexpr std::array<std::string_view, 5> names{"reached", "too_many_trials", "infinite_variance", "too_few_hits",
+                                                    "no_spread"};
+    return names.at(static_cast<std::size_t>(finding));
 }
 
 }  // namespace

@@ -2,23 +2,14 @@
 
 #include "reports/text/labels.hpp"
 
+#include <array>
+
 namespace ff::reports {
 namespace {
 
 std::string_view name(studies::RateFinding finding) {
-    switch (finding) {
-        case studies::RateFinding::as_expected:
-            return "as_expected";
-        case studies::RateFinding::slower:
-            return "slower";
-        case studies::RateFinding::faster:
-            return "faster";
-        case studies::RateFinding::no_theory:
-            return "no_theory";
-        case studies::RateFinding::no_slope:
-            break;
-    }
-    return "no_slope";
+    constexpr std::array<std::string_view, 5> names{"as_expected", "slower", "faster", "no_theory", "no_slope"};
+    return names.at(static_cast<std::size_t>(finding));
 }
 
 Json expected_json(const studies::Slope& slope) {
