@@ -74,7 +74,7 @@ TEST(ShareOfLook, AddsUpToOneOverAllPlannedLooks) {
             spec.spending = spending;
             double sum = 0;
             for (std::size_t look = 1; look <= 10; ++look) sum += at_look(spec, look).alpha;
-            EXPECT_NEAR(sum / alpha, 1, 1e-9) << name(spending) << ' ' << alpha;
+            EXPECT_NEAR(sum / alpha, 1, 1e-9) << static_cast<int>(spending) << ' ' << alpha;
             EXPECT_THAT([&] { static_cast<void>(at_look(spec, 11)); },
                         testing::ThrowsMessage<UserError>(HasSubstr("look 11 of 10: all of alpha is spent")));
         }
