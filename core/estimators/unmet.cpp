@@ -104,7 +104,7 @@ double largest_unmet_kernel(const Scene& scene, int from, int to, double evaluat
 }
 
 double largest_unmet_factor(const Scene& scene, int from, int to, double evaluations) {
-    if (may_be_seen_in_part(scene, from, to)) return 1;
+    if (may_be_seen_in_part(scene, from, to)) return std::min(1.0, largest_kernel(scene, from, to));
     double sum = 0;
     for_each_peak(scene, from, to, [&](const Peak& peak) {
         if (peak.share_of_points * evaluations < enough) sum += std::min(1.0, peak.kernel);
