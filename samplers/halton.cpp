@@ -83,8 +83,8 @@ class RadicalInverse {
     std::uint32_t digits_;
     std::array<DigitValues, max_index_digits> values_;
     std::array<std::uint32_t, max_index_digits> digit_{};
-    std::array<std::uint64_t, max_index_digits + 1>
-        sum_from_{};  ///< of digits j and higher, the endless zeros included
+    /// [j]: what digits j and higher add to the coordinate, the endless zeros included, in units of 2^-64.
+    std::array<std::uint64_t, max_index_digits + 1> sum_from_{};
 };
 
 }  // namespace

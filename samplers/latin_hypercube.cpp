@@ -53,7 +53,7 @@ class Permutation {
     static constexpr std::size_t rounds = 4;
 
     std::uint32_t last_;
-    std::uint32_t mask_;  ///< of the least power of two that holds the numbers
+    std::uint32_t mask_;  ///< least 2^k - 1 that is not below `last_`
     std::uint32_t shift_;
     std::array<std::uint32_t, rounds> multipliers_{};
     std::array<std::uint32_t, rounds> addends_{};

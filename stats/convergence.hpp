@@ -27,7 +27,7 @@ struct ConvergenceRate {
     Interval interval;                    ///< "wls_normal" from the fit's weights
     Interval bootstrap;                   ///< "percentile_bootstrap" over replicates within each size
     double standard_error = 0;            ///< the larger of those behind the two intervals
-    std::optional<double> lack_of_fit_p;  ///< of a straight line; empty for two sizes and for medians
+    std::optional<double> lack_of_fit_p;  ///< p-value of a straight line; empty for two sizes and for medians
     double misfit = 1;                    ///< sqrt(chi-squared / degrees of freedom) of the line, at least 1
     double variance_factor = 1;           ///< the variances for one normal error per replicate were multiplied by this
     std::size_t points = 0;

@@ -20,10 +20,10 @@ namespace ff::gate {
 
 /// What is tolerated, and both risks.
 struct Options {
-    double band = 0;      ///< of a mean: |mean - reference| <= band; of a spread: a ratio from 1/(1+band) to 1+band
-    double alpha = 1e-4;  ///< of failing although the effect lies in the band
-    double power = 0.9;   ///< of passing where there is no effect, with the trials that the message asks for
-    double pass_alpha = 0.05;     ///< of passing although the effect lies at an end of the band or beyond
+    double band = 0;      ///< for means, |mean - reference| <= band; for spreads, a ratio from 1/(1+band) to 1+band
+    double alpha = 1e-4;  ///< probability of failing although the effect lies in the band
+    double power = 0.9;  ///< probability of passing where there is no effect, with the trials that the message asks for
+    double pass_alpha = 0.05;     ///< probability of passing although the effect lies at an end of the band or beyond
     double reference_error = 0;   ///< standard error of the reference
     std::size_t comparisons = 1;  ///< gates that share alpha
 };
@@ -41,7 +41,7 @@ struct Estimate {
 struct Result {
     Verdict verdict = Verdict::inconclusive;
     double effect = 0;  ///< mean - reference, or spread / reference
-    double low = 0;     ///< of the interval that has to lie in the band
+    double low = 0;     ///< lower end of the interval that has to lie in the band
     double high = 0;
     double band_low = 0;
     double band_high = 0;

@@ -54,7 +54,7 @@ struct MeanEvidence {
     gate::MeanSkewness skewness;
     Unmet unmet = {};         ///< adds to what the standard error says; both then share a tail
     double rounding = 0;      ///< adds to it in any case
-    std::string_view method;  ///< of intervals: "skewed_t", "skewed_welch_t" or "stein_two_stage"
+    std::string_view method;  ///< how intervals are found: "skewed_t", "skewed_welch_t" or "stein_two_stage"
     std::size_t n = 0;        ///< values behind it
 
     [[nodiscard]] double t() const { return difference / standard_error; }

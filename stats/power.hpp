@@ -7,7 +7,7 @@ namespace ff::stats {
 
 /// The two risks of a test: alpha of rejecting a true null hypothesis, 1 - power of missing the planned effect.
 struct Risks {
-    double alpha = 0.05;  ///< of this one test, in (0, 1)
+    double alpha = 0.05;  ///< level of this one test, in (0, 1)
     double power = 0.9;   ///< above alpha, at most 1 - 1e-9
 };
 

@@ -9,7 +9,7 @@ namespace ff::stats {
 struct PowerLaw {
     double coefficient = 0;  ///< signed
     double exponent = 0;
-    double largest_residual = 0;  ///< of error / law - 1 at each size, in absolute value
+    double largest_residual = 0;  ///< largest |error / law - 1| over the sizes
 };
 
 /// Fits both by least squares of ln|error|. Empty below two distinct sizes, or unless all errors have one sign.

@@ -32,7 +32,7 @@ struct Autocorrelation {
     /// Integrated autocorrelation time 1 + 2 sum r_k: the variance of the mean is this many times that of independent
     /// values, which are worth n / time. At least 1.
     double time = 1;
-    double freedom = 0;  ///< of the variance of the mean; n where the time is 1
+    double freedom = 0;  ///< degrees of freedom of the variance of the mean; n where the time is 1
 };
 
 /// Summed while pairs of successive autocorrelations are positive and fall (initial monotone sequence [geyer1992]), and

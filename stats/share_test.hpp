@@ -13,7 +13,7 @@ namespace ff::stats {
 struct ShareReference {
     double value = 0;
     double standard_error = 0;                                 ///< 0: exact
-    double freedom = std::numeric_limits<double>::infinity();  ///< of that standard error
+    double freedom = std::numeric_limits<double>::infinity();  ///< degrees of freedom of `standard_error`
     std::optional<Proportion> counts = {};                     ///< the other share; the members above are unused then
 };
 

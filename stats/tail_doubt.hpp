@@ -11,7 +11,7 @@ namespace ff::stats {
 struct TailDoubt {
     enum class Reason {
         infinite_variance,     ///< `value` is the tail index, significantly below 2
-        not_shown_finite,      ///< of many values: the index is not shown to be above 2
+        not_shown_finite,      ///< there are many values, but the index is not shown to be above 2
         few_values_decide,     ///< `value` is the variance of the variance, above `limit`
         outer_tails_infinite,  ///< both tails together, about the median: `value` is their index
     };

@@ -10,7 +10,7 @@ namespace ff::stats {
 /// below 1. (MCNP's tail slope is index + 1.)
 struct TailFit {
     double shape = 0;           ///< xi of the generalised Pareto distribution: 1 / index; <= 0 for light tails
-    double standard_error = 0;  ///< of shape: (1 + shape) / sqrt(exceedances); Hill's: shape / sqrt(exceedances)
+    double standard_error = 0;  ///< error of shape: (1 + shape) / sqrt(exceedances); Hill's: shape / sqrt(exceedances)
     double error_at_two = 0;    ///< the standard error for an index of 2
     std::size_t exceedances = 0;
     double threshold = 0;

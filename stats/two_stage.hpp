@@ -15,8 +15,8 @@ namespace ff::stats {
 /// looking at the data. Intervals with the standard deviation of all values do not keep it.
 struct Pilot {
     std::size_t n = 0;              ///< values, >= 2
-    double standard_deviation = 0;  ///< of the pilot alone, > 0
-    gate::MeanSkewness skewness;    ///< of the pilot's mean, as far as the law may be skewed
+    double standard_deviation = 0;  ///< sample standard deviation of the pilot alone, > 0
+    gate::MeanSkewness skewness;    ///< skewness of the pilot's mean, as far as the law may be skewed
 
     [[nodiscard]] double freedom() const { return static_cast<double>(n - 1); }
     /// The skewness of a mean of `trials` values of the same law.

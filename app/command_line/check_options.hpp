@@ -16,7 +16,7 @@ struct CheckCommand {
     std::filesystem::path estimates;  ///< CSV of another program; empty: none
     std::filesystem::path against;    ///< a second file of estimates; empty: none
     std::string again;                ///< commit whose looks share alpha; empty: a single look
-    std::filesystem::path ledger;     ///< of looks; empty: <bands>.ledger.csv
+    std::filesystem::path ledger;     ///< file that records looks; empty: <bands>.ledger.csv
     std::filesystem::path baseline;
     std::filesystem::path save_baseline;
     std::optional<unsigned> threads;

@@ -31,7 +31,7 @@ struct OptionRules {
     std::vector<std::string> choices{};  ///< the only values; empty: all are
     Numbers numbers = Numbers::all;
     char delimiter = '\0';         ///< between values of a vector; '\0': none
-    bool takes_one_value = false;  ///< of a vector: each time that it is given
+    bool takes_one_value = false;  ///< a vector takes one value each time that it is given
     bool is_required = false;
     bool shows_default = false;
     std::vector<std::string> needs{};  ///< options, each as "--out"
@@ -46,7 +46,7 @@ struct OptionDefinition {
 };
 
 struct CommandDefinition {
-    std::string group;  ///< of commands, in --help; empty: it is hidden
+    std::string group;  ///< heading of the command in --help; empty: it is hidden
     std::string name;
     std::string summary;
     std::vector<OptionDefinition> options;         ///< and arguments, in the order of --help

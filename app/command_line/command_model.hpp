@@ -14,7 +14,7 @@ struct OptionModel {
     std::string name;                ///< the one of messages: "--quiet"
     std::string type;                ///< "SAMPLER" of "--sampler SAMPLER"; empty: that of its name, or none
     std::string notes;               ///< what --help says behind the names: " DIR Needs: --out"
-    std::string usage;               ///< of an argument, in a synopsis: "[STUDY]"
+    std::string usage;               ///< how an argument stands in a synopsis: "[STUDY]"
     std::string description;
     char delimiter = '\0';  ///< between its values; '\0': none
     bool is_argument = false;

@@ -70,7 +70,7 @@ struct FormFactorsCommand {
     bool dry_run = false;
     bool whole_matrix = false;
     std::filesystem::path out;         ///< empty: nothing is written
-    std::vector<std::string> formats;  ///< of other programs, for files in `out`
+    std::vector<std::string> formats;  ///< formats of other programs, for files in `out`
     bool quiet = false;
 };
 
@@ -79,9 +79,9 @@ struct HeatCommand {
     FormFactorsCommand factors;  ///< their level holds for all factors at once
     std::filesystem::path materials;
     double scale = 1;                           ///< metres of a unit of length of the scene
-    std::optional<std::string> tolerance;       ///< of form factors, or of powers
+    std::optional<std::string> tolerance;       ///< largest error of form factors, or of powers, as typed
     std::string tolerance_of = "factor";        ///< or "flux"
-    std::optional<std::string> flow_tolerance;  ///< of powers, where the tolerance is that of form factors
+    std::optional<std::string> flow_tolerance;  ///< largest error of powers, where `tolerance` is that of form factors
     bool gebhart = false;                       ///< Gebhart factors as well
 };
 

@@ -15,7 +15,7 @@ struct CommandDefinition;
 /// Command-line options about outside code.
 struct OutsideOptions {
     std::vector<std::filesystem::path> plugins;
-    std::optional<std::string> deadline;  ///< of a program, per set of points: "90", "5m"
+    std::optional<std::string> deadline;  ///< time for a program to give one set of points: "90" (seconds), "5m"
     bool no_commands = false;             ///< study files load and run nothing
 };
 

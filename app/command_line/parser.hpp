@@ -12,7 +12,7 @@ namespace ff::app {
 /// What a command line asks for.
 struct ParsedCommandLine {
     const CommandDefinition* command = nullptr;  ///< whose options are filled in; null: only the text is asked for
-    std::string text;                            ///< of --help, --version or no command at all
+    std::string text;                            ///< what --help, --version or no command at all prints
 };
 
 /// @param columns  that texts of help fit into

@@ -59,7 +59,7 @@ class OutputFolder {
     std::filesystem::path path_;
     std::string owner_;
     FolderLock lock_;
-    std::map<std::string, std::string> owners_;  ///< of the files, by name
+    std::map<std::string, std::string> owners_;  ///< owner of each file, by the file's name
     OnEnd end_;
 };
 

@@ -20,12 +20,12 @@ namespace {
 /// A surface as the kernel sees it: of a parallelogram any of its patches moved to the origin, and the corners of all.
 struct PatchedSurface {
     const Surface* surface = nullptr;
-    std::uint32_t first_patch = 0;  ///< of the scene
+    std::uint32_t first_patch = 0;  ///< index of its first patch among all patches of the scene
     Grid grid = undivided;
     SurfaceMap map;
     double patch_area = 0;
-    Parallelogram shape;                   ///< of one patch
-    std::vector<Eigen::Vector3d> corners;  ///< of all patches
+    Parallelogram shape;                   ///< first patch; the others have the same edges
+    std::vector<Eigen::Vector3d> corners;  ///< corner of each patch
 
     [[nodiscard]] std::size_t patches() const { return grid.parts(); }
 

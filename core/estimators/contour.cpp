@@ -41,8 +41,8 @@ struct EdgePair {
 struct RimPair {
     std::vector<EdgePair> sampled;
     double exact = 0;
-    double squared_unit =
-        1;  ///< of length: a constant drops out of the sum over closed rims, but not out of its variance
+    /// Square of the unit of length: a constant drops out of the sum over closed rims, but not out of its variance.
+    double squared_unit = 1;
 };
 
 RimPair pair_up(const PatchPair& pair) {

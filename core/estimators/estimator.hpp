@@ -43,8 +43,8 @@ enum class Integrand {
     jumping,  ///< smooth except for jumps at curved boundaries parallel to no axis: the rays that hit, the kernel
               ///< of points that see each other
     smooth,
-    rough,      ///< of finite variance, but no theory of smooth or of jumping functions holds
-    unbounded,  ///< with tail index 3/2
+    rough,      ///< has a finite variance, but no theory of smooth or of jumping functions holds
+    unbounded,  ///< has an infinite variance, with tail index 3/2
 };
 
 /// Whether something may stand between the faces of a pair.
@@ -107,7 +107,7 @@ struct RayTally {
 
 /// What one trial observed.
 struct Outcome {
-    RayTally rays;              ///< of `Observes::hits`; empty otherwise
+    RayTally rays;              ///< counts of an estimator with `Observes::hits`; empty otherwise
     Eigen::MatrixXd estimates;  ///< between faces; of `Observes::hits`, shares by area
     Eigen::MatrixXd claims;     ///< claimed error of each estimate; empty where nothing is claimed
 };

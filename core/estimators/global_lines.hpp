@@ -66,7 +66,7 @@ class GlobalLines {
     std::vector<const Surface*> round_;  ///< discs too
     Eigen::AlignedBox3d box_;            ///< around all faces
     std::vector<BoxSide> sides_;         ///< those that have an area
-    double area_ = 0;                    ///< of all sides
+    double area_ = 0;                    ///< total area of the sides, in squared units of length
 };
 
 }  // namespace ff

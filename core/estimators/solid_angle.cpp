@@ -33,7 +33,8 @@ Vector3d along_arc(const Vector3d& from, const Vector3d& direction, double verse
 struct TargetPatch {
     std::array<Vector3d, 4> corners;
     Vector3d normal;
-    std::array<double, 2> twice_area;  ///< of the triangles (0, 1, 2) and (0, 2, 3)
+    std::array<double, 2>
+        twice_area;  ///< twice the areas of the triangles (0, 1, 2) and (0, 2, 3), in squared units of length
     double width;
     double height;
     bool is_rectangle;

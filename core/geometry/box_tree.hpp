@@ -77,8 +77,8 @@ class BoxTree {
     /// Its left half follows it.
     struct Node {
         Eigen::AlignedBox3d box;
-        std::uint32_t first = 0;  ///< of a leaf its first place in `order_`, of others the right half
-        std::uint32_t count = 0;  ///< of a leaf; 0 of others
+        std::uint32_t first = 0;  ///< first place in `order_` for a leaf, otherwise the index of the right half
+        std::uint32_t count = 0;  ///< number of boxes in a leaf; 0 for other nodes
     };
 
     std::vector<Eigen::AlignedBox3d> boxes_;

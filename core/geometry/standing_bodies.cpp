@@ -134,9 +134,9 @@ class Finder {
     const Scene& scene_;
     double gap_;
     PlaceNumbers number_;
-    std::vector<ConvexPolygon> polygons_;            ///< of the surfaces; empty for round ones
+    std::vector<ConvexPolygon> polygons_;            ///< outline of each surface; empty for a round one
     std::vector<std::vector<std::uint32_t>> rings_;  ///< numbers of their corners
-    std::vector<Vector3d> places_;                   ///< by number
+    std::vector<Vector3d> places_;                   ///< places of corners, by number
     std::map<Edge, std::vector<std::uint32_t>> at_edge_;
     std::vector<Eigen::AlignedBox3d> boxes_;
     StandingBodies result_;

@@ -12,7 +12,7 @@ namespace ff {
 /// A place on a surface and unit vectors there.
 struct SurfacePoint {
     Eigen::Vector3d position;
-    Eigen::Vector3d normal;   ///< of the radiating side
+    Eigen::Vector3d normal;   ///< out of the radiating side
     Eigen::Vector3d tangent;  ///< along edge_u, from b to c, or where the azimuth grows
 };
 

@@ -38,7 +38,7 @@ class PatchSequences {
     Subdivision subdivision_;
     Allocation allocation_;
     std::uint64_t samples_;
-    PatchOrder sequences_;  ///< of patches, or of the parts of grids
+    PatchOrder sequences_;  ///< numbers the sequences: one for each patch, or for each part of a grid
 };
 
 }  // namespace ff

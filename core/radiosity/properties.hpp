@@ -27,7 +27,7 @@ struct FactorProperties {
     Eigen::VectorXd row_sums;
     double closure_defect = 0;      ///< largest |row sum - 1|; 0 in a closed scene without errors
     double reciprocity_defect = 0;  ///< largest |F_ij - F_ji A_j / A_i|; 0 without errors
-    Bounds spectral_radius;         ///< of F; 1 in a closed scene without errors
+    Bounds spectral_radius;         ///< radius of F; 1 in a closed scene without errors
 
     /// With one reflectance for all patches, G is strictly diagonally dominant below this value and not from it on: 1 /
     /// the largest row sum.
@@ -40,8 +40,8 @@ FactorProperties factor_properties(const Eigen::MatrixXd& factors, const Eigen::
 /// What decides whether a system can be solved, and how fast.
 struct SystemProperties {
     double dominance = 0;  ///< least |G_ii| - sum of |G_ij|, j != i: G is strictly diagonally dominant where it is > 0
-    Bounds spectral_radius;  ///< of P F: the series I + P F + (P F)^2 + ... converges where it is < 1
-    double condition = 0;    ///< of G in the 1-norm, estimated from its LU factors; infinity where G is singular
+    Bounds spectral_radius;  ///< radius of P F: the series I + P F + (P F)^2 + ... converges where it is < 1
+    double condition = 0;    ///< number of G in the 1-norm, estimated from its LU factors; infinity where G is singular
 };
 
 struct SolvedSystem {

@@ -36,11 +36,12 @@ inline constexpr std::array all_solvers{Solver::jacobi,
 std::string_view name(Solver solver);
 
 struct SolverOptions {
-    double tolerance = 1e-6;  ///< of the residual: largest |e - G m| <= tolerance * largest e
+    double tolerance = 1e-6;  ///< limit of the residual: largest |e - G m| <= tolerance * largest e
     std::size_t most_iterations = 100'000;
-    double relaxation = 1.1;                    ///< of `sor`, in (0, 2)
-    std::optional<double> spectral_bound = {};  ///< of `chebyshev`, in [0, 1); empty: the largest reflectance, which
-                                                ///< holds for factors without errors
+    double relaxation = 1.1;  ///< factor on each change by `sor`, in (0, 2)
+    /// Bound on the eigenvalues for `chebyshev`, in [0, 1). Empty: the largest reflectance, which holds for factors
+    /// without errors.
+    std::optional<double> spectral_bound = {};
 };
 
 enum class SolverOutcome {

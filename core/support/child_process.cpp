@@ -191,7 +191,7 @@ struct ChildConversation::Ends {
     Pipe input;
     Pipe output;
     Pipe errors;
-    pid_t child = -1;  ///< of a conversation that is not over
+    pid_t child = -1;  ///< process that is spoken with; -1 once the conversation is over
 };
 
 ChildConversation::ChildConversation(const ChildCommand& command)

@@ -88,7 +88,7 @@ class MirrorTracer final : public Tracer {
     Scene scene_;
     std::unique_ptr<Tracer> tracer_;
     std::vector<Mirror> mirrors_;
-    std::vector<std::size_t> mirror_of_;  ///< by surface; mirrors_.size() for all others
+    std::vector<std::size_t> mirror_of_;  ///< index into mirrors_ for each surface; mirrors_.size() for all others
 };
 
 }  // namespace

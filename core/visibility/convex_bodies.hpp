@@ -41,11 +41,11 @@ class ConvexBodies {
     struct Body {
         std::vector<Plane> sides;
         std::optional<Plane> missing;
-        double size = 0;  ///< of a box around it
+        double size = 0;  ///< longest edge of the box around it, in units of length
     };
     std::vector<Body> bodies_;
-    std::vector<std::uint32_t> body_of_;  ///< of each surface
-    std::vector<Plane> planes_;           ///< of each surface
+    std::vector<std::uint32_t> body_of_;  ///< index of the body that each surface is a side of, or `no_body`
+    std::vector<Plane> planes_;           ///< plane of each surface
     double room_ = 0;                     ///< allowance for the rounding of corners
 
     class Finder;

@@ -55,7 +55,7 @@ class Occluders {
 
     std::vector<Surface> ends_;      ///< the surfaces of the scene
     std::vector<Surface> surfaces_;  ///< joined
-    ConvexBodies bodies_;            ///< of these
+    ConvexBodies bodies_;            ///< those that `surfaces_` bound
     std::vector<std::size_t> of_;    ///< occluder that contains a surface of the scene
     std::vector<double> grain_;      ///< area share of the smallest surface of each occluder
     std::vector<std::uint32_t> order_;

@@ -21,7 +21,7 @@ class VisiblePolygon {
     /// Form factors from an element of area at a place.
     struct Factors {
         double whole = 0;    ///< unoccluded
-        double visible = 0;  ///< of the visible part; at most `whole`, up to rounding
+        double visible = 0;  ///< factor to the visible part; at most `whole`, up to rounding
     };
 
     /// @param normal  of the element, unit length

@@ -9,10 +9,10 @@ namespace ff::reports {
 
 /// What a JUnit file contains besides the verdicts; callers read the clock.
 struct JunitContext {
-    std::string timestamp;  ///< of the start, as 2026-11-20T16:30:00
+    std::string timestamp;  ///< when the check started, as 2026-11-20T16:30:00
     std::string hostname;
     std::vector<double> seconds;     ///< time of each finished gate
-    std::vector<std::string> notes;  ///< of each finished gate, reported but not judged; may be empty texts
+    std::vector<std::string> notes;  ///< a note on each finished gate, reported but not judged; may be an empty text
 };
 
 /// One test case per gate, in the common format of build servers. Unfinished gates are errors, so that the file of a

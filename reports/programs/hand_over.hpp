@@ -24,7 +24,7 @@ HandedOn hand_on(const Scene& scene, const studies::FormFactorMatrix& matrix,
 /// A file in the format of another program. docs/form-factors.md has the formats, with their sources.
 struct ProgramFile {
     std::string_view format;
-    std::string_view name;  ///< of the file, possibly in a folder
+    std::string_view name;  ///< name of the file, possibly in a folder
     /// @throws UserError where the format cannot express the scene
     void (*expect)(const Scene& scene);
     void (*write)(std::ostream& out, const HandedOn& handed);

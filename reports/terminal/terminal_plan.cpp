@@ -21,7 +21,7 @@ struct PlanRow {
     std::string size;
     std::uint64_t trials = 0;  ///< in each scene
     std::size_t scenes = 0;
-    std::uint64_t samples = 0;  ///< of a trial in every scene
+    std::uint64_t samples = 0;  ///< evaluations in a trial, summed over the scenes
     double seconds = 0;
 };
 

@@ -27,8 +27,8 @@ struct CellFindings {
     std::uint64_t lost_rays = 0;
     std::uint64_t evaluations_per_face = 0;
     std::vector<Summary> summaries;        ///< in the order of `all_quantities`
-    std::vector<ClassError> class_errors;  ///< of the classes that the scene has; empty without exact values
-    std::vector<ErrorShape> shapes;        ///< of distinct pairs with enough trials that vary
+    std::vector<ClassError> class_errors;  ///< one for each class that the scene has; empty without exact values
+    std::vector<ErrorShape> shapes;        ///< one for each distinct pair with enough trials that vary
     std::optional<PatchErrors> patch_errors;
     std::optional<BiasFamily> bias;  ///< empty for deterministic methods
     BiasFinding bias_finding = BiasFinding::untestable;

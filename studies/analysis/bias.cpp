@@ -28,16 +28,16 @@ struct PairTest {
     stats::MeanTest test;
     bool bounded = false;                     ///< the tails are known to end
     std::optional<stats::MeanEvidence> mean;  ///< empty for binomial hits, which are counted
-    stats::Interval equivalence;              ///< of the bias, level 1 - 2 alpha
-    stats::Interval strict;                   ///< of the bias, at the level of the family
+    stats::Interval equivalence;              ///< interval of the bias, level 1 - 2 alpha
+    stats::Interval strict;                   ///< interval of the bias, level 1 - pair_alpha
 };
 
 /// How a cell's pairs are tested.
 struct PairTester {
     const StudyPlan& plan;
     const CellEstimates& estimates;
-    double alpha;       ///< of an equivalence test
-    double pair_alpha;  ///< of a pair in its family
+    double alpha;       ///< level of an equivalence test
+    double pair_alpha;  ///< level of the test of one pair in its family
 
     [[nodiscard]] const Cell& cell() const { return plan.cells[estimates.cell]; }
     [[nodiscard]] const Method& method() const { return plan.spec.methods[cell().method]; }

@@ -29,12 +29,12 @@ struct ClassError {
     double rmse = 0;  ///< root mean square over trials and pairs; without a variance, for these trials only
     /// Of the mean square, from trial to trial; empty without a finite variance, and for few trials.
     std::optional<stats::MeanEvidence> mean_square;
-    std::optional<stats::Interval> interval;  ///< of the RMSE; empty also where an end is 0 or infinite
+    std::optional<stats::Interval> interval;  ///< interval of the RMSE; empty also where an end is 0 or infinite
     double median_abs_error = 0;
     double bias = 0;  ///< mean over pairs
     std::optional<stats::Interval> bias_interval;
     std::optional<double> variance;                        ///< mean over pairs, of one trial
-    std::optional<stats::MeanEvidence> squared_deviation;  ///< of trials, about the mean of each pair
+    std::optional<stats::MeanEvidence> squared_deviation;  ///< a trial's mean over pairs, about each pair's own mean
     std::optional<stats::Interval> variance_interval;      ///< empty as `interval`
     std::optional<double> efficiency;                      ///< 1 / (rmse² N)
     std::optional<stats::Interval> efficiency_interval;

@@ -17,7 +17,7 @@ struct ConfigurationEstimate {
     double mean = 0;
     double exact = 0;
     double error = 0;                         ///< standard error; of a deterministic method |mean - exact|
-    std::optional<stats::Interval> interval;  ///< of the mean, at the study's level; empty without trials that vary
+    std::optional<stats::Interval> interval;  ///< for the mean, at the study's level; empty without trials that vary
     VarianceStatus variance = VarianceStatus::finite;  ///< why there may be none
     double bias = 0;                                   ///< mean - exact
     std::optional<double> standard_errors;             ///< bias in standard errors

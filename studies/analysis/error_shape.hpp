@@ -25,7 +25,7 @@ struct ErrorShape {
     };
 
     Quantity quantity;
-    double mean = 0;   ///< of the errors
+    double mean = 0;   ///< mean error
     double sigma = 0;  ///< their sample standard deviation
     double q25 = 0;
     double q75 = 0;

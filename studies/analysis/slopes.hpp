@@ -28,11 +28,11 @@ struct Slope {
     std::optional<double> slope;              ///< empty without variance (rmse), or where the error is rounding
     std::optional<stats::Interval> interval;  ///< bootstrap over whole trials; empty for deterministic methods
     std::optional<stats::Interval> from_fit;  ///< from the weights of the fit; rmse only
-    std::optional<double> lack_of_fit_p;      ///< of a straight line; rmse only
+    std::optional<double> lack_of_fit_p;      ///< p-value of a straight line; rmse only
     double misfit = 1;                        ///< sqrt(chi-squared / degrees of freedom) of a straight line, at least 1
     std::optional<ExpectedRate> expected;
     double slowest_expected = 0;  ///< ExpectedRate::slowest at the middle of the ladder
-    std::optional<double> p;      ///< of the slope being as expected
+    std::optional<double> p;      ///< p-value of the slope being as expected
     bool few_trials = false;      ///< at some size: there is neither an interval nor a p
 };
 

@@ -18,7 +18,7 @@ namespace ff::studies {
 /// deterministic method or under infinite variance, no bias without an exact value.
 struct Summary {
     Quantity quantity;
-    std::optional<PairClass> pair_class;  ///< of form factors
+    std::optional<PairClass> pair_class;  ///< class of the pair; empty unless the quantity is a form factor
     VarianceStatus variance = VarianceStatus::finite;
     std::size_t trials = 0;
     std::size_t not_finite = 0;  ///< trials that gave infinity or no number; if there are any, the rest is empty
@@ -53,11 +53,11 @@ struct SummaryRequest {
     std::optional<double> reference;
     std::optional<double> lattice;  ///< spacing of possible values
     bool binomial = false;          ///< values are hits of independent rays, in units of `lattice`
-    stats::KnownLimits limits;      ///< of the values (stats/mean_test.hpp)
+    stats::KnownLimits limits;      ///< what is known of the values beforehand (stats/mean_test.hpp)
     std::uint64_t evaluations_per_face = 0;
-    double level = 0.95;               ///< of intervals
-    double detectable_bias = 0;        ///< that the family-wise test finds in this many normal trials of deviation 1
-    double pair_alpha = 0.05;          ///< of that test, for one pair
+    double level = 0.95;               ///< confidence level of intervals
+    double detectable_bias = 0;        ///< what the family-wise test finds in this many normal trials of deviation 1
+    double pair_alpha = 0.05;          ///< level of that test for one pair
     std::optional<std::size_t> pilot;  ///< trials of the pilot, after two stages
     StreamKey key;                     ///< for jitter and bootstrap
 };

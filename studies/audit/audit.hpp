@@ -34,10 +34,10 @@ struct Evidence {
 struct Finding {
     std::string id;  ///< stable: the same contradiction has the same id in every audit of the same file
     Severity severity = Severity::contradiction;
-    Relation relation = Relation::print;  ///< of the first evidence
+    Relation relation = Relation::print;  ///< relation that the first evidence is about
     std::string statement;                ///< a sentence
     std::vector<std::size_t> figures;     ///< blamed figures; may be empty where a verbal statement is wrong
-    std::vector<Correction> corrections;  ///< of blamed figures, equal ones once
+    std::vector<Correction> corrections;  ///< what blamed figures should say, equal corrections once
     std::vector<Evidence> evidence;
     std::vector<std::string> alternatives;  ///< other possible culprits, a sentence each
     std::vector<std::size_t> involved;      ///< all figures that blame, evidence or alternatives mention, ascending
@@ -46,7 +46,7 @@ struct Finding {
 /// Whole numbers of hits behind a figure of a sampling method.
 struct RecoveredHits {
     std::size_t figure = 0;
-    std::uint64_t rays = 0;              ///< of the figure's face
+    std::uint64_t rays = 0;              ///< number of rays shot from the figure's face
     std::optional<HitRange> printed;     ///< allowed by the printed digits alone; empty where no whole number fits
     std::optional<HitRange> consistent;  ///< allowed by all relations together
 };

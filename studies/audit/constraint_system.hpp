@@ -36,7 +36,7 @@ struct Suspect {
     std::vector<std::size_t> figures;  ///< indices into PublishedTables::figures; empty for an assumption
     std::string assumption;            ///< in words; empty for figures
     double cost = 1;                   ///< cost of blaming it
-    double weight = 1;                 ///< of each digit that it must change, against digits of other suspects
+    double weight = 1;                 ///< improbability of each digit that it must change, in powers of ten
 };
 
 /// An unknown true quantity. If `rays` is given, it is a whole number of hits divided by `rays`.

@@ -11,7 +11,7 @@ namespace ff::studies {
 struct Diagnosis {
     std::vector<std::size_t> blamed{};  ///< ascending
     double cost = 0;
-    std::vector<Range> ranges{};  ///< of the variables, from all constraints that are not blamed
+    std::vector<Range> ranges{};  ///< [variable]: what all constraints that are not blamed allow
 };
 
 /// The cheapest diagnosis first, then others that cost at most half a figure more (at most `most_diagnoses` in total).

@@ -39,9 +39,10 @@ struct Reference {
 
 /// How figures are printed, and the references of errors.
 struct Interpretation {
-    NumberFormat values;                              ///< of form factors and row sums
-    Rounding errors = Rounding::rounded;              ///< of relative errors, which keep their own decimals
-    std::vector<std::optional<Reference>> reference;  ///< [figure], of relative errors
+    NumberFormat values;                  ///< format of form factors and row sums
+    Rounding errors = Rounding::rounded;  ///< rounding of relative errors, which keep their own decimals
+    std::vector<std::optional<Reference>>
+        reference;  ///< [figure]: what a relative error refers to; empty for other figures
 };
 
 /// The format of a figure: errors are printed to as many decimals as they show.

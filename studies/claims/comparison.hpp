@@ -15,7 +15,7 @@ namespace ff::studies {
 /// One printed figure beside what the study found for the same quantity.
 struct FigureComparison {
     std::size_t figure = 0;           ///< index into PublishedTables::figures
-    std::optional<std::size_t> cell;  ///< of the study; empty where the study has no such method and size
+    std::optional<std::size_t> cell;  ///< index of the study's cell; empty where it has no such method and size
     Quantity quantity;
     double printed = 0;
     bool deterministic = false;
@@ -30,7 +30,7 @@ struct FigureComparison {
 struct ColumnChiSquared {
     std::size_t column = 0;
     std::size_t figures = 0;    ///< including those that every run fixes, which the form leaves out
-    stats::QuadraticForm form;  ///< of printed - mean with the covariance of the trials; p by Hotelling's T^2
+    stats::QuadraticForm form;  ///< printed - mean, with the covariance of the trials; p by Hotelling's T^2
 };
 
 struct TableComparison {

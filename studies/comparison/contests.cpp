@@ -270,7 +270,7 @@ class Family {
     const Store* store_;
     std::vector<Contest> contests_;
     std::vector<std::vector<Placed>> placed_;
-    double pairs_ = 0;  ///< of entrants, in all contests
+    double pairs_ = 0;  ///< number of pairs of entrants, in all contests
 };
 
 }  // namespace

@@ -13,7 +13,7 @@ namespace ff::studies {
 
 /// What is equal for the methods in a comparison.
 enum class Equal {
-    evaluations,     ///< of a trial, over all faces
+    evaluations,     ///< evaluations in a trial, over all faces
     processor_time,  ///< as measured
     error,           ///< a target RMSE
 };
@@ -33,7 +33,7 @@ struct Entrant {
 struct Handicap {
     std::size_t better = 0;  ///< index into Contest::entrants; the worse one comes later there
     std::size_t worse = 0;
-    double ratio = 1;                         ///< of their values, at least 1
+    double ratio = 1;                         ///< worse value / better value, at least 1
     std::optional<stats::Interval> interval;  ///< empty where neither varies, and where an end would be infinite
     bool apart = false;                       ///< shown to be above 1
 };

@@ -13,7 +13,7 @@ namespace ff::studies {
 /// The error of a method on one pair of faces.
 struct PairError {
     std::size_t cell = 0;        ///< the method's size closest to the common number of evaluations
-    ClassError error;            ///< of this pair alone
+    ClassError error;            ///< error on this pair alone
     std::optional<Slope> slope;  ///< along the method's ladder: of the RMSE, of the median where there is no variance
     [[nodiscard]] double size() const {
         return error.status == VarianceStatus::infinite ? error.median_abs_error : error.rmse;

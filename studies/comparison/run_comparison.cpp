@@ -31,8 +31,8 @@ struct Test {
     Tested tested = Tested::mean;
     Contrast contrast;
     double p = 1;
-    double log_error = 0;   ///< of the ratio of standard deviations
-    std::size_t ratio = 0;  ///< of RMSEs: index into the cell's ratios
+    double log_error = 0;   ///< standard error of ln(ratio of standard deviations); 0 where there is none
+    std::size_t ratio = 0;  ///< index into the cell's ratios, for a test of RMSEs
 };
 
 Basis basis_of(const Cell& first, const Cell& second) {

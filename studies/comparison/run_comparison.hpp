@@ -27,9 +27,9 @@ struct RmseRatio {
     double first = 0;
     double second = 0;
     std::optional<double> ratio;              ///< second / first; empty where one is rounding
-    std::vector<stats::Measured> logarithms;  ///< of both; empty unless the runs are independent and vary
-    std::optional<stats::Interval> interval;  ///< of the ratio, where it is finite; all of a comparison hold together
-    double adjusted_p = 1;                    ///< of equal errors, Holm over all tests of the comparison
+    std::vector<stats::Measured> logarithms;  ///< ln(RMSE) of both; empty unless the runs are independent and vary
+    std::optional<stats::Interval> interval;  ///< for the ratio, where it is finite; all of a comparison hold together
+    double adjusted_p = 1;                    ///< p-value of equal errors, Holm over all tests of the comparison
 };
 
 /// The pair on which two independent runs differ most.
@@ -50,14 +50,15 @@ struct CellComparison {
     Likeness likeness = Likeness::untestable;
     std::vector<RmseRatio> ratios;
     std::size_t pairs = 0;
-    std::size_t untestable = 0;        ///< pairs without a test: no variance, too few hits, fewer than three trials
-    std::optional<Contrast> mean;      ///< independent runs: Welch
-    std::optional<Contrast> spread;    ///< independent runs: Brown-Forsythe
-    double detectable_difference = 0;  ///< of means, on the worst pair, at the level of the smallest p and at the power
-    double detectable_ratio = 1;       ///< of standard deviations, the same; approximate
-    std::size_t trials = 0;            ///< trials that both have; same random numbers only
-    std::size_t differing = 0;         ///< trials in which the value of some pair differs
-    double largest_difference = 0;     ///< deterministic only, on `largest_pair`
+    std::size_t untestable = 0;      ///< pairs without a test: no variance, too few hits, fewer than three trials
+    std::optional<Contrast> mean;    ///< independent runs: Welch
+    std::optional<Contrast> spread;  ///< independent runs: Brown-Forsythe
+    /// Difference of means that would be detected on the worst pair, at the level of the smallest p and with the power.
+    double detectable_difference = 0;
+    double detectable_ratio = 1;    ///< the same for the ratio of standard deviations; approximate
+    std::size_t trials = 0;         ///< trials that both have; same random numbers only
+    std::size_t differing = 0;      ///< trials in which the value of some pair differs
+    double largest_difference = 0;  ///< deterministic only, on `largest_pair`
     Quantity largest_pair;
 };
 
@@ -87,8 +88,8 @@ struct RunComparison {
     std::vector<std::size_t> only_second;
     std::vector<ChangedScene> changed_scenes;
     std::vector<SpecDifference> differences;
-    std::size_t tests = 0;  ///< of means, variances and RMSEs, which share one error rate
-    double level = 0.95;    ///< 1 - that error rate; of intervals too
+    std::size_t tests = 0;  ///< number of tests of means, variances and RMSEs, which share one error rate
+    double level = 0.95;    ///< 1 - that error rate; the level of intervals too
     double power = 0.9;
 
     [[nodiscard]] std::size_t count(Likeness likeness) const;

@@ -59,7 +59,7 @@ std::vector<double> claims_on(const Store& store, const CellEstimates& estimates
 /// What holds on one pair.
 struct PairClaims {
     std::uint64_t held = 0;
-    std::vector<double> ratios;  ///< of errors to claims
+    std::vector<double> ratios;  ///< [trial]: |error| / claim
 };
 
 PairClaims compare(const std::vector<double>& values, const std::vector<double>& claims, double exact) {

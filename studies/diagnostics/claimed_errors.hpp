@@ -36,7 +36,7 @@ struct ClaimedErrors {
     Quantity worst;  ///< the pair with the fewest claims that hold
     std::uint64_t worst_held = 0;
     stats::Interval worst_share;  ///< on that pair, all runs: Clopper-Pearson, corrected for the pairs of the class
-    double median_ratio = 0;      ///< of the ratios of errors to claims
+    double median_ratio = 0;      ///< median of |error| / claim
     double largest_ratio = 0;
     ClaimFinding finding = ClaimFinding::holds;
 

@@ -19,7 +19,7 @@ struct Evenness {
     std::size_t methods = 0;   ///< number of samplers
     std::string_view measure;  ///< in words
     PairClass pair_class = PairClass::other;
-    stats::RankCorrelation correlation;  ///< of the measure and the RMSE; positive where uneven points err more
+    stats::RankCorrelation correlation;  ///< between the measure and the RMSE; positive where uneven points err more
 };
 
 /// For each scene and estimator at the largest size of at most 1024 points that enough samplers share. The measures are

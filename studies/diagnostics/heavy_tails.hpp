@@ -11,7 +11,7 @@ namespace ff::studies {
 struct HeavyTail {
     std::size_t cell = 0;
     Quantity pair;
-    double index = 0;  ///< of the upper tail; the variance is infinite below 2
+    double index = 0;  ///< tail index of the upper tail; the variance is infinite below 2
 };
 
 /// Tests the tail of every pair that is treated as having a variance (stats/tail_index.hpp), at the study's error rate

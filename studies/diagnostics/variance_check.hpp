@@ -19,7 +19,7 @@ struct VarianceCheck {
     std::size_t cell = 0;
     std::vector<VarianceComparison> quantities;  ///< distinct pairs and row sums that vary
     double adjusted_p = 1;                       ///< smallest p-value, adjusted for quantities (Holm) and cells (Sidak)
-    double smallest_ratio = 1;                   ///< of sampled / exact
+    double smallest_ratio = 1;                   ///< smallest sampled / exact
     double largest_ratio = 1;
 };
 

@@ -13,7 +13,7 @@ namespace ff::studies {
 /// class together.
 struct VarianceReduction {
     std::size_t cell = 0;
-    std::size_t random_cell = 0;  ///< of sampler "random", with the same scene, estimator, completion and size
+    std::size_t random_cell = 0;  ///< the cell with sampler "random" and the same scene, estimator, completion and size
     PairClass pair_class = PairClass::other;
     double factor = 1;
     stats::Interval interval;

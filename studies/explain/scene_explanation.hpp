@@ -25,11 +25,11 @@ struct ExplainedEstimator {
 
 /// A description of a scene and of what can be done with it.
 struct SceneExplanation {
-    std::vector<double> areas;             ///< of faces
+    std::vector<double> areas;             ///< area of each face, in squared units of length
     std::vector<std::size_t> surfaces;     ///< number of surfaces of each face
     std::vector<std::vector<Grid>> grids;  ///< different grids of the surfaces of faces; empty where none is divided
     std::size_t occluders = 0;             ///< surfaces that belong to no face
-    std::vector<ExplainedPair> pairs;      ///< of different faces that face each other, row by row
+    std::vector<ExplainedPair> pairs;      ///< pairs of different faces that face each other, row by row
     std::size_t unknown_pairs = 0;         ///< pairs that face each other, without an exact value
     std::vector<ExplainedEstimator> estimators;
 };

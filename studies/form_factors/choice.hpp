@@ -21,7 +21,7 @@ PairsOfRows pairs_to_sample(const FacePairs& geometry);
 struct Aim {
     const FacePairs& geometry;
     const FormFactorRequest& request;
-    double level = 0;  ///< of the interval of a first round
+    double level = 0;  ///< confidence level of the interval after a first round
     /// Of each pair the exchange area that is expected, by what is known so far: it decides on sizes, not on intervals.
     std::vector<double> expected{};
 

@@ -48,7 +48,7 @@ struct FacePair {
     bool everything = false;           ///< all pairs of surfaces, too many to list
     bool by_points = false;            ///< every sampled pair can be done by points
     ExchangeMethod method = ExchangeMethod::none;         ///< the most expensive that a pair of surfaces needs
-    ExchangeReason reason = ExchangeReason::turned_away;  ///< of that method
+    ExchangeReason reason = ExchangeReason::turned_away;  ///< why `method` is needed
 
     [[nodiscard]] bool is_sampled() const { return everything || !sampled.empty(); }
 };
@@ -74,7 +74,7 @@ void add_dropped(std::vector<DroppedExchange>& faces, std::size_t from, std::siz
 struct FacePairs {
     /// (0,0), (0,1), .., (1,1), .. without those that cannot see each other, and without those that are dropped.
     std::vector<FacePair> pairs;
-    std::vector<double> areas;             ///< of the faces
+    std::vector<double> areas;             ///< area of each face, in squared units of length
     std::vector<DroppedExchange> dropped;  ///< by face
     PointEffort effort = PointEffort::full;
     SceneSight sight;  ///< owns the blockers of sampled pairs

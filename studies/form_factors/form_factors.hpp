@@ -24,9 +24,9 @@ struct FaceExchange {
     /// The most expensive method that its surfaces took; empty where there was no time to sample, and the interval is
     /// the geometric bound.
     std::optional<ExchangeMethod> method;
-    ExchangeReason reason = ExchangeReason::turned_away;  ///< of that
+    ExchangeReason reason = ExchangeReason::turned_away;  ///< why it took that method
     bool by_rays_of_row = false;                          ///< points would do, but the rays of its row serve it too
-    std::uint64_t samples = 0;                            ///< of the round that gave the interval
+    std::uint64_t samples = 0;                            ///< rays or points in the round that gave the interval
     bool clipped = false;                                 ///< geometric limits are narrower than the samples' interval
     bool within = false;                                  ///< within the tolerance, in both directions
     bool contradicted = false;  ///< an independent randomisation disagrees; the interval contains both
@@ -59,13 +59,13 @@ double half_width(const FaceExchange& exchange);
 
 /// Form factors between the faces of a scene. Reciprocal by construction: both directions share one exchange area.
 struct FormFactorMatrix {
-    std::vector<double> areas;  ///< of the faces
+    std::vector<double> areas;  ///< area of each face, in squared units of length
     std::size_t surfaces = 0;   ///< that were left when level ones had been joined
     /// (0,0), (0,1), .., (1,1), .. without the pairs that cannot see each other, which exchange exactly nothing, and
     /// without those that are dropped.
     std::vector<FaceExchange> exchanges;
     std::vector<RowSum> rows;
-    double entry_level = 0;       ///< of each interval by itself
+    double entry_level = 0;       ///< confidence level of each interval by itself
     std::uint64_t samples = 0;    ///< in all rounds
     std::uint64_t lost_rays = 0;  ///< in a closed scene
     std::uint64_t rays = 0;

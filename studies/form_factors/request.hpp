@@ -37,7 +37,7 @@ struct FormFactorProgress {
 
 /// A request to `ffstudy form_factors`.
 struct FormFactorRequest {
-    double tolerance = 1e-5;  ///< of every entry: the larger half of its interval
+    double tolerance = 1e-5;  ///< most that the longer half of an entry's interval may measure
     double relative = 0;      ///< or this share of the entry, where that is more
     double drop = 0;          ///< pairs whose factors are both known to be below are not kept one by one
     /// Of pairs of faces, where they may differ; never below `tolerance`.
@@ -49,7 +49,7 @@ struct FormFactorRequest {
     bool repair = false;
     unsigned threads = 1;
     const std::atomic<bool>* stop = nullptr;  ///< set by another thread: returns what is known by then
-    std::function<std::unique_ptr<Tracer>(const Scene&)> tracer;  ///< of its rays; empty: make_tracer
+    std::function<std::unique_ptr<Tracer>(const Scene&)> tracer;  ///< makes what traces its rays; empty: make_tracer
     std::function<void(const FormFactorProgress&)> report;        ///< called by any thread, one call at a time
 
     using Receive = std::function<void(SampledRow)>;

@@ -12,12 +12,12 @@ namespace ff::studies {
 
 /// What sampling found for a pair of faces.
 struct PairEstimate {
-    std::optional<SampledSum> sum;  ///< of the exchange area; empty where no round was completed, or none was needed
+    std::optional<SampledSum> sum;  ///< the exchange area; empty where no round was completed, or none was needed
     bool by_points = false;
-    double level = 0;           ///< of its interval
-    std::uint64_t samples = 0;  ///< behind it
+    double level = 0;           ///< confidence level of its interval
+    std::uint64_t samples = 0;  ///< rays or points behind it
     bool contradicted = false;
-    Estimate other;  ///< of the independent randomisation that contradicts
+    Estimate other;  ///< estimate from the independent randomisation that contradicts
 };
 
 /// What sampling found for the pairs of a row that are estimated from it, the smaller of their faces. It does not

@@ -24,7 +24,7 @@ struct Unmet {
 /// The mean of a quantity over a surface, by independent randomisations of one point set.
 struct SampledShare {
     std::vector<double> means;  ///< one for each randomisation
-    std::uint64_t points = 0;   ///< of all randomisations together
+    std::uint64_t points = 0;   ///< number of points in all randomisations together
     Unmet unmet;
     bool hits = false;      ///< values are 0 or 1
     std::uint64_t met = 0;  ///< number of hits

@@ -23,9 +23,9 @@ struct SourceCell {
     double first = 0;  ///< extra points for rough cells fall here if their first coordinate is from this ..
     double extra = 0;  ///< .. to less than this above it
     double area = 0;
-    double most_hidden = 1;               ///< of the factor to the target from any place in it
-    double most_whole = 1;                ///< of the factor with nothing in between
-    double change = 0;                    ///< upper bound of a factor's change between two places of the cell
+    double most_hidden = 1;  ///< upper bound of what is hidden of the factor to the target, from any place in it
+    double most_whole = 1;   ///< upper bound of the factor with nothing in between
+    double change = 0;       ///< upper bound of a factor's change between two places of the cell
     std::vector<std::uint32_t> blockers;  ///< indices of possible obstacles
 };
 

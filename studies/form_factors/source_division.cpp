@@ -131,7 +131,7 @@ class Division {
     std::optional<Rims> rims_;
     std::vector<Part> parts_;  ///< a heap, the heaviest first
     std::vector<SourceCells::Node> nodes_ = std::vector<SourceCells::Node>(1);
-    std::vector<Sight> sight_ = {Sight::all};  ///< of each node
+    std::vector<Sight> sight_ = {Sight::all};  ///< what each node sees of the target
     double weight_ = 0;
 
     [[nodiscard]] ConvexPolygon moved(const Surface& surface) const {

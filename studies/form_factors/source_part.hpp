@@ -14,7 +14,7 @@ namespace ff::studies {
 struct PartExtent {
     std::vector<Eigen::Vector3d> hull;  ///< corners of a convex set that holds the part
     Eigen::Vector3d centre;
-    double radius = 0;     ///< of a ball around `centre` that holds it
+    double radius = 0;     ///< the ball of this radius around `centre` holds the part
     double size = 0;       ///< largest distance of two places
     double turn = 0;       ///< largest difference of two unit normals
     bool s_longer = true;  ///< the part is longer in s than in t

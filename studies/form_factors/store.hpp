@@ -14,9 +14,9 @@ inline constexpr int form_factor_schema_version = 3;
 
 /// A matrix with its scene and request.
 struct KeptFormFactors {
-    std::string
-        source;   ///< of the scene: a built-in name, or name and text of a file (studies/scene_files/scene_file.hpp)
-    Scene scene;  ///< built from `source`
+    /// Where the scene is from: a built-in name, or name and text of a file (studies/scene_files/scene_file.hpp).
+    std::string source;
+    Scene scene;                ///< built from `source`
     FormFactorRequest request;  ///< only fields that the result depends on are kept
     FormFactorMatrix matrix;
     std::vector<std::string> warnings;

@@ -19,7 +19,7 @@ struct StoredQuantity {
     Quantity quantity;
     std::uint64_t trials = 0;
     double mean = 0;
-    double standard_error = 0;                       ///< of the mean; 0 for a deterministic method
+    double standard_error = 0;                       ///< standard error of the mean; 0 for a deterministic method
     std::optional<stats::Spread> variance;           ///< about the mean; empty for a deterministic method
     std::optional<stats::Spread> mean_square_error;  ///< about the exact value
 };

@@ -13,7 +13,7 @@ namespace ff::studies {
 
 /// The quantity that one comparison of a gate measures.
 struct Effect {
-    std::vector<std::size_t> cells;  ///< of the plan: one, or the ladder of a slope
+    std::vector<std::size_t> cells;  ///< indices of cells of the plan: one, or the ladder of a slope
     Quantity quantity;               ///< a pair of faces or a row sum; all zeros for lost rays
     std::optional<double> truth;     ///< exact mean of `series`; empty where the scene has no exact factors
     std::optional<double> sigma;     ///< exact standard deviation of a trial, where it is known

@@ -22,12 +22,13 @@ struct GatePlan {
     GatePurpose purpose = GatePurpose::check;
     StudyPlan study;  ///< its cells
     std::vector<Effect> effects;
-    std::vector<std::optional<StoredQuantity>> stored;  ///< of the baseline, for each effect
-    double stored_seconds_per_trial = 0;                ///< 0 where there is no baseline
+    std::vector<std::optional<StoredQuantity>>
+        stored;                           ///< [effect]: what the baseline has of it; empty without a baseline
+    double stored_seconds_per_trial = 0;  ///< 0 where there is no baseline
     Levels levels;
     bool deterministic = false;
     std::vector<std::uint64_t> trials;  ///< per look and cell; empty until planned
-    double wanted_trials = 0;           ///< of the most demanding cell, if more than max_trials allows; else 0
+    double wanted_trials = 0;  ///< trials that the most demanding cell needs, if more than max_trials allows; else 0
 };
 
 /// Trials of a pilot run; they are used for planning, never judged.

@@ -86,7 +86,8 @@ class Sensitivity {
     VectorXd areas_;
     VectorXd power_;
     VectorXd absorbing_;
-    std::vector<std::pair<double, double>> contrasts_;  ///< of each pair: irradiation of `from`, and of `to`, by area
+    /// [pair]: irradiation of `from`, and of `to`, for each unit of error in the exchange area, in W/m² per m².
+    std::vector<std::pair<double, double>> contrasts_;
 
     [[nodiscard]] std::pair<Index, Index> ends(std::size_t p) const {
         return {matrix_.exchanges[p].from, matrix_.exchanges[p].to};
@@ -141,8 +142,8 @@ double smaller_area(const FormFactorMatrix& matrix, const FaceExchange& pair) {
 
 /// Pairs that are sampled at once: those of a face by the rays that leave it, others each by itself.
 struct Groups {
-    std::vector<std::size_t> of;  ///< of each pair its group
-    std::vector<double> samples;  ///< of each group
+    std::vector<std::size_t> of;  ///< [pair]: index of its group
+    std::vector<double> samples;  ///< [group]: number of its samples
 
     /// The largest value of each group. @param values  one for each pair
     [[nodiscard]] std::vector<double> largest(const std::vector<double>& values) const {

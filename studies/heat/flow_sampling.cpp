@@ -82,7 +82,7 @@ class FlowSampling {
   private:
     /// Half widths come out at about half of what a plan asks for: rounds are sized so that they seldom miss.
     static constexpr double surplus = 1.4;
-    static constexpr double margin = 0.9;            ///< of a plan that follows one that has missed
+    static constexpr double margin = 0.9;  ///< factor on the tolerance of a plan that follows one that has missed
     static constexpr double least_tolerance = 1e-6;  ///< rays are traced in single precision
 
     const Scene& scene_;

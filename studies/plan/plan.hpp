@@ -19,7 +19,7 @@ struct Cell {
     std::uint64_t trials = 0;   ///< 1 for a deterministic method
     bool deterministic = false;
     std::string canonical;  ///< identifies scene, sampler, estimator and size, never their order or the completion
-    StreamKey key;          ///< of `canonical` and the seed
+    StreamKey key;          ///< key of its random numbers, from `canonical` and the seed
 };
 
 /// Consecutive trials of one cell: the unit of work, of saving and of distribution.

@@ -30,7 +30,7 @@ struct Figure {
     std::string from;     ///< face label; empty for sum_relative_error
     std::string to;       ///< face label; empty for sums
     std::string printed;  ///< digits exactly as printed
-    int line = 0;         ///< of the file, for messages
+    int line = 0;         ///< line in the file, for messages
     int character = 0;
 };
 

@@ -14,7 +14,7 @@ namespace ff::studies {
 /// How the bias of the exitance, all faces together by area, falls along a ladder of sizes. Exitance is not linear in
 /// the form factors: unbiased factors with errors of variance 1/N give it a bias of order 1/N.
 struct BiasOrder {
-    std::string label;  ///< of the ladder
+    std::string label;  ///< label of the ladder
     std::size_t scene = 0;
     Treatment treatment = Treatment::direct;
     std::size_t setting = 0;

@@ -35,9 +35,9 @@ struct ExitanceFindings {
     std::optional<double> mean;
     std::optional<double> bias;
     std::optional<stats::Interval> bias_interval;  ///< Student's t; empty for one trial
-    std::optional<double> std;                     ///< of a trial; empty for one
+    std::optional<double> std;                     ///< standard deviation of a trial; empty for one
     std::optional<double> rmse;
-    double q025 = 0, median = 0, q975 = 0;  ///< of single trials
+    double q025 = 0, median = 0, q975 = 0;  ///< quantiles 2.5 %, 50 % and 97.5 % of single trials
 };
 
 /// One solver on the systems of one setting.
@@ -45,9 +45,9 @@ struct SolverFindings {
     Solver solver = Solver::jacobi;
     std::size_t runs = 0;
     std::size_t converged = 0, diverged = 0, stalled = 0, exhausted = 0;
-    std::optional<OverTrials> iterations;  ///< of the runs that converged
+    std::optional<OverTrials> iterations;  ///< number of iterations, in the runs that converged
     std::optional<double> flops;           ///< their median
-    std::vector<double> residuals;         ///< of the first trial, after each iteration
+    std::vector<double> residuals;         ///< SolverRun::residuals of the first trial
 };
 
 /// All trials of a cell under one treatment, at one setting of reflectances.
@@ -67,7 +67,7 @@ struct SettingFindings {
     /// Root mean square over trials and elements of the exitance's error, relative to the mean exact exitance; empty
     /// where the mean of ExitanceFindings is.
     std::optional<double> light_error;
-    std::vector<SolverFindings> solvers;  ///< of the method's own completion only
+    std::vector<SolverFindings> solvers;  ///< one for each solver; only for the method's own completion
 };
 
 /// The results of one treatment of the estimates of one cell.

@@ -36,9 +36,9 @@ struct Elements {
 
 /// Direct estimates of all trials of a cell, between faces.
 struct TrialMatrices {
-    std::vector<std::uint64_t> numbers;  ///< of the trials
+    std::vector<std::uint64_t> numbers;  ///< number of each trial, as `direct` has them
     std::vector<Eigen::MatrixXd> direct;
-    Eigen::VectorXd rays;  ///< of each face, where factors are shares of counted hits; else empty
+    Eigen::VectorXd rays;  ///< rays shot from each face, where factors are shares of counted hits; else empty
 };
 
 TrialMatrices load_matrices(const Store& store, std::size_t cell);

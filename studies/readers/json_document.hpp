@@ -20,8 +20,8 @@ struct JsonValue {
     TextPosition position;
     double number = 0;              ///< 0 or 1 for booleans
     std::string text;               ///< strings only
-    std::vector<std::string> keys;  ///< of an object's members, in file order
-    std::vector<JsonValue> items;   ///< of an array, or the members of an object in the order of `keys`
+    std::vector<std::string> keys;  ///< names of an object's members, in file order
+    std::vector<JsonValue> items;   ///< elements of an array, or values of an object's members in the order of `keys`
 
     /// The member called `key`, or nullptr.
     [[nodiscard]] const JsonValue* find(std::string_view key) const;

@@ -50,7 +50,7 @@ struct StudyResults {
     std::vector<Contest> contests;
     std::vector<ClaimedErrors> claimed_errors;
     std::optional<RadiosityResults> radiosity;  ///< empty too where a study is not complete, or a trial gave no number
-    std::vector<BiasOrder> bias_orders;         ///< of the exitance
+    std::vector<BiasOrder> bias_orders;         ///< how the bias of the exitance falls, for each ladder
     std::optional<PublishedResults> published;  ///< empty too where a trial gave no number
     Context context;
 };

@@ -18,7 +18,7 @@ inline constexpr std::string_view costs_key = "processor_time";
 /// The measured cost of the trials of a cell.
 struct MeasuredCost {
     std::uint64_t trials = 0;
-    double seconds = 0;          ///< of all of them
+    double seconds = 0;          ///< processor time of all of them
     double squared_seconds = 0;  ///< sum of the squares of each one's
 
     [[nodiscard]] double mean() const { return seconds / static_cast<double>(trials); }

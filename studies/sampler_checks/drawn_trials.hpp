@@ -19,7 +19,8 @@ inline constexpr std::array<std::uint64_t, 4> wide_slices{2, 3, 5, 7};
 /// How evenly one coordinate fills slices of [0, 1), averaged over trials.
 struct SliceCounts {
     double shared = 0;  ///< pairs of points in one of n slices; (n - 1) / 2 of independent points
-    std::array<double, wide_slices.size()> variance{};  ///< of the points in a wide slice; 1: as of independent points
+    /// Variance of the number of points in a wide slice, in units of that of independent points.
+    std::array<double, wide_slices.size()> variance{};
 };
 
 inline constexpr std::uint64_t most_for_slices = 1u << 16;
@@ -27,8 +28,8 @@ inline constexpr std::uint64_t most_for_slices = 1u << 16;
 /// What the checks need from every trial.
 struct DrawnTrials {
     std::vector<std::array<std::uint32_t, max_dimension>> picked;   ///< a point picked at random from each set
-    std::array<std::vector<double>, integrand_names.size()> means;  ///< of each function over each set
-    std::vector<SliceCounts> slices;  ///< of each coordinate; empty for more than `most_for_slices` points
+    std::array<std::vector<double>, integrand_names.size()> means;  ///< [function]: its mean over each set
+    std::vector<SliceCounts> slices;  ///< one for each coordinate; empty for more than `most_for_slices` points
 };
 
 DrawnTrials draw_trials(const PointSource& source, std::size_t dimension, StreamKey key, std::uint64_t trials);

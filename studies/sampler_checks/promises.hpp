@@ -19,7 +19,7 @@ enum class PromiseKind {
 /// A structure that the author of a sampler says every set has.
 struct Promise {
     PromiseKind kind = PromiseKind::latin;
-    std::uint32_t t = 0;  ///< of a net
+    std::uint32_t t = 0;  ///< t-value of a net; 0 otherwise
 
     bool operator==(const Promise&) const = default;
 };

@@ -18,8 +18,8 @@ struct SamplerCheckRequest {
     std::uint64_t trials = 0;  ///< 0: as many as take about a second, limited to those available
     std::uint64_t seed = 1;
     std::vector<Promise> promises{};  ///< what the author says that every set has; empty: the structure is looked for
-    double alpha = 1e-3;              ///< of rejecting a sound sampler, over all statistical checks (Holm)
-    double power = 0.99;              ///< of detecting, in one check, the effect that must not be missed
+    double alpha = 1e-3;              ///< risk of rejecting a sound sampler, over all statistical checks (Holm)
+    double power = 0.99;              ///< probability of detecting, in one check, the effect that must not be missed
 };
 
 struct SamplerChecks {

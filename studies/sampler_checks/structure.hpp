@@ -12,9 +12,9 @@ namespace ff::studies {
 struct CoordinateStructure {
     std::uint64_t values = 0;         ///< that differ; n where none is there twice
     std::uint64_t equal_pairs = 0;    ///< pairs of points with the same value
-    std::uint64_t runs = 0;           ///< of points that follow one another with the same value
+    std::uint64_t runs = 0;           ///< runs of successive points with the same value
     std::size_t repeats_as = 0;       ///< the first coordinate with the same runs
-    std::uint64_t single_slices = 0;  ///< of n slices, those that hold one point
+    std::uint64_t single_slices = 0;  ///< slices that hold one point, of n equal ones
     bool fills_shifted = false;       ///< n slices that begin elsewhere than at 0 hold a point each; n <= 2^16
 };
 
@@ -30,7 +30,7 @@ struct SetStructure {
     std::uint64_t points = 0;
     std::vector<CoordinateStructure> coordinates;
     std::uint64_t cells_a_side = 0;    ///< k where n = k^d, d > 1; else 0
-    std::uint64_t single_cells = 0;    ///< of these n cells, those that hold one point
+    std::uint64_t single_cells = 0;    ///< cells that hold one point, of these n
     std::optional<std::uint32_t> t;    ///< empty where n is no power of the base, or large
     std::vector<PairStructure> pairs;  ///< every two coordinates, where `t` is there and d > 2
     bool lattice = false;              ///< false for very large sets, too

@@ -12,8 +12,8 @@ namespace ff::studies {
 /// Whole sets of a sampler, and what was counted over all trials.
 struct StructureEvidence {
     samplers::PointSet drawn;         ///< at least one set
-    std::vector<SetStructure> sets;   ///< of each
-    std::uint32_t base = 2;           ///< of t-values
+    std::vector<SetStructure> sets;   ///< structure of each drawn set
+    std::uint32_t base = 2;           ///< base in which t-values are computed
     bool randomised = true;           ///< sets are independent
     std::vector<SliceCounts> slices;  ///< over all trials, one a coordinate; empty where nothing was counted
     std::uint64_t trials = 0;

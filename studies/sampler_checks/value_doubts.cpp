@@ -73,7 +73,7 @@ bool is_of_short_numbers(std::uint64_t steps) {
 
 /// Values of one coordinate that different sets have in common.
 struct CommonValues {
-    std::vector<std::uint32_t> values;  ///< of all sets together, ascending, each once
+    std::vector<std::uint32_t> values;  ///< values in any of the sets, ascending, each once
     std::uint64_t sharing = 0;          ///< pairs of sets with a value in common
 };
 

@@ -50,13 +50,13 @@ std::string with_mirrors_named(std::string_view scene, const std::vector<std::st
 
 /// What a scene file states about a face besides its shape.
 struct FaceMaterial {
-    std::vector<std::string> names;    ///< of materials (usemtl), in order; a face may have several
-    std::vector<double> emissivities;  ///< of its surfaces (.vs3), each different value once
+    std::vector<std::string> names;    ///< names of its materials (usemtl), in order; a face may have several
+    std::vector<double> emissivities;  ///< emissivities of its surfaces (.vs3), each different value once
 };
 
 struct SceneWithMaterials {
     Scene scene;
-    std::vector<FaceMaterial> materials;  ///< of the faces, in their order; empty where the file has none
+    std::vector<FaceMaterial> materials;  ///< one for each face, in their order; empty where the file has none
 };
 
 /// A built-in scene, or one from a file whose text is included.

@@ -18,7 +18,7 @@ struct RadiosityRequest {
     /// Emitted exitance: one number for all faces, or one for each; 0, or from 1e-30 to 1e30; not all 0. Empty: 1 on
     /// the last face.
     std::vector<double> emission;
-    double tolerance = 1e-6;           ///< of the solvers' residual, relative to the largest emission; in (0, 1)
+    double tolerance = 1e-6;           ///< largest residual of the solvers, relative to the largest emission; in (0, 1)
     std::uint64_t solver_trials = 10;  ///< most trials of a cell that the solvers are run on
     std::uint64_t patch_trials = 0;    ///< most trials of a cell that also give systems between patches
     auto operator<=>(const RadiosityRequest&) const = default;

@@ -45,13 +45,13 @@ struct Size {
 struct Method {
     std::string name;
     std::string sampler;                     ///< empty where the estimator takes no points
-    std::string estimator = "ray_shooting";  ///< of the catalogue, core/estimators/estimator.hpp
+    std::string estimator = "ray_shooting";  ///< name in the catalogue of estimators, core/estimators/estimator.hpp
     Completion completion = Completion::direct;
     Allocation allocation = Allocation::patch;
     TracerChoice tracer = TracerChoice::automatic;
     PointMap map = PointMap::uniform;
     std::optional<Nodes> nodes;
-    std::optional<double> claimed_error;  ///< of every factor, as claimed by the method's author
+    std::optional<double> claimed_error;  ///< error of every factor that the method's author claims, > 0
     std::optional<double> claimed_level;  ///< share of errors that should be at most as claimed; empty: all
     std::vector<Size> sizes;
     auto operator<=>(const Method&) const = default;
@@ -86,11 +86,12 @@ struct StudySpec {
     Inapplicable inapplicable = Inapplicable::refuse;
     std::uint64_t trials = 0;
     Seed seed;
-    double level = 0.95;  ///< of every interval, and 1 - the family-wise error rate of the bias tests; in (0.5, 1)
-    double power = 0.9;   ///< at which minimum detectable biases are stated; in [0.5, 1 - 1e-9]
+    double level =
+        0.95;  ///< coverage of every interval, and 1 - the family-wise error rate of the bias tests; in (0.5, 1)
+    double power = 0.9;                        ///< at which minimum detectable biases are stated; in [0.5, 1 - 1e-9]
     std::optional<double> equivalence_margin;  ///< |bias| is to be shown smaller than this, in units of the form factor
     std::vector<Method> methods;
-    std::optional<StoppingRule> until;    ///< of an adaptive study, whose `trials` is an upper limit
+    std::optional<StoppingRule> until;    ///< rule of an adaptive study, whose `trials` is an upper limit
     std::vector<std::uint64_t> coverage;  ///< numbers of trials for which to check intervals; may be empty
     std::optional<RadiosityRequest> radiosity;
     std::optional<Published> published;

@@ -36,7 +36,7 @@ class Statement {
     [[nodiscard]] double real(int column) const;
     [[nodiscard]] bool is_number(int column) const;
     [[nodiscard]] int columns() const;
-    [[nodiscard]] std::int64_t bytes(int column) const;  ///< of a text or blob
+    [[nodiscard]] std::int64_t bytes(int column) const;  ///< length of a text or blob, in bytes
     [[nodiscard]] std::string text(int column) const;
     [[nodiscard]] std::vector<std::uint64_t> integers(int column) const;
 

@@ -13,7 +13,7 @@ struct ExpectedRate {
     double rate = 0;
     double log_power = 0;      ///< at most; 0 where there are no logarithms
     bool at_least = false;     ///< an upper bound of the error: it may fall faster
-    bool of_median = false;    ///< of the median absolute error; the RMSE does not exist
+    bool of_median = false;    ///< the rate is that of the median absolute error; the RMSE does not exist
     std::string_view source;   ///< key of docs/references.md
     std::string_view because;  ///< in a few words
 

@@ -113,7 +113,7 @@ void expect_bounded(const Gate& gate, const EstimateSeries& series, const std::s
 /// The data that a gate on a file of trials has.
 struct ExaminedSeries {
     EstimateSeries series;
-    std::optional<EstimateSeries> other;  ///< of the second file
+    std::optional<EstimateSeries> other;  ///< series in the second file; empty where there is none
     Independence independence;
     Levels levels;
 };

@@ -100,7 +100,7 @@ struct Gate {
     std::optional<std::uint64_t> trials;  ///< instead of a planned number
     Against against = Against::exact;
     std::optional<double> reference;     ///< for Against::number
-    std::optional<double> reference_se;  ///< of `reference`
+    std::optional<double> reference_se;  ///< standard error of `reference`
     std::optional<KnownLaw> law;         ///< `reference` of a distribution
     std::string quantity;                ///< in a file of estimates; empty for our own
 
@@ -111,7 +111,7 @@ struct Gate {
     std::filesystem::path covariance;                     ///< for Combination::chi_squared; empty: independent
     bool relative = false;                                ///< the band is a share of each bin's reference
     Anytime anytime = Anytime::no;
-    Band bounds;               ///< of the values, where that is assumed
+    Band bounds;               ///< range of possible values, where one is assumed
     double tightest_at = 100;  ///< values at which an anytime gate on normal ones sees most
     double detects = 1e-6;     ///< lost_rays with a band of zero: share of lost rays that has to be noticed
 
@@ -120,14 +120,14 @@ struct Gate {
 
 /// What a bands file says.
 struct GatesSpec {
-    std::string name;          ///< of the file, without folder and extension
-    double alpha = 1e-4;       ///< family-wise, of a failure anywhere in the file where all effects are in their bands
-    double pass_alpha = 0.05;  ///< of a pass, for each gate whose effect is at an end of its band or beyond
-    double power = 0.9;        ///< with which a gate passes where there is no effect
+    std::string name;     ///< name of the file, without folder and extension
+    double alpha = 1e-4;  ///< family-wise risk of a failure anywhere in the file where all effects are in their bands
+    double pass_alpha = 0.05;  ///< risk of a pass, for each gate whose effect is at an end of its band or beyond
+    double power = 0.9;        ///< probability that a gate passes where there is no effect
     Seed seed{1};
     std::uint64_t looks = 3;  ///< times that an undecided gate is judged, each time with as many trials more
-    Spending spending = Spending::halving;  ///< of looks at a commit (--again)
-    std::uint64_t max_trials = 100'000;     ///< of one look
+    Spending spending = Spending::halving;  ///< how looks at a commit (--again) share alpha
+    std::uint64_t max_trials = 100'000;     ///< most trials of a cell in one look
     std::vector<Gate> gates;
 };
 

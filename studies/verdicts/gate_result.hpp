@@ -37,7 +37,8 @@ struct GateResult {
     std::uint64_t evaluations = 0;  ///< rays and kernel values, including the pilot's
     std::string note;               ///< what decided, or what is missing, in words
     std::size_t compared = 0;       ///< bins behind the verdict, where only the worst are among the comparisons
-    std::vector<std::uint64_t> scores = {};  ///< of bins by standardised difference (standardised_bins.hpp)
+    std::vector<std::uint64_t> scores =
+        {};  ///< counts of bins by standardised difference (reported_bins.hpp: count_scores)
 };
 
 /// The joint verdict of its comparisons; a gate without any is inconclusive.

@@ -20,7 +20,7 @@ namespace ff::studies {
 struct MeanReference {
     double value = 0;
     double standard_error = 0;                                 ///< 0 for an exact value
-    double freedom = std::numeric_limits<double>::infinity();  ///< of that standard error
+    double freedom = std::numeric_limits<double>::infinity();  ///< degrees of freedom of `standard_error`
 };
 
 /// Mean minus reference by the rule for means (stats/mean_test.hpp).

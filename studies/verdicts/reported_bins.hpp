@@ -16,9 +16,9 @@ namespace ff::studies {
 /// computed only for the worst.
 struct BinEffect {
     double value = 0;          ///< a difference, or a ratio
-    double error = 0;          ///< of a difference: its standard error, > 0; of shares an approximate one
-    double freedom = 0;        ///< of that error, or of a ratio's numerator; may be infinite
-    double freedom_below = 0;  ///< of a ratio's denominator; may be infinite
+    double error = 0;          ///< standard error of a difference, > 0; approximate for shares, 0 for ratios
+    double freedom = 0;        ///< degrees of freedom of `error`, or of a ratio's numerator; may be infinite
+    double freedom_below = 0;  ///< degrees of freedom of a ratio's denominator; may be infinite
     Band band;
     std::uint32_t name = 0;  ///< number of the bin, chosen by the caller
 };
@@ -55,7 +55,7 @@ Measurement measure_bin(const BinEffects& effects, std::size_t index, const Leve
 /// `alpha`. Pass: every bin's passing interval lies inside (an intersection-union test).
 struct BinsVerdict {
     Verdict verdict = Verdict::inconclusive;
-    double p = 1;                    ///< of all bins together
+    double p = 1;                    ///< p-value of all bins together
     std::size_t rejected = 0;        ///< bins that lie outside by Holm
     std::size_t undecided = 0;       ///< bins that are neither inside nor outside
     std::vector<std::size_t> worst;  ///< indices of bins, the worst first, at most `most_named`

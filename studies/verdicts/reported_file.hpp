@@ -15,13 +15,13 @@ enum class Holds {
     means,
     counts,  ///< events in a bin of a histogram
     shares,  ///< known probabilities of bins
-    hits,    ///< of n independent trials
+    hits,    ///< successes in n independent trials
 };
 
 /// A code's report of one bin in one run. A million of them are common, hence the narrow members.
 struct ReportedRow {
     double mean = 0;            ///< or the count, the share, or the hits
-    double standard_error = 0;  ///< of the mean; 0 where the file has none
+    double standard_error = 0;  ///< standard error of the mean; 0 where the file has none
     double n = 0;               ///< samples or batches behind it, or trials behind hits; 0 where not stated
     double cost = 0;            ///< seconds, or whatever the code counts; 0 where not stated
     std::uint64_t run = 0;
@@ -39,7 +39,7 @@ struct ReportedFile {
     std::string origin;  ///< names the file in messages
     Holds holds = Holds::means;
     std::vector<std::string> quantities;         ///< in the order of their first rows
-    std::vector<std::string> names;              ///< of bins
+    std::vector<std::string> names;              ///< names of the bins
     std::vector<std::vector<ReportedRow>> rows;  ///< by quantity, in the order of bins and runs
     bool has_errors = false;                     ///< the column standard_error
     bool has_n = false;

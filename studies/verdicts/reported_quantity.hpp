@@ -15,7 +15,7 @@ using Rows = std::span<const ReportedRow>;
 struct Bins {
     const ReportedFile* file = nullptr;
     Rows rows;
-    std::size_t runs = 1;  ///< of each bin
+    std::size_t runs = 1;  ///< number of rows for each bin, one from each run
 
     [[nodiscard]] std::size_t count() const { return rows.size() / runs; }
     [[nodiscard]] Rows runs_of(std::size_t bin) const { return rows.subspan(bin * runs, runs); }

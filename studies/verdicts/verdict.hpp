@@ -24,8 +24,8 @@ struct Band {
 
 /// The risks of one comparison at one look.
 struct Levels {
-    double fail_alpha = 1e-4;  ///< of calling an effect outside that lies inside; two-sided, already shared
-    double pass_alpha = 0.05;  ///< of calling an effect inside that lies at or beyond one end of the band
+    double fail_alpha = 1e-4;  ///< risk of calling an effect outside that lies inside; two-sided, already shared
+    double pass_alpha = 0.05;  ///< risk of calling an effect inside that lies at or beyond one end of the band
     double power = 0.9;        ///< at which minimum detectable effects are stated
 };
 
