@@ -18,8 +18,8 @@ namespace ff::samplers {
 namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Of x in [0, 1), and of no other, 2^52 + floor(x * 2^32) is a double whose upper half is this, and whose lower half
-/// is the coordinate.
+/// Upper half of the double 2^52 + floor(x * 2^32) for every x in [0, 1), and for no other x. The lower half is then
+/// the coordinate.
 constexpr std::uint64_t upper_half = 0x4330000000000000u;
 
 /// Points from `first` on while whole vectors of them are left. @return the point after them

@@ -22,7 +22,7 @@ namespace {
 /// [wilson1931].
 constexpr double most_freedom = 1e8;
 
-/// Of (X / freedom)^(1/3), X chi-squared.
+/// Mean and standard deviation of (X / freedom)^(1/3), where X is chi-squared with that many degrees of freedom.
 double cube_root_mean(double freedom) {
     return 1 - 2 / (9 * freedom);
 }

@@ -12,12 +12,12 @@
 namespace ff::stats {
 namespace {
 
-/// Of the standard Cauchy distribution; accurate in its upper tail.
+/// Probability that a variable with the standard Cauchy distribution exceeds x; accurate for large x.
 double upper_tail(double x) {
     return x > 1 ? std::atan(1 / x) / std::numbers::pi : 0.5 - std::atan(x) / std::numbers::pi;
 }
 
-/// The point above which it lies with probability p, in (0, 1/2].
+/// The point that such a variable exceeds with probability p, in (0, 1/2].
 double critical(double p) {
     return 1 / std::tan(std::numbers::pi * p);
 }

@@ -60,7 +60,7 @@ struct MeanEvidence {
     [[nodiscard]] double t() const { return difference / standard_error; }
 };
 
-/// Of values that are known not to be skewed.
+/// Limits for values that are known not to be skewed.
 inline constexpr KnownLimits not_skewed{.largest_part = no_part, .unmet = {}, .rounding = 0};
 
 /// A mean of independent values, or of correlated ones in order.

@@ -30,7 +30,7 @@ class Moments {
     /// Unbiased variance (divisor n - 1), exactly 0 for equal values; empty below two values.
     [[nodiscard]] std::optional<double> variance() const;
     [[nodiscard]] std::optional<double> standard_deviation() const;
-    /// Of the mean: s / sqrt(n); empty below two values.
+    /// Standard error of the mean: s / sqrt(n); empty below two values.
     [[nodiscard]] std::optional<double> standard_error() const;
     /// Mean of (value - reference)^2 (divisor n); empty without values.
     [[nodiscard]] std::optional<double> mean_squared_error() const;

@@ -68,14 +68,15 @@ double in_standard_errors(double bias, double sigma, std::size_t trials) {
     return bias * std::sqrt(static_cast<double>(trials)) / sigma;
 }
 
-/// Of the two-sided test, its statistic's mean lying `shift` standard errors from the null.
+/// Probability that the two-sided test rejects, if the mean of its statistic lies `shift` standard errors from the null
+/// hypothesis.
 double rejection_probability(double shift, double freedom, double critical) {
     return average_over_spread(freedom, std::numeric_limits<double>::infinity(), [&](double s) {
         return normal_tail(critical * s - shift) + normal_tail(critical * s + shift);
     });
 }
 
-/// Of two one-sided tests; margin and shift in standard errors.
+/// Probability that two one-sided tests show equivalence; margin and shift are in standard errors.
 double acceptance_probability(double margin, double shift, double freedom, double critical) {
     return average_over_spread(freedom, margin / critical, [&](double s) {
         const double room = margin - critical * s;

@@ -42,7 +42,7 @@ double find_spacing(const std::vector<double>& distinct) {
     return spacing;
 }
 
-/// Of n draws from a normal distribution on a lattice, those that are equal to an earlier one.
+/// Expected number, out of n draws from a normal distribution on a lattice, of those that equal an earlier one.
 /// @param crowding  n * spacing / sigma
 double expected_repeats(double n, double crowding) {
     if (crowding == 0) return 0;
@@ -89,8 +89,8 @@ double relative_grain(const std::vector<double>& distinct) {
     return digits < all_digits ? std::pow(10.0, 1 - static_cast<double>(digits)) : 0;
 }
 
-/// Of values whose density hardly changes from site to site, as many fall on a value's own site as on each of those
-/// beside it.
+/// Expected number of repeats, from the pairs of values on neighbouring sites: where the density hardly changes from
+/// site to site, as many values fall on a site as on each of the sites beside it.
 double repeats_by_neighbours(const std::map<double, Occurrences>& values, double spacing, double grain) {
     double pairs = 0;
     for (auto value = values.begin(); value != values.end(); ++value) {

@@ -29,7 +29,7 @@ double p_of_at_least(Proportion counts, const ShareReference& reference, double 
 /// The values of `difference` that neither p-value rejects at (1 - level) / 2.
 Interval share_difference_interval(Proportion counts, const ShareReference& reference, double level);
 
-/// Of an uncertain reference by itself.
+/// Confidence interval for an uncertain reference alone.
 Interval reference_interval(const ShareReference& reference, double level);
 
 /// P-value of "the hits of these runs scatter as those of independent trials with one probability do", against more

@@ -28,7 +28,7 @@ struct LengthUnit {
 constexpr std::array length_units{LengthUnit{"mm", 1}, LengthUnit{"cm", 10}, LengthUnit{"in", 25.4},
                                   LengthUnit{"pt", 25.4 / 72}};
 
-/// Of figures that can be read and printed.
+/// Sizes of figures that can be read and printed.
 constexpr double least_mm = 20;
 constexpr double most_mm = 2000;
 
@@ -79,7 +79,7 @@ bool is_named(const reports::Picture& picture, const FigureCommand& command) {
     return begins && (command.pairs.empty() || picture.id.find("-" + command.pairs + "-pairs") != std::string::npos);
 }
 
-/// The one picture that is meant. @throws UserError where it is none or several
+/// The one picture that the command names. @throws UserError where it names none or several
 reports::Picture find_picture(const std::vector<reports::Picture>& all, const FigureCommand& command) {
     std::vector<reports::Picture> found;
     std::copy_if(all.begin(), all.end(), std::back_inserter(found),

@@ -17,12 +17,12 @@ namespace {
 
 constexpr std::size_t rows_tried = 24;
 
-/// Of all threads, in seconds.
+/// Processor time of all threads, in seconds.
 double processor_time() {
     return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
 }
 
-/// Room of the files, roughly, by what they take for a pair.
+/// Rough size of the files, in bytes, from what each pair and each entry takes.
 std::uint64_t expected_size(const studies::FormFactorMatrix& matrix) {
     constexpr std::uint64_t store = 100;  // of a pair
     constexpr std::uint64_t sparse = 2;   // of an entry, two files with indices and values, packed
@@ -65,7 +65,7 @@ ExitCode predict_form_factors(const studies::KeptFormFactors& kept) {
     }
     const double sampling = std::max(0.0, end - begin);
     const double rest = processor_time() - sampling;
-    // What a pair that is sampled takes until its interval and those of its rows are made, roughly.
+    // Rough number of bytes for a sampled pair, until its interval and those of its rows are made.
     constexpr std::uint64_t memory_of_pair = 600;
     const double more = sampled == 0 ? 0 : static_cast<double>(to_sample) / static_cast<double>(sampled);
     fmt::print("{} of {}; {} of faces see each other, {} of them are to be sampled\n", reports::counted(faces, "face"),

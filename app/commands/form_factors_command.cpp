@@ -91,7 +91,7 @@ void write_matrix(OutputFolder& folder, const std::string& file, const Eigen::Ma
     folder.write(file + ".npy", [&](std::ostream& out) { reports::write_npy(out, matrix); });
 }
 
-/// Of very many faces without the files in which zeros take room.
+/// Writes a sparse matrix. Files that store zeros as well are left out where there are very many faces.
 void write_matrix(OutputFolder& folder, const std::string& file, const studies::FormFactorMatrix::Sparse& matrix,
                   const std::string& comment) {
     folder.write(file + ".npz", [&](std::ostream& out) { reports::write_sparse_npz(out, matrix); });
@@ -99,7 +99,7 @@ void write_matrix(OutputFolder& folder, const std::string& file, const studies::
         write_matrix(folder, file, Eigen::MatrixXd(matrix), comment);
 }
 
-/// For other programs, with the intervals of what they get.
+/// Writes files for other programs, and the intervals of the values in them.
 void hand_on_files(OutputFolder& folder, const studies::KeptFormFactors& kept,
                    const std::vector<std::string>& formats) {
     if (formats.empty()) return;

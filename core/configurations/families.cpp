@@ -21,13 +21,14 @@ namespace scenes = configuration_scenes;
 using Factor = std::optional<long double>;
 
 constexpr long double outer_edge = 6;  // of nested cubes
-/// Of a leg: shorter ones are wrinkles, of longer ones the factor is too small for the digits of its formula.
+/// Depths of the second leg that are allowed. A shorter leg is a mere wrinkle; with a longer one the form factor is so
+/// small that its formula loses its digits.
 constexpr double least_depth = 1e-3;
 constexpr double most_depth = 100;
 constexpr double least_inner_edge = 1e-3;
 constexpr double most_inner_edge = 5.99;
 
-/// Of faces 0 and 1, alike.
+/// The form factor between faces 0 and 1, which is the same both ways; empty from a face to itself.
 Factor of_pair(long double factor, int from, int to) {
     return from == to ? std::nullopt : Factor(factor);
 }
@@ -40,13 +41,13 @@ Factor squares_through_aperture(double edge, int from, int to) {
     return of_pair(squares_through_aperture_factor(edge), from, to);
 }
 
-/// From the long wall of 3 x 3 to the end of 1 x 3 and back.
+/// The form factor from the long wall of 3 x 3 to the end of 1 x 3, and back; empty for other pairs.
 Factor l_shaped_room(double depth, int from, int to) {
     if (std::min(from, to) != 0 || std::max(from, to) != 1) return std::nullopt;
     return l_shaped_room_exchange_area(depth) / (from == 0 ? 9 : 3);
 }
 
-/// Between faces of the outer cube.
+/// The form factor between two faces of the outer cube; empty for other pairs.
 Factor nested_cubes(double inner, int from, int to) {
     if (from == to || std::max(from, to) > 5) return std::nullopt;
     constexpr std::array opposite{2, 3, 0, 1, 5, 4};
@@ -89,7 +90,7 @@ std::optional<Scene> family_scene(std::string_view name) {
             fmt::format("scene {} ({}). Try {}:{}.", excerpt(name), why, family->name, family->of_catalogue));
     };
     if (!measure) refuse(fmt::format("behind the colon stands the {}, a number", family->measure));
-    // Written so that what is no number fails as well.
+    // Written so that NaN fails as well.
     if (!(*measure >= family->least && *measure <= family->most))
         refuse(fmt::format("the {} may be from {} to {}", family->measure, family->least, family->most));
     Scene scene = family->scene(*measure);

@@ -23,7 +23,7 @@ Registry& registry() {
     return all;
 }
 
-/// Of processor time for an evaluation, very roughly: what others compute, and how, is not known.
+/// A very rough guess of the processor time for an evaluation: what an added estimator computes, and how, is not known.
 double nanoseconds_of_others(const EstimatorOptions& /*options*/, const Scene& /*scene*/) {
     return 1e3;
 }

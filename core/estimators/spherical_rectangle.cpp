@@ -28,7 +28,8 @@ double between(const Reach& a, const Reach& b, double apart, double across) {
     return apart * (a.along + b.along) * across * across / sum;
 }
 
-/// Of what is 0 but for rounding, so small that a length over it ends at the rim.
+/// The square root of a value that can be 0 or negative only through rounding. The result is positive, but then so
+/// small that a length divided by it is clamped to the rim.
 double root_above_zero(double value) {
     return std::sqrt(std::max(value, std::numeric_limits<double>::min()));
 }
@@ -49,7 +50,8 @@ double half_solid_angle(const SeenRectangle& seen) {
         const double length = corner.norm();
         return n * f * length + diagonal * length + near.dot(corner) * f + far.dot(corner) * n;
     };
-    // Of the triangles on both sides of a diagonal; angles add as the arguments of complex numbers do.
+    // A diagonal divides the rectangle into two triangles. Half their solid angles are arguments of complex numbers,
+    // which add when the numbers are multiplied.
     const double volume = seen.width * seen.height * seen.distance;
     const double a = cosine(right);
     const double b = cosine(left);

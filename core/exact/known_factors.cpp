@@ -12,7 +12,8 @@
 namespace ff {
 namespace {
 
-/// Of more surfaces pairs of faces are not looked at one by one: it takes the cube of their number.
+/// In scenes with more surfaces, pairs of faces are not looked at one by one: this takes time that grows with the cube
+/// of the number of surfaces.
 constexpr std::size_t most_surfaces_pair_by_pair = 128;
 
 }  // namespace

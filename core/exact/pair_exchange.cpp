@@ -26,13 +26,14 @@ BoundedValue<double> contour_exchange(const Surface& from, const Surface& to, do
     return {static_cast<double>(exact.value), static_cast<double>(exact.error) + 1e-16 * brief.value};
 }
 
-/// Of several, the one with the least error.
+/// An exchange area and how it was computed. Among several candidates, the one with the least error is used.
 struct Candidate {
     ExchangeMethod method = ExchangeMethod::closed_form;
     BoundedValue<double> area;
 };
 
-/// With nothing in between: what is within `wanted`, the cheapest first; if nothing is, what is best.
+/// The exchange area of polygons with nothing in between, by the cheapest method whose error is at most `wanted`; if no
+/// method comes so close, by the most accurate one.
 Candidate clear_polygons(const Surface& from, const Surface& to, double wanted) {
     std::optional<Candidate> best;
     const auto is_good = [&](ExchangeMethod method, const BoundedValue<double>& area) {
@@ -54,7 +55,7 @@ Candidate clear_polygons(const Surface& from, const Surface& to, double wanted) 
     return *best;
 }
 
-/// With nothing in between; empty where a surface is no polygon.
+/// The exchange of surfaces with nothing in between. Its area is empty where a surface is not a polygon.
 PairExchange clear_exchange(const Surface& from, const Surface& to, double wanted) {
     if (!is_polygon(from) || !is_polygon(to)) {
         return {ExchangeMethod::rays, ExchangeReason::curved, std::nullopt, {}};

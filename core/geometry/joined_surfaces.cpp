@@ -20,7 +20,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Of the sine of an angle that is none.
+/// Directions are parallel if the sine of the angle between them is at most this. Differences between components of
+/// unit vectors are likewise 0 up to this.
 constexpr double straight = 1e-10;
 
 /// An edge, whichever way it is walked.
@@ -50,7 +51,7 @@ class Joiner {
     std::vector<std::optional<Surface>> pieces_;
     std::vector<std::size_t> joined_to_;  ///< the piece that holds another, or is on its way there; itself at the end
     PlaceNumbers number_;
-    std::unordered_map<Edge, std::vector<std::size_t>, EdgeHash> at_edge_;  ///< pieces, those that are no more too
+    std::unordered_map<Edge, std::vector<std::size_t>, EdgeHash> at_edge_;  ///< pieces, also those swallowed since
 
     [[nodiscard]] Edge edge_between(const Vector3d& a, const Vector3d& b) {
         const std::uint32_t from = number_(a);
@@ -137,7 +138,7 @@ void Joiner::join_triangles() {
     }
 }
 
-/// A direction as all see it who walk it either way: the first component that is not 0 is positive.
+/// The unit vector along `v` or against it, whichever has a positive first component among those that are not 0.
 Vector3d unsigned_direction(const Vector3d& v) {
     Vector3d unit = v.normalized();
     Eigen::Index axis = 0;
@@ -146,7 +147,8 @@ Vector3d unsigned_direction(const Vector3d& v) {
     return unit;
 }
 
-/// Of two directions the one that comes first. Tiles of a wall agree on it, however they are wound.
+/// Whether `a` comes before `b` in an order that does not depend on the signs of directions, so that all tiles of a
+/// wall agree on it, however they are wound.
 bool comes_first(const Vector3d& a, const Vector3d& b) {
     const Vector3d difference = unsigned_direction(a) - unsigned_direction(b);
     for (Eigen::Index axis = 0; axis < 3; ++axis) {

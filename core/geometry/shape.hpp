@@ -74,7 +74,7 @@ inline bool is_flat(const Shape& shape) {
     return !std::holds_alternative<Frustum>(shape) && !std::holds_alternative<SphereZone>(shape);
 }
 
-/// Of curved shapes.
+/// The side of a curved shape that radiates. @pre the shape is not flat
 inline Facing facing(const Shape& shape) {
     if (const auto* wall = std::get_if<Frustum>(&shape)) return wall->facing;
     return std::get<SphereZone>(shape).facing;

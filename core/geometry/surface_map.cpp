@@ -53,7 +53,7 @@ Extent of_points(const Vector3d& direction, std::initializer_list<Vector3d> poin
     return all;
 }
 
-/// Of a circle.
+/// The extent of a circle along a direction.
 Extent of_ring(const Vector3d& direction, const Vector3d& centre, const Vector3d& axis, double radius) {
     const double reach = radius * (direction - direction.dot(axis) * axis).norm();
     const double middle = direction.dot(centre);

@@ -12,7 +12,8 @@ double seconds(const rusage& used) {
            1e-6 * static_cast<double>(used.ru_utime.tv_usec + used.ru_stime.tv_usec);
 }
 
-/// Of programs, less what is not counted.
+/// Processor time in seconds of the programs that this thread has waited for, less all time that is excluded by
+/// UncountedTime.
 thread_local double beside_this_thread = 0;
 
 }  // namespace

@@ -16,7 +16,7 @@
 namespace ff {
 namespace {
 
-/// Larger than a surface by what rims are, and by rounding.
+/// Boxes around surfaces, enlarged by the width that rims are given in a second attempt, and by rounding.
 std::vector<Eigen::AlignedBox3d> boxes_of(const std::vector<Surface>& surfaces) {
     std::vector<Eigen::AlignedBox3d> boxes;
     boxes.reserve(surfaces.size());
@@ -123,7 +123,8 @@ class DoubleTracer final : public Tracer {
                are_parallel(a, b);
     }
 
-    /// Of level ones, what receives comes first, then what is listed first.
+    /// Whether a ray meets `a` before `b`. Of two surfaces in one plane, one that receives the ray comes before one
+    /// that does not; otherwise the one that is listed first in the scene comes first.
     [[nodiscard]] bool comes_before(const Found& a, const Found& b, const Eigen::Vector3d& direction) const {
         if (b.surface == no_surface) return true;
         const double later = a.meeting.time - b.meeting.time;

@@ -24,7 +24,8 @@ constexpr double near_curved = 0x1p-7;
 /// Sines of angles that are small.
 constexpr double small_angle = 0x1p-4;
 constexpr double small_angle_of_curves = 0x1p-3;
-/// Of the smaller of two surfaces; adjacent ones seem to cover less of each other.
+/// Surfaces cover each other if their common area exceeds this share of the smaller one's area. Adjacent surfaces seem
+/// to cover less than that of each other, through rounding.
 constexpr double least_share = 1e-6;
 constexpr int lattice = 32;
 

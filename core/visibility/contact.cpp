@@ -16,7 +16,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Of scenes with more, contacts are not looked for: no estimator that suffers from them can do as many pairs.
+/// Contacts are not looked for in scenes with more surfaces: no estimator that suffers from contacts can handle as many
+/// pairs.
 constexpr std::size_t most_surfaces_for_contacts = 4096;
 
 /// The sides of one patch that an edge or a corner belongs to.
@@ -80,7 +81,7 @@ Touch touch(Contact contact, const Sides& from, const Sides& to) {
     return {contact, {from[0], from[1], to[0], to[1]}};
 }
 
-/// The contact of two surfaces one of which is no parallelogram.
+/// The contact of two surfaces at least one of which is not a parallelogram.
 Contact contact_of_shapes(const Surface& from, const Surface& to) {
     if (meet_along_line(from, to)) return Contact::edge;
     Contact contact = Contact::none;

@@ -212,8 +212,8 @@ bool ConvexBodies::hides_all(std::uint32_t body, std::span<const Vector3d> from,
         });
     };
     if (!is_outside(from) || !is_outside(to)) return false;
-    // Of lines from one place the ends that a convex body hides are convex, and the beginnings of lines to one place:
-    // the lines between corners decide for all.
+    // The ends of lines from one place that a convex body hides form a convex set, and so do the beginnings of lines to
+    // one place. Therefore the lines between corners decide for all lines.
     const auto crosses = [&](const Vector3d& begin, const Vector3d& end) {
         double enters = 0;
         double leaves = 1;

@@ -19,11 +19,13 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Of the smaller surface: less is what adjacent surfaces cover for rounding.
+/// Overlaps are ignored up to this share of the smaller surface's area: adjacent surfaces seem to overlap that much
+/// through rounding.
 constexpr double least_share = 1e-6;
 /// How many times as far as a coordinate the plane of a surface may be off beside its corners.
 constexpr double planes_off = 16;
-/// Of the smaller surface's size: nearer planes are near.
+/// Surfaces are taken to lie in one plane if they are off it by at most this share of the smaller surface's size, which
+/// is the root of its area.
 constexpr double near = 1e-6;
 /// Places of a disc along each of its coordinates.
 constexpr int lattice = 32;

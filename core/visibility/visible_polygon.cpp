@@ -27,7 +27,7 @@ SmallPolygon seen_from(const Vector3d& place, std::span<const Vector3d> polygon)
     return result;
 }
 
-/// Of its corners above a plane through the origin.
+/// Heights of a polygon's corners above a plane through the origin, negative below it, in units of the normal's length.
 struct Heights {
     boost::container::small_vector<double, 10> values;
     bool some_above = false;
@@ -136,7 +136,7 @@ double factor_of_hidden(const SmallPolygon& piece, double factor, const SmallPol
     return differs ? factor_of(hidden, normal) : factor;
 }
 
-/// Factor of what is seen of a convex piece past shadows.
+/// Form factor of the part of a convex piece that no shadow hides.
 double factor_of_visible(SmallPolygon piece, std::span<const SmallPolygon> shadows, const Vector3d& normal) {
     while (!shadows.empty() && is_outside(piece, shadows.front())) shadows = shadows.subspan(1);
     if (shadows.size() < 2) {
@@ -165,7 +165,7 @@ std::vector<Vector3d> around(const Surface& surface) {
 
 VisiblePolygon::VisiblePolygon(const Surface& target, const std::vector<const Surface*>& blockers)
     : target_(around(target)), target_normal_(target.normal) {
-    // What lies behind the target's plane is in nobody's way.
+    // Parts of blockers that lie behind the target's plane hide nothing.
     const Vector3d origin = target_.front();
     for (const Surface* blocker : blockers) {
         SmallPolygon part = seen_from(origin, around(*blocker));

@@ -68,7 +68,7 @@ Json polygons_json(const Scene& scene) {
     return polygons;
 }
 
-/// Of every face: a value with half of its interval.
+/// A quantity with, for every face, its value and half the width of its interval.
 template <class Value>
 Json quantity_json(std::string_view name, std::string_view unit, std::size_t faces, Value value_of) {
     constexpr int digits = 9;

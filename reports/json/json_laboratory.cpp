@@ -125,7 +125,7 @@ Json claimed_errors_json(const studies::StudyResults& results) {
                         {"worst_pair", quantity_label(plan.scenes[cell.scene], row.worst)},
                         {"worst_held", row.worst_held},
                         {"worst_share_interval", interval_json(row.worst_share)},
-                        // Of a claim of 0 every error is infinitely many times as large.
+                        // Ratios are infinite where the claimed error is 0.
                         {"median_ratio", finite_json(row.median_ratio)},
                         {"largest_ratio", finite_json(row.largest_ratio)},
                         {"finding", row.finding == studies::ClaimFinding::fails ? "fails" : "not_refuted"}});

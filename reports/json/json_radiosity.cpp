@@ -10,7 +10,7 @@
 namespace ff::reports {
 namespace {
 
-/// Infinity, the condition of a singular matrix, is no number of JSON.
+/// JSON cannot express infinity, the condition of a singular matrix.
 Json number(double value) {
     return std::isfinite(value) ? Json(value) : Json(nullptr);
 }
@@ -25,7 +25,8 @@ Json solvers_json(const std::vector<studies::SolverFindings>& solvers) {
     return list;
 }
 
-/// Of all together and each face; between patches of all and the worst patch, the rest is in exitance.csv.
+/// Exitance of all faces together and of each face. Between patches, only that of all together and of the worst patch
+/// is given: the rest is in exitance.csv.
 Json exitances_json(const studies::StudyPlan& plan, const studies::Consequences& of,
                     const studies::SettingFindings& at) {
     Json list = Json::array();

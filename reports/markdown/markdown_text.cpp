@@ -12,7 +12,8 @@ bool is_letter(char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
 }
 
-/// Of a word, in which an underscore is one; letters beyond ASCII among them.
+/// Whether a character belongs to a word: an underscore between two such characters is not markup. Letters beyond ASCII
+/// belong to words.
 bool in_word(char c) {
     return is_letter(c) || (c >= '0' && c <= '9') || static_cast<unsigned char>(c) >= 0x80;
 }

@@ -26,7 +26,7 @@ std::string_view in_words(studies::Claimant claimant) {
     return "rays taken as random";
 }
 
-/// Of a claim of 0 every error is infinitely many times as large.
+/// The ratio is infinite where the claimed error is 0.
 std::string times_claimed(double ratio) {
     return std::isfinite(ratio) ? fmt::format("{:.2g}", ratio) : "infinite";
 }
@@ -60,7 +60,7 @@ Table claimed_errors_table(const studies::StudyResults& results, Claims claims) 
     for (const studies::ClaimedErrors& row : results.claimed_errors) {
         if (claims == Claims::all || row.claimant != studies::Claimant::one_run) rows.push_back(&row);
     }
-    // Of many that hold, how many they are says enough.
+    // Where many claims hold, it is enough to say how many.
     constexpr std::size_t most_rows = 12;
     std::size_t hidden = 0;
     if (claims == Claims::stated && rows.size() > most_rows)

@@ -76,7 +76,7 @@ constexpr std::string_view measured_elsewhere =
     "What methods do in equal processor time differs from run to run: the run printed it, and "
     "comparisons_by_time.csv has it.";
 
-/// Of a study with one scene.
+/// The table for a study with one scene.
 Table side_by_side(const studies::StudyResults& results, bool timed) {
     const studies::StudyPlan& plan = results.findings.plan;
     Table table{"side-by-side",
@@ -133,7 +133,7 @@ Table side_by_side(const studies::StudyResults& results, bool timed) {
     return table;
 }
 
-/// Of a study with several: the best of each.
+/// The table for a study with several scenes: the best methods of each scene.
 Table best_of_scenes(const studies::StudyResults& results, Equal equal) {
     const studies::StudyPlan& plan = results.findings.plan;
     Table table{"best-of-scenes",

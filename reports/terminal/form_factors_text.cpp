@@ -15,7 +15,7 @@ namespace {
 
 using studies::FaceExchange;
 
-/// Of more faces the matrix is left to the files.
+/// For scenes with more faces, the matrix is only in the files.
 constexpr std::size_t most_faces_of_matrix = 8;
 constexpr std::size_t most_listed = 10;
 

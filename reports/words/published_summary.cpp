@@ -26,7 +26,7 @@ std::string surprising_figures(const studies::PublishedResults& published, doubl
     return surprising.empty() ? text : fmt::format("{}: {}", text, fmt::join(surprising, "; "));
 }
 
-/// Of a publication that is judged by its words alone: each of them.
+/// The verdict on each claim, for a publication that has claims in words only.
 std::vector<std::string> claims_in_brief(const studies::PublishedResults& published) {
     std::vector<std::string> lines;
     for (const studies::JudgedClaim& judged : published.claims)

@@ -42,7 +42,8 @@ std::vector<double> pair_means(std::span<const double> errors, std::size_t pairs
     return means;
 }
 
-/// Of a mean of squares, which what no evaluation has met can only raise; empty where an end would be 0 or infinite.
+/// Interval for a mean of squares. Values that no evaluation has met can only raise the mean, so that the lower end
+/// does not allow for them. Empty where an end would be 0 or infinite.
 std::optional<stats::Interval> positive_interval(const stats::MeanEvidence& mean, double level) {
     auto interval = stats::interval_of(mean, level);
     stats::MeanEvidence met = mean;

@@ -27,7 +27,7 @@ struct ClassError {
     std::uint64_t evaluations = 0;  ///< N, per face or per pair of faces
     VarianceStatus status = VarianceStatus::finite;
     double rmse = 0;  ///< root mean square over trials and pairs; without a variance, for these trials only
-    /// Of the mean square, from trial to trial; empty without a finite variance, and for few trials.
+    /// The mean square as it varies from trial to trial; empty where the variance is not finite, and for few trials.
     std::optional<stats::MeanEvidence> mean_square;
     std::optional<stats::Interval> interval;  ///< interval of the RMSE; empty also where an end is 0 or infinite
     double median_abs_error = 0;

@@ -6,7 +6,8 @@
 namespace ff::studies {
 namespace {
 
-/// The statistics of a configuration's pair of faces; where it is one face to itself, those of what leaves it.
+/// The statistics of a configuration's pair of faces; for the form factor of a face to itself, those of its factor to
+/// another face.
 const Summary& summary_of(const CellFindings& found, const Configuration& configuration) {
     const int to = configuration.from == configuration.to ? 1 - configuration.to : configuration.to;
     return found.summary({QuantityKind::form_factor, configuration.from + 1, to + 1});
@@ -16,7 +17,7 @@ std::optional<ConfigurationEstimate> estimate_of(const Scene& scene, const CellF
                                                  const Configuration& configuration) {
     const Summary& summary = summary_of(found, configuration);
     if (!summary.mean || !summary.reference) return std::nullopt;
-    // Of a face to itself: 1 less what the others get, who are alike.
+    // The form factor of a face to itself is 1 less those to the other faces, which are all equal.
     const int others = other_faces(scene, configuration);
     const double factor = others > 0 ? -others : 1;
     const double offset = others > 0 ? 1 : 0;

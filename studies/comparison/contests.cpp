@@ -93,7 +93,7 @@ std::vector<Contender> contenders(const Findings& findings, const Costs& costs, 
     return all;
 }
 
-/// Adds what a weighted number is uncertain by.
+/// Adds the uncertainty of a number, times its weight, to a sum.
 void add_parts(const stats::Measured& number, double weight, stats::Measured& sum) {
     if (weight == 0) return;
     for (stats::Measured::Part part : number.parts) {
@@ -118,7 +118,7 @@ std::optional<Placed> at_budget(const Contender& contender, double budget) {
     return placed;
 }
 
-/// What a mean square error takes.
+/// The cost to reach a mean square error.
 std::optional<Placed> to_error(const Contender& contender, double target) {
     const Rung& last = contender.back();
     if (last.mean_square > target) {
@@ -147,7 +147,8 @@ std::optional<Placed> to_error(const Contender& contender, double target) {
                : std::nullopt;
 }
 
-/// Of the contender with the most sizes, and one for all.
+/// The costs, or mean square errors, that contests are held at: those of the contender with the most sizes, and one
+/// more: the least cost that every contender can keep to, or the least error that any contender reaches.
 std::vector<double> budgets(const std::vector<Contender>& all, Equal equal) {
     const auto longest = std::max_element(all.begin(), all.end(),
                                           [](const Contender& a, const Contender& b) { return a.size() < b.size(); });

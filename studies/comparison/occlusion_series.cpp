@@ -54,7 +54,7 @@ std::optional<Slope> slope_of(const std::vector<LadderSlopes>& slopes, std::size
     return std::nullopt;
 }
 
-/// Of what a scene of a family, a pair and the common number of evaluations say.
+/// Finds the error of a method on a pair in a scene, at the method's size closest to a number of evaluations.
 class Errors {
   public:
     Errors(const Store& store, const Findings& findings, const std::vector<LadderSlopes>& slopes)

@@ -14,7 +14,7 @@
 namespace ff::studies {
 namespace {
 
-/// Of so many faces pairs are looked at one by one.
+/// In scenes with more faces, pairs are not looked at one by one.
 constexpr std::size_t most_faces = 256;
 
 void add_origin(const Scene& scene, ExplainedPair& pair) {
@@ -28,8 +28,8 @@ void add_origin(const Scene& scene, ExplainedPair& pair) {
         const bool same =
             member ? configuration.scene_name == member->family->name : is_configuration(scene, configuration);
         if (!same) continue;
-        // Of several configurations of one scene the one whose pair it is; what follows from one by symmetry has no
-        // name.
+        // Where several configurations have the same scene, the one that states this very pair is named. A pair whose
+        // factor only follows from another one has no configuration of its own.
         const bool is_its_pair = configuration.from == pair.from && configuration.to == pair.to;
         if (!pair.origin.empty() && !is_its_pair) continue;
         pair.origin = configuration.formula;

@@ -22,7 +22,8 @@ struct Aim {
     const FacePairs& geometry;
     const FormFactorRequest& request;
     double level = 0;  ///< confidence level of the interval after a first round
-    /// Of each pair the exchange area that is expected, by what is known so far: it decides on sizes, not on intervals.
+    /// Exchange area that is expected of each pair, from the samples so far. It decides on numbers of samples, not on
+    /// intervals.
     std::vector<double> expected{};
 
     [[nodiscard]] std::size_t owner(std::size_t pair) const { return owner_of(geometry, pair); }

@@ -18,10 +18,10 @@
 namespace ff::studies {
 namespace {
 
-/// Every pair of so many is looked at within the hour.
+/// All pairs of this many faces are looked at within an hour.
 constexpr std::size_t most_faces = 32768;
 
-/// Of more surfaces not every pair is looked at, unless each is about a face of its own.
+/// Every pair of surfaces is looked at in scenes with at most this many surfaces, or with at most this many per face.
 constexpr std::size_t most_surfaces = 4096;
 constexpr std::size_t most_surfaces_per_face = 4;
 
@@ -29,10 +29,12 @@ bool is_each_looked_at(const Scene& scene) {
     return scene.surfaces.size() <= std::max(most_surfaces, most_surfaces_per_face * scene.faces.size());
 }
 
-/// Points are sampled for each pair of surfaces; of more pairs, rays serve all at once.
+/// Points are sampled for each pair of surfaces. Where two faces have more such pairs than this, rays are cheaper: they
+/// serve all pairs at once.
 constexpr std::size_t most_pairs_by_points = 256;
 
-/// Of more pairs of faces to sample each is given points by what can pass.
+/// Where more pairs of faces than this have to be sampled, the effort for each depends on how much can pass between
+/// them (PointEffort::sized).
 constexpr std::size_t most_of_full_effort = 32;
 
 /// Pairs whose bounds are this near to each other, in tolerances, are not sampled.
@@ -68,14 +70,14 @@ struct Dropped {
     float most = 0;
 };
 
-/// What one surface exchanges something with.
+/// The surfaces that one surface exchanges something with.
 struct Partners {
     std::vector<Partner> kept;
     std::vector<Dropped> dropped;
 };
 
-/// By surface, what an exchange has to come to with it in order to be kept. Of surfaces that share a face that cannot
-/// be said before they are added up.
+/// The least exchange area that is kept, for each surface. It is 0 for surfaces that share a face, whose exchange is
+/// not known before it is added up.
 std::vector<double> least_kept(const Scene& scene, double drop) {
     std::vector<std::size_t> surfaces(scene.faces.size(), 0);
     for (const Surface& surface : scene.surfaces) {
@@ -122,7 +124,7 @@ Partners partners_of(const Scene& scene, const SceneSight& sight, WallViews* vie
     return result;
 }
 
-/// Takes the middle of what geometry bounds where that is all that is asked for.
+/// Where bounds from geometry are as narrow as is asked for, takes their middle.
 void settle(FacePair& pair, double wanted) {
     if (!pair.is_sampled() || !pair.all_unblocked_known) return;
     const double least = std::max(0.0, pair.known - pair.bound);

@@ -20,7 +20,7 @@ namespace {
 
 /// Rays are traced in single precision, and meet surfaces a little beside where they are.
 constexpr double least_tolerance_of_rays = 1e-6;
-/// Of computing in double precision.
+/// The rounding of computations in double precision.
 constexpr double least_tolerance = 1e-13;
 
 void expect_sense(const FormFactorRequest& request) {
@@ -96,7 +96,7 @@ FaceExchange face_exchange(const FacePair& pair, const PairEstimate& estimate) {
 /// Rate at which some row of a closed scene is said not to add up to 1, though it does.
 constexpr double false_alarm_of_rows = 1e-3;
 
-/// What is summed in a row: what samples add to it, and what the rest is off by at most.
+/// The terms of a row's sum: those that are sampled, and by how much the others may be off at most.
 struct RowTerms {
     SampledSum sum;
     double value = 0;  ///< clipped estimates
@@ -173,7 +173,7 @@ void drop(FormFactorMatrix& matrix, std::vector<DroppedExchange> dropped, double
     matrix.dropped /= 2;
 }
 
-/// From the unit that was computed in to the scene's own.
+/// Scales areas from the unit of the computation to that of the scene.
 void scale_areas(FormFactorMatrix& matrix, double unit) {
     for (double& area : matrix.areas) area *= unit;
     for (FaceExchange& exchange : matrix.exchanges) {
@@ -217,7 +217,7 @@ FaceExchange FormFactorMatrix::exchange(std::size_t a, std::size_t b) const {
 
 namespace {
 
-/// Both directions of what is listed. @param value  of an exchange area
+/// A matrix with a value for both directions of each exchange that is listed. @param value  of an exchange area
 template <class Value>
 FormFactorMatrix::Sparse both_ways(const FormFactorMatrix& matrix, Value value) {
     std::vector<Eigen::Triplet<double>> entries;

@@ -25,7 +25,7 @@ constexpr double margin = 1.33;
 /// A sequence has at most 2^32 points.
 constexpr double most_points_of_sequence = 0x1p31;
 
-/// Of fewer hits.
+/// With fewer hits than this, or fewer misses, half widths are taken to fall at `rate_of_rare`.
 constexpr std::uint64_t few = 100;
 
 std::uint64_t first_points(const SampledPair& pair, double wanted) {

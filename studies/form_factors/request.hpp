@@ -40,7 +40,8 @@ struct FormFactorRequest {
     double tolerance = 1e-5;  ///< most that the longer half of an entry's interval may measure
     double relative = 0;      ///< or this share of the entry, where that is more
     double drop = 0;          ///< pairs whose factors are both known to be below are not kept one by one
-    /// Of pairs of faces, where they may differ; never below `tolerance`.
+    /// Tolerance between two faces, where it differs from pair to pair; empty: `tolerance` for all. Never returns less
+    /// than `tolerance`.
     std::function<double(std::uint32_t from, std::uint32_t to)> tolerance_of{};
     double level = 0.95;
     LevelOf level_of = LevelOf::entry;

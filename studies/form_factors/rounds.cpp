@@ -81,7 +81,7 @@ std::vector<SampledRow> Rounds::result() const {
     return result;
 }
 
-/// Both for pairs that both can do, where rays may pay.
+/// Makes pilots by points and by rays for pairs that both methods can sample, where rays may be cheaper.
 void Rounds::make_pilots(const PairsOfRows& rows) {
     for (const auto& entry : pairs_) {
         const std::size_t pair = entry.first;
@@ -101,7 +101,8 @@ std::uint64_t Rounds::planned() const {
     return sum;
 }
 
-/// Of later rows nothing is sampled where not even that is left.
+/// Requires that the budget allows the smallest rounds. If it does not, but earlier rows have been sampled, these rows
+/// are left unsampled. @throws UserError if nothing has been sampled yet
 void Rounds::expect_budget() {
     if (2 * planned() <= left_) return;
     if (samples_ > 0) {
@@ -125,7 +126,8 @@ void Rounds::report(std::uint64_t done, std::uint64_t all) {
     request_.report(progress_);
 }
 
-/// Of small jobs all randomisations, which share what is made once for them.
+/// The tasks of a round. All randomisations of a small job form one task, because they share what is made once for
+/// them.
 std::vector<Rounds::Task> Rounds::tasks() const {
     constexpr std::uint64_t small = 2048;
     constexpr auto all = static_cast<std::uint32_t>(randomisations);
@@ -186,8 +188,8 @@ void Rounds::record(const Job& job, std::size_t pair, std::size_t round) {
     state.recorded = true;
 }
 
-/// Of a stopped run the last complete round of each pair counts, were it a pilot: what time is left is no matter of
-/// what the samples were.
+/// When sampling stops early, the last complete round of each pair counts, even if it was a pilot. This is sound
+/// because the time that is left does not depend on what was sampled.
 void Rounds::note_unfinished() {
     for (const Earlier& earlier : earlier_) {
         State& state = pairs_[earlier.pair];

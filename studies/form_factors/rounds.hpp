@@ -42,7 +42,7 @@ class Rounds {
         std::size_t pair = 0;
         SampledSum sum;
     };
-    /// Of a pair that is sampled.
+    /// The state of a pair that is sampled.
     struct State {
         PairEstimate estimate;
         bool recorded = false;  ///< the estimate is of a round that counts

@@ -89,7 +89,8 @@ class RowSampling {
         return received;
     }
 
-    /// Of the budget it may take half of what is left: later rows need some as well.
+    /// Samples a batch of rows. It may take only half of the budget that is left, since later rows need some as well;
+    /// the last batch may take all of it.
     void sample(const PairsOfRows& batch, bool is_last) {
         const std::uint64_t left =
             request_.max_samples > outcome_.samples ? request_.max_samples - outcome_.samples : 0;

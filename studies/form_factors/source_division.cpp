@@ -27,7 +27,8 @@ constexpr double points_per_tolerance = 4;
 constexpr double least_points_of_small = 64;
 constexpr double most_points_in_all = 0x1p24;
 
-/// Of none of n points, Clopper and Pearson's upper bound is about this over n.
+/// If none of n points meets a set of places, the upper Clopper-Pearson bound on the share of that set is about this
+/// over n.
 constexpr double unmet_points = 3.7;
 
 /// Shares of what matters. Parts are divided until what points may miss in a smooth cell is fine, and until what they
@@ -251,8 +252,8 @@ class Division {
         }
     }
 
-    /// With nothing in between, of the parts that see nothing of the target and of those with points. Parts of one kind
-    /// that make up a larger one are taken as that.
+    /// Adds up what parts of the source would exchange with nothing in between, for the parts that see nothing of the
+    /// target and for those with points. Parts of one kind that make up a larger part are taken as one.
     void add_up_exchange(SourceCells& cells) {
         for (std::size_t n = nodes_.size(); n-- > 0;) {
             const std::uint32_t half = nodes_[n].halves;
@@ -275,7 +276,7 @@ class Division {
         }
     }
 
-    /// With nothing in between.
+    /// The exchange of a part of the source with the target, with nothing in between.
     [[nodiscard]] BoundedValue<double> exchange_of(const SourceRange& range) const {
         Corners<double> from = extent_of(source_, map_, origin_, range).hull;
         const Vector3d across = (from[1] - from[0]).cross(from[2] - from[1]);

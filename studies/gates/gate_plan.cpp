@@ -83,7 +83,7 @@ Noise noise_of(std::span<const double> values) {
     return noise;
 }
 
-/// Of counted hits: those of a binomial distribution, nearly.
+/// Noise of counted hits, whose skewness and kurtosis are nearly those of a binomial distribution.
 Noise noise_of_hits(const Effect& effect, const Cell& cell) {
     const double rays = static_cast<double>(cell.samples) * cell.subdivision.per_part();
     const double p = effect.truth.value_or(0.5);

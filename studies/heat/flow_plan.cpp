@@ -65,7 +65,8 @@ class Sensitivity {
         return absorbing_.cwiseProduct(solve(system_, of_rows));
     }
 
-    /// Of each pair: W of all powers with these weights, for each unit of its half width.
+    /// For each pair, by how many watts a unit of its half width widens the sum of the half widths of all powers with
+    /// these weights.
     [[nodiscard]] std::vector<double> importance(const VectorXd& weights) const {
         const VectorXd of_rows = solve(adjoint_, weights.cwiseProduct(absorbing_));
         std::vector<double> result;
@@ -93,7 +94,7 @@ class Sensitivity {
         return {matrix_.exchanges[p].from, matrix_.exchanges[p].to};
     }
 
-    /// What the errors of a row are weighed against: its radiosities' median, weighted by half widths.
+    /// The value that errors of a row are weighed against: the median of its radiosities, weighted by half widths.
     [[nodiscard]] double median(const std::vector<std::uint32_t>& row, std::size_t face, bool sees_out) const {
         std::vector<std::pair<double, double>> values;
         for (const std::uint32_t p : row) {

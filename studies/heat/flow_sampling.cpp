@@ -46,7 +46,7 @@ void set_tolerances(FormFactorRequest& request, const FormFactorMatrix& matrix, 
     };
 }
 
-/// Of a pilot: so much coarser than what is wanted that it costs a fraction of that.
+/// Tolerance of the pilot: so much coarser than what is wanted that the pilot costs only a fraction.
 double pilot_tolerance(const FlowTolerance& tolerance) {
     constexpr double coarsest = 0.01;
     constexpr double finest = 1e-5;

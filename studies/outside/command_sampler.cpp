@@ -17,7 +17,8 @@ namespace {
 using samplers::AddedSampler;
 using samplers::SetRequest;
 
-/// Of processor time for a point, very roughly: starting a program takes milliseconds. Makes short units of work.
+/// A very rough guess of the processor time for a point: starting a program takes milliseconds. It makes units of work
+/// short.
 constexpr double nanoseconds_of_a_point = 2e4;
 
 samplers::PointSet run_for_set(const Program& program, const SetRequest& request) {

@@ -25,8 +25,8 @@ struct BiasOrder {
         double error = 0;        ///< its standard error
     };
     std::vector<Point> points;
-    /// Of ln |bias| on ln N by weighted least squares. Empty where at some size the bias is within three standard
-    /// errors of 0: its logarithm would be meaningless.
+    /// Slope of ln |bias| over ln N, by weighted least squares. Empty where at some size the bias is within three
+    /// standard errors of 0: its logarithm would be meaningless.
     std::optional<double> slope;
     std::optional<stats::Interval> interval;
 };

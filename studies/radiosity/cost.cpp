@@ -37,7 +37,7 @@ double seconds_of_solvers(const RadiosityRequest& request, double n, const std::
            passes_of_solvers * iterations(request, reflectance) * n * n * seconds_of_an_entry;
 }
 
-/// Of one matrix at all settings. @param n patches
+/// Seconds for the systems of one matrix, at all reflectances. @param n  patches
 double seconds_of_systems(const StudyPlan& plan, double n, bool with_solvers) {
     const RadiosityRequest& request = *plan.spec.radiosity;
     double seconds = passes_over_a_matrix * n * n * seconds_of_an_entry;

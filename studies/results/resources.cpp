@@ -31,7 +31,8 @@ constexpr std::uint64_t bytes_of_a_cell_of_a_box = 1000 << 10;
 constexpr std::uint64_t bytes_of_another_cell = 600 << 10;
 constexpr std::uint64_t bytes_of_a_step = 350 << 10;  // a size of a long ladder, shown in tables only
 
-// Of scene files: read and planned with, traced by Embree; their text is in the study, in the store and in reports.
+// Costs of scenes, which are read, planned with and traced by Embree. Their text is kept in the study, in the store and
+// in reports.
 constexpr std::uint64_t bytes_of_a_surface = 400;
 constexpr std::uint64_t copies_of_scene_text = 4;
 constexpr double seconds_of_a_surface = 1e-5;
@@ -150,7 +151,7 @@ std::uint64_t bytes_in_reports(const StudyPlan& plan, std::size_t cell) {
     return plan.scenes[plan.cells[cell].scene].empty_box ? bytes_of_a_cell_of_a_box : bytes_of_another_cell;
 }
 
-/// Of ladders that are long only the ends have pictures.
+/// Bytes that reports take. Only the first and the last cell of a long ladder have pictures.
 std::uint64_t memory_of_reports(const StudyPlan& plan) {
     std::uint64_t bytes = 0;
     for (std::size_t cell = 0; cell < plan.cells.size(); ++cell) bytes += bytes_in_reports(plan, cell);

@@ -20,7 +20,7 @@ namespace {
 
 using Range = CommonTrials::Range;
 
-/// What trials depend on.
+/// Everything that trials of a cell depend on: cells with equal identities have equal trials.
 auto identity(const StudyPlan& plan, const Cell& cell) {
     return std::tuple(cell.canonical, cell.key.word0, cell.key.word1, plan.spec.methods[cell.method].tracer,
                       cell.deterministic);
@@ -89,7 +89,8 @@ BegunUnit read_begun(const Store& stored, const Range& range) {
     return begun;
 }
 
-/// Of a cell that both studies have: units are cut at the same trials until one study ends.
+/// Ranges of finished trials of a cell that both studies have. Its units are cut at the same trials in both, until one
+/// of the studies ends.
 std::vector<Range> common_ranges(std::span<const WorkUnit> there, std::span<const WorkUnit> here,
                                  const std::vector<bool>& finished, std::uint64_t most) {
     std::vector<Range> ranges;

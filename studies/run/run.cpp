@@ -148,7 +148,7 @@ std::vector<const WorkUnit*> missing_units(const StudyPlan& plan, const std::vec
     return missing;
 }
 
-/// Of the missing units, those that this process carries out.
+/// Those of the missing units that this process carries out.
 std::vector<const WorkUnit*> own_units(const std::vector<const WorkUnit*>& missing, const RunOptions& options) {
     std::vector<const WorkUnit*> own;
     for (std::size_t i = 0; i < missing.size(); ++i) {

@@ -103,7 +103,7 @@ DrawnTrials draw_trials(const PointSource& source, std::size_t dimension, Stream
     block.dimension = dimension;
     for (std::uint64_t trial = 0; trial < trials; ++trial) {
         const Stream stream{.key = key, .trial = static_cast<std::uint32_t>(trial)};
-        // Of another key, so independent of what the sampler does with its own.
+        // Picks have another key, so that they are independent of what the sampler does with its own key.
         const Stream picks{.key = {key.word1, ~key.word0}, .trial = stream.trial};
         const std::uint64_t pick = philox(picks, 0, Purpose::coordinates)[0] * points >> 32;
         std::array<double, 3> sums{};

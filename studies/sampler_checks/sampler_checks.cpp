@@ -131,7 +131,7 @@ std::vector<Tested> test_all(const DrawnTrials& drawn, std::size_t dimension, st
                          mean ? stats::minimum_detectable_bias(sigma, means.size(), risks) : 1.0, worst_bias,
                          "biased by"});
         const auto serial = stats::test_serial_correlation(means);
-        // Of the two tests under this p each has half of alpha; a correlation's standard error is 1 / sqrt(n).
+        // The p-value is from two tests, each with half of alpha. The standard error of a correlation is 1 / sqrt(n).
         const stats::Risks half{risks.alpha / 2, risks.power};
         tests.push_back({fmt::format("trials independent, {}", integrand_names[f]), serial ? serial->p : 1.0,
                          serial ? stats::minimum_detectable_bias(1, means.size(), half) : 1.0, worst_correlation,

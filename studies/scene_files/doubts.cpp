@@ -20,7 +20,7 @@ namespace {
 constexpr std::size_t most_surfaces_examined = 65536;
 constexpr std::size_t most_named = 3;
 constexpr std::size_t most_faces_examined = 4096;
-/// Of a face's size, what coordinates are rounded by.
+/// The rounding of coordinates is noticeable above this share of a face's size, which is the root of its area.
 constexpr double noticeable = 1e-9;
 
 /// "1 ray", "2 rays".

@@ -73,7 +73,7 @@ std::vector<std::uint32_t> read_patches_per_face(const TomlReader& reader) {
     return patches;
 }
 
-/// Of an estimator that makes its own points.
+/// Numbers of points for an estimator that makes its own points.
 std::vector<std::uint64_t> read_own_samples(const TomlReader& reader, const EstimatorEntry& estimator) {
     auto samples = reader.counts("samples_per_patch");
     for (const std::uint64_t count : samples) {

@@ -48,7 +48,7 @@ void write_meta(const Database& database, std::string_view key, std::string_view
     Statement(database.handle(), "INSERT INTO meta VALUES(?, ?)").bind(0, key).bind(1, value).run();
 }
 
-/// Of what says which study this is.
+/// Checksum of the rows that say which study this is.
 std::string checksum_of_study(const Database& database) {
     Digest digest;
     add_rows(digest, database, "SELECT * FROM meta WHERE key <> 'checksum' ORDER BY key");
@@ -56,7 +56,7 @@ std::string checksum_of_study(const Database& database) {
     return in_hexadecimal(digest);
 }
 
-/// Study, cells and context. Those of units are looked at with their rows.
+/// Checks the checksums of the study, its cells and its context. Those of units are checked when their rows are read.
 void expect_checksums(const Database& database, const std::filesystem::path& file) {
     if (read_meta(database, "checksum") != checksum_of_study(database))
         report_damage(file, "the study is not as it was saved: its checksum differs");

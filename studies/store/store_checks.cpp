@@ -76,7 +76,7 @@ class Rows {
     const StudyPlan& plan_;
     std::vector<SavedUnit> units_;
     std::vector<std::size_t> trials_;  ///< saved ones of each cell
-    /// Of the cell that is read: rays from a face that came to an end, by place of the trial.
+    /// Rays from each face that hit something or were lost, by the place of the trial in the cell that is being read.
     std::map<std::int64_t, std::vector<std::int64_t>> arrived_;
 
     void read_units(Checksums checksums) {

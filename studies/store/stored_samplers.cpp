@@ -18,7 +18,7 @@ constexpr const char* point_files_table =
     "CREATE TABLE IF NOT EXISTS point_files(sampler TEXT NOT NULL, part INTEGER NOT NULL, file TEXT NOT NULL, "
     "bytes INTEGER NOT NULL, content BLOB NOT NULL, PRIMARY KEY(sampler, part)) WITHOUT ROWID";
 
-/// What samplers declare that code from outside makes, likewise.
+/// Declarations of samplers whose points code from outside makes.
 constexpr const char* outside_samplers_table =
     "CREATE TABLE IF NOT EXISTS outside_samplers(sampler TEXT PRIMARY KEY, summary TEXT NOT NULL, details TEXT NOT "
     "NULL, base INTEGER NOT NULL, randomised INTEGER NOT NULL, most_dimension INTEGER NOT NULL, nanoseconds REAL NOT "
@@ -72,9 +72,9 @@ void restore_files(const Database& database) {
     for (auto& [sampler, content] : contents) restore_point_file(sampler, std::move(content));
 }
 
-/// Of a sampler that is loaded already nothing changes.
+/// Adds the samplers that a store declares. A sampler that is loaded already does not change.
 void restore_declarations(const Database& database) {
-    // Units of work are cut by what points cost, which earlier stores do not say.
+    // The division into units of work depends on the cost of points, which earlier stores do not contain.
     Statement column(database.handle(), "SELECT 1 FROM pragma_table_info('outside_samplers') WHERE name = ?");
     const bool has_cost = column.bind(0, std::string_view("nanoseconds")).step();
     Statement rows(database.handle(), "SELECT * FROM outside_samplers");

@@ -38,7 +38,8 @@ double read_width(const TomlReader& reader, const std::vector<double>& numbers, 
     return numbers[0];
 }
 
-/// Of a ratio to either side of 1, or of a share beside its level.
+/// Refuses a band that is too narrow. @param width  from a ratio of 1, or from the level of a share, to an end of the
+/// band
 void expect_room(const TomlReader& reader, double width) {
     constexpr double least = 1e-12;
     if (width < least) reader.fail("band", "(narrower than 1e-12: a ratio is not computed to more digits). Try 0.1.");

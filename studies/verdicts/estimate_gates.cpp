@@ -82,7 +82,7 @@ std::string heavy_tail(const std::vector<double>& values) {
                        doubt->value);
 }
 
-/// By confidence sequences, which hold at all looks together; what would fail is not known.
+/// Measures a mean by confidence sequences, which hold at all looks together. The effect that would fail is not known.
 Measurement measure_anytime(const Gate& gate, const std::vector<double>& values, const Levels& levels) {
     const auto interval_at = [&](double level) {
         auto interval = gate.anytime == Anytime::normal
@@ -162,7 +162,8 @@ std::string missing(const Gate& gate, const ExaminedSeries& examined, const Comp
                        moments.skewness().value_or(0), examined.series.values.size());
 }
 
-/// Of a trial, by those at hand, as if they were independent.
+/// Standard deviation of a trial, from the trials at hand. Where they are correlated, it is that of independent trials
+/// whose mean would be as uncertain.
 double spread_of_trials(const ExaminedSeries& examined) {
     const auto& values = examined.series.values;
     const double time = examined.independence.correlation ? examined.independence.correlation->time : 1;

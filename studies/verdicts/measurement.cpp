@@ -47,7 +47,7 @@ double beyond_by_factor(const Band& band, double log_standard_error, const Level
     return std::isfinite(band.high) ? band.high * factor : band.low / factor;
 }
 
-/// Of the logarithm of a root mean square.
+/// Approximate variance of the logarithm of a root mean square.
 double log_variance(const stats::Spread& spread) {
     return 1 / (2 * spread.freedom);
 }

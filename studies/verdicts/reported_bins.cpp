@@ -32,20 +32,21 @@ double as_effect(double ratio_of_variances, EffectScale scale) {
     return scale == EffectScale::ratio_of_deviations ? std::sqrt(ratio_of_variances) : ratio_of_variances;
 }
 
-/// Of a ratio above an end of the band.
+/// P-value of "the true ratio is at most `end`", against a ratio above it.
 double p_above(const BinEffect& bin, EffectScale scale, double end) {
     return stats::fisher_tail(as_variances(bin.value, scale) / as_variances(end, scale), bin.freedom,
                               bin.freedom_below);
 }
 
-/// Of a ratio below it: the tail of the inverse.
+/// P-value of "the true ratio is at least `end`", against a ratio below it: the tail of the inverse ratio.
 double p_below(const BinEffect& bin, EffectScale scale, double end) {
     if (end <= 0) return 0;
     return stats::fisher_tail(as_variances(end, scale) / as_variances(bin.value, scale), bin.freedom_below,
                               bin.freedom);
 }
 
-/// Between which Student's critical values of all bins lie: most bins need no tail of their own.
+/// The least and the greatest of Student's critical values of all bins. Most effects lie outside this range, so that no
+/// tail has to be computed for them.
 struct Reach {
     double shortest = 0;
     double longest = 0;

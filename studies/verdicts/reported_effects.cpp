@@ -21,7 +21,7 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// Of a - b, by Welch and Satterthwaite.
+/// The effect a - b, with its standard error and degrees of freedom by Welch and Satterthwaite.
 BinEffect difference(const MeanReference& a, const MeanReference& b) {
     BinEffect effect;
     effect.value = a.value - b.value;

@@ -35,8 +35,8 @@ std::uint64_t samples(const EstimatorInfo& info) {
     return 0;
 }
 
-/// Of an estimator with points of its own: the least number that it takes, from 10 000 on, or from 200 on for a pair of
-/// patches.
+/// Number of points for an estimator that makes its own points: the least that it takes, from 10 000 on, or from 200 on
+/// where the points serve a pair of patches. 0 for other estimators.
 std::uint64_t own_points(const EstimatorEntry& estimator) {
     if (!estimator.info.own_points) return 0;
     std::uint64_t size = estimator.info.points == PointsServe::pairs ? 200 : 10'000;

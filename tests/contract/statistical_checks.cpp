@@ -16,7 +16,8 @@ using testing::AssertionSuccess;
 
 using Point = std::array<std::uint32_t, max_dimension>;
 
-// Of each single test. A sampler has some 25 of them, so 40 samplers raise a false alarm once in a million runs.
+// Probability of a false alarm by each single test. A sampler has some 25 of them, so 40 samplers raise a false alarm
+// once in a million runs.
 constexpr double alpha = 1e-9;
 constexpr std::uint32_t draws = 60'000;
 constexpr std::uint32_t trials = 640;

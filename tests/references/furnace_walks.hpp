@@ -18,7 +18,7 @@ class FurnaceWalks {
   public:
     explicit FurnaceWalks(std::uint64_t seed) : engine_(seed) {}
 
-    /// Of so many walks those that end on the roof.
+    /// The number of walks, out of so many, that end on the roof.
     std::uint64_t to_roof(std::uint64_t walks) {
         std::uint64_t count = 0;
         for (std::uint64_t i = 0; i < walks; ++i) {
@@ -66,7 +66,7 @@ class FurnaceWalks {
         return place_.at(k) > block_low.at(k) && place_.at(k) < block_high.at(k);
     }
 
-    /// By the cosine law: the foot of a direction is uniform on the unit disc.
+    /// A direction by the cosine law: its foot is uniform on the unit disc.
     Vector direction() {
         double x = 0;
         double y = 0;

@@ -25,7 +25,7 @@ Outcome observe(const Scene& scene, std::uint32_t patches, std::uint64_t samples
     return observe(T(scene, TracerChoice::automatic), patches, samples);
 }
 
-/// Of each trial, the estimate of one factor.
+/// The estimate of one factor in each trial.
 template <class T>
 std::vector<double> estimates(const Scene& scene, std::uint32_t patches, std::uint64_t samples, std::uint32_t trials,
                               int from, int to) {

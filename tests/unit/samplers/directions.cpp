@@ -51,8 +51,8 @@ TEST(Isocell, TakesSizesWithoutRings) {
     for (const std::uint64_t size : {1u, 2u, 5u, 301u}) EXPECT_EQ(direction_points<Isocell>(size, 2).size, size);
 }
 
-// Of 64 points one in each 64th of the grid's coordinate, shifted, and one in each 64th of the base 2 coordinate; and
-// a net of both: one in each of 8 x 8 cells, but for those that the shift cuts.
+// Each 64th of the grid's coordinate, shifted, holds one of 64 points, and so does each 64th of the base 2 coordinate.
+// Both coordinates together are a net: each of 8 x 8 cells holds one point, except those that the shift cuts.
 TEST(Hammersley, IsAGridBesideRadicalInverses) {
     const auto block = direction_points<Hammersley>(64, 4);
     std::vector<double> grid;

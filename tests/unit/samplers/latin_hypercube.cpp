@@ -81,7 +81,7 @@ TEST(LatinHypercube, OrdersLargeSetsAtRandom) {
     for (const PointIndex b : {PointIndex{1}, PointIndex{64}, PointIndex{1200}, PointIndex{2400}}) {
         EXPECT_LT(statistic_of_two(2401, 0, b), 83);
     }
-    // Of one point and itself: the check notices.
+    // A point and itself are not independent, and the check notices.
     EXPECT_GT(statistic_of_two(2401, 7, 7), 83);
 }
 

@@ -177,7 +177,8 @@ double squared_error_by_definition(const std::vector<LatticePoint>& points) {
 }
 
 TEST(WorstCaseError, IsTheMeanOverShiftsOfTheOneByDefinition) {
-    // Of the points as the sampler makes them. A formula that is off by 2 % is noticed with probability 0.99.
+    // The definition is applied to the points as the sampler makes them. A formula that is off by 2 % is noticed with
+    // probability 0.99.
     for (const unsigned m : {2u, 4u}) {
         std::vector<double> squares;
         for (std::uint32_t trial = 0; trial < 5000; ++trial) {
@@ -202,7 +203,7 @@ TEST(Lattice, IsAGroupOfDifferencesForEveryPowerOfTwo) {
         }
         EXPECT_EQ(differences.size(), size);
     }
-    // Of 200 points it is none.
+    // 200 points have more differences than that: they are not a group.
     const auto points = lattice_points(200, {.key = {6, 2}});
     std::set<LatticePoint> differences;
     for (const LatticePoint& a : points) {

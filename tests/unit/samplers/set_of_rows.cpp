@@ -17,7 +17,8 @@ namespace {
 using testing::HasSubstr;
 using testing::ThrowsMessage;
 
-// Of any length and dimension, so that vectors of every CPU end within a set; with numbers next to multiples of 2^-32.
+// Sets have every length and dimension, so that on every CPU vectors end within a set, and hold numbers next to
+// multiples of 2^-32.
 TEST(SetOfRows, RoundsDownToMultiplesOfTwoToTheMinus32) {
     std::mt19937_64 words;
     for (std::size_t dimension = 1; dimension <= max_dimension; ++dimension) {

@@ -7,7 +7,7 @@
 namespace ff::stats {
 namespace {
 
-// Of one point x in one dimension: the integral of (1[x < t] - t)^2 over t is x^3 / 3 + (1 - x)^3 / 3.
+// For one point x in one dimension, the integral of (1[x < t] - t)^2 over t is x^3 / 3 + (1 - x)^3 / 3.
 TEST(Discrepancy, MatchesTheIntegralForOnePoint) {
     for (const double x : {0.0, 0.25, 0.5, 0.9}) {
         const double integral = (x * x * x + (1 - x) * (1 - x) * (1 - x)) / 3;

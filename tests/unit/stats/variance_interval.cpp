@@ -116,9 +116,9 @@ TEST(VarianceIntervalChi2, FailsForLaplaceDataHoweverMany) {
     EXPECT_TRUE(test::has_probability(hits, 10'000, 0.785, {.detects = 0.03}));
 }
 
-// Of exponential data, whose excess kurtosis of 6 leaves a quarter of the degrees of freedom. Risks: false alarm 1e-6
-// of coverage below .93; a coverage of .89 is noticed with power .99. Plain chi-squared would cover P(|Z| < 1.96 / 2) =
-// .67.
+// Exponential data have an excess kurtosis of 6, which leaves a quarter of the degrees of freedom. Risks: false alarm
+// 1e-6 of coverage below .93; a coverage of .89 is noticed with power .99. Plain chi-squared would cover P(|Z| < 1.96 /
+// 2) = .67.
 TEST(VarianceInterval, NeedsNoResamplesForLargeSkewedSamples) {
     std::mt19937_64 engine(10);
     const auto draw = [&] {

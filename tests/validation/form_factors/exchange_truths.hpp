@@ -5,18 +5,17 @@
 
 namespace ff::studies {
 
-/// Exchange areas of surfaces with nothing in between, by other ways than form factors are computed, to check those
-/// with.
+/// Exchange areas of surfaces with nothing in between, computed in other ways than form factors are, to check those.
 
-/// Of two polygons, by contour integrals in long double.
+/// Exchange area of two polygons, by contour integrals in long double.
 BoundedValue<long double> polygon_exchange(const Surface& a, const Surface& b);
 
-/// Of a disc around the origin in z = 0 and a polygon above it: a smooth integrand, by rules that converge faster than
-/// any power of their size.
+/// Exchange area of a disc around the origin in z = 0 and a polygon above it. The integrand is smooth: the rules
+/// converge faster than any power of their size.
 double disc_exchange(const Surface& disc, const Surface& far);
 
-/// Of a sphere and a rectangle that is in front of it, whose distance is not small beside its size: r²/d² times the
-/// cosine, over the rectangle, by Gauss's rule.
+/// Exchange area of a sphere and a rectangle that is in front of it, at a distance that is not small beside its size:
+/// the integral of r²/d² times the cosine over the rectangle, by Gauss's rule.
 double ball_exchange(const SphereZone& ball, const Surface& far);
 
 }  // namespace ff::studies

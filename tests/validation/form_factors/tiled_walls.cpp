@@ -24,7 +24,7 @@ Surface level_surface(const Rectangle& where, double z, double up, std::size_t f
             static_cast<int>(face)};
 }
 
-/// Of a parallel rectangle at a height, seen from the origin. @see [howell] B-3
+/// Form factor from an area element at the origin to a parallel rectangle at a height. @see [howell] B-3
 double factor_from_origin(const Rectangle& seen, double height) {
     const auto corner = [height](double x, double y) {
         const double a = std::hypot(x, height);
@@ -49,7 +49,7 @@ struct Axis {
         const double high = std::clamp(shadow(plate.high, place), opposite.low, opposite.high);
         return {low - place, high - place};
     }
-    /// Where the integrand has no bend in between.
+    /// Ends of the pieces of a tile within which the integrand has no bend.
     [[nodiscard]] std::vector<double> pieces() const {
         std::vector<double> ends{tile.low, tile.high};
         for (const double edge : {plate.low, plate.high}) {

@@ -15,7 +15,7 @@ struct KnownExchange {
     double area = 0;
 };
 
-/// Of what is known, relative.
+/// Relative accuracy of the exchange areas that are known.
 inline constexpr double accuracy_across_walls = 1e-11;
 
 /// A mesh in small: two parallel walls of tiles, each a face, and a plate between them that is one too.

@@ -15,7 +15,7 @@
 namespace ff::studies {
 namespace {
 
-/// Of one trial, so that effects are in units of it.
+/// Standard deviation of a trial, so that effects are in units of it.
 constexpr double trial_sigma = 1;
 
 /// A band far wider than the noise of a mean: only one of its ends can be crossed.

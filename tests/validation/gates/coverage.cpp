@@ -51,7 +51,7 @@ class CoverageTable {
             "is conservative by construction, nothing where it is approximate or serves for comparison only.";
     }
 
-    /// Of the mean (or, with `of_variance`, of the variance 1).
+    /// Adds how often the interval that `make` makes from n values of the data contains `truth`.
     void add(std::string_view method, const Distribution& data, std::size_t n, RateClaim claim, const IntervalOf& make,
              double truth, std::uint64_t divisor = 1) {
         const std::string what = fmt::format("{}, {} data, n = {}", method, data.name, n);

@@ -16,7 +16,8 @@ struct Law {
     std::function<double(stats::Draws&)> draw;
 };
 
-/// Of skewness 1, 2, 1, 0.1 and 33, and one that is 0 in seven trials of ten.
+/// Laws of skewness 1 (gamma), 2 (exponential), 1 / sqrt(mean) (Poisson) and, for sigma 1.5, 33 (log-normal), and one
+/// that is 0 in seven trials of ten.
 Law gamma_law();
 Law exponential_law();
 Law poisson_law(double mean);

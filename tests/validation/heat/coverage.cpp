@@ -117,7 +117,7 @@ void add_rates(const std::string& name, const Scene& scene, const Materials& mat
     coverage.narrower.rates.push_back(rate(1, RateClaim::none));
 }
 
-/// Of a scene whose factors are known, as all are where nothing is sampled.
+/// Adds a scene whose factors are known, as all are where nothing is sampled.
 void add_scene(const std::string& name, const Scene& scene, const KnownFactor& known, FlowCoverage& coverage) {
     const Materials materials = test_materials(scene.faces.size());
     const auto matrix = exact_matrix(known, sampled_matrix(scene, coverage.options, 0));
@@ -127,7 +127,7 @@ void add_scene(const std::string& name, const Scene& scene, const KnownFactor& k
               [&](const HeatFlows& found, double share) { return all_hold(found, exact, share); });
 }
 
-/// Of the catalogue, where some factors are sampled.
+/// Adds a scene of the catalogue, if some of its factors are sampled.
 void add_scene_of_catalogue(const std::string& name, FlowCoverage& coverage) {
     const Scene scene = built_in_scene(name);
     const FormFactorMatrix matrix = sampled_matrix(scene, coverage.options, 0);

@@ -116,7 +116,7 @@ double cube_factor(int from, int to) {
     if (from == to) return 0;
     const double root = std::numbers::sqrt2;
     const double opposite = 2 / std::numbers::pi * (std::log(4. / 3) / 2 + 2 * root * std::atan(1 / root)) - 1;
-    // Of faces 1 to 6 as in the paper, 1 and 6, 2 and 3, 4 and 5 are opposite.
+    // In the paper's numbering of faces from 1 to 6, faces 1 and 6, 2 and 3, 4 and 5 are opposite.
     constexpr std::array<int, 6> opposites{5, 2, 1, 4, 3, 0};
     return opposites.at(static_cast<std::size_t>(from)) == to ? opposite : (1 - opposite) / 4;
 }

@@ -12,10 +12,10 @@ namespace ff::studies {
 /// Coaxial cylinders of radius 1 and 2 and height 2, closed by rings: faces inner, outer, bottom, top.
 Scene annulus_scene();
 
-/// By the closed forms of the cylinders, reciprocity and closure.
+/// Form factors of the annulus, by the closed forms of the cylinders, reciprocity and closure.
 double annulus_factor(int from, int to);
 
-/// Of the scene "cube", by the textbook's formula for opposite faces, and closure. @see [howell] C-11
+/// Form factors of the scene "cube", by the textbook's formula for opposite faces, and closure. @see [howell] C-11
 double cube_factor(int from, int to);
 
 /// The room with a block of docs/scenes.md, with the materials of docs/heat.md: the block has 1200 K, the roof 400 K,

@@ -22,7 +22,7 @@ namespace {
 using test::pi;
 using test::Real;
 
-/// Of sums and quadratures of smooth functions in extended precision, here below 10 in size.
+/// Rounding of sums and quadratures of smooth functions in extended precision, for values below 10 as here.
 constexpr Real extended_rounding = 2e-18L;
 
 /// Gauss's rule on 16 panels: integrands are analytic at least a quarter of the interval around it, so that 30 nodes
@@ -37,7 +37,8 @@ Real integral(const Function& f, Real low, Real high) {
     return sum;
 }
 
-/// From an element at a distance `aside` from the axis to a parallel disc: from its polar integral, [howell] B-13.
+/// Form factor from an element at a distance `aside` from the axis to a parallel disc, from its polar integral,
+/// [howell] B-13.
 Real element_aside_to_disc(Real radius, Real distance, Real aside) {
     const Real squares = distance * distance + aside * aside;
     const Real sum = squares + radius * radius;

@@ -41,7 +41,7 @@ TEST(ConfigurationScenes, HaveTheirOwnNamesAndStreams) {
 }
 
 TEST(ConfigurationScenes, HaveTheGeometryOfTheirFormulas) {
-    // Of flat scenes with nothing in between, the contour integral over the scene itself.
+    // For flat scenes with nothing in between, formulas are compared with the contour integral over the scene itself.
     int compared = 0;
     for (const Configuration& configuration : configurations()) {
         if (configuration.scene == nullptr || configuration.occluded) continue;

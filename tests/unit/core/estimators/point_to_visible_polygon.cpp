@@ -53,8 +53,9 @@ TEST(PointToVisiblePolygon, SeesHalfOfAHalfScreenedPolygon) {
     EXPECT_NEAR(half(0, 1), 0.5 * whole(0, 1), 1e-8);
 }
 
-// Of the four dimensions of the kernel the two on the target are integrated: less than a tenth of its mean square
-// error with as many evaluations. 200 trials each, whose mean squares are known to 10 %.
+// Two of the kernel's four dimensions, those on the target, are integrated exactly. This leaves less than a tenth of
+// the kernel's mean square error with as many evaluations. There are 200 trials of each, whose mean squares are known
+// to 10 %.
 TEST(PointToVisiblePolygon, LeavesOnlyTheErrorOfTheSource) {
     const Scene scene = *configuration_scene("squares_blocked");
     const PointToVisiblePolygon visible(scene, TracerChoice::automatic);

@@ -8,7 +8,8 @@
 namespace ff {
 namespace {
 
-/// By the formula for a rectangle over a corner, four times: exact, but of few digits where the rectangle is small.
+/// Solid angle by the formula for a rectangle over a corner, applied four times: exact, but with few digits where the
+/// rectangle is small.
 double by_corners(const SeenRectangle& seen, double width, double height) {
     const auto corner = [&](double x, double y) {
         return std::atan(x * y / (seen.distance * std::sqrt(x * x + y * y + seen.distance * seen.distance)));
@@ -28,7 +29,8 @@ TEST(HalfSolidAngle, IsThatOfFourRectanglesOverACorner) {
     EXPECT_NEAR(2 * half_solid_angle({-1, -1, 2, 2, 1}), 2 * std::numbers::pi / 3, 1e-15);  // a side of a cube
 }
 
-// From far away it is area times cosine over distance squared, but for the square of the width over the distance.
+// From far away, the solid angle is area times cosine over distance squared, with a relative error of the square of the
+// width over the distance.
 TEST(HalfSolidAngle, KeepsItsDigitsWhereItIsSmall) {
     const double size = 1e-5;
     const double cosine = 3 / std::sqrt(14.0);
@@ -52,7 +54,8 @@ TEST(PlaceIn, KeepsSharesOfSolidAngle) {
     }
 }
 
-// Of small and far rectangles a share is one of the width too, to the size over the distance.
+// On small and far rectangles, a share of the solid angle is nearly the same share of the width and of the height: they
+// differ by about the size over the distance.
 TEST(PlaceIn, KeepsItsDigitsWhereTheRectangleIsSmall) {
     for (const double size : {1e-3, 1e-5, 1e-7}) {
         for (const double x : {1.0, -1.0, -size / 2}) {

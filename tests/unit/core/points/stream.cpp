@@ -41,7 +41,7 @@ TEST(DeriveKey, IsAFunctionOfSeedAndText) {
     EXPECT_EQ(derive_key({42}, "box a=6 b=6 c=6"), derive_key({42}, std::string("box a=6 b=6 ") + "c=6"));
 }
 
-// Of 64-bit keys that behave as random, 2 * 10^4 collide with probability 1e-11.
+// If keys of 64 bits behave as random ones, any two of 2 * 10^4 keys collide with probability 1e-11.
 TEST(DeriveKey, DiffersForDistinctTextsAndSeeds) {
     std::set<StreamKey> keys;
     for (std::uint64_t i = 0; i < 10000; ++i) {

@@ -14,7 +14,7 @@ Eigen::MatrixXd squared_errors(const Eigen::MatrixXd& factors) {
     return (factors - test::lit_cube(0).factors).cwiseAbs2();
 }
 
-/// Of a room with equal faces.
+/// Weights for a room with six equal faces, each of which emits `rays` rays.
 Eigen::MatrixXd hit_weights(const Eigen::MatrixXd& estimates, double rays) {
     return weights_of_hits(estimates, Eigen::VectorXd::Constant(6, rays), Eigen::VectorXd::Ones(6), all_but_itself(6));
 }

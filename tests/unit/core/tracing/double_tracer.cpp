@@ -38,7 +38,7 @@ Scene disc_under_a_sheet(double gap, const Vector3d& by = Vector3d::Zero()) {
     return scene;
 }
 
-/// Of opposite discs: with X = 2 + (h / r)^2, F = (X - sqrt(X^2 - 4)) / 2. [howell] C-41
+/// Form factor from a disc of radius a to a coaxial disc of radius b, at distance 1. @see [howell] C-41
 double opposite_discs(double a, double b) {
     const double x = 1 + (1 + b * b) / (a * a);
     return (x - std::sqrt(x * x - 4 * b * b / (a * a))) / 2;

@@ -14,8 +14,8 @@ std::vector<ClaimedErrors> judged(std::string_view methods, int trials = 400) {
         test::run(test::plan_of(test::study_text(fmt::format("trials = {}", trials), methods))));
 }
 
-// Of 400 trials of 1000 rays, 6 pairs: the binomial error of one run holds in 95 %, within 1 % (the share's standard
-// error is 0.45 %), and in no pair significantly less often.
+// In 400 trials of 1000 rays, for 6 pairs, the binomial error of one run holds in 95 % of cases, within 1 % (the
+// share's standard error is 0.45 %), and for no pair significantly less often.
 TEST(ClaimedErrors, OfOneRunHoldForRandomRays) {
     const auto found = judged(R"([[method]]
 name = "SR"

@@ -41,7 +41,7 @@ class HoleyTracer final : public Tracer {
 
 constexpr std::uint64_t contradiction_runs = 200;
 
-/// Of runs, each with a seed of its own, what becomes of the estimate of the first two faces.
+/// What becomes of the estimate for the first two faces, counted over runs with different seeds.
 struct Outcome {
     std::uint64_t contradicted = 0;
     std::uint64_t held = 0;  ///< of these, intervals that hold the exact value

@@ -19,7 +19,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Of an interval of an entry: that one of the few thousand of this file excludes a true value by chance is below 1e-4.
+/// The level of each entry's interval: the probability that any of the few thousand intervals in this file excludes a
+/// true value by chance is below 1e-4.
 constexpr double place_level = 1 - 1e-8;
 constexpr double place_tolerance = 0.004;
 

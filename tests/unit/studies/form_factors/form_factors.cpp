@@ -133,8 +133,8 @@ TEST(FormFactors, AreBoundedByGeometryWhereThereWasNoTime) {
     EXPECT_EQ(unknown.exchange(0, 1).high, 1) << "not even that was looked at";
 }
 
-// Of 200 seeds, the pilots' interval holds the exact value in 0.95 at least; 0.85 would be noticed with probability
-// 0.99. Halved intervals are.
+// The pilots' interval holds the exact value for at least 0.95 of 200 seeds; 0.85 would be noticed with probability
+// 0.99. Intervals of half the width are noticed.
 TEST(FormFactors, HoldWhenTheyAreStopped) {
     const double exact = *known_form_factor(built_in_scene("squares_blocked"), 0, 1);
     std::uint64_t held = 0;

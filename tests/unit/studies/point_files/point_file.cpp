@@ -141,7 +141,8 @@ TEST(PointFile, TakesTheBeginningOfLongDigitalSequences) {
     EXPECT_EQ(net.row(0, 0)[6], 3u << 29);
 }
 
-// Of van der Corput's sequence every power of 2; of i / n none but one point.
+// The first points of van der Corput's sequence are a set themselves for every power of 2; those of i / n only for one
+// point.
 TEST(PointFile, KnowsWhichBeginningsOfASetAreSetsThemselves) {
     const auto sequence = parse_points("# dnetup\n2\n1\n3\n3\n1 2 4\n", "sequence.txt");
     EXPECT_EQ(nested_sizes(sequence), (std::vector<std::uint64_t>{1, 2, 4}));

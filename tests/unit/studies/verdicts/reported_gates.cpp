@@ -73,8 +73,9 @@ TEST(JudgeReported, DoesNotTrustErrorsWhereRunsTell) {
     EXPECT_EQ(judged(gate, file_of_bins(20, 12, 5, 0.01)).verdict, Verdict::inconclusive);
 }
 
-// Of 3000 files with right errors 3 are contradicted by chance, more than 12 with probability 2e-5. Errors stated a
-// tenth as large are not seen in 0.004 of files of five runs, more than 6 times in 200 with probability 2e-5.
+// On average, 3 of 3000 files with right errors are contradicted by chance; more than 12 are with probability 2e-5.
+// Errors stated a tenth as large are overlooked in 0.004 of files of five runs, and in more than 6 of 200 such files
+// with probability 2e-5.
 TEST(JudgeReported, FindsFewRunsThatContradictTheirErrors) {
     Gate gate = reported_gate(GateKind::bias, {-1, 1});
     gate.against = Against::number;
