@@ -17,7 +17,7 @@ constexpr double tail_alpha = 0.005;       // of each tail
 constexpr double largest_vov = 0.1;        // of a healthy mean [pederson1997]
 constexpr double largest_vov_of_few = 10;  // over n: that of an exponential distribution is 8 / n
 constexpr double largest_shape = 2.0 / 3;  // of the outer tenth about the median: an index of 3/2
-constexpr std::size_t fewest_exceedances = 10;
+constexpr std::size_t fewest_of_the_tail = 10;
 constexpr std::size_t enough_values = 1000;  // to show that a tail as light as the exponential one has a variance
 constexpr std::size_t enough_pooled = 500;   // for a tail as light as the normal one
 constexpr double light_alpha = 0.05;         // of calling one finite that is not
@@ -27,7 +27,7 @@ std::optional<double> outer_index(std::span<const double> values) {
     const double median = quantile(sorted(values), 0.5);
     std::vector<double> distances(values.begin(), values.end());
     for (double& distance : distances) distance = std::abs(distance - median);
-    const auto tail = fit_tail_hill(distances, std::max(fewest_exceedances, values.size() / 10));
+    const auto tail = fit_tail_hill(distances, std::max(fewest_of_the_tail, values.size() / 10));
     return tail && tail->shape > largest_shape ? tail->index : std::nullopt;
 }
 

@@ -27,7 +27,7 @@ namespace {
 
 /// Reports are written within this time; a run is not waited for.
 constexpr std::chrono::seconds patience{10};
-constexpr std::chrono::milliseconds pause{20};
+constexpr std::chrono::milliseconds lock_pause{20};
 
 /// The command line, without what could play tricks on a terminal.
 std::string command_line() {
@@ -90,7 +90,7 @@ FolderLock::FolderLock(const std::filesystem::path& folder) : file_(folder / ".f
             throw IoError(fmt::format("{}: in use ({}). Wait until it has ended, or choose another --out.",
                                       folder.string(), holder(file_)));
         }
-        std::this_thread::sleep_for(pause);
+        std::this_thread::sleep_for(lock_pause);
     }
     const std::string words = this_process();
     // The lock holds without these words.

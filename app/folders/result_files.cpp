@@ -111,7 +111,7 @@ struct KnownFormat {
     void (*write)(OutputFolder& folder, const ResultSources& sources);
 };
 
-constexpr std::array known{
+constexpr std::array known_formats{
     KnownFormat{{"html", "report.html"}, needs_nothing, write_html},
     KnownFormat{{"markdown", "report.md, answer.svg, audit.md"}, needs_nothing, write_markdown},
     KnownFormat{{"csv", "summary.csv, slopes.csv, comparisons.csv, ..., trials.csv"}, needs_nothing, write_csv},
@@ -129,10 +129,11 @@ constexpr const char* evaluated_again =
     "resume.\n";
 
 const KnownFormat& find_format(std::string_view name) {
-    const auto found = std::find_if(known.begin(), known.end(), [&](const auto& k) { return k.format.name == name; });
-    if (found != known.end()) return *found;
+    const auto found =
+        std::find_if(known_formats.begin(), known_formats.end(), [&](const auto& k) { return k.format.name == name; });
+    if (found != known_formats.end()) return *found;
     std::vector<std::string_view> names;
-    for (const KnownFormat& each : known) names.push_back(each.format.name);
+    for (const KnownFormat& each : known_formats) names.push_back(each.format.name);
     throw UserError(
         fmt::format("--format {} is unknown. {}Known: {}.", name, did_you_mean(name, names), fmt::join(names, ", ")));
 }
@@ -141,7 +142,7 @@ const KnownFormat& find_format(std::string_view name) {
 
 std::vector<Format> all_formats() {
     std::vector<Format> formats;
-    for (const KnownFormat& each : known) formats.push_back(each.format);
+    for (const KnownFormat& each : known_formats) formats.push_back(each.format);
     return formats;
 }
 

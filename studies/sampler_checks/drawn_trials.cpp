@@ -7,7 +7,7 @@
 namespace ff::studies {
 namespace {
 
-constexpr double share = 0.475;  // of the dimension: where the plane lies
+constexpr double plane_at = 0.475;  // of the dimension: where the plane lies
 
 /// Volume of the part of the unit cube where the coordinates sum to less than s (Irwin and Hall).
 double volume_below(double s, std::size_t dimension) {
@@ -22,7 +22,7 @@ double volume_below(double s, std::size_t dimension) {
 
 struct Integrands {
     std::size_t dimension;
-    double volume = volume_below(share * static_cast<double>(dimension), dimension);
+    double volume = volume_below(plane_at * static_cast<double>(dimension), dimension);
 
     [[nodiscard]] std::array<double, 3> at(const std::array<double, max_dimension>& x) const {
         double product = 1;
@@ -33,7 +33,7 @@ struct Integrands {
         }
         const bool low = x[0] < 1.0 / 3;
         const double steps = dimension == 1 ? (low ? 3.0 : 0.0) : (low != (x[dimension - 1] < 0.75) ? 12.0 / 7 : 0.0);
-        return {product, sum < share * static_cast<double>(dimension) ? 1 / volume : 0.0, steps};
+        return {product, sum < plane_at * static_cast<double>(dimension) ? 1 / volume : 0.0, steps};
     }
 };
 

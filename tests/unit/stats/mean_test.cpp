@@ -278,14 +278,15 @@ TEST(MeanTest, FindsABiasOfEightStandardErrorsOfNormalValues) {
         std::size_t trials;
         double power;
     };
-    for (const auto& [trials, power] : {Case{30, 0.8}, Case{50, 0.95}, Case{100, 0.95}}) {
-        std::mt19937_64 engine(trials);
-        const double bias = 8 / std::sqrt(static_cast<double>(trials));
+    for (const Case& each : {Case{30, 0.8}, Case{50, 0.95}, Case{100, 0.95}}) {
+        std::mt19937_64 engine(each.trials);
+        const double bias = 8 / std::sqrt(static_cast<double>(each.trials));
         const auto found = test::count_events(3000, [&] {
-            const auto mean = mean_evidence(test::normal_sample(trials, engine, bias), 0);
+            const auto mean = mean_evidence(test::normal_sample(each.trials, engine, bias), 0);
             return interval_of(*mean, 1 - sidak_level(0.05, 30)).low > 0;
         });
-        EXPECT_TRUE(test::has_probability_at_least(found, 3000, power, {.alpha = 1e-6, .detects = 0.06})) << trials;
+        EXPECT_TRUE(test::has_probability_at_least(found, 3000, each.power, {.alpha = 1e-6, .detects = 0.06}))
+            << each.trials;
     }
 }
 
