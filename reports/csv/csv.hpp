@@ -1,5 +1,6 @@
 #pragma once
 
+#include "reports/json/json_laboratory.hpp"
 #include "studies/results/results.hpp"
 #include "studies/store/store.hpp"
 
@@ -15,9 +16,6 @@ void write_slopes_csv(std::ostream& out, const studies::StudyResults& results);
 
 /// One row per cell, class, kind of interval and number of replicates: how often it contains the exact value.
 void write_coverage_csv(std::ostream& out, const studies::StudyResults& results);
-
-/// Whether measured values, which differ from run to run, are shown, or the others.
-enum class Timed { no, yes };
 
 /// One row per pair of methods at a budget: how many times worse one is.
 void write_comparisons_csv(std::ostream& out, const studies::StudyResults& results, Timed timed);

@@ -9,31 +9,24 @@
 #include <fmt/format.h>
 
 namespace ff::reports {
-namespace {
-
-std::string entrant_fields(const studies::StudyPlan& plan, const studies::Entrant& entrant) {
-    const studies::Cell& cell = plan.cells[entrant.cell];
-    return fmt::format("{},{},{},{},{}", csv_field(plan.spec.methods[cell.method].name), cell.subdivision.per_part(),
-                       cell.samples, exact(entrant.repeats), entrant.group + 1);
-}
-
-}  // namespace
 
 void write_comparisons_csv(std::ostream& out, const studies::StudyResults& results, Timed timed) {
-    out << "study,scene,pair_class,equal,budget,better,better_patches_per_face,better_samples_per_patch,better_repeats,"
-           "better_group,worse,worse_patches_per_face,worse_samples_per_patch,worse_repeats,worse_group,ratio,"
-           "ratio_ci_low,ratio_ci_high,level\n";
-    const studies::StudyPlan& plan = results.findings.plan;
-    for (const studies::Contest& contest : results.contests) {
-        if ((contest.equal == studies::Equal::processor_time) != (timed == Timed::yes)) continue;
-        for (const studies::Handicap& handicap : contest.handicaps) {
-            const auto& interval = handicap.interval;
-            out << fmt::format(
-                "{},{},{},{},{},{},{},{},{},{},{}\n", csv_field(plan.spec.name),
-                csv_field(plan.scenes[contest.scene].name), name(contest.pair_class), studies::name(contest.equal),
-                exact(contest.budget), entrant_fields(plan, contest.entrants[handicap.better]),
-                entrant_fields(plan, contest.entrants[handicap.worse]), exact(handicap.ratio),
-                interval ? exact(interval->low) : "", interval ? exact(interval->high) : "", exact(plan.spec.level));
+    CsvRecords csv(out,
+                   "study,scene,pair_class,equal,budget,better=better/method,"
+                   "better_patches_per_face=better/patches_per_face,better_samples_per_patch=better/samples_per_patch,"
+                   "better_repeats=better/repeats,better_group=better/group,worse=worse/method,"
+                   "worse_patches_per_face=worse/patches_per_face,worse_samples_per_patch=worse/samples_per_patch,"
+                   "worse_repeats=worse/repeats,worse_group=worse/group,ratio,ratio_ci_low=interval/low,"
+                   "ratio_ci_high=interval/high,level,apart");
+    const studies::StudySpec& spec = results.findings.plan.spec;
+    for (Json& contest : contests_json(results, timed)) {
+        const Json ratios = std::move(contest["ratios"]);
+        const Json entrants = std::move(contest["entrants"]);
+        contest.update({{"study", spec.name}, {"level", spec.level}});
+        for (Json ratio : ratios) {
+            for (const char* side : {"better", "worse"}) ratio[side] = entrants[ratio[side].get<std::size_t>()];
+            ratio.update(contest);
+            csv.add(ratio);
         }
     }
 }
@@ -47,11 +40,10 @@ void write_claimed_errors_csv(std::ostream& out, const studies::StudyResults& re
     const Json rows = claimed_errors_json(results);
     for (std::size_t i = 0; i < rows.size(); ++i) {
         const studies::ClaimedErrors& row = results.claimed_errors[i];
-        const studies::Cell& cell = plan.cells[row.cell];
+        const Scene& scene = plan.scenes[plan.cells[row.cell].scene];
         Json record = in_cell(plan, row.cell, rows[i]);
-        record["samples_per_patch"] = cell.samples;  // 0 for none
-        record["worst_from"] = from_label(plan.scenes[cell.scene], row.worst);
-        record["worst_to"] = to_label(plan.scenes[cell.scene], row.worst);
+        record["worst_from"] = from_label(scene, row.worst);
+        record["worst_to"] = to_label(scene, row.worst);
         csv.add(record);
     }
 }
@@ -63,11 +55,7 @@ void write_coverage_csv(std::ostream& out, const studies::StudyResults& results)
                    "coverage_ci_high=coverage_interval/high,level,short_of_nominal");
     const Json rows = coverage_json(results);
     const studies::StudyPlan& plan = results.findings.plan;
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-        Json record = in_cell(plan, results.coverage[i].cell, rows[i]);
-        record["samples_per_patch"] = plan.cells[results.coverage[i].cell].samples;  // 0 for none
-        csv.add(record);
-    }
+    for (std::size_t i = 0; i < rows.size(); ++i) csv.add(in_cell(plan, results.coverage[i].cell, rows[i]));
 }
 
 }  // namespace ff::reports

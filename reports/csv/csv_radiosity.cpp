@@ -52,7 +52,7 @@ void for_each_solver(const studies::StudyResults& results, const Row& row) {
     };
     for (const studies::ExactSystem& system : results.radiosity->exact) {
         Json record = exact_json(plan, system);
-        record["study"] = plan.spec.name;
+        record.update({{"study", plan.spec.name}, {"method", nullptr}, {"samples_per_patch", nullptr}});
         record["between"] = studies::name(system.m == 0 ? studies::Between::faces : studies::Between::patches);
         add(std::move(record), system.solvers);
     }

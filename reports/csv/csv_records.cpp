@@ -1,12 +1,11 @@
 #include "reports/csv/csv_records.hpp"
 
+#include "core/support/words.hpp"
 #include "reports/csv/csv_field.hpp"
 #include "reports/text/numbers.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-
-#include <sstream>
 
 namespace ff::reports {
 namespace {
@@ -22,18 +21,24 @@ std::string field(const Json& value) {
 }  // namespace
 
 CsvRecords::CsvRecords(std::ostream& out, std::string_view columns) : out_(out) {
-    std::istringstream list{std::string(columns)};
-    for (std::string column; std::getline(list, column, ',');) {
-        const std::string name = column.substr(0, column.find('='));
-        out_ << (columns_.empty() ? "" : ",") << name;
-        columns_.emplace_back('/' + (name == column ? name : column.substr(name.size() + 1)));
+    for (const std::string_view column : split_at(',', columns)) {
+        const auto parts = split_at('=', column);
+        out_ << (columns_.empty() ? "" : ",") << parts.front();
+        const auto keys = split_at('/', parts.back());
+        columns_.emplace_back(keys.begin(), keys.end());
     }
     out_ << '\n';
 }
 
 void CsvRecords::add(const Json& record) {
     std::vector<std::string> fields;
-    for (const auto& column : columns_) fields.push_back(record.contains(column) ? field(record.at(column)) : "");
+    for (const auto& keys : columns_) {
+        const Json* value = &record;
+        for (const std::string& key : keys) {
+            if (!value->is_null()) value = &value->at(key);
+        }
+        fields.push_back(field(*value));
+    }
     out_ << fmt::format("{}\n", fmt::join(fields, ","));
 }
 

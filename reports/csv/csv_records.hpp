@@ -16,12 +16,12 @@ class CsvRecords {
     /// @param columns  separated by commas: KEY, or NAME=KEY/KEY for a value within an object or by another name
     CsvRecords(std::ostream& out, std::string_view columns);
 
-    /// Writes a line. What is null, or not in the record, is empty.
+    /// Writes a line. What is null, or within an object that is null, is empty.
     void add(const Json& record);
 
   private:
     std::ostream& out_;
-    std::vector<Json::json_pointer> columns_;
+    std::vector<std::vector<std::string>> columns_;  ///< keys from the record inwards
 };
 
 }  // namespace ff::reports

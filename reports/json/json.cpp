@@ -217,7 +217,7 @@ std::string results_json(const studies::StudyResults& results) {
     json["slopes"] = slopes_json(results);
     json["heavy_tails"] = heavy_tails_json(results);
     json["variance_reductions"] = reductions_json(results);
-    json["contests"] = contests_json(results);
+    json["contests"] = contests_json(results, Timed::no);
     json["claimed_errors"] = claimed_errors_json(results);
     json["coverage"] = coverage_json(results);
     json["until"] = until_json(results);

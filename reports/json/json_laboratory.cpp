@@ -78,11 +78,11 @@ Json reductions_json(const studies::StudyResults& results) {
     return rows;
 }
 
-Json contests_json(const studies::StudyResults& results) {
+Json contests_json(const studies::StudyResults& results, Timed timed) {
     const studies::StudyPlan& plan = results.findings.plan;
     Json rows = Json::array();
     for (const studies::Contest& contest : results.contests) {
-        if (contest.equal == studies::Equal::processor_time) continue;
+        if ((contest.equal == studies::Equal::processor_time) != (timed == Timed::yes)) continue;
         Json entrants = Json::array();
         for (const studies::Entrant& entrant : contest.entrants) {
             const studies::Cell& cell = plan.cells[entrant.cell];

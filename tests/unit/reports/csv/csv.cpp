@@ -54,12 +54,19 @@ CsvTable trials() {
     return parse_csv(out.str());
 }
 
-TEST(CsvRecords, HaveTheirColumnsInOrderAndNothingWhereAValueIsMissing) {
+TEST(CsvRecords, HaveTheirColumnsInOrderAndNothingWhereAValueIsNull) {
     std::ostringstream out;
-    CsvRecords csv(out, "b,a,low=interval/low,list,flag,absent");
+    CsvRecords csv(out, "b,a,low=interval/low,list,flag");
     csv.add({{"a", 1}, {"b", "x, \"y\""}, {"interval", {{"low", 0.1}}}, {"list", {0.5, 1.0}}, {"flag", true}});
     csv.add({{"a", 2}, {"b", nullptr}, {"interval", nullptr}, {"list", nullptr}, {"flag", false}});
-    EXPECT_EQ(out.str(), "b,a,low,list,flag,absent\n\"x, \"\"y\"\"\",1,0.1,0.5;1,true,\n,2,,,false,\n");
+    EXPECT_EQ(out.str(), "b,a,low,list,flag\n\"x, \"\"y\"\"\",1,0.1,0.5;1,true\n,2,,,false\n");
+}
+
+TEST(CsvRecords, RefuseARecordWithoutAColumn) {
+    std::ostringstream out;
+    CsvRecords csv(out, "a,low=interval/low");
+    EXPECT_THROW(csv.add({{"a", 1}}), Json::out_of_range);
+    EXPECT_THROW(csv.add({{"a", 1}, {"interval", {{"high", 1}}}}), Json::out_of_range);
 }
 
 TEST(SummaryCsv, HasTheDocumentedColumnsInOrder) {
