@@ -5,6 +5,7 @@
 #include "core/visibility/occlusion.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <numbers>
 #include <vector>
 
@@ -28,10 +29,48 @@ std::vector<PlacedSurface> surfaces_of(const Scene& scene, int face) {
     return found;
 }
 
-Eigen::AlignedBox3d box_of(const std::vector<PlacedSurface>& surfaces) {
-    Eigen::AlignedBox3d box;
-    for (const PlacedSurface& surface : surfaces) box.extend(surface.box);
-    return box;
+/// The largest distance of a surface's points from a straight line, or from a place where the direction is 0.
+double farthest(const Surface& surface, const Eigen::Vector3d& place, const Eigen::Vector3d& direction) {
+    const auto away = [&](const Eigen::Vector3d& point) {
+        const Eigen::Vector3d offset = point - place;
+        return (offset - direction.dot(offset) * direction).norm();
+    };
+    if (const auto* disc = std::get_if<Disc>(&surface.shape)) return away(disc->centre) + disc->outer_radius;
+    if (const auto* zone = std::get_if<SphereZone>(&surface.shape)) return away(zone->centre) + zone->radius;
+    if (const auto* wall = std::get_if<Frustum>(&surface.shape))
+        return std::max(away(wall->base) + wall->base_radius, away(wall->base + wall->axis) + wall->top_radius);
+    double most = 0;
+    for (const Eigen::Vector3d& corner : corners(surface.shape)) most = std::max(most, away(corner));
+    return most;
+}
+
+/// How far a surface lies at least inside of a hollow one; 0 where that is not shown.
+double gap_inside(const Surface& hollow, const Surface& other) {
+    double gap = 0;
+    if (const auto* zone = std::get_if<SphereZone>(&hollow.shape))
+        gap = zone->radius - farthest(other, zone->centre, Eigen::Vector3d::Zero());
+    else if (const auto* wall = std::get_if<Frustum>(&hollow.shape))
+        gap = std::min(wall->base_radius, wall->top_radius) - farthest(other, wall->base, wall->axis.normalized());
+    return std::max(0.0, gap);
+}
+
+/// A lower bound of the squared distance of two surfaces, by planes between them and, for round ones, one within the
+/// other; 0 where neither is found.
+double squared_gap(const PlacedSurface& a, const PlacedSurface& b) {
+    const double of_boxes = a.box.squaredExteriorDistance(b.box);
+    if (of_boxes > a.area + b.area) return of_boxes;  // no peak, so that more precision would change nothing
+    double gap = std::max(gap_inside(*a.surface, *b.surface), gap_inside(*b.surface, *a.surface));
+    const auto try_plane = [&](const Eigen::Vector3d& normal) {
+        const Extent along_a = extent(*a.surface, normal);
+        const Extent along_b = extent(*b.surface, normal);
+        gap = std::max({gap, along_a.low - along_b.high, along_b.low - along_a.high});
+    };
+    for (const PlacedSurface* each : {&a, &b}) {
+        if (is_flat(each->surface->shape)) try_plane(each->surface->normal);
+    }
+    const Eigen::Vector3d between = b.box.center() - a.box.center();
+    if (between.squaredNorm() > 0) try_plane(between.normalized());
+    return std::max(of_boxes, gap * gap);
 }
 
 /// Two surfaces as a peak has them. The kernel is largest where points are about as close as the surfaces are, and a
@@ -52,7 +91,7 @@ void for_each_peak(const Scene& scene, int from, int to, Use use) {
     for (const PlacedSurface& source : surfaces_of(scene, from)) {
         for (const PlacedSurface& target : targets) {
             if (source.surface == target.surface || !face_each_other(*source.surface, *target.surface)) continue;
-            const double squared = source.box.squaredExteriorDistance(target.box);
+            const double squared = squared_gap(source, target);
             const double near = std::min(source.area, target.area + squared) / from_area;
             use(Peak{.squared_distance = squared,
                      .kernel = to_area / (std::numbers::pi * squared),
@@ -89,7 +128,13 @@ double largest_kernel(const Scene& scene, int from, int to) {
     const bool is_part_of_sphere =
         from == to && sources.size() == 1 && std::holds_alternative<SphereZone>(sources.front().surface->shape);
     if (is_part_of_sphere) return 1;
-    const double squared = box_of(sources).squaredExteriorDistance(box_of(surfaces_of(scene, to)));
+    double squared = std::numeric_limits<double>::infinity();
+    for (const PlacedSurface& target : surfaces_of(scene, to)) {
+        for (const PlacedSurface& source : sources) {
+            if (face_each_other(*source.surface, *target.surface))
+                squared = std::min(squared, squared_gap(source, target));
+        }
+    }
     return face_area(scene, to) / (std::numbers::pi * squared);
 }
 

@@ -8,8 +8,9 @@ namespace ff {
 /// may be at places that few evaluations meet. These are places where a blocker begins or one face rises above the
 /// plane of the other, and peaks: a small surface close to a large one owes all its light to the few points beneath it.
 
-/// A bound of the kernel of points on two faces, area / (pi distance^2) of the boxes around them; infinite where these
-/// meet. That of a part of a sphere to itself is constant: its share of the whole sphere.
+/// A bound of the kernel of points on two faces: area / (pi distance^2) of those of their surfaces that are nearest to
+/// each other; infinite where a distance is not shown. That of a part of a sphere to itself is constant: its share of
+/// the whole sphere.
 double largest_kernel(const Scene& scene, int from, int to);
 
 /// For the kernel at random pairs of points. 0 where all pairs of surfaces are seen whole and are peaked so little that

@@ -4,6 +4,7 @@
 #include "core/geometry/box.hpp"
 
 #include <gtest/gtest.h>
+#include <Eigen/Geometry>
 
 #include <numbers>
 
@@ -50,6 +51,32 @@ TEST(Unmet, HitsAreMissedWhereFewAreExpected) {
     const Scene tube = make_box(1, 1, 16);
     EXPECT_EQ(largest_unmet_hit(tube, 0, 5, 2000, 2), 2);
     EXPECT_EQ(largest_unmet_hit(tube, 0, 5, 2e6, 2), 0);
+}
+
+TEST(Unmet, IsTheSameWhereTheSceneIsTurned) {
+    Scene scene = lamp_above_floor(100, 0.2, 0.2);
+    const double kernel = largest_unmet_kernel(scene, 0, 1, 1000);
+    const Eigen::AngleAxisd turn(1, Eigen::Vector3d(1, 2, 3).normalized());
+    for (Surface& surface : scene.surfaces) {
+        auto& shape = std::get<Parallelogram>(surface.shape);
+        shape = {turn * shape.corner, turn * shape.edge_u, turn * shape.edge_v};
+        surface.normal = turn * surface.normal;
+    }
+    EXPECT_NEAR(largest_unmet_kernel(scene, 0, 1, 1000), kernel, 1e-9 * kernel);
+    EXPECT_NEAR(largest_unmet_factor(scene, 0, 1, 1000), 1 / std::numbers::pi, 1e-12);
+}
+
+TEST(Unmet, KnowsTheGapBetweenRoundSurfacesWithinEachOther) {
+    Scene balls;
+    balls.surfaces = {{SphereZone{{0, 0, 0}, {0, 0, 1}, 1, -1, 1, Facing::inward}, {0, 0, 0}, 0},
+                      {SphereZone{{0, 0, 0.5}, {0, 0, 1}, 0.49, -1, 1, Facing::outward}, {0, 0, 0}, 1}};
+    balls.faces = {"shell", "ball"};
+    EXPECT_NEAR(largest_kernel(balls, 0, 1), 4 * 0.49 * 0.49 / (0.01 * 0.01), 1e-6);
+    Scene tubes;
+    tubes.surfaces = {{Frustum{{0, 0, 0}, {0, 0, 2}, 1, 1, Facing::inward}, {0, 0, 0}, 0},
+                      {Frustum{{0, 0, 0}, {0, 0, 2}, 0.9, 0.5, Facing::outward}, {0, 0, 0}, 1}};
+    tubes.faces = {"pipe", "core"};
+    EXPECT_NEAR(largest_kernel(tubes, 1, 0), 4 * std::numbers::pi / (std::numbers::pi * 0.1 * 0.1), 1e-6);
 }
 
 }  // namespace

@@ -19,6 +19,17 @@ TEST(Facing, NeedsSomeOfEachSurfaceInFrontOfTheOther) {
     EXPECT_TRUE(face_each_other(floor, test::rectangle("0:1 0:0 -1:1 +y"))) << "partly above the horizon";
 }
 
+TEST(Facing, SeesWhichFacesAreCutByThePlaneOfTheOther) {
+    const auto floor_and = [](const char* other) {
+        Scene scene = scene_of({test::rectangle("0:1 0:1 0:0 +z"), test::rectangle(other)});
+        return are_partly_behind(scene, 0, 1) && are_partly_behind(scene, 1, 0);
+    };
+    EXPECT_FALSE(floor_and("0:1 0:1 1:1 -z"));
+    EXPECT_FALSE(floor_and("0:1 0:0 0:1 +y")) << "a wall that stands on the floor";
+    EXPECT_TRUE(floor_and("0:1 0:0 -1:1 +y")) << "a wall that reaches below the floor";
+    EXPECT_TRUE(floor_and("0:1 0.5:0.5 0:1 +y")) << "a wall with floor behind it";
+}
+
 TEST(Convexity, HoldsInsideEveryBox) {
     EXPECT_TRUE(is_convex(make_box(6, 6, 6)));
     EXPECT_TRUE(is_convex(make_box(1e-3, 7, 2)));

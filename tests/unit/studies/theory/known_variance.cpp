@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdint>
+#include <numbers>
 
 namespace ff::studies {
 namespace {
@@ -80,6 +82,55 @@ TEST(KnownVariance, IsFiniteForOtherEstimatorsAndNoneWithoutRandomness) {
     method.sampler = "";
     method.estimator = "closed_form";
     EXPECT_EQ(of_pair(method, two_squares(0), 1, 2), VarianceStatus::none);
+}
+
+/// A unit square, and a small one above its middle that looks down on it.
+Scene lamp_above_square(double edge, double height) {
+    const double low = (1 - edge) / 2;
+    Scene scene = two_squares(0);
+    scene.surfaces[1] = {Parallelogram{{low, low, height}, {edge, 0, 0}, {0, edge, 0}}, {0, 0, -1}, 1};
+    return scene;
+}
+
+stats::KnownLimits limits_of(const Method& method, const Scene& scene, Quantity quantity, std::uint64_t evaluations) {
+    return known_limits(method, scene, {}, quantity, evaluations, 10);
+}
+
+TEST(KnownLimits, AllowForAPeakThatFewEvaluationsOfAllTrialsMeet) {
+    const Method method = kernel(PointMap::uniform);
+    const Scene scene = lamp_above_square(0.01, 0.01);
+    const Quantity pair{QuantityKind::form_factor, 1, 2};
+    const stats::KnownLimits few = limits_of(method, scene, pair, 100);
+    // 1 / (pi 0.01²), times the area of the lamp.
+    EXPECT_NEAR(few.unmet.largest, 1e-4 / (std::numbers::pi * 1e-4), 1e-12);
+    EXPECT_EQ(few.unmet.evaluations, 1000);
+    EXPECT_EQ(limits_of(method, scene, pair, 1'000'000).unmet.largest, 0) << "2000 of 10 million lie beneath the lamp";
+    EXPECT_EQ(limits_of(method, lamp_above_square(0.5, 1), pair, 100).unmet.largest, 0) << "no peak";
+}
+
+TEST(KnownLimits, AreThoseOfTheOtherFactorTimesTheRatioOfAreasWhereFactorsAreReciprocal) {
+    Method method = kernel(PointMap::uniform);
+    const Scene scene = lamp_above_square(0.01, 0.01);
+    method.completion = Completion::reciprocal;
+    const double forth = limits_of(method, scene, {QuantityKind::form_factor, 1, 2}, 100).unmet.largest;
+    const double back = limits_of(method, scene, {QuantityKind::form_factor, 2, 1}, 100).unmet.largest;
+    EXPECT_NEAR(back, 1e4 * forth, 1e-9 * back);
+}
+
+TEST(KnownLimits, CountPointsAndTheirMirrorImagesOnce) {
+    Method method = kernel(PointMap::uniform);
+    method.sampler = "antithetic";
+    EXPECT_EQ(
+        limits_of(method, lamp_above_square(0.01, 0.01), {QuantityKind::form_factor, 1, 2}, 100).unmet.evaluations,
+        500);
+}
+
+TEST(RoundingOfBias, GrowsWithTheExtentBesideTheAreaOfTheSource) {
+    const Quantity pair{QuantityKind::form_factor, 1, 2};
+    const double near = rounding_of_bias(lamp_above_square(0.5, 1), pair);
+    EXPECT_NEAR(near, 1e-15, 1e-17);
+    EXPECT_NEAR(rounding_of_bias(lamp_above_square(0.5, 1000), pair), 1e-15 + 1e-12, 1e-17);
+    EXPECT_DOUBLE_EQ(rounding_of_bias(make_box(1, 1, 1), {QuantityKind::row_sum, 1, 0}), 6e-15);
 }
 
 }  // namespace
