@@ -42,20 +42,21 @@ for command in "list configurations" "explain squares_blocked"; do
     expect_equal_files "$folder/promised" "$folder/stdout"
 done
 
-# Every row of the study of the catalogue is there, with its exact value, and none is biased. (Estimates
-# may differ in the last digits where Embree has other code for a CPU.)
+# The study of the catalogue has a row for each pair and method, and none is biased. Those that the page shows are among
+# them, with their exact values. (Estimates may differ in the last digits where Embree has other code for a CPU.)
 rows() { sed -nE 's/^([a-z_0-9]+) +(.*, ([0-9]+ × [0-9²]+ [a-z]+|exact)) .* (0\.[0-9]{12}) .*$/\1 \2 \4/p'; }
 ffstudy run catalogue --trials 40 --out catalogue
 expect_status 0
 ! grep -q BIASED "$folder/stdout" || fail "the study of the catalogue finds a bias"
 for text in "$folder/stdout" "$root/docs/catalogue.md"; do
     ! grep -E '  –  .*agrees' "$text" >&2 || fail "an estimate without an interval agrees with anything"
-    [ "$(grep -cE '  –  .*no interval: infinite variance' "$text")" -eq 4 ] || fail "expected 4 pairs without an interval"
 done
+[ "$(grep -cE '  –  .*no interval: infinite variance' "$folder/stdout")" -eq 4 ] || fail "expected 4 pairs without an interval"
 rows <"$folder/stdout" >"$folder/shown"
 rows <"$root/docs/catalogue.md" >"$folder/promised"
-[ "$(wc -l <"$folder/promised")" -eq 259 ] || fail "docs/catalogue.md does not show the study"
-expect_equal_files "$folder/promised" "$folder/shown"
+[ "$(wc -l <"$folder/shown")" -eq 259 ] || fail "the study of the catalogue does not have 259 rows"
+[ "$(wc -l <"$folder/promised")" -eq 40 ] || fail "docs/catalogue.md does not show 40 rows of the study"
+! grep -Fxvf "$folder/shown" "$folder/promised" >&2 || fail "docs/catalogue.md shows other rows than the study has"
 
 # So does the example of docs/gates.md.
 blocks toml "$root/docs/gates.md" >bands.toml
