@@ -11,17 +11,13 @@
 namespace ff::studies {
 namespace {
 
-constexpr std::array<std::string_view, 6> interval_names{"student_t", "normal",          "percentile_bootstrap",
-                                                         "wilson",    "clopper_pearson", "wald"};
-
 /// Keys of a gate beside those of a method.
 constexpr std::array<std::string_view, 12> gate_keys{"kind",         "scene",    "pairs",     "band",
                                                      "expected",     "quantity", "interval",  "level",
                                                      "reference_se", "detects",  "reference", "replicates"};
 
 void read_coverage(const TomlReader& reader, Gate& gate) {
-    const auto method = reader.optional_choice("interval", interval_names, interval_names.size());
-    if (method) gate.interval = static_cast<IntervalMethod>(*method);
+    gate.interval = reader.choice("interval", gate.interval);
     gate.interval_level = reader.optional_number("level").value_or(gate.interval_level);
     if (!stats::is_level(gate.interval_level))
         reader.fail(
@@ -35,10 +31,6 @@ void read_coverage(const TomlReader& reader, Gate& gate) {
 }
 
 }  // namespace
-
-std::string_view name(IntervalMethod method) {
-    return interval_names.at(static_cast<std::size_t>(method));
-}
 
 const GateExperiment& experiment_of(const Gate& gate) {
     FF_EXPECT(gate.experiment != nullptr);

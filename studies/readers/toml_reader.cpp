@@ -131,15 +131,15 @@ std::vector<std::string> TomlReader::texts(std::string_view key) const {
     return values;
 }
 
-std::optional<std::size_t> TomlReader::optional_choice(std::string_view key, std::span<const std::string_view> names,
-                                                       std::size_t shown) const {
+void TomlReader::refuse_name(std::string_view key, std::span<const std::string_view> names) const {
     const auto text = optional_text(key);
-    if (!text) return std::nullopt;
-    const auto found = std::find(names.begin(), names.end(), *text);
-    if (found == names.end()) {
-        const auto known = names.first(shown);
-        fail(key, fmt::format("is unknown. {}Known: {}.", did_you_mean(*text, known), fmt::join(known, ", ")));
-    }
+    if (!text) fail(key, fmt::format("missing. Choose one of {}.", fmt::join(names, ", ")));
+    fail(key, fmt::format("is unknown. {}Known: {}.", did_you_mean(*text, names), fmt::join(names, ", ")));
+}
+
+std::size_t TomlReader::index_of(std::string_view key, std::span<const std::string_view> names) const {
+    const auto found = std::find(names.begin(), names.end(), optional_text(key).value_or(""));
+    if (found == names.end()) refuse_name(key, names);
     return static_cast<std::size_t>(found - names.begin());
 }
 

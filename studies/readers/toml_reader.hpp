@@ -1,5 +1,7 @@
 #pragma once
 
+#include "studies/readers/names.hpp"
+
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -28,10 +30,18 @@ class TomlReader {
     /// A string, or a list of at least one.
     [[nodiscard]] std::vector<std::string> texts(std::string_view key) const;
 
-    /// Index of the text at `key` among `names`; a message suggests the first `shown` of them.
-    [[nodiscard]] std::optional<std::size_t> optional_choice(std::string_view key,
-                                                             std::span<const std::string_view> names,
-                                                             std::size_t shown) const;
+    /// Index of the text at `key` among `names`.
+    [[nodiscard]] std::size_t index_of(std::string_view key, std::span<const std::string_view> names) const;
+    /// The value whose name is the text at `key`.
+    template <class Enum>
+    [[nodiscard]] Enum choice(std::string_view key) const {
+        if (const auto value = value_named<Enum>(optional_text(key).value_or(""))) return *value;
+        refuse_name(key, suggested_names<Enum>());
+    }
+    template <class Enum>
+    [[nodiscard]] Enum choice(std::string_view key, Enum fallback) const {
+        return has(key) ? choice<Enum>(key) : fallback;
+    }
 
     [[nodiscard]] std::uint64_t count(std::string_view key) const;
     [[nodiscard]] std::optional<std::uint64_t> optional_count(std::string_view key) const;
@@ -61,6 +71,9 @@ class TomlReader {
     [[noreturn]] void fail(std::string_view key, std::string_view problem) const;
 
   private:
+    /// Fails at a text that is none of those, or is missing.
+    [[noreturn]] void refuse_name(std::string_view key, std::span<const std::string_view> names) const;
+
     const toml::table* table_;
     std::string_view origin_;
 };

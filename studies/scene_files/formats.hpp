@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/geometry/shape.hpp"
+#include "studies/readers/names.hpp"
 #include "studies/scene_files/scene_file.hpp"
 
 #include <filesystem>
@@ -13,6 +15,9 @@ namespace ff::studies {
 SceneWithMaterials read_toml_scene(std::string_view name, std::string_view text);
 SceneWithMaterials read_obj_scene(std::string_view name, std::string_view text);
 SceneWithMaterials read_vs3_scene(std::string_view name, std::string_view text);
+
+template <>
+inline constexpr auto names_of<Facing> = name_table(Named{Facing::outward, "outward"}, Named{Facing::inward, "inward"});
 
 /// Groups of this name are in the way, and are no faces.
 inline constexpr std::string_view occluder_group = "occluder";

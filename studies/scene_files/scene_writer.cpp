@@ -44,10 +44,6 @@ std::string flat_keys(std::string_view keys, const Surface& surface, const Vecto
     return fmt::format("{}{}", keys, upwards.dot(surface.normal) < 0 ? "flip = true\n" : "");
 }
 
-std::string_view facing_text(Facing facing) {
-    return facing == Facing::outward ? "outward" : "inward";
-}
-
 std::string keys_of(const Surface& surface) {
     return std::visit(
         [&](const auto& shape) -> std::string {
@@ -69,12 +65,12 @@ std::string keys_of(const Surface& surface) {
                 return fmt::format(
                     "shape = \"cone\"\nbase = {}\naxis = {}\nbase_radius = {}\ntop_radius = {}\nfacing = \"{}\"\n",
                     vector_text(shape.base), vector_text(shape.axis), shape.base_radius, shape.top_radius,
-                    facing_text(shape.facing));
+                    name(shape.facing));
             } else {
                 return fmt::format(
                     "shape = \"sphere\"\ncentre = {}\naxis = {}\nradius = {}\nlow = {}\nhigh = {}\nfacing = \"{}\"\n",
                     vector_text(shape.centre), vector_text(shape.axis), shape.radius, shape.low * shape.radius,
-                    shape.high * shape.radius, facing_text(shape.facing));
+                    shape.high * shape.radius, name(shape.facing));
             }
         },
         surface.shape);

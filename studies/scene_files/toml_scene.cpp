@@ -45,10 +45,9 @@ bool flag(const TomlReader& reader, std::string_view key) {
 }
 
 Facing read_facing(const TomlReader& reader) {
-    static constexpr std::array<std::string_view, 2> names{"outward", "inward"};
-    const auto found = reader.optional_choice("facing", names, 2);
-    if (!found) reader.fail("facing", R"(missing (a round surface radiates on one side). Say "inward" or "outward".)");
-    return static_cast<Facing>(*found);
+    if (!reader.has("facing"))
+        reader.fail("facing", R"(missing (a round surface radiates on one side). Say "inward" or "outward".)");
+    return reader.choice<Facing>("facing");
 }
 
 /// Refuses other keys than those of every surface and `own`.
@@ -102,9 +101,7 @@ Surface read_zone(const TomlReader& reader) {
 Surface read_surface(const TomlReader& reader) {
     static constexpr std::array<std::string_view, 6> shapes{"parallelogram", "triangle", "disc",
                                                             "cylinder",      "cone",     "sphere"};
-    const auto shape = reader.optional_choice("shape", shapes, shapes.size());
-    if (!shape) reader.fail("shape", fmt::format("missing. Choose one of {}.", fmt::join(shapes, ", ")));
-    switch (*shape) {
+    switch (reader.index_of("shape", shapes)) {
         case 0: {
             expect_only(reader, {"corner", "edge_u", "edge_v", "flip"});
             const Vector3d u = direction(reader, "edge_u");

@@ -42,14 +42,12 @@ const EstimatorInfo& find_admitted(const TomlReader& reader, const std::string& 
 }  // namespace
 
 const EstimatorInfo& read_estimator(const TomlReader& reader) {
-    std::vector<std::string_view> names;
-    for (const EstimatorEntry& estimator : estimators()) names.push_back(estimator.info.name);
-    if (!reader.has("estimator"))
-        reader.fail("estimator", fmt::format("missing. Choose one of {}.", fmt::join(names, ", ")));
-    const std::string name = reader.text("estimator");
+    const std::string name = reader.optional_text("estimator").value_or("");
     if (const auto* added = find_added_estimator(name)) return added->entry().info;
     if (names_command(name)) return find_admitted(reader, name);
-    return estimators()[reader.optional_choice("estimator", names, names.size()).value()].info;
+    std::vector<std::string_view> names;
+    for (const EstimatorEntry& estimator : estimators()) names.push_back(estimator.info.name);
+    return estimators()[reader.index_of("estimator", names)].info;
 }
 
 void refuse_keys_of_others(const TomlReader& reader, const EstimatorInfo& estimator) {

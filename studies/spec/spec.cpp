@@ -14,7 +14,6 @@
 #include "studies/spec/estimator_keys.hpp"
 #include "studies/spec/named_files.hpp"
 #include "studies/spec/sample_sizes.hpp"
-#include "studies/spec/spec_names.hpp"
 #include "studies/spec/spec_sampler.hpp"
 #include "studies/spec/spec_trials.hpp"
 
@@ -36,15 +35,6 @@ using MethodKeys = std::array<std::string_view, 15>;
 constexpr std::uint64_t max_samples = 1ULL << 32;  // a stream addresses points with 32 bits
 constexpr std::uint32_t max_patches_per_face = 1u << 20;
 constexpr double most_power = 1 - 1e-9;
-
-/// The enumerator whose name is the text at `key`; `fallback` where the key is missing. A message suggests the first
-/// `shown` names.
-template <typename Enum, std::size_t N>
-Enum choice(const TomlReader& reader, std::string_view key, const std::array<std::string_view, N>& names, Enum fallback,
-            std::size_t shown = N) {
-    const auto found = reader.optional_choice(key, names, shown);
-    return found ? static_cast<Enum>(*found) : fallback;
-}
 
 std::uint64_t checked_trials(const TomlReader& reader, std::uint64_t trials) {
     if (trials == 0) reader.fail("trials", "(nothing would be run). Try 64.");
@@ -177,6 +167,18 @@ void expect_unique_sizes(const TomlReader& reader, const Method& method) {
 
 }  // namespace
 
+const EstimatorInfo& estimator_info(const Method& method) {
+    return find_estimator(method.estimator).info;
+}
+
+bool is_randomised(const Method& method) {
+    return method.sampler.empty() ? estimator_info(method).randomised : samplers::find(method.sampler).info.randomised;
+}
+
+EstimatorOptions estimator_options(const Method& method) {
+    return {.allocation = method.allocation, .tracer = method.tracer, .map = method.map};
+}
+
 Method read_method(const TomlReader& reader, std::span<const std::string_view> other_keys) {
     static constexpr MethodKeys own_keys{"name",       "sampler",       "randomise",        "estimator",
                                          "completion", "allocation",    "tracer",           "map",
@@ -193,8 +195,8 @@ Method read_method(const TomlReader& reader, std::span<const std::string_view> o
     refuse_keys_of_others(reader, estimator);
     const samplers::SamplerInfo* sampler = read_sampler(reader, estimator);
     method.sampler = sampler == nullptr ? std::string() : std::string(sampler->name);
-    method.completion = choice(reader, "completion", completion_names, Completion::direct);
-    method.allocation = choice(reader, "allocation", allocation_names, Allocation::patch);
+    method.completion = reader.choice("completion", method.completion);
+    method.allocation = reader.choice("allocation", method.allocation);
     const bool one_cell_a_point = sampler != nullptr && sampler->sizes == samplers::Sizes::fourth_power;
     if (method.allocation == Allocation::face && one_cell_a_point) {
         reader.fail("allocation",
@@ -204,8 +206,8 @@ Method read_method(const TomlReader& reader, std::span<const std::string_view> o
     if (method.allocation == Allocation::face && sampler != nullptr && !sampler->equal_weights) {
         reader.fail("allocation", "(the nodes of a rule belong to one patch). Use allocation = \"patch\".");
     }
-    method.tracer = choice(reader, "tracer", tracer_names, TracerChoice::automatic, sound_tracers);
-    method.map = choice(reader, "map", map_names, PointMap::uniform);
+    method.tracer = reader.choice("tracer", method.tracer);
+    method.map = reader.choice("map", method.map);
     method.nodes = read_nodes(reader, sampler, estimator);
     method.claimed_error = reader.optional_number("claimed_error");
     if (method.claimed_error && !(*method.claimed_error > 0))
@@ -295,8 +297,7 @@ StudySpec parse_study(std::string_view text, std::string_view origin) {
     if (spec.equivalence_margin && *spec.equivalence_margin <= 0) {
         study->fail("equivalence_margin", "(no number of trials shows a bias of exactly 0). Try 1e-4.");
     }
-
-    spec.inapplicable = choice(*study, "inapplicable", inapplicable_names, Inapplicable::refuse);
+    spec.inapplicable = study->choice("inapplicable", spec.inapplicable);
 
     std::set<std::string> names;
     for (const TomlReader& table : file.tables("method")) {

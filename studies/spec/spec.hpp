@@ -2,6 +2,7 @@
 
 #include "core/estimators/estimator.hpp"
 #include "core/points/stream.hpp"
+#include "studies/readers/names.hpp"
 #include "studies/spec/request.hpp"
 #include "studies/spec/stopping_rule.hpp"
 
@@ -21,10 +22,20 @@ enum class Completion {
     reciprocal,  ///< (j, i) with j > i follows from (i, j): A_j F_ji = A_i F_ij, as in the paper
 };
 
-std::string_view name(Completion completion);
-std::string_view name(Allocation allocation);
-std::string_view name(TracerChoice tracer);
-std::string_view name(PointMap map);
+template <>
+inline constexpr auto names_of<Completion> = name_table(Named{Completion::direct, "direct"},
+                                                        Named{Completion::reciprocal, "reciprocal"});
+template <>
+inline constexpr auto names_of<Allocation> = name_table(Named{Allocation::patch, "patch"},
+                                                        Named{Allocation::face, "face"});
+template <>
+inline constexpr auto names_of<TracerChoice> = name_table(Named{TracerChoice::automatic, "automatic"},
+                                                          Named{TracerChoice::box, "box"},
+                                                          Named{TracerChoice::embree, "embree"},
+                                                          Named{TracerChoice::leaky, "leaky", false});  // a control
+template <>
+inline constexpr auto names_of<PointMap> = name_table(Named{PointMap::uniform, "uniform"},
+                                                      Named{PointMap::graded, "graded"});
 
 /// Gauss-Legendre nodes per side on the source and on the target patch.
 struct Nodes {
@@ -77,6 +88,9 @@ enum class Inapplicable {
     refuse,  ///< refuse the study
     skip,    ///< leave the method out there, with a warning
 };
+template <>
+inline constexpr auto names_of<Inapplicable> = name_table(Named{Inapplicable::refuse, "refuse"},
+                                                          Named{Inapplicable::skip, "skip"});
 
 /// The content of a study file. Everything that results depend on is here.
 struct StudySpec {

@@ -10,16 +10,6 @@
 #include <cmath>
 
 namespace ff::studies {
-namespace {
-
-constexpr std::array<std::string_view, 2> goal_names{"rmse", "ci"};
-constexpr std::array goals{StoppingGoal::rmse, StoppingGoal::ci};
-
-}  // namespace
-
-std::string_view name(StoppingGoal goal) {
-    return goal_names.at(static_cast<std::size_t>(goal));
-}
 
 StoppingRule read_stopping_rule(const TomlReader& reader, std::uint64_t trials) {
     static constexpr std::array<std::string_view, 3> known{"rmse", "ci", "pilot"};
@@ -45,15 +35,11 @@ StoppingRule parse_stopping_rule(std::string_view text) {
         return UserError(fmt::format("--until {} ({}). Write rmse=1e-5 or ci=1e-5.", text, why));
     };
     if (equals == std::string_view::npos) throw fail("a goal and its value are wanted");
-    for (const StoppingGoal goal : goals) {
-        if (name(goal) != text.substr(0, equals)) continue;
-        StoppingRule rule;
-        rule.goal = goal;
-        rule.target = parse_bare_number<double>(text.substr(equals + 1)).value_or(0);
-        if (!std::isfinite(rule.target) || rule.target <= 0) throw fail("not a number above 0");
-        return rule;
-    }
-    throw fail("the goals are rmse and ci");
+    const auto goal = value_named<StoppingGoal>(text.substr(0, equals));
+    if (!goal) throw fail("the goals are rmse and ci");
+    const double target = parse_bare_number<double>(text.substr(equals + 1)).value_or(0);
+    if (!std::isfinite(target) || target <= 0) throw fail("not a number above 0");
+    return {.goal = *goal, .target = target};
 }
 
 std::string to_toml(const StoppingRule& rule) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "studies/readers/names.hpp"
+
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -11,7 +13,9 @@ enum class StoppingGoal {
     rmse,  ///< root mean squared error of the mean over all trials, on every pair
     ci,    ///< half-width of the interval of the bias, at the study's level, for each pair individually
 };
-std::string_view name(StoppingGoal goal);
+template <>
+inline constexpr auto names_of<StoppingGoal> = name_table(Named{StoppingGoal::rmse, "rmse"},
+                                                          Named{StoppingGoal::ci, "ci"});
 
 /// When a cell has enough trials: Stein's two stages (stats/two_stage.hpp). The spread of the pilot's trials determines
 /// the total number, at most the study's `trials`.

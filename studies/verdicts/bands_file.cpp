@@ -16,13 +16,6 @@
 namespace ff::studies {
 namespace {
 
-constexpr std::array<std::string_view, 12> kind_names{"bias",        "std",       "rmse",      "closure",
-                                                      "reciprocity", "lost_rays", "coverage",  "slope",
-                                                      "efficiency",  "equal",     "std_error", "distribution"};
-constexpr std::array<std::string_view, 2> anytime_names{"normal", "bounded"};
-constexpr std::array<std::string_view, 3> spending_names{"halving", "pocock", "obrien_fleming"};
-constexpr std::array<std::string_view, 4> combination_names{"holm", "simes", "cauchy", "chi_squared"};
-
 /// Keys that only some kinds take.
 struct OwnKey {
     std::string_view key;
@@ -83,14 +76,13 @@ void read_reference(const TomlReader& reader, Gate& gate) {
 
 /// Whether a gate may be looked at after every trial, and what is assumed for that.
 void read_anytime(const TomlReader& reader, Gate& gate) {
-    const auto assumption = reader.optional_choice("anytime", anytime_names, anytime_names.size());
-    if (!assumption) {
+    gate.anytime = reader.choice("anytime", gate.anytime);
+    if (gate.anytime == Anytime::no) {
         for (const std::string_view key : {"bounds", "tightest_at"}) {
             if (reader.has(key)) reader.fail(key, "(it belongs to 'anytime'). Remove the key, or add that.");
         }
         return;
     }
-    gate.anytime = *assumption == 0 ? Anytime::normal : Anytime::bounded;
     if (gate.kind != GateKind::bias || !reader.has("reference") || reader.has("reference_se"))
         reader.fail("anytime", "(it is for a bias beside an exact reference, a number). Remove the key.");
     const bool bounded = gate.anytime == Anytime::bounded;
@@ -140,14 +132,13 @@ void read_reported(const TomlReader& reader, Gate& gate) {
     if (gate.kind == GateKind::std && !reader.has("reference"))
         reader.fail("reference", "missing (nothing is known about another program's quantity). Add the number.");
     read_anytime(reader, gate);
-    const auto combine = reader.optional_choice("combine", combination_names, combination_names.size());
-    if (combine) gate.combine = static_cast<Combination>(*combine);
+    gate.combine = reader.choice("combine", gate.combine);
     read_covariance(reader, gate);
     if (const auto* node = reader.find("relative")) {
         if (!node->is_boolean()) reader.fail("relative", "(true or false). Write true.");
         gate.relative = node->value_or(false);
     }
-    if (combine && gate.kind == GateKind::distribution)
+    if (reader.has("combine") && gate.kind == GateKind::distribution)
         reader.fail("combine", "(all bins of a distribution are one comparison). Remove the key.");
     if (gate.relative && gate.kind != GateKind::bias && gate.kind != GateKind::equal)
         reader.fail("relative", "(the band of this kind is of a ratio already). Remove the key.");
@@ -155,9 +146,7 @@ void read_reported(const TomlReader& reader, Gate& gate) {
 
 Gate read_gate(const TomlReader& reader, const ReadExperiment& read_experiment) {
     Gate gate;
-    if (!reader.has("kind"))
-        reader.fail("kind", fmt::format("missing. Choose one of {}.", fmt::join(kind_names, ", ")));
-    gate.kind = static_cast<GateKind>(*reader.optional_choice("kind", kind_names, kind_names.size()));
+    gate.kind = reader.choice<GateKind>("kind");
     gate.quantity = reader.optional_text("quantity").value_or("");
     if (gate.from_estimates()) {
         read_reported(reader, gate);
@@ -203,22 +192,13 @@ void read_options(const TomlReader& reader, GatesSpec& spec) {
     spec.seed = Seed{reader.optional_count("seed").value_or(spec.seed.value)};
     spec.looks = reader.optional_count("looks").value_or(spec.looks);
     if (spec.looks < 1 || spec.looks > 10) reader.fail("looks", "(an undecided gate is judged 1 to 10 times). Try 3.");
-    const auto spending = reader.optional_choice("spending", spending_names, spending_names.size());
-    if (spending) spec.spending = static_cast<Spending>(*spending);
+    spec.spending = reader.choice("spending", spec.spending);
     spec.max_trials = reader.optional_count("max_trials").value_or(spec.max_trials);
     if (spec.max_trials < 2 || spec.max_trials > 100'000'000)
         reader.fail("max_trials", "(of one look: 2 to 100000000). Try 100000.");
 }
 
 }  // namespace
-
-std::string_view name(GateKind kind) {
-    return kind_names.at(static_cast<std::size_t>(kind));
-}
-
-std::string_view name(Combination combination) {
-    return combination_names.at(static_cast<std::size_t>(combination));
-}
 
 GatesSpec parse_bands(std::string_view text, std::string_view origin, const ReadExperiment& read_experiment) {
     const toml::table root = parse_toml(text, origin);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/points/stream.hpp"
+#include "studies/readers/names.hpp"
 #include "studies/verdicts/known_law.hpp"
 #include "studies/verdicts/verdict.hpp"
 
@@ -40,7 +41,14 @@ enum class GateKind {
     distribution,  ///< distance between distributions: Kolmogorov's of values, Cohen's w of counts
 };
 
-std::string_view name(GateKind kind);
+template <>
+inline constexpr auto names_of<GateKind> = [] {
+    using enum GateKind;
+    return name_table(Named{bias, "bias"}, Named{std, "std"}, Named{rmse, "rmse"}, Named{closure, "closure"},
+                      Named{reciprocity, "reciprocity"}, Named{lost_rays, "lost_rays"}, Named{coverage, "coverage"},
+                      Named{slope, "slope"}, Named{efficiency, "efficiency"}, Named{equal, "equal"},
+                      Named{std_error, "std_error"}, Named{distribution, "distribution"});
+}();
 
 /// How the bins of an array share one alpha.
 enum class Combination {
@@ -50,7 +58,11 @@ enum class Combination {
     chi_squared,  ///< all together, by a known covariance, or independent
 };
 
-std::string_view name(Combination combination);
+template <>
+inline constexpr auto names_of<Combination> = name_table(Named{Combination::holm, "holm"},
+                                                         Named{Combination::simes, "simes"},
+                                                         Named{Combination::cauchy, "cauchy"},
+                                                         Named{Combination::chi_squared, "chi_squared"});
 
 /// The assumption about the values of a gate that may be judged after every value.
 enum class Anytime {
@@ -58,6 +70,9 @@ enum class Anytime {
     normal,   ///< independent and normal, e.g. means of many samples
     bounded,  ///< between two bounds, each with the same mean whatever came before
 };
+template <>
+inline constexpr auto names_of<Anytime> = name_table(Named{Anytime::normal, "normal"},
+                                                     Named{Anytime::bounded, "bounded"});
 
 /// How looks at a commit share alpha. Nothing is assumed about the dependence of their data.
 enum class Spending {
@@ -65,6 +80,10 @@ enum class Spending {
     pocock,          ///< `looks` of them, with about as much each [lan1983]
     obrien_fleming,  ///< `looks` of them, with little for the first and most for the last [lan1983]
 };
+template <>
+inline constexpr auto names_of<Spending> = name_table(Named{Spending::halving, "halving"},
+                                                      Named{Spending::pocock, "pocock"},
+                                                      Named{Spending::obrien_fleming, "obrien_fleming"});
 
 /// The reference of the effect.
 enum class Against {
@@ -77,7 +96,13 @@ enum class Against {
 /// Intervals whose coverage can be gated.
 enum class IntervalMethod { student_t, normal, percentile_bootstrap, wilson, clopper_pearson, wald };
 
-std::string_view name(IntervalMethod method);
+template <>
+inline constexpr auto names_of<IntervalMethod> = [] {
+    using enum IntervalMethod;
+    return name_table(Named{student_t, "student_t"}, Named{normal, "normal"},
+                      Named{percentile_bootstrap, "percentile_bootstrap"}, Named{wilson, "wilson"},
+                      Named{clopper_pearson, "clopper_pearson"}, Named{wald, "wald"});
+}();
 
 /// Counts hits within one trial, instead of taking the mean of several.
 bool is_binomial(IntervalMethod method);
