@@ -8,7 +8,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace ff::studies {
@@ -27,7 +26,6 @@ bool is_temperature(const std::optional<double>& kelvin) {
 bool is_held(const std::optional<double>& value) {
     return !value || *value == 0 || (std::abs(*value) <= largest && std::abs(*value) >= 1 / largest);
 }
-constexpr std::array<std::string_view, 5> keys{"emissivity", "temperature", "flux", "reflectance", "emission"};
 
 /// Whether the text is the pattern, in which * stands for any letters.
 bool matches(std::string_view pattern, std::string_view text) {
@@ -55,7 +53,7 @@ void expect(bool fine, const TomlReader& reader, std::string_view key, std::stri
 
 /// @param may_be_said  emissivities may stand in the scene file
 Material read_material(const TomlReader& reader, bool may_be_said) {
-    reader.expect_only(keys);
+    reader.expect_only({"emissivity", "temperature", "flux", "reflectance", "emission"});
     Material material{reader.optional_number("emissivity"), reader.optional_number("temperature"),
                       reader.optional_number("flux"), reader.optional_number("reflectance"),
                       reader.optional_number("emission")};
@@ -186,8 +184,7 @@ std::optional<double> said_emissivity(const std::vector<FaceMaterial>& said, std
 Materials read_materials(std::string_view toml, std::string_view origin, const NamedFaces& faces) {
     const auto table = parse_toml(toml, origin);
     const TomlReader file(table, origin);
-    constexpr std::array<std::string_view, 2> sections{"surroundings", "materials"};
-    file.expect_only(sections);
+    file.expect_only({"surroundings", "materials"});
     Materials materials;
     materials.surroundings = file.optional_number("surroundings");
     if (materials.surroundings && *materials.surroundings < 0)

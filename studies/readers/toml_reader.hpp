@@ -3,6 +3,7 @@
 #include "studies/readers/names.hpp"
 
 #include <cstdint>
+#include <initializer_list>
 #include <optional>
 #include <span>
 #include <string>
@@ -21,6 +22,7 @@ class TomlReader {
 
     /// @throws UserError at the first key that is not in `known`, with the nearest known key
     void expect_only(std::span<const std::string_view> known) const;
+    void expect_only(std::initializer_list<std::string_view> known) const { expect_only(std::span(known)); }
 
     [[nodiscard]] bool has(std::string_view key) const { return table_->contains(key); }
     [[nodiscard]] const toml::node* find(std::string_view key) const { return table_->get(key); }

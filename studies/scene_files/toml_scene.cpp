@@ -142,8 +142,7 @@ Surface read_surface(const TomlReader& reader) {
 SceneWithMaterials read_toml_scene(std::string_view name, std::string_view text) {
     const toml::table root = parse_toml(text, name);
     const TomlReader file(root, name);
-    static constexpr std::array<std::string_view, 2> known{"closed", "surface"};
-    file.expect_only(known);
+    file.expect_only({"closed", "surface"});
     SceneBuilder builder(name);
     for (const TomlReader& reader : file.tables("surface")) {
         Surface surface = read_surface(reader);

@@ -4,14 +4,10 @@
 
 #include <fmt/format.h>
 
-#include <array>
-#include <string_view>
-
 namespace ff::studies {
 
 std::vector<std::uint64_t> read_coverage(const TomlReader& reader, std::uint64_t trials) {
-    static constexpr std::array<std::string_view, 1> known{"replicates"};
-    reader.expect_only(known);
+    reader.expect_only({"replicates"});
     auto replicates = reader.counts("replicates");
     for (const std::uint64_t r : replicates) {
         if (r >= 3 && r <= trials / 2) continue;

@@ -8,7 +8,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <optional>
 #include <string_view>
@@ -90,9 +89,7 @@ void expect_numbers_for(const std::vector<double>& numbers, std::string_view wha
 }  // namespace
 
 RadiosityRequest read_radiosity(const TomlReader& reader) {
-    static constexpr std::array<std::string_view, 5> known{"reflectance", "emission", "tolerance", "solver_trials",
-                                                           "patch_trials"};
-    reader.expect_only(known);
+    reader.expect_only({"reflectance", "emission", "tolerance", "solver_trials", "patch_trials"});
     RadiosityRequest request;
     if (reader.has("reflectance")) request.reflectance = read_settings(reader, "reflectance");
     for (const auto& setting : request.reflectance) {

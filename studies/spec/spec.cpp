@@ -20,7 +20,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <filesystem>
 #include <set>
@@ -29,8 +28,6 @@
 
 namespace ff::studies {
 namespace {
-
-using MethodKeys = std::array<std::string_view, 15>;
 
 constexpr std::uint64_t max_samples = 1ULL << 32;  // a stream addresses points with 32 bits
 constexpr std::uint32_t max_patches_per_face = 1u << 20;
@@ -180,11 +177,10 @@ EstimatorOptions estimator_options(const Method& method) {
 }
 
 Method read_method(const TomlReader& reader, std::span<const std::string_view> other_keys) {
-    static constexpr MethodKeys own_keys{"name",       "sampler",       "randomise",        "estimator",
-                                         "completion", "allocation",    "tracer",           "map",
-                                         "nodes",      "sizes",         "patches_per_face", "samples_per_patch",
-                                         "trials",     "claimed_error", "claimed_level"};
-    std::vector<std::string_view> known(own_keys.begin(), own_keys.end());
+    std::vector<std::string_view> known{"name",       "sampler",       "randomise",        "estimator",
+                                        "completion", "allocation",    "tracer",           "map",
+                                        "nodes",      "sizes",         "patches_per_face", "samples_per_patch",
+                                        "trials",     "claimed_error", "claimed_level"};
     known.insert(known.end(), other_keys.begin(), other_keys.end());
     reader.expect_only(known);
     Method method;
@@ -230,9 +226,8 @@ Method read_method(const TomlReader& reader, std::span<const std::string_view> o
     for (const std::string_view key : {"patches_per_face", "samples_per_patch", "trials"}) {
         if (reader.has(key)) reader.fail(key, "(stands beside 'sizes', which says it for each size). Move it there.");
     }
-    static constexpr std::array<std::string_view, 3> size_keys{"patches_per_face", "samples_per_patch", "trials"};
     for (const TomlReader& table : reader.tables("sizes")) {
-        table.expect_only(size_keys);
+        table.expect_only({"patches_per_face", "samples_per_patch", "trials"});
         for (const Size& size : read_sizes(table, sampler, method, own_trials(table))) method.sizes.push_back(size);
     }
     if (method.sizes.empty()) reader.fail("sizes", "(an empty list leaves nothing to do). Give at least one size.");
@@ -262,15 +257,11 @@ std::vector<std::string> read_scenes(const TomlReader& reader) {
 StudySpec parse_study(std::string_view text, std::string_view origin) {
     const toml::table root = parse_toml(text, origin);
     const TomlReader file(root, origin);
-    static constexpr std::array<std::string_view, 6> sections{"study",    "method",    "until",
-                                                              "coverage", "radiosity", "published"};
-    file.expect_only(sections);
+    file.expect_only({"study", "method", "until", "coverage", "radiosity", "published"});
     const auto study = file.optional_table("study");
     if (!study) file.fail("study", "missing. Begin the file with [study].");
-    static constexpr std::array<std::string_view, 11> known{
-        "name",         "title",  "scene", "mirrors", "trials", "seed", "level", "power", "equivalence_margin",
-        "inapplicable", "plugins"};
-    study->expect_only(known);
+    study->expect_only({"name", "title", "scene", "mirrors", "trials", "seed", "level", "power", "equivalence_margin",
+                        "inapplicable", "plugins"});
 
     StudySpec spec;
     spec.name = study->text("name");
@@ -312,8 +303,7 @@ StudySpec parse_study(std::string_view text, std::string_view origin) {
     if (const auto coverage = file.optional_table("coverage")) spec.coverage = read_coverage(*coverage, spec.trials);
     if (const auto radiosity = file.optional_table("radiosity")) spec.radiosity = read_radiosity(*radiosity);
     if (const auto published = file.optional_table("published")) {
-        static constexpr std::array<std::string_view, 1> published_keys{"tables"};
-        published->expect_only(published_keys);
+        published->expect_only({"tables"});
         spec.published = Published{published->text("tables"), {}};
     }
     return spec;

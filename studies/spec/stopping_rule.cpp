@@ -6,14 +6,12 @@
 
 #include <fmt/format.h>
 
-#include <array>
 #include <cmath>
 
 namespace ff::studies {
 
 StoppingRule read_stopping_rule(const TomlReader& reader, std::uint64_t trials) {
-    static constexpr std::array<std::string_view, 3> known{"rmse", "ci", "pilot"};
-    reader.expect_only(known);
+    reader.expect_only({"rmse", "ci", "pilot"});
     StoppingRule rule;
     if (reader.has("rmse") == reader.has("ci")) {
         reader.fail("rmse", "(one goal is wanted: rmse or ci). Write one of them, e.g. ci = 1e-5.");

@@ -119,10 +119,8 @@ void read_covariance(const TomlReader& reader, Gate& gate) {
 
 /// What a gate on another program's quantity may have.
 void read_reported(const TomlReader& reader, Gate& gate) {
-    static constexpr std::array<std::string_view, 12> known{"name",         "kind",   "quantity",    "reference",
-                                                            "reference_se", "band",   "combine",     "relative",
-                                                            "anytime",      "bounds", "tightest_at", "covariance"};
-    reader.expect_only(known);
+    reader.expect_only({"name", "kind", "quantity", "reference", "reference_se", "band", "combine", "relative",
+                        "anytime", "bounds", "tightest_at", "covariance"});
     static constexpr std::array kinds{GateKind::bias,      GateKind::std,        GateKind::equal,
                                       GateKind::std_error, GateKind::efficiency, GateKind::distribution};
     if (std::find(kinds.begin(), kinds.end(), gate.kind) == kinds.end())
@@ -179,9 +177,7 @@ Gate read_gate(const TomlReader& reader, const ReadExperiment& read_experiment) 
 }
 
 void read_options(const TomlReader& reader, GatesSpec& spec) {
-    static constexpr std::array<std::string_view, 7> known{"alpha",    "power",      "seed",   "looks",
-                                                           "spending", "max_trials", "plugins"};
-    reader.expect_only(known);
+    reader.expect_only({"alpha", "power", "seed", "looks", "spending", "max_trials", "plugins"});
     spec.alpha = reader.optional_number("alpha").value_or(spec.alpha);
     if (spec.alpha < smallest_alpha || spec.alpha >= 0.5)
         reader.fail("alpha",
@@ -203,8 +199,7 @@ void read_options(const TomlReader& reader, GatesSpec& spec) {
 GatesSpec parse_bands(std::string_view text, std::string_view origin, const ReadExperiment& read_experiment) {
     const toml::table root = parse_toml(text, origin);
     const TomlReader file(root, origin);
-    static constexpr std::array<std::string_view, 2> sections{"gates", "gate"};
-    file.expect_only(sections);
+    file.expect_only({"gates", "gate"});
     GatesSpec spec;
     spec.name = std::filesystem::path(origin).stem().string();
     if (const auto options = file.optional_table("gates")) read_options(*options, spec);
