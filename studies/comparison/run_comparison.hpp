@@ -3,7 +3,7 @@
 #include "core/visibility/pair_class.hpp"
 #include "stats/interval.hpp"
 #include "studies/analysis/analysis.hpp"
-#include "studies/spec/spec_differences.hpp"
+#include "studies/spec/study_difference.hpp"
 
 #include <array>
 #include <cstddef>

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <vector>
+#include <utility>
 
 namespace ff::studies {
 namespace {
@@ -43,6 +43,20 @@ const Entry* find_entry(const std::vector<Entry>& entries, const Entry& wanted) 
     return found == entries.end() ? nullptr : &*found;
 }
 
+/// Calls visit(entry, other) for every key that differs; either is null where its text does not have the key.
+template <class Visit>
+void for_each_difference(std::string_view first, std::string_view second, const Visit& visit) {
+    const std::vector<Entry> entries = entries_of(first);
+    const std::vector<Entry> others = entries_of(second);
+    for (const Entry& entry : entries) {
+        const Entry* other = find_entry(others, entry);
+        if (other == nullptr || other->value != entry.value) visit(&entry, other);
+    }
+    for (const Entry& other : others) {
+        if (find_entry(entries, other) == nullptr) visit(nullptr, &other);
+    }
+}
+
 /// "'seed = 1'", of long values what is around a place.
 std::string shown(const Entry* entry, std::string_view key, std::size_t place) {
     constexpr std::size_t before = 40;
@@ -65,23 +79,41 @@ std::string difference_in_words(const Entry* stored, const Entry* wanted) {
                        shown(wanted, either.key, place));
 }
 
+void compare(const std::string& place, const StudySpec& first, const StudySpec& second,
+             std::vector<SpecDifference>& out) {
+    const auto value = [](const Entry* entry) { return entry == nullptr ? std::string() : entry->value; };
+    for_each_difference(to_toml(first), to_toml(second), [&](const Entry* entry, const Entry* other) {
+        out.push_back({place, (entry != nullptr ? entry : other)->key, value(entry), value(other)});
+    });
+}
+
+/// A study of nothing but these methods, without their sizes.
+StudySpec without_sizes(StudySpec study, std::vector<Method> methods) {
+    for (Method& method : methods) method.sizes.clear();
+    study.methods = std::move(methods);
+    return study;
+}
+
 }  // namespace
 
+std::vector<SpecDifference> differences_of(const StudySpec& first, const StudySpec& second) {
+    std::vector<SpecDifference> out;
+    compare("study", without_sizes(first, {}), without_sizes(second, {}), out);
+    for (const Method& method : first.methods) {
+        const auto other = std::find_if(second.methods.begin(), second.methods.end(),
+                                        [&](const Method& each) { return each.name == method.name; });
+        if (other != second.methods.end())
+            compare(method.name, without_sizes({}, {method}), without_sizes({}, {*other}), out);
+    }
+    return out;
+}
+
 std::string first_difference(std::string_view stored, std::string_view wanted) {
-    const std::vector<Entry> there = entries_of(stored);
-    const std::vector<Entry> here = entries_of(wanted);
     std::string first;
     std::size_t differing = 0;
-    const auto add = [&](const Entry* a, const Entry* b) {
-        if (++differing == 1) first = difference_in_words(a, b);
-    };
-    for (const Entry& entry : there) {
-        const Entry* other = find_entry(here, entry);
-        if (other == nullptr || other->value != entry.value) add(&entry, other);
-    }
-    for (const Entry& entry : here) {
-        if (find_entry(there, entry) == nullptr) add(nullptr, &entry);
-    }
+    for_each_difference(stored, wanted, [&](const Entry* there, const Entry* here) {
+        if (++differing == 1) first = difference_in_words(there, here);
+    });
     if (differing > 1) first += fmt::format(", and in {} more key{}", differing - 1, differing == 2 ? "" : "s");
     if (differing == 0 && stored != wanted) first = "the order of its methods";
     return first;
