@@ -145,8 +145,9 @@ double two_sided_p(const std::function<bool(double)>& leaves_out, double least) 
     return normal_two_sided_p(including);
 }
 
-double unseen_value(double mean, double reference, std::size_t n) {
-    return mean + static_cast<double>(n) * (reference - mean);
+UnseenValue unseen_value(double mean, double reference, std::size_t n, double tail) {
+    const double share = -std::expm1(std::log(tail) / static_cast<double>(n));
+    return {.value = mean + (reference - mean) / share, .one_in = 1 / share};
 }
 
 }  // namespace ff::stats

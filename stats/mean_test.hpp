@@ -101,8 +101,13 @@ MeanTest test_mean(const MeanEvidence& mean);
 /// @param least       what p cannot be below
 double two_sided_p(const std::function<bool(double tail)>& leaves_out, double least = 0);
 
-/// The value that would explain a difference if one trial in n had it: n values that have missed it have their mean at
-/// `mean` where the truth is `reference`. No rule can exclude such a law [bahadur1956].
-double unseen_value(double mean, double reference, std::size_t n);
+/// A value that would explain a difference, and how often it could occur without any of n trials showing it, except
+/// with probability `tail`. No rule can exclude such a law [bahadur1956].
+struct UnseenValue {
+    double value = 0;
+    double one_in = 0;  ///< it occurs once in so many trials, at most
+};
+/// @param mean, reference  of the trials, which have missed the value, and the truth
+UnseenValue unseen_value(double mean, double reference, std::size_t n, double tail);
 
 }  // namespace ff::stats

@@ -2,6 +2,10 @@
 
 #include "core/support/contract.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
 namespace ff::stats {
 
 Draws::Draws(StreamKey key, Resampling use, std::uint32_t replicate)
@@ -36,6 +40,27 @@ std::size_t Draws::below(std::size_t n) {
 void resample(std::span<const double> data, Draws& draws, std::span<double> sample) {
     FF_EXPECT(!data.empty());
     for (double& value : sample) value = data[draws.below(data.size())];
+}
+
+std::vector<double> resampled_t(std::span<const double> values, std::size_t n, std::size_t samples, StreamKey key) {
+    FF_EXPECT(!values.empty() && n >= 2);
+    const double mean = std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+    const auto size = static_cast<double>(n);
+    Draws draws(key, Resampling::bootstrap, 0);
+    std::vector<double> found;
+    for (std::size_t i = 0; i < samples; ++i) {
+        double sum = 0;
+        double squares = 0;
+        for (std::size_t k = 0; k < n; ++k) {
+            const double value = values[draws.below(values.size())] - mean;
+            sum += value;
+            squares += value * value;
+        }
+        const double variance = (squares - sum * sum / size) / (size - 1);
+        if (variance > 0) found.push_back(sum / std::sqrt(variance * size));
+    }
+    std::sort(found.begin(), found.end());
+    return found;
 }
 
 }  // namespace ff::stats

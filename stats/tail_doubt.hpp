@@ -31,6 +31,9 @@ class PooledTails {
     void add(std::span<const double> values);
     [[nodiscard]] std::optional<TailDoubt> doubt() const;
 
+    /// All of them.
+    [[nodiscard]] const std::vector<double>& values() const { return values_; }
+
   private:
     std::vector<double> values_;
 };

@@ -43,17 +43,21 @@ std::string biased_in_words(const studies::CellFindings& found) {
     const studies::BiasFamily& family = *found.bias;
     if (family.constant_and_wrong) return "BIASED (one wrong value in every trial)";
     std::string words = fmt::format("BIASED (t up to ±{:.1f}, {})", family.largest_t, p_text(family.adjusted_p));
-    if (family.unseen_value)
-        words += fmt::format(", unless a value of {} occurs less often than once in {} trials",
-                             brief(*family.unseen_value, 2), found.trials);
+    if (family.unseen)
+        words += fmt::format(", unless a value of {} occurs less often than once in {:.0f} trials",
+                             brief(family.unseen->value, 2), std::ceil(family.unseen->one_in));
     return words.append(undefined_in_words(family));
 }
 
 /// A difference that a skewed law without bias would show too.
 std::string inconclusive_in_words(const studies::CellFindings& found) {
     const studies::BiasFamily& family = *found.bias;
-    const std::string_view why = family.heavy_tails             ? "the tails are too heavy for a verdict"
-                                 : family.may_be_unmet          ? "perhaps no evaluation met what would explain it"
+    if (family.constant)
+        return fmt::format("inconclusive: one wrong value in every trial, but rarer ones may make up for it{}",
+                           undefined_in_words(family));
+    const std::string_view why = family.heavy_tails      ? "the tails are too heavy for a verdict"
+                                 : family.may_be_unmet   ? "perhaps no evaluation met what would explain it"
+                                 : family.others_explain ? "trials of other pairs are skewed enough to explain it"
                                  : found.trials < enough_trials ? "too few trials to rule out skewness"
                                                                 : "the trials are too skewed for a verdict";
     return fmt::format("inconclusive: t up to ±{:.1f}, but {}{}", family.largest_t, why, undefined_in_words(family));

@@ -1,9 +1,12 @@
 #include "studies/analysis/bias.hpp"
 
+#include "core/points/stream.hpp"
+#include "samplers/sampler.hpp"
 #include "stats/binomial.hpp"
 #include "stats/mean_test.hpp"
 #include "stats/multiplicity.hpp"
 #include "stats/power.hpp"
+#include "stats/resampling.hpp"
 #include "stats/tail_doubt.hpp"
 
 #include <algorithm>
@@ -122,13 +125,50 @@ bool withdraw_heavy_tails(const CellEstimates& estimates, std::span<const Quanti
     return some;
 }
 
+/// Withdraws what would be said of pairs whose t is not rare in samples of the trials of all pairs together: where a
+/// second hump or a long tail is met by one trial in ten, some pair of thirty has not met it in forty trials, while
+/// the others have.
+/// @return whether there are any
+bool withdraw_what_others_explain(const PairTester& tester, std::span<const Quantity> pairs,
+                                  std::vector<std::optional<PairTest>>& tests) {
+    constexpr std::size_t most_values = 20'000'000;  // that are drawn: a third of a second
+    constexpr std::size_t most_samples = 200'000;
+    constexpr std::size_t many_trials = 400;  // whose own skewness shows all that the others have
+    const CellEstimates& estimates = tester.estimates;
+    stats::PooledTails pooled;
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+        if (tests[i] && tests[i]->mean) pooled.add(estimates.values(pairs[i]));
+    }
+    if (pooled.values().empty() || estimates.trials() > many_trials) return false;
+    const auto sound = stats::resampled_t(pooled.values(), estimates.trials(),
+                                          std::min(most_samples, most_values / estimates.trials()),
+                                          derive_key(tester.plan.spec.seed, "bias|" + tester.cell().canonical));
+    const double rare = tester.pair_alpha / 2 * static_cast<double>(sound.size());
+    bool some = false;
+    for (auto& test : tests) {
+        if (!test || !test->mean || test->test.p >= tester.pair_alpha) continue;
+        const auto below = std::upper_bound(sound.begin(), sound.end(), test->t) - sound.begin();
+        const auto above = sound.end() - std::lower_bound(sound.begin(), sound.end(), test->t);
+        if (static_cast<double>(test->t < 0 ? below : above) <= rare) continue;
+        withdraw(*test);
+        some = true;
+    }
+    return some;
+}
+
 /// The value of a trial that would explain the difference on a pair; empty where there can be none.
-std::optional<double> unseen_value(const PairTest& found, const Summary& summary, const EstimatorInfo& estimator) {
+std::optional<stats::UnseenValue> unseen_value(const PairTester& tester, const PairTest& found,
+                                               const Summary& summary) {
     if (!found.mean) return std::nullopt;
-    const double value = stats::unseen_value(*summary.mean, *summary.reference, summary.trials);
-    const bool bounded = std::isfinite(estimator.largest_value);
-    const bool impossible = bounded && (value < 0 || value > estimator.largest_value);
-    return impossible ? std::nullopt : std::optional(value);
+    const auto unseen = stats::unseen_value(*summary.mean, *summary.reference, summary.trials, tester.pair_alpha / 2);
+    const double largest = estimator_info(tester.method()).largest_value;
+    const bool impossible = std::isfinite(largest) && (unseen.value < 0 || unseen.value > largest);
+    return impossible ? std::nullopt : std::optional(unseen);
+}
+
+/// Whether the law of a method's estimates is about that of hits: points of a sampler from outside may lie together.
+bool has_known_law(const Method& method) {
+    return !method.sampler.empty() && samplers::find(method.sampler).info.spread != samplers::Spread::other;
 }
 
 bool leaves_out(const stats::Interval& interval, double margin) {
@@ -177,6 +217,7 @@ BiasFamily judge_bias(const StudyPlan& plan, const CellEstimates& estimates, std
                              return test && test->test.p < tester.pair_alpha;
                          });
     family.heavy_tails = matters && withdraw_heavy_tails(estimates, pairs, tests);
+    family.others_explain = matters && withdraw_what_others_explain(tester, pairs, tests);
     std::vector<double> p_values;
     std::vector<double> student_p;
     std::vector<std::size_t> constants;  // of p_values: those of pairs with one value in every trial
@@ -204,7 +245,11 @@ BiasFamily judge_bias(const StudyPlan& plan, const CellEstimates& estimates, std
                 continue;
             }
             constants.push_back(p_values.size());
-            p_values.push_back(p);
+            p_values.push_back(has_known_law(tester.method())
+                                   ? p
+                                   : p_of_any_constant(*summary.mean, *summary.reference,
+                                                       estimator_info(tester.method()).largest_value,
+                                                       estimates.trials()));
             student_p.push_back(p);
             continue;
         }
@@ -215,7 +260,7 @@ BiasFamily judge_bias(const StudyPlan& plan, const CellEstimates& estimates, std
             family.largest_t = std::abs(test->t);
             family.largest_pair = pairs[i];
             family.may_be_unmet = tester.may_be_unmet(summary);
-            family.unseen_value = unseen_value(*test, summary, estimator_info(tester.method()));
+            family.unseen = unseen_value(tester, *test, summary);
         }
         if (test->strict.is_finite()) {
             family.minimum_detectable_bias =
@@ -235,9 +280,13 @@ BiasFamily judge_bias(const StudyPlan& plan, const CellEstimates& estimates, std
         return over_cells(*std::min_element(p.begin(), p.end()));
     };
     family.adjusted_p = smallest(adjusted);
-    family.student_p = smallest(stats::holm(student_p));
-    family.constant_and_wrong =
-        std::any_of(constants.begin(), constants.end(), [&](std::size_t k) { return over_cells(adjusted[k]) < alpha; });
+    const auto student_adjusted = stats::holm(student_p);
+    family.student_p = smallest(student_adjusted);
+    const auto some_constant_below_alpha = [&](const std::vector<double>& p) {
+        return std::any_of(constants.begin(), constants.end(), [&](std::size_t k) { return over_cells(p[k]) < alpha; });
+    };
+    family.constant_and_wrong = some_constant_below_alpha(adjusted);
+    family.constant = some_constant_below_alpha(student_adjusted);
     // A form factor lies between 0 and 1: a larger bias is none that could be.
     const bool nothing_found = family.student_p >= alpha && family.untestable < family.pairs;
     if (nothing_found && family.minimum_detectable_bias >= 1) {
@@ -257,6 +306,12 @@ double p_of_constant(double bias, std::optional<double> lattice, std::size_t tri
     if (error <= lattice.value_or(0.0) + rounding) return 1;
     const double steps = lattice ? std::floor(error / *lattice) : 1;
     return std::pow(1 / (steps + 1), static_cast<double>(trials - 1));
+}
+
+double p_of_any_constant(double value, double reference, double largest, std::size_t trials) {
+    if (!std::isfinite(largest) || value == reference) return 1;
+    const double others = value < reference ? (reference - value) / (largest - value) : (value - reference) / value;
+    return std::pow(1 - others, static_cast<double>(trials - 1));
 }
 
 BiasFinding bias_finding(const BiasFamily& family, double level) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "stats/mean_test.hpp"
 #include "studies/analysis/summary.hpp"
 #include "studies/trials/estimates.hpp"
 
@@ -22,15 +23,17 @@ struct BiasFamily {
     std::size_t undefined = 0;        ///< untestable because some trial gave no number
     bool few_trials = false;          ///< nothing is tested: too few trials, or no possible bias is detectable
     bool constant_and_wrong = false;  ///< some pair has the same wrong value in every trial, beyond chance
+    bool constant = false;            ///< the same where the law of the values is known well enough, or not
     double largest_t = 0;             ///< largest |t|, t = bias / standard error
     Quantity largest_pair;
     double adjusted_p = 1;  ///< smallest p-value, adjusted for pairs (Holm) and cells (Sidak): the family-wise verdict
     double student_p = 1;   ///< the same if no value were skewed
-    bool heavy_tails = false;   ///< a difference counts for nothing, because of the tails of the trials
-    bool may_be_unmet = false;  ///< jumps that no evaluation has met may make the difference on the largest pair
-    /// The value on the largest pair that would explain its difference if one trial in all of them had it; empty where
-    /// it is known to be impossible (stats/mean_test.hpp).
-    std::optional<double> unseen_value;
+    bool heavy_tails = false;     ///< a difference counts for nothing, because of the tails of the trials
+    bool may_be_unmet = false;    ///< jumps that no evaluation has met may make the difference on the largest pair
+    bool others_explain = false;  ///< trials of other pairs are so skewed that they would show a difference too
+    /// What would explain the difference on the largest pair if trials had missed it; empty where it is known to be
+    /// impossible.
+    std::optional<stats::UnseenValue> unseen;
     double minimum_detectable_bias = 0;  ///< on the worst pair, at the family-wise level and the study's power
     double shown_below = 0;              ///< smallest margin within which every pair is equivalent (level 1 - 2 alpha)
     std::optional<double> margin;        ///< the study's equivalence margin
@@ -50,6 +53,10 @@ enum class EquivalenceFinding { shown, refuted, inconclusive, not_asked };
 /// from the mean has probability at most 1 / (k + 1). Without a lattice, no value has a probability above 1/2. The
 /// result is 1 where the value is as close to the exact one as the lattice allows.
 double p_of_constant(double bias, std::optional<double> lattice, std::size_t trials);
+
+/// Bound of the probability that all trials have one value, this one, for any law of values from 0 to `largest` whose
+/// mean is `reference`: 1 where nothing bounds them.
+double p_of_any_constant(double value, double reference, double largest, std::size_t trials);
 
 BiasFinding bias_finding(const BiasFamily& family, double level);
 /// Shown if every pair's interval lies inside the margin; refuted if some pair's adjusted interval lies outside.

@@ -197,10 +197,11 @@ TEST(MeanDifference, OfLikeSkewedSamplesIsNotSkewed) {
     EXPECT_GT(mean.skewness.error, 0);
 }
 
-TEST(UnseenValue, MakesTheMeanThatIsWanted) {
-    // 59 values of 1 and one of V have the mean 2.
-    const double v = unseen_value(1, 2, 60);
-    EXPECT_NEAR((59 * 1.0 + v) / 60, 2, 0.02);
+TEST(UnseenValue, MakesTheMeanThatIsWantedAndIsMissedByAllTrialsWithTheProbabilityOfTheTail) {
+    const auto unseen = unseen_value(1, 2, 60, 1e-3);
+    const double share = 1 / unseen.one_in;
+    EXPECT_NEAR((1 - share) * 1 + share * unseen.value, 2, 1e-12);
+    EXPECT_NEAR(std::pow(1 - share, 60), 1e-3, 1e-15);
 }
 
 // Risks: false alarm 1e-6; an error rate off by .006 at .01, .03 at the power, is noticed with power .99.

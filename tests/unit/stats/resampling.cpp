@@ -1,12 +1,16 @@
 #include "stats/resampling.hpp"
 
 #include "stats/chi_squared.hpp"
+#include "stats/distributions.hpp"
 #include "stats/kolmogorov.hpp"
+#include "tests/support/statistical_assertions.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstdint>
 #include <vector>
 
 namespace ff::stats {
@@ -53,6 +57,23 @@ TEST(Resample, DrawsOnlyGivenValues) {
     EXPECT_EQ(std::count(sample.begin(), sample.end(), 1) + std::count(sample.begin(), sample.end(), 2) +
                   std::count(sample.begin(), sample.end(), 3),
               100);
+}
+
+// Of 20 normal values Student's t exceeds 2.861 in .005 of samples. The check is exact up to the pool's own error.
+TEST(ResampledT, IsStudentsForNormalValuesAndLeansWhereTheyDo) {
+    Draws draws(draws_key, Resampling::simulation, 1);
+    std::vector<double> normal(20'000);
+    std::vector<double> skewed(20'000);
+    for (double& value : normal) value = normal_critical(1 - draws.uniform());
+    for (double& value : skewed) value = -std::log(1 - draws.uniform());
+    const auto beyond = [](const std::vector<double>& found, double t) {
+        return static_cast<std::uint64_t>(found.end() - std::lower_bound(found.begin(), found.end(), t));
+    };
+    const auto even = resampled_t(normal, 20, 40'000, draws_key);
+    EXPECT_TRUE(test::has_probability(beyond(even, 2.861), even.size(), 0.005, {.alpha = 1e-6, .detects = 0.003}));
+    const auto leaning = resampled_t(skewed, 20, 40'000, draws_key);
+    EXPECT_LT(beyond(leaning, 2.861), 40u);
+    EXPECT_EQ(resampled_t(std::vector<double>{1, 1}, 5, 10, draws_key).size(), 0u);
 }
 
 }  // namespace
