@@ -1,4 +1,4 @@
-// ffstudy-validate: how often the verdicts, intervals and limits of ffstudy err. docs/validation.md is what it prints.
+// ffstudy-validate: how often the verdicts, intervals and limits of ffstudy err. docs/validation.md has what it prints.
 
 #include "core/support/error.hpp"
 #include "reports/files/output_file.hpp"
@@ -32,8 +32,8 @@ constexpr std::string_view help =
        ffstudy-validate form_factors [--seeds N] [--tolerance T] [--scene A,B] [--seed S] [--threads T] [--out DIR]
        ffstudy-validate heat          with the same options
 
-Measures how often the verdicts of gates, the intervals of form factors and the limits of heat flows err, and prints
-tables in Markdown; exit code 1 where a claim does not hold.
+Measures how often the verdicts of gates, the intervals of form factors and the limits of heat flows err, and prints a
+summary in Markdown; exit code 1 where a claim does not hold.
 
   --seeds N        seeds that every control or scene is computed with (default: 200)
   --repetitions N  of every rate on made-up trials (default: 20000)
@@ -41,7 +41,7 @@ tables in Markdown; exit code 1 where a claim does not hold.
   --scene A,B      scenes of the catalogue (default: all of them, and random ones)
   --seed S         the first seed (default: 1)
   --threads T      results do not depend on them (default: all cores)
-  --out DIR        folder for selftest.md (default: none is written)
+  --out DIR        folder for gates.md, form_factors.md or heat.md, the tables of all rates (default: none is written)
 )";
 
 /// What follows the first argument: options, each with a value. Those that are read are forgotten.
@@ -113,26 +113,28 @@ FormFactorCoverageOptions coverage_options(Options given) {
     return options;
 }
 
-/// Prints the page of what was measured, and writes it where there is a folder. Returns the exit code.
+/// Prints the summary of what was measured, and writes the tables where they are wanted. Returns the exit code.
+/// @param file  empty: they are not
 template <class Measured>
-int conclude(const Measured& measured, const std::filesystem::path& out) {
-    const std::string page = markdown(measured);
-    if (!out.empty()) {
-        std::filesystem::create_directories(out);
-        reports::write_file(out / "selftest.md", page);
+int conclude(const Measured& measured, const std::filesystem::path& file) {
+    const Pages pages = markdown(measured);
+    if (!file.empty()) {
+        std::filesystem::create_directories(file.parent_path());
+        reports::write_file(file, pages.tables);
     }
-    fmt::print("{}", page);
+    fmt::print("{}", pages.summary);
     return measured.contradictions() > 0 ? 1 : 0;
 }
 
-int validate(std::string_view what, Options given) {
-    const std::string out = given.text("--out");
+int validate(const std::string& what, Options given) {
+    std::filesystem::path file = given.text("--out");
+    if (!file.empty()) file /= what + ".md";
     if (what == "gates") {
         const auto controls = load_bands(FF_BUILT_IN_STUDIES "/gates/controls.toml", read_experiment);
-        return conclude(run_selftest(controls, gate_options(given)), out);
+        return conclude(run_selftest(controls, gate_options(given)), file);
     }
-    if (what == "form_factors") return conclude(measure_form_factor_coverage(coverage_options(given)), out);
-    if (what == "heat") return conclude(measure_flow_coverage(coverage_options(given)), out);
+    if (what == "form_factors") return conclude(measure_form_factor_coverage(coverage_options(given)), file);
+    if (what == "heat") return conclude(measure_flow_coverage(coverage_options(given)), file);
     throw UserError(fmt::format("{} (only gates, form_factors and heat are validated). See --help.", what));
 }
 

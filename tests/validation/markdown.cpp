@@ -4,6 +4,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <string_view>
+
 namespace ff::studies {
 namespace {
 
@@ -23,82 +26,107 @@ std::string claim_text(const MeasuredRate& rate) {
     return "–";
 }
 
-std::string_view holds_text(const MeasuredRate& rate, double level) {
-    if (rate.claim == RateClaim::none) return "–";
-    return holds(rate, level) ? "yes" : "**no**";
+constexpr std::string_view holds_text(bool holds) {
+    return holds ? "yes" : "**no**";
 }
 
-std::string p_values_text(const Selftest& selftest) {
-    std::string out =
-        "### p-values\n\nOne-sided p-values of gates whose effect lies exactly at the end of the band, against uniform "
-        "ones (Kolmogorov and Smirnov).\n\n| what | values | distance | p | holds |\n|---|--:|--:|--:|---|\n";
-    for (const PValues& values : selftest.calibration.p_values) {
-        out += fmt::format("| {} | {} | {} | {} | {} |\n", values.what, values.n, brief(values.distance),
-                           reports::p_value(values.p), values.p >= 1 - selftest.level ? "yes" : "**no**");
-    }
-    return out + "\n";
+/// The cells "rate", "interval" and "claimed".
+std::string rate_cells(const MeasuredRate& rate, double level) {
+    const stats::Interval interval = interval_of(rate, level);
+    return fmt::format("{} | {} … {} | {}",
+                       brief(static_cast<double>(rate.counts.hits) / static_cast<double>(rate.counts.trials)),
+                       brief(interval.low), brief(interval.high), claim_text(rate));
 }
 
-std::string table_markdown(const RateTable& table, double level) {
-    std::string out = fmt::format(
+Pages begin_pages(const std::string& how_measured, std::size_t contradictions) {
+    const std::string claims =
+        contradictions == 0 ? "**All claims hold.**" : fmt::format("**{} claim(s) do not hold.**", contradictions);
+    const std::string beginning = fmt::format("{} {}\n\n", how_measured, claims);
+    return {.summary = beginning +
+                       "| section | claims | hold | nearest to its limit | rate | interval | claimed |\n"
+                       "|---|--:|--:|---|--:|---|--:|\n",
+            .tables = beginning};
+}
+
+/// A table without a claim is not in the summary.
+void add_table(const RateTable& table, double level, Pages& pages) {
+    pages.tables += fmt::format(
         "### {}\n\n{}\n\n| what | times | of | rate | interval | claimed | holds |\n|---|--:|--:|--:|---|--:|---|\n",
         table.title, table.text);
     for (const MeasuredRate& rate : table.rates) {
-        const auto interval = interval_of(rate, level);
-        out +=
-            fmt::format("| {} | {} | {} | {} | {} … {} | {} | {} |\n", rate.what, rate.counts.hits, rate.counts.trials,
-                        brief(static_cast<double>(rate.counts.hits) / static_cast<double>(rate.counts.trials)),
-                        brief(interval.low), brief(interval.high), claim_text(rate), holds_text(rate, level));
+        pages.tables +=
+            fmt::format("| {} | {} | {} | {} | {} |\n", rate.what, rate.counts.hits, rate.counts.trials,
+                        rate_cells(rate, level), rate.claim == RateClaim::none ? "–" : holds_text(holds(rate, level)));
     }
-    return out + "\n";
+    pages.tables += "\n";
+    const std::size_t claims = table.claims();
+    if (claims == 0) return;
+    const MeasuredRate& nearest = *std::ranges::min_element(table.rates, {}, tail_of);
+    pages.summary += fmt::format("| {} | {} | {} | {} | {} |\n", table.title, claims,
+                                 claims - table.contradictions(level), nearest.what, rate_cells(nearest, level));
 }
 
-std::string claims_text(std::size_t contradictions) {
-    return contradictions == 0 ? "**All claims hold.**" : fmt::format("**{} claim(s) do not hold.**", contradictions);
+void add_p_values(const Selftest& selftest, Pages& pages) {
+    const std::vector<PValues>& all = selftest.calibration.p_values;
+    pages.tables +=
+        "### p-values\n\nOne-sided p-values of gates whose effect lies exactly at the end of the band, against uniform "
+        "ones (Kolmogorov and Smirnov).\n\n| what | values | distance | p | holds |\n|---|--:|--:|--:|---|\n";
+    const auto holds = [&](const PValues& values) { return values.p >= 1 - selftest.level; };
+    for (const PValues& values : all) {
+        pages.tables += fmt::format("| {} | {} | {} | {} | {} |\n", values.what, values.n, brief(values.distance),
+                                    reports::p_value(values.p), holds_text(holds(values)));
+    }
+    pages.tables += "\n";
+    const PValues& nearest = *std::ranges::min_element(all, {}, &PValues::p);
+    pages.summary += fmt::format("| p-values | {} | {} | {} | p = {} | – | uniform |\n", all.size(),
+                                 std::ranges::count_if(all, holds), nearest.what, reports::p_value(nearest.p));
 }
 
 }  // namespace
 
-std::string markdown(const Selftest& selftest) {
+Pages markdown(const Selftest& selftest) {
     const SelftestOptions& options = selftest.options;
-    std::string page = fmt::format(
-        "`ffstudy-validate gates --seed {} --seeds {} --repetitions {}` printed what follows. Intervals are those of "
-        "Clopper and Pearson at level {:.5f}, so that with probability 0.99 all rows hold together if all claims are "
-        "right. {}\n\n",
-        options.seed.value, options.seeds, options.repetitions, selftest.level, claims_text(selftest.contradictions()));
+    Pages result = begin_pages(
+        fmt::format("`ffstudy-validate gates --seed {} --seeds {} --repetitions {}` printed what follows. Intervals "
+                    "are those of Clopper and Pearson at level {:.5f}, so that with probability 0.99 all rows hold "
+                    "together if all claims are right.",
+                    options.seed.value, options.seeds, options.repetitions, selftest.level),
+        selftest.contradictions());
     for (const RateTable& table : selftest.tables()) {
-        page += table_markdown(table, selftest.level);
-        if (table.title == selftest.calibration.false_alarms.title) page += p_values_text(selftest);
+        add_table(table, selftest.level, result);
+        if (table.title == selftest.calibration.false_alarms.title) add_p_values(selftest, result);
     }
     if (!selftest.detection.refused.empty()) {
-        page += "### Refused before anything is run\n\n";
-        for (const std::string& message : selftest.detection.refused) page += fmt::format("- {}\n", message);
+        result.tables += "### Refused before anything is run\n\n";
+        for (const std::string& message : selftest.detection.refused) result.tables += fmt::format("- {}\n", message);
     }
-    return page;
+    return result;
 }
 
-std::string markdown(const FormFactorCoverage& coverage) {
+Pages markdown(const FormFactorCoverage& coverage) {
     const FormFactorCoverageOptions& options = coverage.options;
-    std::string page = fmt::format(
-        "`ffstudy-validate form_factors --seed {} --seeds {} --tolerance {}` printed what follows. Intervals are those "
-        "of Clopper and Pearson at level {:.5f} (Šidák), so that all rows hold together with probability 0.95 if all "
-        "claims are right. Of {} values that are computed with a bound of the error, in all runs, {} lay outside it. "
-        "{} runs missed the tolerance. {}\n\n",
-        options.seed.value, options.seeds, brief(options.tolerance), coverage.level, coverage.exact_pairs,
-        coverage.exact_missed, coverage.out_of_tolerance, claims_text(coverage.contradictions()));
-    for (const RateTable* table : coverage.tables()) page += table_markdown(*table, coverage.level);
-    return page;
+    Pages result = begin_pages(
+        fmt::format("`ffstudy-validate form_factors --seed {} --seeds {} --tolerance {}` printed what follows. "
+                    "Intervals are those of Clopper and Pearson at level {:.5f} (Šidák), so that all rows hold "
+                    "together with probability 0.95 if all claims are right. Of {} values that are computed with a "
+                    "bound of the error, in all runs, {} lay outside it. {} runs missed the tolerance.",
+                    options.seed.value, options.seeds, brief(options.tolerance), coverage.level, coverage.exact_pairs,
+                    coverage.exact_missed, coverage.out_of_tolerance),
+        coverage.contradictions());
+    for (const RateTable* table : coverage.tables()) add_table(*table, coverage.level, result);
+    return result;
 }
 
-std::string markdown(const FlowCoverage& coverage) {
+Pages markdown(const FlowCoverage& coverage) {
     const FormFactorCoverageOptions& options = coverage.options;
-    return fmt::format(
-               "`ffstudy-validate heat --seed {} --seeds {} --tolerance {}` printed what follows. Intervals are those "
-               "of Clopper and Pearson at level {:.5f} (Šidák), so that all rows hold together with probability 0.95 "
-               "if all claims are right. {}\n\n",
-               options.seed.value, options.seeds, brief(options.tolerance), coverage.level,
-               claims_text(coverage.contradictions())) +
-           table_markdown(coverage.flows, coverage.level) + table_markdown(coverage.narrower, coverage.level);
+    Pages result = begin_pages(
+        fmt::format("`ffstudy-validate heat --seed {} --seeds {} --tolerance {}` printed what follows. Intervals are "
+                    "those of Clopper and Pearson at level {:.5f} (Šidák), so that all rows hold together with "
+                    "probability 0.95 if all claims are right.",
+                    options.seed.value, options.seeds, brief(options.tolerance), coverage.level),
+        coverage.contradictions());
+    for (const RateTable* table : {&coverage.flows, &coverage.narrower}) add_table(*table, coverage.level, result);
+    return result;
 }
 
 }  // namespace ff::studies

@@ -8,9 +8,14 @@
 
 namespace ff::studies {
 
-/// What ffstudy-validate prints of what was measured, in Markdown: the tables of docs/validation.md.
-std::string markdown(const Selftest& selftest);
-std::string markdown(const FormFactorCoverage& coverage);
-std::string markdown(const FlowCoverage& coverage);
+/// What ffstudy-validate says of what was measured, in Markdown; both begin with how it was measured.
+struct Pages {
+    std::string summary;  ///< a row for each table: its claims, and which is nearest to its limit (docs/validation.md)
+    std::string tables;   ///< every rate, with what it is about
+};
+
+Pages markdown(const Selftest& selftest);
+Pages markdown(const FormFactorCoverage& coverage);
+Pages markdown(const FlowCoverage& coverage);
 
 }  // namespace ff::studies

@@ -265,10 +265,7 @@ std::vector<const RateTable*> FormFactorCoverage::tables() const {
 
 std::size_t FormFactorCoverage::contradictions() const {
     std::size_t count = exact_missed;
-    for (const RateTable* table : tables()) {
-        count += static_cast<std::size_t>(std::count_if(table->rates.begin(), table->rates.end(),
-                                                        [&](const auto& rate) { return !holds(rate, level); }));
-    }
+    for (const RateTable* table : tables()) count += table->contradictions(level);
     return count;
 }
 

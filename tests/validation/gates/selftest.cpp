@@ -15,15 +15,6 @@ namespace {
 
 constexpr double family_alpha = 0.01;
 
-std::size_t count_claims(const std::vector<RateTable>& tables) {
-    std::size_t claims = 0;
-    for (const RateTable& table : tables) {
-        claims += static_cast<std::size_t>(std::count_if(
-            table.rates.begin(), table.rates.end(), [](const auto& rate) { return rate.claim != RateClaim::none; }));
-    }
-    return claims;
-}
-
 }  // namespace
 
 std::vector<RateTable> Selftest::tables() const {
@@ -36,10 +27,7 @@ std::vector<RateTable> Selftest::tables() const {
 
 std::size_t Selftest::contradictions() const {
     std::size_t count = 0;
-    for (const RateTable& table : tables()) {
-        count += static_cast<std::size_t>(std::count_if(table.rates.begin(), table.rates.end(),
-                                                        [&](const auto& rate) { return !holds(rate, level); }));
-    }
+    for (const RateTable& table : tables()) count += table.contradictions(level);
     const auto rejected = [&](const PValues& values) { return values.p < 1 - level; };
     return count +
            static_cast<std::size_t>(std::count_if(calibration.p_values.begin(), calibration.p_values.end(), rejected));
@@ -58,7 +46,8 @@ Selftest run_selftest(const GatesSpec& controls, const SelftestOptions& options)
         selftest.estimates.insert(selftest.estimates.end(), tables.begin(), tables.end());
     }
     selftest.coverage = measure_coverage(repetitions, options.repetitions);
-    const std::size_t claims = count_claims(selftest.tables()) + selftest.calibration.p_values.size();
+    std::size_t claims = selftest.calibration.p_values.size();
+    for (const RateTable& table : selftest.tables()) claims += table.claims();
     selftest.level = 1 - stats::bonferroni_level(family_alpha, claims);
     return selftest;
 }

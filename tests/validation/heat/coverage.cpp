@@ -171,8 +171,7 @@ void add_row(const std::string& name, FlowCoverage& coverage) {
 }  // namespace
 
 std::size_t FlowCoverage::contradictions() const {
-    return static_cast<std::size_t>(std::count_if(flows.rates.begin(), flows.rates.end(),
-                                                  [&](const auto& rate) { return !studies::holds(rate, level); }));
+    return flows.contradictions(level);
 }
 
 FlowCoverage measure_flow_coverage(const FormFactorCoverageOptions& options) {

@@ -3,6 +3,7 @@
 #include "stats/binomial.hpp"
 #include "stats/interval.hpp"
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,10 @@ struct MeasuredRate {
 /// Clopper-Pearson.
 stats::Interval interval_of(const MeasuredRate& rate, double level);
 
+/// The probability of counts that contradict the claim as much as these if the rate is exactly the claimed one: how
+/// near they are to the limit of the claim. Infinite for a claim of `none`.
+double tail_of(const MeasuredRate& rate);
+
 /// Whether the claim is compatible with the interval. A claim of `none` always is.
 bool holds(const MeasuredRate& rate, double level);
 
@@ -35,6 +40,9 @@ struct RateTable {
     std::string title;
     std::string text;  ///< a sentence or two above the table
     std::vector<MeasuredRate> rates;
+
+    [[nodiscard]] std::size_t claims() const;
+    [[nodiscard]] std::size_t contradictions(double level) const;  ///< claims that the intervals exclude
 };
 
 }  // namespace ff::studies

@@ -25,6 +25,15 @@ TEST(MeasuredRate, HoldsWhereTheIntervalAllowsTheClaim) {
     EXPECT_TRUE(holds({"", half, RateClaim::none, 0}, level));
 }
 
+TEST(MeasuredRate, IsTheNearerToItsLimitTheLessItAgreesWithTheClaim) {
+    const auto tail = [](RateClaim claim, std::uint64_t hits) { return tail_of({"", {hits, 1000}, claim, 0.5}); };
+    EXPECT_LT(tail(RateClaim::at_most, 510), tail(RateClaim::at_most, 490));
+    EXPECT_LT(tail(RateClaim::at_least, 490), tail(RateClaim::at_least, 510));
+    EXPECT_LT(tail(RateClaim::equal, 520), tail(RateClaim::equal, 490));
+    EXPECT_LT(tail(RateClaim::equal, 480), tail(RateClaim::equal, 510));
+    EXPECT_LT(tail(RateClaim::at_least, 1000), tail(RateClaim::none, 0));
+}
+
 TEST(Repetitions, DoNotDependOnThreads) {
     const auto draw = [](stats::Draws& draws) { return draw_normal(draws); };
     const auto one = Repetitions{Seed{7}, 1}.collect(500, "x", draw);
