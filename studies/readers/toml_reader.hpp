@@ -32,9 +32,9 @@ class TomlReader {
     /// A string, or a list of at least one.
     [[nodiscard]] std::vector<std::string> texts(std::string_view key) const;
 
-    /// Index of the text at `key` among `names`.
+    /// Index of the text at `key` among `names`; missing is an error, as an unknown name is.
     [[nodiscard]] std::size_t index_of(std::string_view key, std::span<const std::string_view> names) const;
-    /// The value whose name is the text at `key`.
+    /// The value whose name is the text at `key`; without `fallback` the key has to be there.
     template <class Enum>
     [[nodiscard]] Enum choice(std::string_view key) const {
         if (const auto value = value_named<Enum>(optional_text(key).value_or(""))) return *value;
@@ -71,6 +71,10 @@ class TomlReader {
     /// Fails at the value of `key` (at the table itself where it is missing): "origin:line:column: key = value (why).
     /// Suggestion."
     [[noreturn]] void fail(std::string_view key, std::string_view problem) const;
+    /// The same, unless the problem is empty.
+    void expect_none(std::string_view key, std::string_view problem) const {
+        if (!problem.empty()) fail(key, problem);
+    }
 
   private:
     /// Fails at a text that is none of those, or is missing.

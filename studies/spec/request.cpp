@@ -92,13 +92,10 @@ RadiosityRequest read_radiosity(const TomlReader& reader) {
     reader.expect_only({"reflectance", "emission", "tolerance", "solver_trials", "patch_trials"});
     RadiosityRequest request;
     if (reader.has("reflectance")) request.reflectance = read_settings(reader, "reflectance");
-    for (const auto& setting : request.reflectance) {
-        if (const auto problem = problem_with_reflectance(setting); !problem.empty())
-            reader.fail("reflectance", problem);
-    }
+    for (const auto& setting : request.reflectance)
+        reader.expect_none("reflectance", problem_with_reflectance(setting));
     if (reader.has("emission")) request.emission = reader.numbers("emission");
-    if (const auto problem = problem_with_emission(request.emission); !problem.empty())
-        reader.fail("emission", problem);
+    reader.expect_none("emission", problem_with_emission(request.emission));
     request.tolerance = reader.optional_number("tolerance").value_or(request.tolerance);
     if (request.tolerance < 1e-13 || request.tolerance >= 1)
         reader.fail("tolerance", "(1e-13 to below 1: no residual is smaller than rounding). Try 1e-6.");

@@ -20,6 +20,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <set>
@@ -32,14 +33,6 @@ namespace {
 constexpr std::uint64_t max_samples = 1ULL << 32;  // a stream addresses points with 32 bits
 constexpr std::uint32_t max_patches_per_face = 1u << 20;
 constexpr double most_power = 1 - 1e-9;
-
-std::uint64_t checked_trials(const TomlReader& reader, std::uint64_t trials) {
-    if (trials == 0) reader.fail("trials", "(nothing would be run). Try 64.");
-    if (trials == 1) reader.fail("trials", "(a confidence interval needs at least 2). Try 64.");
-    if (trials > max_trials)
-        reader.fail("trials", fmt::format("(at most {} trials are told apart). Take fewer.", max_trials));
-    return trials;
-}
 
 std::vector<std::uint32_t> read_patches_per_face(const TomlReader& reader) {
     if (!reader.has("patches_per_face")) return {1};
@@ -66,8 +59,7 @@ std::vector<std::uint64_t> read_own_samples(const TomlReader& reader, const Esti
     for (const std::uint64_t count : samples) {
         if (count > max_samples)
             reader.fail("samples_per_patch", fmt::format("(at most {} points). Take fewer.", max_samples));
-        if (const auto problem = estimator.size_problem(count); !problem.empty())
-            reader.fail("samples_per_patch", problem);
+        reader.expect_none("samples_per_patch", estimator.size_problem(count));
     }
     return samples;
 }
@@ -96,8 +88,9 @@ void check_samples(const TomlReader& reader, const samplers::SamplerInfo& sample
 }
 
 /// The product of both lists, or the entries of `sizes`.
-std::vector<Size> read_sizes(const TomlReader& reader, const samplers::SamplerInfo* sampler, const Method& method,
-                             std::optional<std::uint64_t> trials) {
+std::vector<Size> read_sizes(const TomlReader& reader, const samplers::SamplerInfo* sampler, const Method& method) {
+    const auto trials = reader.optional_count("trials");
+    if (trials) reader.expect_none("trials", problem_with_trials(*trials));
     const EstimatorEntry& estimator = find_estimator(method.estimator);
     const bool own_points = estimator.info.own_points;
     const bool from_sampler = sampler != nullptr && sampler->sizes != samplers::Sizes::nodes;
@@ -150,10 +143,6 @@ std::optional<Nodes> read_nodes(const TomlReader& reader, const samplers::Sample
     return Nodes{source, static_cast<std::uint32_t>(nodes.back())};
 }
 
-void expect_none(std::string_view problem, const TomlReader& reader, std::string_view key) {
-    if (!problem.empty()) reader.fail(key, problem);
-}
-
 void expect_unique_sizes(const TomlReader& reader, const Method& method) {
     std::set<std::pair<std::uint32_t, std::optional<std::uint64_t>>> seen;
     for (const Size& size : method.sizes) {
@@ -185,7 +174,7 @@ Method read_method(const TomlReader& reader, std::span<const std::string_view> o
     reader.expect_only(known);
     Method method;
     method.name = reader.text("name");
-    expect_none(problem_with_name(method.name), reader, "name");
+    reader.expect_none("name", problem_with_name(method.name));
     const EstimatorInfo& estimator = read_estimator(reader);
     method.estimator = estimator.name;
     refuse_keys_of_others(reader, estimator);
@@ -214,21 +203,18 @@ Method read_method(const TomlReader& reader, std::span<const std::string_view> o
                     "(the share of errors that should be at most as claimed: between 0 and 1; all, without the key). "
                     "Give 0.68 for standard errors.");
 
-    const auto own_trials = [](const TomlReader& table) {
-        const auto trials = table.optional_count("trials");
-        return trials ? std::optional(checked_trials(table, *trials)) : std::nullopt;
-    };
     if (!reader.has("sizes")) {
-        method.sizes = read_sizes(reader, sampler, method, own_trials(reader));
+        method.sizes = read_sizes(reader, sampler, method);
         expect_unique_sizes(reader, method);
         return method;
     }
-    for (const std::string_view key : {"patches_per_face", "samples_per_patch", "trials"}) {
+    static constexpr std::array<std::string_view, 3> size_keys{"patches_per_face", "samples_per_patch", "trials"};
+    for (const std::string_view key : size_keys) {
         if (reader.has(key)) reader.fail(key, "(stands beside 'sizes', which says it for each size). Move it there.");
     }
     for (const TomlReader& table : reader.tables("sizes")) {
-        table.expect_only({"patches_per_face", "samples_per_patch", "trials"});
-        for (const Size& size : read_sizes(table, sampler, method, own_trials(table))) method.sizes.push_back(size);
+        table.expect_only(size_keys);
+        for (const Size& size : read_sizes(table, sampler, method)) method.sizes.push_back(size);
     }
     if (method.sizes.empty()) reader.fail("sizes", "(an empty list leaves nothing to do). Give at least one size.");
     expect_unique_sizes(reader, method);
@@ -242,7 +228,7 @@ std::vector<std::string> read_scenes(const TomlReader& reader) {
     }
     std::set<std::string> scenes;
     for (const std::string& scene : names) {
-        expect_none(problem_with_name(scene.substr(0, scene.find('\n'))), reader, "scene");
+        reader.expect_none("scene", problem_with_name(scene.substr(0, scene.find('\n'))));
         std::string canonical = scene;
         try {
             if (!names_scene_file(scene) || has_scene_text(scene)) canonical = make_scene(scene).canonical;
@@ -265,14 +251,15 @@ StudySpec parse_study(std::string_view text, std::string_view origin) {
 
     StudySpec spec;
     spec.name = study->text("name");
-    expect_none(problem_with_name(spec.name), *study, "name");
+    study->expect_none("name", problem_with_name(spec.name));
     if (spec.name.find('/') != std::string::npos || spec.name.front() == '.') {
         study->fail("name", "(it names the folder of the results). Leave out '/' and a leading '.'.");
     }
     spec.title = study->optional_text("title").value_or(spec.name);
-    expect_none(problem_with_title(spec.title), *study, "title");
+    study->expect_none("title", problem_with_title(spec.title));
     spec.scenes = read_scenes(*study);
-    spec.trials = checked_trials(*study, study->count("trials"));
+    spec.trials = study->count("trials");
+    study->expect_none("trials", problem_with_trials(spec.trials));
     spec.seed = Seed{study->count("seed")};
     spec.level = study->optional_number("level").value_or(spec.level);
     if (!stats::is_level(spec.level)) {

@@ -8,11 +8,15 @@
 
 namespace ff::studies {
 
+std::string problem_with_trials(std::uint64_t trials) {
+    if (trials == 0) return "(nothing would be run). Try 64.";
+    if (trials == 1) return "(a confidence interval needs at least 2). Try 64.";
+    return trials <= max_trials ? "" : fmt::format("(at most {} trials are told apart). Take fewer.", max_trials);
+}
+
 void set_trials(StudySpec& spec, std::uint64_t trials) {
-    if (trials == 0) throw UserError("--trials 0 (nothing would be run). Try 64.");
-    if (trials == 1) throw UserError("--trials 1 (a confidence interval needs at least 2). Try 64.");
-    if (trials > max_trials)
-        throw UserError(fmt::format("--trials {} (at most {} trials are told apart). Take fewer.", trials, max_trials));
+    if (const auto problem = problem_with_trials(trials); !problem.empty())
+        throw UserError(fmt::format("--trials {} {}", trials, problem));
     for (Method& method : spec.methods) {
         for (Size& size : method.sizes) {
             if (!size.trials) continue;

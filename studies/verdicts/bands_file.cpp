@@ -156,10 +156,8 @@ Gate read_gate(const TomlReader& reader, const ReadExperiment& read_experiment) 
                     "whole of ffstudy.");
     }
     gate.name = reader.text("name");
-    for (const auto& [key, text] :
-         {std::pair<std::string_view, std::string_view>{"name", gate.name}, {"quantity", gate.quantity}}) {
-        if (const auto problem = problem_with_name(text); !problem.empty()) reader.fail(key, problem);
-    }
+    reader.expect_none("name", problem_with_name(gate.name));
+    reader.expect_none("quantity", problem_with_name(gate.quantity));
     expect_own_keys(reader, gate.kind);
     read_reference(reader, gate);
     if (gate.from_estimates() && gate.against == Against::baseline && reader.has("reference"))
