@@ -238,6 +238,12 @@ TEST(Spec, RefusesAnUnknownEstimatorOrNone) {
                 HasSubstr("Choose one of ray_shooting"));
 }
 
+TEST(Spec, SuggestsNoTracerThatIsAControl) {
+    const std::string method = "[[method]]\nname = \"a\"\nsampler = \"random\"\nestimator = \"ray_shooting\"\n";
+    EXPECT_THAT(refusal_of_study(study_text("trials = 9", method + "tracer = \"leakey\"\n")),
+                HasSubstr("is unknown. Known: automatic, box, embree."));
+}
+
 TEST(Spec, MakesNoSuggestionWithoutANearName) {
     const auto unlike = refusal_of_study(study_text("trials = 9\nqwertzuiop = 1", random_rays));
     EXPECT_THAT(unlike, HasSubstr("unknown key 'qwertzuiop'"));
