@@ -19,7 +19,8 @@ std::optional<Picture> claims_picture(const studies::StudyResults& results) {
     });
     if (!is_stated && failing == 0) return std::nullopt;
     const studies::StudyPlan& plan = results.findings.plan;
-    RankingRows rows{MethodChoice{}};
+    const MethodChoice all;
+    RankingRows rows(plan, all);
     std::string heading;
     for (const PairClass pair_class : {PairClass::parallel, PairClass::adjacent, PairClass::other}) {
         for (const studies::ClaimedErrors& each : claims) {
@@ -37,7 +38,7 @@ std::optional<Picture> claims_picture(const studies::StudyResults& results) {
             rows.add({.label = fmt::format("{}{}{}", method.name,
                                            method.sizes.size() > 1 ? ", " + size_label(plan, cell) : "",
                                            each.claimant == studies::Claimant::one_run ? ", as random" : ""),
-                      .method = method.name,
+                      .method = cell.method,
                       .size = size_label(plan, cell),
                       .value = share,
                       .interval = each.worst_share,

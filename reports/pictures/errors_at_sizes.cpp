@@ -63,7 +63,7 @@ std::vector<Picture> errors_at_sizes(const studies::StudyResults& results, const
     std::vector<Picture> pictures;
     for (const auto& entry : octaves_of(findings)) {
         const auto& octave = entry.second;
-        RankingRows rows(methods);
+        RankingRows rows(plan, methods);
         for (std::size_t scene = 0; scene < plan.scenes.size(); ++scene) {
             std::vector<std::size_t> cells = octave.cells;
             std::erase_if(cells, [&](std::size_t cell) { return plan.cells[cell].scene != scene; });
@@ -78,11 +78,9 @@ std::vector<Picture> errors_at_sizes(const studies::StudyResults& results, const
                 if (ranked.size() + others.size() < 2 || rows.full()) continue;
                 rows.heading(heading_of(plan, scene, pair_class));
                 const auto add = [&](const studies::Ranked& each, const std::string& group) {
-                    const studies::Cell& cell = plan.cells[each.index];
-                    const bool exact = each.value < studies::rounding_error;
-                    rows.add({label_of(findings, octave, each.index), plan.spec.methods[cell.method].name,
-                              size_label(plan, cell), exact ? std::nullopt : std::optional(each.value), each.interval,
-                              std::nullopt, group});
+                    RankedMethod row = ranked_cell(plan, each, group);
+                    row.label = label_of(findings, octave, each.index);
+                    rows.add(row);
                 };
                 for (const studies::Ranked& each : ranked) add(each, letter(ranked, each));
                 for (const studies::Ranked& each : others) add(each, "");

@@ -1,9 +1,9 @@
 #include "reports/pictures/method_styles.hpp"
 
 #include "core/estimators/added.hpp"
+#include "reports/words/standing.hpp"
 #include "samplers/added.hpp"
 #include "samplers/sampler.hpp"
-#include "studies/comparison/ranking.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -12,6 +12,7 @@
 #include <map>
 #include <numeric>
 #include <set>
+#include <utility>
 
 namespace ff::reports {
 namespace {
@@ -27,22 +28,16 @@ constexpr std::size_t leaders = 3;
 
 /// Ranks of each method among slopes or, without any, among errors, added up over classes of pairs and scenes.
 std::map<std::size_t, double> mean_ranks(const StudyResults& results) {
-    const studies::StudyPlan& plan = results.findings.plan;
+    const auto place = [](const Ranking& ranking) { return std::pair(ranking.scene, ranking.pair_class); };
+    std::map<std::pair<std::size_t, PairClass>, Ranking> rankings;
+    for (Ranking& each : rank_rates(results)) rankings.emplace(place(each), std::move(each));
+    for (Ranking& each : rank_compared_errors(results)) rankings.emplace(place(each), std::move(each));
     std::map<std::size_t, std::pair<double, int>> sums;
-    for (std::size_t scene = 0; scene < plan.scenes.size(); ++scene) {
-        const auto tables =
-            results.published ? results.published->comparisons : std::vector<studies::TableComparison>();
-        const auto cells = studies::compared_cells(results.findings, scene, tables);
-        for (const PairClass pair_class : {PairClass::parallel, PairClass::adjacent, PairClass::other}) {
-            const auto slopes = studies::rank_slopes(results.slopes, scene, pair_class, plan.spec.level).slopes;
-            const auto ranked = slopes.empty() ? studies::rank_errors(results.findings, cells, pair_class) : slopes;
-            for (std::size_t rank = 0; rank < ranked.size(); ++rank) {
-                const std::size_t index = ranked[rank].index;
-                auto& [sum, count] =
-                    sums[slopes.empty() ? plan.cells[index].method : results.slopes[index].ladder.method];
-                sum += static_cast<double>(rank);
-                ++count;
-            }
+    for (const auto& [at, ranking] : rankings) {
+        for (std::size_t rank = 0; rank < ranking.methods.size(); ++rank) {
+            auto& [sum, count] = sums[ranking.methods[rank].method];
+            sum += static_cast<double>(rank);
+            ++count;
         }
     }
     std::map<std::size_t, double> means;

@@ -17,15 +17,21 @@ void RankingRows::heading(const std::string& text) {
     begun_ = false;
 }
 
-void RankingRows::add(const Row& row) {
-    if (!chosen_.has(row.method)) return;
+void RankingRows::add(const RankedMethod& row) {
+    const std::string& method = plan_.spec.methods[row.method].name;
+    if (!chosen_.has(method)) return;
     if (!std::exchange(begun_, true)) order_.push_back(block_);
     ++rows_;
-    if (!row.method.empty()) methods_.insert(row.method);
+    methods_.insert(method);
     order_.push_back(fmt::format("{}|{}", block_, row.label));
-    values_.add({order_.back(), row.method, row.size, drawn(row.value),
-                 row.interval ? drawn(row.interval->low) : Json(), row.interval ? drawn(row.interval->high) : Json(),
+    values_.add({order_.back(), method, row.size, drawn(row.value), row.interval ? drawn(row.interval->low) : Json(),
+                 row.interval ? drawn(row.interval->high) : Json(),
                  row.interval ? drawn(row.interval->high) : drawn(row.value), drawn(row.expected), row.group});
+}
+
+void RankingRows::add(const Ranking& ranking) {
+    heading(ranking.heading);
+    for (const RankedMethod& row : ranking.methods) add(row);
 }
 
 Picture ranking_picture(const studies::StudyResults& results, const RankingText& text, const MethodChoice& methods,
@@ -51,24 +57,6 @@ Picture ranking_picture(const studies::StudyResults& results, const RankingText&
     picture.description = fmt::format("A row for each method: {}, with its interval. {}", text.axis, text.description);
     picture.values = rows.values().text();
     return picture;
-}
-
-std::string letter(const std::vector<studies::Ranked>& ranked, const studies::Ranked& one) {
-    const bool groups =
-        std::any_of(ranked.begin(), ranked.end(), [](const studies::Ranked& each) { return each.group > 0; });
-    return groups ? std::string(1, static_cast<char>('a' + std::min<std::size_t>(one.group, 25))) : std::string();
-}
-
-std::string heading_of(const studies::StudyPlan& plan, std::size_t scene, PairClass pair_class) {
-    const std::string where = fmt::format("{} pairs", name(pair_class));
-    return plan.scenes.size() == 1 ? where : fmt::format("{}: {}", plan.scenes[scene].name, where);
-}
-
-std::string letters_in_words(double level) {
-    return fmt::format(
-        "Methods with the same letter cannot be told apart from the first of them ({:g} % over all pairs of methods in "
-        "a block).",
-        100 * (1 - level));
 }
 
 }  // namespace ff::reports

@@ -3,36 +3,26 @@
 #include "reports/pictures/method_choice.hpp"
 #include "reports/pictures/picture_values.hpp"
 #include "reports/pictures/pictures.hpp"
-#include "studies/comparison/ranking.hpp"
+#include "reports/words/standing.hpp"
 #include "studies/results/results.hpp"
 
 #include <cstddef>
-#include <optional>
 #include <set>
 #include <string>
-#include <vector>
 
 namespace ff::reports {
 
 /// Rows of a ranking, in blocks with a heading each.
 class RankingRows {
   public:
-    explicit RankingRows(const MethodChoice& methods) : chosen_(methods) {}
-
-    struct Row {
-        std::string label;
-        std::string method;
-        std::string size;
-        std::optional<double> value;
-        std::optional<stats::Interval> interval;
-        std::optional<double> expected;
-        std::string group;
-    };
+    RankingRows(const studies::StudyPlan& plan, const MethodChoice& methods) : plan_(plan), chosen_(methods) {}
 
     /// Begins a block.
     void heading(const std::string& text);
     /// Adds a row unless the method is not chosen.
-    void add(const Row& row);
+    void add(const RankedMethod& row);
+    /// Adds a block.
+    void add(const Ranking& ranking);
     [[nodiscard]] std::size_t rows() const { return rows_; }
     [[nodiscard]] bool full() const { return blocks_ >= most_blocks; }
     PictureValues& values() { return values_; }
@@ -41,6 +31,7 @@ class RankingRows {
 
   private:
     static constexpr std::size_t most_blocks = 4;
+    const studies::StudyPlan& plan_;
     const MethodChoice& chosen_;
     bool begun_ = false;  ///< whether the heading of this block stands
     PictureValues values_{{"row", "method", "size", "value", "low", "high", "end", "expected", "group"}};
@@ -64,13 +55,5 @@ struct RankingText {
 
 Picture ranking_picture(const studies::StudyResults& results, const RankingText& text, const MethodChoice& methods,
                         RankingRows& rows);
-
-/// Letter of a group: a for the best; empty where all are in one.
-std::string letter(const std::vector<studies::Ranked>& ranked, const studies::Ranked& one);
-/// What the letters mean.
-std::string letters_in_words(double level);
-
-/// The heading of a class of pairs: "adjacent pairs", "cube: adjacent pairs".
-std::string heading_of(const studies::StudyPlan& plan, std::size_t scene, PairClass pair_class);
 
 }  // namespace ff::reports

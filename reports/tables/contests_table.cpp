@@ -1,7 +1,6 @@
 #include "reports/tables/tables.hpp"
 #include "reports/text/labels.hpp"
 #include "reports/text/numbers.hpp"
-#include "reports/words/answer.hpp"
 
 #include "studies/comparison/contests.hpp"
 #include "studies/comparison/decisions.hpp"

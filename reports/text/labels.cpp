@@ -59,6 +59,35 @@ std::string of_scene(const studies::StudyPlan& plan, std::size_t scene) {
     return plan.scenes.size() == 1 ? std::string() : fmt::format(" of {}", plan.scenes[scene].name);
 }
 
+std::string listed(std::vector<std::string> names, std::size_t most) {
+    for (std::string& name : names) {
+        if (name.find(',') != std::string::npos) name = fmt::format("“{}”", name);
+    }
+    if (names.empty()) return {};
+    if (names.size() == 1) return names.front();
+    if (names.size() > most) {
+        const std::size_t more = names.size() - most + 1;
+        names.resize(most - 1);
+        return fmt::format("{} and {} more", fmt::join(names, ", "), more);
+    }
+    const std::string last = names.back();
+    names.pop_back();
+    return fmt::format("{} and {}", fmt::join(names, ", "), last);
+}
+
+std::string kind_of_pairs(PairClass pair_class, bool may_be_occluded) {
+    return fmt::format("{}{} pairs", may_be_occluded ? "possibly occluded " : "", name(pair_class));
+}
+
+std::string on_pairs(const studies::StudyPlan& plan, std::size_t scene, std::string_view classes) {
+    return fmt::format("on {} pairs{}", classes, of_scene(plan, scene));
+}
+
+std::string heading_of(const studies::StudyPlan& plan, std::size_t scene, PairClass pair_class) {
+    const std::string where = fmt::format("{} pairs", name(pair_class));
+    return plan.scenes.size() == 1 ? where : fmt::format("{}: {}", plan.scenes[scene].name, where);
+}
+
 std::string program_label(const studies::Context& context) {
     const auto version = context.find("version");
     const auto revision = context.find("revision");

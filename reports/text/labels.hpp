@@ -5,6 +5,8 @@
 
 #include <cstddef>
 #include <string>
+#include <string_view>
+#include <vector>
 
 namespace ff::reports {
 
@@ -23,6 +25,18 @@ std::string cell_label(const studies::StudyPlan& plan, const studies::Cell& cell
 
 /// " of NAME" after what is of one scene; empty where the study has no other.
 std::string of_scene(const studies::StudyPlan& plan, std::size_t scene);
+
+/// "a, b and c"; with more than `most` names, the first ones and the number of others. Names with commas are quoted.
+std::string listed(std::vector<std::string> names, std::size_t most = 4);
+
+/// "adjacent pairs", "possibly occluded adjacent pairs"
+std::string kind_of_pairs(PairClass pair_class, bool may_be_occluded);
+
+/// The pairs of classes in words: "on parallel pairs", "on parallel and adjacent pairs of cube".
+std::string on_pairs(const studies::StudyPlan& plan, std::size_t scene, std::string_view classes);
+
+/// The same as a heading: "adjacent pairs", "cube: adjacent pairs".
+std::string heading_of(const studies::StudyPlan& plan, std::size_t scene, PairClass pair_class);
 
 /// The program that completed a study: version and revision. Empty before that. What differs between runs of one
 /// program (host, date, seconds) stands in context.json alone.

@@ -1,9 +1,14 @@
 #include "reports/words/coverage_words.hpp"
 
+#include "reports/text/labels.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
+#include <optional>
+#include <set>
 
 namespace ff::reports {
 namespace {
@@ -11,48 +16,71 @@ namespace {
 using studies::Coverage;
 using studies::IntervalRule;
 
-bool infinite(const studies::StudyResults& results, const Coverage& row) {
-    return results.findings.cells[row.cell].has_infinite_variance(row.pair_class);
-}
-
-/// The range of these rows in words.
-std::string range_in_words(const std::vector<const Coverage*>& rows) {
-    const auto less = [](const Coverage* a, const Coverage* b) { return a->share() < b->share(); };
-    const auto [least, most] = std::minmax_element(rows.begin(), rows.end(), less);
-    const auto short_of =
-        std::count_if(rows.begin(), rows.end(), [](const Coverage* row) { return row->short_of_nominal; });
-    return fmt::format("covers {:.3f} to {:.3f}; significantly short in {} of {} rows", (*least)->share(),
-                       (*most)->share(), short_of, rows.size());
-}
-
 constexpr std::array all_rules{IntervalRule::student_t, IntervalRule::normal, IntervalRule::percentile_bootstrap,
                                IntervalRule::two_stage, IntervalRule::look_short};
+
+/// Several rows: the least and the most of them, and how many are significantly short.
+struct Range {
+    std::vector<const Coverage*> rows;  ///< ascending
+    std::ptrdiff_t short_of = 0;
+
+    [[nodiscard]] std::string in_words() const {
+        return fmt::format("covers {:.3f} to {:.3f}; significantly short in {} of {} rows", rows.front()->share(),
+                           rows.back()->share(), short_of, rows.size());
+    }
+};
+
+/// The rows of a rule, of one number of replicates or of all.
+Range range_of(const studies::StudyResults& results, IntervalRule rule, std::optional<std::uint64_t> replicates,
+               bool finite = true) {
+    Range range;
+    for (const Coverage& row : results.coverage) {
+        if (row.rule != rule || (replicates && row.replicates != *replicates)) continue;
+        if (results.findings.cells[row.cell].has_infinite_variance(row.pair_class) == finite) continue;
+        range.rows.push_back(&row);
+        range.short_of += row.short_of_nominal ? 1 : 0;
+    }
+    std::stable_sort(range.rows.begin(), range.rows.end(),
+                     [](const Coverage* a, const Coverage* b) { return a->share() < b->share(); });
+    return range;
+}
 
 }  // namespace
 
 std::vector<std::string> coverage_clauses(const studies::StudyResults& results) {
     std::vector<std::string> clauses;
     for (const IntervalRule rule : all_rules) {
-        std::size_t rows = 0;
-        std::size_t short_of = 0;
-        double least = 1;
-        double most = 0;
-        for (const Coverage& row : results.coverage) {
-            if (row.rule != rule || infinite(results, row)) continue;
-            ++rows;
-            short_of += row.short_of_nominal ? 1 : 0;
-            least = std::min(least, row.share());
-            most = std::max(most, row.share());
-        }
-        if (rows == 0) continue;
+        const Range range = range_of(results, rule, {});
+        if (range.rows.empty()) continue;
         clauses.push_back(fmt::format("{} {:.1f} to {:.1f} % (significantly short in {} of {} rows)",
-                                      rule_in_words(rule), 100 * least, 100 * most, short_of, rows));
+                                      rule_in_words(rule), 100 * range.rows.front()->share(),
+                                      100 * range.rows.back()->share(), range.short_of, range.rows.size()));
     }
     if (!clauses.empty()) {
         clauses.front() = fmt::format("intervals that promise {:g} % contain the exact value in: {}",
                                       100 * results.findings.plan.spec.level, clauses.front());
     }
     return clauses;
+}
+
+std::vector<Ranking> least_coverage(const studies::StudyResults& results) {
+    const studies::StudyPlan& plan = results.findings.plan;
+    std::vector<Ranking> rankings;
+    std::set<IntervalRule> seen;
+    for (const Coverage& first : results.coverage) {
+        if (!seen.insert(first.rule).second) continue;
+        Ranking& ranking = rankings.emplace_back(Ranking{.heading = std::string(rule_in_words(first.rule))});
+        for (const std::uint64_t replicates : plan.spec.coverage) {
+            const Range range = range_of(results, first.rule, replicates);
+            if (range.rows.empty()) continue;
+            const Coverage& least = *range.rows.front();
+            const studies::Cell& cell = plan.cells[least.cell];
+            ranking.methods.push_back({fmt::format("R = {}", replicates), cell.method, size_label(plan, cell),
+                                       least.share(), least.actual, plan.spec.level,
+                                       least.short_of_nominal ? "short" : ""});
+        }
+    }
+    return rankings;
 }
 
 std::string_view rule_in_words(IntervalRule rule) {
@@ -75,21 +103,15 @@ std::vector<std::string> coverage_in_brief(const studies::StudyResults& results)
     std::vector<std::string> lines;
     for (const IntervalRule rule : all_rules) {
         for (const std::uint64_t replicates : results.findings.plan.spec.coverage) {
-            std::vector<const Coverage*> finite;
-            for (const Coverage& row : results.coverage) {
-                if (row.rule == rule && row.replicates == replicates && !infinite(results, row)) finite.push_back(&row);
-            }
-            if (finite.empty()) continue;
+            const Range range = range_of(results, rule, replicates);
+            if (range.rows.empty()) continue;
             lines.push_back(fmt::format("{}, R = {}: {} (nominal {:g}).", rule_in_words(rule), replicates,
-                                        range_in_words(finite), results.findings.plan.spec.level));
+                                        range.in_words(), results.findings.plan.spec.level));
         }
     }
-    std::vector<const Coverage*> without;
-    for (const Coverage& row : results.coverage) {
-        if (row.rule == IntervalRule::student_t && infinite(results, row)) without.push_back(&row);
-    }
-    if (!without.empty())
-        lines.push_back(fmt::format("Student's t where the variance is infinite: {}.", range_in_words(without)));
+    const Range without = range_of(results, IntervalRule::student_t, {}, false);
+    if (!without.rows.empty())
+        lines.push_back(fmt::format("Student's t where the variance is infinite: {}.", without.in_words()));
     return lines;
 }
 

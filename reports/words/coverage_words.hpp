@@ -1,5 +1,6 @@
 #pragma once
 
+#include "reports/words/standing.hpp"
 #include "studies/results/results.hpp"
 
 #include <string>
@@ -17,5 +18,8 @@ std::vector<std::string> coverage_in_brief(const studies::StudyResults& results)
 
 /// A clause for each rule: whether it keeps its promised level, by the rows whose variance is finite.
 std::vector<std::string> coverage_clauses(const studies::StudyResults& results);
+
+/// The least coverage of each rule and number of replicates, of the same rows.
+std::vector<Ranking> least_coverage(const studies::StudyResults& results);
 
 }  // namespace ff::reports

@@ -2,7 +2,6 @@
 
 #include "reports/text/labels.hpp"
 #include "reports/text/numbers.hpp"
-#include "reports/words/answer.hpp"
 
 #include <fmt/format.h>
 

@@ -2,7 +2,6 @@
 
 #include "reports/text/labels.hpp"
 #include "reports/text/numbers.hpp"
-#include "reports/words/answer.hpp"
 
 #include <fmt/format.h>
 
@@ -60,7 +59,7 @@ std::string in_words(const studies::StudyResults& results, const PrintedErrors& 
     const studies::Findings& findings = results.findings;
     const studies::StudyPlan& plan = findings.plan;
     const auto method = [&](std::size_t cell) { return plan.spec.methods[plan.cells[cell].method].name; };
-    const std::string where = on_pairs(plan, plan.cells[errors.cell].scene, errors.pair_class);
+    const std::string where = on_pairs(plan, plan.cells[errors.cell].scene, name(errors.pair_class));
     std::string text = fmt::format(
         "{} as described does not give the figures printed for it: {} its mean error is {:.3g} % here and {:.3g} % in "
         "print.",

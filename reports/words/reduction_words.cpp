@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <set>
 
 namespace ff::reports {
 namespace {
@@ -55,11 +54,8 @@ std::vector<std::string> reductions_in_brief(const studies::StudyResults& result
     const studies::StudyPlan& plan = results.findings.plan;
     std::vector<std::string> lines;
     if (!results.occlusion.empty()) return lines;  // its scenes differ in what hides, and are told together
-    std::set<std::pair<std::size_t, PairClass>> seen;
-    for (const VarianceReduction& first : results.reductions) {
-        if (!seen.emplace(first.random_cell, first.pair_class).second) continue;
-        if (is_below_the_top(results, first.random_cell)) continue;
-        lines.push_back(sentence(variance_clause(results, first.random_cell, first.pair_class)));
+    for (const Ranking& ranking : rank_variances(results)) {
+        if (!is_below_the_top(results, *ranking.random_cell)) lines.push_back(sentence(ranking, plan));
     }
     for (const VarianceReduction& face : results.reductions) {
         const VarianceReduction* patch = with_a_sequence_a_patch(results, face);

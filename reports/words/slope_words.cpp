@@ -84,13 +84,8 @@ std::string verdicts_in_words(const std::vector<studies::LadderSlopes>& ladders)
 
 std::vector<std::string> slopes_in_brief(const studies::StudyResults& results) {
     std::vector<std::string> lines;
-    // Where scenes differ in what hides, they are told together.
-    const std::size_t scenes = results.occlusion.empty() ? results.findings.plan.scenes.size() : 0;
-    for (std::size_t scene = 0; scene < scenes; ++scene) {
-        for (const PairClass pair_class : {PairClass::parallel, PairClass::adjacent, PairClass::other}) {
-            if (const std::string clause = rate_clause(results, scene, pair_class); !clause.empty())
-                lines.push_back(sentence(clause));
-        }
+    if (results.occlusion.empty()) {  // else scenes differ in what hides, and are told together
+        for (const Ranking& ranking : rank_rates(results)) lines.push_back(sentence(ranking, results.findings.plan));
     }
     if (std::string verdicts = verdicts_in_words(results.slopes); !verdicts.empty())
         lines.push_back(std::move(verdicts));

@@ -1,26 +1,61 @@
 #pragma once
 
+#include "studies/comparison/ranking.hpp"
 #include "studies/results/results.hpp"
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 namespace ff::reports {
 
 /// Who comes first and who last, of methods that are measured side by side. Nothing else in the reports may say so. A
 /// name stands only for what is told apart at the study's level over all pairs of methods (studies/comparison/ranking),
 /// which pays for having picked the best, or the worst, of many: the first of those that no other is, the last where it
-/// differs from every other. Clauses begin with "on parallel pairs"; empty where there is nothing to say.
+/// differs from every other.
 
-/// A clause as a sentence of its own.
-std::string sentence(std::string clause);
+/// One of the methods that a ranking shows.
+struct RankedMethod {
+    std::string label;
+    std::size_t method = 0;       ///< index into StudySpec::methods
+    std::string size;             ///< empty where several are taken together
+    std::optional<double> value;  ///< empty where it is rounding
+    std::optional<stats::Interval> interval;
+    std::optional<double> expected;
+    std::string group;  ///< a letter, a for the best, or another mark; empty where all are in one group
+};
 
-/// How fast errors fall, on a class of pairs.
-std::string rate_clause(const studies::StudyResults& results, std::size_t scene, PairClass pair_class);
+/// Methods that are measured side by side, best first, and who comes first and last of them.
+struct Ranking {
+    std::string heading = {};  ///< "adjacent pairs", "cube: adjacent pairs"
+    std::vector<RankedMethod> methods = {};
+    std::size_t scene = 0;
+    PairClass pair_class = PairClass::other;
+    std::string said = {};  ///< a clause that wants the pairs before it: " SR has the smallest error"
+    std::optional<std::size_t> random_cell = {};  ///< whose variance others are set against; of variances only
+};
 
-/// Whose errors are smallest, at sizes that can be compared.
-std::string error_clause(const studies::StudyResults& results, std::size_t scene, PairClass pair_class);
+/// "On parallel pairs SR has the smallest error."
+std::string sentence(const Ranking& ranking, const studies::StudyPlan& plan);
+
+/// How fast errors fall, on each class of pairs of each scene that has slopes.
+std::vector<Ranking> rank_rates(const studies::StudyResults& results);
+
+/// Whose errors are smallest, at sizes that can be compared, on each class of pairs of each scene.
+std::vector<Ranking> rank_compared_errors(const studies::StudyResults& results);
+
+/// Whose variance is least beside that of each cell with random points.
+std::vector<Ranking> rank_variances(const studies::StudyResults& results);
+
+/// A cell in a ranking of cells.
+RankedMethod ranked_cell(const studies::StudyPlan& plan, const studies::Ranked& one, std::string group);
+
+/// Letter of a group: a for the best; empty where all are in one.
+std::string letter(std::span<const studies::Ranked> ranked, const studies::Ranked& one);
+/// What the letters mean.
+std::string letters_in_words(double level);
 
 /// Which of these methods and sizes have the smallest errors; "" where none has a variance.
 std::string smallest_errors(const studies::Findings& findings, std::span<const std::size_t> cells,
@@ -30,8 +65,5 @@ std::string smallest_errors(const studies::Findings& findings, std::span<const s
 /// "" where fewer than two have a variance.
 std::string largest_efficiencies(const studies::Findings& findings, std::span<const std::size_t> cells,
                                  PairClass pair_class);
-
-/// Whose variance is least beside that of a cell with random points.
-std::string variance_clause(const studies::StudyResults& results, std::size_t random_cell, PairClass pair_class);
 
 }  // namespace ff::reports

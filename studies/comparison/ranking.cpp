@@ -25,6 +25,7 @@ double alpha_of_pair(std::size_t values, double level) {
 /// Groups of what has been measured, and the whole in their order, best first.
 void put_in_order(std::vector<Ranked>& ranked, const std::vector<stats::Measured>& measured, double level) {
     const auto groups = groups_apart(measured, level);
+    const double alpha = alpha_of_pair(measured.size(), level);
     std::vector<std::size_t> order(ranked.size());
     std::iota(order.begin(), order.end(), 0);
     std::stable_sort(order.begin(), order.end(),
@@ -34,8 +35,10 @@ void put_in_order(std::vector<Ranked>& ranked, const std::vector<stats::Measured
         sorted.push_back(ranked[i]);
         sorted.back().group = groups[i];
         sorted.back().alone = std::all_of(order.begin(), order.end(), [&](std::size_t other) {
-            return other == i || are_apart(measured[i], measured[other], alpha_of_pair(measured.size(), level));
+            return other == i || are_apart(measured[i], measured[other], alpha);
         });
+        if (i != order.front())
+            sorted.back().behind = stats::difference_interval(measured[order.front()], measured[i], 1 - alpha);
     }
     ranked = std::move(sorted);
 }

@@ -31,6 +31,9 @@ struct Ranked {
     std::optional<stats::Interval> interval;  ///< individual interval; empty for deterministic methods
     std::size_t group = 0;                    ///< see groups_apart
     bool alone = false;                       ///< differs from every other, by the same tests as groups
+    /// Interval of how far it is behind the best, by the same test, of logarithms where these are ranked; empty for the
+    /// best and where both are exact.
+    std::optional<stats::Interval> behind = {};
 };
 
 /// Slopes on a class of pairs, steepest first: of the RMSE or, where one of them has no variance, of the median error

@@ -3,6 +3,7 @@
 #include "reports/markdown/markdown.hpp"
 #include "reports/pictures/pictures.hpp"
 #include "reports/terminal/terminal.hpp"
+#include "reports/text/labels.hpp"
 #include "reports/words/headline.hpp"
 #include "tests/support/studies.hpp"
 #include "tests/unit/reports/small_study.hpp"
@@ -34,7 +35,7 @@ TEST(Listed, NamesAFewAndCountsTheRest) {
 
 TEST(Answer, NamesTheSmallestErrorOfEachClassOfPairs) {
     const Answer said = answer(test::small_results());
-    EXPECT_EQ(subject_of(test::small_results()), Subject::errors);
+    EXPECT_EQ(said.finding.subject, Subject::errors);
     EXPECT_EQ(said.question, "Which method has the smallest error?");
     EXPECT_THAT(said.text, HasSubstr("on adjacent pairs of cube"));
 }
@@ -57,7 +58,7 @@ sampler = "sobol"
 estimator = "ray_shooting"
 samples_per_patch = [64, 256, 1024]
 )");
-    EXPECT_EQ(subject_of(results), Subject::rates);
+    EXPECT_EQ(answer(results).finding.subject, Subject::rates);
     EXPECT_THAT(answer(results).text, HasSubstr("sobol converges fastest (slope -0."));
     EXPECT_THAT(answer(results).text, HasSubstr("random slowest (-0."));
     const auto picture = lead_picture(results);

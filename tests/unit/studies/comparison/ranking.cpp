@@ -67,6 +67,10 @@ TEST(RankedSlopes, HaveWiderIntervalsWhereNoStraightLineFits) {
     EXPECT_NEAR(ranked[0].interval->width(), 0.2, 1e-12);
     EXPECT_NEAR(ranked[1].interval->width(), 0.6, 1e-12);
     EXPECT_EQ(ranked[1].group, 1u);
+    EXPECT_FALSE(ranked[0].behind);
+    ASSERT_TRUE(ranked[1].behind);
+    EXPECT_TRUE(ranked[1].behind->contains(0.5));
+    EXPECT_GT(ranked[1].behind->low, 0) << "by the test that groups are made with";
     ladders[0].classes.front().rmse.misfit = 10;
     EXPECT_EQ(rank_slopes(ladders, 0, PairClass::parallel, 0.95).slopes[1].group, 0u);
 }
