@@ -6,36 +6,25 @@
 #include "reports/words/in_brief.hpp"
 #include "reports/words/published_summary.hpp"
 #include "reports/words/radiosity_words.hpp"
+#include "reports/words/verdicts.hpp"
 
 #include <fmt/format.h>
 
 namespace ff::reports {
 namespace {
 
-using studies::CellFindings;
-
 std::string bias_line(const studies::Findings& findings) {
-    std::size_t sampled = 0;
-    std::size_t clean = 0;
-    std::size_t biased = 0;
-    std::size_t shown = 0;
-    std::uint64_t lost = 0;
-    for (const CellFindings& found : findings.cells) {
-        lost += found.lost_rays;
-        if (!found.bias) continue;
-        ++sampled;
-        if (found.bias_finding == studies::BiasFinding::no_bias_found) ++clean;
-        if (found.bias_finding == studies::BiasFinding::biased) ++biased;
-        if (found.equivalence == studies::EquivalenceFinding::shown) ++shown;
-    }
-    if (sampled == 0) return {};
+    BiasTally tally = tally_of(findings);
+    if (tally.sampled == 0) return {};
+    const auto biased = tally.found[studies::BiasFinding::biased];
     std::string out = fmt::format(
         "- Bias: {}none found in {} of {} sampled methods and sizes ({:g} % over all of them)",
-        biased > 0 ? fmt::format("found in {}, ", biased) : "", clean, sampled, 100 * (1 - findings.plan.spec.level));
+        biased > 0 ? fmt::format("found in {}, ", biased) : "", tally.found[studies::BiasFinding::no_bias_found],
+        tally.sampled, 100 * (1 - findings.plan.spec.level));
     if (const auto margin = findings.plan.spec.equivalence_margin) {
-        out += fmt::format("; a bias within ±{} is shown on every pair of {}", brief(*margin, 2), shown);
+        out += fmt::format("; a bias within ±{} is shown on every pair of {}", brief(*margin, 2), tally.shown);
     }
-    return out + fmt::format(". Lost rays: {}.\n", lost);
+    return out + fmt::format(". Lost rays: {}.\n", tally.lost_rays);
 }
 
 }  // namespace

@@ -5,43 +5,15 @@
 #include "reports/words/answer.hpp"
 #include "reports/words/published_summary.hpp"
 #include "reports/words/radiosity_words.hpp"
+#include "reports/words/verdicts.hpp"
 
 #include <fmt/format.h>
-
-#include <algorithm>
 
 namespace ff::reports {
 namespace {
 
+using studies::BiasFinding;
 using studies::Rivalry;
-
-/// A rivalry with the names that a sentence needs.
-struct Contest {
-    std::string where;  ///< "on parallel pairs"
-    std::string better;
-    std::string worse;
-    double better_rmse = 0;
-    double worse_rmse = 0;
-    std::string sizes;  ///< "169 × 5²·5² nodes against 169 × 625 rays"
-};
-
-Contest describe(const studies::Findings& findings, const Rivalry& rivalry) {
-    const studies::StudyPlan& plan = findings.plan;
-    const auto method = [&](std::size_t cell) { return plan.spec.methods[plan.cells[cell].method].name; };
-    const auto rmse = [&](std::size_t cell) { return findings.cells[cell].class_error(rivalry.pair_class)->rmse; };
-    Contest contest;
-    contest.where = fmt::format("on {} pairs", name(rivalry.pair_class));
-    if (plan.scenes.size() > 1) contest.where += fmt::format(" of {}", plan.scenes[rivalry.scene].name);
-    contest.better = method(rivalry.better);
-    contest.better_rmse = rmse(rivalry.better);
-    contest.sizes = size_label(plan, plan.cells[rivalry.better]);
-    if (!rivalry.worse) return contest;
-    contest.worse = method(*rivalry.worse);
-    contest.worse_rmse = rmse(*rivalry.worse);
-    const std::string other = size_label(plan, plan.cells[*rivalry.worse]);
-    contest.sizes = contest.sizes == other ? "both at " + other : fmt::format("at {} against {}", contest.sizes, other);
-    return contest;
-}
 
 std::string ratio_text(const Rivalry& rivalry) {
     return rivalry.interval ? to_error(*rivalry.ratio, 5 * rivalry.interval->width()) : brief(*rivalry.ratio);
@@ -54,21 +26,30 @@ std::string interval_text(const stats::Interval& interval) {
                        100 * interval.level);
 }
 
-KeyNumber contest_number(const Rivalry& rivalry, const Contest& c) {
+KeyNumber contest_number(const studies::Findings& findings, const Rivalry& rivalry) {
+    const studies::StudyPlan& plan = findings.plan;
+    const auto method = [&](std::size_t cell) { return plan.spec.methods[plan.cells[cell].method].name; };
+    const auto rmse = [&](std::size_t cell) {
+        return brief(findings.cells[cell].class_error(rivalry.pair_class)->rmse);
+    };
+    const std::string better = method(rivalry.better);
+    const std::string size = size_label(plan, plan.cells[rivalry.better]);
     KeyNumber number;
-    number.label = c.where;
-    const std::string errors =
-        fmt::format("RMSE of a run {} against {}, {}.", brief(c.better_rmse), brief(c.worse_rmse), c.sizes);
+    number.label = on_pairs(plan, rivalry.scene, name(rivalry.pair_class));
     if (!rivalry.worse) {
-        number.value = brief(c.better_rmse);
-        number.detail = fmt::format("RMSE of a run of {} at {}.", c.better, c.sizes);
+        number.value = rmse(rivalry.better);
+        number.detail = fmt::format("RMSE of a run of {} at {}.", better, size);
         return number;
     }
+    const std::string other = size_label(plan, plan.cells[*rivalry.worse]);
+    const std::string sizes = size == other ? "both at " + other : fmt::format("at {} against {}", size, other);
+    const std::string errors =
+        fmt::format("RMSE of a run {} against {}, {}.", rmse(rivalry.better), rmse(*rivalry.worse), sizes);
     if (!rivalry.ratio) {
-        number.value = fmt::format("{}: exact", c.better);
+        number.value = fmt::format("{}: exact", better);
         number.detail = fmt::format("Exact to rounding. {}", errors);
     } else if (rivalry.decided()) {
-        number.value = fmt::format("{}: {} × better", c.better, ratio_text(rivalry));
+        number.value = fmt::format("{}: {} × better", better, ratio_text(rivalry));
         number.detail = rivalry.interval ? fmt::format("{}. {}", interval_text(*rivalry.interval), errors) : errors;
     } else {
         number.value = "cannot be told apart";
@@ -80,36 +61,22 @@ KeyNumber contest_number(const Rivalry& rivalry, const Contest& c) {
 }
 
 KeyNumber bias_number(const studies::Findings& findings) {
-    std::size_t sampled = 0;
-    std::size_t biased = 0;
-    std::size_t inconclusive = 0;
-    std::size_t untestable = 0;
-    std::size_t shown = 0;
-    std::uint64_t lost = 0;
-    double detectable = 0;
-    for (const studies::CellFindings& found : findings.cells) {
-        lost += found.lost_rays;
-        if (!found.bias) continue;
-        ++sampled;
-        if (found.bias_finding == studies::BiasFinding::biased) ++biased;
-        if (found.bias_finding == studies::BiasFinding::inconclusive) ++inconclusive;
-        if (found.bias_finding == studies::BiasFinding::untestable) ++untestable;
-        if (found.equivalence == studies::EquivalenceFinding::shown) ++shown;
-        detectable = std::max(detectable, found.bias->minimum_detectable_bias);
-    }
-    if (sampled == 0) return {};
+    BiasTally tally = tally_of(findings);
+    if (tally.sampled == 0) return {};
     KeyNumber number;
     number.label = "biased sampled methods and sizes";
-    number.value = fmt::format("{} of {}", biased, sampled);
+    number.value = fmt::format("{} of {}", tally.found[BiasFinding::biased], tally.sampled);
     number.detail = fmt::format("A false alarm anywhere: {:g} %", 100 * (1 - findings.plan.spec.level));
-    if (detectable > 0)
-        number.detail += fmt::format("; a bias of {} on one pair is found with power {:g}", brief(detectable, 2),
+    if (tally.detectable > 0)
+        number.detail += fmt::format("; a bias of {} on one pair is found with power {:g}", brief(tally.detectable, 2),
                                      findings.plan.spec.power);
-    if (inconclusive > 0) number.detail += fmt::format("; {} may be biased or skewed", inconclusive);
+    if (const auto inconclusive = tally.found[BiasFinding::inconclusive]; inconclusive > 0)
+        number.detail += fmt::format("; {} may be biased or skewed", inconclusive);
+    const auto untestable = tally.found[BiasFinding::untestable];
     number.detail += untestable == 0 ? "." : fmt::format("; {} cannot be tested.", untestable);
     if (const auto margin = findings.plan.spec.equivalence_margin)
-        number.detail += fmt::format(" Within ±{} shown on every pair of {}.", brief(*margin, 2), shown);
-    number.detail += fmt::format(" Lost rays: {}.", lost);
+        number.detail += fmt::format(" Within ±{} shown on every pair of {}.", brief(*margin, 2), tally.shown);
+    number.detail += fmt::format(" Lost rays: {}.", tally.lost_rays);
     return number;
 }
 
@@ -139,7 +106,7 @@ Headline headline(const studies::StudyResults& results) {
     }
     for (const Rivalry& rivalry : results.rivals) {
         if (!results.occlusion.empty() || out.numbers.size() >= 4) break;  // the answer compares them, over all scenes
-        out.numbers.push_back(contest_number(rivalry, describe(results.findings, rivalry)));
+        out.numbers.push_back(contest_number(results.findings, rivalry));
     }
     if (KeyNumber bias = bias_number(results.findings); !bias.value.empty()) out.numbers.push_back(std::move(bias));
     if (results.published && results.published->audit.figures > 0) {

@@ -134,4 +134,17 @@ Mark equivalence_mark(studies::EquivalenceFinding finding) {
     return Mark::none;
 }
 
+BiasTally tally_of(const studies::Findings& findings) {
+    BiasTally tally;
+    for (const studies::CellFindings& found : findings.cells) {
+        tally.lost_rays += found.lost_rays;
+        if (!found.bias) continue;
+        ++tally.sampled;
+        ++tally.found[found.bias_finding];
+        tally.shown += found.equivalence == studies::EquivalenceFinding::shown ? 1 : 0;
+        tally.detectable = std::max(tally.detectable, found.bias->minimum_detectable_bias);
+    }
+    return tally;
+}
+
 }  // namespace ff::reports

@@ -3,6 +3,9 @@
 #include "reports/text/table.hpp"
 #include "studies/results/results.hpp"
 
+#include <cstddef>
+#include <cstdint>
+#include <map>
 #include <string>
 
 namespace ff::reports {
@@ -16,5 +19,15 @@ std::string equivalence_in_words(const studies::CellFindings& found);
 /// The mark for either, wherever it appears: bad where a bias is found, open where nothing is shown.
 Mark bias_mark(const studies::CellFindings& found);
 Mark equivalence_mark(studies::EquivalenceFinding finding);
+
+/// The verdicts on bias of all cells of a study together.
+struct BiasTally {
+    std::size_t sampled = 0;                            ///< cells with a verdict
+    std::map<studies::BiasFinding, std::size_t> found;  ///< how many have each
+    std::size_t shown = 0;                              ///< cells whose bias is shown to lie within the margin
+    double detectable = 0;                              ///< the largest of their minimum detectable biases
+    std::uint64_t lost_rays = 0;                        ///< of all cells
+};
+BiasTally tally_of(const studies::Findings& findings);
 
 }  // namespace ff::reports
