@@ -134,20 +134,14 @@ std::optional<BestOfKind> best_of_kind(const std::vector<Contender>& sorted, boo
 }
 
 /// Whether, on a class of pairs, the best method of the kind that is advised has less error than the best of the other.
-struct RuleOnClass {
-    ClaimVerdict verdict = ClaimVerdict::inconclusive;
-    std::string evidence;
-};
-
-std::optional<RuleOnClass> judge_rule(const std::vector<Contender>& sorted, bool deterministic_advised) {
+std::optional<Judgement> judge_rule(const std::vector<Contender>& sorted, bool deterministic_advised) {
     const auto advised = best_of_kind(sorted, deterministic_advised);
     const auto other = best_of_kind(sorted, !deterministic_advised);
     if (!advised || !other) return std::nullopt;
-    RuleOnClass rule;
-    rule.evidence = fmt::format("{} against {}", advised->words, other->words);
-    if (advised->high < other->low) rule.verdict = ClaimVerdict::supported;
-    if (advised->low > other->high) rule.verdict = ClaimVerdict::refuted;
-    return rule;
+    const auto verdict = advised->high < other->low   ? ClaimVerdict::supported
+                         : advised->low > other->high ? ClaimVerdict::refuted
+                                                      : ClaimVerdict::inconclusive;
+    return Judgement{verdict, fmt::format("{} against {}", advised->words, other->words)};
 }
 
 ClaimVerdict both(ClaimVerdict a, ClaimVerdict b) {

@@ -3,6 +3,7 @@
 #include "samplers/sampler.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <set>
 #include <tuple>
@@ -10,27 +11,6 @@
 
 namespace ff::studies {
 namespace {
-
-std::optional<stats::Measured> log_rmse_of(const Findings& findings, std::size_t cell, const ClassError& error) {
-    return log_rmse(error, findings.plan.cells[findings.cells[cell].cell].deterministic);
-}
-
-void add_ratio(const Findings& findings, const ClassError& better, const ClassError& worse, std::size_t methods,
-               Rivalry& rivalry) {
-    if (better.rmse < rounding_error) return;
-    rivalry.ratio = worse.rmse / better.rmse;
-    const auto first = log_rmse_of(findings, rivalry.better, better);
-    const auto second = log_rmse_of(findings, *rivalry.worse, worse);
-    rivalry.doubtful = !first || !second;
-    if (rivalry.doubtful) return;
-    const double level = findings.plan.spec.level;
-    const auto pairs = static_cast<double>(methods * (methods - 1)) / 2;
-    const auto interval = ratio_interval(*first, *second, 1 - (1 - level) / pairs);
-    rivalry.apart = interval ? interval->low > 1 : *rivalry.ratio > 1;
-    if (!interval || !interval->is_finite()) return;
-    rivalry.interval = interval;
-    rivalry.interval->level = level;
-}
 
 /// Cells of the last table that shows two methods for the same scene.
 std::vector<std::size_t> published_rivals(const Findings& findings, const std::vector<TableComparison>& published) {
@@ -86,20 +66,34 @@ std::vector<std::size_t> comparable_cells(const Findings& findings, std::size_t 
 
 std::optional<Rivalry> best_two(const Findings& findings, std::size_t scene, PairClass pair_class,
                                 const std::vector<std::size_t>& cells) {
-    std::vector<std::pair<const ClassError*, std::size_t>> ranking;
-    for (const std::size_t cell : cells) {
-        if (const ClassError* error = findings.cells[cell].class_error(pair_class)) ranking.emplace_back(error, cell);
-    }
+    const auto error = [&](std::size_t cell) { return findings.cells[cell].class_error(pair_class); };
+    std::vector<std::size_t> ranking;
+    std::copy_if(cells.begin(), cells.end(), std::back_inserter(ranking), error);
     if (ranking.empty()) return std::nullopt;
     std::stable_sort(ranking.begin(), ranking.end(),
-                     [](const auto& a, const auto& b) { return a.first->rmse < b.first->rmse; });
+                     [&](std::size_t a, std::size_t b) { return error(a)->rmse < error(b)->rmse; });
     Rivalry rivalry;
     rivalry.scene = scene;
     rivalry.pair_class = pair_class;
-    rivalry.better = ranking[0].second;
+    rivalry.better = ranking[0];
     if (ranking.size() == 1) return rivalry;
-    rivalry.worse = ranking[1].second;
-    add_ratio(findings, *ranking[0].first, *ranking[1].first, ranking.size(), rivalry);
+    rivalry.worse = ranking[1];
+    if (error(ranking[0])->rmse < rounding_error) return rivalry;
+    rivalry.ratio = error(ranking[1])->rmse / error(ranking[0])->rmse;
+    const auto log_of = [&](std::size_t cell) {
+        return log_rmse(*error(cell), findings.plan.cells[cell].deterministic);
+    };
+    const auto better = log_of(ranking[0]);
+    const auto worse = log_of(ranking[1]);
+    rivalry.doubtful = !better || !worse;
+    if (rivalry.doubtful) return rivalry;
+    const double level = findings.plan.spec.level;
+    const auto pairs = static_cast<double>(ranking.size() * (ranking.size() - 1)) / 2;
+    const auto interval = ratio_interval(*better, *worse, 1 - (1 - level) / pairs);
+    rivalry.apart = interval ? interval->low > 1 : *rivalry.ratio > 1;
+    if (!interval || !interval->is_finite()) return rivalry;
+    rivalry.interval = interval;
+    rivalry.interval->level = level;
     return rivalry;
 }
 
