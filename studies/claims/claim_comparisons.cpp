@@ -100,10 +100,20 @@ Contenders contenders(const ClaimEvidence& evidence, const PublishedClaim& claim
     return {sorted("parallel"), sorted("adjacent")};
 }
 
+/// Those that are not shown to err more than the first, which is not shown to be the best then: "A or B".
+std::string unbeaten(const std::vector<Contender>& sorted) {
+    std::vector<std::string> names;
+    for (const Contender& each : sorted) {
+        const bool is_beaten = each.error.low() > sorted.front().error.high();
+        if (!is_beaten && std::find(names.begin(), names.end(), each.name) == names.end()) names.push_back(each.name);
+    }
+    return fmt::format("{}", fmt::join(names, " or "));
+}
+
 /// The best; all of them where nothing is left but rounding, which makes no winner.
 std::string best_in_words(const std::vector<Contender>& sorted) {
     if (sorted.empty()) return "none";
-    if (!sorted.front().is_exact()) return fmt::format("{} ({:.2g} %)", sorted.front().name, sorted.front().error.mean);
+    if (!sorted.front().is_exact()) return fmt::format("{} ({:.2g} %)", unbeaten(sorted), sorted.front().error.mean);
     std::vector<std::string> exact;
     for (const Contender& contender : sorted) {
         if (contender.is_exact() && std::find(exact.begin(), exact.end(), contender.name) == exact.end())
@@ -119,16 +129,14 @@ struct BestOfKind {
     double high = 0;
 };
 
-std::optional<BestOfKind> best_of_kind(const std::vector<Contender>& sorted, bool deterministic) {
-    std::optional<BestOfKind> best;
+std::optional<BestOfKind> best_of_kind(std::vector<Contender> sorted, bool deterministic) {
+    std::erase_if(sorted, [&](const Contender& each) { return each.deterministic != deterministic; });
+    if (sorted.empty()) return std::nullopt;
+    const MeanWithError& first = sorted.front().error;
+    BestOfKind best{fmt::format("{} ({})", unbeaten(sorted), percent(first)), first.low(), first.high()};
     for (const Contender& contender : sorted) {
-        if (contender.deterministic != deterministic) continue;
-        if (!best) {
-            best = {fmt::format("{} ({})", contender.name, percent(contender.error)), contender.error.low(),
-                    contender.error.high()};
-        }
-        best->low = std::min(best->low, contender.error.low());
-        best->high = std::min(best->high, contender.error.high());
+        best.low = std::min(best.low, contender.error.low());
+        best.high = std::min(best.high, contender.error.high());
     }
     return best;
 }

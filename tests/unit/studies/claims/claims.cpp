@@ -236,6 +236,15 @@ TEST(Advice, IsJudgedBetweenTwoMethodsAndAsARule) {
                                testing::HasSubstr(" %) against D (0.1 %). ")));
 }
 
+TEST(Advice, NamesAllThatMayBeTheBest) {
+    const Errors alike{1e-3, 1e-3};
+    const std::string evidence =
+        judged(trials({alike, alike, alike, Errors{1e-2, 1e-4}}), claim("best_per_class", {"D", "A"})).evidence;
+    EXPECT_THAT(evidence, testing::HasSubstr("best on parallel pairs: A or B ("));
+    EXPECT_THAT(evidence, testing::HasSubstr("; on adjacent ones: D (0.01 %)"));
+    EXPECT_THAT(evidence, testing::HasSubstr("on perpendicular ones A or B ("));
+}
+
 TEST(Advice, AllowsForTheBestHavingBeenPicked) {
     // Where A's own interval just excludes the error of D, that of the best of four methods does not.
     const auto closer = claim("smaller_error", {"A", "D"}, "adjacent");
