@@ -8,19 +8,18 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <set>
 #include <string>
 #include <utility>
 
 namespace ff::studies {
 namespace {
 
-constexpr std::size_t kinds = 11;
-
 struct Words {
     std::string_view name;
     std::string_view command;  ///< that takes it; {} is the file
 };
-constexpr std::array<Words, kinds> words_of_kinds{
+constexpr std::array words_of_kinds{
     Words{"a study file", "ffstudy run {}"},
     Words{"a bands file", "ffstudy check {}"},
     Words{"a scene file", "ffstudy form_factors {}"},
@@ -38,12 +37,8 @@ const Words& words_of(FileKind kind) {
     return words_of_kinds.at(static_cast<std::size_t>(kind));
 }
 
-/// By kind, whether something of it was seen.
-using Marks = std::array<bool, kinds>;
-
-void mark(Marks& marks, FileKind kind) {
-    marks.at(static_cast<std::size_t>(kind)) = true;
-}
+/// Kinds of which something was seen.
+using Marks = std::set<FileKind>;
 
 constexpr std::array<std::pair<std::string_view, FileKind>, 6> headings{{{"[study]", FileKind::study},
                                                                          {"[[method]]", FileKind::study},
@@ -73,15 +68,15 @@ bool begins_geometry(const std::vector<std::string_view>& words) {
 
 void mark_json(std::string_view text, Marks& marks) {
     const auto has = [&](std::string_view part) { return text.find(part) != std::string_view::npos; };
-    if (has("\"ffstudy.baseline/")) mark(marks, FileKind::baseline);
-    if (has("\"tables\"") && has("\"methods\"")) mark(marks, FileKind::tables);
+    if (has("\"ffstudy.baseline/")) marks.insert(FileKind::baseline);
+    if (has("\"tables\"") && has("\"methods\"")) marks.insert(FileKind::tables);
 }
 
 void mark_store(std::string_view bytes, Marks& marks) {
     const auto has = [&](std::string_view part) { return bytes.find(part) != std::string_view::npos; };
-    if (has("CREATE TABLE meta(")) mark(marks, FileKind::result_store);
-    if (has("CREATE TABLE about(")) mark(marks, FileKind::form_factor_store);
-    if (has("CREATE TABLE rows(face")) mark(marks, FileKind::kept_rows);
+    if (has("CREATE TABLE meta(")) marks.insert(FileKind::result_store);
+    if (has("CREATE TABLE about(")) marks.insert(FileKind::form_factor_store);
+    if (has("CREATE TABLE rows(face")) marks.insert(FileKind::kept_rows);
 }
 
 void mark_lines(std::string_view text, Marks& marks) {
@@ -91,14 +86,14 @@ void mark_lines(std::string_view text, Marks& marks) {
         if (words.empty() || words[0].front() == '#' || words[0].front() == '!') return;
         const bool heads = std::exchange(is_first, false);
         for (const auto& [heading, kind] : headings) {
-            if (words[0] == heading) mark(marks, kind);
+            if (words[0] == heading) marks.insert(kind);
         }
-        if (begins_geometry(words)) mark(marks, FileKind::scene);
+        if (begins_geometry(words)) marks.insert(FileKind::scene);
         const std::string_view first = words[0];
         if (heads && words.size() <= 3 && first.find('=') == std::string_view::npos &&
             first.find("trial") != std::string_view::npos &&
             text.substr(0, text.find('\n')).find("estimate") != std::string_view::npos)
-            mark(marks, FileKind::estimates);
+            marks.insert(FileKind::estimates);
     });
 }
 
@@ -109,10 +104,10 @@ bool is_table_header(std::string_view line) {
 }
 
 Marks marks_of(std::string_view bytes) {
-    Marks marks{};
+    Marks marks;
     const std::size_t first = bytes.find_first_not_of(" \t\r\n");
     if (bytes.starts_with("\x93NUMPY") || bytes.starts_with("FFPOINTS")) {
-        mark(marks, FileKind::points);
+        marks.insert(FileKind::points);
     } else if (bytes.starts_with("SQLite format 3")) {
         mark_store(bytes, marks);
     } else if (first != std::string_view::npos && bytes[first] == '{') {
@@ -127,9 +122,7 @@ Marks marks_of(std::string_view bytes) {
 
 std::optional<FileKind> kind_of(std::string_view bytes) {
     const Marks marks = marks_of(bytes);
-    const auto* const found = std::find(marks.begin(), marks.end(), true);
-    if (found == marks.end()) return std::nullopt;
-    return static_cast<FileKind>(found - marks.begin());
+    return marks.empty() ? std::nullopt : std::optional(*marks.begin());
 }
 
 std::string_view name_of(FileKind kind) {
@@ -150,7 +143,7 @@ std::string command_for(FileKind kind, const std::filesystem::path& file) {
 void expect_kind(FileKind wanted, std::string_view bytes, const std::filesystem::path& file) {
     // Millions of lines need not be looked at to know the header of a table.
     if (wanted == FileKind::estimates && is_table_header(bytes.substr(0, bytes.find('\n')))) return;
-    if (marks_of(bytes).at(static_cast<std::size_t>(wanted))) return;
+    if (marks_of(bytes).contains(wanted)) return;
     const auto kind = kind_of(bytes);
     if (!kind) return;
     throw UserError(fmt::format("{}: {} ({} is wanted here). Run '{}'.", file.string(), name_of(*kind), name_of(wanted),

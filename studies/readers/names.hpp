@@ -23,22 +23,26 @@ constexpr auto name_table(Names... names) {
     return std::array{names...};
 }
 
-/// All values of an enumeration that have names in files: each such enumeration has its own specialisation.
+/// The values of an enumeration that have names in files; specialised beside each such enumeration.
 template <class Enum>
 inline constexpr std::array<Named<Enum>, 0> names_of{};
 
 template <class Enum>
-requires(!names_of<Enum>.empty()) constexpr std::string_view name(Enum value) {
+concept HasNames = !names_of<Enum>.empty();
+
+/// @pre the value is in the table
+template <HasNames Enum>
+constexpr std::string_view name(Enum value) {
     return std::ranges::find(names_of<Enum>, value, &Named<Enum>::value)->name;
 }
 
-template <class Enum>
+template <HasNames Enum>
 constexpr std::optional<Enum> value_named(std::string_view name) {
     const auto found = std::ranges::find(names_of<Enum>, name, &Named<Enum>::name);
     return found == names_of<Enum>.end() ? std::nullopt : std::optional(found->value);
 }
 
-template <class Enum>
+template <HasNames Enum>
 std::vector<std::string_view> suggested_names() {
     std::vector<std::string_view> names;
     for (const auto& each : names_of<Enum>) {

@@ -3,7 +3,6 @@
 #include "core/support/nearest_name.hpp"
 #include "core/support/words.hpp"
 #include "stats/distributions.hpp"
-#include "studies/readers/names.hpp"
 
 #include <fmt/format.h>
 
@@ -14,18 +13,11 @@
 #include <vector>
 
 namespace ff::studies {
-
-template <>
-inline constexpr auto names_of<KnownLaw::Family> = [] {
-    using enum KnownLaw::Family;
-    return name_table(Named{uniform, "uniform"}, Named{normal, "normal"}, Named{exponential, "exponential"});
-}();
-
 namespace {
 
-using Family = KnownLaw::Family;
-
+constexpr std::array<std::string_view, 3> families{"uniform", "normal", "exponential"};
 constexpr std::array<std::string_view, 3> examples{"uniform(0, 1)", "normal(0, 1)", "exponential(1)"};
+constexpr std::array<std::size_t, 3> parameters{2, 2, 1};
 
 /// What stands between the brackets; empty where something is no finite number.
 std::vector<double> numbers_of(std::string_view text) {
@@ -55,28 +47,26 @@ double cumulative(const KnownLaw& law, double x) {
 std::optional<KnownLaw> parse_law(std::string_view text, std::string& problem) {
     const auto open = text.find('(');
     const std::string_view name = trimmed(text.substr(0, open));
-    const auto family = value_named<Family>(name);
-    if (!family) {
-        problem = fmt::format("(no known distribution). {}There are {}.", did_you_mean(name, suggested_names<Family>()),
+    const auto* const found = std::find(families.begin(), families.end(), name);
+    if (found == families.end()) {
+        problem = fmt::format("(no known distribution). {}There are {}.", did_you_mean(name, families),
                               fmt::join(examples, ", "));
         return std::nullopt;
     }
-    const std::string_view example = examples.at(static_cast<std::size_t>(*family));
+    const auto family = static_cast<std::size_t>(found - families.begin());
     const bool closed = open != std::string_view::npos && text.ends_with(')');
     const auto numbers = closed ? numbers_of(text.substr(open + 1, text.size() - open - 2)) : std::vector<double>();
-    if (numbers.size() != (*family == Family::exponential ? 1 : 2)) {
+    if (numbers.size() != parameters.at(family)) {
         problem = fmt::format(
             "(its parameters have to be given: fitted to the values that are tested they change the critical values). "
             "Write numbers, as \"{}\".",
-            example);
+            examples.at(family));
         return std::nullopt;
     }
-    KnownLaw law{*family, numbers[0], numbers.size() > 1 ? numbers[1] : 1};
-    const double width = family == Family::uniform  ? law.second - law.first
-                         : family == Family::normal ? law.second
-                                                    : law.first;
+    KnownLaw law{static_cast<KnownLaw::Family>(family), numbers[0], numbers.size() > 1 ? numbers[1] : 1};
+    const double width = family == 0 ? law.second - law.first : family == 1 ? law.second : law.first;
     if (!(width > 0)) {
-        problem = fmt::format("(a distribution without width). Write it as \"{}\".", example);
+        problem = fmt::format("(a distribution without width). Write it as \"{}\".", examples.at(family));
         return std::nullopt;
     }
     return law;

@@ -2,18 +2,6 @@
 
 namespace ff::studies {
 
-std::string_view name(Verdict verdict) {
-    switch (verdict) {
-        case Verdict::pass:
-            return "pass";
-        case Verdict::fail:
-            return "fail";
-        case Verdict::inconclusive:
-            break;
-    }
-    return "inconclusive";
-}
-
 Verdict judge(const std::optional<Measurement>& measurement, const Band& band) {
     if (!measurement) return Verdict::inconclusive;
     const Measurement& m = *measurement;

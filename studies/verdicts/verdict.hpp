@@ -1,17 +1,17 @@
 #pragma once
 
 #include "stats/interval.hpp"
+#include "studies/readers/names.hpp"
 
 #include <optional>
-#include <string_view>
 
 namespace ff::studies {
 
 /// The verdict of a gate. Inconclusive is not a pass: the trials were too few to tell.
 enum class Verdict { pass, fail, inconclusive };
-
-/// "pass", "fail" or "inconclusive".
-std::string_view name(Verdict verdict);
+template <>
+inline constexpr auto names_of<Verdict> = name_table(Named{Verdict::pass, "pass"}, Named{Verdict::fail, "fail"},
+                                                     Named{Verdict::inconclusive, "inconclusive"});
 
 /// The tolerated values of an effect; an end may be infinite.
 struct Band {
