@@ -2,6 +2,7 @@
 
 #include "core/configurations/parameters.hpp"
 #include "core/formulas/polygon_exchange.hpp"
+#include "core/geometry/convex_polygon.hpp"
 
 #include <cmath>
 #include <numbers>
@@ -12,7 +13,7 @@ namespace {
 using Real = long double;
 
 Real factor(const Corners<Real>& from, const Corners<Real>& to) {
-    return polygon_exchange_area<Real>(from, to).value / polygon_area<Real>(from);
+    return polygon_exchange_area<Real>(from, to).value / polygon_area(from);
 }
 
 }  // namespace

@@ -3,12 +3,12 @@
 #include "core/estimators/source_points.hpp"
 #include "core/estimators/unmet.hpp"
 #include "core/formulas/polygon_factor.hpp"
+#include "core/geometry/convex_polygon.hpp"
 #include "core/visibility/facing.hpp"
 
 #include <fmt/format.h>
 #include <Eigen/Geometry>
 
-#include <algorithm>
 #include <memory>
 #include <optional>
 #include <span>
@@ -31,14 +31,6 @@ struct SourceFrame {
     [[nodiscard]] Eigen::Vector3d direction(const Eigen::Vector3d& vector) const { return axes * vector; }
     [[nodiscard]] Eigen::Vector3d point(const Eigen::Vector3d& point) const { return axes * (point - origin); }
 };
-
-/// The corners of a surface, counter-clockwise as seen from the side of its normal.
-Polygon outline(const Surface& surface) {
-    const auto& [corner, edge_u, edge_v] = parallelogram(surface);
-    Polygon polygon{corner, corner + edge_u, corner + edge_u + edge_v, corner + edge_v};
-    if (edge_u.cross(edge_v).dot(surface.normal) < 0) std::reverse(polygon.begin(), polygon.end());
-    return polygon;
-}
 
 /// A surface that a source sees some of.
 struct SeenSurface {

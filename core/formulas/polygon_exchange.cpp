@@ -1,8 +1,7 @@
 #include "core/formulas/polygon_exchange.hpp"
 
+#include "core/geometry/convex_polygon.hpp"
 #include "core/support/contract.hpp"
-
-#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
@@ -12,15 +11,6 @@
 
 namespace ff {
 namespace {
-
-/// Twice the area along the normal of the side that radiates.
-template <class Real>
-Vector3<Real> doubled_area(const Corners<Real>& polygon) {
-    Vector3<Real> sum = Vector3<Real>::Zero();
-    for (std::size_t i = 1; i + 1 < polygon.size(); ++i)
-        sum += (polygon[i] - polygon[0]).cross(polygon[i + 1] - polygon[0]);
-    return sum;
-}
 
 /// A plane through a point; normal of unit length.
 template <class Real>
@@ -38,24 +28,16 @@ struct Plane {
 
 template <class Real>
 Plane<Real> plane_of(const Corners<Real>& polygon) {
-    return {polygon[0], doubled_area(polygon).normalized()};
+    return {polygon[0], twice_area(polygon).normalized()};
 }
 
 /// The part in front of a plane. A polygon with bays may come out with edges along the plane there and back; they
 /// cancel in a contour integral.
 template <class Real>
 Corners<Real> in_front(const Plane<Real>& plane, const Corners<Real>& polygon) {
-    Corners<Real> front;
-    if (std::none_of(polygon.begin(), polygon.end(), [&](const auto& x) { return plane.height(x) > 0; })) return front;
-    for (std::size_t i = 0; i < polygon.size(); ++i) {
-        const Vector3<Real>& a = polygon[i];
-        const Vector3<Real>& b = polygon[(i + 1) % polygon.size()];
-        const Real height_a = plane.height(a);
-        const Real height_b = plane.height(b);
-        if (height_a >= 0) front.push_back(a);
-        if (height_a * height_b < 0) front.push_back(a + height_a / (height_a - height_b) * (b - a));
-    }
-    return front;
+    const auto height = [&](const Vector3<Real>& x) { return plane.height(x); };
+    if (std::none_of(polygon.begin(), polygon.end(), [&](const auto& x) { return height(x) > 0; })) return {};
+    return part_above(polygon, height);
 }
 
 /// Corners relative to `origin`, divided by `unit`.
@@ -69,9 +51,7 @@ void shrink(Corners<Real>& polygon, const Vector3<Real>& origin, Real unit) {
 template <class Real>
 Corners<Real> corners_of(const Surface& surface) {
     Corners<Real> result;
-    for (const Eigen::Vector3d& corner : corners(surface.shape)) result.push_back(corner.template cast<Real>());
-    const Vector3<Real> across = (result[1] - result[0]).cross(result[2] - result[1]);
-    if (across.dot(surface.normal.template cast<Real>()) < 0) std::reverse(result.begin(), result.end());
+    for (const Eigen::Vector3d& corner : outline(surface)) result.push_back(corner.template cast<Real>());
     return result;
 }
 
@@ -95,9 +75,9 @@ BoundedValue<Real> polygon_exchange_area(Corners<Real> from, Corners<Real> to) {
 
     BoundedValue<Real> sum;
     for (std::size_t i = 0; i < from.size(); ++i) {
-        const DirectedEdge<Real> edge{from[i], from[(i + 1) % from.size()]};
+        const DirectedEdge<Real> edge{from[i], next_corner(from, i)};
         for (std::size_t j = 0; j < to.size(); ++j) {
-            const auto term = log_distance_integral<Real>(edge, {to[j], to[(j + 1) % to.size()]});
+            const auto term = log_distance_integral<Real>(edge, {to[j], next_corner(to, j)});
             sum.value += term.value;
             sum.error += term.error;
         }
@@ -106,16 +86,9 @@ BoundedValue<Real> polygon_exchange_area(Corners<Real> from, Corners<Real> to) {
     return {std::max(Real{0}, sum.value) * scale, sum.error * scale};
 }
 
-template <class Real>
-Real polygon_area(const Corners<Real>& polygon) {
-    return doubled_area(polygon).norm() / 2;
-}
-
 template Corners<double> corners_of(const Surface&);
 template Corners<long double> corners_of(const Surface&);
 template BoundedValue<double> polygon_exchange_area(Corners<double>, Corners<double>);
 template BoundedValue<long double> polygon_exchange_area(Corners<long double>, Corners<long double>);
-template double polygon_area(const Corners<double>&);
-template long double polygon_area(const Corners<long double>&);
 
 }  // namespace ff

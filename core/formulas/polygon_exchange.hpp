@@ -27,8 +27,4 @@ Corners<Real> corners_of(const Surface& surface);
 template <class Real>
 BoundedValue<Real> polygon_exchange_area(Corners<Real> from, Corners<Real> to);
 
-/// Area of a plane polygon.
-template <class Real>
-Real polygon_area(const Corners<Real>& polygon);
-
 }  // namespace ff

@@ -1,5 +1,6 @@
 #include "core/formulas/polygon_factor.hpp"
 
+#include "core/geometry/convex_polygon.hpp"
 #include "core/geometry/unit_circle.hpp"
 #include "core/support/contract.hpp"
 
@@ -70,8 +71,7 @@ double sum(const PlanePoints& points, const Polygon& polygon) {
             const auto y = hn::Load(d, &points.y[at]);
             auto factor = hn::Zero(d);
             for (std::size_t vertex = 0; vertex < polygon.size(); ++vertex) {
-                const std::size_t next = vertex + 1 == polygon.size() ? 0 : vertex + 1;
-                factor = hn::Add(factor, edge_term(x, y, polygon[vertex], polygon[next]));
+                factor = hn::Add(factor, edge_term(x, y, polygon[vertex], next_corner(polygon, vertex)));
             }
             // Seen from behind, the vertices run the other way round.
             factor = hn::Max(factor, hn::Zero(d));
@@ -91,16 +91,11 @@ namespace ff {
 HWY_EXPORT(sum);
 
 Polygon clip_at_horizon(const Polygon& polygon) {
-    Polygon above;
-    for (std::size_t i = 0; i < polygon.size(); ++i) {
-        const Eigen::Vector3d& a = polygon[i];
-        const Eigen::Vector3d& b = polygon[(i + 1) % polygon.size()];
-        if (a.z() >= 0) above.push_back(a);
-        if ((a.z() > 0 && b.z() < 0) || (a.z() < 0 && b.z() > 0)) {
-            Eigen::Vector3d crossing = a + a.z() / (a.z() - b.z()) * (b - a);
-            crossing.z() = 0;
-            above.push_back(crossing);
-        }
+    Polygon above = part_above(polygon, [](const Eigen::Vector3d& vertex) { return vertex.z(); });
+    // What has been made where an edge crosses the plane lies in it, whatever rounding left.
+    for (Eigen::Vector3d& vertex : above) {
+        const bool is_crossing = std::find(polygon.begin(), polygon.end(), vertex) == polygon.end();
+        if (is_crossing) vertex.z() = 0;
     }
     return above;
 }

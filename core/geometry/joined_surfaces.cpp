@@ -1,5 +1,6 @@
 #include "core/geometry/joined_surfaces.hpp"
 
+#include "core/geometry/convex_polygon.hpp"
 #include "core/geometry/place_numbers.hpp"
 
 #include <Eigen/Geometry>
@@ -92,7 +93,7 @@ Joiner::Joiner(const Scene& scene)
 void Joiner::index_edges(std::size_t piece) {
     const std::vector<Vector3d> around = corners(pieces_[piece]->shape);
     for (std::size_t i = 0; i < around.size(); ++i) {
-        at_edge_[edge_between(around[i], around[(i + 1) % around.size()])].push_back(piece);
+        at_edge_[edge_between(around[i], next_corner(around, i))].push_back(piece);
     }
 }
 

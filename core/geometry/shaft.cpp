@@ -1,10 +1,8 @@
 #include "core/geometry/shaft.hpp"
 
-#include <Eigen/Geometry>
 #include <boost/container/small_vector.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 namespace ff {
@@ -30,10 +28,6 @@ struct Range {
         }
     }
 };
-
-const Vector3d& next(const ConvexPolygon& polygon, std::size_t k) {
-    return polygon[k + 1 == polygon.size() ? 0 : k + 1];
-}
 
 }  // namespace
 
@@ -77,7 +71,8 @@ Shaft::Crossing Shaft::crossed_by(const ConvexPolygon& polygon) const {
 
 Shaft::Crossing Shaft::crossed_between_corners(const ConvexPolygon& polygon, const Vector3d& normal) const {
     boost::container::small_vector<Vector3d, 8> inward;
-    for (std::size_t k = 0; k < polygon.size(); ++k) inward.push_back(normal.cross(next(polygon, k) - polygon[k]));
+    for (std::size_t k = 0; k < polygon.size(); ++k)
+        inward.push_back(normal.cross(next_corner(polygon, k) - polygon[k]));
     const double plane = normal.dot(polygon.front());
     const auto height = [&](const Vector3d& place) { return normal.dot(place) - plane; };
     const double side = height(from_.front());
@@ -108,59 +103,18 @@ bool Shaft::is_parted_along_an_edge(const ConvexPolygon& polygon) const {
         for (std::size_t t = 0; t < to_.size(); ++t) {
             const Vector3d line = to_[t] - begin;
             for (std::size_t k = 0; k < polygon.size(); ++k) {
-                if (is_parted(polygon, line, next(polygon, k) - polygon[k])) return true;
+                if (is_parted(polygon, line, next_corner(polygon, k) - polygon[k])) return true;
             }
-            if (is_parted(polygon, line, next(to_, t) - to_[t])) return true;
+            if (is_parted(polygon, line, next_corner(to_, t) - to_[t])) return true;
         }
     }
     for (std::size_t k = 0; k < from_.size(); ++k) {
-        const Vector3d edge = next(from_, k) - from_[k];
+        const Vector3d edge = next_corner(from_, k) - from_[k];
         for (const Vector3d& end : to_) {
             if (is_parted(polygon, end - from_[k], edge)) return true;
         }
     }
     return false;
-}
-
-Vector3d twice_area(const ConvexPolygon& polygon) {
-    Vector3d sum = Vector3d::Zero();
-    for (std::size_t k = 1; k + 1 < polygon.size(); ++k)
-        sum += (polygon[k] - polygon[0]).cross(polygon[k + 1] - polygon[0]);
-    return sum;
-}
-
-double distance(const Vector3d& place, const Vector3d& a, const Vector3d& b) {
-    const Vector3d edge = b - a;
-    const Vector3d offset = place - a;
-    const double squared = edge.squaredNorm();
-    const double along = squared > 0 ? std::clamp(offset.dot(edge) / squared, 0.0, 1.0) : 0;
-    return (offset - along * edge).norm();
-}
-
-double distance(const Vector3d& place, const ConvexPolygon& polygon, const Vector3d& normal) {
-    bool inside = normal.squaredNorm() > 0;
-    for (std::size_t k = 0; inside && k < polygon.size(); ++k)
-        inside = normal.cross(next(polygon, k) - polygon[k]).dot(place - polygon[k]) >= 0;
-    if (inside) return std::abs(normal.normalized().dot(place - polygon.front()));
-    double nearest = std::numeric_limits<double>::max();
-    for (std::size_t k = 0; k < polygon.size(); ++k)
-        nearest = std::min(nearest, distance(place, polygon[k], next(polygon, k)));
-    return nearest;
-}
-
-ConvexPolygon clipped(const ConvexPolygon& polygon, const Vector3d& normal, double offset) {
-    ConvexPolygon result;
-    for (std::size_t k = 0; k < polygon.size(); ++k) {
-        const Vector3d& a = polygon[k];
-        const Vector3d& b = next(polygon, k);
-        const double before = normal.dot(a) - offset;
-        const double after = normal.dot(b) - offset;
-        if (before >= 0) result.push_back(a);
-        if ((before > 0 && after < 0) || (before < 0 && after > 0))
-            result.push_back(a + (b - a) * (before / (before - after)));
-    }
-    if (result.size() < 3) result.clear();
-    return result;
 }
 
 }  // namespace ff

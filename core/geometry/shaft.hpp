@@ -1,14 +1,13 @@
 #pragma once
 
+#include "core/geometry/convex_polygon.hpp"
+
 #include <Eigen/Core>
 
 #include <cstdint>
 #include <vector>
 
 namespace ff {
-
-/// Corners of a plane convex polygon, in order around it.
-using ConvexPolygon = std::vector<Eigen::Vector3d>;
 
 /// All straight lines from a convex set to a convex polygon. What it proves about a third polygon holds for each of
 /// them; what it cannot prove may still be true.
@@ -42,18 +41,5 @@ class Shaft {
                                  const Eigen::Vector3d& edge) const;
     [[nodiscard]] bool is_parted_along_an_edge(const ConvexPolygon& polygon) const;
 };
-
-/// Twice the area of a polygon, along its normal.
-Eigen::Vector3d twice_area(const ConvexPolygon& polygon);
-
-/// From a place to the nearest point of the straight line from a to b.
-double distance(const Eigen::Vector3d& place, const Eigen::Vector3d& a, const Eigen::Vector3d& b);
-
-/// From a place to the nearest point of a polygon.
-/// @param normal  of any length, for corners that are counter-clockwise around it
-double distance(const Eigen::Vector3d& place, const ConvexPolygon& polygon, const Eigen::Vector3d& normal);
-
-/// The part of a convex polygon where normal * v >= offset; empty where there is none.
-ConvexPolygon clipped(const ConvexPolygon& polygon, const Eigen::Vector3d& normal, double offset);
 
 }  // namespace ff

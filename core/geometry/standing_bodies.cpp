@@ -20,19 +20,15 @@ namespace {
 using Eigen::Vector3d;
 using Edge = std::pair<std::uint32_t, std::uint32_t>;  // by numbers of its ends
 
-double area_of(const ConvexPolygon& polygon) {
-    return polygon.size() < 3 ? 0 : twice_area(polygon).norm() / 2;
-}
-
 double length_around(const ConvexPolygon& polygon) {
     double length = 0;
-    for (std::size_t k = 0; k < polygon.size(); ++k) length += (polygon[(k + 1) % polygon.size()] - polygon[k]).norm();
+    for (std::size_t k = 0; k < polygon.size(); ++k) length += (next_corner(polygon, k) - polygon[k]).norm();
     return length;
 }
 
 /// Whether a polygon is what rounding leaves along an edge.
 bool is_sliver(const ConvexPolygon& polygon, double gap) {
-    return area_of(polygon) <= gap * length_around(polygon);
+    return polygon_area(polygon) <= gap * length_around(polygon);
 }
 
 /// Without corners that are another, or lie on the line between their neighbours, but for rounding.
@@ -60,7 +56,7 @@ ConvexPolygon beside_edge(const ConvexPolygon& polygon, const Vector3d& a, const
 
 ConvexPolygon common_part(ConvexPolygon part, const ConvexPolygon& polygon, const Vector3d& normal) {
     for (std::size_t k = 0; k < polygon.size() && part.size() >= 3; ++k)
-        part = beside_edge(part, polygon[k], polygon[(k + 1) % polygon.size()], normal, 1);
+        part = beside_edge(part, polygon[k], next_corner(polygon, k), normal, 1);
     return part;
 }
 
@@ -76,7 +72,7 @@ std::vector<ConvexPolygon> without(const std::vector<ConvexPolygon>& pieces, con
         ConvexPolygon rest = piece;
         for (std::size_t k = 0; k < polygon.size(); ++k) {
             const Vector3d& a = polygon[k];
-            const Vector3d& b = polygon[(k + 1) % polygon.size()];
+            const Vector3d& b = next_corner(polygon, k);
             ConvexPolygon outside = beside_edge(rest, a, b, normal, -1);
             if (!is_sliver(outside, gap)) left.push_back(cleaned(std::move(outside), gap));
             rest = beside_edge(rest, a, b, normal, 1);
@@ -187,14 +183,14 @@ Finder::Finder(const Scene& scene, double gap) : scene_(scene), gap_(gap), numbe
             std::reverse(polygons_[i].begin(), polygons_[i].end());
         }
         for (std::size_t k = 0; k < ring.size(); ++k)
-            at_edge_[edge_between(ring[k], ring[(k + 1) % ring.size()])].push_back(i);
+            at_edge_[edge_between(ring[k], next_corner(ring, k))].push_back(i);
     }
 }
 
 void Finder::take_away(std::uint32_t surface, ConvexPolygon polygon) {
     const Surface& from = scene_.surfaces[surface];
     if (from.grid != undivided) return;
-    if (twice_area(polygon).dot(from.normal) < 0) std::reverse(polygon.begin(), polygon.end());
+    turn_around(polygon, from.normal);
     if (is_sliver(common_part(polygons_[surface], polygon, from.normal), gap_)) return;
     if (result_.left.empty()) result_.left.resize(scene_.surfaces.size());
     auto& left = result_.left[surface];
@@ -208,7 +204,7 @@ bool Finder::is_bottom_on(std::uint32_t bottom, std::uint32_t ground) const {
     const auto& ring = rings_[bottom];
     bool any = false;
     for (std::size_t k = 0; k < ring.size(); ++k) {
-        const auto& here = at_edge_.at(edge_between(ring[k], ring[(k + 1) % ring.size()]));
+        const auto& here = at_edge_.at(edge_between(ring[k], next_corner(ring, k)));
         const bool side = std::any_of(here.begin(), here.end(), [&](std::uint32_t other) {
             return other != bottom && rises(other, normal, place);
         });
@@ -285,15 +281,15 @@ std::vector<Finder::Cover> Finder::covered_by_rim(const ConvexPolygon& rim, cons
             if (polygons_[ground].empty() || scene_.surfaces[ground].normal.dot(normal) <= 0 ||
                 !is_level(ground, normal, rim.front()))
                 return;
-            const double common = area_of(common_part(polygons_[ground], part, normal));
+            const double common = polygon_area(common_part(polygons_[ground], part, normal));
             if (common > 0) covers.push_back({ground, part});
             covered += common;
         });
     }
     // What is not covered is no more than rounding leaves along the rim and between the surfaces beneath it.
     constexpr double rounding = 1e-6;
-    const double missing = std::max(rounding * area_of(rim), gap_ * (length_around(rim) + box.diagonal().norm()));
-    return covered >= area_of(rim) - missing ? covers : std::vector<Cover>();
+    const double missing = std::max(rounding * polygon_area(rim), gap_ * (length_around(rim) + box.diagonal().norm()));
+    return covered >= polygon_area(rim) - missing ? covers : std::vector<Cover>();
 }
 
 void Finder::find_rims(const BoxTree& tree) {
@@ -305,7 +301,7 @@ void Finder::find_rims(const BoxTree& tree) {
         members[body[i]].push_back(i);
         for (std::size_t k = 0; k < rings_[i].size(); ++k) {
             const std::uint32_t from = rings_[i][k];
-            const std::uint32_t to = rings_[i][(k + 1) % rings_[i].size()];
+            const std::uint32_t to = next_corner(rings_[i], k);
             if (at_edge_.at(edge_between(from, to)).size() == 1) free_edges[body[i]].emplace(from, to);
         }
     }

@@ -27,13 +27,6 @@ constexpr double same_corner = 1e-9;
 /// it for this share of its length.
 constexpr double clearly = 1e-6;
 
-/// Corners counter-clockwise as seen from the radiating side; none of a round surface.
-ConvexPolygon outline(const Surface& surface) {
-    ConvexPolygon polygon = corners(surface.shape);
-    if (!polygon.empty() && twice_area(polygon).dot(surface.normal) < 0) std::reverse(polygon.begin(), polygon.end());
-    return polygon;
-}
-
 }  // namespace
 
 /// Joins surfaces along common edges, and keeps what is convex.
@@ -94,7 +87,7 @@ class ConvexBodies::Finder {
             const ConvexPolygon& outline = outlines_[s];
             for (std::size_t k = 0; k < outline.size(); ++k) {
                 const Vector3d& from = outline[k];
-                const Vector3d& to = outline[k + 1 == outline.size() ? 0 : k + 1];
+                const Vector3d& to = next_corner(outline, k);
                 const auto [known, is_new] = edges_.try_emplace({name_of(from), name_of(to)}, Edge{s, from, to});
                 if (!is_new) known->second.alone = false;
             }
@@ -153,7 +146,7 @@ class ConvexBodies::Finder {
             const ConvexPolygon& outline = outlines_[side];
             for (std::size_t k = 0; k < outline.size(); ++k) {
                 box.extend(outline[k]);
-                const std::pair ends(name_of(outline[k]), name_of(outline[k + 1 == outline.size() ? 0 : k + 1]));
+                const std::pair ends(name_of(outline[k]), name_of(next_corner(outline, k)));
                 const Edge& edge = edges_.at(ends);
                 const Edge* other = across(ends, edge);
                 if (other == nullptr || root(other->surface) != root(side)) open.push_back(edge);

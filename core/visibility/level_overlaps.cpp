@@ -1,9 +1,9 @@
 #include "core/visibility/level_overlaps.hpp"
 
 #include "core/geometry/box_tree.hpp"
+#include "core/geometry/convex_polygon.hpp"
 #include "core/geometry/line_meets.hpp"
 #include "core/geometry/placement.hpp"
-#include "core/geometry/shaft.hpp"
 #include "core/geometry/surface_map.hpp"
 #include "core/visibility/rounding_room.hpp"
 
@@ -30,21 +30,6 @@ constexpr double near = 1e-6;
 /// Places of a disc along each of its coordinates.
 constexpr int lattice = 32;
 
-/// The part of a convex polygon on the side of a plane that `inwards` points to.
-ConvexPolygon part_towards(const ConvexPolygon& polygon, const Vector3d& corner, const Vector3d& inwards) {
-    ConvexPolygon result;
-    for (std::size_t k = 0; k < polygon.size(); ++k) {
-        const Vector3d& a = polygon[k];
-        const Vector3d& b = polygon[(k + 1) % polygon.size()];
-        const double before = inwards.dot(a - corner);
-        const double after = inwards.dot(b - corner);
-        if (before >= 0) result.push_back(a);
-        if ((before > 0 && after < 0) || (before < 0 && after > 0))
-            result.push_back(a + (b - a) * (before / (before - after)));
-    }
-    return result;
-}
-
 double area_along(const ConvexPolygon& polygon, const Vector3d& normal) {
     double sum = 0;
     for (std::size_t k = 1; k + 1 < polygon.size(); ++k)
@@ -55,9 +40,11 @@ double area_along(const ConvexPolygon& polygon, const Vector3d& normal) {
 double common_area_of_polygons(const Surface& a, const ConvexPolygon& of_a, const ConvexPolygon& of_b) {
     Vector3d upwards = (of_a[1] - of_a[0]).cross(of_a[2] - of_a[1]);
     ConvexPolygon common = of_b;
-    for (std::size_t k = 0; k < of_a.size() && common.size() >= 3; ++k)
-        common = part_towards(common, of_a[k], upwards.cross(of_a[(k + 1) % of_a.size()] - of_a[k]));
-    return common.size() < 3 ? 0 : area_along(common, a.normal);
+    for (std::size_t k = 0; k < of_a.size(); ++k) {
+        const Vector3d inwards = upwards.cross(next_corner(of_a, k) - of_a[k]);
+        common = part_above(common, [&](const Vector3d& place) { return inwards.dot(place - of_a[k]); });
+    }
+    return area_along(common, a.normal);
 }
 
 /// The share of places of a surface that another lies above or beneath.

@@ -1,6 +1,6 @@
 #include "core/visibility/touching.hpp"
 
-#include "core/geometry/shaft.hpp"
+#include "core/geometry/convex_polygon.hpp"
 #include "core/geometry/surface_map.hpp"
 #include "core/visibility/rounding_room.hpp"
 
@@ -43,7 +43,7 @@ template <class Visit>
 void for_each_edge(const ConvexPolygon& polygon, Visit visit) {
     const Vector3d upwards = normal(polygon);
     for (std::size_t i = 0; i < polygon.size(); ++i) {
-        visit(polygon[i], upwards.cross(polygon[(i + 1) % polygon.size()] - polygon[i]).normalized());
+        visit(polygon[i], upwards.cross(next_corner(polygon, i) - polygon[i]).normalized());
     }
 }
 

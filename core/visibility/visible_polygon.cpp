@@ -1,5 +1,6 @@
 #include "core/visibility/visible_polygon.hpp"
 
+#include "core/geometry/convex_polygon.hpp"
 #include "core/support/contract.hpp"
 
 #include <Eigen/Geometry>
@@ -27,59 +28,28 @@ SmallPolygon seen_from(const Vector3d& place, std::span<const Vector3d> polygon)
     return result;
 }
 
-/// Heights of a polygon's corners above a plane through the origin, negative below it, in units of the normal's length.
-struct Heights {
-    boost::container::small_vector<double, 10> values;
-    bool some_above = false;
-    bool some_below = false;
-
-    Heights(const SmallPolygon& polygon, const Vector3d& normal) {
-        values.resize(polygon.size(), boost::container::default_init);
-        for (std::size_t k = 0; k < polygon.size(); ++k) {
-            values[k] = normal.dot(polygon[k]);
-            some_above = some_above || values[k] > 0;
-            some_below = some_below || values[k] < 0;
-        }
-    }
-};
-
-/// The part of a convex polygon that is above a plane through the origin (sign 1), or below (-1).
-SmallPolygon part_of(const SmallPolygon& polygon, const Heights& heights, double sign) {
-    SmallPolygon part;
-    part.resize(2 * polygon.size(), Vector3d::Zero());  // rounding may make more than two crossings
-    std::size_t size = 0;
-    std::size_t before = polygon.size() - 1;
-    for (std::size_t k = 0; k < polygon.size(); ++k) {
-        const double from = heights.values[before];
-        const double to = heights.values[k];
-        if ((from > 0 && to < 0) || (from < 0 && to > 0))
-            part[size++] = polygon[before] + (polygon[k] - polygon[before]) * (from / (from - to));
-        if (sign * to >= 0) part[size++] = polygon[k];
-        before = k;
-    }
-    part.erase(part.begin() + static_cast<std::ptrdiff_t>(size), part.end());
+/// The part of a convex polygon that is above a plane. Where the edge to its first corner crosses the plane, the part
+/// begins there: sums are added up in that order.
+template <class Height>
+SmallPolygon part_of(const SmallPolygon& polygon, const Height& height) {
+    SmallPolygon part = part_above(polygon, height);
+    if (!part.empty() && height(polygon.back()) * height(polygon.front()) < 0)
+        std::rotate(part.begin(), part.end() - 1, part.end());
     return part;
 }
 
 /// Takes the part where normal * v < 0 off a convex polygon. @return whether there is one; what is left may be empty
 bool cut(SmallPolygon& polygon, const Vector3d& normal) {
-    const Heights heights(polygon, normal);
-    if (!heights.some_below) return false;
-    if (heights.some_above)
-        polygon = part_of(polygon, heights, 1);
-    else
-        polygon.clear();
+    const auto height = [&](const Vector3d& v) { return normal.dot(v); };
+    if (std::none_of(polygon.begin(), polygon.end(), [&](const Vector3d& v) { return height(v) < 0; })) return false;
+    polygon = part_of(polygon, height);
     return true;
 }
 
 /// The same. @return that part
 SmallPolygon cut_off(SmallPolygon& polygon, const Vector3d& normal) {
-    const Heights heights(polygon, normal);
-    if (!heights.some_below) return {};
-    if (!heights.some_above) return std::exchange(polygon, {});
-    SmallPolygon lower = part_of(polygon, heights, -1);
-    polygon = part_of(polygon, heights, 1);
-    return lower;
+    const SmallPolygon whole = polygon;
+    return cut(polygon, normal) ? part_of(whole, [&](const Vector3d& v) { return -normal.dot(v); }) : SmallPolygon();
 }
 
 /// Lambert's formula from the origin. @pre the polygon is above the horizon
@@ -87,7 +57,7 @@ double factor_of(const SmallPolygon& polygon, const Vector3d& normal) {
     double sum = 0;
     for (std::size_t k = 0; k < polygon.size(); ++k) {
         const Vector3d& a = polygon[k];
-        const Vector3d& b = polygon[k + 1 == polygon.size() ? 0 : k + 1];
+        const Vector3d& b = next_corner(polygon, k);
         const Vector3d across = a.cross(b);
         const double sine = across.norm();
         if (sine > 0) sum += std::atan2(sine, a.dot(b)) * across.dot(normal) / sine;
@@ -106,7 +76,7 @@ SmallPolygon sides_of(const SmallPolygon& polygon) {
     SmallPolygon sides;
     for (std::size_t k = 0; k < polygon.size(); ++k) {
         const Vector3d& a = polygon[k];
-        const Vector3d& b = polygon[k + 1 == polygon.size() ? 0 : k + 1];
+        const Vector3d& b = next_corner(polygon, k);
         Vector3d side = a.cross(b);
         const double room = product_rounding * product_rounding * a.squaredNorm() * b.squaredNorm();
         if (side.squaredNorm() <= room) continue;  // two corners in one
@@ -152,23 +122,16 @@ double factor_of_visible(SmallPolygon piece, std::span<const SmallPolygon> shado
     return sum;
 }
 
-/// Corners counter-clockwise as seen from the side that the normal points to.
-std::vector<Vector3d> around(const Surface& surface) {
-    std::vector<Vector3d> polygon = corners(surface.shape);
-    FF_EXPECT(polygon.size() >= 3);
-    const Vector3d across = (polygon[1] - polygon[0]).cross(polygon[2] - polygon[1]);
-    if (across.dot(surface.normal) < 0) std::reverse(polygon.begin(), polygon.end());
-    return polygon;
-}
-
 }  // namespace
 
 VisiblePolygon::VisiblePolygon(const Surface& target, const std::vector<const Surface*>& blockers)
-    : target_(around(target)), target_normal_(target.normal) {
+    : target_(outline(target)), target_normal_(target.normal) {
+    FF_EXPECT(!target_.empty());
     // Parts of blockers that lie behind the target's plane hide nothing.
     const Vector3d origin = target_.front();
     for (const Surface* blocker : blockers) {
-        SmallPolygon part = seen_from(origin, around(*blocker));
+        FF_EXPECT(!corners(blocker->shape).empty());
+        SmallPolygon part = seen_from(origin, outline(*blocker));
         cut(part, target_normal_);
         std::vector<Vector3d>& kept = blockers_.emplace_back();
         for (const Vector3d& corner : part) kept.emplace_back(origin + corner);

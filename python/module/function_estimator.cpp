@@ -1,6 +1,7 @@
 #include "python/module/function_estimator.hpp"
 
 #include "core/estimators/added.hpp"
+#include "core/geometry/convex_polygon.hpp"
 #include "core/support/error.hpp"
 #include "python/module/python_lock.hpp"
 #include "python/module/words.hpp"
@@ -33,7 +34,7 @@ py::object described(const Scene& scene) {
     if (studies::is_of_polygons(scene)) {
         py::list all;
         for (const Surface& surface : scene.surfaces) {
-            const auto corners = studies::rim(surface);
+            const auto corners = outline(surface);
             Numbers rows({corners.size(), std::size_t{3}});
             auto at = rows.mutable_unchecked<2>();
             for (py::ssize_t i = 0; i < rows.shape(0); ++i) {

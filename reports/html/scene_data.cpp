@@ -1,8 +1,8 @@
 #include "reports/html/scene_data.hpp"
 
+#include "core/geometry/convex_polygon.hpp"
 #include "core/geometry/surface_map.hpp"
 #include "core/visibility/mirrors.hpp"
-#include "studies/scene_files/scene_writer.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -63,7 +63,7 @@ Json polygons_json(const Scene& scene) {
         if (corners(surface.shape).empty())
             add_facets(polygons, face, surface);
         else
-            add_polygon(polygons, face, studies::rim(surface));
+            add_polygon(polygons, face, outline(surface));
     }
     return polygons;
 }

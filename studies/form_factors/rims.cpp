@@ -21,7 +21,7 @@ std::vector<Vector3d> cone_of(const PartExtent& part, const ConvexPolygon& polyg
     for (const Vector3d& corner : polygon) middle += corner / static_cast<double>(polygon.size());
     std::vector<Vector3d> planes;
     for (std::size_t k = 0; k < polygon.size(); ++k) {
-        const Vector3d& next = polygon[k + 1 == polygon.size() ? 0 : k + 1];
+        const Vector3d& next = next_corner(polygon, k);
         const Vector3d across = (polygon[k] - part.centre).cross(next - part.centre).normalized();
         const double inside = across.dot(middle - part.centre);
         const auto leads_out = [&](const Vector3d& normal) {
@@ -47,7 +47,7 @@ void Rims::add_blocker(const ConvexPolygon& polygon) {
 std::vector<std::uint32_t> Rims::edges_of(const ConvexPolygon& polygon) {
     std::vector<std::uint32_t> result;
     for (std::size_t k = 0; k < polygon.size(); ++k) {
-        const Edge edge{polygon[k], polygon[k + 1 == polygon.size() ? 0 : k + 1]};
+        const Edge edge{polygon[k], next_corner(polygon, k)};
         const double room = 1e-12 * (edge.b - edge.a).norm();
         const auto is_near = [&](const Vector3d& x, const Vector3d& y) { return (x - y).norm() <= room; };
         const auto same = std::find_if(edges_.begin(), edges_.end(), [&](const Edge& other) {

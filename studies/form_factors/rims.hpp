@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/geometry/shaft.hpp"
+#include "core/geometry/convex_polygon.hpp"
 #include "studies/form_factors/source_part.hpp"
 
 #include <Eigen/Core>

@@ -279,11 +279,9 @@ class Division {
     /// The exchange of a part of the source with the target, with nothing in between.
     [[nodiscard]] BoundedValue<double> exchange_of(const SourceRange& range) const {
         Corners<double> from = extent_of(source_, map_, origin_, range).hull;
-        const Vector3d across = (from[1] - from[0]).cross(from[2] - from[1]);
-        if (across.dot(source_.normal) < 0) std::reverse(from.begin(), from.end());
+        turn_around(from, source_.normal);
         Corners<double> to = target_.corners;
-        const Vector3d facing = (to[1] - to[0]).cross(to[2] - to[0]);
-        if (facing.dot(target_normal_) < 0) std::reverse(to.begin(), to.end());
+        turn_around(to, target_normal_);
         return polygon_exchange_area<double>(std::move(from), std::move(to));
     }
 

@@ -1,5 +1,6 @@
 #include "studies/scene_files/builder.hpp"
 
+#include "core/geometry/convex_polygon.hpp"
 #include "core/geometry/standing_bodies.hpp"
 #include "core/geometry/surface_map.hpp"
 #include "core/support/error.hpp"
@@ -160,9 +161,8 @@ void SceneBuilder::append(Surface surface, std::uint64_t line) {
 
 void SceneBuilder::add_polygon(const std::vector<Vector3d>& corners, int face, std::uint64_t line) {
     const std::size_t n = corners.size();
-    Vector3d sum = Vector3d::Zero();  // twice the vector area
+    const Vector3d sum = twice_area(corners);
     double size = 0;
-    for (std::size_t i = 1; i + 1 < n; ++i) sum += (corners[i] - corners[0]).cross(corners[i + 1] - corners[0]);
     for (const Vector3d& corner : corners) size = std::max(size, (corner - corners[0]).norm());
     if (size > largest_length) {
         fail(line, fmt::format("{} reaches beyond {:g}. Use another unit of length.", owner(face), largest_length));

@@ -1,3 +1,4 @@
+#include "core/geometry/convex_polygon.hpp"
 #include "core/support/error.hpp"
 #include "studies/scene_files/builder.hpp"
 #include "studies/scene_files/formats.hpp"
@@ -89,12 +90,9 @@ class ObjWriter {
 
     /// Corners and the polygon; nothing where it has no area: nothing leaves it or arrives.
     std::string polygon(const std::vector<Vector3d>& corners) {
-        Vector3d sum = Vector3d::Zero();
         double size = 0;
-        for (std::size_t i = 1; i + 1 < corners.size(); ++i)
-            sum += (corners[i] - corners[0]).cross(corners[i + 1] - corners[0]);
         for (const Vector3d& corner : corners) size = std::max(size, (corner - corners[0]).norm());
-        if (!(sum.norm() > 2 * least_share_of_area * size * size)) return {};
+        if (!(twice_area(corners).norm() > 2 * least_share_of_area * size * size)) return {};
         std::string text;
         std::string polygon = "f";
         for (const Vector3d& corner : corners) {

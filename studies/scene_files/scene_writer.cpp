@@ -1,5 +1,6 @@
 #include "studies/scene_files/scene_writer.hpp"
 
+#include "core/geometry/convex_polygon.hpp"
 #include "studies/readers/printable.hpp"
 #include "studies/scene_files/formats.hpp"
 
@@ -78,12 +79,6 @@ std::string keys_of(const Surface& surface) {
 
 }  // namespace
 
-std::vector<Vector3d> rim(const Surface& surface) {
-    std::vector<Vector3d> all = corners(surface.shape);
-    if ((all[1] - all[0]).cross(all[2] - all[0]).dot(surface.normal) < 0) std::reverse(all.begin(), all.end());
-    return all;
-}
-
 bool is_of_polygons(const Scene& scene) {
     return std::all_of(scene.faces.begin(), scene.faces.end(), is_a_word) &&
            std::all_of(scene.surfaces.begin(), scene.surfaces.end(),
@@ -98,7 +93,7 @@ std::string obj_text(const Scene& scene) {
             surface.face == no_face ? std::string(occluder_group) : scene.faces[static_cast<std::size_t>(surface.face)];
         if (name != group) text += fmt::format("g {}\n", name);
         group = name;
-        const auto corners = rim(surface);
+        const auto corners = outline(surface);
         for (const Vector3d& corner : corners) text += fmt::format("v {} {} {}\n", corner.x(), corner.y(), corner.z());
         text += "f";
         for (auto back = corners.size(); back > 0; --back) text += fmt::format(" -{}", back);
@@ -116,7 +111,7 @@ std::string vs3_text(const Scene& scene) {
     by_faces(scene, [&](const Surface& surface) {
         std::array<std::size_t, 4> indices{};
         std::size_t at = 0;
-        for (const Vector3d& corner : rim(surface)) {
+        for (const Vector3d& corner : outline(surface)) {
             text += fmt::format("V {} {} {} {}\n", ++vertex, corner.x(), corner.y(), corner.z());
             indices.at(at++) = vertex;
         }

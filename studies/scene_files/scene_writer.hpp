@@ -12,9 +12,6 @@ namespace ff::studies {
 /// Whether OBJ and .vs3 can express a scene: all surfaces are polygons, and names of faces are single words.
 bool is_of_polygons(const Scene& scene);
 
-/// Corners of a polygon, counter-clockwise as seen from its radiating side.
-std::vector<Eigen::Vector3d> rim(const Surface& surface);
-
 /// A scene as the text of a file which the program reads back as the same surfaces and faces; grids are left out where
 /// the format has none. Numbers have all their digits. @pre no mirrors; of OBJ and .vs3, is_of_polygons
 std::string obj_text(const Scene& scene);

@@ -59,7 +59,7 @@ Vector3d any_vector() {
 
 Polygon3 any_triangle() {
     Polygon3 triangle{any_vector(), any_vector(), any_vector()};
-    RC_PRE(polygon_area<double>(triangle) > 1e-3);
+    RC_PRE(polygon_area(triangle) > 1e-3);
     return triangle;
 }
 
@@ -86,7 +86,7 @@ double integral_over(const Polygon3& triangle, const Function& f) {
     using Rule = boost::math::quadrature::gauss<double, 15>;
     const Vector3d u = triangle[1] - triangle[0];
     const Vector3d v = triangle[2] - triangle[1];
-    return 2 * polygon_area<double>(triangle) *
+    return 2 * polygon_area(triangle) *
            Rule::integrate(
                [&](double s) {
                    return s * Rule::integrate([&](double t) { return f(Vector3d(triangle[0] + s * (u + t * v))); }, 0.0,

@@ -81,14 +81,5 @@ TEST(Shaft, ProvesOnlyWhatHoldsForEveryLine) {
     EXPECT_GT(closed, 20);
 }
 
-TEST(Shaft, MeasuresDistances) {
-    const Vector3d normal = twice_area(floor_square);
-    EXPECT_EQ(normal, Vector3d(0, 0, 2));
-    EXPECT_DOUBLE_EQ(distance({0.5, 0.5, 2}, floor_square, normal), 2);
-    EXPECT_DOUBLE_EQ(distance({4, 0.5, 4}, floor_square, normal), 5);
-    EXPECT_DOUBLE_EQ(distance({4, 5, 0}, floor_square, normal), 5);
-    EXPECT_DOUBLE_EQ(distance({0, 3, 4}, {-1, 0, 0}, {1, 0, 0}), 5);
-}
-
 }  // namespace
 }  // namespace ff
