@@ -138,7 +138,7 @@ def judge_mean(samples, reference, *, band, alpha=1e-4, power=0.9, pass_alpha=0.
     verdict = "inconclusive"
     if fail_low > band or fail_high < -band:
         verdict = "fail"
-    elif -band < low and high < band:
+    elif -band <= low and high <= band:
         verdict = "pass"
     is_open = any(map(math.isinf, (low, high, fail_low, fail_high)))
     needed = trials_needed(sigma, band, power=power, pass_alpha=pass_alpha, reference_error=reference_error)

@@ -3,10 +3,13 @@
 // Gates on means and spreads of Monte Carlo trials, for unit tests: headers only, C++17, the standard library alone.
 // Installed as <ffstudy/gate.hpp>; stats/gate_macros.hpp makes them assertions. docs/gates-in-practice.md shows how.
 //
-// The rule is that of `ffstudy check` (docs/gates.md). Pass: the interval of level 1 - 2 pass_alpha lies in the band.
-// Fail: that of level 1 - alpha lies wholly outside. Otherwise inconclusive, which is no pass either.
+// The rule is that of `ffstudy check` (docs/gates.md), which calls stats/gate_verdict.hpp and stats/skewed_reach.hpp
+// too. Since this header stands alone, its quantiles are good to ten digits only, a mean beside an uncertain reference
+// keeps its own skewness (which is more cautious), trials that would decide are counted by the normal law, and repeats,
+// serial correlation and heavy tails are not looked for. tests/data/gate_cases.csv has cases that all judge alike.
 
 #include "stats/gate_quantiles.hpp"
+#include "stats/gate_verdict.hpp"
 #include "stats/skewed_reach.hpp"
 
 #include <algorithm>
@@ -27,8 +30,6 @@ struct Options {
     double reference_error = 0;   ///< standard error of the reference
     std::size_t comparisons = 1;  ///< gates that share alpha
 };
-
-enum class Verdict { pass, fail, inconclusive };
 
 /// A mean with its standard error, as codes report them, where single trials are not available.
 struct Estimate {
@@ -78,17 +79,28 @@ inline std::string message(const Result& result) {
 
 namespace detail {
 
-inline Result within(double low, double high, const Options& options) {
-    Result result;
-    result.band_low = low;
-    result.band_high = high;
-    result.options = options;
-    return result;
-}
+struct Range {
+    double low;
+    double high;
+};
 
-inline Result judged(Result result, double fail_low, double fail_high) {
-    if (fail_low > result.band_high || fail_high < result.band_low) result.verdict = Verdict::fail;
-    if (result.low > result.band_low && result.high < result.band_high) result.verdict = Verdict::pass;
+/// @param limit  of tail probability `tail` on one side (-1 or 1) of the effect
+template <class Limit>
+Result judged(double effect, double n, Range band, const Options& options, const Limit& limit) {
+    Result result;
+    result.effect = effect;
+    result.n = n;
+    result.band_low = band.low;
+    result.band_high = band.high;
+    result.options = options;
+    const auto between = [&](double tail) { return Range{limit(-1, tail), limit(1, tail)}; };
+    const Range passing = between(options.pass_alpha);
+    const Range failing = between(options.alpha / static_cast<double>(options.comparisons) / 2);
+    result.low = passing.low;
+    result.high = passing.high;
+    result.verdict = judge(passing, failing, band);
+    if (!std::isfinite(passing.high - passing.low + failing.high - failing.low))
+        result.note = "Too skewed, or too few trials, for an interval at one of these levels.";
     return result;
 }
 
@@ -117,6 +129,22 @@ inline double trials_for(double sigma, const Options& options) {
     return room > 0 ? ratio * ratio / room + z * z / 2 : 0;
 }
 
+inline Result judged_mean(const Estimate& estimate, const MeanSkewness& skewness, double reference,
+                          const Options& options) {
+    const double error = std::hypot(estimate.standard_error, options.reference_error);
+    // Welch; the reference has infinite freedom.
+    const double freedom = (estimate.n - 1) * std::pow(error / estimate.standard_error, 4);
+    const double effect = estimate.mean - reference;
+    const auto limit = [&](int side, double tail) {
+        const double t = student_critical(freedom, tail);
+        return effect + side * error * skewed_reach(skewness, side, t, normal_critical(tail));
+    };
+    Result result = judged(effect, estimate.n, {-options.band, options.band}, options, limit);
+    if (std::isfinite(estimate.n))
+        result.trials_to_decide = trials_for(estimate.standard_error * std::sqrt(estimate.n), options);
+    return result;
+}
+
 }  // namespace detail
 
 /// A gate on the mean of trials, each a whole run with random numbers of its own; at least 10.
@@ -134,27 +162,8 @@ Result mean(const Values& values, double reference, const Options& options) {
     if (!std::isfinite(squares) || !std::isfinite(reference)) return detail::undecided(n, "a value is not finite");
     if (n < 10) return detail::undecided(n, "fewer than 10 trials; 50 to 200 are usual");
     if (squares == 0) return detail::undecided(n, "every trial gave the same value: was each seeded alike?");
-    const double sigma = std::sqrt(squares / (n - 1));
-    const double own = sigma / std::sqrt(n);
-    const double error = std::hypot(own, options.reference_error);
-    const double freedom = (n - 1) * std::pow(error / own, 4);  // Welch; the reference has infinite freedom
-    const double alpha = options.alpha / static_cast<double>(options.comparisons);
-    Result result = detail::within(-options.band, options.band, options);
-    result.effect = centre - reference;
-    result.n = n;
-    result.trials_to_decide = detail::trials_for(sigma, options);
-    const MeanSkewness skewness = skewness_of_mean(values, n);
-    const auto limit = [&](int side, double tail) {
-        const double t = student_critical(freedom, tail);
-        return result.effect + side * error * skewed_reach(skewness, side, t, normal_critical(tail));
-    };
-    result.low = limit(-1, options.pass_alpha);
-    result.high = limit(1, options.pass_alpha);
-    const double fail_low = limit(-1, alpha / 2);
-    const double fail_high = limit(1, alpha / 2);
-    if (!std::isfinite(result.high - result.low) || !std::isfinite(fail_high - fail_low))
-        result.note = "Too skewed, or too few trials, for an interval at one of these levels.";
-    return detail::judged(result, fail_low, fail_high);
+    const Estimate estimate{centre, std::sqrt(squares / (n - 1) / n), n};
+    return detail::judged_mean(estimate, skewness_of_mean(values, n), reference, options);
 }
 
 /// A gate on a mean whose stated standard error is trusted.
@@ -162,20 +171,11 @@ inline Result mean(const Estimate& estimate, double reference, const Options& op
     if (const char* fault = detail::fault_of(options); *fault != 0) return detail::undecided(estimate.n, fault);
     if (!(estimate.standard_error > 0) || !std::isfinite(estimate.mean) || !(estimate.n >= 2))
         return detail::undecided(estimate.n, "a standard error has to be positive, of at least 2 values");
-    const double error = std::hypot(estimate.standard_error, options.reference_error);
-    const double freedom = (estimate.n - 1) * std::pow(error / estimate.standard_error, 4);
-    const double inner = student_critical(freedom, options.pass_alpha) * error;
-    const double outer =
-        student_critical(freedom, options.alpha / static_cast<double>(options.comparisons) / 2) * error;
-    Result result = detail::within(-options.band, options.band, options);
-    result.effect = estimate.mean - reference;
-    result.low = result.effect - inner;
-    result.high = result.effect + inner;
-    result.n = estimate.n;
-    if (std::isfinite(estimate.n))
-        result.trials_to_decide = detail::trials_for(estimate.standard_error * std::sqrt(estimate.n), options);
+    MeanSkewness none;
+    none.most = 0;  // known not to be skewed
+    Result result = detail::judged_mean(estimate, none, reference, options);
     result.note = "The standard error is believed as it is stated.";
-    return detail::judged(result, result.effect - outer, result.effect + outer);
+    return result;
 }
 
 /// A gate on the standard deviation of a trial relative to a reference, by chi-squared with degrees of freedom reduced
@@ -199,16 +199,11 @@ Result spread(const Values& values, double reference, const Options& options) {
     if (squares == 0) return detail::undecided(n, "every trial gave the same value: was each seeded alike?");
     const double kurtosis = n * fourth / (squares * squares) - 3;
     const double freedom = (n - 1) / (1 + (kurtosis > 0 ? kurtosis : 0) / 2);
-    Result result = detail::within(1 / (1 + options.band), 1 + options.band, options);
-    result.effect = std::sqrt(squares / (n - 1)) / reference;
-    result.n = n;
-    const auto limit = [&](double tail) {
-        return result.effect * std::sqrt(freedom / chi_squared_critical(freedom, tail));
+    const double effect = std::sqrt(squares / (n - 1)) / reference;
+    const auto limit = [&](int side, double tail) {
+        return effect * std::sqrt(freedom / chi_squared_critical(freedom, side < 0 ? tail : 1 - tail));
     };
-    result.low = limit(options.pass_alpha);
-    result.high = limit(1 - options.pass_alpha);
-    const double alpha = options.alpha / static_cast<double>(options.comparisons);
-    return detail::judged(result, limit(alpha / 2), limit(1 - alpha / 2));
+    return detail::judged(effect, n, {1 / (1 + options.band), 1 + options.band}, options, limit);
 }
 
 }  // namespace ff::gate

@@ -3,10 +3,7 @@
 namespace ff::studies {
 
 Verdict judge(const std::optional<Measurement>& measurement, const Band& band) {
-    if (!measurement) return Verdict::inconclusive;
-    const Measurement& m = *measurement;
-    if (m.failing.low > band.high || m.failing.high < band.low) return Verdict::fail;
-    return band.holds(m.passing.low) && band.holds(m.passing.high) ? Verdict::pass : Verdict::inconclusive;
+    return measurement ? gate::judge(measurement->passing, measurement->failing, band) : Verdict::inconclusive;
 }
 
 Verdict together(Verdict a, Verdict b) {

@@ -1,17 +1,13 @@
 #pragma once
 
+#include "stats/gate_verdict.hpp"
 #include "stats/interval.hpp"
-#include "studies/readers/names.hpp"
 
 #include <optional>
 
 namespace ff::studies {
 
-/// The verdict of a gate. Inconclusive is not a pass: the trials were too few to tell.
-enum class Verdict { pass, fail, inconclusive };
-template <>
-inline constexpr auto names_of<Verdict> = name_table(Named{Verdict::pass, "pass"}, Named{Verdict::fail, "fail"},
-                                                     Named{Verdict::inconclusive, "inconclusive"});
+using gate::Verdict;
 
 /// The tolerated values of an effect; an end may be infinite.
 struct Band {
@@ -39,8 +35,7 @@ struct Measurement {
     double minimum_detectable = 0;
 };
 
-/// The rule of every gate, whose null hypothesis is composite ("inside the band"). Fail: the failing interval lies
-/// wholly outside. Pass: the passing interval lies inside. Otherwise, or without a measurement, inconclusive.
+/// By the rule of every gate (stats/gate_verdict.hpp); inconclusive without a measurement.
 Verdict judge(const std::optional<Measurement>& measurement, const Band& band);
 
 /// One verdict for several comparisons: fail if one fails, pass if all pass.

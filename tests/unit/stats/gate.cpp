@@ -1,14 +1,18 @@
 #include "stats/gate.hpp"
 
 #include "stats/distributions.hpp"
+#include "stats/mean_test.hpp"
 #include "tests/support/statistical_assertions.hpp"
 
 #include <gtest/gtest.h>
 
 #include <array>
 #include <cmath>
+#include <fstream>
 #include <limits>
 #include <random>
+#include <sstream>
+#include <string>
 #include <vector>
 
 namespace ff::gate {
@@ -73,6 +77,77 @@ TEST(GateOnAMean, GivesTheThreeVerdictsAndSaysWhy) {
     const Result open = mean(normal_trials(100, 3), 0, band(0.01));
     EXPECT_EQ(open.verdict, Verdict::inconclusive);
     EXPECT_NE(message(open).find("pass with that power if there is no effect"), std::string::npos) << message(open);
+}
+
+/// A line of tests/data/gate_cases.csv, which tests/frameworks/test_cases.py reads too.
+struct Case {
+    std::string name;
+    double reference = 0;
+    Options options;
+    std::string verdict;
+    double effect = 0;
+    double low = 0;
+    double high = 0;
+    std::vector<double> trials;
+};
+
+std::vector<Case> read_cases() {
+    std::ifstream file(FF_TEST_DATA "/gate_cases.csv");
+    std::vector<Case> cases;
+    std::string line;
+    std::getline(file, line);
+    while (std::getline(file, line)) {
+        std::istringstream cells(line);
+        std::string text;
+        const auto number = [&] { return std::getline(cells, text, ','), std::stod(text); };
+        Case& one = cases.emplace_back();
+        std::getline(cells, one.name, ',');
+        one.reference = number();
+        for (double* option :
+             {&one.options.band, &one.options.alpha, &one.options.pass_alpha, &one.options.reference_error})
+            *option = number();
+        std::getline(cells, one.verdict, ',');
+        for (double* found : {&one.effect, &one.low, &one.high}) *found = number();
+        for (double trial = 0; cells >> trial;) one.trials.push_back(trial);
+    }
+    return cases;
+}
+
+bool agrees(double found, double expected) {
+    return found == expected || std::abs(found - expected) <= 1e-9 * (1 + std::abs(expected));
+}
+
+TEST(GateOnAMean, IsJudgedLikeEverywhere) {
+    const auto cases = read_cases();
+    ASSERT_EQ(cases.size(), 12u);
+    for (const Case& one : cases) {
+        const Result found = mean(one.trials, one.reference, one.options);
+        EXPECT_EQ(name(found.verdict), one.verdict) << one.name;
+        EXPECT_TRUE(agrees(found.effect, one.effect)) << one.name << ": " << found.effect;
+        EXPECT_TRUE(agrees(found.low, one.low)) << one.name << ": " << found.low;
+        EXPECT_TRUE(agrees(found.high, one.high)) << one.name << ": " << found.high;
+    }
+}
+
+/// The program's intervals (studies/verdicts/measurement.cpp).
+TEST(GateOnAMean, IsJudgedLikeByTheProgram) {
+    for (const Case& one : read_cases()) {
+        const auto own = stats::mean_evidence(one.trials, one.reference);
+        ASSERT_TRUE(own) << one.name;
+        const double error = one.options.reference_error;
+        const auto evidence = stats::with_uncertain_reference(*own, error, std::numeric_limits<double>::infinity());
+        const auto passing = stats::interval_of(evidence, 1 - 2 * one.options.pass_alpha);
+        const auto failing = stats::interval_of(evidence, 1 - one.options.alpha);
+        const detail::Range band{-one.options.band, one.options.band};
+        EXPECT_EQ(name(judge(passing, failing, band)), one.verdict) << one.name;
+        if (error == 0) {
+            EXPECT_TRUE(agrees(passing.low, one.low)) << one.name << ": " << passing.low;
+            EXPECT_TRUE(agrees(passing.high, one.high)) << one.name << ": " << passing.high;
+        } else {  // the header keeps the skewness that the trials have alone
+            EXPECT_GE(passing.low, one.low - 1e-9) << one.name;
+            EXPECT_LE(passing.high, one.high + 1e-9) << one.name;
+        }
+    }
 }
 
 TEST(GateOnAMean, IsUndecidedWhereTrialsCannotCarryAnInterval) {
