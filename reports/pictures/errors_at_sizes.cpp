@@ -73,8 +73,8 @@ std::vector<Picture> errors_at_sizes(const studies::StudyResults& results, const
             const std::vector<std::size_t> unranked(luck, cells.end());
             cells.erase(luck, cells.end());
             for (const PairClass pair_class : {PairClass::parallel, PairClass::adjacent, PairClass::other}) {
-                const auto ranked = studies::rank_errors(findings, cells, pair_class);
-                const auto others = studies::rank_errors(findings, unranked, pair_class);
+                const auto ranked = studies::rank_errors(findings, cells, pair_class, plan.spec.level);
+                const auto others = studies::rank_errors(findings, unranked, pair_class, plan.spec.level);
                 if (ranked.size() + others.size() < 2 || rows.full()) continue;
                 rows.heading(heading_of(plan, scene, pair_class));
                 const auto add = [&](const studies::Ranked& each, const std::string& group) {
@@ -106,8 +106,8 @@ std::vector<Picture> errors_at_sizes(const studies::StudyResults& results, const
             results,
             {fmt::format("errors-at-{}", octave.usual()),
              fmt::format("Errors at {} evaluations per face, smallest first.", octave.usual()), "RMSE of a run",
-             fmt::format("Bars: {:g} % intervals. {}{}{}{}", 100 * plan.spec.level, letters_in_words(plan.spec.level),
-                         barless, luck, other_sizes),
+             fmt::format("Bars: {:g} % intervals. {}{}{}{}", 100 * plan.spec.level,
+                         letters_in_words(plan.spec.level, " in a block"), barless, luck, other_sizes),
              "", true},
             methods, rows));
         pictures.back().name = name;

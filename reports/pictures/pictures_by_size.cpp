@@ -113,7 +113,8 @@ std::string smallest_errors_in_words(const studies::Findings& findings, const st
     for (const bool deterministic : {true, false}) {
         const std::string smallest = smallest_errors(findings, cells_of(findings.plan, all, deterministic), pair_class);
         if (smallest.empty()) continue;
-        text += fmt::format("Among {} methods {}. ", deterministic ? "deterministic" : "sampled", smallest);
+        text +=
+            fmt::format("Among {} methods in this picture {}. ", deterministic ? "deterministic" : "sampled", smallest);
     }
     return text;
 }

@@ -88,7 +88,6 @@ std::optional<Picture> errors_picture(const studies::StudyResults& results, std:
     const StudyPlan& plan = results.findings.plan;
     PictureValues values({"method", "size", "treatment", "own", "reflectance", "absorbed", "rmse", "bias", "negative"});
     Lines lines(results, HeightAxis::logarithmic);
-    const Shown* worst = nullptr;
     double largest = 0;
     std::string where;
     for (const Shown& each : shown) {
@@ -105,19 +104,17 @@ std::optional<Picture> errors_picture(const studies::StudyResults& results, std:
             last = rmse;
             if (rmse <= largest) continue;
             largest = rmse;
-            worst = &each;
             where = setting_text(plan, at.setting);
         }
         if (last) lines.add(each, *last, shown);
     }
-    if (worst == nullptr) return std::nullopt;
+    if (where.empty()) return std::nullopt;
     lines.set(values);
     Picture picture;
     picture.id = slug(fmt::format("light-errors{}", of_scene(plan, scene)));
     picture.kind = "light_errors";
     picture.title = fmt::format("How the exitance error grows with reflectance{}.", of_scene(plan, scene));
-    picture.finding = fmt::format("The largest error is {} at reflectance {}: {}. {}", percent(largest), where,
-                                  worst->label(), dashes_in_words);
+    picture.finding = fmt::format("Errors reach {}, at reflectance {}. {}", percent(largest), where, dashes_in_words);
     picture.description = fmt::format(
         "Relative RMSE of the exitance, over faces and runs, against 1 − reflectance, both logarithmic, a line for "
         "each method as it completes its matrix, and one after the matrix is balanced. {}",
@@ -132,7 +129,7 @@ std::optional<Picture> radius_picture(const studies::StudyResults& results, std:
     PictureValues values({"method", "size", "treatment", "own", "reflectance", "radius", "least", "largest"});
     Lines lines(results, HeightAxis::linear);
     lines.make_room(1);
-    const Shown* first = nullptr;
+    double limit = 1;
     for (const Shown& each : shown) {
         std::optional<double> last;
         for (const studies::SettingFindings& at : each.found->settings) {
@@ -145,8 +142,7 @@ std::optional<Picture> radius_picture(const studies::StudyResults& results, std:
             last = radius.median;
         }
         if (last) lines.add(each, *last, shown);
-        if (first == nullptr || each.found->convergent_below.least < first->found->convergent_below.least)
-            first = &each;
+        limit = std::min(limit, each.found->convergent_below.least);
     }
     if (values.empty()) return std::nullopt;
     lines.set(values);
@@ -154,9 +150,7 @@ std::optional<Picture> radius_picture(const studies::StudyResults& results, std:
     picture.id = slug(fmt::format("spectral-radius{}", of_scene(plan, scene)));
     picture.kind = "spectral_radius";
     picture.title = fmt::format("Spectral radius against reflectance{}.", of_scene(plan, scene));
-    const double limit = first->found->convergent_below.least;
-    picture.finding = limit < 1 - 1e-12 ? fmt::format("The first to reach 1 is {}, at reflectance {}.", first->label(),
-                                                      brief(limit, 4))
+    picture.finding = limit < 1 - 1e-12 ? fmt::format("In some run it reaches 1 at reflectance {}.", brief(limit, 4))
                                         : "It stays below 1 for every reflectance below 1, whatever the method.";
     picture.finding += fmt::format(" {}", dashes_in_words);
     picture.description = fmt::format(

@@ -28,10 +28,14 @@ std::string_view why_no_interval(studies::VarianceStatus variance) {
 }
 
 /// The bias test is of all pairs of a scene: a pair that could not be tested does not agree because others do.
-TableCell verdict(const studies::ConfigurationEstimate& row) {
+TableCell verdict(const Scene& scene, const studies::ConfigurationEstimate& row) {
     const studies::CellFindings& found = *row.found;
     if (!found.bias) return {"deterministic", Mark::open};
-    if (found.bias_finding == studies::BiasFinding::biased) return {bias_in_words(found), Mark::bad};
+    if (found.bias_finding == studies::BiasFinding::biased) {
+        const bool has_place = found.bias->pairs > 1 && found.bias->largest_t > 0;
+        const auto place = has_place ? fmt::format(", on {}", quantity_label(scene, found.bias->largest_pair)) : "";
+        return {bias_in_words(found) + place, Mark::bad};
+    }
     if (found.bias_finding != studies::BiasFinding::no_bias_found) return {bias_in_words(found), Mark::open};
     if (!row.interval) return {fmt::format("no interval: {}", why_no_interval(row.variance)), Mark::open};
     return {"agrees", Mark::good};
@@ -73,7 +77,7 @@ Table configurations_table(const studies::StudyResults& results) {
              {interval_of(row)},
              {fmt::format("{:.12f}", row.exact)},
              {row.standard_errors ? fmt::format("{:+.2f} SE", *row.standard_errors) : fmt::format("{:+.1e}", row.bias)},
-             verdict(row)});
+             verdict(plan.scenes[cell.scene], row)});
     }
     return table;
 }

@@ -182,7 +182,7 @@ Table decisions_table(const studies::StudyResults& results, bool timed) {
         {}};
     for (const studies::Decision& decision : studies::decide(plan, results.contests, equal)) {
         const auto text = [&](std::size_t place) -> std::string {
-            if (place >= decision.choices.size()) return "–";
+            if (place >= decision.choices.size() || decision.choices[place].best == 0) return "–";
             const studies::Choice& choice = decision.choices[place];
             return fmt::format("{} ({} of {}, at worst {:.2g})", plan.spec.methods[choice.method].name, choice.best,
                                choice.entered, choice.largest_handicap);

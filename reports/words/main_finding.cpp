@@ -50,7 +50,8 @@ MainFinding of_rankings(const StudyResults& results, std::vector<Ranking> rankin
     const studies::StudyPlan& plan = results.findings.plan;
     found.clauses = clauses_of(plan, rankings);
     found.rankings = std::move(rankings);
-    found.note = fmt::format("{}{} {}", bars(results), ticks, letters_in_words(plan.spec.level));
+    found.note = fmt::format("{}{} {}", bars(results), ticks,
+                             letters_in_words(plan.spec.level, found.rankings.size() > 1 ? " in all blocks" : ""));
     return found;
 }
 
@@ -112,10 +113,14 @@ std::optional<MainFinding> on_choice(const StudyResults& results) {
         const studies::Choice& first = decision.choices.front();
         const std::string kind = kind_of_pairs(decision.pair_class, decision.may_be_occluded);
         const bool begins = found.clauses.empty();
+        std::vector<std::string> names;
+        for (const studies::Choice& choice : decision.choices) {
+            if (choice.best == first.best && choice.entered == first.entered)
+                names.push_back(plan.spec.methods[choice.method].name);
+        }
         found.clauses.push_back(fmt::format("{}{} on {} ({}{} of {}{})", begins ? "take, at equal evaluations, " : "",
-                                            listed({plan.spec.methods[first.method].name}), kind,
-                                            begins ? "best in " : "", first.best, first.entered,
-                                            begins ? " scenes that it can do" : ""));
+                                            listed(std::move(names)), kind, begins ? "best in " : "", first.best,
+                                            first.entered, begins ? " scenes that it can do" : ""));
         Ranking& ranking = found.rankings.emplace_back();
         ranking.heading =
             decision.may_be_occluded ? fmt::format("{}, maybe occluded", name(decision.pair_class)) : kind;

@@ -224,26 +224,27 @@ std::optional<LightInBrief> light_in_brief(const studies::StudyResults& results)
     if (!results.radiosity) return std::nullopt;
     const studies::StudyPlan& plan = results.findings.plan;
     const std::size_t told = told_setting(plan);
-    std::map<std::string, double> errors;  // of a method the largest
+    std::map<std::size_t, double> errors;  // of a method the largest
     for (std::size_t scene = 0; scene < plan.scenes.size(); ++scene) {
         for (const std::size_t cell : lit_cells(plan, scene)) {
             const Consequences* found = results.radiosity->find(cell, own_treatment(plan, cell));
             if (found->settings.empty() || !found->settings[told].light_error) continue;
-            double& error = errors[plan.spec.methods[plan.cells[cell].method].name];
+            double& error = errors[plan.cells[cell].method];
             error = std::max(error, *found->settings[told].light_error);
         }
     }
     if (errors.empty()) return std::nullopt;
-    std::vector<std::pair<double, std::string>> ascending;
-    for (const auto& [method, error] : errors) ascending.emplace_back(error, method);
-    std::sort(ascending.begin(), ascending.end());
     LightInBrief brief;
     brief.reflectance = setting_text(plan, told);
-    std::vector<std::string> parts;
-    for (const auto& [error, method] : ascending) parts.push_back(fmt::format("{} with {}", percent(error), method));
-    brief.clause = fmt::format("at reflectance {} the exitance error is {}", brief.reflectance, fmt::join(parts, ", "));
-    brief.value = percent(ascending.front().first);
-    if (ascending.size() > 1) brief.value += fmt::format(" to {}", percent(ascending.back().first));
+    std::vector<std::string> parts;  // in the study's order, since nothing tests which error is smaller
+    for (const auto& [method, error] : errors)
+        parts.push_back(fmt::format("{} with {}", percent(error), plan.spec.methods[method].name));
+    brief.clause = fmt::format("at reflectance {} the exitance error is {}{}", brief.reflectance,
+                               fmt::join(parts, ", "), plan.scenes.size() > 1 ? ", where it is largest" : "");
+    const auto [least, largest] = std::minmax_element(errors.begin(), errors.end(),
+                                                      [](const auto& a, const auto& b) { return a.second < b.second; });
+    brief.value = percent(least->second);
+    if (errors.size() > 1) brief.value += fmt::format(" to {}", percent(largest->second));
     return brief;
 }
 

@@ -69,23 +69,28 @@ std::string slope_and_reach(const Ranked& slope) {
     return fmt::format("{:.2f} ± {:.2f}", slope.value, slope.interval->width() / 2);
 }
 
-/// The rankings of all classes of pairs of all scenes that have one. @param rank  fills one in
+/// The rankings of all classes of pairs of all scenes that have one, such that all of them hold together.
+/// @param rank  fills one in, at a level
 template <class Rank>
 std::vector<Ranking> of_each_class(const StudyResults& results, const Rank& rank) {
-    std::vector<Ranking> all;
-    for (std::size_t scene = 0; scene < results.findings.plan.scenes.size(); ++scene) {
-        for (const PairClass pair_class : {PairClass::parallel, PairClass::adjacent, PairClass::other}) {
-            Ranking ranking{heading_of(results.findings.plan, scene, pair_class), {}, scene, pair_class};
-            rank(ranking);
-            if (!ranking.methods.empty()) all.push_back(std::move(ranking));
+    const studies::StudyPlan& plan = results.findings.plan;
+    const auto ranked_at = [&](double level) {
+        std::vector<Ranking> all;
+        for (std::size_t scene = 0; scene < plan.scenes.size(); ++scene) {
+            for (const PairClass pair_class : {PairClass::parallel, PairClass::adjacent, PairClass::other}) {
+                Ranking ranking{heading_of(plan, scene, pair_class), {}, scene, pair_class};
+                rank(ranking, level);
+                if (!ranking.methods.empty()) all.push_back(std::move(ranking));
+            }
         }
-    }
-    return all;
+        return all;
+    };
+    return ranked_at(studies::level_of_each(plan.spec.level, ranked_at(plan.spec.level).size()));
 }
 
-void rank_rates_of_class(const StudyResults& results, Ranking& ranking) {
+void rank_rates_of_class(const StudyResults& results, Ranking& ranking, double level) {
     const studies::StudyPlan& plan = results.findings.plan;
-    const auto ranked = studies::rank_slopes(results.slopes, ranking.scene, ranking.pair_class, plan.spec.level);
+    const auto ranked = studies::rank_slopes(results.slopes, ranking.scene, ranking.pair_class, level);
     if (ranked.slopes.empty()) return;
     if (ranked.of_median) ranking.heading += " (median error)";
     for (const Ranked& each : ranked.slopes) {
@@ -113,6 +118,14 @@ void rank_rates_of_class(const StudyResults& results, Ranking& ranking) {
     }
     if (last.alone && !best.all)
         ranking.said += fmt::format("; {} slowest ({})", ranking.methods.back().label, slope_and_reach(last));
+    const auto in_class = [&](const studies::LadderSlopes& ladder) {
+        return ladder.ladder.scene == ranking.scene &&
+               std::any_of(ladder.classes.begin(), ladder.classes.end(),
+                           [&](const auto& of) { return of.pair_class == ranking.pair_class; });
+    };
+    const auto all = std::count_if(results.slopes.begin(), results.slopes.end(), in_class);
+    if (static_cast<std::size_t>(all) > ranked.slopes.size() && ranked.slopes.size() > 1)
+        ranking.said += "; methods without an interval are not ranked";
 }
 
 /// "2.1 to 2.4", how many times the error of the second is that of the first.
@@ -123,12 +136,12 @@ std::string times_smaller(const Ranked& first, const Ranked& second) {
     return std::isfinite(high) ? from_to(low, brief(high)) : fmt::format("at least {}", low);
 }
 
-void rank_errors_of_class(const StudyResults& results, Ranking& ranking) {
+void rank_errors_of_class(const StudyResults& results, Ranking& ranking, double level) {
     const studies::Findings& findings = results.findings;
     const studies::StudyPlan& plan = findings.plan;
     const auto tables = results.published ? results.published->comparisons : std::vector<studies::TableComparison>();
-    const auto ranked =
-        studies::rank_errors(findings, studies::compared_cells(findings, ranking.scene, tables), ranking.pair_class);
+    const auto ranked = studies::rank_errors(findings, studies::compared_cells(findings, ranking.scene, tables),
+                                             ranking.pair_class, level);
     if (ranked.empty()) return;
     ranking.methods = ranked_cells(plan, ranked);
     const Leaders best = leaders(ranked, ranking.methods);
@@ -146,10 +159,10 @@ void rank_errors_of_class(const StudyResults& results, Ranking& ranking) {
     }
 }
 
-void rank_variances_of_size(const StudyResults& results, Ranking& ranking) {
+void rank_variances_of_size(const StudyResults& results, Ranking& ranking, double level) {
     const studies::StudyPlan& plan = results.findings.plan;
     const auto ranked =
-        studies::rank_reductions(results.findings, results.reductions, *ranking.random_cell, ranking.pair_class);
+        studies::rank_reductions(results.findings, results.reductions, *ranking.random_cell, ranking.pair_class, level);
     ranking.methods = ranked_cells(plan, ranked);
     for (RankedMethod& each : ranking.methods) each.expected = 1;
     const bool random_leads = std::any_of(ranked.begin(), ranked.end(), [&](const Ranked& each) {
@@ -180,11 +193,13 @@ std::string sentence(const Ranking& ranking, const studies::StudyPlan& plan) {
 }
 
 std::vector<Ranking> rank_rates(const StudyResults& results) {
-    return of_each_class(results, [&](Ranking& ranking) { rank_rates_of_class(results, ranking); });
+    return of_each_class(results,
+                         [&](Ranking& ranking, double level) { rank_rates_of_class(results, ranking, level); });
 }
 
 std::vector<Ranking> rank_compared_errors(const StudyResults& results) {
-    return of_each_class(results, [&](Ranking& ranking) { rank_errors_of_class(results, ranking); });
+    return of_each_class(results,
+                         [&](Ranking& ranking, double level) { rank_errors_of_class(results, ranking, level); });
 }
 
 std::vector<Ranking> rank_variances(const StudyResults& results) {
@@ -195,8 +210,9 @@ std::vector<Ranking> rank_variances(const StudyResults& results) {
         if (!seen.emplace(first.random_cell, first.pair_class).second) continue;
         const std::size_t scene = plan.cells[first.random_cell].scene;
         all.push_back({heading_of(plan, scene, first.pair_class), {}, scene, first.pair_class, {}, first.random_cell});
-        rank_variances_of_size(results, all.back());
     }
+    const double level = studies::level_of_each(plan.spec.level, all.size());
+    for (Ranking& ranking : all) rank_variances_of_size(results, ranking, level);
     return all;
 }
 
@@ -216,16 +232,16 @@ std::string letter(std::span<const Ranked> ranked, const Ranked& one) {
     return groups ? std::string(1, static_cast<char>('a' + std::min<std::size_t>(one.group, 25))) : std::string();
 }
 
-std::string letters_in_words(double level) {
+std::string letters_in_words(double level, std::string_view of) {
     return fmt::format(
-        "Methods with the same letter cannot be told apart from the first of them ({:g} % over all pairs of methods in "
-        "a block).",
-        100 * (1 - level));
+        "Methods with the same letter cannot be told apart from the first of them ({:g} % over all pairs of "
+        "methods{}).",
+        100 * (1 - level), of);
 }
 
 std::string smallest_errors(const studies::Findings& findings, std::span<const std::size_t> cells,
                             PairClass pair_class) {
-    const auto ranked = studies::rank_errors(findings, cells, pair_class);
+    const auto ranked = studies::rank_errors(findings, cells, pair_class, findings.plan.spec.level);
     if (ranked.empty()) return {};
     const Leaders best = leading_sizes(findings.plan, ranked);
     return fmt::format("{} {} (RMSE {})", listed(best.names),

@@ -21,9 +21,9 @@ namespace {
 /// One size of a method on a class of pairs.
 struct Rung {
     std::size_t cell = 0;
-    double cost = 0;                  ///< evaluations or seconds of a trial
-    double cost_error = 0;            ///< standard error of its logarithm
-    double mean_square = 0;           ///< not below that of rounding
+    double cost = 0;        ///< evaluations or seconds of a trial
+    double cost_error = 0;  ///< standard error of its logarithm
+    double mean_square = 0;
     stats::Measured log_mean_square;  ///< its logarithm
     bool repeatable = false;          ///< the mean of several trials has a smaller error
 };
@@ -43,14 +43,16 @@ std::optional<Rung> rung_of(const Findings& findings, std::size_t index, PairCla
     const CellFindings& found = findings.cells[index];
     const Cell& cell = findings.plan.cells[found.cell];
     const ClassError* error = found.class_error(pair_class);
-    if (error == nullptr || found.has_infinite_variance(pair_class)) return std::nullopt;
+    // No ratio is formed to what is exact to rounding.
+    if (error == nullptr || found.has_infinite_variance(pair_class) || error->rmse < rounding_error)
+        return std::nullopt;
     if (estimator_info(findings.plan.spec.methods[cell.method]).exact || may_be_luck(findings.plan, cell))
         return std::nullopt;
     Rung rung;
     rung.cell = found.cell;
-    rung.mean_square = std::pow(std::max(error->rmse, rounding_error), 2);
+    rung.mean_square = std::pow(error->rmse, 2);
     rung.log_mean_square.value = std::log(rung.mean_square);
-    if (cell.deterministic || error->rmse < rounding_error) return rung;
+    if (cell.deterministic) return rung;
     if (!error->mean_square) return std::nullopt;
     rung.log_mean_square = stats::logarithm_of(*error->mean_square);
     rung.repeatable = found.bias_finding != BiasFinding::biased;
@@ -87,7 +89,11 @@ std::vector<Contender> contenders(const Findings& findings, const Costs& costs, 
     }
     std::vector<Contender> all;
     for (auto& [of, ladder] : ladders) {
-        std::stable_sort(ladder.begin(), ladder.end(), [](const Rung& a, const Rung& b) { return a.cost < b.cost; });
+        std::stable_sort(ladder.begin(), ladder.end(), [&](const Rung& a, const Rung& b) {
+            return evaluations_per_trial(plan, plan.cells[a.cell]) < evaluations_per_trial(plan, plan.cells[b.cell]);
+        });
+        // Measured times vary: a larger size takes no less than a smaller one.
+        for (std::size_t i = 1; i < ladder.size(); ++i) ladder[i].cost = std::max(ladder[i].cost, ladder[i - 1].cost);
         all.push_back(std::move(ladder));
     }
     return all;

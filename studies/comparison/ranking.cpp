@@ -78,6 +78,10 @@ std::vector<std::size_t> groups_apart(std::span<const stats::Measured> values, d
     return groups_apart(sizes, [&](std::size_t a, std::size_t b) { return are_apart(values[a], values[b], alpha); });
 }
 
+double level_of_each(double level, std::size_t rankings) {
+    return 1 - (1 - level) / static_cast<double>(std::max<std::size_t>(1, rankings));
+}
+
 RankedSlopes rank_slopes(std::span<const LadderSlopes> ladders, std::size_t scene, PairClass pair_class, double level) {
     RankedSlopes out;
     const auto for_each = [&](const auto& use) {
@@ -107,7 +111,8 @@ RankedSlopes rank_slopes(std::span<const LadderSlopes> ladders, std::size_t scen
     return out;
 }
 
-std::vector<Ranked> rank_errors(const Findings& findings, std::span<const std::size_t> cells, PairClass pair_class) {
+std::vector<Ranked> rank_errors(const Findings& findings, std::span<const std::size_t> cells, PairClass pair_class,
+                                double level) {
     std::vector<Ranked> ranked;
     std::vector<stats::Measured> measured;
     for (const std::size_t cell : cells) {
@@ -120,7 +125,7 @@ std::vector<Ranked> rank_errors(const Findings& findings, std::span<const std::s
                                    : *log_rmse(*error));
         ranked.push_back({cell, error->rmse, certain ? std::nullopt : error->interval, 0, false});
     }
-    put_in_order(ranked, measured, findings.plan.spec.level);
+    put_in_order(ranked, measured, level);
     return ranked;
 }
 
@@ -139,7 +144,7 @@ std::vector<Ranked> rank_efforts(const Findings& findings, std::span<const std::
 }
 
 std::vector<Ranked> rank_reductions(const Findings& findings, std::span<const VarianceReduction> reductions,
-                                    std::size_t random_cell, PairClass pair_class) {
+                                    std::size_t random_cell, PairClass pair_class, double level) {
     std::vector<Ranked> ranked;
     std::vector<stats::Measured> measured;
     const auto add = [&](const Ranked& one) {
@@ -151,7 +156,7 @@ std::vector<Ranked> rank_reductions(const Findings& findings, std::span<const Va
         if (ranked.empty()) add({random_cell, 1, std::nullopt, 0, false});
         add({reduction.cell, reduction.factor, reduction.interval, 0, false});
     }
-    put_in_order(ranked, measured, findings.plan.spec.level);
+    put_in_order(ranked, measured, level);
     return ranked;
 }
 

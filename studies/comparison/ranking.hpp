@@ -36,6 +36,9 @@ struct Ranked {
     std::optional<stats::Interval> behind = {};
 };
 
+/// The level of each of several rankings that are to hold together (Bonferroni).
+double level_of_each(double level, std::size_t rankings);
+
 /// Slopes on a class of pairs, steepest first: of the RMSE or, where one of them has no variance, of the median error
 /// for all. Where no straight line fits, intervals are widened by Slope::misfit. Deterministic methods are left out.
 struct RankedSlopes {
@@ -46,7 +49,8 @@ RankedSlopes rank_slopes(std::span<const LadderSlopes> ladders, std::size_t scen
 
 /// RMSEs of these cells on a class of pairs, smallest first. Cells without a variance, and sampled ones with few
 /// trials, are left out; errors at the level of rounding count as equal. Ranked::index is a cell.
-std::vector<Ranked> rank_errors(const Findings& findings, std::span<const std::size_t> cells, PairClass pair_class);
+std::vector<Ranked> rank_errors(const Findings& findings, std::span<const std::size_t> cells, PairClass pair_class,
+                                double level);
 
 /// RMSE² N of these cells, 1 / efficiency, the same way.
 std::vector<Ranked> rank_efforts(const Findings& findings, std::span<const std::size_t> cells, PairClass pair_class);
@@ -54,6 +58,6 @@ std::vector<Ranked> rank_efforts(const Findings& findings, std::span<const std::
 /// Variances of all cells that are compared with this random one, smallest first, including the random one itself with
 /// a factor of 1. Ranked::index is a cell.
 std::vector<Ranked> rank_reductions(const Findings& findings, std::span<const VarianceReduction> reductions,
-                                    std::size_t random_cell, PairClass pair_class);
+                                    std::size_t random_cell, PairClass pair_class, double level);
 
 }  // namespace ff::studies

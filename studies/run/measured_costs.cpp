@@ -29,10 +29,12 @@ std::string key_of(const StudyPlan& plan, const Cell& cell) {
 }  // namespace
 
 double MeasuredCost::relative_error() const {
-    if (trials < 2) return 0;
+    // What caches, clock and other programs do to all trials of a cell alike; and what the first of them take longer.
+    constexpr double of_the_machine = 0.1;
+    constexpr double to_settle = 1e-3;  // seconds
     const auto n = static_cast<double>(trials);
-    const double variance = std::max(0.0, squared_seconds - seconds * seconds / n) / (n - 1);
-    return std::sqrt(variance / n) / mean();
+    const double variance = trials < 2 ? 0 : std::max(0.0, squared_seconds - seconds * seconds / n) / (n - 1);
+    return std::hypot(std::sqrt(variance / n) / mean(), of_the_machine, to_settle / seconds);
 }
 
 void MeasuredCosts::add(const Progress& progress) {

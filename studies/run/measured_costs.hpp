@@ -22,8 +22,8 @@ struct MeasuredCost {
     double squared_seconds = 0;  ///< sum of the squares of each one's
 
     [[nodiscard]] double mean() const { return seconds / static_cast<double>(trials); }
-    /// Relative standard error of the mean, from trial to trial; 0 for one trial. It does not include influences of the
-    /// machine that are common to all trials of a cell.
+    /// Relative standard error of the mean, with what the machine does to all trials of a cell alike: 10 %, and a
+    /// millisecond in all.
     [[nodiscard]] double relative_error() const;
 };
 
