@@ -1,6 +1,7 @@
 #include "samplers/net_parameter.hpp"
 
 #include "core/support/contract.hpp"
+#include "samplers/parts.hpp"
 #include "samplers/sizes.hpp"
 
 #include <algorithm>
@@ -13,8 +14,8 @@ namespace {
 class Intervals {
   public:
     /// @param most  points that an interval holds where all hold as many
-    Intervals(const PointSet& points, std::uint64_t set, std::uint32_t base, std::uint64_t most)
-        : points_(points), set_(set), base_(base), most_(most), cell_(points.points, 0) {}
+    Intervals(const Reading& reading, std::uint32_t base, std::uint64_t most)
+        : points_(reading.set), edge_(reading.edge), base_(base), most_(most), cell_(reading.set.points, 0) {}
 
     /// An interval that holds more than its share, for any way to divide `digits` among the coordinates from `d` on.
     std::optional<ElementaryInterval> find_crowded(std::uint32_t digits, std::size_t d = 0) {
@@ -31,19 +32,16 @@ class Intervals {
     }
 
   private:
-    [[nodiscard]] std::uint64_t part_of(std::uint32_t x, std::uint32_t digits) const {
-        const std::uint64_t centre = (std::uint64_t{x} << 1) + 1;  // times 2^-33
-        return centre * integer_power(base_, digits) >> 33;
-    }
-
     void divide(std::size_t d, std::uint32_t digits) {
         const std::uint64_t parts = integer_power(base_, digits);
-        const auto row = points_.row(set_, d);
-        for (std::size_t i = 0; i < row.size(); ++i) cell_[i] = cell_[i] * parts + part_of(row[i], digits);
+        const auto row = points_.row(0, d);
+        for (std::size_t i = 0; i < row.size(); ++i) cell_[i] = cell_[i] * parts + part_of(row[i], parts, edge_);
     }
 
     [[nodiscard]] std::optional<ElementaryInterval> most_crowded() const {
-        std::vector<std::uint64_t> counts(points_.points / most_, 0);
+        std::uint64_t intervals = 1;
+        for (std::size_t d = 0; d < points_.dimension; ++d) intervals *= integer_power(base_, digits_[d]);
+        std::vector<std::uint64_t> counts(intervals, 0);
         for (const std::uint64_t cell : cell_) ++counts[cell];
         const auto largest = std::max_element(counts.begin(), counts.end());
         if (*largest <= most_) return std::nullopt;
@@ -51,12 +49,13 @@ class Intervals {
             std::find(cell_.begin(), cell_.end(), static_cast<std::uint64_t>(largest - counts.begin())) - cell_.begin();
         ElementaryInterval found{digits_, {}, *largest};
         for (std::size_t d = 0; d < points_.dimension; ++d)
-            found.number[d] = part_of(points_.row(set_, d)[static_cast<std::size_t>(inside)], digits_[d]);
+            found.number[d] =
+                part_of(points_.row(0, d)[static_cast<std::size_t>(inside)], integer_power(base_, digits_[d]), edge_);
         return found;
     }
 
     const PointSet& points_;
-    std::uint64_t set_;
+    Edge edge_;
     std::uint32_t base_;
     std::uint64_t most_;
     std::vector<std::uint64_t> cell_;
@@ -77,7 +76,13 @@ std::optional<ElementaryInterval> crowded_interval(const PointSet& points, std::
                                                    std::uint32_t t) {
     const auto m = exponent_of(points, base);
     FF_EXPECT(m && t <= *m);
-    return Intervals(points, set, base, integer_power(base, t)).find_crowded(*m - t);
+    std::optional<ElementaryInterval> found;
+    for (const Reading& reading : readings(points, set, integer_power(base, *m - t))) {
+        const auto crowded = Intervals(reading, base, integer_power(base, t)).find_crowded(*m - t);
+        if (!crowded) return std::nullopt;
+        if (!found) found = crowded;
+    }
+    return found;
 }
 
 std::optional<std::uint32_t> net_parameter(const PointSet& points, std::uint64_t set, std::uint32_t base) {

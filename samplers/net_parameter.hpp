@@ -9,9 +9,8 @@
 namespace ff::samplers {
 
 /// The smallest t for which a set of base^m points is a (t, m, s)-net: every elementary interval of volume base^(t - m)
-/// holds base^t points [niederreiter1992]. 0 is best; t = m means no structure. Coordinates are cells of width 2^-32
-/// and stand for the cell's centre; in bases other than 2 a point on the edge of an interval may fall on either side.
-/// Empty where the number of points is not a power of the base. @pre set < points.sets
+/// holds base^t points [niederreiter1992]. 0 is best; t = m means no structure. Points on the boundary of an interval
+/// are sorted as by `readings`. Empty where the number of points is not a power of the base. @pre set < points.sets
 std::optional<std::uint32_t> net_parameter(const PointSet& points, std::uint64_t set, std::uint32_t base);
 
 /// An elementary interval: of coordinate d, number `number[d]`, from 0, of base^digits[d] parts.
@@ -21,8 +20,9 @@ struct ElementaryInterval {
     std::uint64_t points = 0;  ///< that it holds
 };
 
-/// An elementary interval of volume base^(t - m) that holds more than base^t of the base^m points; empty where there is
-/// none, so that the set is a (t, m, s)-net. @pre the number of points is base^m, t <= m, set < points.sets
+/// An elementary interval of volume base^(t - m) that holds more than base^t of the base^m points; empty where one of
+/// the `readings` has none, so that the set is a (t, m, s)-net. @pre the number of points is base^m, t <= m, set <
+/// points.sets
 std::optional<ElementaryInterval> crowded_interval(const PointSet& points, std::uint64_t set, std::uint32_t base,
                                                    std::uint32_t t);
 

@@ -1,6 +1,7 @@
 #include "core/support/error.hpp"
 #include "core/support/excerpt.hpp"
 #include "core/support/words.hpp"
+#include "samplers/parts.hpp"
 #include "studies/point_files/point_file.hpp"
 
 #include <fmt/format.h>
@@ -140,7 +141,7 @@ std::vector<std::uint64_t> nested_sizes(const samplers::PointSet& set) {
         bool is_spread = true;
         for (std::size_t d = 0; d < set.dimension && is_spread; ++d) {
             std::vector<bool> taken(n);
-            for (const std::uint32_t x : set.row(0, d).first(n)) taken[x * n >> 32] = true;
+            for (const std::uint32_t x : set.row(0, d).first(n)) taken[samplers::part_of(x, n)] = true;
             is_spread = std::find(taken.begin(), taken.end(), false) == taken.end();
         }
         if (is_spread) sizes.push_back(n);

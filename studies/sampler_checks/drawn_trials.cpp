@@ -1,5 +1,7 @@
 #include "studies/sampler_checks/drawn_trials.hpp"
 
+#include "samplers/parts.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -23,17 +25,20 @@ double volume_below(double s, std::size_t dimension) {
 struct Integrands {
     std::size_t dimension;
     double volume = volume_below(plane_at * static_cast<double>(dimension), dimension);
+    double step = dimension == 1 ? 3.0 : 12.0 / 7;
 
-    [[nodiscard]] std::array<double, 3> at(const std::array<double, max_dimension>& x) const {
+    /// At the middle of a cell of width 2^-32; where a step crosses the cell, at its upper end.
+    [[nodiscard]] std::array<double, 3> at(const std::array<std::uint32_t, max_dimension>& cell) const {
         double product = 1;
         double sum = 0;
         for (std::size_t d = 0; d < dimension; ++d) {
-            product *= 1 + (x[d] - 0.5) / static_cast<double>(d + 1);
-            sum += x[d];
+            product *= 1 + ((cell[d] + 0.5) * 0x1p-32 - 0.5) / static_cast<double>(d + 1);
+            sum += (cell[d] + 1.0) * 0x1p-32;
         }
-        const bool low = x[0] < 1.0 / 3;
-        const double steps = dimension == 1 ? (low ? 3.0 : 0.0) : (low != (x[dimension - 1] < 0.75) ? 12.0 / 7 : 0.0);
-        return {product, sum < plane_at * static_cast<double>(dimension) ? 1 / volume : 0.0, steps};
+        const bool low = samplers::part_of(cell[0], 3) == 0;
+        const bool high = dimension > 1 && samplers::part_of(cell[dimension - 1], 4) == 3;
+        return {product, sum <= plane_at * static_cast<double>(dimension) ? 1 / volume : 0.0,
+                low == (dimension == 1 || high) ? step : 0.0};
     }
 };
 
@@ -49,8 +54,9 @@ class SliceCounter {
             std::uint64_t shared = 0;
             for (std::size_t i = 0; i < block.size; ++i) {
                 const std::uint32_t x = block.coordinate[d][i];
-                shared += counts[x * points_ >> 32]++;
-                for (std::size_t k = 0; k < wide_slices.size(); ++k) ++in_wide_[d][k][x * wide_slices[k] >> 32];
+                shared += counts[samplers::part_of(x, points_)]++;
+                for (std::size_t k = 0; k < wide_slices.size(); ++k)
+                    ++in_wide_[d][k][samplers::part_of(x, wide_slices[k])];
             }
             sums_[d].shared += static_cast<double>(shared);
         }
@@ -112,9 +118,9 @@ DrawnTrials draw_trials(const PointSource& source, std::size_t dimension, Stream
             source.fill(stream, first, block);
             if (slices) slices->add(block);
             for (std::size_t i = 0; i < block.size; ++i) {
-                std::array<double, max_dimension> x{};
-                for (std::size_t d = 0; d < dimension; ++d) x[d] = (block.coordinate[d][i] + 0.5) * 0x1p-32;
-                const auto values = integrands.at(x);
+                std::array<std::uint32_t, max_dimension> cell{};
+                for (std::size_t d = 0; d < dimension; ++d) cell[d] = block.coordinate[d][i];
+                const auto values = integrands.at(cell);
                 for (std::size_t f = 0; f < sums.size(); ++f) sums[f] += values[f];
             }
             if (first <= pick && pick < first + block.size) {

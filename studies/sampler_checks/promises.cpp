@@ -23,14 +23,13 @@ struct FullCell {
     std::uint64_t points = 0;
 };
 
-/// A point whose cell of width 2^-32 lies in two cells of the grid may be counted in either.
 std::optional<FullCell> full_cell(const samplers::PointSet& set, std::uint64_t which, std::uint64_t k) {
     std::optional<FullCell> found;
-    for (const Edge edge : {Edge::lower, Edge::upper}) {
-        const auto counts = points_of_cells(set, which, k, edge);
+    for (const samplers::Reading& reading : samplers::readings(set, which, k)) {
+        const auto counts = points_of_cells(reading, k);
         const auto fullest = std::max_element(counts.begin(), counts.end());
         if (*fullest <= 1) return std::nullopt;
-        found = FullCell{static_cast<std::uint64_t>(fullest - counts.begin()), *fullest};
+        if (!found) found = FullCell{static_cast<std::uint64_t>(fullest - counts.begin()), *fullest};
     }
     return found;
 }

@@ -13,8 +13,15 @@
 namespace ff::studies {
 namespace {
 
-std::uint64_t count_singles(const std::vector<std::uint64_t>& cells) {
-    return static_cast<std::uint64_t>(std::count(cells.begin(), cells.end(), 1));
+/// How many of k^d cells hold one point. One whose cell is open counts as alone in it.
+std::uint64_t count_singles(const samplers::PointSet& set, std::uint64_t which, std::uint64_t k) {
+    std::uint64_t most = 0;
+    for (const samplers::Reading& reading : samplers::readings(set, which, k)) {
+        const auto cells = points_of_cells(reading, k);
+        const auto singles = static_cast<std::uint64_t>(std::count(cells.begin(), cells.end(), 1));
+        most = std::max(most, singles + (set.points - reading.set.points));
+    }
+    return most;
 }
 
 /// For each point the first point with the same value.
@@ -78,12 +85,13 @@ samplers::PointSet projection(const samplers::PointSet& set, std::uint64_t which
     return result;
 }
 
-std::vector<std::uint64_t> points_of_cells(const samplers::PointSet& set, std::uint64_t which, std::uint64_t k,
-                                           Edge edge) {
+std::vector<std::uint64_t> points_of_cells(const samplers::Reading& reading, std::uint64_t k) {
+    const samplers::PointSet& set = reading.set;
     std::vector<std::uint64_t> counts(samplers::integer_power(k, set.dimension), 0);
     for (std::size_t i = 0; i < set.points; ++i) {
         std::uint64_t cell = 0;
-        for (std::size_t d = set.dimension; d-- > 0;) cell = cell * k + slice_of(set.row(which, d)[i], k, edge);
+        for (std::size_t d = set.dimension; d-- > 0;)
+            cell = cell * k + samplers::part_of(set.row(0, d)[i], k, reading.edge);
         ++counts[cell];
     }
     return counts;
@@ -109,16 +117,12 @@ SetStructure structure_of(const samplers::PointSet& set, std::uint64_t which, st
         coordinate.repeats_as =
             static_cast<std::size_t>(std::find(repeats.begin(), repeats.end(), repeats.back()) - repeats.begin());
         coordinate.fills_shifted = fills_shifted_slices(set.row(which, d));
-        const auto one = projection(set, which, {d});
-        for (const Edge edge : {Edge::upper, Edge::lower})
-            coordinate.single_slices =
-                std::max(coordinate.single_slices, count_singles(points_of_cells(one, 0, set.points, edge)));
+        coordinate.single_slices = count_singles(projection(set, which, {d}), 0, set.points);
     }
     const std::uint64_t k = samplers::floor_root(set.points, set.dimension);
     if (set.dimension > 1 && k > 1 && samplers::integer_power(k, set.dimension) == set.points) {
         found.cells_a_side = k;
-        for (const Edge edge : {Edge::upper, Edge::lower})
-            found.single_cells = std::max(found.single_cells, count_singles(points_of_cells(set, which, k, edge)));
+        found.single_cells = count_singles(set, which, k);
     }
     if (set.points <= most_for_groups) found.lattice = !first_off_lattice(set, which);
     if (set.points > most_for_t_of_structure) return found;

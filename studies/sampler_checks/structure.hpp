@@ -1,6 +1,6 @@
 #pragma once
 
-#include "samplers/point_set.hpp"
+#include "samplers/parts.hpp"
 
 #include <cstdint>
 #include <optional>
@@ -45,17 +45,8 @@ SetStructure structure_of(const samplers::PointSet& set, std::uint64_t which, st
 samplers::PointSet projection(const samplers::PointSet& set, std::uint64_t which,
                               const std::vector<std::size_t>& coordinates);
 
-/// Which end of the cell of width 2^-32 that a point lies in decides on its slice, where the cell lies in two.
-enum class Edge { lower, upper };
-
-/// Which of `slices` slices of [0, 1) a coordinate lies in. @pre slices <= 2^32
-inline std::uint64_t slice_of(std::uint32_t x, std::uint64_t slices, Edge edge) {
-    return edge == Edge::lower ? x * slices >> 32 : ((x + std::uint64_t{1}) * slices - 1) >> 32;
-}
-
 /// How many points each of k^d cells holds; those of one coordinate are slices.
-std::vector<std::uint64_t> points_of_cells(const samplers::PointSet& set, std::uint64_t which, std::uint64_t k,
-                                           Edge edge);
+std::vector<std::uint64_t> points_of_cells(const samplers::Reading& reading, std::uint64_t k);
 
 /// The base of t-values: of a sampler that is made for powers its own; else 2, or the least of 3, 5, 7, 11 and 13 that
 /// the number of points is a power of.

@@ -58,6 +58,36 @@ TEST(Promises, HoldForSamplersThatMakeThem) {
         EXPECT_TRUE(broken(promise, drawn("random", 256, 4))) << promise;
 }
 
+// Of so many points some lie within 2^-32 of a boundary of their slice, on either side of it.
+TEST(Promises, HoldForPointsThatChancePutsOnABoundary) {
+    SamplerCheckRequest request{.points = 59049, .dimension = max_dimension, .trials = 8};
+    request.promises = {parse_promise("latin")};
+    const auto checks = check_sampler(samplers::find("latin_hypercube"), request);
+    EXPECT_THAT(test::found(checks, SamplerVerdict::pass, "promise: latin"), SizeIs(1));
+    request.promises = {};
+    EXPECT_THAT(test::found(check_sampler(samplers::find("latin_hypercube"), request), SamplerVerdict::inconclusive,
+                            "nearly a Latin hypercube"),
+                IsEmpty());
+}
+
+// i / 3^m and its radical inverse lie on boundaries all of them.
+TEST(Promises, HoldForPointsThatARulePutsOnBoundaries) {
+    for (const std::size_t n : {27u, 243u}) {
+        test::Rows rows(n, std::vector<double>(2));
+        for (std::size_t i = 0; i < n; ++i) {
+            rows[i][0] = static_cast<double>(i) / static_cast<double>(n);
+            std::size_t inverse = 0;
+            for (std::size_t scale = 1, left = i; scale < n; scale *= 3, left /= 3) inverse = 3 * inverse + left % 3;
+            rows[i][1] = static_cast<double>(inverse) / static_cast<double>(n);
+        }
+        for (const char* const promise : {"latin", "net:0"})
+            EXPECT_EQ(broken(promise, test::set_of(rows), 3), std::nullopt) << promise;
+        rows[7][1] = rows[8][1];
+        for (const char* const promise : {"latin", "net:0"})
+            EXPECT_TRUE(broken(promise, test::set_of(rows), 3)) << promise;
+    }
+}
+
 // What is asked for is exact, so there is no risk but that of a set that keeps a promise by chance.
 TEST(Promises, FailWhereOneSetBreaksThem) {
     const auto sampler = test::sampler_of("latin_but_once", [](std::size_t n, std::size_t d, std::mt19937_64& random) {
