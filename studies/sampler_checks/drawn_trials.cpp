@@ -40,6 +40,12 @@ struct Integrands {
         return {product, sum <= plane_at * static_cast<double>(dimension) ? 1 / volume : 0.0,
                 low == (dimension == 1 || high) ? step : 0.0};
     }
+
+    [[nodiscard]] std::array<double, 3> largest() const {
+        double product = 1;
+        for (std::size_t d = 0; d < dimension; ++d) product *= 1 + 0.5 / static_cast<double>(d + 1);
+        return {product, 1 / volume, step};
+    }
 };
 
 /// Counts points in slices, trial by trial.
@@ -103,6 +109,7 @@ DrawnTrials draw_trials(const PointSource& source, std::size_t dimension, Stream
     const Integrands integrands{dimension};
     const std::uint64_t points = source.points();
     DrawnTrials drawn;
+    drawn.largest = integrands.largest();
     std::optional<SliceCounter> slices;
     if (points <= most_for_slices) slices.emplace(points, dimension);
     PointBlock block;

@@ -9,7 +9,8 @@
 
 namespace ff::studies {
 
-/// Functions on the unit cube with integral 1: a smooth one; a step at an oblique plane; steps across the axes.
+/// Functions on the unit cube with integral 1, not below 0: a smooth one; a step at an oblique plane; steps across the
+/// axes.
 inline constexpr std::array<std::string_view, 3> integrand_names{"a smooth function", "a step along a slanting plane",
                                                                  "steps across the axes"};
 
@@ -29,6 +30,7 @@ inline constexpr std::uint64_t most_for_slices = 1u << 16;
 struct DrawnTrials {
     std::vector<std::array<std::uint32_t, max_dimension>> picked;   ///< a point picked at random from each set
     std::array<std::vector<double>, integrand_names.size()> means;  ///< [function]: its mean over each set
+    std::array<double, integrand_names.size()> largest{};           ///< [function]: its largest value
     std::vector<SliceCounts> slices;  ///< one for each coordinate; empty for more than `most_for_slices` points
 };
 

@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <functional>
 #include <memory>
 
@@ -27,6 +28,8 @@ using samplers::SamplerInfo;
 constexpr double worst_deviation = 0.1;    // of the cells' probabilities, root mean square, relative
 constexpr double worst_bias = 0.03;        // of an integral
 constexpr double worst_correlation = 0.5;  // of successive trials
+
+constexpr double rounding_of_means = 1e-9;  // of coordinates to 32 bits, and of sums
 
 std::vector<std::uint32_t> row_of(const PointSource& source, std::size_t dimension, const Stream& stream,
                                   std::size_t part) {
@@ -95,6 +98,7 @@ struct Tested {
     double detectable = 0;
     double worst = 0;  ///< that must not be missed
     std::string what;
+    std::string sharper = "take more trials";  ///< how to detect less
 };
 
 Tested equally_likely(std::string name, const std::vector<std::uint64_t>& counts, std::uint64_t draws,
@@ -106,7 +110,51 @@ Tested equally_likely(std::string name, const std::vector<std::uint64_t>& counts
             worst_deviation, "uneven by"};
 }
 
-std::vector<Tested> test_all(const DrawnTrials& drawn, std::size_t dimension, stats::Risks risks) {
+/// Whether means differ by no more than the rounding of coordinates to 32 bits leaves of one value.
+bool is_constant(const std::vector<double>& means) {
+    const auto [least, most] = std::minmax_element(means.begin(), means.end());
+    return *most - *least <= rounding_of_means;
+}
+
+/// Means of values in [0, largest] that should be 1, and are all v. If their expectation is 1, each is v with a
+/// probability of at most (largest - 1) / (largest - v), or 1 / v; all are one such value with at most its power of
+/// trials - 1, the first being free. Where they are right, a share s of trials may differ from them, which none has met
+/// with probability (1 - s)^trials, and be a bias of at most s or s (largest - 1).
+Tested constant_mean(std::string name, const std::vector<double>& means, double largest, stats::Risks risks) {
+    const double v = means.front();
+    const auto trials = static_cast<double>(means.size());
+    Tested test{std::move(name), 1, 1, worst_bias, "biased by", "take more trials or points"};
+    if (std::abs(v - 1) > rounding_of_means) {
+        test.p = std::pow(v < 1 ? (largest - 1) / (largest - v) : 1 / v, trials - 1);
+    } else {
+        test.detectable = std::max(1.0, largest - 1) * (1 - std::pow(1 - risks.power, 1 / trials));
+    }
+    return test;
+}
+
+Tested unbiased_mean(std::string name, const std::vector<double>& means, double largest, stats::Risks risks) {
+    if (is_constant(means)) return constant_mean(std::move(name), means, largest, risks);
+    const double sigma = stats::moments_of(means, 1.0).standard_deviation().value_or(0);
+    const auto mean = stats::mean_evidence(means, 1.0);
+    return {std::move(name),
+            mean ? stats::test_mean(*mean).p : 1.0,
+            mean ? stats::minimum_detectable_bias(sigma, means.size(), risks) : 1.0,
+            worst_bias,
+            "biased by",
+            "take more trials or points"};
+}
+
+Tested independent_trials(std::string name, const std::vector<double>& means, stats::Risks risks) {
+    const auto serial = stats::test_serial_correlation(means);
+    // The p-value is from two tests, each with half of alpha. The standard error of a correlation is 1 / sqrt(n).
+    const stats::Risks half{risks.alpha / 2, risks.power};
+    return {std::move(name), serial ? serial->p : 1.0,
+            serial ? stats::minimum_detectable_bias(1, means.size(), half) : 1.0, worst_correlation, "correlated by"};
+}
+
+/// @param not_asked  gets the checks that have nothing to go by
+std::vector<Tested> test_all(const DrawnTrials& drawn, std::size_t dimension, stats::Risks risks,
+                             std::vector<std::string>& not_asked) {
     std::vector<Tested> tests;
     const std::uint64_t draws = drawn.picked.size();
     for (std::size_t a = 0; a < dimension; ++a) {
@@ -121,22 +169,21 @@ std::vector<Tested> test_all(const DrawnTrials& drawn, std::size_t dimension, st
             tests.push_back(equally_likely(fmt::format("coordinates {} and {} uniform", a, b), counts, draws, risks));
         }
     }
+    bool any_varies = false;
     for (std::size_t f = 0; f < integrand_names.size(); ++f) {
         const auto& means = drawn.means[f];
-        const auto moments = stats::moments_of(means, 1.0);
-        const auto mean = stats::mean_evidence(means, 1.0);
-        const double sigma = moments.standard_deviation().value_or(0);
-        // Without spread there is no test; what rounding leaves of the integral is then the whole error.
-        tests.push_back({fmt::format("mean of {}", integrand_names[f]), mean ? stats::test_mean(*mean).p : 1.0,
-                         mean ? stats::minimum_detectable_bias(sigma, means.size(), risks) : 1.0, worst_bias,
-                         "biased by"});
-        const auto serial = stats::test_serial_correlation(means);
-        // The p-value is from two tests, each with half of alpha. The standard error of a correlation is 1 / sqrt(n).
-        const stats::Risks half{risks.alpha / 2, risks.power};
-        tests.push_back({fmt::format("trials independent, {}", integrand_names[f]), serial ? serial->p : 1.0,
-                         serial ? stats::minimum_detectable_bias(1, means.size(), half) : 1.0, worst_correlation,
-                         "correlated by"});
+        tests.push_back(unbiased_mean(fmt::format("mean of {}", integrand_names[f]), means, drawn.largest[f], risks));
+        std::string independent = fmt::format("trials independent, {}", integrand_names[f]);
+        if (is_constant(means)) {
+            not_asked.push_back(std::move(independent) + ": its mean is the same in all of them");
+        } else {
+            tests.push_back(independent_trials(std::move(independent), means, risks));
+            any_varies = true;
+        }
     }
+    if (!any_varies)
+        tests.push_back({"trials independent", 1, 1, worst_correlation, "correlated by",
+                         "take more trials or points, so that means differ"});
     return tests;
 }
 
@@ -214,7 +261,7 @@ SamplerChecks check_sampler(const samplers::CatalogueEntry& sampler, const Sampl
     const DrawnTrials drawn = draw_trials(*source, request.dimension, key, result.trials);
     const std::size_t family = request.dimension * (request.dimension + 1) / 2 + 2 * integrand_names.size();
     const stats::Risks risks{stats::bonferroni_level(request.alpha, family), request.power};
-    const auto tests = test_all(drawn, request.dimension, risks);
+    const auto tests = test_all(drawn, request.dimension, risks, result.not_asked);
     std::vector<double> p;
     std::transform(tests.begin(), tests.end(), std::back_inserter(p), [](const Tested& test) { return test.p; });
     const auto adjusted = stats::holm(p);
@@ -229,7 +276,7 @@ SamplerChecks check_sampler(const samplers::CatalogueEntry& sampler, const Sampl
                      : SamplerVerdict::inconclusive,
              failed ? fmt::format("p = {:.2g} after Holm", adjusted[i])
                     : fmt::format("would be seen if {} {:.2g}{}", test.what, test.detectable,
-                                  sharp ? "" : fmt::format("; {} is wanted, take more trials", test.worst))});
+                                  sharp ? "" : fmt::format("; {} is wanted, {}", test.worst, test.sharper))});
     }
     structure.slices = drawn.slices;
     add_structure(request, structure, result);
