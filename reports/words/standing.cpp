@@ -89,7 +89,6 @@ std::vector<Ranking> of_each_class(const StudyResults& results, const Rank& rank
 }
 
 void rank_rates_of_class(const StudyResults& results, Ranking& ranking, double level) {
-    const studies::StudyPlan& plan = results.findings.plan;
     const auto ranked = studies::rank_slopes(results.slopes, ranking.scene, ranking.pair_class, level);
     if (ranked.slopes.empty()) return;
     if (ranked.of_median) ranking.heading += " (median error)";

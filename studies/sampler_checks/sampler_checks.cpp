@@ -215,8 +215,12 @@ void add_structure(const SamplerCheckRequest& request, const StructureEvidence& 
     const auto add = [&](std::vector<SamplerCheck> checks) {
         std::move(checks.begin(), checks.end(), std::back_inserter(result.checks));
     };
-    for (const Promise& promise : request.promises) result.checks.push_back(keeps_promise(promise, evidence));
-    add(doubt_values(evidence));
+    std::vector<Promise> kept;
+    for (const Promise& promise : request.promises) {
+        result.checks.push_back(keeps_promise(promise, evidence));
+        if (result.checks.back().verdict == SamplerVerdict::pass) kept.push_back(promise);
+    }
+    add(doubt_values(evidence, kept));
     if (!request.promises.empty()) return;
     add(doubt_structure(evidence));
     add(describe(evidence));

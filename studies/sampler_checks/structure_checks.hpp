@@ -1,6 +1,7 @@
 #pragma once
 
 #include "studies/sampler_checks/drawn_trials.hpp"
+#include "studies/sampler_checks/promises.hpp"
 #include "studies/sampler_checks/sampler_verdict.hpp"
 #include "studies/sampler_checks/structure.hpp"
 
@@ -31,8 +32,10 @@ std::vector<SamplerCheck> describe(const StructureEvidence& evidence);
 
 /// Values that are few: inconclusive where neither chance nor origins that consecutive points share explain it, and
 /// where all values of a randomised sampler lie on a grid of 2^16 steps or fewer, as numbers of a few bits or decimals
-/// do. A note where consecutive points share origins, and where sets have values in common otherwise.
-std::vector<SamplerCheck> doubt_values(const StructureEvidence& evidence);
+/// do. A note where consecutive points share origins, where a lattice or a grid of cells explains the values, and where
+/// sets have values in common otherwise.
+/// @param kept  promises that every set keeps
+std::vector<SamplerCheck> doubt_values(const StructureEvidence& evidence, const std::vector<Promise>& kept);
 
 /// Sets of a randomised sampler that are nearly a Latin hypercube, partly one, or one or a net that a shift modulo 1
 /// has broken: inconclusive. A note where the sampler is not randomised and its set is nearly a Latin hypercube.

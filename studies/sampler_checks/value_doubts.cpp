@@ -1,3 +1,4 @@
+#include "samplers/sizes.hpp"
 #include "stats/binomial.hpp"
 #include "studies/sampler_checks/structure_checks.hpp"
 
@@ -47,6 +48,16 @@ bool shares_origins(const StructureEvidence& evidence, const std::vector<std::si
         if (apart > 0 && stats::binomial_upper_p({apart, pairs}, 0x1p-32) < level_of_each(evidence)) return false;
     }
     return true;
+}
+
+bool has_lattice(const std::vector<Promise>& kept) {
+    return std::count(kept.begin(), kept.end(), Promise{PromiseKind::lattice}) > 0;
+}
+
+/// Whether so many values a coordinate are those of a regular grid, one point in each of its cells.
+bool is_grid(const StructureEvidence& evidence, const std::vector<Promise>& kept, std::uint64_t values) {
+    return std::count(kept.begin(), kept.end(), Promise{PromiseKind::stratified}) > 0 &&
+           values == samplers::floor_root(evidence.drawn.points, evidence.drawn.dimension);
 }
 
 /// M where all values lie on a grid of M equal steps from 0 to 1, to within rounding to 2^-32, and neighbours in it
@@ -102,7 +113,8 @@ CommonValues common_values(const StructureEvidence& evidence, std::size_t d) {
 
 /// Values of a randomised sampler lie anywhere, so that independent sets have next to none in common. Those of a coarse
 /// grid are in doubt; a randomisation that has few outcomes is worth a note.
-std::optional<SamplerCheck> doubt_grid(const StructureEvidence& evidence, std::size_t d) {
+std::optional<SamplerCheck> doubt_grid(const StructureEvidence& evidence, const std::vector<Promise>& kept,
+                                       std::size_t d) {
     const auto points = static_cast<double>(evidence.drawn.points);
     const std::uint64_t sets = evidence.drawn.sets;
     if (sets < 2) return std::nullopt;
@@ -114,10 +126,14 @@ std::optional<SamplerCheck> doubt_grid(const StructureEvidence& evidence, std::s
     // Each value of 32 bits lies near a grid of 2^16 steps with a probability of 2^-13 at most.
     const bool coarse = steps != 0 && steps <= few_values && common.values.size() >= least_on_grid;
     if (!meet && !coarse) return std::nullopt;
-    if (coarse)
-        return SamplerCheck{"values", is_of_short_numbers(steps) ? SamplerVerdict::inconclusive : SamplerVerdict::note,
+    if (coarse) {
+        const bool explained =
+            (has_lattice(kept) && evidence.drawn.points % steps == 0) || is_grid(evidence, kept, steps);
+        const bool doubtful = !explained && is_of_short_numbers(steps);
+        return SamplerCheck{"values", doubtful ? SamplerVerdict::inconclusive : SamplerVerdict::note,
                             fmt::format("coordinate {}: all {} values in {} sets lie on a grid of 1/{}", d,
                                         common.values.size(), sets, steps)};
+    }
     return SamplerCheck{"values", SamplerVerdict::note,
                         fmt::format("coordinate {}: {} different values in {} sets of {} points; those of a set hardly "
                                     "ever occur in another where a randomisation has many outcomes",
@@ -126,24 +142,29 @@ std::optional<SamplerCheck> doubt_grid(const StructureEvidence& evidence, std::s
 
 }  // namespace
 
-std::vector<SamplerCheck> doubt_values(const StructureEvidence& evidence) {
+std::vector<SamplerCheck> doubt_values(const StructureEvidence& evidence, const std::vector<Promise>& kept) {
     std::vector<SamplerCheck> doubts;
     std::vector<std::size_t> repeating;
     for (std::size_t d = 0; d < evidence.drawn.dimension; ++d)
         if (repeats_values(evidence, d)) repeating.push_back(d);
     const bool origins = !repeating.empty() && shares_origins(evidence, repeating);
     for (const std::size_t d : repeating) {
-        std::uint64_t values = evidence.drawn.points;
-        for (const SetStructure& set : evidence.sets) values = std::min(values, set.coordinates[d].values);
-        const std::string found =
-            fmt::format("coordinate {}: as few as {} values in {} points", d, values, evidence.drawn.points);
-        doubts.push_back({"values", origins ? SamplerVerdict::note : SamplerVerdict::inconclusive,
-                          origins ? found + ", as where consecutive points share an origin"
-                                  : found + "; chance would let nearly all differ"});
+        const auto values = [d](const SetStructure& set) { return set.coordinates[d].values; };
+        const auto [least, most] =
+            std::minmax_element(evidence.sets.begin(), evidence.sets.end(),
+                                [&](const auto& a, const auto& b) { return values(a) < values(b); });
+        const char* const why = origins             ? ", as where consecutive points share an origin"
+                                : has_lattice(kept) ? ", as in the lattice that is promised"
+                                : is_grid(evidence, kept, values(*least)) && is_grid(evidence, kept, values(*most))
+                                    ? ", as in a grid of the cells that are promised"
+                                    : nullptr;
+        doubts.push_back({"values", why ? SamplerVerdict::note : SamplerVerdict::inconclusive,
+                          fmt::format("coordinate {}: as few as {} values in {} points{}", d, values(*least),
+                                      evidence.drawn.points, why ? why : "; chance would let nearly all differ")});
     }
     if (!evidence.randomised) return doubts;
     for (std::size_t d = 0; d < evidence.drawn.dimension; ++d) {
-        if (auto doubt = doubt_grid(evidence, d)) doubts.push_back(std::move(*doubt));
+        if (auto doubt = doubt_grid(evidence, kept, d)) doubts.push_back(std::move(*doubt));
     }
     return doubts;
 }
