@@ -51,6 +51,8 @@ struct OutsideFactors {
     [[nodiscard]] bool operator==(const OutsideFactors& other) const {
         return errors.size() == other.errors.size() && estimates == other.estimates && errors == other.errors;
     }
+    /// Whether some estimate is neither 0 nor 1. Where rays seldom hit, or seldom miss, trials are often equal without.
+    [[nodiscard]] bool is_telling() const { return ((estimates.array() != 0) && (estimates.array() != 1)).any(); }
 };
 
 /// Traits of a program that receives the scene as a file and prints form factors between whole faces.

@@ -15,6 +15,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -66,10 +67,13 @@ class FunctionEstimator final : public Estimator {
     }
 
     void observe(const EstimatorTask& task, Outcome& outcome, PatchTotals& /*totals*/) const override {
-        const auto request = samplers::request_of({task.key, task.trial, 0, 0}, task.samples, 0);
         const WithoutPythonLock free;
-        repeatable_->expect(name_, "estimates", [&](OutsideSeed seed) { return call(seed, task.samples); });
-        OutsideFactors factors = call({request.seed, request.trial}, task.samples);
+        const auto factors_of = [&](std::uint32_t trial) {
+            const auto request = samplers::request_of({task.key, trial, 0, 0}, task.samples, 0);
+            return call({request.seed, request.trial}, task.samples);
+        };
+        repeatable_->expect(name_, "estimates", factors_of, std::mem_fn(&OutsideFactors::is_telling));
+        OutsideFactors factors = factors_of(task.trial);
         outcome = {};
         outcome.estimates = std::move(factors.estimates);
         outcome.claims = std::move(factors.errors);

@@ -67,11 +67,13 @@ std::string add_function(const std::string& name, const std::string& hash, py::f
             traits, std::vector<std::uint64_t>{},
             [part, randomised, repeatable, function, name](const samplers::PointSetSpec& spec) {
                 const WithoutPythonLock free;
-                repeatable->expect(name, "points", [&](OutsideSeed seed) {
+                const auto points_of = [&](std::uint32_t trial) {
                     samplers::PointSet set;
-                    call(function, name, {spec.points, spec.dimension, seed.seed, seed.trial}, set);
+                    call(function, name, samplers::request_of({spec.key, trial, 0, 0}, spec.points, spec.dimension),
+                         set);
                     return set.coordinate;
-                });
+                };
+                repeatable->expect(name, "points", points_of, always_telling);
                 return samplers::outside_points(spec.points, randomised, part);
             }),
         name, samplers::ShortName::moves);

@@ -14,6 +14,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <string>
@@ -162,9 +163,12 @@ class CommandEstimator final : public Estimator {
         : program_(std::move(program)), scene_(&scene), files_(scene, *program_) {}
 
     void observe(const EstimatorTask& task, Outcome& outcome, PatchTotals& /*totals*/) const override {
-        program_->expect_repeatable("estimates", [&](Program::Seed seed) { return run(seed, task.samples); });
-        const auto request = samplers::request_of({task.key, task.trial, 0, 0}, task.samples, 0);
-        OutsideFactors printed = run({request.seed, request.trial}, task.samples);
+        const auto factors_of = [&](std::uint32_t trial) {
+            const auto request = samplers::request_of({task.key, trial, 0, 0}, task.samples, 0);
+            return run({request.seed, request.trial}, task.samples);
+        };
+        program_->expect_repeatable("estimates", factors_of, std::mem_fn(&OutsideFactors::is_telling));
+        OutsideFactors printed = factors_of(task.trial);
         outcome = {};
         outcome.estimates = std::move(printed.estimates);
         outcome.claims = std::move(printed.errors);
@@ -213,7 +217,7 @@ const EstimatorEntry& load_command_estimator(std::string_view name, const std::f
                         program->title()));
     return add(std::make_unique<AddedEstimator>(
         AddedEstimator::Texts{program->full_name(), "form factors that a program prints",
-                              "The program is run for each trial, and three times at first to see that it prints the "
+                              "The program is run for each trial, and a few times at first to see that it prints the "
                               "same for the same seed. A run measures the processor time per trial."},
         program_traits(program->has("{samples}"), program->is_randomised()),
         [program](const Scene& scene) { return refuse_shapes(*program, scene); },

@@ -53,15 +53,18 @@ const samplers::CatalogueEntry& load_command_sampler(std::string_view name, cons
     const auto fill = samplers::parts_of(
         [program](const SetRequest& request, samplers::PointSet& set) { set = run_for_set(*program, request); });
     auto make = [program, fill, randomised = traits.randomised](const samplers::PointSetSpec& spec) {
-        program->expect_repeatable("points", [&](Program::Seed seed) {
-            return run_for_set(*program, {spec.points, spec.dimension, seed.seed, seed.trial}).coordinate;
-        });
+        const auto points_of = [&](std::uint32_t trial) {
+            return run_for_set(*program, samplers::request_of({spec.key, trial, 0, 0}, spec.points, spec.dimension))
+                .coordinate;
+        };
+        program->expect_repeatable("points", points_of, always_telling);
         return samplers::outside_points(spec.points, randomised, fill);
     };
     return samplers::add(std::make_unique<AddedSampler>(
         AddedSampler::Texts{program->full_name(), "points that a program prints",
-                            "The program is run for each set of points, and once more at first to see that it prints "
-                            "the same again. What it promises is its author's affair; ffstudy check-sampler asks of it "
+                            "The program is run for each set of points, and a few times at first to see that it "
+                            "prints the same for the same seed. What it promises is its author's affair; ffstudy "
+                            "check-sampler asks of it "
                             "what the program's own samplers keep."},
         traits, std::vector<std::uint64_t>{}, std::move(make)));
 }

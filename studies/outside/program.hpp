@@ -55,10 +55,10 @@ class Program {
     [[nodiscard]] std::string ask(const std::string& place, const std::string& line,
                                   const ChildConversation::Size& size, std::uint64_t most_output) const;
 
-    /// Sees to it that it repeats, and that its seed counts. @param what  it prints, in the plural
-    template <class Result>
-    void expect_repeatable(std::string_view what, const Result& result) {
-        repeatable_.expect(title(), what, result);
+    /// Sees to it that it repeats, and that its seed counts: Repeatable::expect.
+    template <class Result, class Telling>
+    void expect_repeatable(std::string_view what, const Result& result, const Telling& telling) {
+        repeatable_.expect(title(), what, result, telling);
     }
 
   private:

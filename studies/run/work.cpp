@@ -78,7 +78,8 @@ std::unique_ptr<PointSource> make_points(const Method& method, const Cell& cell)
     if (method.sampler.empty()) return nullptr;
     const Nodes nodes = method.nodes.value_or(Nodes{});
     const std::uint64_t points = points_per_sequence(method, cell.subdivision, cell.samples);
-    return samplers::find(method.sampler).make({points, estimator_info(method).dimension, nodes.source, nodes.target});
+    return samplers::find(method.sampler)
+        .make({points, estimator_info(method).dimension, nodes.source, nodes.target, cell.key});
 }
 
 struct Worker::Tools {

@@ -239,10 +239,10 @@ SamplerChecks check_sampler(const samplers::CatalogueEntry& sampler, const Sampl
     if (!info.equal_weights)
         throw UserError(
             fmt::format("{} (its points have weights: a rule, not a sampler). Run a study with it.", info.name));
-    const samplers::PointSetSpec spec{.points = request.points, .dimension = request.dimension};
-    const auto source = sampler.make(spec);
     const StreamKey key =
         derive_key(Seed{request.seed}, fmt::format("check-sampler|{}|n={}", info.name, request.points));
+    const samplers::PointSetSpec spec{.points = request.points, .dimension = request.dimension, .key = key};
+    const auto source = sampler.make(spec);
     SamplerChecks result;
     result.trials = request.trials == 0 ? usual_trials(info, request.points) : request.trials;
     if (info.most_trials != 0 && result.trials > info.most_trials)

@@ -1,0 +1,60 @@
+#include "core/support/repeatable.hpp"
+
+#include "core/support/error.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace ff {
+namespace {
+
+constexpr OutsideWords words{"prints", "{seed}", "leave it out"};
+
+/// The trials for which a result was asked. @param result  of a trial
+template <class Result, class Telling>
+std::vector<std::uint32_t> probes_of(bool randomised, const Result& result, const Telling& telling) {
+    std::vector<std::uint32_t> trials;
+    Repeatable(randomised, words)
+        .expect(
+            "mine", "points",
+            [&](std::uint32_t trial) {
+                trials.push_back(trial);
+                return result(trial);
+            },
+            telling);
+    return trials;
+}
+
+TEST(Repeatable, ResultsThatDifferByTheSeedAreSeenAtOnce) {
+    EXPECT_EQ(probes_of(
+                  true, [](std::uint32_t trial) { return trial; }, always_telling),
+              (std::vector<std::uint32_t>{0, 0, 1}));
+    EXPECT_EQ(probes_of(
+                  false, [](std::uint32_t trial) { return trial; }, always_telling)
+                  .size(),
+              2u);
+}
+
+TEST(Repeatable, EqualResultsOfTwoSeedsAccuseNobody) {
+    const auto fourth = [](std::uint32_t trial) { return trial % 4 == 3; };
+    EXPECT_EQ(probes_of(true, fourth, always_telling), (std::vector<std::uint32_t>{0, 0, 1, 2, 3}));
+}
+
+TEST(Repeatable, EqualResultsOfTenSeedsAccuseUnlessNothingHappened) {
+    const auto same = [](std::uint32_t) { return 5; };
+    EXPECT_THROW(probes_of(true, same, always_telling), UserError);
+    EXPECT_EQ(probes_of(true, same, [](int result) { return result != 5; }), (std::vector<std::uint32_t>{0, 0, 1}));
+    EXPECT_EQ(probes_of(false, same, always_telling).size(), 2u);
+}
+
+TEST(Repeatable, ResultsThatDifferForOneSeedAreRefused) {
+    int runs = 0;
+    EXPECT_THROW(probes_of(
+                     true, [&](std::uint32_t) { return ++runs; }, always_telling),
+                 UserError);
+}
+
+}  // namespace
+}  // namespace ff
