@@ -7,13 +7,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <limits>
 #include <map>
 #include <numbers>
+#include <numeric>
 #include <string>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 namespace ff::stats {
@@ -103,6 +106,44 @@ double repeats_by_neighbours(const std::map<double, Occurrences>& values, double
     return pairs / 2;  // on either side of it
 }
 
+/// Whether a number is that of two whole numbers below 2^20, as one real number in a thousand is.
+bool is_ratio(double value) {
+    double rest = std::abs(value);
+    std::array<double, 2> above{1, std::floor(rest)};
+    std::array<double, 2> below{0, 1};
+    while (std::max(above[1], below[1]) < 0x1p20) {
+        if (std::abs(above[1] / below[1] - std::abs(value)) <= std::abs(value) * 0x1p-50) return true;
+        rest = 1 / (rest - std::floor(rest));
+        if (!std::isfinite(rest)) return false;
+        above = {above[1], std::floor(rest) * above[1] + above[0]};
+        below = {below[1], std::floor(rest) * below[1] + below[0]};
+    }
+    return false;
+}
+
+/// Whether more than one in a hundred differences of ascending values equals another, as those of a * i + b * j with
+/// whole i and j do.
+bool differences_repeat(const std::vector<double>& distinct) {
+    const std::size_t some = std::min<std::size_t>(distinct.size(), 200);
+    std::vector<double> differences;
+    for (std::size_t i = 0; i < some; ++i) {
+        for (std::size_t j = i + 1; j < some; ++j) differences.push_back(distinct[j] - distinct[i]);
+    }
+    std::sort(differences.begin(), differences.end());
+    const double rounding = std::max(std::abs(distinct.front()), std::abs(distinct.back())) * 0x1p-46;
+    std::size_t equal = 0;
+    for (std::size_t i = 1; i < differences.size(); ++i)
+        equal += differences[i] - differences[i - 1] <= rounding ? 1u : 0u;
+    return 100 * equal > differences.size();
+}
+
+/// Whether ascending distinct values are real numbers with all of their digits, which chance never makes equal.
+bool are_real(const std::vector<double>& distinct) {
+    if (distinct.size() < 3 || find_spacing(distinct) > 0 || relative_grain(distinct) > 0) return false;
+    const auto ratios = static_cast<std::size_t>(std::count_if(distinct.begin(), distinct.end(), is_ratio));
+    return 4 * ratios < distinct.size() && !differences_repeat(distinct);
+}
+
 }  // namespace
 
 std::optional<Repeats> find_repeats(std::span<const double> values) {
@@ -140,6 +181,41 @@ std::optional<Repeats> find_repeats(std::span<const double> values) {
     found.p = std::max(normal > 0 ? boost::math::gamma_p(repeats, normal) : 0,
                        boost::math::gamma_p(repeats, uneven * (nearby + 1)));
     return found;
+}
+
+std::size_t repeated_trials(std::span<const std::span<const double>> series) {
+    const auto is_finite = [](double value) { return std::isfinite(value); };
+    for (const auto values : series) {
+        if (!std::all_of(values.begin(), values.end(), is_finite)) return 0;
+    }
+    std::vector<std::size_t> order(series.empty() ? 0 : series.front().size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    const auto is_before = [&](std::size_t a, std::size_t b) {
+        const auto differing =
+            std::find_if(series.begin(), series.end(), [&](const auto values) { return values[a] != values[b]; });
+        return differing != series.end() && (*differing)[a] < (*differing)[b];
+    };
+    std::sort(order.begin(), order.end(), is_before);
+    std::vector<std::pair<std::size_t, std::size_t>> repeating;  // how often a trial repeats, and which
+    std::size_t repeats = 0;
+    for (std::size_t begin = 0, end = 0; begin < order.size(); begin = end) {
+        while (end < order.size() && !is_before(order[begin], order[end])) ++end;
+        repeats += end - begin - 1;
+        if (end - begin > 1) repeating.emplace_back(end - begin - 1, order[begin]);
+    }
+    if (repeating.size() < 2) return 0;
+    std::iter_swap(repeating.begin(), std::max_element(repeating.begin(), repeating.end()));
+    for (const auto values : series) {
+        std::vector<double> distinct(values.begin(), values.end());
+        std::sort(distinct.begin(), distinct.end());
+        distinct.erase(std::unique(distinct.begin(), distinct.end()), distinct.end());
+        const auto counts = [&](const auto& trial) {
+            const double value = values[trial.second];
+            return value != distinct.front() && value != distinct.back() && value != 0;
+        };
+        if (are_real(distinct) && std::any_of(std::next(repeating.begin()), repeating.end(), counts)) return repeats;
+    }
+    return 0;
 }
 
 std::optional<std::size_t> find_period(std::span<const double> values, double alpha) {

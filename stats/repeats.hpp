@@ -23,6 +23,13 @@ struct Repeats {
 /// lattice never coincide by chance. Empty without a repeat, and where repeats tell nothing.
 std::optional<Repeats> find_repeats(std::span<const double> values);
 
+/// How many trials repeat an earlier one, bit for bit and in every series, where chance does not explain it; otherwise
+/// 0. Chance never does where some series has real numbers with all of their digits. Values on a lattice, ratios of
+/// whole numbers and sums of several counts coincide now and then and tell nothing, nor do the least value, the
+/// largest, 0, and the commonest trial, which may be what an estimator gives where nothing happens.
+/// @param series  of equal length
+std::size_t repeated_trials(std::span<const std::span<const double>> series);
+
 /// The period after which the whole series repeats itself: the least lag <= n/2 at which every value equals the one a
 /// lag earlier. Empty where there is none, and where chance produces one with a probability above `alpha`.
 std::optional<std::size_t> find_period(std::span<const double> values, double alpha);

@@ -96,6 +96,9 @@ std::string terminal_summary(const studies::StudyResults& results, const TextSty
     std::string out = fmt::format("{}{}\nseed {}{}\n\n{}", plan.spec.name, title, plan.spec.seed.value,
                                   results.findings.complete ? "" : "  (PARTIAL: stopped early)",
                                   text_table(summary_table(results, hidden), style));
+    for (const studies::CellFindings& found : results.findings.cells) {
+        if (found.repeated_trials > 0) out += fmt::format("WARNING {}\n", studies::repeats_in_words(plan, found));
+    }
     if (!hidden.empty())
         out += fmt::format("({} sizes{}: summary.csv)\n", hidden.size(),
                            results.occlusion.empty() ? " in between" : " of scenes below");

@@ -14,7 +14,10 @@ namespace ff::reports {
 namespace {
 
 /// Why some pairs, or all, are not tested.
-std::string why_untested(const studies::BiasFamily& family) {
+std::string why_untested(const studies::CellFindings& found) {
+    const studies::BiasFamily& family = *found.bias;
+    if (found.repeated_trials > 0)
+        return fmt::format("trials repeat each other ({} of {})", found.repeated_trials, found.trials);
     if (family.few_trials) return "too few trials";
     if (family.undefined > 0) return "infinity or no number in some trials";
     std::vector<std::string_view> reasons;
@@ -70,7 +73,7 @@ std::string bias_in_words(const studies::CellFindings& found) {
     if (!found.bias) return "deterministic: the error is the bias";
     switch (found.bias_finding) {
         case studies::BiasFinding::untestable:
-            return fmt::format("no test: {}", has_exact_value(found) ? why_untested(*found.bias) : "no exact value");
+            return fmt::format("no test: {}", has_exact_value(found) ? why_untested(found) : "no exact value");
         case studies::BiasFinding::biased:
             return biased_in_words(found);
         case studies::BiasFinding::inconclusive:
@@ -78,11 +81,10 @@ std::string bias_in_words(const studies::CellFindings& found) {
         case studies::BiasFinding::no_bias_found:
             break;
     }
-    const std::string untested =
-        found.bias->untestable == 0
-            ? std::string()
-            : fmt::format(" on {} of {} pairs, {} on the others", found.bias->pairs - found.bias->untestable,
-                          found.bias->pairs, why_untested(*found.bias));
+    const std::string untested = found.bias->untestable == 0 ? std::string()
+                                                             : fmt::format(" on {} of {} pairs, {} on the others",
+                                                                           found.bias->pairs - found.bias->untestable,
+                                                                           found.bias->pairs, why_untested(found));
     return fmt::format("none found{} (would detect {})", untested, brief(found.bias->minimum_detectable_bias, 2));
 }
 
@@ -98,7 +100,7 @@ std::string equivalence_in_words(const studies::CellFindings& found) {
         case studies::EquivalenceFinding::refuted:
             return fmt::format("bias within ±{} refuted", margin);
         case studies::EquivalenceFinding::inconclusive:
-            return found.bias->untestable > 0 ? fmt::format("inconclusive: {}", why_untested(*found.bias))
+            return found.bias->untestable > 0 ? fmt::format("inconclusive: {}", why_untested(found))
                                               : fmt::format("bias within ±{} not shown ({})", margin, reach);
         case studies::EquivalenceFinding::not_asked:
             break;

@@ -1,10 +1,13 @@
 #include "studies/analysis/analysis.hpp"
 
+#include "core/estimators/added.hpp"
 #include "core/exact/known_factors.hpp"
 #include "core/visibility/pair_class.hpp"
+#include "samplers/added.hpp"
 #include "stats/interval.hpp"
 #include "stats/multiplicity.hpp"
 #include "stats/power.hpp"
+#include "stats/repeats.hpp"
 #include "studies/theory/known_variance.hpp"
 #include "studies/trials/until.hpp"
 
@@ -36,6 +39,35 @@ VarianceStatus class_variance(const CellFindings& findings, const std::vector<Qu
         if (worst != VarianceStatus::infinite) worst = status;
     }
     return worst;
+}
+
+/// Nothing is asked of our own methods, which use all of their seeds.
+std::size_t repeated_trials(const Method& method, const CellEstimates& estimates, const std::vector<Quantity>& pairs) {
+    if (samplers::find_added(method.sampler) == nullptr && find_added_estimator(method.estimator) == nullptr) return 0;
+    std::vector<std::span<const double>> series;
+    for (const Quantity pair : pairs) series.emplace_back(estimates.values(pair));
+    return stats::repeated_trials(series);
+}
+
+/// Takes back what rests on trials being independent.
+void withdraw_evidence(CellFindings& findings) {
+    for (Summary& summary : findings.summaries) {
+        summary.bias_se.reset();
+        summary.minimum_detectable_bias.reset();
+        for (auto* interval : {&summary.mean_interval, &summary.bias_interval, &summary.std_interval})
+            interval->reset();
+    }
+    for (ClassError& error : findings.class_errors) {
+        error.mean_square.reset();
+        error.squared_deviation.reset();
+        for (auto* interval :
+             {&error.interval, &error.bias_interval, &error.variance_interval, &error.efficiency_interval})
+            interval->reset();
+    }
+    BiasFamily untested;
+    untested.pairs = untested.untestable = findings.bias->pairs;
+    untested.margin = findings.bias->margin;
+    findings.bias = untested;
 }
 
 bool has_no_rmse(const Summary& summary) {
@@ -154,6 +186,11 @@ CellFindings analyse_cell(const Store& store, std::size_t cell_index) {
     if (!cell.deterministic) {
         bool refuted = false;
         findings.bias = judge_bias(plan, estimates, pairs, findings.summaries, refuted);
+        findings.repeated_trials = repeated_trials(method, estimates, pairs);
+        if (findings.repeated_trials > 0) {
+            withdraw_evidence(findings);
+            refuted = false;
+        }
         findings.bias_finding = bias_finding(*findings.bias, plan.spec.level);
         findings.equivalence = equivalence_finding(*findings.bias, refuted);
     }
@@ -164,9 +201,22 @@ Findings analyse(const Store& store) {
     Findings findings;
     findings.plan = store.plan();
     findings.complete = store.plan().spec.until ? is_adaptively_complete(store) : store.is_complete();
-    for (std::size_t cell = 0; cell < findings.plan.cells.size(); ++cell)
+    for (std::size_t cell = 0; cell < findings.plan.cells.size(); ++cell) {
         findings.cells.push_back(analyse_cell(store, cell));
+        if (auto words = repeats_in_words(findings.plan, findings.cells.back()); !words.empty())
+            findings.plan.warnings.push_back(std::move(words));
+    }
     return findings;
+}
+
+std::string repeats_in_words(const StudyPlan& plan, const CellFindings& found) {
+    if (found.repeated_trials == 0) return {};
+    const Cell& cell = plan.cells[found.cell];
+    return fmt::format(
+        "method '{}' in scene '{}'{}: {} of {} trials repeat earlier ones bit for bit (real numbers never do "
+        "by chance). They are no independent trials, and nothing is tested: let all bits of the seed count.",
+        plan.spec.methods[cell.method].name, plan.scenes[cell.scene].name,
+        cell.samples > 0 ? fmt::format(" at {} samples", cell.samples) : "", found.repeated_trials, found.trials);
 }
 
 }  // namespace ff::studies

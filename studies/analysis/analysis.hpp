@@ -33,6 +33,9 @@ struct CellFindings {
     std::optional<BiasFamily> bias;  ///< empty for deterministic methods
     BiasFinding bias_finding = BiasFinding::untestable;
     EquivalenceFinding equivalence = EquivalenceFinding::not_asked;
+    /// Trials that repeat earlier ones beyond chance (stats/repeats.hpp). If there are any, nothing is tested or
+    /// compared, and there are no intervals.
+    std::size_t repeated_trials = 0;
 
     [[nodiscard]] const Summary& summary(Quantity quantity) const;
     /// The efficiency of `class_error`; empty where that is missing or there is no variance.
@@ -51,6 +54,9 @@ struct Findings {
 };
 
 Findings analyse(const Store& store);
+
+/// The warning of a cell whose trials repeat each other; empty where they do not.
+std::string repeats_in_words(const StudyPlan& plan, const CellFindings& found);
 
 /// Summaries of one cell.
 CellFindings analyse_cell(const Store& store, std::size_t cell);

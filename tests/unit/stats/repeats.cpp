@@ -7,7 +7,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <string>
+#include <vector>
 
 namespace ff::stats {
 namespace {
@@ -126,6 +128,63 @@ TEST(FindRepeats, FindsTrialsOfFiveSeeds) {
         ASSERT_TRUE(found);
         EXPECT_LT(found->p, 1e-6);
     }
+}
+
+/// Trials drawn from the columns of some series, as by a program that uses few bits of its seed.
+std::size_t repeated_of(std::vector<std::vector<double>> series, std::size_t seeds, std::mt19937_64& engine) {
+    std::uniform_int_distribution<std::size_t> seed(0, seeds - 1);
+    std::vector<std::size_t> seed_of(series.front().size());
+    for (std::size_t& each : seed_of) each = seed(engine);
+    for (auto& values : series) {
+        const auto all = values;
+        for (std::size_t i = 0; i < values.size(); ++i) values[i] = all[seed_of[i]];
+    }
+    return repeated_trials(std::vector<std::span<const double>>(series.begin(), series.end()));
+}
+
+std::size_t repeated_of(const std::vector<std::vector<double>>& series) {
+    return repeated_trials(std::vector<std::span<const double>>(series.begin(), series.end()));
+}
+
+TEST(RepeatedTrials, AreFoundWhereFewSeedsAreUsed) {
+    std::mt19937_64 engine(9);
+    for (const std::size_t seeds : {4u, 8u, 64u}) {
+        const auto found =
+            repeated_of({test::normal_sample(100, engine), test::normal_sample(100, engine)}, seeds, engine);
+        EXPECT_GE(found, 100 - seeds);
+        EXPECT_EQ(repeated_of({counted(100, 1'000'000, 0.2, engine)}, seeds, engine), 0u);  // counts tell nothing
+    }
+}
+
+TEST(RepeatedTrials, AreNoneWhereOnlySomeSeriesRepeat) {
+    std::mt19937_64 engine(10);
+    std::vector<double> coarse(100);
+    for (std::size_t i = 0; i < coarse.size(); ++i) coarse[i] = std::sqrt(static_cast<double>(i % 5));
+    EXPECT_EQ(repeated_of({coarse, test::normal_sample(100, engine)}), 0u);
+}
+
+TEST(RepeatedTrials, AreNoneAmongSoundOnes) {
+    std::mt19937_64 engine(11);
+    std::bernoulli_distribution nothing(0.6);
+    for (int i = 0; i < 300; ++i) {
+        const auto near = counted(100, 16, 0.3, engine);
+        const auto far = counted(100, 16, 0.2, engine);
+        std::vector<double> sums(100);  // of hits from two surfaces of different area
+        std::vector<double> ratios(100);
+        std::vector<double> corrections(100);
+        for (std::size_t k = 0; k < 100; ++k) {
+            sums[k] = near[k] * 0.31830988 + far[k] * 0.68169012;
+            ratios[k] = far[k] / std::max(near[k], 1.0 / 16);
+            corrections[k] = 0.2 + (nothing(engine) ? 0 : std::normal_distribution<double>(0, 0.01)(engine));
+        }
+        EXPECT_EQ(repeated_of({sums}), 0u);
+        EXPECT_EQ(repeated_of({ratios}), 0u);
+        EXPECT_EQ(repeated_of({corrections}), 0u);
+        EXPECT_EQ(repeated_of({near, far}), 0u);
+        EXPECT_EQ(repeated_of({counted(100, 100, 0.003, engine)}), 0u);
+        EXPECT_EQ(repeated_of({counted(100, 100'000, 0.2, engine)}), 0u);
+    }
+    EXPECT_EQ(repeated_of({std::vector<double>(100, 0.2)}), 0u);
 }
 
 TEST(FindPeriod, FindsTwoEqualHalvesOfCoarseCounts) {

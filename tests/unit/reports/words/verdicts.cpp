@@ -1,5 +1,6 @@
 #include "reports/words/verdicts.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -45,6 +46,9 @@ TEST(BiasInWords, SaysWhyThereIsNoTest) {
     EXPECT_EQ(bias_in_words(found), "no test: too few hits");
     found.bias->infinite = 24;
     EXPECT_EQ(bias_in_words(found), "no test: infinite variance");
+    found.repeated_trials = found.trials - 8;
+    EXPECT_EQ(bias_in_words(found),
+              fmt::format("no test: trials repeat each other ({} of {})", found.trials - 8, found.trials));
     studies::CellFindings deterministic;
     deterministic.trials = 1;
     EXPECT_THAT(bias_in_words(deterministic), HasSubstr("deterministic"));
