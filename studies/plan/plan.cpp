@@ -1,5 +1,6 @@
 #include "studies/plan/plan.hpp"
 
+#include "core/geometry/placement.hpp"
 #include "core/support/error.hpp"
 #include "samplers/sampler.hpp"
 #include "stats/interval.hpp"
@@ -213,6 +214,11 @@ StudyPlan plan_study(StudySpec spec) {
             for (std::string& doubt : doubts_about(scene)) warnings.add(std::move(doubt));
         }
         if (plan.spec.radiosity) expect_fitting(*plan.spec.radiosity, scene);
+    }
+    // Only the warnings above say where a scene lies. What is built in lies at the origin.
+    for (std::size_t i = 0; i < plan.scenes.size(); ++i) {
+        Scene& scene = plan.scenes[i];
+        if (has_scene_text(plan.spec.scenes[i])) scene = placed(scene, {placement_of(scene).origin, 1});
     }
     std::vector<std::vector<std::string>> left_out(plan.spec.methods.size());  // scenes, by method
     for (std::size_t scene = 0; scene < plan.scenes.size(); ++scene) {

@@ -96,11 +96,12 @@ std::map<std::string, bool> statements(const Equals& equals, std::uint64_t trial
     for (const Rivalry& rivalry : results.rivals) told["rivals"] |= rivalry.decided();
     const double level = plan.spec.level;
     told["slopes"] = apart(rank_slopes(results.slopes, 0, PairClass::parallel, level).slopes);
-    told["errors"] = apart(rank_errors(results.findings, compared_cells(results.findings, 0, {}), PairClass::parallel));
+    told["errors"] =
+        apart(rank_errors(results.findings, compared_cells(results.findings, 0, {}), PairClass::parallel, level));
     if (!results.reductions.empty()) {
         const std::size_t random_cell = results.reductions.front().random_cell;
         told["variances"] =
-            apart(rank_reductions(results.findings, results.reductions, random_cell, PairClass::parallel));
+            apart(rank_reductions(results.findings, results.reductions, random_cell, PairClass::parallel, level));
     }
     return told;
 }

@@ -1,8 +1,12 @@
 #include "studies/plan/plan.hpp"
 
+#include "core/exact/known_factors.hpp"
+#include "core/geometry/placement.hpp"
 #include "core/support/error.hpp"
+#include "studies/scene_files/scene_file.hpp"
 #include "tests/support/studies.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -13,6 +17,7 @@
 namespace ff::studies {
 namespace {
 
+using test::plan_in;
 using test::plan_of;
 using test::study_text;
 
@@ -148,6 +153,26 @@ TEST(Plan, RunsEveryMethodOnEveryScene) {
         plan_of(replaced(study_text("trials = 9", ladder_method), "\"cube\"", R"(["cube", "box:1x2x3"])"));
     ASSERT_EQ(plan.scenes.size(), 2u);
     EXPECT_EQ(plan.cells.size(), 8u);
+}
+
+TEST(Plan, MovesScenesOfFilesToTheOrigin) {
+    const auto scene_at = [](double x) {
+        std::string text;
+        for (const int face : {0, 1})
+            text += fmt::format(
+                "[[surface]]\nface = \"{0}\"\nshape = \"parallelogram\"\ncorner = [{1}, {1}, {2}]\n"
+                "edge_u = [1, 0, 0]\nedge_v = [0, 1, 0]\nflip = {3}\n",
+                face, x, x + face, face == 1);
+        return text;
+    };
+    const auto plan_at = [&](double x) { return plan_in(scene_at(x), study_text("trials = 9", rays_method)); };
+    const StudyPlan far = plan_at(10'000);
+    EXPECT_EQ(farthest_coordinate(far.scenes.front()), 1);
+    EXPECT_EQ(far.scenes.front().faces, (std::vector<std::string>{"0", "1"}));
+    // Random numbers stay those of the file, and what is near stays where it is.
+    EXPECT_EQ(far.scenes.front().canonical, make_scene(far.spec.scenes.front()).canonical);
+    EXPECT_EQ(farthest_coordinate(plan_at(7).scenes.front()), 8);
+    EXPECT_EQ(known_factors(far.scenes.front()).at(0, 1), known_factors(plan_at(0).scenes.front()).at(0, 1));
 }
 
 std::vector<std::string> warnings_of_sobol(std::string_view lines) {
