@@ -135,10 +135,10 @@ void add_unmatched(const studies::Findings& findings, const std::vector<std::siz
 std::vector<std::string> remarks(const RunComparison& comparison) {
     std::vector<std::string> lines;
     for (const studies::ChangedScene& scene : comparison.changed_scenes) {
-        lines.push_back(scene.same_faces
+        lines.push_back(scene.difference.empty()
                             ? fmt::format("Scene '{}' is not the same in both runs, but its faces are.", scene.name)
-                            : fmt::format("Scene '{}' has other faces in each run ({} and {}): not compared.",
-                                          scene.name, scene.faces[0], scene.faces[1]));
+                            : fmt::format("Scene '{}' has other faces in each run ({}): not compared.", scene.name,
+                                          scene.difference));
     }
     add_unmatched(comparison.first, comparison.only_first, comparison.names[0], lines);
     add_unmatched(comparison.second, comparison.only_second, comparison.names[1], lines);

@@ -7,6 +7,7 @@
 #include "stats/multiplicity.hpp"
 #include "stats/spread.hpp"
 #include "stats/variance_test.hpp"
+#include "studies/comparison/face_difference.hpp"
 #include "studies/comparison/rivals.hpp"
 
 #include <fmt/format.h>
@@ -41,24 +42,11 @@ Basis basis_of(const Cell& first, const Cell& second) {
     return first.key == second.key ? Basis::same_random_numbers : Basis::independent;
 }
 
-/// Whether factors of two scenes are of the same faces, whatever stands between these.
-bool have_same_faces(const Scene& a, const Scene& b) {
-    const auto faces_of = [](const Scene& scene) {
-        std::vector<std::pair<int, Shape>> shapes;
-        for (const Surface& surface : scene.surfaces) {
-            if (surface.face >= 0) shapes.emplace_back(surface.face, surface.shape);
-        }
-        return shapes;
-    };
-    return a.canonical == b.canonical || (a.faces == b.faces && faces_of(a) == faces_of(b));
-}
-
 std::vector<ChangedScene> changed_scenes(const StudyPlan& first, const StudyPlan& second) {
     std::vector<ChangedScene> changed;
     for (const Scene& a : first.scenes) {
         for (const Scene& b : second.scenes) {
-            if (a.name == b.name && a.canonical != b.canonical)
-                changed.push_back({a.name, have_same_faces(a, b), {a.faces.size(), b.faces.size()}});
+            if (a.name == b.name && a.canonical != b.canonical) changed.push_back({a.name, difference_of_faces(a, b)});
         }
     }
     return changed;
@@ -69,7 +57,7 @@ std::optional<std::size_t> counterpart(const StudyPlan& plan, const Scene& scene
     for (std::size_t i = 0; i < plan.cells.size(); ++i) {
         const Cell& cell = plan.cells[i];
         const Scene& there = plan.scenes[cell.scene];
-        if (there.name == scene.name && have_same_faces(there, scene) &&
+        if (there.name == scene.name && difference_of_faces(there, scene).empty() &&
             plan.spec.methods[cell.method].name == method && cell.subdivision.m == size.subdivision.m &&
             cell.samples == size.samples)
             return i;
@@ -329,11 +317,11 @@ RunComparison compare_runs(const Store& first, const Store& second, std::array<s
     }
     if (out.cells.empty()) {
         for (const ChangedScene& scene : out.changed_scenes) {
-            if (!scene.same_faces)
+            if (!scene.difference.empty())
                 throw UserError(fmt::format(
-                    "nothing to compare (scene '{}' has other faces in each run: {} there and {} here). Run the study "
-                    "again with one scene, or give each scene a name of its own.",
-                    scene.name, scene.faces[0], scene.faces[1]));
+                    "nothing to compare (scene '{}' has other faces in each run: {}). Run the study again with one "
+                    "scene, or give each scene a name of its own.",
+                    scene.name, scene.difference));
         }
         throw UserError(fmt::format(
             "nothing to compare (no scene, method and size is in both; scenes are {} there and {} here). Give "

@@ -74,8 +74,7 @@ struct Lead {
 /// A scene of one name that is not the same in both runs: its file was changed, say.
 struct ChangedScene {
     std::string name;
-    bool same_faces = false;  ///< in name and shape, so that their factors are compared
-    std::array<std::size_t, 2> faces{};
+    std::string difference;  ///< of the faces, in words; empty where they are the same, so that factors are compared
 };
 
 /// Two runs side by side.

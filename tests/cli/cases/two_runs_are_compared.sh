@@ -151,5 +151,17 @@ for pair in "room_six room_four" "room_four room_six"; do
     expect_status 2
     expect_stderr "scene 'room.obj' has other faces in each run"
 done
+expect_stderr "in each run: 4 in the first and 6 in the second)"
 ffstudy compare room_six room_other
 expect_stdout "Scene 'room.obj' is not the same in both runs, but its faces are."
+# What differs is said where the number of faces does not.
+room 6 | sed '12{N;N;N;s/\(.*\n.*\)\n\(.*\n.*\)/\2\n\1/}' >room.obj
+ffstudy run changing.toml --quiet --out room_in_another_order
+ffstudy compare room_six room_in_another_order
+expect_status 2
+expect_stderr "in each run: number 1 is 'wall0' in the first and 'wall1' in the second)"
+room 6 | sed 's/ 1$/ 2/' >room.obj
+ffstudy run changing.toml --quiet --out room_high
+ffstudy compare room_six room_high
+expect_status 2
+expect_stderr "in each run: 'wall1' has another place or shape, or other surfaces)"
