@@ -21,8 +21,9 @@ struct SerialTest {
 };
 
 /// Two tests under one p-value (Bonferroni): for positive correlation at lag 1, which chains and shared states cause
-/// [vonneumann1941], and for any correlation up to lag 10 [ljung1978]. Holds for any distribution of finite variance.
-/// Empty below `fewest_for_serial_test` values and where all are equal.
+/// [vonneumann1941], and for any correlation up to lag 10 [ljung1978]. P-values below 0.01 are at least the share of
+/// random orders of the values that look as dependent, so that they hold for any distribution and few values. Empty
+/// below `fewest_for_serial_test` values and where all are equal.
 std::optional<SerialTest> test_serial_correlation(std::span<const double> values);
 
 inline constexpr std::size_t fewest_for_serial_test = 10;
