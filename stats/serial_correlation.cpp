@@ -61,7 +61,7 @@ SerialTest asymptotic_test(const std::vector<double>& x, double squares) {
 double share_of_orders(std::vector<double> x, double squares, double p) {
     constexpr std::size_t enough = 20;  // such orders, to know their share
     const std::size_t cost = x.size() * std::min<std::size_t>(10, x.size() / 5);
-    const std::size_t most = std::clamp<std::size_t>(200'000'000 / cost, 2000, 100'000);
+    const std::size_t most = std::clamp<std::size_t>(20'000'000 / cost, 2000, 100'000);
     Draws draws(derive_key(Seed{1}, "serial correlation"), Resampling::simulation, 0);
     std::size_t found = 0;
     std::size_t orders = 0;

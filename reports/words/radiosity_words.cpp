@@ -239,8 +239,9 @@ std::optional<LightInBrief> light_in_brief(const studies::StudyResults& results)
     std::vector<std::string> parts;  // in the study's order, since nothing tests which error is smaller
     for (const auto& [method, error] : errors)
         parts.push_back(fmt::format("{} with {}", percent(error), plan.spec.methods[method].name));
-    brief.clause = fmt::format("at reflectance {} the exitance error is {}{}", brief.reflectance,
-                               fmt::join(parts, ", "), plan.scenes.size() > 1 ? ", where it is largest" : "");
+    brief.clause =
+        fmt::format("at reflectance {} the exitance error is {}{}", brief.reflectance, fmt::join(parts, ", "),
+                    plan.scenes.size() > 1 ? ", in the scene where it is largest" : "");
     const auto [least, largest] = std::minmax_element(errors.begin(), errors.end(),
                                                       [](const auto& a, const auto& b) { return a.second < b.second; });
     brief.value = percent(least->second);

@@ -27,10 +27,13 @@ struct Leaders {
 
     [[nodiscard]] bool one() const { return names.size() == 1; }
 
+    /// "both methods", "all 5 methods"
+    [[nodiscard]] std::string everyone() const {
+        return names.size() == 2 ? "both methods" : fmt::format("all {} methods", names.size());
+    }
     /// Of several: "a and b have the smallest errors and cannot be told apart".
     [[nodiscard]] std::string tied(std::string_view lead) const {
-        return fmt::format("{} cannot be told apart", all ? fmt::format("all {} methods", names.size())
-                                                          : fmt::format("{} {} and", listed(names), lead));
+        return fmt::format("{} cannot be told apart", all ? everyone() : fmt::format("{} {} and", listed(names), lead));
     }
 };
 
@@ -172,7 +175,7 @@ void rank_variances_of_size(const StudyResults& results, Ranking& ranking, doubl
     ranking.said = fmt::format(" with {} ", size);
     const Leaders best = leaders(ranked, ranking.methods);
     if (best.all) {
-        ranking.said += fmt::format("the variances of all {} methods cannot be told apart", best.names.size());
+        ranking.said += fmt::format("the variances of {} cannot be told apart", best.everyone());
     } else if (random_leads) {
         ranking.said += "no method is shown to have less variance than random points";
     } else {
