@@ -108,7 +108,10 @@ Band read_band(const TomlReader& reader, const Gate& gate) {
     }
     const double width = read_width(reader, numbers, "0.05");
     if (!expected) reader.fail("expected", "missing (the slope that the band lies around). Try -0.5.");
-    return {*expected - width, *expected + width};
+    const Band band{*expected - width, *expected + width};
+    if (!(band.low < *expected && *expected < band.high))
+        reader.fail("expected", "(so large a number beside the band that rounding closes it). Try -0.5.");
+    return band;
 }
 
 }  // namespace ff::studies

@@ -129,6 +129,7 @@ TEST(BandsFile, RefusesBandsThatNoNumberOfTrialsCanDecide) {
     EXPECT_THAT(refusal_of_bands(gate("slope", "band = [-0.5, -0.5]")), HasSubstr("zero width"));
     EXPECT_THAT(refusal_of_bands(gate("slope", "band = [-0.4, -0.5]")), HasSubstr("lower end comes first"));
     EXPECT_THAT(refusal_of_bands(gate("slope", "band = 0.1")), HasSubstr("expected: missing"));
+    EXPECT_THAT(refusal_of_bands(gate("slope", "expected = 1e300\nband = 0.1")), HasSubstr("rounding closes it"));
     EXPECT_THAT(refusal_of_bands(gate("std", "band = [1.1, 1.2]")), HasSubstr("has to lie inside"));
     EXPECT_THAT(refusal_of_bands(gate("coverage", "band = [0.5, 0.6]")), HasSubstr("has to lie inside"));
     EXPECT_THAT(refusal_of_bands(gate("bias", "band = [-1, 1]")), HasSubstr("not a list"));
