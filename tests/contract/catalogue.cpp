@@ -43,7 +43,7 @@ INSTANTIATE_TEST_SUITE_P(Catalogue, EverySampler, testing::ValuesIn(every), name
 TEST_P(EverySampler, DescribesItself) {
     EXPECT_TRUE(describes_itself(GetParam()));
 }
-TEST_P(EverySampler, RefusesSetsThatCannotBe) {
+TEST_P(EverySampler, RefusesImpossiblePointSets) {
     EXPECT_TRUE(refuses_impossible_sets(GetParam()));
 }
 TEST_P(EverySampler, MakesEachPointFromItsIndexAlone) {

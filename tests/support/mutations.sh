@@ -42,7 +42,7 @@ copy_source() {
 }
 
 # test_exists NAME: whether NAME begins the name of a command-line case ("cli.a_killed_run") or of a test
-# ("StoreFile.ThatIsDamaged", or "Merge." for a whole suite). What does not exist would fail for the wrong reason.
+# ("StoreFile.IsRefusedIfDamaged", or "Merge." for a whole suite). What does not exist would fail for the wrong reason.
 test_exists() {
     case $1 in
         cli.*) compgen -G "$source_tree/tests/cli/cases/${1#cli.}*.sh" >/dev/null ;;

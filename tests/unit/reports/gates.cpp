@@ -62,7 +62,7 @@ studies::CheckResults two_of_three() {
     return check;
 }
 
-TEST(VerdictsCsv, HasARowForEachComparisonAndEmptyCellsForWhatIsNotThere) {
+TEST(VerdictsCsv, HasARowForEachComparisonAndEmptyCellsForMissingValues) {
     std::ostringstream out;
     write_verdicts_csv(out, two_of_three());
     EXPECT_EQ(out.str(),
@@ -74,7 +74,7 @@ TEST(VerdictsCsv, HasARowForEachComparisonAndEmptyCellsForWhatIsNotThere) {
               "wrong,cube,random ray_shooting,,64,1,sum,bias,0.125,-0.125,0.375,0.8,,fail,2.5,0.01,0.9\n");
 }
 
-TEST(VerdictsJson, HoldsBothIntervalsAndSaysThatItIsNotComplete) {
+TEST(VerdictsJson, HoldsBothIntervalsAndSaysIfIncomplete) {
     const auto json = nlohmann::json::parse(verdicts_json(two_of_three()));
     EXPECT_EQ(json["complete"], false);
     EXPECT_EQ(json["verdict"], "fail");
@@ -87,7 +87,7 @@ TEST(VerdictsJson, HoldsBothIntervalsAndSaysThatItIsNotComplete) {
     EXPECT_EQ(rows[1]["failing_interval"]["level"], 0.99);
 }
 
-TEST(Junit, MakesUnfinishedGatesErrors) {
+TEST(Junit, ReportsUnfinishedGatesAsErrors) {
     pugi::xml_document document;
     const std::string text = junit_xml(two_of_three(), {"2026-11-20T16:30:00", "host", {1.5, 0.25}, {"", "slower"}});
     ASSERT_TRUE(document.load_string(text.c_str()));
@@ -133,7 +133,7 @@ TEST(GatesHtml, IsAPageWithAPictureForEachMeasuredGate) {
     EXPECT_THAT(text, Not(testing::ContainsRegex("nan|inf\"")));
 }
 
-TEST(GateLine, SaysWhatDecided) {
+TEST(GateLine, ShowsTheDecidingComparison) {
     const auto check = two_of_three();
     const std::string line = gate_line(check.results[1], Colour::none);
     EXPECT_THAT(line, HasSubstr("fail "));

@@ -85,7 +85,7 @@ INSTANTIATE_TEST_SUITE_P(Values, NotFinite,
                                          -std::numeric_limits<double>::infinity(),
                                          std::numeric_limits<double>::quiet_NaN()));
 
-TEST(NotFiniteWords, IsRecognisedByTheseTests) {
+TEST(NotFiniteWords, AreRecognisedByTheseTests) {
     for (const char* text : {"1,nan,2", "a\n-inf\n", "{\"a\": Infinity}", "NaN"})
         EXPECT_TRUE(has_no_number(text)) << text;
     EXPECT_FALSE(has_no_number("not_finite, infinite, finance, null"));

@@ -84,7 +84,7 @@ TEST(RadiosityWords, NameThePatchThatErrsMost) {
     EXPECT_THAT(at.exitance, testing::SizeIs(25));
 }
 
-TEST(Headline, BeginsWithTheLight) {
+TEST(Headline, BeginsWithTheExitanceError) {
     const auto light = light_in_brief(lit());
     ASSERT_TRUE(light);
     EXPECT_EQ(light->reflectance, "0.9");

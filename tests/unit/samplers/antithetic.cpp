@@ -25,7 +25,7 @@ TEST(Antithetic, FollowsEachRandomPointByItsMirrorImage) {
     }
 }
 
-TEST(Antithetic, GivesTheSamplerItIsMadeFromHalfOfThePoints) {
+TEST(Antithetic, TakesHalfOfItsPointsFromTheUnderlyingSampler) {
     const Stream stream{.key = {4, 4}, .trial = 2};
     PointBlock sobol;
     sobol.size = 8;

@@ -20,7 +20,7 @@ bool same_column(const PointBlock& a, const PointBlock& b, std::size_t d) {
     return std::equal(a.coordinate[d].begin(), a.coordinate[d].begin() + 16, b.coordinate[d].begin());
 }
 
-TEST(Controls, AreFoundByNameAndMarkedAndNotInTheCatalogue) {
+TEST(Controls, AreMarkedAndFoundByNameOutsideTheCatalogue) {
     ASSERT_FALSE(controls().empty());
     for (const CatalogueEntry& control : controls()) {
         EXPECT_TRUE(control.info.control);
@@ -32,7 +32,7 @@ TEST(Controls, AreFoundByNameAndMarkedAndNotInTheCatalogue) {
     }
 }
 
-TEST(PatchCentres, MovesTheOriginsOfRandomRaysAndNothingElse) {
+TEST(PatchCentres, MoveOnlyTheOriginsOfRandomRays) {
     const PointBlock centred = sixteen_points("patch_centres");
     const PointBlock random = sixteen_points("random");
     for (std::size_t i = 0; i < 16; ++i) {

@@ -47,7 +47,7 @@ TEST(Isocell, GivesThePointsOfASetInAnyPieces) {
     }
 }
 
-TEST(Isocell, TakesSizesWithoutRings) {
+TEST(Isocell, AcceptsSizesThatDoNotFillWholeRings) {
     for (const std::uint64_t size : {1u, 2u, 5u, 301u}) EXPECT_EQ(direction_points<Isocell>(size, 2).size, size);
 }
 
@@ -105,7 +105,7 @@ TEST(LocalDirections, GiveThePointsOfASetInAnyPieces) {
     }
 }
 
-TEST(AntitheticDirections, LeaveOneOriginOnOppositeSides) {
+TEST(AntitheticDirections, PairDirectionsHalfATurnApart) {
     for (const PointIndex first : {0u, 1u, 6u}) {
         const auto block = direction_points<AntitheticDirections>(200, 4, first, 100);
         for (std::size_t i = first % 2; i + 1 < block.size; i += 2) {

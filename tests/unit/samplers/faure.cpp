@@ -76,7 +76,7 @@ std::pair<int, int> count_filled_cuts(const NetPoints& points, std::size_t m) {
     return {filled, cuts};
 }
 
-TEST(FaureDigits, AreThoseOfThePublishedConstruction) {
+TEST(FaureDigits, MatchThePublishedConstruction) {
     // Coordinate 1 of points 1 to 5 and 25, from the definition by hand: the digits of the index are (1), .., (4),
     // (0, 1), (0, 0, 1); the first power of the Pascal matrix adds binomial(k, j) modulo 5.
     for (std::uint32_t i = 1; i < 5; ++i) EXPECT_EQ(faure_digits(i, 1)[0], i);
@@ -174,7 +174,7 @@ TEST(Faure, IsTheSameWithEveryInstructionSet) {
     }
 }
 
-TEST(Faure, DrawsThePlaceInTheLastCell) {
+TEST(Faure, DrawsThePlaceWithinTheSmallestCellAtRandom) {
     // 625 points have four digits; what is left of 625 x is what Philox gave.
     PointBlock block;
     block.size = 625;

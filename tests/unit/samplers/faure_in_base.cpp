@@ -70,14 +70,14 @@ TEST(FaureInBase, HasOnePointInEachBoxOfAFourFoldPartition) {
 // b, i = 7, 100
 // a = [i // b**k % b for k in range(3)]
 // for d in range(4): print([sum(comb(k, j) * d**(k - j) * a[k] for k in range(j, 3)) % b for j in range(3)])"
-TEST(FaureDigits, InBaseSevenAreThePascalMatrixTimesTheDigitsOfTheIndex) {
+TEST(FaureDigits, EqualThePascalMatrixTimesTheIndexDigitsInBaseSeven) {
     const std::array<std::array<std::uint32_t, 3>, 4> expected{{{2, 0, 2}, {4, 4, 2}, {3, 1, 2}, {6, 5, 2}}};
     for (std::size_t d = 0; d < 4; ++d) {
         for (std::size_t j = 0; j < 3; ++j) EXPECT_EQ(faure_digits<7>(100, d)[j], expected[d][j]) << d << j;
     }
 }
 
-TEST(FaureInBase, KeepsTheDigitsOfNeighboursApartAsTheSequenceDoes) {
+TEST(FaureInBase, RepeatsAFirstDigitExactlyWhereTheSequenceDoes) {
     // Scrambling is a bijection of digits: two points share their first digit exactly where the sequence has it equal.
     const PointBlock block = faure_in_base_points<7>(2401, 0, 343);
     for (std::size_t d = 0; d < 4; ++d) {

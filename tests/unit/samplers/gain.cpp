@@ -138,14 +138,14 @@ unsigned sobol_parameter(unsigned m) {
     return net_parameter(points, m);
 }
 
-TEST(Gain, OfScrambledSobolPointsStaysBelowItsBound) {
+TEST(Gain, StaysBelowItsBoundForScrambledSobolPoints) {
     expect_within_bound<2>(fill_with<samplers::Sobol, 64>, 64, sobol_parameter(6), "sobol");
     expect_within_bound<2>(fill_with<samplers::Sobol, 256>, 256, sobol_parameter(8), "sobol");
     expect_within_bound<2>(fill_with<samplers::SobolLms, 256>, 256, sobol_parameter(8), "sobol_lms");
     expect_within_bound<2>(fill_with<samplers::SobolNus, 64>, 64, sobol_parameter(6), "sobol_nus");
 }
 
-TEST(Gain, OfScrambledFaurePointsStaysBelowItsBound) {
+TEST(Gain, StaysBelowItsBoundForScrambledFaurePoints) {
     expect_within_bound<5>(fill_with<samplers::Faure, 125>, 125, 0, "faure");
     expect_within_bound<5>(fill_with<samplers::Faure, 625>, 625, 0, "faure");
     expect_within_bound<7>(fill_with<samplers::FaureInBase<7>, 343>, 343, 0, "faure_7");
@@ -153,16 +153,16 @@ TEST(Gain, OfScrambledFaurePointsStaysBelowItsBound) {
     expect_within_bound<13>(fill_with<samplers::FaureInBase<13>, 169>, 169, 0, "faure_13");
 }
 
-TEST(Gain, OfStratifiedPointsIsAtMostOne) {
+TEST(Gain, IsAtMostOneForStratifiedPoints) {
     expect_below(1, fill_with<samplers::Stratified, 256>, 256, rough_functions<2>(), "stratified");  // [owen2013]
 }
 
-TEST(Gain, OfLatinHypercubesIsHardlyMoreThanOne) {
+TEST(Gain, IsAtMostNOverNMinusOneForLatinHypercubes) {
     expect_below(64.0 / 63, fill_with<samplers::LatinHypercube, 64>, 64, rough_functions<2>(), "64");  // [owen1998]
     expect_below(2.0, fill_with<samplers::LatinHypercube, 2>, 2, rough_functions<2>(), "2");
 }
 
-TEST(Gain, OfMirroredPointsIsAtMostTwo) {
+TEST(Gain, IsAtMostTwoForMirroredPoints) {
     expect_below(2, fill_with<samplers::Antithetic<samplers::Random>, 64>, 64, rough_functions<2>(), "antithetic");
     // Two coordinates mirrored: their product is the same for both points of a pair, and the bound is reached.
     const Rough even{"digits 0, 0", 0, 1.0 / 16,
@@ -171,7 +171,7 @@ TEST(Gain, OfMirroredPointsIsAtMostTwo) {
     EXPECT_LT(std::abs(gain.ratio - 2), 5 * gain.standard_error);
 }
 
-TEST(Gain, OfPaddedPointsStaysBelowTheBoundOfNetsInTwoDimensionsWithinAPair) {
+TEST(Gain, StaysBelowTheNetBoundWithinAPairOfPaddedPoints) {
     constexpr double variance = 1.0 / 16;
     const std::vector<Rough> within{
         {"digits 0, 0", 0, variance, [](const PointInCube& x) { return digit<2, 0>(x[0]) * digit<2, 0>(x[1]); }},

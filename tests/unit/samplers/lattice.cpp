@@ -139,7 +139,7 @@ TEST(LatticeVector, IsBetterThanAPublishedOneByItsOwnCriterion) {
     }
 }
 
-TEST(WorstCaseError, IsThatOfTheOneDimensionalRuleForEqualComponents) {
+TEST(WorstCaseError, EqualsTheOneDimensionalRuleForEqualComponents) {
     // For z = (1, 1, 1, 1) and 2 points by hand: ((7/6)^4 + (11/12)^4) / 2 - 1.
     EXPECT_NEAR(worst_case_error({1, 1, 1, 1}, 1), std::sqrt((std::pow(7.0 / 6, 4) + std::pow(11.0 / 12, 4)) / 2 - 1),
                 1e-15);
@@ -176,7 +176,7 @@ double squared_error_by_definition(const std::vector<LatticePoint>& points) {
     return sum / static_cast<double>(points.size() * points.size()) - 1;
 }
 
-TEST(WorstCaseError, IsTheMeanOverShiftsOfTheOneByDefinition) {
+TEST(WorstCaseError, AveragesTheDefinedErrorOverShifts) {
     // The definition is applied to the points as the sampler makes them. A formula that is off by 2 % is noticed with
     // probability 0.99.
     for (const unsigned m : {2u, 4u}) {
@@ -194,7 +194,7 @@ LatticePoint difference(const LatticePoint& a, const LatticePoint& b) {
     return {a[0] - b[0], a[1] - b[1], a[2] - b[2], a[3] - b[3]};
 }
 
-TEST(Lattice, IsAGroupOfDifferencesForEveryPowerOfTwo) {
+TEST(Lattice, HasDifferencesThatFormAGroupForPowersOfTwo) {
     for (const std::size_t size : {std::size_t{2}, std::size_t{16}, std::size_t{256}}) {
         const auto points = lattice_points(size, {.key = {6, 2}});
         std::set<LatticePoint> differences;

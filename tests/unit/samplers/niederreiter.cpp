@@ -21,12 +21,12 @@ test::Coordinates whole_net(unsigned m) {
     return points;
 }
 
-TEST(Niederreiter, IsANetOfTheKnownParameterOnceTheOriginIsBack) {
+TEST(Niederreiter, IsANetOfTheKnownParameterWithTheOrigin) {
     // t <= the sum of (degree - 1) over x, x + 1, x^2 + x + 1, x^3 + x + 1 [niederreiter1988].
     for (unsigned m = 4; m <= 10; ++m) EXPECT_LE(test::net_parameter(whole_net(m), m), 3u);
 }
 
-TEST(Niederreiter, IsNoSuchNetAsItComes) {
+TEST(Niederreiter, IsNotSuchANetWithoutTheOrigin) {
     test::Coordinates points = whole_net(8);
     PointBlock block;
     block.size = 1;

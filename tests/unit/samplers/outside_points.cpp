@@ -57,7 +57,7 @@ TEST(OutsidePoints, AreMadeAgainAfterAFailure) {
     EXPECT_EQ(block.coordinate[3][3], 33u);
 }
 
-TEST(OutsidePoints, SeedsDifferWithEverythingThatStreamsDifferBy) {
+TEST(OutsidePoints, HaveADifferentSeedForEachStream) {
     const Stream stream{.key = {1, 2}, .trial = 3, .source = 4, .target = 5};
     std::vector<std::uint64_t> seeds{request_of(stream, 8, 4).seed};
     for (const Stream& other : {Stream{.key = {2, 2}, .trial = 3, .source = 4, .target = 5},
@@ -71,7 +71,7 @@ TEST(OutsidePoints, SeedsDifferWithEverythingThatStreamsDifferBy) {
     }
 }
 
-TEST(OutsidePoints, RefusesSetsThatNoMemoryHolds) {
+TEST(OutsidePoints, RefuseSetsTooLargeForMemory) {
     EXPECT_THROW(expect_whole("mine", {std::uint64_t{1} << 32, 4, 0, 0}), UserError);
 }
 

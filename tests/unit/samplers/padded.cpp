@@ -32,7 +32,7 @@ bool is_perfect_net(const PointBlock& block, std::size_t a, std::size_t b, unsig
     return true;
 }
 
-TEST(Padded, IsAPerfectNetInEachPairAndNoneAcross) {
+TEST(Padded, IsAPerfectNetWithinEachPairButNotAcross) {
     for (unsigned m = 4; m <= 10; ++m) {
         const std::size_t size = std::size_t{1} << m;
         for (const PointIndex first : {PointIndex{0}, PointIndex{5} << m}) {
@@ -45,7 +45,7 @@ TEST(Padded, IsAPerfectNetInEachPairAndNoneAcross) {
     }
 }
 
-TEST(Padded, IsNoNetWithTheFirstPointDropped) {
+TEST(Padded, IsNotANetWithoutItsFirstPoint) {
     EXPECT_FALSE(is_perfect_net(padded_points({.key = {1, 9}}, 1, 256), 0, 1, 8));
 }
 
@@ -64,7 +64,7 @@ TEST(Padded, IsTheScrambledSobolSequenceInShuffledOrder) {
     }
 }
 
-TEST(Padded, PairsPointsAnewInEveryStream) {
+TEST(Padded, PairsPointsDifferentlyInEveryStream) {
     // Which of 16 points of the second pair comes with the first one: 2000 streams, 15 degrees of freedom, beyond 66
     // with probability 2e-8; a deviation of 25 % (root mean square) is noticed nearly always (2000 * .0625 = 125).
     constexpr std::uint32_t streams = 2000;

@@ -36,7 +36,7 @@ bool is_stratified(std::span<const std::uint32_t> row) {
     return std::unique(cells.begin(), cells.end()) == cells.end();
 }
 
-TEST(PointSet, GivesTheSetOfTheTrialWithoutRandomisation) {
+TEST(PointSet, UsesOneStoredSetPerTrialWithoutRandomisation) {
     const auto source = points_of_set(diagonal(64, 2, 3), 64, Randomisation::none);
     EXPECT_TRUE(source->randomised());
     EXPECT_FALSE(points_of_set(diagonal(64, 2, 1), 64, Randomisation::none)->randomised());
@@ -76,7 +76,7 @@ TEST(PointSet, KeepsDistancesUnderShift) {
     for (std::size_t i = 1; i < 64; ++i) EXPECT_EQ(block.coordinate[0][i] - block.coordinate[0][i - 1], 1u << 26);
 }
 
-TEST(PointSet, RandomisesEveryCoordinateAndTrialByItself) {
+TEST(PointSet, RandomisesEveryCoordinateAndTrialSeparately) {
     for (const auto how :
          {Randomisation::shift, Randomisation::digital_shift, Randomisation::lms, Randomisation::owen}) {
         const auto source = points_of_set(diagonal(64, 2, 1), 64, how);
@@ -87,7 +87,7 @@ TEST(PointSet, RandomisesEveryCoordinateAndTrialByItself) {
     }
 }
 
-TEST(AddedSamplers, AreFoundAndKeepTheirFirstMeaning) {
+TEST(AddedSamplers, AreFoundByNameAndNotReplacedByLaterOnes) {
     const auto sampler = [](std::string summary) {
         return std::make_unique<AddedSampler>(
             AddedSampler::Texts{"added_for_a_test", std::move(summary), ""}, SamplerInfo{},
@@ -106,7 +106,7 @@ TEST(AddedSamplers, AreFoundAndKeepTheirFirstMeaning) {
     EXPECT_FALSE(check_size(find("added_for_a_test").info, 63).message.empty());
 }
 
-TEST(AddedSamplers, DoNotTakeNamesOfTheCatalogue) {
+TEST(AddedSamplers, CannotReuseNamesOfTheCatalogue) {
     EXPECT_THROW(add(std::make_unique<AddedSampler>(AddedSampler::Texts{"sobol", "", ""}, SamplerInfo{},
                                                     std::vector<std::uint64_t>{}, nullptr)),
                  UserError);

@@ -78,7 +78,7 @@ SamplerInfo powers_of(std::uint32_t base, std::uint32_t multiple = 1) {
     return info;
 }
 
-TEST(CheckSize, OnlyWarnsBesidePowersOfFive) {
+TEST(CheckSize, OnlyWarnsOfSizesBetweenPowersOfFive) {
     for (const std::uint64_t points : {1u, 5u, 625u, 1220703125u}) {
         EXPECT_EQ(check_size(powers_of(5), points).message, "");
     }
@@ -88,7 +88,7 @@ TEST(CheckSize, OnlyWarnsBesidePowersOfFive) {
     EXPECT_THAT(check_size(powers_of(5), max_points).message, HasSubstr("Nearest: 1220703125 = 5^13."));
 }
 
-TEST(CheckSize, OnlyWarnsBesidePowersOfTwo) {
+TEST(CheckSize, OnlyWarnsOfSizesBetweenPowersOfTwo) {
     EXPECT_EQ(check_size(powers_of(2), max_points).message, "");
     EXPECT_EQ(check_size(powers_of(2), 512).message, "");
     const SizeProblem problem = check_size(powers_of(2), 625);

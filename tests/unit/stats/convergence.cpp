@@ -63,7 +63,7 @@ TEST(RmseRate, HasTheSameIntervalWhereBlocksAreDrawn) {
     EXPECT_NEAR(rate->bootstrap.width() / rate->interval.width(), 1, 0.17);
 }
 
-TEST(LadderDraws, DrawAsManyReplicatesAsThereAreOrBlocksOfThem) {
+TEST(LadderDraws, DrawSingleReplicatesOrBlocksOfMany) {
     const LadderDraws draws(std::array<std::size_t, 3>{5, LadderDraws::most_blocks, 10'001}, plan_of_run(1, 2));
     const std::array<std::size_t, 3> block{1, 1, 3};
     const std::array<std::size_t, 3> blocks{5, LadderDraws::most_blocks, 3334};
@@ -161,7 +161,7 @@ TEST(RmseRate, CoversTheTrueRateWhereErrorsOfAReplicateDependOnEachOther) {
     EXPECT_TRUE(test::has_probability_at_least(bootstrap, 600, 0.92, {.detects = 0.08}));
 }
 
-TEST(RmseRate, LackOfFitSeesARateThatChanges) {
+TEST(RmseRate, ShowsLackOfFitForAChangingRate) {
     std::mt19937_64 engine(4);
     std::uint64_t found = 0;
     for (std::uint32_t run = 0; run < 100; ++run) {

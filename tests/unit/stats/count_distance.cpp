@@ -30,7 +30,7 @@ TEST(CountDistance, PoolsNeighboursUntilEnoughAreExpected) {
     EXPECT_FALSE(count_distance(std::vector<double>{1, 3}, std::vector<double>{.5, .5}));
 }
 
-TEST(CountDistance, NeverPoolsWhatIsImpossibleOutOfSight) {
+TEST(CountDistance, NeverHidesImpossibleCountsByPooling) {
     const auto found = count_distance(std::vector<double>{1, 49, 50}, std::vector<double>{0, 0.5, 0.5});
     ASSERT_TRUE(found);
     EXPECT_TRUE(found->impossible);

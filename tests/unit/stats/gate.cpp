@@ -26,7 +26,7 @@ void expect_as_boost(double ours, double boost, double digits, double freedom, d
 
 constexpr std::array tail_probabilities{0.499, 0.4, 0.1, 0.05, 1e-2, 1e-4, 1e-6, 1e-10, 1e-14};
 
-TEST(GateQuantiles, OfTheNormalDistributionAreThoseOfBoost) {
+TEST(GateQuantiles, MatchBoostForTheNormalDistribution) {
     for (const double tail : tail_probabilities) {
         expect_as_boost(normal_critical(tail), stats::normal_critical(tail), 10, 0, tail);
         expect_as_boost(normal_critical(1 - tail), stats::normal_critical(1 - tail), 10, 0, 1 - tail);
@@ -34,7 +34,7 @@ TEST(GateQuantiles, OfTheNormalDistributionAreThoseOfBoost) {
     EXPECT_EQ(normal_critical(0.5), 0);
 }
 
-TEST(GateQuantiles, OfStudentsDistributionAreThoseOfBoost) {
+TEST(GateQuantiles, MatchBoostForStudentsDistribution) {
     for (const double freedom : {1.0, 1.7, 2.0, 3.0, 5.0, 9.0, 29.0, 99.0, 1000.0, 1e5, 1e7}) {
         for (const double tail : tail_probabilities)
             expect_as_boost(student_critical(freedom, tail), stats::student_critical(freedom, tail),
@@ -42,7 +42,7 @@ TEST(GateQuantiles, OfStudentsDistributionAreThoseOfBoost) {
     }
 }
 
-TEST(GateQuantiles, OfChiSquaredAreThoseOfBoost) {
+TEST(GateQuantiles, MatchBoostForChiSquared) {
     for (const double freedom : {1.0, 1.7, 2.0, 3.0, 5.0, 9.0, 29.0, 99.0, 1000.0, 1e5}) {
         for (const double tail : tail_probabilities) {
             const double digits = freedom > 1e4 ? 8 : 10;
@@ -117,7 +117,7 @@ bool agrees(double found, double expected) {
     return found == expected || std::abs(found - expected) <= 1e-9 * (1 + std::abs(expected));
 }
 
-TEST(GateOnAMean, IsJudgedLikeEverywhere) {
+TEST(GateOnAMean, AgreesWithTheSharedCases) {
     const auto cases = read_cases();
     ASSERT_EQ(cases.size(), 12u);
     for (const Case& one : cases) {
@@ -130,7 +130,7 @@ TEST(GateOnAMean, IsJudgedLikeEverywhere) {
 }
 
 /// The program's intervals (studies/verdicts/measurement.cpp).
-TEST(GateOnAMean, IsJudgedLikeByTheProgram) {
+TEST(GateOnAMean, AgreesWithTheProgram) {
     for (const Case& one : read_cases()) {
         const auto own = stats::mean_evidence(one.trials, one.reference);
         ASSERT_TRUE(own) << one.name;
@@ -150,7 +150,7 @@ TEST(GateOnAMean, IsJudgedLikeByTheProgram) {
     }
 }
 
-TEST(GateOnAMean, IsUndecidedWhereTrialsCannotCarryAnInterval) {
+TEST(GateOnAMean, IsUndecidedWhereTrialsSupportNoInterval) {
     EXPECT_STREQ(mean(std::vector<double>(50, 1.0), 1, band(1)).fault,
                  "every trial gave the same value: was each seeded alike?");
     EXPECT_STREQ(mean(normal_trials(9, 1), 0, band(1)).fault, "fewer than 10 trials; 50 to 200 are usual");
@@ -192,14 +192,14 @@ TEST(GateOnAMean, KeepsBothRisks) {
     EXPECT_EQ(count(3.5, options, Verdict::fail, 200), 200);
 }
 
-TEST(GateOnAMean, PassesWithThePowerAtTheTrialsThatItAsksFor) {
+TEST(GateOnAMean, PassesWithTheStatedPowerAtTheTrialsItAsksFor) {
     // 60 trials are asked for a band of sigma * 3.29 / sqrt(60 - 1.35); skewness's share of the interval needs a little
     // more room, 10 %. Fewer than 85 % of 1000 has probability 2e-7 at 90 % (SciPy: binom.cdf(850, 1000, .9)).
     const double width = 1.1 * (2 * 1.6449) / std::sqrt(60 - 1.35);
     EXPECT_GE(count(0, band(width), Verdict::pass, 1000), 850);
 }
 
-TEST(GateOnAStatedError, BelievesIt) {
+TEST(GateOnAStatedError, TrustsTheStatedError) {
     EXPECT_TRUE(mean({1, 0.01, 100}, 1, band(0.1)));
     EXPECT_EQ(mean({2, 0.01, 100}, 1, band(0.1)).verdict, Verdict::fail);
     EXPECT_EQ(mean(Estimate{1, 0.1}, 1, band(0.1)).verdict, Verdict::inconclusive);

@@ -31,7 +31,7 @@ TEST(CauchyCombination, EqualsASingleSmallPValue) {
     EXPECT_NEAR(cauchy_combination(p) / 1e-9, 1, 1e-7);
 }
 
-TEST(CauchyCombination, IsNotOutweighedByCertainties) {
+TEST(CauchyCombination, IsNotOutweighedByPValuesOfOne) {
     std::vector<double> p(1000, 1.0);
     p[0] = 1e-9;
     EXPECT_NEAR(cauchy_combination(p) / 1e-6, 1, 1e-4);

@@ -37,7 +37,7 @@ std::uint64_t rejected(std::size_t repetitions, std::size_t variables, double co
     return count;
 }
 
-TEST(Independence, IsRejectedAboutAsOftenAsStatedWhereThereIsNoCorrelation) {
+TEST(Independence, IsRejectedAtTheStatedRateWithoutCorrelation) {
     // It is an approximation: at 1 % a rate of 2 % is accepted, with a risk of 1e-4 for each of the nine comparisons; a
     // rate of 8 % is found with a power above 0.99.
     for (const std::size_t repetitions : {5u, 10u, 40u}) {
@@ -47,7 +47,7 @@ TEST(Independence, IsRejectedAboutAsOftenAsStatedWhereThereIsNoCorrelation) {
     }
 }
 
-TEST(Independence, IsRejectedWhereVariablesVaryTogether) {
+TEST(Independence, IsRejectedForCorrelatedVariables) {
     EXPECT_GT(rejected(10, 100, 0.3, 1e-3), 390u);
     EXPECT_GT(rejected(40, 2, 0.8, 1e-3), 390u);
 }

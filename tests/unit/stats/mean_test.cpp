@@ -44,7 +44,7 @@ Reach reach(const std::vector<double>& values, double tail) {
 
 // from scipy import stats; stats.ttest_1samp([2.1, 3.4, 1.9, 5.6, 4.4, 2.8, 9.7, 3.3], 3); stats.t.interval(.9, 7,
 // x.mean() - 3, stats.sem(x))
-TEST(MeanTest, IsStudentsForValuesThatAreNotSkewed) {
+TEST(MeanTest, IsStudentsTForUnskewedValues) {
     const auto mean = *mean_evidence(eight_values, 3, not_skewed);
     EXPECT_NEAR(mean.t(), 1.2780595680067588, 1e-13);
     EXPECT_EQ(mean.freedom, 7);
@@ -82,7 +82,7 @@ TEST(MeanTest, PValueAndIntervalAgree) {
     }
 }
 
-TEST(MeanTest, IsNearlyStudentsForManySymmetricValues) {
+TEST(MeanTest, IsNearlyStudentsTForManySymmetricValues) {
     std::mt19937_64 engine(1);
     const auto found = reach(test::normal_sample(100'000, engine), 5e-5);
     const double t = student_critical(99'999, 5e-5);
@@ -123,7 +123,7 @@ TEST(MeanTest, HasNoLimitsForVeryFewValues) {
     EXPECT_TRUE(std::isinf(found.below) && std::isinf(found.above));
 }
 
-TEST(MeanTest, KnowsThatMeansOfManySmallPartsAreHardlySkewed) {
+TEST(MeanTest, TreatsMeansOfManySmallPartsAsHardlySkewed) {
     const auto values = exponential_quantiles(8);
     const auto unknown = mean_evidence(values, 0);
     const auto known = mean_evidence(values, 0, {.largest_part = 1e-4, .unmet = {}});
@@ -153,7 +153,7 @@ TEST(MeanTest, AllowsForTheRoundingOfValuesAndReference) {
 }
 
 // Trials that agree to nine digits are far from the reference, and none has met what one in 500 evaluations may meet.
-TEST(MeanTest, CallsNothingDifferentForWhatRareEvaluationsMayHold) {
+TEST(MeanTest, FindsNoDifferenceThatRareEvaluationsMayExplain) {
     std::vector<double> values;
     for (int i = 0; i < 30; ++i) values.push_back(0.5 + 1e-9 * (i % 7));
     const auto judged = [&](double evaluations) {
@@ -190,14 +190,14 @@ TEST(MeanDifference, AcceptsAConstantSample) {
     EXPECT_NEAR(mean.difference, 2.66, 1e-14);
 }
 
-TEST(MeanDifference, OfLikeSkewedSamplesIsNotSkewed) {
+TEST(MeanDifference, IsNotSkewedForEquallySkewedSamples) {
     const auto values = exponential_quantiles(60);
     const auto mean = *difference_of_means(values, values);
     EXPECT_NEAR(mean.skewness.value, 0, 1e-12);
     EXPECT_GT(mean.skewness.error, 0);
 }
 
-TEST(UnseenValue, MakesTheMeanThatIsWantedAndIsMissedByAllTrialsWithTheProbabilityOfTheTail) {
+TEST(UnseenValue, GivesTheWantedMeanAndIsMissedWithTheTailProbability) {
     const auto unseen = unseen_value(1, 2, 60, 1e-3);
     const double share = 1 / unseen.one_in;
     EXPECT_NEAR((1 - share) * 1 + share * unseen.value, 2, 1e-12);
@@ -257,7 +257,7 @@ TEST(MeanTest, CallsAtMostFivePercentOfSkewedStudiesBiased) {
 }
 
 // The same assertion on the rule without its caution.
-TEST(MeanTest, WouldCallSkewedStudiesBiasedByStudentsT) {
+TEST(MeanTest, CallsSkewedStudiesBiasedIfDoneByStudentsT) {
     std::mt19937_64 engine(3);
     const double alpha = sidak_level(0.05, 30);
     std::vector<double> values(30);

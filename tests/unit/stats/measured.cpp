@@ -21,7 +21,7 @@ MeanEvidence known_mean(double standard_error = 0.1) {
             .n = 100};
 }
 
-TEST(Measured, ReachesAsFarAsTheLogarithmOfTheLimitOfItsMean) {
+TEST(Measured, ReachesToTheLogarithmOfTheLimitOfItsMean) {
     const Measured logarithm = logarithm_of(known_mean(), 3);
     const double t = student_critical(99, 0.025);
     EXPECT_DOUBLE_EQ(logarithm.value, std::log(6));
@@ -29,7 +29,7 @@ TEST(Measured, ReachesAsFarAsTheLogarithmOfTheLimitOfItsMean) {
     EXPECT_NEAR(logarithm.reach(-1, 0.025), -std::log1p(-0.05 * t), 1e-15);
 }
 
-TEST(Measured, ReachesInProportionBelowMeansNear0) {
+TEST(Measured, ReachesDownInProportionForMeansNear0) {
     const double t = student_critical(99, 0.025);
     EXPECT_NEAR(logarithm_of(known_mean(0.9)).reach(-1, 0.025), 2 * 0.45 * t, 1e-12);
     EXPECT_NEAR(logarithm_of(known_mean(5)).reach(-1, 0.025), 2 * 2.5 * t, 1e-12);
@@ -44,7 +44,7 @@ TEST(Measured, ReachesHigherWhereEvaluationsMayHaveMissedSomething) {
     EXPECT_NEAR(logarithm_of(mean).reach(-1, 0.025), -std::log1p(-0.05 * t), 1e-14);
 }
 
-TEST(Measured, AddsReachesAsSquaresAndTurnsThoseOfNegativeParts) {
+TEST(Measured, AddsReachesInQuadratureAndSwapsThoseOfNegativeParts) {
     Measured sum = logarithm_of(known_mean());
     sum.parts.push_back(sum.parts.front());
     sum.parts.back().weight = -0.5;
@@ -64,7 +64,7 @@ TEST(Measured, HasAnIntervalOfTheDifferenceUnlessBothAreExact) {
     EXPECT_NEAR(p_of_equal(first, second), student_two_sided_p(2, 49), 1e-6);
 }
 
-TEST(Measured, IsToldFromNothingByFewSkewedTrials) {
+TEST(Measured, ReachesToInfinityForFewSkewedTrials) {
     const std::array values{1.0, 1.1, 0.9, 1.0, 5.0, 1.2};
     const Measured skewed = logarithm_of(*mean_evidence(values, 0));
     EXPECT_EQ(skewed.reach(1, 1e-4), std::numeric_limits<double>::infinity());

@@ -44,7 +44,7 @@ TEST(Moments, AreEmptyWhereUndefined) {
     EXPECT_TRUE(moments.excess_kurtosis());
 }
 
-TEST(Moments, OfEqualValuesHaveExactlyNoVarianceAndNoShape) {
+TEST(Moments, HaveZeroVarianceAndNoShapeForEqualValues) {
     const Moments moments = moments_of(std::array{0.1, 0.1, 0.1, 0.1, 0.1, 0.1}, 0.2);
     EXPECT_EQ(moments.variance(), 0);
     EXPECT_EQ(moments.bias(), 0.1 - 0.2);

@@ -29,7 +29,7 @@ TEST(PowerLaw, RecoversTheExponentToo) {
     EXPECT_NEAR(fit_power_law(closure_sizes, exact)->exponent, 1.7, 1e-12);
 }
 
-TEST(PowerLaw, ShowsInItsResidualsWhenTheLawIsWrong) {
+TEST(PowerLaw, HasLargeResidualsForAWrongLaw) {
     std::array<double, 3> quadratic{};
     for (std::size_t i = 0; i < 3; ++i) quadratic[i] = 1 / (closure_sizes[i] * closure_sizes[i]);
     EXPECT_GT(fit_power_law(closure_sizes, quadratic, 1)->largest_residual, 0.3);

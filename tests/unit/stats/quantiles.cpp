@@ -19,7 +19,7 @@ TEST(Quantiles, AreOfTypeSevenAsInNumpyAndR) {
     for (std::size_t i = 0; i < expected.size(); ++i) EXPECT_NEAR(result[i], expected[i], 1e-14);
 }
 
-TEST(Quantiles, OfOneValueAreThatValue) {
+TEST(Quantiles, EqualASingleValue) {
     EXPECT_EQ(quantiles(std::array{7.0}, std::array{0.0, 0.3, 1.0}), (std::vector{7.0, 7.0, 7.0}));
 }
 
@@ -49,7 +49,7 @@ TEST(RankAmong, CountsTiesHalf) {
     EXPECT_FALSE(rank_among({}, 2));
 }
 
-TEST(RankAmong, IsHonestBeyondTheExtremes) {
+TEST(RankAmong, StaysUncertainBeyondTheExtremes) {
     std::vector<double> values(99, 0.0);
     for (std::size_t i = 0; i < values.size(); ++i) values[i] = static_cast<double>(i);
     const auto rank = rank_among(values, 1000);

@@ -38,7 +38,7 @@ TEST(Draws, AreUniform) {
     EXPECT_LT(test_uniformity(values)->p, 1e-6);
 }
 
-TEST(Draws, BelowIsUniformAlsoWhereModuloWouldNotBe) {
+TEST(Draws, AreUniformBelowABoundWhereModuloWouldNotBe) {
     Draws draws(draws_key, Resampling::simulation, 0);
     const std::size_t n = std::size_t{3} << 30;  // word % n would hit the lowest third twice as often
     std::array<std::uint64_t, 3> thirds{};
@@ -60,7 +60,7 @@ TEST(Resample, DrawsOnlyGivenValues) {
 }
 
 // Of 20 normal values Student's t exceeds 2.861 in .005 of samples. The check is exact up to the pool's own error.
-TEST(ResampledT, IsStudentsForNormalValuesAndLeansWhereTheyDo) {
+TEST(ResampledT, IsStudentsTForNormalValuesAndSkewedForSkewedOnes) {
     Draws draws(draws_key, Resampling::simulation, 1);
     std::vector<double> normal(20'000);
     std::vector<double> skewed(20'000);

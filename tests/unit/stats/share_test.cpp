@@ -30,7 +30,7 @@ double rejection_rate(double p, std::uint64_t trials, double reference, std::uin
     return rate;
 }
 
-TEST(ShareTest, BesideAnExactReferenceIsTheBinomialTail) {
+TEST(ShareTest, IsTheBinomialTailForAnExactReference) {
     // By fractions: the sum of C(100, k) 0.2^k 0.8^(100 - k) over k = 30 to 100
     EXPECT_NEAR(p_of_at_most({30, 100}, {.value = 0.1}, 0.1), 0.011248978720991635, 1e-12);
     EXPECT_NEAR(p_of_at_least({70, 100}, {.value = 0.9}, -0.1), 0.011248978720991635, 1e-12);
@@ -76,7 +76,7 @@ TEST(ShareTest, HasIntervalsThatEndWhereThePValueDoes) {
     }
 }
 
-TEST(BinomialScatter, IsExactlyThatOfIndependentTrialsOrCounted) {
+TEST(BinomialScatter, HasPValuesByChiSquaredOrByCountingRareHits) {
     // 20 runs of 100 trials. SciPy: chi2.sf(dispersion, 19)
     std::vector<Proportion> even(20, Proportion{30, 100});
     EXPECT_NEAR(p_of_binomial_scatter(even), 1, 1e-12);

@@ -13,7 +13,7 @@ namespace {
 
 using test::eight_values;
 
-TEST(Spread, OfNormalKurtosisIsChiSquared) {
+TEST(Spread, IsChiSquaredWithoutPositiveKurtosis) {
     // Kurtosis below 0 is not made use of.
     const Moments flat = moments_of(std::array{1.0, 2.0, 3.0, 4.0, 5.0, 6.0});
     ASSERT_LT(*flat.excess_kurtosis(), 0);
@@ -25,14 +25,14 @@ TEST(Spread, OfNormalKurtosisIsChiSquared) {
 }
 
 // G2 = stats.kurtosis(x, bias=False) = 3.3925178
-TEST(Spread, LosesFreedomToKurtosis) {
+TEST(Spread, LosesDegreesOfFreedomToKurtosis) {
     const Moments moments = moments_of(eight_values);
     EXPECT_NEAR(spread_of(moments)->freedom, 7 / (1 + *moments.excess_kurtosis() / 2), 1e-12);
     EXPECT_EQ(spread_of(moments)->mean_square, *moments.variance());
     EXPECT_EQ(spread_of(moments)->n, 8u);
 }
 
-TEST(Spread, AboutAReferenceIsTheMeanSquaredError) {
+TEST(Spread, IsTheMeanSquaredErrorAboutAReference) {
     const auto spread = spread_about(eight_values, 3);
     EXPECT_DOUBLE_EQ(spread->mean_square, *moments_of(eight_values, 3).mean_squared_error());
     EXPECT_LT(spread->freedom, 8);
@@ -47,7 +47,7 @@ TEST(Spread, IsEmptyForTooFewOrEqualValues) {
     EXPECT_TRUE(spread_about(std::array{1.0, 1.0, 1.0, 1.0}, 0));
 }
 
-TEST(Spread, RatioOfTwoAgreesWithF) {
+TEST(Spread, HasRatiosThatAgreeWithF) {
     const auto flat = *spread_of(moments_of(std::array{1.0, 2.0, 3.0, 4.0, 5.0, 6.0}));
     // np.sqrt(1 / stats.f.ppf([.975, .025], 5, 5))
     const Interval interval = ratio_interval(flat, flat, 0.95);

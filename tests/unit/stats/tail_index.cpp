@@ -45,7 +45,7 @@ TEST(TailFit, StandardErrorIsTheScatterOfTheShape) {
     EXPECT_TRUE(test::unbiased(scores, 1, {.detects = 0.7}));  // mean square score; risks 1e-6 and .01
 }
 
-TEST(TailFit, DoesNotDependOnShiftAndScaleWhereHillsDoes) {
+TEST(TailFit, IsInvariantUnderShiftAndScaleUnlikeHills) {
     std::mt19937_64 engine(3);
     const auto values = pareto_sample(2, 2000, engine);
     auto moved = values;

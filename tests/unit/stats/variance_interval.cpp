@@ -90,7 +90,7 @@ TEST(VarianceIntervalBootstrap, IsTheSameForTheSameKeyAndScalesWithTheData) {
     EXPECT_NEAR(small->high / once->high, 0x1p-80, 0x1p-80 * 1e-3);
 }
 
-TEST(StandardDeviationInterval, SaysWhichMethodKurtosisCalledFor) {
+TEST(StandardDeviationInterval, NamesTheMethodThatKurtosisCalledFor) {
     std::mt19937_64 engine(5);
     const auto normal = test::normal_sample(200, engine);
     const auto heavy = laplace_sample(200, engine);

@@ -55,7 +55,7 @@ Real integral_over_rays(const Interval& x_from, const Interval& y_from, const In
     });
 }
 
-TEST(ExchangeAreaThroughAperture, IsTheIntegralOverAllRaysThatPass) {
+TEST(ExchangeAreaThroughAperture, MatchesTheIntegralOverAllRaysThatPass) {
     // Steps of a quarter keep the nearest complex singularity (a gap away) out of an ellipse of half axes sum above 16:
     // 20 nodes leave less than 16^-40.
     const Aperture square{middle_half, middle_half, 0.5};
@@ -67,7 +67,7 @@ TEST(ExchangeAreaThroughAperture, IsTheIntegralOverAllRaysThatPass) {
                  integral_over_rays(three, three, unit, three, 3, corner, 0.5, 3), 1e-17L);
 }
 
-TEST(ExchangeAreaThroughAperture, OfAHoleThatHidesNothingIsThatWithoutAPlate) {
+TEST(ExchangeAreaThroughAperture, IgnoresAPlateWhoseHoleHidesNothing) {
     constexpr Interval wide{-9, 9};
     constexpr Interval to{0.5, 2};
     for (const Real fraction : {0.125L, 0.5L, 0.75L}) {

@@ -51,7 +51,7 @@ bool as_published(long double computed, const Reference& reference) {
     return std::abs(computed - reference.factor) <= reference.rounding + rounded + cancelled;
 }
 
-TEST(Configurations, AreThoseWithPublishedValuesAndAgreeWithThem) {
+TEST(Configurations, HavePublishedValuesAndAgreeWithThem) {
     const auto references = read_references();
     ASSERT_EQ(references.size(), 28u);
     ASSERT_EQ(configurations().size(), references.size());
@@ -65,7 +65,7 @@ TEST(Configurations, AreThoseWithPublishedValuesAndAgreeWithThem) {
     }
 }
 
-TEST(Configurations, AreComparedInEveryDigit) {
+TEST(Configurations, AreCheckedToTheThirteenthDigit) {
     for (Reference reference : read_references()) {
         ASSERT_TRUE(as_published(reference.factor, reference));
         const long double right = reference.factor;
@@ -74,7 +74,7 @@ TEST(Configurations, AreComparedInEveryDigit) {
     }
 }
 
-TEST(Configurations, HaveNamesOfTheirOwnAndASource) {
+TEST(Configurations, HaveUniqueNamesAndASource) {
     std::set<std::string_view> names;
     for (const Configuration& configuration : configurations()) {
         EXPECT_TRUE(names.insert(configuration.name).second) << configuration.name;

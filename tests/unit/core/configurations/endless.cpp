@@ -17,7 +17,7 @@ namespace {
 using test::pi;
 using test::Real;
 
-TEST(Wedge, IsTheDifferenceOfCrossedAndUncrossedStrings) {
+TEST(Wedge, MatchesTheCrossedStringsMethod) {
     for (const Real angle : {0.01L, 1.0L, pi / 2, 3.0L}) {
         // Plates from the origin to (1, 0) and (cos, sin): crossed strings are the plates, uncrossed ones their ends'
         // distance and nothing.
@@ -28,7 +28,7 @@ TEST(Wedge, IsTheDifferenceOfCrossedAndUncrossedStrings) {
     EXPECT_THROW(wedge_factor(-0.1L), UserError);
 }
 
-TEST(PlaneToTubes, IsTheShareOfEveryDirectionThatTheRowCovers) {
+TEST(PlaneToTubes, MatchesTheShareOfDirectionsThatTheRowCovers) {
     for (const Real cover : {0.1L, 0.5L, 0.9L}) {
         // A tube's shadow is as wide as its diameter, the distance between two of them shrinks with the cosine.
         const auto covered = [cover](Real angle) {

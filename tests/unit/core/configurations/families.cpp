@@ -180,7 +180,7 @@ TEST(HiddenShare, GrowsWithTheBlocker) {
     EXPECT_FALSE(hidden_share(discs, known_factors(discs), 0, 1));
 }
 
-TEST(KnownFactors, CoverPairsThatNothingCanStandBetween) {
+TEST(KnownFactors, CoverPairsThatCannotBeOccluded) {
     const KnownFactors room = known_factors(built_in_scene("l_shaped_room"));
     EXPECT_TRUE(room.at(0, 1));   // by its formula
     EXPECT_TRUE(room.at(0, 5));   // walls that meet at a right angle

@@ -100,7 +100,7 @@ TEST(NestedCubes, DoNotDependOnTheUnit) {
     EXPECT_PRED3(test::near, opposite + 4 * nested_cubes_adjacent_factor(2, 6) + 1 / 9.0L, 1, 1e-18L);
 }
 
-TEST(NestedCubes, TendToTheEmptyCubeAndToASlit) {
+TEST(NestedCubes, HaveTheEmptyCubeAndASlitAsLimits) {
     EXPECT_PRED3(test::near, nested_cubes_opposite_factor(1e-6L, 1),
                  parallel_exchange_area<long double>({0, 1}, {0, 1}, {0, 1}, {0, 1}, 1), 1e-11L);
     const long double nearly_full = nested_cubes_opposite_factor(0.999L, 1);

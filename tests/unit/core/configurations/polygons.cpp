@@ -32,7 +32,7 @@ TEST(Tetrahedron, SharesAmongThreeFaces) {
     EXPECT_PRED3(test::near, tetrahedron_factor(), 1 / 3.0L, 1e-17L);
 }
 
-TEST(ParallelRightTriangles, AreTheIntegralOverAllDisplacements) {
+TEST(ParallelRightTriangles, MatchTheIntegralOverAllDisplacements) {
     // Displaced by (u, v), a right triangle of legs 1 has one of legs 1 - |u + v| in common with itself where u and v
     // have the same sign, and otherwise 1 - max(|u|, |v|): twice its area times the kernel is left to integrate.
     using Rule = boost::math::quadrature::gauss<long double, 30>;

@@ -46,7 +46,7 @@ Real element_aside_to_disc(Real radius, Real distance, Real aside) {
 }
 
 // By the kernel over the heights of both and the angle between them; what two points are apart in height counts alone.
-TEST(CoaxialCylinders, AreTheIntegralOverWhatTheInnerOneHides) {
+TEST(CoaxialCylinders, MatchTheIntegralOverWhatTheInnerOneHides) {
     for (const auto& [inner, outer, height] : {std::array<Real, 3>{1, 2, 2}, {1, 1.5, 4}, {2, 3, 1}}) {
         const auto over_heights = [&, height = height](const auto& of_angle, Real low, Real high) {
             return integral(
@@ -79,7 +79,7 @@ TEST(CoaxialCylinders, AreTheIntegralOverWhatTheInnerOneHides) {
     EXPECT_THROW(outer_cylinder_to_itself_factor(1, 1, 1), UserError);
 }
 
-TEST(CoaxialDiscs, AreTheIntegralOverTheFirstDisc) {
+TEST(CoaxialDiscs, MatchTheIntegralOverTheFirstDisc) {
     for (const auto& [r1, r2, h] : {std::array<Real, 3>{1, 1, 1}, {1, 2, 1}, {2, 1, 1}, {0.5, 3, 2}, {1, 1, 4}}) {
         const Real by_kernel =
             2 / (r1 * r1) *
@@ -95,7 +95,7 @@ TEST(CoaxialDiscs, KeepTheirDigitsFarApartAndCloseTogether) {
     EXPECT_PRED3(test::near, coaxial_discs_factor(3, 1, 2) * 9, coaxial_discs_factor(1, 3, 2), extended_rounding);
 }
 
-TEST(BlockedDiscs, AreTheIntegralOfWhatIsSeenPastTheBlocker) {
+TEST(BlockedDiscs, MatchTheIntegralOverWhatIsSeenPastTheBlocker) {
     // The part of the view that the blocker covers is seen as a disc of its own, inside the second disc.
     const auto seen = [](Real a) {
         return a * (element_aside_to_disc(1, 1, a) - element_aside_to_disc(0.25L, 0.5L, a));
@@ -108,7 +108,7 @@ TEST(BlockedDiscs, AreTheIntegralOfWhatIsSeenPastTheBlocker) {
     EXPECT_THROW(blocked_coaxial_discs_factor(0.5L, 1, 1, {0.25L, 1}), UserError);
 }
 
-TEST(ElementToDisc, IsTheIntegralOverTheDisc) {
+TEST(ElementToDisc, MatchesTheIntegralOverTheDisc) {
     for (const Real h : {0.5L, 1.0L, 3.0L}) {
         const auto kernel = [h](Real r) { return 2 * r * h * h / ((r * r + h * h) * (r * r + h * h)); };
         EXPECT_PRED3(test::near, element_to_disc_factor(1, h), integral(kernel, 0, 1), extended_rounding);
@@ -116,7 +116,7 @@ TEST(ElementToDisc, IsTheIntegralOverTheDisc) {
     }
 }
 
-TEST(ElementToRectangle, IsTheIntegralOverTheRectangle) {
+TEST(ElementToRectangle, MatchesTheIntegralOverTheRectangle) {
     for (const auto& [a, b, c] : {std::array<Real, 3>{1, 1, 1}, {2, 0.5, 1}, {1, 3, 2}}) {
         const auto over_y = [&, b = b, c = c](Real x) {
             return integral(
@@ -130,7 +130,7 @@ TEST(ElementToRectangle, IsTheIntegralOverTheRectangle) {
     }
 }
 
-TEST(SphereToDisc, IsTheShareOfAllDirections) {
+TEST(SphereToDisc, MatchesTheShareOfAllDirections) {
     for (const Real h : {0.25L, 2.0L, 50.0L}) {
         // The element 2 pi r dr is seen under a cosine h / d at a distance d.
         const auto share = [h](Real r) { return r * h / (2 * std::pow(r * r + h * h, 1.5L)); };
@@ -166,7 +166,7 @@ TEST(Cylinder, ClosesWithItsBases) {
     }
 }
 
-TEST(ConeWall, IsTheIntegralOverItsRings) {
+TEST(ConeWall, MatchesTheIntegralOverItsRings) {
     // A ring at a share s of the slant height sees the cone beyond any plane across the axis through that plane's disc.
     // By reciprocity with the discs of radius r s, ring to base is the derivative of what they exchange with the base.
     for (const auto& [r, h] : {std::array<Real, 2>{1, 1}, {1, 3}, {2, 0.5}}) {

@@ -82,7 +82,7 @@ TEST(KnownFormFactor, FollowsByReciprocityAndClosure) {
     EXPECT_FALSE(known_form_factor(built_in_scene("cube"), 0, 1));
 }
 
-TEST(ExactFormFactors, AreNotTakenFromFormulasThatSeeNoOccluders) {
+TEST(ExactFormFactors, AreNotTakenFromFormulasThatIgnoreOccluders) {
     EXPECT_FALSE(exact_form_factors(built_in_scene("squares_blocked")));
     EXPECT_FALSE(exact_form_factors(built_in_scene("nested_cubes")));
     EXPECT_TRUE(exact_form_factors(built_in_scene("parallel_squares_far")));

@@ -42,7 +42,7 @@ TEST(AdaptiveContour, TakesTriangles) {
     EXPECT_NEAR(test::observe<AdaptiveContour>(scene, 1, 900).estimates(0, 1), 1.0 / 3, 1e-6);
 }
 
-TEST(AdaptiveContour, SaysWhichSizesThereAre) {
+TEST(AdaptiveContour, SuggestsTheNearestValidSizes) {
     EXPECT_EQ(AdaptiveContour::size_problem(60), "");
     EXPECT_EQ(AdaptiveContour::size_problem(90), "");
     EXPECT_EQ(AdaptiveContour::size_problem(100),
@@ -51,7 +51,7 @@ TEST(AdaptiveContour, SaysWhichSizesThereAre) {
               "(it takes 60 evaluations for four edges, and 30 for each halving). Try 60.");
 }
 
-TEST(AdaptiveContour, RefusesWhatStandsBehind) {
+TEST(AdaptiveContour, RefusesNonConvexScenes) {
     EXPECT_NE(AdaptiveContour::refusal({}, *configuration_scene("squares_blocked")).find("adaptive_contour"),
               std::string::npos);
 }

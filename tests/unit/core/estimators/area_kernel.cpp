@@ -78,7 +78,7 @@ void expect_means_of_patch_factors(const Scene& box, const PointSource& points, 
     }
 }
 
-TEST(AreaKernel, FactorsOfFacesAreMeansOfThoseOfTheirPatches) {
+TEST(AreaKernel, AveragesPatchFactorsIntoFaceFactors) {
     const Scene box = make_box(3, 2, 1);
     for (const PointMap map : {PointMap::uniform, PointMap::graded}) {
         expect_means_of_patch_factors(box, test::GaussPoints(4, 4), map);  // one set of points, both orders at once

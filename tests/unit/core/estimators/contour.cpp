@@ -14,7 +14,7 @@
 namespace ff {
 namespace {
 
-TEST(Logarithm, IsThatOfTheLibraryToRounding) {
+TEST(Logarithm, MatchesTheLibraryToRounding) {
     for (const double x : {1e-300, 1e-5, 0.3, 0.7071, 0.70711, 0.999999, 1.0, 1.000001, 1.41422, 2.0, 10.0, 1e300})
         EXPECT_NEAR(logarithm(x), std::log(x), 3e-16 * std::max(1.0, std::abs(std::log(x)))) << x;
 }

@@ -18,7 +18,7 @@ double mean_square_error(const std::vector<double>& values, double exact) {
     return sum / static_cast<double>(values.size());
 }
 
-TEST(ControlVariate, IsExactWhereNothingStandsInBetween) {
+TEST(ControlVariate, IsExactWithoutOccluders) {
     const Scene box = make_box(3, 2, 1);
     const Eigen::MatrixXd exact = *exact_form_factors(box);
     for (int i = 0; i < 6; ++i) {

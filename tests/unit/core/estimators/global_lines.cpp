@@ -27,7 +27,7 @@ TEST(GlobalLines, FindTheFactorsOfACube) {
     EXPECT_GT(difference.cwiseAbs().maxCoeff(), 1e-5);
 }
 
-TEST(GlobalLines, GiveReciprocalNumbersOfCrossings) {
+TEST(GlobalLines, GiveReciprocalFactors) {
     const Scene box = make_box(2, 1, 1);
     const Eigen::MatrixXd factors = test::observe<GlobalLines>(box, 1, 1 << 16).estimates;
     // A_i F_ij and A_j F_ji are the same count over the crossings of each face, which are as their areas but for
@@ -58,7 +58,7 @@ TEST(GlobalLines, DoNotPassThroughPlatesThatLieOnEachOther) {
 }
 
 // The box around it is flat, and all lines begin beside it.
-TEST(GlobalLines, CrossAFlatScene) {
+TEST(GlobalLines, FindNoExchangeInAFlatScene) {
     Scene scene;
     scene.faces = {"left", "right"};
     scene.surfaces = {{Parallelogram{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {0, 0, 1}, 0},

@@ -34,7 +34,7 @@ std::vector<double> single_values(const Scene& scene, PointMap map, std::uint32_
     return values;
 }
 
-TEST(GradedPoints, KeepTheIntegralOfAnyFunction) {
+TEST(GradedPoints, PreserveTheIntegralOfAnyFunction) {
     // Ten nodes integrate polynomials up to degree 19 exactly, so the map changes nothing but the last digits.
     const test::GaussPoints points(10, 10);
     WeightedBlock block;
@@ -122,7 +122,7 @@ TEST(GradedMap, DoesNotHelpQuadrature) {
     EXPECT_NEAR(error(PointMap::graded), 0.595, 1e-3);
 }
 
-TEST(GradedMap, TreatsCommonAndOwnPointsAlike) {
+TEST(GradedMap, TreatsSharedAndPairwisePointsAlike) {
     // Points that are common to all pairs and points that each pair has for itself, but the same everywhere.
     class Fixed : public test::GaussPoints {
       public:

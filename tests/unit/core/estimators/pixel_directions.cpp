@@ -38,7 +38,7 @@ TEST(CubicTetrahedron, HasPixelsThatAddUpToOne) {
 
 // One patch: the factor of the lid from the middle of the floor, four times that of a rectangle over a corner
 // [howell, B-3].
-TEST(Hemicube, SeesTheLidAsThePointInTheMiddleDoes) {
+TEST(Hemicube, MatchesThePointFactorFromTheMiddleOfTheFloor) {
     const Scene cube = make_box(1, 1, 1);
     const Eigen::MatrixXd factors = test::observe<Hemicube>(cube, 1, 786432).estimates;
     const double x = 0.5 / std::sqrt(1.25);
@@ -46,7 +46,7 @@ TEST(Hemicube, SeesTheLidAsThePointInTheMiddleDoes) {
     EXPECT_NEAR(factors(0, 5), exact, 1e-3);
 }
 
-TEST(Hemicube, ConvergesWithPatchesToTheFactorOfFaces) {
+TEST(Hemicube, ConvergesToFaceFactorsAsPatchesShrink) {
     const Scene cube = make_box(1, 1, 1);
     const Eigen::MatrixXd exact = *exact_form_factors(cube);
     double before = 1;
@@ -57,7 +57,7 @@ TEST(Hemicube, ConvergesWithPatchesToTheFactorOfFaces) {
     }
 }
 
-TEST(Hemicube, SaysWhichSizesThereAre) {
+TEST(Hemicube, SuggestsTheNearestValidSizes) {
     EXPECT_TRUE(Hemicube::size_problem(768).empty());
     EXPECT_EQ(Hemicube::size_problem(1000), "(a hemicube has 3 r^2 pixels, r even). Try 972 or 1200.");
     EXPECT_EQ(Hemicube::size_problem(0), "(a hemicube has 3 r^2 pixels, r even). Try 12.");
@@ -78,7 +78,7 @@ TEST(SinglePlane, HasPixelsThatAddUpToWhatIsAboveItsRim) {
     EXPECT_NEAR(coarse / fine, 16, 0.5);
 }
 
-TEST(SinglePlane, SaysWhichSizesThereAre) {
+TEST(SinglePlane, SuggestsTheNearestValidSizes) {
     EXPECT_EQ(SinglePlane::size_problem(1024), "");
     EXPECT_EQ(SinglePlane::size_problem(1000), "(a single plane has r^2 pixels, r even). Try 900 or 1024.");
     EXPECT_NE(SinglePlane::size_problem(0), "");

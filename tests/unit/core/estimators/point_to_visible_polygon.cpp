@@ -30,7 +30,7 @@ Eigen::MatrixXd trial(const auto& estimator, std::uint64_t samples, std::uint32_
 }
 
 // The same points, the same formula from elsewhere: what remains is rounding.
-TEST(PointToVisiblePolygon, IsPointToPolygonWhereNothingStandsInBetween) {
+TEST(PointToVisiblePolygon, EqualsPointToPolygonWithoutOccluders) {
     const Scene box = make_box(3, 2, 1);
     const PointToVisiblePolygon visible(box, TracerChoice::automatic);
     const PointToPolygon whole(box, TracerChoice::automatic);
@@ -78,7 +78,7 @@ TEST(PointToVisiblePolygon, LeavesOnlyTheErrorOfTheSource) {
     EXPECT_GT(ratio, 0);
 }
 
-TEST(PointToVisiblePolygon, RefusesOccludersThatAreNoPolygons) {
+TEST(PointToVisiblePolygon, RefusesNonPolygonalOccluders) {
     EXPECT_NE(PointToVisiblePolygon::refusal({}, *configuration_scene("discs_blocked")), "");
     EXPECT_EQ(PointToVisiblePolygon::refusal({}, *configuration_scene("squares_through_aperture")), "");
 }

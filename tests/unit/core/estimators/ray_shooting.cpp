@@ -178,7 +178,7 @@ class CentredPoints : public test::PhiloxPoints {
     }
 };
 
-TEST(RayShooting, IsSeenToBeBiasedWhenRaysStartAtPatchCentres) {
+TEST(RayShooting, IsFoundBiasedWhenRaysStartAtPatchCentres) {
     EXPECT_GT(compare_with_exact(make_box(3, 2, 1), 3, 200, 400, CentredPoints(200)).largest_z, z_limit);
 }
 
@@ -194,7 +194,7 @@ class StuckPoints : public test::PhiloxPoints {
     }
 };
 
-TEST(RayShooting, IsSeenToBeWrongWhenTrialsRepeatThemselves) {
+TEST(RayShooting, IsFoundWrongWhenTrialsRepeatThemselves) {
     const Comparison c = compare_with_exact(make_box(3, 2, 1), 3, 200, 400, StuckPoints(200));
     EXPECT_TRUE(c.largest_z > z_limit || c.smallest_ratio < ratio_low || c.largest_ratio > ratio_high);
 }

@@ -33,7 +33,7 @@ TEST(RaysAndKernel, IsBoundedWhereFacesTouch) {
 
 // 400 trials of 128 points for each pair of 2 x 2 patches, for each heuristic. Fails for right estimators with
 // probability 2e-8; a bias of 3 %, as of weights that do not add up to 1, goes unnoticed with probability .01 at most.
-TEST(RaysAndKernel, TellsPatchesApart) {
+TEST(RaysAndKernel, IsUnbiasedBetweenPatches) {
     const Scene cube = make_box(1, 1, 1);
     const double exact = *exact_form_factor(cube, face_1, face_2);
     const test::StatisticalRisk risks{.alpha = 1e-8, .detects = 0.03 * exact};
@@ -44,7 +44,7 @@ TEST(RaysAndKernel, TellsPatchesApart) {
 // Two far squares: a ray hardly ever meets the other one, and the places that are laid do all the work. What weights
 // leave to the rays is noise, and the power heuristic leaves less. Shares of the variance are those of 20000 trials of
 // one point, good to 10 %; without any weight the ratio would be 1.
-TEST(RaysAndKernel, LeaveLessToTheWorseWayByThePowerHeuristic) {
+TEST(RaysAndKernel, HasLessVarianceWithThePowerHeuristic) {
     Scene scene;
     scene.faces = {"a", "b"};
     scene.surfaces = {{Parallelogram{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {0, 0, 1}, 0},

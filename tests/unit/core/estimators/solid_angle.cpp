@@ -61,7 +61,7 @@ TEST(DirectionIn, LeadsIntoTheTriangleAndHasUnitLength) {
 
 // The part of the square below s and t is a part of the triangle with s * t of its area: directions at s = 1/2 end on
 // an arc that halves it. The same for triangles of a degree and of an octant.
-TEST(DirectionIn, KeepsSharesOfArea) {
+TEST(DirectionIn, PreservesSharesOfArea) {
     for (const double size : {1e-5, 0.02, 1.0, 30.0}) {
         const auto triangle = seen({size, 0, 1}, {0, size, 1}, {-size, -0.3 * size, 1});
         for (const double share : {0.1, 0.5, 0.9}) {
@@ -85,7 +85,7 @@ TEST(DirectionIn, HasTheMeanDirectionOfAnOctant) {
 }
 
 // In a far small target the cosine and the solid angle hardly change: one point is right to the size over the distance.
-TEST(SolidAngle, NeedsOnePointOfASmallTarget) {
+TEST(SolidAngle, NeedsOnlyOnePointOnASmallTarget) {
     Scene scene;
     scene.faces = {"near", "far"};
     scene.surfaces = {{Parallelogram{{0, 0, 0}, {1e-3, 0, 0}, {0, 1e-3, 0}}, {0, 0, 1}, 0},

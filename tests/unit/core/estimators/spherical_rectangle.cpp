@@ -39,7 +39,7 @@ TEST(HalfSolidAngle, KeepsItsDigitsWhereItIsSmall) {
 }
 
 // Left of the line at s lies the share s of the solid angle, and below the place at t the share t of a thin strip.
-TEST(PlaceIn, KeepsSharesOfSolidAngle) {
+TEST(PlaceIn, PreservesSharesOfSolidAngle) {
     for (const SeenRectangle& seen : rectangles) {
         const double half_area = half_solid_angle(seen);
         for (const double share : {0.0, 0.1, 0.5, 0.9, 1.0}) {

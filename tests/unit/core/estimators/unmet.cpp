@@ -21,7 +21,7 @@ Scene lamp_above_floor(double edge, double lamp, double height) {
     return scene;
 }
 
-TEST(Unmet, IsNothingWhereMostPointsSeeMuchOfTheOtherFace) {
+TEST(Unmet, IsZeroWhereMostPointsSeeMuchOfTheOtherFace) {
     const Scene cube = make_box(1, 1, 1);
     for (int to = 1; to < 6; ++to) {
         EXPECT_EQ(largest_unmet_factor(cube, 0, to, 100), 0) << to;
@@ -47,7 +47,7 @@ TEST(Unmet, HasAPeakForEachSurfaceOfAFace) {
     EXPECT_EQ(largest_unmet_factor(scene, 0, 1, 1e7), 0);
 }
 
-TEST(Unmet, HitsAreMissedWhereFewAreExpected) {
+TEST(Unmet, IncludesHitsWhereFewAreExpected) {
     const Scene tube = make_box(1, 1, 16);
     EXPECT_EQ(largest_unmet_hit(tube, 0, 5, 2000, 2), 2);
     EXPECT_EQ(largest_unmet_hit(tube, 0, 5, 2e6, 2), 0);

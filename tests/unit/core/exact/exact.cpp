@@ -57,7 +57,7 @@ TEST(ExactExchangeArea, AgreesWithContourIntegralsAndHowellsCatalogue) {
     }
 }
 
-TEST(ExactFormFactor, IsRightToTheLastDigitsWhereFacesAreNotFarApart) {
+TEST(ExactFormFactor, IsRightToTheLastDigitsUnlessFacesAreFarApart) {
     for (const auto& [name, from, to, form_factor] : read_references()) {
         const double rounding = 2.3e-16 * form_factor;
         const double allowed = 1e-18 * squared_extent(from, to) / area(from.shape) + rounding;
@@ -134,7 +134,7 @@ TEST(ExactExchangeArea, IsEmptyWhereNoElementaryFormulaApplies) {
     EXPECT_FALSE(exact_patch_to_face(scene, {2}));
 }
 
-TEST(ExactFormFactors, OfTheCubeAreThoseOfHowellsCatalogue) {
+TEST(ExactFormFactors, MatchHowellsCatalogueForTheCube) {
     const auto factors = exact_form_factors(built_in_scene("cube")).value();
     constexpr std::array opposite{5, 2, 1, 4, 3, 0};
     for (int from = 0; from < 6; ++from) {

@@ -30,7 +30,7 @@ TEST(PairExchange, TakesTheCheapestMethodThatGeometryAllows) {
     EXPECT_EQ(between("discs_blocked", 0, 1).reason, ExchangeReason::curved);
 }
 
-TEST(PairExchange, KnowsWhatPassesWithNothingInBetween) {
+TEST(PairExchange, GivesTheUnoccludedAreaAndTheBlockers) {
     const PairExchange blocked = between("squares_blocked", 0, 1);
     ASSERT_TRUE(blocked.area);
     EXPECT_NEAR(blocked.area->value, 0.199824895698387, blocked.area->error + 1e-15);
@@ -38,7 +38,7 @@ TEST(PairExchange, KnowsWhatPassesWithNothingInBetween) {
     EXPECT_FALSE(between("coaxial_discs_equal", 0, 1).area);
 }
 
-TEST(PairExchange, TakesMoreDigitsWhereDoubleHasTooFew) {
+TEST(PairExchange, UsesMorePrecisionWhereDoubleHasTooLittle) {
     // Unit squares a thousand apart: 1e-15 of the squared extent is 1e-9, the exchange area is 3e-7.
     Scene scene;
     scene.faces = {"1", "2"};
@@ -51,7 +51,7 @@ TEST(PairExchange, TakesMoreDigitsWhereDoubleHasTooFew) {
     EXPECT_NEAR(exact.area->value, 1e-6 / std::numbers::pi, exact.area->error + 1e-12);
 }
 
-TEST(PairExchange, LooksAtWhatStandsBetweenInScenesOfManySurfaces) {
+TEST(PairExchange, FindsBlockersInScenesOfManySurfaces) {
     // Plates one above the other that face each other in twos, and a small one between the first two.
     Scene scene;
     scene.faces = {"1"};

@@ -45,7 +45,7 @@ void expect_every_pair(const Surface& from, const Surface& to, const PatchExchan
     }
 }
 
-TEST(PatchExchange, ComputesPairsThatLieAlikeOnce) {
+TEST(PatchExchange, ComputesCongruentPairsOnce) {
     const Scene box = make_box(2, 1, 0.5);
     constexpr Subdivision m{4};
     const auto& s = box.surfaces;
@@ -63,7 +63,7 @@ TEST(PatchExchange, ComputesPairsThatLieAlikeOnce) {
     }
 }
 
-TEST(PatchExchange, ComputesEveryPairWhereNoneLieAlike) {
+TEST(PatchExchange, ComputesEveryPairWhereNoneAreCongruent) {
     const Surface floor = test::rectangle("0:2 0:1 0:0 +z");
     const Surface smaller = test::rectangle("0:1 0:0.5 1:1 -z");
     const auto exchange = patch_exchange(floor, smaller, {3});
@@ -73,7 +73,7 @@ TEST(PatchExchange, ComputesEveryPairWhereNoneLieAlike) {
 
 // A floor of 3 x 1 squares and walls and a roof of other grids, so that columns and rows, and those of the two
 // surfaces, cannot be confused; where patches have an edge in common, pairs that lie alike are computed once.
-TEST(PatchExchange, KnowsTheGridOfEachSurface) {
+TEST(PatchExchange, UsesTheGridOfEachSurface) {
     Surface floor = test::rectangle("0:3 0:1 0:0 +z");
     Surface roof = test::rectangle("0:3 0:1 1:1 -z");
     Surface wall = test::rectangle("0:3 0:0 0:1 +y");
@@ -91,7 +91,7 @@ TEST(PatchExchange, KnowsTheGridOfEachSurface) {
     EXPECT_EQ(exchange.computed, 5u * 2);  // offsets of -2 to 2 columns; rows have no edge in common
 }
 
-TEST(PatchExchange, OfATurnedBoxIsThatOfTheBox) {
+TEST(PatchExchange, IsUnchangedByTurningTheBox) {
     const Scene box = make_box(2, 1, 0.5);
     for (const auto& [i, j] : {std::array<std::size_t, 2>{0, 5}, {0, 1}, {3, 2}}) {
         const auto level = patch_exchange(box.surfaces[i], box.surfaces[j], {3});

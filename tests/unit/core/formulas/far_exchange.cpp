@@ -63,7 +63,7 @@ TEST(FarExchange, IsEmptyForNearOrCrossingPolygons) {
 
 // Squares of 1 cm at 1 km: the closed form is off by 1e-15 of a square kilometre, ten million times what the squares
 // exchange.
-TEST(PairExchange, KeepsTheDigitsOfWhatIsFarAndSmall) {
+TEST(PairExchange, KeepsItsDigitsForSmallDistantPairs) {
     Scene scene;
     scene.faces = {"a", "b"};
     scene.surfaces = {square({0, 0, 0}, {0.01, 0, 0}, {0, 0.01, 0}), square({0, 0, 1000}, {0, 0.01, 0}, {0.01, 0, 0})};

@@ -158,7 +158,7 @@ bool agrees(const BoundedValue<double>& exchange, double expected, double allowe
     return std::abs(exchange.value - expected) <= exchange.error + allowed;
 }
 
-RC_GTEST_PROP(PolygonExchangeArea, OfTurnedRectanglesIsThatOfTheClosedForm, ()) {
+RC_GTEST_PROP(PolygonExchangeArea, MatchesTheClosedFormForTurnedRectangles, ()) {
     const Surface from = *test::any_rectangle();
     const Surface to = *test::any_rectangle();
     const double exact = exact_exchange_area(from, to).value();
@@ -171,7 +171,7 @@ RC_GTEST_PROP(PolygonExchangeArea, OfTurnedRectanglesIsThatOfTheClosedForm, ()) 
     RC_ASSERT(agrees(turned, exact, 1e-14 * (squared_extent + 1)));
 }
 
-RC_GTEST_PROP(PolygonExchangeArea, OfDistantTrianglesIsTheIntegralOfTheKernel, ()) {
+RC_GTEST_PROP(PolygonExchangeArea, MatchesTheKernelIntegralForDistantTriangles, ()) {
     const Polygon3 from = any_triangle();
     Polygon3 to = any_triangle();
     for (Vector3d& corner : to) corner += Vector3d(6, 0, 0);
@@ -188,7 +188,7 @@ RC_GTEST_PROP(PolygonExchangeArea, OfDistantTrianglesIsTheIntegralOfTheKernel, (
     RC_ASSERT(!agrees(exchange, kernel_integral(from, to) + 1e-12, 1e-14));
 }
 
-RC_GTEST_PROP(PolygonExchangeArea, ErrsByLessThanItSays, ()) {
+RC_GTEST_PROP(PolygonExchangeArea, StaysWithinItsStatedError, ()) {
     const Polygon3 from = any_triangle();
     const Polygon3 to = any_triangle();
     const auto exchange = polygon_exchange_area<double>(from, to);

@@ -75,13 +75,13 @@ double in(double low, double high) {
     return low + (high - low) * static_cast<double>(*rc::gen::inRange<std::uint64_t>(0, (1ULL << 53) + 1)) * 0x1p-53;
 }
 
-RC_GTEST_PROP(PolygonFactor, OfACeilingIsTheTextbookFormula, ()) {
+RC_GTEST_PROP(PolygonFactor, MatchesTheTextbookFormulaForACeiling, ()) {
     const double x = in(-2, 3), y = in(-2, 3), z = std::exp(in(-3, 3));
     const double expected = static_cast<double>(expected_ceiling(x, y, 0, 1, 0, 1, z));
     RC_ASSERT(std::abs(factor(x, y, ceiling(0, 1, 0, 1, z)) - expected) < 4e-16);
 }
 
-RC_GTEST_PROP(PolygonFactor, OfAWallOnThePlaneIsTheTextbookFormula, ()) {
+RC_GTEST_PROP(PolygonFactor, MatchesTheTextbookFormulaForAWallOnThePlane, ()) {
     const double x = in(-2, 3), d = std::exp(in(-20, 3)), c = std::exp(in(-3, 3));
     const auto right = static_cast<long double>(1) - x;
     const double expected = static_cast<double>(perpendicular_corner(right, c, d) + perpendicular_corner(x, c, d));
@@ -134,7 +134,7 @@ RC_GTEST_PROP(PolygonFactor, SumsTo1OverTheOtherFacesOfABox, ()) {
     RC_ASSERT(std::abs(sum - 1) < 2e-15);
 }
 
-TEST(PolygonFactor, SumsTo1FromPointsAsNearToEdgesAndCornersAsTheyCome) {
+TEST(PolygonFactor, SumsTo1HoweverNearToEdgesAndCorners) {
     const auto faces = other_faces(1, 2, 3);
     for (const double dx : {0x1p-33, 0x1p-20, 1e-3, 0.5, 1 - 0x1p-33}) {
         for (const double dy : {0x1p-33, 0x1p-20, 1e-3, 1.0, 2 - 0x1p-32}) {
@@ -145,7 +145,7 @@ TEST(PolygonFactor, SumsTo1FromPointsAsNearToEdgesAndCornersAsTheyCome) {
     }
 }
 
-TEST(PolygonFactor, OnAnEdgeOfAWallIsTheLimitFromItsFront) {
+TEST(PolygonFactor, IsTheLimitFromTheFrontOnAnEdgeOfAWall) {
     EXPECT_NEAR(factor(0.5, 0, wall(0, 1, 0, 0, 1)), 0.5, 1e-16) << "half of the hemisphere";
     EXPECT_NEAR(factor(0.5, 0x1p-40, wall(0, 1, 0, 0, 1)), 0.5, 1e-11);
     EXPECT_EQ(factor(1.5, 0, wall(0, 1, 0, 0, 1)), 0) << "beyond the end of the edge the wall is seen edge on";

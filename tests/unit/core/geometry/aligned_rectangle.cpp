@@ -27,7 +27,7 @@ TEST(AlignedRectangle, OrdersTheEndsOfEdgesThatPointBackwards) {
     EXPECT_EQ(found->extent[0].high, 2);
 }
 
-TEST(AlignedRectangle, IsEmptyForWhatIsNotARectangleAlongTheAxes) {
+TEST(AlignedRectangle, IsEmptyForOtherShapesAndOrientations) {
     const Eigen::Vector3d corner(0, 0, 0);
     const Eigen::Vector3d x(1, 0, 0);
     const Eigen::Vector3d y(0, 1, 0);

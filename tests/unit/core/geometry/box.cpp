@@ -76,7 +76,7 @@ TEST(MakeBox, IsClosedAndEmpty) {
     EXPECT_EQ(box.empty_box.value(), Eigen::Vector3d(2, 3, 5));
 }
 
-TEST(MakeBox, RefusesEdgesThatAreNoLengths) {
+TEST(MakeBox, RefusesInvalidEdgeLengths) {
     EXPECT_THAT(box_message(0, 1, 1), AllOf(HasSubstr("edge a = 0"), HasSubstr("positive"), HasSubstr("Try")));
     EXPECT_THAT(box_message(1, -2.5, 1), HasSubstr("edge b = -2.5"));
     EXPECT_THAT(box_message(1, 1, std::nan("")), HasSubstr("edge c = nan"));

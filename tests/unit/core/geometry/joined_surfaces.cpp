@@ -80,7 +80,7 @@ void expect_same_cover(const Scene& joined, const Scene& scene) {
     }
 }
 
-TEST(JoinedSurfaces, OfTiledWallsAreTheWalls) {
+TEST(JoinedSurfaces, RecoverTiledWalls) {
     for (const std::uint32_t m : {2u, 3u, 13u}) {
         const Scene scene = tiled(make_box(1, 2, 0.7), m);
         const Scene joined = with_joined_surfaces(scene);
@@ -89,14 +89,14 @@ TEST(JoinedSurfaces, OfTiledWallsAreTheWalls) {
     }
 }
 
-TEST(JoinedSurfaces, OfAMeshAreTheWalls) {
+TEST(JoinedSurfaces, RecoverTheWallsOfAMesh) {
     const Scene scene = triangulated(tiled(make_box(1, 2, 0.7), 8));
     const Scene joined = with_joined_surfaces(scene);
     EXPECT_EQ(joined.surfaces.size(), 6u);
     expect_same_cover(joined, scene);
 }
 
-TEST(JoinedSurfaces, StayApartBetweenFacesAndSides) {
+TEST(JoinedSurfaces, StaySeparateAcrossFacesAndSides) {
     Scene scene;
     scene.faces = {"a", "b"};
     const auto add = [&](double x, int face, double side) {
@@ -111,7 +111,7 @@ TEST(JoinedSurfaces, StayApartBetweenFacesAndSides) {
     EXPECT_EQ(with_joined_surfaces(scene).surfaces.size(), 3u);
 }
 
-TEST(JoinedSurfaces, AreNotMadeOfOverlappingOnes) {
+TEST(JoinedSurfaces, ExcludeOverlappingOnes) {
     Scene scene;
     scene.faces = {"a"};
     for (const double length : {1.0, 2.0}) {
@@ -121,7 +121,7 @@ TEST(JoinedSurfaces, AreNotMadeOfOverlappingOnes) {
     EXPECT_EQ(with_joined_surfaces(scene).surfaces.size(), 2u);
 }
 
-TEST(JoinedSurfaces, OfAnAngleAreTwo) {
+TEST(JoinedSurfaces, DivideAnLShapeIntoTwo) {
     Scene scene;
     scene.faces = {"a"};
     for (const auto& [x, y] : {std::pair{0, 0}, std::pair{1, 0}, std::pair{0, 1}}) {

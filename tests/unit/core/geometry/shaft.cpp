@@ -20,7 +20,7 @@ ConvexPolygon rectangle(const Vector3d& corner, const Vector3d& u, const Vector3
 const ConvexPolygon floor_square = rectangle({0, 0, 0}, {1, 0, 0}, {0, 1, 0});
 const ConvexPolygon ceiling_square = rectangle({0, 0, 1}, {1, 0, 0}, {0, 1, 0});
 
-TEST(Shaft, SeesWhatIsBesideIt) {
+TEST(Shaft, ExcludesWhatIsBesideIt) {
     const Shaft shaft(floor_square, ceiling_square);
     EXPECT_EQ(shaft.crossed_by(rectangle({1.1, 0, 0.5}, {1, 0, 0}, {0, 1, 0})), Crossing::none);
     EXPECT_EQ(shaft.crossed_by(rectangle({1, 0, 0.2}, {1, 0, 0}, {0, 1, 0})), Crossing::none) << "it touches";
@@ -34,7 +34,7 @@ TEST(Shaft, SeesWhatIsBesideIt) {
               Crossing::some);
 }
 
-TEST(Shaft, IsClosedByWhatAllItsLinesCross) {
+TEST(Shaft, IsClosedByASurfaceThatAllItsLinesCross) {
     const Shaft shaft(floor_square, ceiling_square);
     EXPECT_EQ(shaft.crossed_by(rectangle({-0.1, -0.1, 0.5}, {1.2, 0, 0}, {0, 1.2, 0})), Crossing::all);
     EXPECT_EQ(shaft.crossed_by(rectangle({0.1, -0.1, 0.5}, {1.2, 0, 0}, {0, 1.2, 0})), Crossing::some);

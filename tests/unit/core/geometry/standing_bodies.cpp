@@ -88,7 +88,7 @@ TEST(StandingBodies, StandOnEachOther) {
     EXPECT_NEAR(area_left(scene, found, 1), 8 + 4 - 1 + 4 + 1, 1e-12);
 }
 
-TEST(StandingBodies, AreNotThinWallsOpenTubesPicturesOrRooms) {
+TEST(StandingBodies, ExcludeThinWallsOpenTubesPicturesAndRooms) {
     const Scene wall = floor_with({side({1, 1, 0}, {0, 1, 0}, {1, 0, 0}, 1)});
     EXPECT_FALSE(standing_bodies(wall, gap).any()) << "the other side of the floor";
     std::vector<Surface> tube = body({1, 1, 0}, {1, 1, 1}, 1);

@@ -109,7 +109,7 @@ TEST(SurfaceMap, ReachesTheCornersOfTheSquare) {
 
 // The greatest product among 250 000 places on a grid; between grid points a round shape rises by at most
 // 1 - cos(2 pi / 1000) of its size.
-TEST(Extent, IsThatOfTheSurface) {
+TEST(Extent, IsTheFarthestReachOfTheSurface) {
     for (const Surface& surface : one_of_each()) {
         const SurfaceMap map(surface);
         for (const Vector3d& direction : {Vector3d(1, 0, 0), Vector3d(-0.3, 0.7, 2), Vector3d(0.36, 0.48, 0.81)}) {

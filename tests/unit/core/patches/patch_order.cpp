@@ -47,7 +47,7 @@ TEST(PatchOrder, LeavesOutSurfacesWithoutAFaceWhereAsked) {
     EXPECT_EQ(order.place(11).surface, 4u);
 }
 
-TEST(PatchSequences, AreOfPatches) {
+TEST(PatchSequences, AreOnePerPatch) {
     const Scene room = test::gridded_room();
     const PatchSequences sequences(room, {2}, Allocation::patch, 10);
     EXPECT_EQ(sequences.count(1), 24u);
@@ -57,7 +57,7 @@ TEST(PatchSequences, AreOfPatches) {
 
 // One sequence for the patches that lie in the same part of the grid, each with points of its own; all of them are
 // used.
-TEST(PatchSequences, AreOfThePartsOfGridsWhereOneServesAFace) {
+TEST(PatchSequences, AreOnePerGridPartWhereOneServesAFace) {
     const Scene room = test::gridded_room();
     const Subdivision subdivision{2};
     const PatchSequences sequences(room, subdivision, Allocation::face, 10);
@@ -82,7 +82,7 @@ TEST(PatchSequences, AreOfThePartsOfGridsWhereOneServesAFace) {
 
 // The rectangle cut by hand into surfaces of the same face: patch by patch the same arithmetic, so the same bits, but
 // for the column of the face itself as a target, which is the sum over six.
-TEST(ExactPatchToFace, OfAGridIsThatOfTheSurfacesThatItStandsFor) {
+TEST(ExactPatchToFace, IsTheSameForAGridAsForSeparateSurfaces) {
     Scene whole = test::gridded_room();
     whole.surfaces[0].grid = {3, 2};
     Scene cut = whole;

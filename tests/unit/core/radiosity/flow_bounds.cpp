@@ -110,7 +110,7 @@ TEST(FlowBounds, AreNearlyAttained) {
     for (Index i = 0; i < 2; ++i) EXPECT_GE(most[i] - least[i], 0.99 * (bounds.high[i] - bounds.low[i])) << i;
 }
 
-TEST(FlowBounds, OfExactFactorsAreTheSolution) {
+TEST(FlowBounds, EqualTheSolutionForExactFactors) {
     std::mt19937_64 random(3);
     const RandomCase made = random_case(random, 6, 0);
     const auto bounds = bound_irradiation(sparse(made.factors, made.factors), made.laws);

@@ -98,7 +98,7 @@ TEST(KernelPatchFactors, AddUpToTheTrial) {
     }
 }
 
-TEST(PatchSight, IsThatOfTheExactFactors) {
+TEST(PatchSight, MatchesWhereExactFactorsArePositive) {
     for (const char* name : {"cube", "box:2x1x0.5"}) {
         const Scene scene = built_in_scene(name);
         const Eigen::MatrixXd factors = exact_patch_factors(scene, three_by_three).value();
@@ -155,7 +155,7 @@ TEST(PatchFactorsOfGrids, GiveAFurnaceTheSameLightEverywhere) {
 
 // As above, of each of 80 patches and the patch that it hits most. Rows and columns confused, or the grid of another
 // surface, would change these factors by a quarter and more.
-TEST(PatchFactorsOfGrids, AreShotWithoutBias) {
+TEST(PatchFactorsOfGrids, AreUnbiasedUnderRayShooting) {
     const Scene& room = gridded()[0];
     const Eigen::MatrixXd exact = exact_patch_factors(room, {2}).value();
     const std::uint64_t rays = 20000;

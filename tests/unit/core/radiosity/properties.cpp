@@ -23,7 +23,7 @@ bool enclose(const Bounds& bounds, double value) {
 }
 
 // Rows of the exact cube sum to 1, so that its spectral radius is 1, and rho with reflectance rho.
-TEST(SpectralRadius, OfTheExactCubeIsItsReflectance) {
+TEST(SpectralRadius, EqualsTheReflectanceOfTheExactCube) {
     for (const double reflectance : {0.1, 0.5, 0.999}) {
         const Bounds bounds = spectral_radius(reflection_matrix(test::lit_cube(reflectance)));
         EXPECT_TRUE(enclose(bounds, reflectance));
@@ -54,13 +54,13 @@ TEST(SpectralRadius, IsFoundWhereTwoEigenvaluesAreEquallyLarge) {
     EXPECT_LT(bounds.high - bounds.low, 1e-12);
 }
 
-TEST(SpectralRadius, OfNothingIsNothing) {
+TEST(SpectralRadius, IsZeroForTheZeroMatrix) {
     const Bounds bounds = spectral_radius(Eigen::MatrixXd::Zero(3, 3));
     EXPECT_EQ(bounds.low, 0);
     EXPECT_EQ(bounds.high, 0);
 }
 
-TEST(SpectralRadius, KeepsItsBoundsApartWhereBlocksDoNotMeet) {
+TEST(SpectralRadius, KeepsItsBoundsApartForDisconnectedBlocks) {
     const Eigen::MatrixXd blocks = Eigen::Vector2d(0.5, 0.25).asDiagonal();
     const Bounds bounds = spectral_radius(blocks);
     EXPECT_TRUE(enclose(bounds, 0.5));

@@ -118,7 +118,7 @@ TEST(WeightsOfHits, AreTheSameBothWays) {
 }
 
 // Patches of one plane see nothing of each other, and balancing must not invent it.
-TEST(BalancedFactors, StayZeroBetweenPatchesWithoutSight) {
+TEST(BalancedFactors, StayZeroBetweenPatchesThatCannotSeeEachOther) {
     Sight sight = all_but_itself(6);
     sight(0, 1) = sight(1, 0) = false;
     Eigen::MatrixXd estimates = test::shot_factors(100, 5);

@@ -109,7 +109,7 @@ std::vector<Scene> all_rooms() {
 
 constexpr double rounding_in_rooms = 4e-15;
 
-TEST(ExactRooms, AreTheEnclosuresOfOtherDerivations) {
+TEST(ExactRooms, AgreeWithIndependentlyDerivedEnclosures) {
     EXPECT_LT((*exact_room_factors(cylinder(1, 2)) - closed_cylinder(1, 2).factors).norm(), rounding_in_rooms);
     EXPECT_LT((*exact_room_factors(cylinder(3, 0.1)) - closed_cylinder(3, 0.1).factors).norm(), 1e-13);
     EXPECT_LT((*exact_room_factors(cap(1, 0.5)) - cavity(pi, pi * 0.75).factors).norm(), rounding_in_rooms);
@@ -180,7 +180,7 @@ TEST(TracedRooms, AreUnbiased) {
     }
 }
 
-TEST(TracedMirrors, AreTheSameForBothTracersButForEdges) {
+TEST(TracedMirrors, AgreeBetweenBothTracersExceptAtEdges) {
     const Scene scene = mirrored("box:2x1x0.5", {"1", "3"});
     const auto box = tally_of_rays(scene, TracerChoice::box, 5000);
     const auto embree = tally_of_rays(scene, TracerChoice::embree, 5000);
@@ -255,7 +255,7 @@ TEST(RoomsWithoutExactFactors, AreReported) {
     EXPECT_FALSE(exact_room_factors(outward));
 }
 
-TEST(Mirrors, AreRefusedWhereTheyCannotBe) {
+TEST(Mirrors, AreRefusedWhereTheyAreImpossible) {
     const auto message = [](const Scene& scene, std::vector<std::string> mirrors) {
         return test::message_of<UserError>([&] { static_cast<void>(with_mirrors(scene, mirrors)); });
     };

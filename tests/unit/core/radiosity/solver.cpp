@@ -94,7 +94,7 @@ TEST(ConjugateGradient, IsMisledByFactorsThatAreNotReciprocal) {
     EXPECT_EQ(solve(system, Solver::conjugate_gradient, {.tolerance = 1e-10}).outcome, SolverOutcome::converged);
 }
 
-TEST(EverySolver, IsDoneAtOnceWhereNothingIsReflected) {
+TEST(EverySolver, FinishesAtOnceWhenNothingIsReflected) {
     for (const Solver solver : all_solvers) {
         const SolverRun run = solve(test::lit_cube(0), solver);
         EXPECT_EQ(run.outcome, SolverOutcome::converged) << name(solver);

@@ -10,7 +10,7 @@ namespace {
 
 // In a closed box where all emits and reflects alike nothing tells patches apart: m = e / (1 - rho), whatever F is, as
 // long as its rows sum to 1.
-TEST(RadiositySystem, IsAFurnaceWhereAllPatchesAreAlike) {
+TEST(RadiositySystem, HasTheFurnaceSolutionForIdenticalPatches) {
     for (const double reflectance : {0.0, 0.1, 0.9, 0.999}) {
         // Rounding is magnified by the condition of G, (1 + rho) / (1 - rho) or less.
         const double rounding = 20 * 2.3e-16 * 2 / (1 - reflectance);
@@ -40,7 +40,7 @@ TEST(RadiositySystem, HasTheSolutionOfTwoPlates) {
     EXPECT_NEAR(exitance[1], (0.5 + 0.8 * 2) / (1 - 0.24), 1e-14);
 }
 
-TEST(EnergyBalance, IsEvenForExactFactorsAndNotForOthers) {
+TEST(EnergyBalance, ClosesForExactFactorsButNotForOthers) {
     RadiositySystem system = test::lit_box();
     const auto balance = [&] { return energy_balance(system, solve_exactly(system).value()); };
     EXPECT_NEAR(balance().emitted, 0.3 * 1 + 1 * 2, 1e-14);  // faces 3 (2 x 0.5) and 6 (2 x 1)

@@ -17,7 +17,7 @@ ChildOutput shell(const std::string& script, std::uint64_t most = much, double d
     return read_from_child({{"sh", "-c", script}, {}}, most, deadline);
 }
 
-TEST(ChildProcess, HandsOverWhatIsPrintedAndTheExitCode) {
+TEST(ChildProcess, ReturnsTheOutputAndTheExitCode) {
     const auto output = shell("echo out; echo err >&2; exit 3");
     EXPECT_EQ(output.end, ChildOutput::End::exited);
     EXPECT_EQ(output.code, 3);
@@ -25,7 +25,7 @@ TEST(ChildProcess, HandsOverWhatIsPrintedAndTheExitCode) {
     EXPECT_EQ(output.errors, "err\n");
 }
 
-TEST(ChildProcess, RunsWhereItIsToldWithoutInput) {
+TEST(ChildProcess, RunsInTheGivenFolderWithoutInput) {
     const auto output = read_from_child({{"sh", "-c", "pwd; cat"}, "/"}, much, long_time);
     EXPECT_EQ(output.output, "/\n");
 }
@@ -43,14 +43,14 @@ TEST(ChildProcess, ReadsMoreThanAPipeHolds) {
     EXPECT_LE(output.errors.size(), 100000u);
 }
 
-TEST(ChildProcess, StopsWhatPrintsTooMuchOrTakesTooLong) {
+TEST(ChildProcess, StopsProgramsThatPrintTooMuchOrTakeTooLong) {
     EXPECT_EQ(shell("cat /dev/zero", 100000).end, ChildOutput::End::too_large);
     EXPECT_EQ(shell("sleep 1000", much, 0.1).end, ChildOutput::End::too_slow);
     EXPECT_EQ(shell("exec >&- 2>&-; sleep 1000", much, 0.1).end, ChildOutput::End::too_slow);
     EXPECT_EQ(shell("sleep 1000 & echo left behind", much, 0.1).end, ChildOutput::End::too_slow);
 }
 
-TEST(ChildProcess, RefusesWhatCannotBeStarted) {
+TEST(ChildProcess, ReportsProgramsThatCannotBeStarted) {
     EXPECT_THROW(read_from_child({{"./there_is_none"}, {}}, much, long_time), IoError);
     EXPECT_THROW(read_from_child({{"true"}, "/there/is/none"}, much, long_time), IoError);
 }

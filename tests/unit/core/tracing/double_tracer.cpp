@@ -45,7 +45,7 @@ double opposite_discs(double a, double b) {
 }
 
 // From the upper disc, all that would end beneath the sheet ends on it: F12 - F(disc to 0.8 disc).
-TEST(DoubleTracer, LetsNoRayPassASheetHoweverNear) {
+TEST(DoubleTracer, LetsNoRayThroughASheetHoweverNear) {
     const double expected = opposite_discs(1, 1) - opposite_discs(1, 0.8);
     const double rays = blocks_per_surface * block_capacity;
     // Five standard errors: by chance in 6e-7 of runs; a transparent sheet is 140 of them away.
@@ -64,7 +64,7 @@ TEST(DoubleTracer, LetsNoRayPassASheetHoweverNear) {
 }
 
 // The checker itself: Embree's rays, which start a little beside the disc, pass the sheet.
-TEST(DoubleTracer, IsNeeded) {
+TEST(DoubleTracer, IsNeededBecauseEmbreeMissesNearSheets) {
     const Scene scene = disc_under_a_sheet(4e-8);
     EXPECT_TRUE(has_fine_detail(scene));
     EXPECT_GT(hits_of(*make_embree_tracer(scene), scene, 0)[1], blocks_per_surface * block_capacity / 5);
@@ -95,7 +95,7 @@ TEST(DoubleTracer, AgreesWithEmbreeWhereThatResolvesTheScene) {
     }
 }
 
-TEST(FineDetail, IsNotWhereSurfacesOnlyShareEdges) {
+TEST(FineDetail, IsAbsentWhereSurfacesOnlyShareEdges) {
     Scene box = make_box(3, 2, 1);
     box.empty_box.reset();
     EXPECT_FALSE(has_fine_detail(box));
@@ -103,7 +103,7 @@ TEST(FineDetail, IsNotWhereSurfacesOnlyShareEdges) {
         EXPECT_FALSE(has_fine_detail(scene));
 }
 
-TEST(FineDetail, IsWhereSurfacesNearlyTouch) {
+TEST(FineDetail, IsFoundWhereSurfacesNearlyTouch) {
     EXPECT_TRUE(has_fine_detail(disc_under_a_sheet(4e-7)));
     EXPECT_FALSE(has_fine_detail(disc_under_a_sheet(0.1)));
     const Surface floor{Parallelogram{{-1, -1, 0}, {2, 0, 0}, {0, 2, 0}}, {0, 0, 1}, 0};

@@ -25,7 +25,7 @@ namespace {
 constexpr StreamKey grid_key{3, 4};
 
 // A cell of the map of every shape, to single precision; an azimuth wraps around.
-TEST(Grids, RaysStartOnTheirPatch) {
+TEST(Grids, StartRaysOnTheirPatch) {
     std::vector<Surface> surfaces = test::closed_can().surfaces;
     surfaces.push_back(test::gridded_room().surfaces[0]);
     surfaces.push_back({Triangle{{0, 0, 0}, {2, 0, 0}, {0, 1, 0}}, {0, 0, 1}, 0});
@@ -66,7 +66,7 @@ RayTally tally_of_trial(const Scene& scene, std::uint32_t m, std::uint64_t sampl
     return tally;
 }
 
-TEST(Grids, HaveTheSameRaysInEveryPatch) {
+TEST(Grids, ShootEquallyManyRaysFromEveryPatch) {
     const Scene room = test::gridded_room();
     for (const Allocation allocation : {Allocation::patch, Allocation::face}) {
         PatchSums sums;
@@ -84,7 +84,7 @@ TEST(Grids, HaveTheSameRaysInEveryPatch) {
 
 // Each of 80 patches and its most likely face, with both allocations: 160 exact binomial tests of 1e-7. Rows and
 // columns confused, or patches of another surface, would change these factors by 0.05 and more.
-TEST(Grids, AreShotFromWithoutBias) {
+TEST(Grids, AreUnbiasedUnderRayShooting) {
     const Scene room = test::gridded_room();
     const Eigen::MatrixXd exact = exact_patch_to_face(room, {2}).value();
     constexpr std::uint64_t rays = 20000;
@@ -102,7 +102,7 @@ TEST(Grids, AreShotFromWithoutBias) {
 
 // 300 trials, and a t test at 1e-6 of every pair from a face of two surfaces. Weighing them by hits in place of areas
 // would give the smaller one 2/5 of the face, where it has 1/4: factors wrong by up to 0.03.
-TEST(Grids, OfTheSurfacesOfAFaceAreWeighedByArea) {
+TEST(Grids, WeighTheSurfacesOfAFaceByArea) {
     const Scene room = test::room_with_divided_floor();
     const Eigen::MatrixXd exact = exact_form_factors(room).value();
     std::vector<std::vector<double>> estimates(6);
@@ -124,7 +124,7 @@ TEST(Grids, OfTheSurfacesOfAFaceAreWeighedByArea) {
 // Opposite faces have smooth kernels. Edges of patches are at most a quarter as long as their distance, so that the
 // error of n nodes along an edge falls as 16^-2n and faster: 6 leave 1e-14 of it. What 12 nodes leave of points is the
 // jump at corners.
-TEST(Grids, LeaveKernelsAndPointsAsExactAsTheyWere) {
+TEST(Grids, DoNotReduceTheAccuracyOfKernelsAndPoints) {
     for (const Scene& room : {test::gridded_room(), test::room_with_divided_floor()}) {
         const Eigen::MatrixXd exact = exact_form_factors(room).value();
         const Eigen::MatrixXd exact_patches = exact_patch_to_face(room, {2}).value();
@@ -151,7 +151,7 @@ TEST(Grids, LeaveKernelsAndPointsAsExactAsTheyWere) {
 }
 
 // 200 trials, a t test at 1e-6 of 30 pairs with either allocation.
-TEST(Grids, OfPointsInARandomSequenceAreUnbiased) {
+TEST(Grids, AreUnbiasedForRandomPoints) {
     const Scene room = test::gridded_room();
     const Eigen::MatrixXd exact = exact_form_factors(room).value();
     for (const Allocation allocation : {Allocation::patch, Allocation::face}) {

@@ -25,7 +25,7 @@ double exact_leak(const Scene& scene) {
     return 1 - kept / area(scene.surfaces[0].shape);
 }
 
-TEST(LeakyTracer, LosesWhatFallsIntoTheCracks) {
+TEST(LeakyTracer, LosesRaysThatFallIntoCracks) {
     const Scene scene = built_in_scene("cube");
     const auto tracer = make_leaky_tracer(scene);
     constexpr std::uint32_t blocks = 1000;
@@ -40,7 +40,7 @@ TEST(LeakyTracer, LosesWhatFallsIntoTheCracks) {
     EXPECT_GT(expected, 100);
 }
 
-TEST(LeakyTracer, FindsWhatTheSoundOneFindsAwayFromEdges) {
+TEST(LeakyTracer, AgreesWithTheSoundTracerAwayFromEdges) {
     const Scene scene = built_in_scene("cube");
     RayBatch rays;
     generate_rays(scene.surfaces[0], 0, undivided, 0, *test::random_block(1, block_capacity), rays);

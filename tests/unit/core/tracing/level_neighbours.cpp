@@ -66,7 +66,7 @@ TEST(LevelNeighbours, CatchNoRayInARoom) {
 }
 
 // Nothing receives outside of a block: its rays all leave, and the neighbours across its edges let them.
-TEST(LevelNeighbours, CatchNoRayOfABlock) {
+TEST(LevelNeighbours, CatchNoRayFromABlock) {
     Scene block = inside_out(turned_mosaic(make_box(1, 1, 1), 40));
     block.closed = false;
     const RayEnds ends = shoot_from_every_surface(block);
@@ -74,7 +74,7 @@ TEST(LevelNeighbours, CatchNoRayOfABlock) {
 }
 
 // The checker itself: a tile that hangs just in front of another, back to back, does catch rays.
-TEST(LevelNeighbours, AreToldFromATileInFront) {
+TEST(LevelNeighbours, CheckNoticesATileInFront) {
     Scene room = turned_mosaic(make_box(1, 1, 1), 4);
     Surface tile = room.surfaces[5];
     parallelogram(tile).corner += 1e-5 * tile.normal;

@@ -37,7 +37,7 @@ Eigen::Vector3d origin(const RayBatch& rays, std::size_t i) {
     return {rays.origin_x[i], rays.origin_y[i], rays.origin_z[i]};
 }
 
-TEST(Rays, DirectionsAreMalleysToSinglePrecision) {
+TEST(Rays, FollowMalleysMethodToSinglePrecision) {
     const Surface surface = tilted_surface();
     const auto block = test::random_block(1);
     RayBatch rays;
@@ -55,7 +55,7 @@ TEST(Rays, DirectionsAreMalleysToSinglePrecision) {
     }
 }
 
-TEST(Rays, OriginsAreTheSurfacePointsOfThePatch) {
+TEST(Rays, StartAtTheSurfacePointsOfThePatch) {
     const Surface surface = tilted_surface();
     const auto block = test::random_block(2);
     constexpr Grid grid{13, 13};

@@ -137,7 +137,7 @@ bool is_near_rim(const Hit& hit) {
 // Where both see the same surface, they see the same place on it: times are kept in single precision, 6e-8 of at most 6
 // lengths, and s of a disc or a cone changes by up to 2 sqrt(s) of that. A tenth of that would be found: errors as
 // large as 1e-5 are asked for only beyond 1e-4 from rims, where azimuths and shares of area are smooth.
-TEST_P(ClosedScene, IsSeenAsInDoublePrecision) {
+TEST_P(ClosedScene, LooksTheSameInSingleAsInDoublePrecision) {
     const Scene scene = GetParam().make();
     const auto tracer = make_embree_tracer(scene);
     std::uint64_t rays_traced = 0;

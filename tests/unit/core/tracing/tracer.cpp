@@ -16,7 +16,7 @@ TEST(MakeTracer, PrefersTheBoxTracerWhereItApplies) {
     EXPECT_EQ(make_tracer(scene, TracerChoice::automatic)->name(), "embree");
 }
 
-TEST(MakeTracer, RefusesTheBoxTracerWhereTheSceneIsNoEmptyBox) {
+TEST(MakeTracer, RefusesTheBoxTracerUnlessTheSceneIsAnEmptyBox) {
     Scene scene = make_box(1, 2, 3);
     scene.empty_box.reset();
     EXPECT_THROW(make_tracer(scene, TracerChoice::box), UserError);

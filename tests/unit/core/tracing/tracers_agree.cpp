@@ -131,7 +131,7 @@ Scene cut(const Scene& scene, std::uint32_t k) {
 
 // More surfaces than a ray mask has bits: the filter must exclude the source instead, with the same result. Patch p of
 // a wall cut into 8 x 8 and the p-th of its 64 surfaces shoot the same rays, for eighths are exact.
-TEST(EmbreeTracer, ExcludesTheSourceByFilterAsByMask) {
+TEST(EmbreeTracer, ExcludesTheSourceAlikeByFilterAndByMask) {
     const Scene whole = make_box(6, 6, 6);
     const auto by_mask = make_embree_tracer(whole);
     const auto by_filter = make_embree_tracer(cut(whole, 8));
@@ -146,7 +146,7 @@ TEST(EmbreeTracer, ExcludesTheSourceByFilterAsByMask) {
 }
 
 // Opaque from both sides: a surface blocks rays that come from behind it, but does not receive them.
-TEST(EmbreeTracer, CountsRaysThatEndOnABackNowhere) {
+TEST(EmbreeTracer, CountsRaysThatEndOnABackAsNeitherHitNorLost) {
     Scene scene = make_box(1, 1, 1);
     scene.empty_box.reset();
     scene.surfaces[5].normal *= -1;

@@ -17,7 +17,7 @@ Parallelogram wall_patch(double x, double z, double width = 1) {
     return {{x, 0, z}, {width, 0, 0}, {0, 0, 1}};
 }
 
-TEST(Contact, AtAnEdgeIsASideOfEach) {
+TEST(Contact, IsAnEdgeWhereSidesMeet) {
     const Touch touch = find_touch(floor_patch, wall_patch(0, 0));
     EXPECT_EQ(touch.contact, Contact::edge);
     EXPECT_EQ(touch.sides, (Sides{at_neither, at_low, at_neither, at_low}));
@@ -26,18 +26,18 @@ TEST(Contact, AtAnEdgeIsASideOfEach) {
         << "whichever way the coordinates run";
 }
 
-TEST(Contact, AtPartOfAnEdgeIsAnEdge) {
+TEST(Contact, IsAnEdgeWherePartsOfSidesMeet) {
     EXPECT_EQ(find_touch(floor_patch, wall_patch(0.5, 0, 7)).contact, Contact::edge);
     EXPECT_EQ(find_touch(floor_patch, wall_patch(0.25, 0, 0.5)).contact, Contact::edge);
 }
 
-TEST(Contact, AtAVertexIsACornerOfEach) {
+TEST(Contact, IsAVertexWhereCornersMeet) {
     const Touch touch = find_touch(floor_patch, wall_patch(1, 0));
     EXPECT_EQ(touch.contact, Contact::vertex);
     EXPECT_EQ(touch.sides, (Sides{at_high, at_low, at_low, at_low}));
 }
 
-TEST(Contact, OfACornerWithSomethingElseIsAPoint) {
+TEST(Contact, IsAPointWhereACornerMeetsAnythingElse) {
     EXPECT_EQ(find_touch(floor_patch, {{0.5, 0, 0}, {0.5, 0, 1}, {-0.5, 0, 1}}).contact, Contact::point);
     EXPECT_EQ(find_touch({{0.5, 0, 0}, {0.5, 0, 1}, {-0.5, 0, 1}}, floor_patch).contact, Contact::point);
     EXPECT_EQ(find_touch(floor_patch, {{0.5, 0.5, 0}, {1, 0, 1}, {-1, 0, 1}}).contact, Contact::point) << "inside";

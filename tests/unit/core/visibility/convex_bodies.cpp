@@ -47,7 +47,7 @@ TEST(ConvexBodies, ExcludeBodiesThatRadiateInwards) {
     for (std::size_t k = 0; k < sides.size(); ++k) EXPECT_FALSE(ConvexBodies(sides).of(k));
 }
 
-TEST(ConvexBodies, StandOnAFloorThatIsNoSideOfThem) {
+TEST(ConvexBodies, ExcludeTheFloorTheyStandOn) {
     std::vector<Surface> sides = cube();
     sides.erase(sides.begin());
     sides.push_back(side({1, 0, 0}, {1, 0, 0}, {0, 1, 0}));  // shares an edge with the wall
@@ -56,7 +56,7 @@ TEST(ConvexBodies, StandOnAFloorThatIsNoSideOfThem) {
     EXPECT_FALSE(bodies.of(sides.size() - 1));
 }
 
-TEST(ConvexBodies, AreLookedAtFromTheirNearSides) {
+TEST(ConvexBodies, AreMetOnTheirNearSidesFirst) {
     const ConvexBodies bodies(cube());
     const std::vector<Vector3d> above = square_at(3, 0.1);
     EXPECT_FALSE(bodies.is_met_before(roof_index, above));
@@ -65,7 +65,7 @@ TEST(ConvexBodies, AreLookedAtFromTheirNearSides) {
     EXPECT_FALSE(bodies.is_met_before(0, square_at(1, 0.1))) << "a lamp below the roof, which is at its back";
 }
 
-TEST(ConvexBodies, AreEnteredWhereASideIsMissing) {
+TEST(ConvexBodies, LetLinesInWhereASideIsMissing) {
     std::vector<Surface> sides = cube();
     sides.erase(sides.begin());
     const ConvexBodies bodies(sides);
@@ -76,7 +76,7 @@ TEST(ConvexBodies, AreEnteredWhereASideIsMissing) {
     EXPECT_FALSE(bodies.is_met_before(wall_index - 1, beside));
 }
 
-TEST(ConvexBodies, HideWhatNoneOfTheirSidesHidesAlone) {
+TEST(ConvexBodies, HideLinesThatNoSingleSideHides) {
     const ConvexBodies bodies(cube());
     // Diagonal lines between upright squares enter by either of two walls.
     const auto upright = [](double sign) {

@@ -40,7 +40,7 @@ TEST(LevelOverlaps, AreFoundWithTheirArea) {
     }
 }
 
-TEST(LevelOverlaps, AreNotSurfacesSideBySideOrApart) {
+TEST(LevelOverlaps, ExcludeAdjacentAndSeparateSurfaces) {
     EXPECT_TRUE(level_overlaps(make_box(3, 2, 1)).empty());
     const Scene apart = test::faces_of({level_rectangle(0, 0, 1, 1), level_rectangle(1, 0, 1, 1),
                                         level_rectangle(0, 1, 1.7, 1), level_rectangle(0.2, 0.2, 0.2, 0.2, 1e-6)},
@@ -50,7 +50,7 @@ TEST(LevelOverlaps, AreNotSurfacesSideBySideOrApart) {
 }
 
 // Between them nothing is counted twice without a word: what proofs about occlusion leave room for is level.
-TEST(LevelOverlaps, AreLevelWhereverOcclusionHasRoom) {
+TEST(LevelOverlaps, AreLevelWithinTheToleranceOfOcclusion) {
     for (const double height : {0.0, 1e-15, 1e-14, 1e-13, 1e-12, 3e-12, 1e-11, 1e-10, 1e-8, 1e-7}) {
         const Scene scene =
             turned(test::faces_of({level_rectangle(0, 0, 1, 1), level_rectangle(0.2, 0.2, 0.2, 0.2, height),
@@ -64,14 +64,14 @@ TEST(LevelOverlaps, AreLevelWhereverOcclusionHasRoom) {
     }
 }
 
-TEST(LevelOverlaps, AreLevelAsFarAsCoordinatesAreRounded) {
+TEST(LevelOverlaps, AreLevelWithinTheRoundingOfCoordinates) {
     Scene scene = test::faces_of({level_rectangle(0, 0, 1, 1), level_rectangle(0.2, 0.2, 0.2, 0.2, 1e-7)}, false);
     EXPECT_FALSE(level_overlaps(scene).front().level);
     scene.coordinate_rounding = 1e-7;
     EXPECT_TRUE(level_overlaps(scene).front().level);
 }
 
-TEST(LevelOverlaps, AreFoundOfDiscs) {
+TEST(LevelOverlaps, AreFoundForDiscs) {
     const Vector3d up(0, 0, 1);
     const Scene rings = test::faces_of({test::disc({0, 0, 0}, up, 2, 1), test::disc({0, 0, 0}, up, 1)}, false);
     EXPECT_TRUE(level_overlaps(turned(rings)).empty()) << "a disc in the hole of a ring";

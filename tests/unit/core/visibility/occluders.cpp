@@ -133,7 +133,7 @@ Seen look_at_scenes(bool dropped) {
 }
 
 // Among some hundred thousand lines in 300 scenes none is hidden by what has been left out.
-TEST(Occluders, HideWhatAllSurfacesHide) {
+TEST(Occluders, HideAllThatTheSurfacesHide) {
     const Seen seen = look_at_scenes(false);
     EXPECT_GT(seen.lines, 200'000u);
     EXPECT_GT(seen.hidden, 50'000u);
@@ -142,7 +142,7 @@ TEST(Occluders, HideWhatAllSurfacesHide) {
 }
 
 // A lamp flush under the lid of a closed box shines at the bottom, not at the floor below.
-TEST(Occluders, OfABodyHideWhatLiesInThePlaneOfItsSide) {
+TEST(Occluders, HideWhatLiesInThePlaneOfASideOfABody) {
     Scene scene;
     add_tiles(scene, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, 1);
     add_tiles(scene, {.4, .4, .7}, {0, .2, 0}, {.2, 0, 0}, 1);
@@ -157,11 +157,11 @@ TEST(Occluders, OfABodyHideWhatLiesInThePlaneOfItsSide) {
     EXPECT_TRUE(occluders.between(0, 1).all_hidden || occluders.between(0, 1).occluders.size() >= 5);
 }
 
-TEST(Occluders, AreMissedWhereOneIsLeftOut) {
+TEST(Occluders, CheckNoticesAMissingOne) {
     EXPECT_GT(look_at_scenes(true).differences, 1000u);
 }
 
-TEST(Occluders, AreSeldomMoreThanTheCautiousTestFinds) {
+TEST(Occluders, RarelyExceedThoseOfTheCautiousTest) {
     std::mt19937 engine(21);
     std::size_t fewer = 0;
     std::size_t more = 0;  // a wall that reaches into the lines where none of its tiles does
@@ -181,7 +181,7 @@ TEST(Occluders, AreSeldomMoreThanTheCautiousTestFinds) {
     EXPECT_LT(100 * more, fewer);
 }
 
-TEST(Occluders, AreWallsWhateverFacesTheirTilesAre) {
+TEST(Occluders, AreWholeWallsWhateverFacesTheirTilesBelongTo) {
     Scene scene;
     add_tiles(scene, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, 1);
     add_tiles(scene, {0, 0, 2}, {0, 1, 0}, {1, 0, 0}, 1);

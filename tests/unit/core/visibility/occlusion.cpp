@@ -50,7 +50,7 @@ Scene cube_in_cube() {
     return scene;
 }
 
-TEST(PossibleBlockers, AreNoneInAConvexScene) {
+TEST(PossibleBlockers, AreEmptyInAConvexScene) {
     EXPECT_FALSE(may_be_occluded(make_box(3, 2, 1)));
     Scene unknown = make_box(3, 2, 1);
     unknown.empty_box.reset();
@@ -68,7 +68,7 @@ TEST(PossibleBlockers, LeaveOutWhatIsBehindOrBeside) {
     EXPECT_TRUE(may_be_occluded(scene));
 }
 
-TEST(ExactFormFactors, AreNotGivenWhereSomethingMayStandBetween) {
+TEST(ExactFormFactors, AreNotGivenWhereOcclusionIsPossible) {
     EXPECT_FALSE(exact_form_factors(squares_with_blocker()));
     EXPECT_FALSE(exact_form_factors(cube_in_cube()));
     Scene plates = squares_with_blocker();
@@ -123,7 +123,7 @@ TEST(Sees, AgreesWithTracedRays) {
 // 400 000 random pairs a face; the standard error of the kernel average is at most its root mean square, below 0.5,
 // over the root of their number: 8e-4. Five of them: alpha below 1e-6; an error of 6.3 standard errors is found with
 // power 0.9. The unoccluded factor, 0.1998, lies 100 standard errors away.
-TEST(AreaKernel, SeesWhatABlockerHides) {
+TEST(AreaKernel, AccountsForABlocker) {
     const Scene scene = squares_with_blocker();
     const double estimate = area_kernel(scene, {4}, test::PhiloxPoints(1600), PointMap::uniform, {3, 5}, 0)(0, 1);
     FaceHits hits(3);
@@ -157,7 +157,7 @@ TEST(AreaKernel, IntegratesOverRoundShapes) {
     EXPECT_EQ(fine(0, 0), 0);
 }
 
-TEST(AreaKernel, GivesPlainPairsTheSameBitsAsInAnEmptyBox) {
+TEST(AreaKernel, GivesTheSameBitsWhetherOrNotABoxIsKnownToBeEmpty) {
     Scene looked_at = make_box(3, 2, 1);
     looked_at.empty_box.reset();
     const test::PhiloxPoints points(100);

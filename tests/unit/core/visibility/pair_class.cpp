@@ -24,7 +24,7 @@ PairClass class_of(const Surface& a, const Surface& b) {
 
 const Surface floor_piece = rectangle("0:1 0:1 0:0 +z");
 
-TEST(PairClass, InABoxIsParallelForOppositeFacesAndAdjacentElse) {
+TEST(PairClass, IsParallelForOppositeFacesOfABoxAndAdjacentOtherwise) {
     const Scene box = make_box(1, 20, 0.3);
     const std::vector<int> opposite{5, 2, 1, 4, 3, 0};
     for (int from = 0; from < 6; ++from) {
@@ -84,7 +84,7 @@ TEST(PairClass, LooksAtAllSurfacesOfAFace) {
     EXPECT_EQ(pair_class(scene, 0, 1), PairClass::adjacent) << "one of two surfaces shares an edge";
 }
 
-TEST(PairClass, HasANameInEveryCase) {
+TEST(PairClass, HasANameForEachClass) {
     EXPECT_EQ(name(PairClass::self), "self");
     EXPECT_EQ(name(PairClass::parallel), "parallel");
     EXPECT_EQ(name(PairClass::adjacent), "adjacent");

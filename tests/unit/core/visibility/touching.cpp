@@ -18,7 +18,7 @@ Scene triangles() {
                           false);
 }
 
-TEST(PairClass, KnowsTriangles) {
+TEST(PairClass, ClassifiesTriangles) {
     EXPECT_EQ(pair_class(triangles(), 0, 1), PairClass::adjacent);
     EXPECT_EQ(pair_class(triangles(), 0, 2), PairClass::other);
 }
@@ -35,7 +35,7 @@ TEST(PairClass, FindsCommonRims) {
     EXPECT_EQ(pair_class(domed, 0, 2), PairClass::other);
 }
 
-TEST(Contact, KnowsShapesThatAreNoParallelograms) {
+TEST(Contact, HandlesTrianglesAndRoundShapes) {
     EXPECT_EQ(closest_contact(triangles(), 0, 1), Contact::edge);
     EXPECT_EQ(closest_contact(triangles(), 0, 2), Contact::vertex);
     EXPECT_EQ(closest_contact(test::closed_can(), 0, 2), Contact::edge);
@@ -53,7 +53,7 @@ TEST(SeesItself, HoldsForConcaveAndFoldedFaces) {
     EXPECT_TRUE(sees_itself(bent, 0));
 }
 
-TEST(LiesOn, LooksAtRims) {
+TEST(LiesOn, RespectsRims) {
     const Surface ring = test::disc({0, 0, 0}, {0, 0, 1}, 1, 0.5);
     EXPECT_TRUE(lies_on({0.7, 0, 0}, ring, 1e-12));
     EXPECT_FALSE(lies_on({0.4, 0, 0}, ring, 1e-12));

@@ -207,7 +207,7 @@ TEST(TrialsCsv, HasEveryDirectEstimateOfEveryTrialOnce) {
     EXPECT_EQ(std::adjacent_find(seen.begin(), seen.end()), seen.end());
 }
 
-TEST(TrialsCsv, IsWhatTheSummaryRestsOn) {
+TEST(TrialsCsv, AgreesWithTheSummary) {
     double sum = 0;
     for (const auto& row : trials().rows) {
         if (row.at("scene") == "cube" && row.at("method") == "direct" && row.at("from_face") == "1" &&

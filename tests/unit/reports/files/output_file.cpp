@@ -59,7 +59,7 @@ TEST_F(WriteFile, FailsWithTheNameAndTheReason) {
     }
 }
 
-TEST_F(WriteFile, FailsWhereTheStreamDoes) {
+TEST_F(WriteFile, FailsWhenTheStreamFails) {
     EXPECT_THROW(write_file(file, [](std::ostream& out) { out.setstate(std::ios::badbit); }), IoError);
     EXPECT_EQ(files(), 0u);
 }

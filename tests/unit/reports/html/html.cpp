@@ -32,7 +32,7 @@ TEST(HtmlReport, HasAllTagsClosed) {
     }
 }
 
-TEST(HtmlReport, LoadsNothing) {
+TEST(HtmlReport, LoadsNoExternalResources) {
     const std::string text = html_report(test::published_results(), shipped_templates());
     EXPECT_FALSE(std::regex_search(text, std::regex("(src|href)=\"[^#]")));
     EXPECT_THAT(text, HasSubstr("default-src &#39;none&#39;"));
@@ -90,7 +90,7 @@ TEST(Headline, NamesTheBetterMethodOnEachClassOfPairs) {
     EXPECT_TRUE(top.published.empty());
 }
 
-TEST(Templates, OfALaterFolderComeFirst) {
+TEST(Templates, AreTakenFromTheLastFolderFirst) {
     const test::TemporaryFolder own;
     std::ofstream(own.path() / "report.css") << "own {}";
     const std::array<std::filesystem::path, 2> folders{FF_TEMPLATES, own.path()};
@@ -100,7 +100,7 @@ TEST(Templates, OfALaterFolderComeFirst) {
     EXPECT_THROW((void)templates.text("nothing.css"), UserError);
 }
 
-TEST(Templates, AreRefusedWhereThereIsNoFolder) {
+TEST(Templates, AreRefusedFromAMissingFolder) {
     const std::array<std::filesystem::path, 1> folders{"/no/such/folder"};
     EXPECT_THROW(Templates::read(folders), IoError);
 }

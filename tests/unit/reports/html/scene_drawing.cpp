@@ -38,7 +38,7 @@ TEST(SceneDrawing, HasRingsAndLinesForRoundSurfaces) {
     EXPECT_EQ(count(parse_svg(scene_drawing(built_in_scene("concentric_spheres"))), "polyline"), 14u);
 }
 
-TEST(SceneDrawing, DashesWhatIsNoFace) {
+TEST(SceneDrawing, DashesSurfacesWithoutAFace) {
     const auto document = parse_svg(scene_drawing(built_in_scene("squares_blocked")));
     std::size_t dashed = 0;
     for (const auto& line : document.child("svg").children("polyline"))

@@ -7,7 +7,7 @@
 namespace ff::reports {
 namespace {
 
-TEST(SecurityPolicy, NamesWhatMayRunByItsHash) {
+TEST(SecurityPolicy, AllowsStylesAndScriptsByTheirHash) {
     // printf abc | openssl dgst -sha256 -binary | base64
     const std::array<std::string_view, 1> styles{"abc"};
     const std::array<std::string_view, 1> scripts{""};
@@ -16,7 +16,7 @@ TEST(SecurityPolicy, NamesWhatMayRunByItsHash) {
               "script-src 'sha256-47DEQpj8HBSa+/TImW+5JCeuQeRkm5NMpJWZG3hSuFU='; base-uri 'none'; form-action 'none'");
 }
 
-TEST(SecurityPolicy, LetsNothingRunWhereNothingIsNamed) {
+TEST(SecurityPolicy, AllowsNothingByDefault) {
     EXPECT_EQ(security_policy({}, {}),
               "default-src 'none'; style-src 'none'; script-src 'none'; base-uri 'none'; form-action 'none'");
 }

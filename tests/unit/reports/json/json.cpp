@@ -33,7 +33,7 @@ TEST(ResultsJson, HasACellForEverySizeAndASummaryForEveryQuantity) {
     for (const json& cell : small().at("cells")) EXPECT_EQ(cell.at("summaries").size(), 37u);
 }
 
-TEST(ResultsJson, SaysWhatDoesNotExistByNull) {
+TEST(ResultsJson, WritesNullForWhatDoesNotExist) {
     for (const json& cell : small().at("cells")) {
         const bool deterministic = cell.at("deterministic");
         EXPECT_EQ(cell.at("bias_test").is_null(), deterministic);
@@ -75,7 +75,7 @@ TEST(ResultsJson, HoldsThePublishedTablesAndClaims) {
     EXPECT_EQ(published.at("claims").at(0).at("id"), "c");
 }
 
-TEST(ResultsJson, SetsEveryPairOfMethodsSideBySideButForMeasuredTime) {
+TEST(ResultsJson, ComparesEveryPairOfMethodsExceptByMeasuredTime) {
     const auto& contests = test::small_results().contests;
     const auto timed = std::count_if(contests.begin(), contests.end(), [](const studies::Contest& contest) {
         return contest.equal == studies::Equal::processor_time;
@@ -108,7 +108,7 @@ TEST(ResultsJson, IsTheSameEveryTime) {
     EXPECT_EQ(results_json(test::small_results()), results_json(studies::evaluate(test::small_store())));
 }
 
-TEST(ContextJson, HoldsWhatIsKnownOfTheCircumstances) {
+TEST(ContextJson, RecordsTheKnownCircumstancesOfTheRun) {
     const json parsed = json::parse(context_json({{"host", "h \"x\""}, {"threads", "2"}}));
     EXPECT_EQ(parsed.at("host"), "h \"x\"");
     EXPECT_EQ(parsed.size(), 2u);

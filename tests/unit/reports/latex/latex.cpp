@@ -42,14 +42,14 @@ Table small_table() {
     return {"t", "Title", "", {{"", false, ""}, {"a", true, ""}}, {{{"x"}, {"1"}}}, {}};
 }
 
-TEST(EscapeLatex, WritesOutWhatLatexWouldTakeForCommands) {
+TEST(EscapeLatex, EscapesWhatLatexWouldReadAsCommands) {
     EXPECT_EQ(escape_latex("a&b%c_d$e#f"), "a\\&b\\%c\\_d\\$e\\#f");
     EXPECT_EQ(escape_latex("\\~^{}"), "\\textbackslash{}\\~{}\\^{}\\{\\}");
     EXPECT_EQ(escape_latex("[2] *"), "{[}2] {*}");
     EXPECT_EQ(escape_latex("<|>\""), "\\textless{}\\textbar{}\\textgreater{}\\char34{}");
 }
 
-TEST(EscapeLatex, KeepsCharactersApartThatWouldJoin) {
+TEST(EscapeLatex, SeparatesCharactersThatWouldFormLigatures) {
     EXPECT_EQ(escape_latex("a--b"), "a-{}-b");
     EXPECT_EQ(escape_latex("``x''"), "`{}`x'{}'");
     EXPECT_EQ(escape_latex("?`"), "?{}`");
@@ -70,24 +70,24 @@ TEST(LatexWithNumbers, SetsSignsAndExponents) {
     EXPECT_EQ(latex_with_numbers("0.25"), "0.25");
 }
 
-TEST(LatexWithNumbers, TakesNoNameForANumber) {
+TEST(LatexWithNumbers, DoesNotMistakeNamesForNumbers) {
     EXPECT_EQ(latex_with_numbers("F 1-6"), "F 1-6");
     EXPECT_EQ(latex_with_numbers("b1e5"), "b1e5");
 }
 
-TEST(LatexTable, HasAsManyCellsInEveryRow) {
+TEST(LatexTable, HasEquallyManyCellsInEveryRow) {
     for (const auto* results : {&test::small_results(), &test::published_results()}) {
         for (const NamedText& file : latex_report(*results, shipped_templates()))
             EXPECT_THAT(unbalanced_rows(file.text), testing::IsEmpty()) << file.path;
     }
 }
 
-TEST(LatexTable, IsFoundUnbalancedWhereANameBringsAnAmpersand) {
+TEST(LatexTable, IsFoundUnbalancedWithAnUnescapedAmpersand) {
     EXPECT_THAT(unbalanced_rows("a & b \\\\\na & b & c \\\\\n"), testing::SizeIs(1));
     EXPECT_THAT(unbalanced_rows("a & b \\\\\na \\& b & c \\\\\n"), testing::IsEmpty());
 }
 
-TEST(LatexTable, SetsGroupsOfEqualColumnsBelowEachOther) {
+TEST(LatexTable, StacksGroupsWithEqualColumns) {
     Table table = small_table();
     table.columns = {
         {"", false, ""}, {"printed", true, "36"}, {"ours", true, "36"}, {"printed", true, "81"}, {"ours", true, "81"}};
@@ -113,7 +113,7 @@ TEST(LatexTable, IsBrokenAcrossPagesWhereItIsLong) {
     EXPECT_THAT(latex_table(table, shipped_templates()), HasSubstr("\\begin{longtable}"));
 }
 
-TEST(LatexReport, TakesInEveryTableOnce) {
+TEST(LatexReport, IncludesEveryTableOnce) {
     const auto files = latex_report(test::published_results(), shipped_templates());
     std::set<std::string> paths;
     for (const NamedText& file : files) EXPECT_TRUE(paths.insert(file.path).second) << file.path;

@@ -96,7 +96,7 @@ TEST(MarkdownReport, ShowsPrintedFiguresBesideOurs) {
     EXPECT_THAT(text, HasSubstr("PDM is better."));
 }
 
-TEST(MarkdownReport, RepeatsNoFiguresOfTheRowAbove) {
+TEST(MarkdownReport, WritesDittoMarksForFiguresOfTheRowAbove) {
     const std::string text = markdown_report(test::published_results());
     EXPECT_THAT(text, HasSubstr("| 4 - 5 | ″ | ″ | ″ | 0.200000"));
 }

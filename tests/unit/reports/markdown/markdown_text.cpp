@@ -29,12 +29,12 @@ TEST(MarkdownText, EscapesWhatWouldBeMarkup) {
     EXPECT_EQ(markdown_cell("a|b\\|c"), "a\\|b\\\\\\|c");
 }
 
-TEST(MarkdownCode, IsNotEndedByWhatItHolds) {
+TEST(MarkdownCode, IsNotClosedByItsContents) {
     EXPECT_EQ(markdown_code("toml", "a\n"), "```toml\na\n```\n");
     EXPECT_EQ(markdown_code("toml", "# ```\n# </details>\n"), "````toml\n# ```\n# </details>\n````\n");
 }
 
-TEST(MarkdownReport, HasNoMarkupOfNames) {
+TEST(MarkdownReport, EscapesMarkupInNames) {
     studies::StudyResults results = test::small_results();
     results.findings.plan.spec.title = "A <b>title</b>";
     const std::string name = "<img src=x>[y](javascript:z)";

@@ -63,7 +63,7 @@ TEST(ErrorsAtSizes, RankMethodsAndNameSizesThatDiffer) {
     EXPECT_THAT(json::parse(pictures[1].values).dump(), Not(HasSubstr("strata (")));
 }
 
-TEST(ErrorsAtSizes, RankNoSetThatIsNotRandomised) {
+TEST(ErrorsAtSizes, RankNoUnrandomisedPointSet) {
     const auto pictures =
         errors_at_sizes(studies::evaluate(test::run(test::plan_of(test::study_text("trials = 40", R"([[method]]
 name = "raw"
@@ -88,7 +88,7 @@ samples_per_patch = 1024
     EXPECT_THAT(pictures[0].finding, HasSubstr("may be luck"));
 }
 
-TEST(ErrorsAtSizes, AreAnAlternativeToConvergenceRates) {
+TEST(ErrorsAtSizes, AreOfferedBesideConvergenceRates) {
     const auto lead = lead_picture(equal_and_other_sizes());
     ASSERT_TRUE(lead);
     EXPECT_EQ(lead->name, "convergence rates");

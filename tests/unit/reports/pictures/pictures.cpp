@@ -82,7 +82,7 @@ TEST(ConvergencePicture, NamesEachLineAtItsEnd) {
     EXPECT_THAT(names, testing::IsSupersetOf({"rays", "kernel"}));
 }
 
-TEST(UnfoldedPicture, IsThereForQuadratures) {
+TEST(UnfoldedPicture, IsDrawnForQuadratures) {
     const auto& results = test::published_results();  // SR with 4 patches per face, PDM with 4 and 9
     const auto four = unfolded_picture(results, 1);
     const auto nine = unfolded_picture(results, 2);

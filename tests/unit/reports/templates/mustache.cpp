@@ -26,7 +26,7 @@ TEST(Mustache, HandlesListsPartialsAndMissingValues) {
     EXPECT_EQ(fill("{{#empty}}a{{/empty}}{{#none}}b{{/none}}{{#no}}c{{/no}}{{^no}}d{{/no}}", view), "d");
 }
 
-TEST(Mustache, RefusesWhatIsMalformedOrMissing) {
+TEST(Mustache, RefusesMalformedOrMissingTemplates) {
     EXPECT_THROW(fill("{{#open}}", Json::object()), UserError);
     EXPECT_THROW(fill("{{#a\x1b}}", Json::object()), UserError);
     EXPECT_THROW(fill_template(Templates({}), "page", Json::object(), escape_html), UserError);

@@ -21,7 +21,7 @@ TEST(IdleColumns, AreLeftOutOfEveryRow) {
     for (const auto& row : left.rows) EXPECT_EQ(row.size(), 2u);
 }
 
-TEST(IdleColumns, AreNoneWhereOneRowSaysSomething) {
+TEST(IdleColumns, AreKeptWhenAnyRowHasAValue) {
     EXPECT_EQ(
         without_idle_columns(table({{{"a"}, {"1"}, {"–"}, {""}}, {{"b"}, {"–"}, {"-0.5"}, {"!"}}})).columns.size(), 4u);
 }

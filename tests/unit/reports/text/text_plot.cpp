@@ -8,7 +8,7 @@ namespace {
 
 using testing::HasSubstr;
 
-TEST(TextPlot, PutsLettersWhereTheLogarithmsAre) {
+TEST(TextPlot, PlacesLettersOnLogarithmicAxes) {
     const std::string plot = text_plot({{"halves", {{1, 0.1}, {10, 0.01}, {100, 0.001}}}}, 21, 3);
     EXPECT_EQ(plot,
               "  0.1 ┤a\n"

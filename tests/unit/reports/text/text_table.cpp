@@ -17,7 +17,7 @@ Table errors() {
             {}};
 }
 
-TEST(TextTable, IsAsWideAsItHasToBe) {
+TEST(TextTable, IsNoWiderThanNecessary) {
     EXPECT_EQ(text_table(errors(), {}),
               "            RMSE\n"
               "method  parallel  adjacent  verdict\n"
@@ -25,7 +25,7 @@ TEST(TextTable, IsAsWideAsItHasToBe) {
               "random       0.1\n");
 }
 
-TEST(TextTable, ContinuesBelowWhereTheTerminalEnds) {
+TEST(TextTable, WrapsAtTheWidthOfTheTerminal) {
     EXPECT_EQ(text_table(errors(), {Colour::none, 30}),
               "            RMSE\n"
               "method  parallel  adjacent\n"
@@ -64,7 +64,7 @@ TEST(TextTable, BreaksACellThatIsWiderThanTheTerminal) {
         "method\n    verdict\nsobol\n    different: the errors of\n    the two runs differ by a\n    factor of 2\n");
 }
 
-TEST(TextTable, CountsNoColoursAsColumns) {
+TEST(TextTable, IgnoresColourCodesInWidths) {
     EXPECT_NE(text_table(errors(), {Colour::ansi, 41}).find("2e-3  \033[32mno bias found\033[0m\n"), std::string::npos);
 }
 

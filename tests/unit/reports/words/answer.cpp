@@ -68,7 +68,7 @@ samples_per_patch = [64, 256, 1024]
 }
 
 // Latin hypercube rays converge as random ones do: neither is slowest.
-TEST(Answer, NamesNoSlowestThatIsNotToldApart) {
+TEST(Answer, NamesNoSlowestMethodAmongIndistinguishableOnes) {
     std::string methods;
     for (const char* sampler : {"random", "latin_hypercube", "sobol"}) {
         methods += fmt::format(
@@ -82,7 +82,7 @@ TEST(Answer, NamesNoSlowestThatIsNotToldApart) {
     EXPECT_THAT(text, Not(HasSubstr("slowest (")));
 }
 
-TEST(Answer, OfOneMethodNeedsNoComparison) {
+TEST(Answer, MakesNoComparisonForASingleMethod) {
     const auto results = results_of("trials = 40", R"([[method]]
 name = "random"
 sampler = "random"
@@ -120,7 +120,7 @@ TEST(Answer, BeginsWithTheVerdictOnClaimsWithoutFigures) {
                 StartsWith("Of the publication's 2 claims 1 is supported, 1 refuted, 0 inconclusive. "));
 }
 
-TEST(Answer, SaysTheSameOfSeveralClassesOnce) {
+TEST(Answer, MergesEqualStatementsAboutSeveralClasses) {
     const auto results = results_of("trials = 30", R"([[method]]
 name = "contour"
 estimator = "contour"
@@ -130,7 +130,7 @@ nodes = 16
     EXPECT_THAT(answer(results).text, StartsWith("On parallel and adjacent pairs contour is exact to rounding."));
 }
 
-TEST(InBrief, SaysNoClauseTwice) {
+TEST(InBrief, RepeatsNoClause) {
     const auto results = results_of("trials = 30", R"([[method]]
 name = "contour"
 estimator = "contour"

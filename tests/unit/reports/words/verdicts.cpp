@@ -55,7 +55,7 @@ TEST(BiasInWords, SaysWhyThereIsNoTest) {
     EXPECT_EQ(bias_in_words({}), "no trials yet");
 }
 
-TEST(Marks, AreOfEachStatementAlone) {
+TEST(Marks, AreSetForEachStatementIndependently) {
     const auto found = sampled(BiasFinding::no_bias_found);
     EXPECT_EQ(bias_mark(found), Mark::good);
     EXPECT_EQ(equivalence_mark(EquivalenceFinding::inconclusive), Mark::open);

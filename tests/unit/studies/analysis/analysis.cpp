@@ -45,7 +45,7 @@ Store normal_trials(const StudyPlan& plan, std::uint64_t seed, double shift) {
     });
 }
 
-TEST(Bias, OfMoreThanTheMinimumDetectableIsFoundOnASinglePair) {
+TEST(Bias, IsFoundOnASinglePairAboveTheMinimumDetectable) {
     const StudyPlan plan = plan_of(study_text("trials = 40", many_rays()));
     const Findings clean = analyse(normal_trials(plan, 1, 0));
     ASSERT_TRUE(clean.complete);
@@ -71,14 +71,14 @@ std::uint64_t biased_studies(std::uint64_t studies, double shift) {
     return biased;
 }
 
-TEST(Bias, IsClaimedOfUnbiasedMethodsAsOftenAsTheLevelSays) {
+TEST(Bias, IsClaimedOfUnbiasedMethodsAtTheStatedRate) {
     // Nominal: Bonferroni over 30 independent pairs, 1 - (1 - .05 / 30)^30 = 0.0488.
     constexpr std::uint64_t studies = 400;
     EXPECT_TRUE(test::has_probability(biased_studies(studies, 0), studies, 0.0488,
                                       {.alpha = 1e-4, .detects = 0.08, .power = 0.95}));
 }
 
-TEST(Bias, OfTheMinimumDetectableSizeIsFoundWithTheStatedPower) {
+TEST(Bias, IsFoundAtTheMinimumDetectableSizeWithTheStatedPower) {
     // The other 29 pairs find something at times as well, so at least.
     constexpr std::uint64_t studies = 200;
     const double alpha = stats::sidak_level(0.05, 30);
@@ -133,7 +133,7 @@ TEST(Equivalence, IsShownAtThePlannedMarginWithTheStatedPower) {
     EXPECT_TRUE(test::has_probability_at_least(shown, studies, 0.9, {.alpha = 1e-4, .detects = 0.2, .power = 0.9}));
 }
 
-TEST(Equivalence, IsNotAskedWithoutAMargin) {
+TEST(Equivalence, IsNotTestedWithoutAMargin) {
     const StudyPlan plan = plan_of(study_text("trials = 16", many_rays()));
     EXPECT_EQ(analyse_cell(normal_trials(plan, 3, 0), 0).equivalence, EquivalenceFinding::not_asked);
 }
@@ -226,7 +226,7 @@ TEST(FewTrials, GiveEstimatesWithoutVerdicts) {
     EXPECT_TRUE(enough.cells.at(0).class_errors.front().mean_square);
 }
 
-TEST(Bias, IsNotCalledDetectableWhereItIsImpossible) {
+TEST(Bias, HasNoMinimumDetectableSizeWhereThatWouldExceedOne) {
     // In each of five trials another face gets all rays: what could be detected is beyond 1.
     const StudyPlan plan = plan_of(study_text("trials = 5", many_rays()));
     const Store store = test::fill(plan, [](std::size_t, std::uint64_t trial, int from, int to) {
@@ -330,7 +330,7 @@ TEST(Analysis, UsesTheAvailableExactFactors) {
     EXPECT_TRUE(parallel->interval);
 }
 
-TEST(Analysis, OfTheSameStoreIsTheSameToTheBit) {
+TEST(Analysis, GivesTheSameBitsForTheSameStore) {
     const Store store = test::run(plan_of(study_text("trials = 30", few_rays)));
     const CellFindings a = analyse_cell(store, 0);
     const CellFindings b = analyse_cell(store, 0);

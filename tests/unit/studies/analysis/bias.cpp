@@ -30,7 +30,7 @@ std::vector<double> shares_of_hits(std::size_t trials, int rays, double probabil
     return shares;
 }
 
-TEST(BinomialHits, AreCountedWhereTheyVaryAsHitsDo) {
+TEST(BinomialHits, AreCountedWhereTheirVarianceIsBinomial) {
     const auto shares = shares_of_hits(50, 1000, 0.2, 1);
     const auto counts = binomial_hits(shares, 1e-3);
     ASSERT_TRUE(counts);
@@ -40,7 +40,7 @@ TEST(BinomialHits, AreCountedWhereTheyVaryAsHitsDo) {
 }
 
 // Ten rays that always go the same way, or trials that are all the same one.
-TEST(BinomialHits, AreNoneWhereRaysOrTrialsDependOnEachOther) {
+TEST(BinomialHits, AreEmptyWhereRaysOrTrialsAreDependent) {
     EXPECT_FALSE(binomial_hits(shares_of_hits(50, 1000, 0.2, 10), 1e-3));
     EXPECT_FALSE(binomial_hits(std::vector<double>(10, 0.2), 1e-3));
 }
@@ -80,7 +80,7 @@ CellFindings log_normal_study(std::uint64_t trials, std::uint64_t seed, double s
 }
 
 // Student's t calls a fifth to a half of these studies biased. Risks: false alarm 1e-6; .2 is noticed with power .99.
-TEST(Bias, IsHardlyEverFoundInSkewedTrialsWithoutAny) {
+TEST(Bias, IsRarelyFoundInUnbiasedSkewedTrials) {
     constexpr std::uint64_t studies = 60;
     for (const std::uint64_t trials : {12u, 60u}) {
         std::uint64_t seed = 0;
@@ -101,7 +101,7 @@ TEST(Bias, IsFoundInSkewedTrialsWhereItIsLarge) {
 // One trial in ten is off by 6 standard deviations of the others: some pair of thirty has not met it in forty trials.
 // By its own trials alone 30 % of these studies are called biased. Risks: false alarm 1e-6; .35 is noticed with power
 // .99, and a bias of 8 standard errors that is found in fewer than .6 of them.
-TEST(Bias, IsHardlyEverFoundWhereTheTrialsOfOtherPairsExplainIt) {
+TEST(Bias, IsRarelyFoundWhereTheTrialsOfOtherPairsExplainIt) {
     constexpr std::uint64_t studies = 60;
     const auto count = [&](double shift) {
         std::uint64_t seed = 0;
@@ -127,7 +127,7 @@ TEST(Equivalence, IsNotShownByFewSkewedTrials) {
     EXPECT_EQ(log_normal_study(400, 1, 0, "equivalence_margin = 0.003").equivalence, EquivalenceFinding::shown);
 }
 
-TEST(POfAnyConstant, IsReachedByValuesThatAreElseAtTheOtherEnd) {
+TEST(POfAnyConstant, IsAttainedByTwoPointDistributions) {
     // Nine trials of ten are 0, the others 1.
     EXPECT_DOUBLE_EQ(p_of_any_constant(0, 0.1, 1, 3), 0.9 * 0.9);
     EXPECT_DOUBLE_EQ(p_of_any_constant(0.5, 0.25, 1, 3), 0.25) << "half of the trials are 0";
@@ -135,7 +135,7 @@ TEST(POfAnyConstant, IsReachedByValuesThatAreElseAtTheOtherEnd) {
     EXPECT_EQ(p_of_any_constant(0, 0, 1, 30), 1);
 }
 
-TEST(POfConstant, BoundsWhatUnimodalLawsDo) {
+TEST(POfConstant, BoundsAllUnimodalLaws) {
     EXPECT_EQ(p_of_constant(1.0 / 256, 1.0 / 256, 50), 1);
     EXPECT_EQ(p_of_constant(0, std::nullopt, 50), 1);
     EXPECT_DOUBLE_EQ(p_of_constant(-2.5 / 256, 1.0 / 256, 3), 1.0 / 9);

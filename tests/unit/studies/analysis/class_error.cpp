@@ -72,7 +72,7 @@ TEST_F(ClassErrors, HaveBiasAndVarianceOfTheTrials) {
     EXPECT_FALSE(error->variance_interval);  // its lower end would be 0
 }
 
-TEST_F(ClassErrors, OfFewHitsHaveASpreadAndNoTest) {
+TEST_F(ClassErrors, HaveASpreadButNoTestForFewHits) {
     const auto error = of({0.01, 0.02, 0.03}, PairClass::adjacent, VarianceStatus::sparse);
     ASSERT_TRUE(error);
     EXPECT_TRUE(error->variance);
@@ -80,7 +80,7 @@ TEST_F(ClassErrors, OfFewHitsHaveASpreadAndNoTest) {
     EXPECT_FALSE(error->bias_interval);
 }
 
-TEST_F(ClassErrors, HaveNoIntervalWhereNoneHolds) {
+TEST_F(ClassErrors, HaveNoIntervalWithoutAFiniteVariance) {
     for (const VarianceStatus status : {VarianceStatus::infinite, VarianceStatus::none}) {
         const auto error = of({0.01, 0.02, 0.03}, PairClass::adjacent, status);
         ASSERT_TRUE(error);

@@ -49,7 +49,7 @@ TEST(CatalogueStudy, FindsNoBiasAndLosesNoRay) {
     }
 }
 
-TEST(CatalogueStudy, TellsAWrongValueFromARightOne) {
+TEST(CatalogueStudy, FindsBiasOnlyWhereTheExactValueIsWrong) {
     // The exact value stays that of radii 1 and 1; the scene gets a second disc of 1.05: F12 grows by 7 %, some 0.027.
     StudyPlan plan = test::plan_of(study_of(R"("coaxial_discs_equal", "hemisphere")"));
     std::get<Disc>(plan.scenes[0].surfaces[1].shape).outer_radius = 1.05;
@@ -58,14 +58,14 @@ TEST(CatalogueStudy, TellsAWrongValueFromARightOne) {
     EXPECT_EQ(findings.cells[1].bias_finding, BiasFinding::no_bias_found);
 }
 
-TEST(CatalogueStudy, TellsAForgottenBlockerFromOneThatIsThere) {
+TEST(CatalogueStudy, FindsBiasWhenABlockerIsForgotten) {
     StudyPlan plan = test::plan_of(study_of("\"squares_blocked\""));
     EXPECT_EQ(analyse(test::run(plan)).cells[0].bias_finding, BiasFinding::no_bias_found);
     plan.scenes[0].surfaces.pop_back();
     EXPECT_EQ(analyse(test::run(plan)).cells[0].bias_finding, BiasFinding::biased);
 }
 
-TEST(Inapplicable, MethodsAreLeftOutOrRefused) {
+TEST(InapplicableMethods, AreLeftOutOrRefused) {
     const std::string scenes = R"("cube", "squares_blocked")";
     const std::string polygon =
         "[[method]]\nname = \"P\"\nsampler = \"random\"\nestimator = \"point_to_polygon\"\nsamples_per_patch = 4\n";

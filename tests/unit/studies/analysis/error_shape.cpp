@@ -34,14 +34,14 @@ TEST(ErrorShape, CountsEveryRunOnce) {
     EXPECT_NEAR(shape->q75 - shape->mean, 0.6745 * 0.01, 1e-4);
 }
 
-TEST(ErrorShape, OfNormalRunsLiesOnTheCurveAndOnTheLine) {
+TEST(ErrorShape, FollowsTheCurveAndTheLineForNormalRuns) {
     const auto shape = error_shape(normal_values(1000, 0, 1), 0, std::nullopt);
     ASSERT_TRUE(shape);
     for (const auto& bin : shape->bins) EXPECT_NEAR(static_cast<double>(bin.runs), bin.normal, 3);
     for (const auto& q : shape->quantiles) EXPECT_NEAR(q.runs, q.normal, 0.02);
 }
 
-TEST(ErrorShape, OfSkewedRunsLeavesTheCurveAndTheLine) {
+TEST(ErrorShape, DepartsFromTheLineForSkewedRuns) {
     std::vector<double> values;
     for (const double z : normal_values(1000, 0, 1)) values.push_back(std::exp(z));
     const auto shape = error_shape(values, 0, std::nullopt);

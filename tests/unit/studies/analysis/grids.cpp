@@ -127,7 +127,7 @@ TEST(StudiesOfGrids, HaveTheVarianceOfIndependentRays) {
 }
 
 /// As in PatchErrors: Var F_pj = F_pj (1 - F_pj) / n, here of patches that are all there is of a part.
-TEST(StudiesOfGrids, TellPatchesApartWithOnePatchAPart) {
+TEST(StudiesOfGrids, HaveBinomialErrorsWithOnePatchPerPart) {
     const Store store = test::run(grid_plan(room, ray_method(1), 400));
     const auto errors = patch_errors(store, 0);
     ASSERT_TRUE(errors);
@@ -151,7 +151,7 @@ TEST(StudiesOfGrids, CountPairsOfPatchesOfDifferentSurfaces) {
     EXPECT_EQ(evaluations_per_trial(planned, planned.cells[0]), 3u * 16 * (21 * 21 - squares));
 }
 
-TEST(StudiesOfGrids, RefuseMorePatchesThanHaveNumbers) {
+TEST(StudiesOfGrids, RefuseMorePatchesThanCanBeNumbered) {
     std::string fine(plain_room);
     fine.replace(fine.find("[4, 2]"), 6, "[1024, 1024]");
     EXPECT_THAT(test::message_of<UserError>([&] { grid_plan(fine, ray_method(64)); }),

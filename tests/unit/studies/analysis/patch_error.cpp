@@ -25,7 +25,7 @@ samples_per_patch = 81
 
 /// Independent rays: Var F_pj = F_pj (1 - F_pj) / n. The mean square over 270 patch-face pairs of 400 trials has a
 /// relative standard error of about 1 %.
-TEST(PatchErrors, OfIndependentRaysAreBinomial) {
+TEST(PatchErrors, AreBinomialForIndependentRays) {
     const Store store = shoot("random", 3);
     const auto errors = patch_errors(store, 0);
     ASSERT_TRUE(errors);
@@ -59,7 +59,7 @@ patches_per_face = 25
 }
 
 /// The kernel is unbounded where patches share an edge, and smooth elsewhere.
-TEST(PatchErrors, OfAQuadratureLieAlongTheEdges) {
+TEST(PatchErrors, LieAlongTheEdgesForAQuadrature) {
     const auto errors = patch_errors(integrate("gauss_legendre", "nodes = 5"), 0);
     ASSERT_TRUE(errors);
     ASSERT_EQ(errors->rmse.size(), 150u);
@@ -67,7 +67,7 @@ TEST(PatchErrors, OfAQuadratureLieAlongTheEdges) {
     EXPECT_GT(errors->inside, 0);
 }
 
-TEST(PatchErrors, AreNotOfEstimatesWithoutAVariance) {
+TEST(PatchErrors, AreEmptyForEstimatesWithoutAVariance) {
     EXPECT_FALSE(analyse_cell(integrate("random", "samples_per_patch = 20"), 0).patch_errors);
     EXPECT_TRUE(analyse_cell(shoot("random", 3), 0).patch_errors);
 }

@@ -53,7 +53,7 @@ TEST(Slopes, NeedThreeSizesOfOneMethod) {
     EXPECT_THAT(slopes_of(store_with_rate(two, -1, 0)), IsEmpty());
 }
 
-TEST(Slopes, AreThoseOfTheErrors) {
+TEST(Slopes, MatchTheRateOfTheErrors) {
     const auto found = slopes_of(store_with_rate(ladder_plan("halton", "area_kernel"), -1, 0));
     ASSERT_THAT(found, SizeIs(1));
     ASSERT_THAT(found.front().classes, SizeIs(2));
@@ -68,7 +68,7 @@ TEST(Slopes, AreThoseOfTheErrors) {
 }
 
 // Correlation 1: six pairs say no more than one, and the interval has to be as wide.
-TEST(Slopes, OfAClassAllowForCorrelatedPairs) {
+TEST(Slopes, AllowForCorrelatedPairsOfAClass) {
     const auto plan = ladder_plan("halton", "area_kernel");
     const auto apart = slopes_of(store_with_rate(plan, -1, 0));
     const auto together = slopes_of(store_with_rate(plan, -1, 1));
@@ -82,7 +82,7 @@ TEST(Slopes, OfAClassAllowForCorrelatedPairs) {
     EXPECT_LT(apart.front().classes.front().rmse.interval->width(), 0.7 * class_slope.interval->width());
 }
 
-TEST(Slopes, OfInfiniteVarianceAreThoseOfTheMedianOnly) {
+TEST(Slopes, UseOnlyTheMedianUnderInfiniteVariance) {
     const auto found = slopes_of(store_with_rate(ladder_plan("random", "area_kernel"), -1.0 / 3, 0));
     const ClassSlopes& adjacent = found.front().classes.back();
     EXPECT_EQ(adjacent.pair_class, PairClass::adjacent);
@@ -103,14 +103,14 @@ TEST(Slopes, AreFoundToDifferFromTheory) {
     EXPECT_EQ(fast.front().classes.front().finding, RateFinding::faster);
 }
 
-TEST(Slopes, FasterThanABoundAreWithinIt) {
+TEST(Slopes, AreAsExpectedWhenFasterThanABound) {
     const auto found =
         slopes_of(store_with_rate(ladder_plan("sobol", "ray_shooting", "[1024, 4096, 16384, 65536]"), -0.8, 0));
     EXPECT_TRUE(found.front().classes.front().rmse.expected->at_least);
     EXPECT_EQ(found.front().classes.front().finding, RateFinding::as_expected);
 }
 
-TEST(Slopes, OfDeterministicMethodsHaveNoInterval) {
+TEST(Slopes, HaveNoIntervalForDeterministicMethods) {
     const auto found = slopes_of(store_with_rate(ladder_plan("sobol_raw", "area_kernel"), -1, 0));
     const ClassSlopes& parallel = found.front().classes.front();
     EXPECT_TRUE(parallel.rmse.slope);
@@ -118,7 +118,7 @@ TEST(Slopes, OfDeterministicMethodsHaveNoInterval) {
     EXPECT_EQ(parallel.finding, RateFinding::no_slope);
 }
 
-TEST(Ladders, OfSeveralSubdivisionsAreToldApart) {
+TEST(Ladders, AreDistinguishedBySubdivision) {
     const auto plan = test::plan_of(test::study_text("trials = 2", R"([[method]]
 name = "a"
 sampler = "random"
@@ -141,7 +141,7 @@ samples_per_patch = 10
     EXPECT_THAT(ladders[2].cells, testing::ElementsAre(6, 8, 7));
 }
 
-TEST(ExpectedRate, SlowsDownByItsLogarithms) {
+TEST(ExpectedRate, IsSlowedByItsLogarithmicFactors) {
     Method method;
     method.sampler = "sobol";
     method.estimator = "area_kernel";
@@ -152,7 +152,7 @@ TEST(ExpectedRate, SlowsDownByItsLogarithms) {
     EXPECT_FALSE(expected_rate(method, PairClass::adjacent));
 }
 
-TEST(ExpectedRate, OfTheKernelIsThatOfJumpsWhereSomethingMayStandInBetween) {
+TEST(ExpectedRate, IsThatOfJumpsForAKernelThatMayBeOccluded) {
     Method method;
     method.sampler = "sobol";
     method.estimator = "area_kernel";

@@ -73,7 +73,7 @@ TEST(Summary, HasNoIntervalUnderInfiniteVarianceButKeepsEstimates) {
     EXPECT_FALSE(s.bias_se || s.bias_interval || s.std_interval || s.minimum_detectable_bias || s.efficiency_samples);
 }
 
-TEST(Summary, OfADeterministicMethodHasNoSpread) {
+TEST(Summary, HasNoSpreadForADeterministicMethod) {
     SummaryRequest deterministic = request();
     deterministic.variance = VarianceStatus::none;
     const std::array one{0.21};
@@ -85,7 +85,7 @@ TEST(Summary, OfADeterministicMethodHasNoSpread) {
                  s.normality_p || s.vov || s.tail_index || s.efficiency_samples);
 }
 
-TEST(Summary, OfEqualValuesHasASpreadOfZeroAndNoTest) {
+TEST(Summary, HasZeroSpreadAndNoTestForEqualValues) {
     const std::array equal{0.2, 0.2, 0.2, 0.2};
     const Summary s = summarise(equal, request());
     EXPECT_EQ(s.std, 0.0);
@@ -93,7 +93,7 @@ TEST(Summary, OfEqualValuesHasASpreadOfZeroAndNoTest) {
                  s.efficiency_samples);
 }
 
-TEST(Summary, WithoutAReferenceHasNoBias) {
+TEST(Summary, HasNoBiasWithoutAReference) {
     SummaryRequest unknown = request();
     unknown.reference.reset();
     const Summary s = summarise(eight_estimates, unknown);

@@ -68,7 +68,7 @@ TEST(AuditOfThePaper, RecoversAPairFromTwoRows) {
     EXPECT_FALSE(find(paper().report, "table5.2.3+1")->alternatives.empty());
 }
 
-TEST(AuditOfThePaper, FindsTheReferenceThatWasReallyUsed) {
+TEST(AuditOfThePaper, FindsTheReferenceThatWasActuallyUsed) {
     const Finding* finding = find(paper().report, "reference: table5 parallel");
     ASSERT_NE(finding, nullptr);
     EXPECT_THAT(finding->statement, HasSubstr("relative to 0.1998, not to the stated 0.199824"));
@@ -80,7 +80,7 @@ TEST(AuditOfThePaper, FindsTwoTruncatedErrors) {
     EXPECT_EQ(meant("table6.9.4"), "0.87");
 }
 
-TEST(AuditOfThePaper, SeesLostRays) {
+TEST(AuditOfThePaper, DetectsLostRays) {
     const auto found = std::find_if(paper().report.findings.begin(), paper().report.findings.end(),
                                     [](const Finding& f) { return f.relation == Relation::closure; });
     ASSERT_NE(found, paper().report.findings.end());
@@ -95,7 +95,7 @@ TEST(AuditOfThePaper, ShowsThatFiguresAreRoundedNotTruncated) {
     }
 }
 
-TEST(AuditOfThePaper, RefutesTheTextsReadingOfTable3) {
+TEST(AuditOfThePaper, RefutesTheReadingOfTable3InTheText) {
     int possible = 0;
     for (const ReadingEvidence& r : paper().report.readings) {
         if (!r.refuted) ++possible;

@@ -19,7 +19,7 @@ TEST(Correct, RestoresADroppedDigit) {
     EXPECT_NEAR(c.units, 24622, 0.5);
 }
 
-TEST(Correct, IsCertainWhereOnePrintIsLeft) {
+TEST(Correct, IsCertainWhenOnlyOnePrintedValueFits) {
     const Correction c = correct("0.199044", {0.19919526, 0.19919528}, rounded_digits, 105625, anything);
     EXPECT_EQ(c.meant, "0.199195");
     EXPECT_TRUE(c.certain);
@@ -33,7 +33,7 @@ TEST(Correct, LooksForTheNearestMisprintInAWideRange) {
     EXPECT_TRUE(c.meant == "1.00034" || c.meant == "1.0034" || c.meant == "1.0034" || c.meant == "1.010034") << c.meant;
 }
 
-TEST(Correct, AsksWhetherTheRestAgrees) {
+TEST(Correct, ChecksCandidatesAgainstTheRest) {
     const auto only = [](Range r) { return r.contains(1.00934); };
     const Correction c = correct("1.10034", {0.99, 1.01}, rounded_digits, std::nullopt, only);
     EXPECT_EQ(c.meant, "1.00934");

@@ -23,13 +23,13 @@ ConstraintSystem sum_of_three(double a, double b, double c, double sum) {
     return system;
 }
 
-TEST(Diagnose, BlamesNobodyWithoutContradiction) {
+TEST(Diagnose, BlamesNothingWithoutAContradiction) {
     const auto found = diagnose(sum_of_three(1, 2, 3, 6.02));
     ASSERT_THAT(found, SizeIs(1));
     EXPECT_THAT(found.front().blamed, IsEmpty());
 }
 
-TEST(Diagnose, ListsEveryoneWhoMayBeToBlame) {
+TEST(Diagnose, ListsEveryFigureThatMayBeToBlame) {
     const auto found = diagnose(sum_of_three(1, 2, 3, 7));
     ASSERT_THAT(found, SizeIs(4));
     for (const Diagnosis& d : found) EXPECT_THAT(d.blamed, SizeIs(1));

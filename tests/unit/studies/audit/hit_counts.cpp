@@ -54,7 +54,7 @@ TEST(WeighFormats, RecognisesRoundingAndTruncation) {
     }
 }
 
-TEST(WeighFormats, FindsNothingInFiguresThatAreNoFractions) {
+TEST(WeighFormats, FindsNothingInFiguresThatAreNotFractions) {
     // Multiples of an irrational step: whole hits only by chance, about 0.106 of 30.
     std::vector<SampledFigure> figures;
     for (int k = 1; k <= 30; ++k) {

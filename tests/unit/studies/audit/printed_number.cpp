@@ -23,19 +23,19 @@ TEST(ParsePrinted, KeepsTheNumberOfDecimals) {
     EXPECT_DOUBLE_EQ(number->value(), 1.00114);
 }
 
-TEST(ParsePrinted, RefusesWhatIsNoPlainNumber) {
+TEST(ParsePrinted, RefusesAnythingButPlainNumbers) {
     for (const char* text : {"", ".", "-1", "1e-3", "1.2.3", "0,2", " 1", "12345678901234567"}) {
         EXPECT_FALSE(parse_printed(text)) << text;
     }
 }
 
-TEST(PrintedRange, OfARoundedNumberIsHalfAUnitToEachSide) {
+TEST(PrintedRange, IsHalfAUnitToEachSideOfARoundedNumber) {
     const Range range = range_of("0.199044", rounded_digits);
     EXPECT_NEAR(range.low, 0.1990435, 1e-15);
     EXPECT_NEAR(range.high, 0.1990445, 1e-15);
 }
 
-TEST(PrintedRange, OfATruncatedNumberEndsBelowTheNextOne) {
+TEST(PrintedRange, EndsBelowTheNextNumberIfTruncated) {
     const Range range = range_of("0.199044", truncated_decimals);
     EXPECT_DOUBLE_EQ(range.low, 0.199044);
     EXPECT_GT(range.high, 0.1990449);
@@ -73,7 +73,7 @@ TEST(Print, DoesNotLoseADigitToBinaryFractions) {
     EXPECT_EQ(print(0.29, {Rounding::truncated, Layout::fixed_decimals, 2}), "0.29");
 }
 
-TEST(MisprintDistance, CountsSlipsOfThePen) {
+TEST(MisprintDistance, CountsTypingErrors) {
     EXPECT_EQ(misprint_distance("0.997264", "0.997264"), 0);
     EXPECT_EQ(misprint_distance("0.97264", "0.997264"), 1);    // dropped
     EXPECT_EQ(misprint_distance("0.9972640", "0.997264"), 1);  // inserted

@@ -97,7 +97,7 @@ TEST(ErrorFalls, IsSupportedRefutedOrInconclusive) {
     EXPECT_EQ(verdict({large, large, small, small}, falls), ClaimVerdict::inconclusive);
 }
 
-TEST(ErrorDoesNotAlwaysFall, IsAboutSingleRuns) {
+TEST(ErrorDoesNotAlwaysFall, IsJudgedFromSingleRuns) {
     const auto not_always = claim("error_falls_with_subdivision_not_always", {"A"});
     EXPECT_EQ(verdict({large, large, small, small}, not_always), ClaimVerdict::supported);
     EXPECT_EQ(verdict({Errors{1e-2, 1e-2}, Errors{1e-6, 1e-6}, small, small}, not_always), ClaimVerdict::inconclusive)
@@ -113,7 +113,7 @@ TEST(SmallerError, ComparesOneClassOfPairs) {
     EXPECT_EQ(verdict({large, large, large, large}, parallel), ClaimVerdict::inconclusive);
 }
 
-TEST(Claims, OfMeansAreInconclusiveUnderInfiniteVariance) {
+TEST(Claims, AreInconclusiveAboutMeansOfInfiniteVariance) {
     const Store store = trials({small, small, large, small});
     Findings findings = analyse(store);
     PublishedTables tables = about_the_cube();
@@ -129,7 +129,7 @@ TEST(Claims, OfMeansAreInconclusiveUnderInfiniteVariance) {
     EXPECT_EQ(judged.at(2).verdict, ClaimVerdict::supported) << "shares of runs need no variance";
 }
 
-TEST(SmallerError, HoldsADeterministicMethodAgainstTheMean) {
+TEST(SmallerError, ComparesADeterministicMethodWithTheMean) {
     const auto beats = claim("smaller_error", {"D", "A"}, "parallel");
     EXPECT_EQ(verdict({large, small, small, small}, beats), ClaimVerdict::supported);
     EXPECT_EQ(verdict({small, small, small, large}, beats), ClaimVerdict::refuted);
@@ -142,7 +142,7 @@ TEST(SmallerSumError, IsAboutRowSums) {
     EXPECT_EQ(verdict({large, small, large, small}, sums), ClaimVerdict::inconclusive);
 }
 
-TEST(Counts, AreHeldAgainstSingleRuns) {
+TEST(Counts, AreComparedWithSingleRuns) {
     // |normal| > 1 on about 32 % of the 12 adjacent pairs: 4 of them, 1 to 7 in most runs.
     const std::array<Errors, 4> errors{large, small, small, large};
     auto count = claim("count_larger_error", {"A", "D"}, "adjacent");
@@ -195,7 +195,7 @@ TEST(NonuniformError, HoldsForIndependentErrorsOnly) {
     EXPECT_EQ(verdict({small, small, small, large}, claim("nonuniform_error", {"D"})), ClaimVerdict::refuted);
 }
 
-TEST(Division, NeedsEachMethodBestOnItsClass) {
+TEST(Division, RequiresEachMethodToBeBestOnItsClass) {
     for (const char* kind : {"no_single_best", "best_per_class"}) {
         const auto division = claim(kind, {"A", "B"});
         EXPECT_EQ(verdict({Errors{1e-4, 1e-3}, small, Errors{1e-3, 1e-4}, small}, division), ClaimVerdict::supported);
@@ -212,7 +212,7 @@ TEST(Division, DeclaresNoWinnerAmongRoundingErrors) {
     EXPECT_THAT(found.evidence, testing::HasSubstr("best on parallel pairs: D (exact to rounding)"));
 }
 
-TEST(Advice, IsJudgedBetweenTwoMethodsAndAsARule) {
+TEST(Advice, IsJudgedBetweenTwoMethodsAndAmongAllMethods) {
     const auto advice = claim("best_per_class", {"D", "A"});
     const auto evidence = [&](const Errors& a, const Errors& b, const Errors& d) {
         return judged(trials({a, a, b, d}), advice).evidence;
@@ -245,7 +245,7 @@ TEST(Advice, NamesAllThatMayBeTheBest) {
     EXPECT_THAT(evidence, testing::HasSubstr("on perpendicular ones A or B ("));
 }
 
-TEST(Advice, AllowsForTheBestHavingBeenPicked) {
+TEST(Advice, AllowsForSelectionOfTheBestMethod) {
     // Where A's own interval just excludes the error of D, that of the best of four methods does not.
     const auto closer = claim("smaller_error", {"A", "D"}, "adjacent");
     const auto advice = claim("best_per_class", {"D", "A"});
@@ -261,7 +261,7 @@ TEST(Advice, AllowsForTheBestHavingBeenPicked) {
     EXPECT_LE(only_by_itself, 5);
 }
 
-TEST(Claims, AboutWhatTheStudyDoesNotHaveAreInconclusive) {
+TEST(Claims, AreInconclusiveAboutWhatTheStudyLacks) {
     PublishedTables tables = about_the_cube();
     for (const char* kind :
          {"error_falls_with_subdivision", "error_falls_with_subdivision_not_always", "error_falls_with_samples",
@@ -284,7 +284,7 @@ TEST(Claims, AboutWhatTheStudyDoesNotHaveAreInconclusive) {
     }
 }
 
-TEST(Claims, AboutAnotherSceneAreInconclusive) {
+TEST(Claims, AreInconclusiveAboutAnotherScene) {
     const auto falls = claim("error_falls_with_samples", {"A"});
     PublishedTables elsewhere;
     elsewhere.scene = "box:1x2x3";
@@ -305,7 +305,7 @@ TEST(Claims, NeedBothMethodsThatTheyCompare) {
     }
 }
 
-TEST(ClaimEvidence, OrdersCellsBySizeAndKeepsToTheClaim) {
+TEST(ClaimEvidence, OrdersTheCellsOfTheClaimBySize) {
     const Store store = trials({small, small, small, small});
     const Findings findings = analyse(store);
     const PublishedTables tables = about_the_cube();
@@ -333,7 +333,7 @@ TEST(MeanWithError, HasTheLongerSideOfTheInterval) {
     EXPECT_EQ(mean_with_error({5}, 0.95).half_width, 0.0);
 }
 
-TEST(MeanWithError, SaysNothingOfTooFewTrials) {
+TEST(MeanWithError, IsUnboundedForTooFewTrials) {
     EXPECT_TRUE(std::isinf(mean_with_error({1, 2, 4}, 0.95).half_width));
 }
 

@@ -27,7 +27,7 @@ ErrorLaw law(std::string_view nodes) {
 
 // Expected: an independent program's row sums for 36 and 81 patches per face, 1.051365 and 1.034243, and the constants
 // of c/m that follow, to their printed digits (tests/unit/core/estimators/pdm.py makes such sums).
-TEST(ErrorLaw, OfPdmIsThirtyOneHundredthsOverM) {
+TEST(ErrorLaw, IsPointThreeOneOverMForPdm) {
     const ErrorLaw pdm = law("5");
     ASSERT_THAT(pdm.m, testing::ElementsAre(6.0, 9.0));
     EXPECT_NEAR(pdm.closure_errors[0], 0.051365, 5e-7);
@@ -38,7 +38,7 @@ TEST(ErrorLaw, OfPdmIsThirtyOneHundredthsOverM) {
     EXPECT_FALSE(pdm.published);
 }
 
-TEST(ErrorLaw, FallsSixOrAHundredTimesWhereNodesDoNotFaceEachOther) {
+TEST(ErrorLaw, IsSixOrAHundredTimesSmallerForNodesThatDoNotFaceEachOther) {
     EXPECT_NEAR(law("[5, 6]").first_order.coefficient, -0.0508, 1e-4);
     EXPECT_NEAR(law("[5, 2]").first_order.coefficient, 0.0029, 1e-4);
 }

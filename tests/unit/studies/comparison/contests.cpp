@@ -32,7 +32,7 @@ std::vector<Contest> parallel_contests(const Store& store, Equal equal) {
 }
 
 // Hits of 100 rays are whole numbers: an error of 0.02 or more for the smaller sizes.
-TEST(Contests, RepeatWhatIsSmallerThanTheBudget) {
+TEST(Contests, RepeatSizesBelowTheBudget) {
     const auto contests = parallel_contests(store_with_errors({0.04, 0.002, 0.02}), Equal::evaluations);
     ASSERT_EQ(contests.size(), 2u);
     EXPECT_EQ(contests[0].budget, 600);  // six faces
@@ -51,7 +51,7 @@ TEST(Contests, RepeatWhatIsSmallerThanTheBudget) {
 
 // The RMSEs are twice the scales. To reach A's 0.004 with 10000 rays, B is between its 0.04 with 100 and its 0.002 with
 // 10000: 100 * 100^(ln 10 / ln 20) = 3446. A's 0.08 is more than B has at any size.
-TEST(Contests, ToAnEqualErrorInterpolateBetweenSizes) {
+TEST(Contests, InterpolateBetweenSizesToReachAnEqualError) {
     const auto contests = parallel_contests(store_with_errors({0.04, 0.002, 0.02, 0.001}, R"([[method]]
 name = "A"
 sampler = "random"
@@ -73,7 +73,7 @@ samples_per_patch = [100, 10000]
     EXPECT_NEAR(contests[0].handicaps[0].ratio, 4, 0.1);
 }
 
-TEST(Contests, AtEqualTimeNeedMeasuredCosts) {
+TEST(Contests, NeedMeasuredCostsAtEqualTime) {
     Store store = store_with_errors({0.04, 0.002, 0.02});
     EXPECT_TRUE(parallel_contests(store, Equal::processor_time).empty());
     MeasuredCosts costs(store.plan());
@@ -100,7 +100,7 @@ TEST(Contests, AtEqualTimeNeedMeasuredCosts) {
     EXPECT_GT(width(contests[1]), width(of_evaluations[1]));
 }
 
-TEST(Contests, CompareTrialByTrialWhatSharesRandomNumbers) {
+TEST(Contests, CompareMethodsThatShareRandomNumbersTrialByTrial) {
     const auto methods = [](std::string_view other) {
         return fmt::format(R"([[method]]
 name = "direct"
@@ -129,7 +129,7 @@ samples_per_patch = 100
 // Eight methods that are one and the same, with other random numbers. Intervals hold together in 95 of 100 studies: of
 // 60 more than 12 without have a probability of 5e-5. Each by itself would fail in some pair in half of the studies or
 // more; then 12 or fewer are seen with a probability of 2e-6.
-TEST(Contests, HaveIntervalsThatHoldTogether) {
+TEST(Contests, HaveSimultaneousIntervals) {
     std::string methods;
     for (int i = 0; i < 8; ++i) {
         methods += fmt::format(

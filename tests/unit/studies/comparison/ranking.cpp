@@ -75,7 +75,7 @@ TEST(RankedSlopes, HaveWiderIntervalsWhereNoStraightLineFits) {
     EXPECT_EQ(rank_slopes(ladders, 0, PairClass::parallel, 0.95).slopes[1].group, 0u);
 }
 
-TEST(RankedSlopes, UseMediansForAllWhereOneHasNoVariance) {
+TEST(RankedSlopes, UseMediansForAllWhereOneVarianceIsInfinite) {
     std::vector<LadderSlopes> ladders(2);
     ladders[0].classes = {slope_of(-0.5, 0.1, 1, false)};
     ladders[1].classes = {slope_of(-1, 0.1, 1, false)};

@@ -75,7 +75,7 @@ samples_per_patch = 100
 
 /// The interval holds the true ratio as often as it says: 100 studies of ratio 1. At level 0.95 fewer than 84
 /// of 100 have a probability of 2e-5; with 70 % coverage instead, 99.8 %.
-TEST(Rivals, HaveAnIntervalThatHoldsTheTruth) {
+TEST(Rivals, HaveIntervalsThatCoverTheTruth) {
     const auto text = test::study_text("trials = 30", R"([[method]]
 name = "A"
 sampler = "random"

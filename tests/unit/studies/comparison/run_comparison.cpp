@@ -29,7 +29,7 @@ patches_per_face = 4
 
 // 300 comparisons of sound runs at 5 % each: a rate above 5 % is claimed by mistake with probability 1e-6; a rate of
 // 15 % is missed with probability below 1e-3 (binomial).
-TEST(RunComparison, CallsSoundRunsDifferentNoMoreOftenThanItSays) {
+TEST(RunComparison, CallsSoundRunsDifferentNoMoreOftenThanStated) {
     std::uint64_t alarms = 0;
     constexpr int repeats = 300;
     for (int i = 0; i < repeats; ++i) {
@@ -123,7 +123,7 @@ estimator = "ray_shooting"
 samples_per_patch = [64, 256]
 )";
 
-TEST(RunComparison, SetsTwoMethodsOfOneRunSideBySide) {
+TEST(RunComparison, ComparesTwoMethodsOfOneRun) {
     const Store store = made("random", 1, 60, better);
     const auto comparison = compare_runs(store, store, {"rays", "better"}, MethodNames{"rays", "better"});
     ASSERT_EQ(comparison.cells.size(), 1u);  // 256 rays; 64 are of one only
@@ -145,7 +145,7 @@ TEST(RunComparison, ListsAvailableMethods) {
     EXPECT_THAT(message, testing::HasSubstr("Did you mean 'better'? There are: rays, better."));
 }
 
-TEST(RunComparison, RefusesWhatHasNothingInCommon) {
+TEST(RunComparison, RefusesRunsWithNothingInCommon) {
     const auto box = test::run(test::plan_of(
         "[study]\nname = \"s\"\nscene = \"box:2x1x1\"\nseed = 1\ntrials = 5\n[[method]]\nname = \"rays\"\nsampler = "
         "\"random\"\nestimator = \"ray_shooting\"\nsamples_per_patch = 256\n"));

@@ -16,7 +16,7 @@ std::vector<ClaimedErrors> judged(std::string_view methods, int trials = 400) {
 
 // In 400 trials of 1000 rays, for 6 pairs, the binomial error of one run holds in 95 % of cases, within 1 % (the
 // share's standard error is 0.45 %), and for no pair significantly less often.
-TEST(ClaimedErrors, OfOneRunHoldForRandomRays) {
+TEST(ClaimedErrors, HoldInOneRunOfRandomRays) {
     const auto found = judged(R"([[method]]
 name = "SR"
 sampler = "random"
@@ -31,7 +31,7 @@ samples_per_patch = 1000
 }
 
 // Sobol' points err less than independent ones: what their binomial error claims holds nearly always.
-TEST(ClaimedErrors, OfOneRunAreTooLargeForSobolPoints) {
+TEST(ClaimedErrors, AreTooLargeInOneRunOfSobolPoints) {
     const auto found = judged(R"([[method]]
 name = "SR"
 sampler = "sobol"
@@ -42,7 +42,7 @@ samples_per_patch = 1024
     EXPECT_LT(found.at(0).median_ratio, 0.25);
 }
 
-TEST(ClaimedErrors, OfAStudyAreRefutedByOneRun) {
+TEST(ClaimedErrors, CanBeRefutedByOneRunWhenAStudyStatesThem) {
     const auto text = [](double claim) {
         return fmt::format(
             "[[method]]\nname = \"P\"\nsampler = \"sobol\"\nestimator = \"point_to_polygon\"\nsamples_per_patch = "
@@ -60,7 +60,7 @@ TEST(ClaimedErrors, OfAStudyAreRefutedByOneRun) {
     EXPECT_GT(small[1].largest_ratio, 1);
 }
 
-TEST(ClaimedErrors, OfAnEstimatorAreKeptWithItsTrials) {
+TEST(ClaimedErrors, AreStoredWithTheTrialsOfTheirEstimator) {
     const auto found = judged(R"([[method]]
 name = "Q"
 estimator = "adaptive_contour"

@@ -42,7 +42,7 @@ const Coverage& row(const std::vector<Coverage>& rows, IntervalRule rule) {
 }
 
 // 300 groups of 5 from each of 6 faces. Risks: 1e-6; .90 is noticed with power .99.
-TEST(Coverage, OfNormalTrialsIsNominalForStudentAndTwoStagesOnly) {
+TEST(Coverage, IsNominalOnNormalTrialsForStudentAndTwoStageOnly) {
     const auto rows = measure_coverage(trials_around_exact(coverage_plan(), 0));
     const auto agrees = [&](IntervalRule rule) {
         const Coverage& found = row(rows, rule);

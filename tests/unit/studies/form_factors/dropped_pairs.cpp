@@ -40,7 +40,7 @@ FormFactorMatrix matrix_dropping(const Scene& scene, double drop) {
 
 class DroppedPairs : public testing::TestWithParam<bool> {};
 
-TEST_P(DroppedPairs, AreSmallAndStandInTheSumsOfTheirRows) {
+TEST_P(DroppedPairs, AreSmallAndCountedInTheirRowSums) {
     const Scene scene = tiled_walls(GetParam());
     constexpr double least = 0.012;
     const FormFactorMatrix whole = matrix_dropping(scene, 0);

@@ -145,7 +145,7 @@ TEST(FormFactorPlaces, DoNotMatterForAFurnishedRoom) {
 }
 
 // The checker itself: another can is told from this one.
-TEST(FormFactorPlaces, AreToldFromAnotherScene) {
+TEST(FormFactorPlaces, CheckNoticesASlightlyLongerCan) {
     Scene longer = can();
     std::get<Frustum>(longer.surfaces[0].shape).axis *= 1.1;
     std::get<Disc>(longer.surfaces[2].shape).centre *= 1.1;
@@ -154,7 +154,7 @@ TEST(FormFactorPlaces, AreToldFromAnotherScene) {
 }
 
 /// Squares of 1e-5 with a plate of 1e8 in between.
-TEST(FormFactors, SeeAnOccluderHoweverLargeBesideThePair) {
+TEST(FormFactors, NoticeAnOccluderHoweverMuchLargerThanThePair) {
     const auto plate = [](double from, double edge, double height, double up, int face) {
         return Surface{Parallelogram{{from, from, height}, {edge, 0, 0}, {0, edge, 0}}, {0, 0, up}, face};
     };

@@ -113,7 +113,7 @@ class FormFactorStore : public testing::Test {
     KeptFormFactors kept = found("squares_blocked", false);
 };
 
-TEST_F(FormFactorStore, GivesBackWhatWasSaved) {
+TEST_F(FormFactorStore, RestoresWhatWasSaved) {
     for (const auto& [source, repaired] :
          {std::pair(std::string("squares_blocked"), false), std::pair(std::string("nested_cubes"), true),
           std::pair(with_scene_text("room.obj", triangles_obj), false)}) {
@@ -155,7 +155,7 @@ TEST_F(FormFactorStore, KeepsEveryMethodAndReason) {
     expect_equal(load_form_factors(file()).matrix, kept.matrix);
 }
 
-TEST_F(FormFactorStore, OfAnEarlierVersionIsRead) {
+TEST_F(FormFactorStore, IsReadFromAnEarlierVersion) {
     save(kept);
     EXPECT_TRUE(load_form_factors(file()).was_checked);
     Database(file(), Database::Mode::create_or_open).execute(test::form_factors_as_version_1);
@@ -185,7 +185,7 @@ std::string read_or_refused(const std::filesystem::path& file) {
     }
 }
 
-TEST_F(FormFactorStore, WithOneFlippedBitIsRefusedOrGivesTheSameMatrix) {
+TEST_F(FormFactorStore, IsRefusedOrUnchangedAfterABitFlip) {
     save(kept);
     const std::string sound = read_or_refused(file());
     ASSERT_FALSE(sound.empty());
@@ -204,7 +204,7 @@ TEST_F(FormFactorStore, WithOneFlippedBitIsRefusedOrGivesTheSameMatrix) {
     }
 }
 
-TEST_F(FormFactorStore, GivesBackWhatWasDropped) {
+TEST_F(FormFactorStore, RestoresDroppedPairs) {
     const KeptFormFactors saved = found("nested_cubes", false, 0.2);
     ASSERT_GT(saved.matrix.dropped, 0u);
     save(saved);
@@ -213,7 +213,7 @@ TEST_F(FormFactorStore, GivesBackWhatWasDropped) {
     expect_equal(read.matrix, saved.matrix);
 }
 
-TEST_F(FormFactorStore, IsReadWithoutTheTableOfWhatWasDropped) {
+TEST_F(FormFactorStore, IsReadWithoutATableOfDroppedPairs) {
     save(kept);
     Database database(file(), Database::Mode::create_or_open);
     database.execute("DROP TABLE dropped");
@@ -221,13 +221,13 @@ TEST_F(FormFactorStore, IsReadWithoutTheTableOfWhatWasDropped) {
     expect_equal(load_form_factors(file()).matrix, kept.matrix);
 }
 
-TEST_F(FormFactorStore, IsRepairedAfterwardsAsTheRunWouldHave) {
+TEST_F(FormFactorStore, IsRepairedLaterExactlyAsDuringTheRun) {
     KeptFormFactors plain = found("nested_cubes", false);
     save(plain);
     EXPECT_EQ(repair(load_form_factors(file()).matrix).factors, found("nested_cubes", true).matrix.repaired->factors);
 }
 
-TEST_F(FormFactorStore, IsRefusedWhereItIsSomethingElse) {
+TEST_F(FormFactorStore, IsRefusedIfItIsAnotherKindOfFile) {
     EXPECT_THAT(refusal<IoError>(), HasSubstr("no such file"));
     std::ofstream(file()) << "this is a text, long enough to be taken for something else than an empty file";
     EXPECT_THAT(refusal<UserError>(), HasSubstr("no SQLite file"));
@@ -241,7 +241,7 @@ TEST_F(FormFactorStore, IsRefusedWhereItIsSomethingElse) {
     EXPECT_THAT(refusal<UserError>(), HasSubstr("schema version 4 (this program reads 1 to 3)"));
 }
 
-TEST_F(FormFactorStore, IsRefusedWhereItIsDamaged) {
+TEST_F(FormFactorStore, IsRefusedIfDamaged) {
     EXPECT_EQ(refusal_after("SELECT 1"), "nothing thrown");
     EXPECT_THAT(refusal_after("UPDATE pairs SET low = 2"), HasSubstr("damaged (an interval that no run has written)"));
     EXPECT_THAT(refusal_after("UPDATE pairs SET high = 9e999"), HasSubstr("an interval"));

@@ -135,7 +135,7 @@ TEST(FormFactors, AreBoundedByGeometryWhereThereWasNoTime) {
 
 // The pilots' interval holds the exact value for at least 0.95 of 200 seeds; 0.85 would be noticed with probability
 // 0.99. Intervals of half the width are noticed.
-TEST(FormFactors, HoldWhenTheyAreStopped) {
+TEST(FormFactors, HaveValidIntervalsWhenStopped) {
     const double exact = *known_form_factor(built_in_scene("squares_blocked"), 0, 1);
     std::uint64_t held = 0;
     std::uint64_t held_by_halves = 0;

@@ -22,7 +22,7 @@ SampledRow row_of_two() {
     return row;
 }
 
-TEST(SampledRow, SurvivesTheWayThroughWords) {
+TEST(SampledRow, SurvivesARoundTripThroughWords) {
     const SampledRow row = row_of_two();
     const auto words = to_words(row);
     const auto read = sampled_row(words);
@@ -42,7 +42,7 @@ TEST(SampledRow, SurvivesTheWayThroughWords) {
     EXPECT_FALSE(read->estimates[1].second.sum);
 }
 
-TEST(SampledRow, ShortLongAndRandomWordsAreNoRow) {
+TEST(SampledRow, IsEmptyForTooFewTooManyOrRandomWords) {
     const auto words = to_words(row_of_two());
     for (std::size_t size = 0; size < words.size(); ++size)
         EXPECT_FALSE(sampled_row(std::span(words).first(size))) << size;

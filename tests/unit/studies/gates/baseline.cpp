@@ -27,7 +27,7 @@ std::string refusal_of_baseline(std::string_view from, std::string_view to) {
     return test::message_of<UserError>([&] { static_cast<void>(parse_baseline(text, "base.json")); });
 }
 
-TEST(ParseBaseline, NamesGateQuantityAndNumberThatCannotBe) {
+TEST(ParseBaseline, NamesTheGateTheQuantityAndTheImpossibleNumber) {
     EXPECT_EQ(refusal_of_baseline("", ""), "nothing thrown");
     EXPECT_THAT(
         refusal_of_baseline("90.5", "1e308"),

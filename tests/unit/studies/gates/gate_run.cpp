@@ -89,7 +89,7 @@ TEST(GateRun, FailsWhatIsWrong) {
     }
 }
 
-TEST(GateRun, SaysWhatDecided) {
+TEST(GateRun, NamesTheDecidingComparison) {
     const GateResult result = check(one_gate("bias", "band = 0.005", centres_method));
     const Comparison& row = decisive(result.comparisons);
     EXPECT_EQ(row.verdict, Verdict::fail);
@@ -163,7 +163,7 @@ TEST(GateRun, StopsWhenAsked) {
     EXPECT_FALSE(run_gate(spec, plan, {.threads = 1, .stop = &stop}));
 }
 
-TEST(PrepareGate, RefusesWhatNoNumberOfTrialsCanDecide) {
+TEST(PrepareGate, RefusesGatesThatNoNumberOfTrialsCanDecide) {
     EXPECT_THAT(refusal_of_gate(one_gate("bias", "band = 0.1", kernel_method)), HasSubstr("variance is infinite"));
     EXPECT_THAT(refusal_of_gate(one_gate("closure", "band = 0.1", kernel_method)), HasSubstr("variance is infinite"));
     EXPECT_THAT(refusal_of_gate(one_gate("bias", "band = 1e-12")), HasSubstr("no number of trials can decide"));
@@ -172,7 +172,7 @@ TEST(PrepareGate, RefusesWhatNoNumberOfTrialsCanDecide) {
     EXPECT_THAT(refusal_of_gate(one_gate("bias", "band = 0.1", kernel_method)), HasSubstr("bands.toml:"));
 }
 
-TEST(PrepareGate, RefusesKindsThatAMethodCannotHave) {
+TEST(PrepareGate, RefusesKindsThatDoNotFitTheMethod) {
     EXPECT_THAT(refusal_of_gate(one_gate("std", "band = 0.1", quadrature_method)), HasSubstr("deterministic"));
     EXPECT_THAT(refusal_of_gate(one_gate("std", "band = 0.1", sobol_method)), HasSubstr("reference missing"));
     EXPECT_THAT(refusal_of_gate(one_gate("lost_rays", "band = 0", quadrature_method)), HasSubstr("shoots none"));
@@ -203,7 +203,7 @@ TEST(PrepareGate, TakesPairsByClassAndByName) {
 
 constexpr std::string_view baseline_lines = "reference = \"baseline\"\n";
 
-TEST(BaselineRun, ComparesEveryKindWithWhatWasSaved) {
+TEST(BaselineRun, ComparesEveryKindWithTheSavedBaseline) {
     for (const auto& [kind, band] : {std::pair("bias", "band = 0.005"), std::pair("std", "band = 0.3"),
                                      std::pair("rmse", "band = 0.3"), std::pair("efficiency", "band = 0.6")}) {
         const GatesSpec spec = one_gate(kind, fmt::format("{}\n{}", band, baseline_lines), sobol_method);
@@ -227,7 +227,7 @@ TEST(BaselineRun, CatchesAMethodThatBecameWorse) {
     }
 }
 
-TEST(BaselineRun, UsesOtherRandomNumbersThanTheCheck) {
+TEST(BaselineRun, UsesDifferentRandomNumbersFromTheCheck) {
     const GatesSpec spec = one_gate("bias", "band = 0.005\nreference = \"baseline\"\ntrials = 100");
     const Baseline baseline = save(spec);
     EXPECT_NE(check(spec, &baseline).comparisons.front().measurement->value, 0);

@@ -26,7 +26,7 @@ std::size_t face_of(const Scene& scene, const std::string& name) {
     return static_cast<std::size_t>(std::find(scene.faces.begin(), scene.faces.end(), name) - scene.faces.begin());
 }
 
-TEST(FlowSampling, KnowsEveryPowerAsWellAsItIsAskedFor) {
+TEST(FlowSampling, MeetsTheToleranceForEveryPower) {
     const Scene scene = furnace_scene();
     const Materials materials = furnace_materials();
     for (const FlowTolerance tolerance : {FlowTolerance{1e-3}, FlowTolerance{1e-4}, FlowTolerance{100, true}}) {
@@ -42,7 +42,7 @@ TEST(FlowSampling, KnowsEveryPowerAsWellAsItIsAskedFor) {
 }
 
 // The estimate is one: within a factor of 3 of what a tolerance for all takes that gives about the same certainty.
-TEST(FlowSampling, EstimatesWhatOneToleranceForAllWouldTake) {
+TEST(FlowSampling, EstimatesTheCostOfOneToleranceForAll) {
     const Scene scene = furnace_scene();
     const Materials materials = furnace_materials();
     const SampledFlows found = sample_flows(scene, flow_request(), materials, 1, {1e-4});
@@ -81,7 +81,7 @@ TEST(FlowSampling, ReportsTheBestThatItsBudgetAllows) {
     EXPECT_THROW(sample_flows(furnace_scene(), request, furnace_materials(), 1, {1e-6}), UserError);
 }
 
-TEST(FlowPlan, SpendsLeastOnPairsThatMoveRadiationBetweenAlikeFaces) {
+TEST(FlowPlan, SpendsLeastOnPairsOfSimilarTemperature) {
     const Scene scene = furnace_scene();
     FormFactorRequest request = flow_request();
     request.tolerance = 1e-3;

@@ -80,7 +80,7 @@ radius = 2
 facing = "inward"
 )";
 
-TEST(HeatFlows, BetweenSpheresContainTheExactOne) {
+TEST(HeatFlows, ContainTheExactOneBetweenSpheres) {
     const Scene scene = make_scene(with_scene_text("spheres.toml", spheres_toml));
     const double exact = two_surfaces(4 * std::numbers::pi, 0.8, 600, 16 * std::numbers::pi, 0.5, 300);
     for (std::uint64_t seed = 1; seed <= 20; ++seed) {
@@ -110,7 +110,7 @@ outer = {{ emissivity = 0.5, temperature = 300 }}
 }
 
 // Between two concentric spheres: what the inner one emits, the outer absorbs unless it is sent back. @see [howell]
-TEST(GebhartFactors, BetweenSpheresContainTheExactOnes) {
+TEST(GebhartFactors, ContainTheExactOnesBetweenSpheres) {
     const Scene scene = make_scene(with_scene_text("spheres.toml", spheres_toml));
     const auto materials = read_materials(R"(
 [materials]
@@ -130,7 +130,7 @@ outer = { emissivity = 0.5, temperature = 300 }
     for (const GebhartFactor& factor : factors) EXPECT_LT(factor.gebhart.half_width(), 0.01);
 }
 
-TEST(GebhartFactors, OfAnOpenSceneEndInTheSurroundings) {
+TEST(GebhartFactors, IncludeTheSurroundingsOfAnOpenScene) {
     const Scene scene = make_scene(with_scene_text("plate.toml", R"(
 [[surface]]
 face = "plate"
@@ -167,7 +167,7 @@ normal = [0, 0, 1]
 radius = 1
 )";
 
-TEST(HeatFlows, LeaveAnOpenScene) {
+TEST(HeatFlows, ReachTheSurroundingsOfAnOpenScene) {
     const Scene scene = make_scene(with_scene_text("plate.toml", plate_toml));
     const auto flows =
         flows_of(scene, "surroundings = 300\n[materials]\nplate = { emissivity = 0.7, temperature = 500 }\n");
@@ -178,7 +178,7 @@ TEST(HeatFlows, LeaveAnOpenScene) {
     EXPECT_THROW(flows_of(scene, "[materials]\nplate = { emissivity = 0.7, temperature = 500 }\n"), UserError);
 }
 
-TEST(HeatFlows, OfLightAreThoseOfTheRadiositySystem) {
+TEST(HeatFlows, MatchTheRadiositySystemForLight) {
     const auto flows = flows_of(
         make_scene("cube"), "[materials]\n\"*\" = { reflectance = 0.5 }\n6 = { reflectance = 0.5, emission = 1 }\n");
     // All light is absorbed: half of what arrives at each face.
@@ -187,7 +187,7 @@ TEST(HeatFlows, OfLightAreThoseOfTheRadiositySystem) {
     EXPECT_NEAR(absorbed, 36, 1e-6);
 }
 
-TEST(HeatFlows, BetweenFacesOfOneTemperatureAreAtRest) {
+TEST(HeatFlows, AreAtRestBetweenFacesOfOneTemperature) {
     const char* const alike = "[materials]\n\"*\" = { emissivity = 0.7, temperature = 600 }\n";
     const auto rest = flows_of(furnace_scene(), alike, 1e-3);
     EXPECT_TRUE(rest.are_at_rest());
@@ -198,7 +198,7 @@ TEST(HeatFlows, BetweenFacesOfOneTemperatureAreAtRest) {
     EXPECT_FALSE(flows_of(furnace_scene(), nearly, 1e-3).are_at_rest());
 }
 
-TEST(HeatFlows, OfAnAdiabaticEnclosureAreRefused) {
+TEST(HeatFlows, AreRefusedForAnAdiabaticEnclosure) {
     const auto refusal = [](const char* materials) {
         try {
             flows_of(make_scene("cube"), materials);

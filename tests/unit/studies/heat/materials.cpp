@@ -17,7 +17,7 @@ std::string refusal_of_materials(std::string_view toml) {
     return test::message_of<UserError>([&] { read_materials(toml, "m.toml", {room_faces, {}}); });
 }
 
-TEST(Materials, ANameGoesBeforeAPattern) {
+TEST(Materials, PreferANameToAPattern) {
     const auto materials = read_materials(R"(
 surroundings = 290
 [materials]
@@ -35,7 +35,7 @@ floor = { emissivity = 0.8, flux = 12.5 }
     EXPECT_THAT(materials.warnings, testing::IsEmpty());
 }
 
-TEST(Materials, ThatAreWrongAreRefusedByName) {
+TEST(Materials, AreRefusedByNameWhenWrong) {
     EXPECT_THAT(refusal_of_materials("[materials]\nfloor = { emissivity = 0.5, flux = 0 }\n"),
                 HasSubstr("face 'ceiling' has no material"));
     EXPECT_THAT(refusal_of_materials(
@@ -116,7 +116,7 @@ wall = { emissivity = 0.5, temperature = 400 }
                 testing::ThrowsMessage<UserError>(HasSubstr("Did you mean 'brick'?")));
 }
 
-TEST(Materials, AreFacesOnRequest) {
+TEST(Materials, BecomeFacesOnRequest) {
     const auto [scene, said] = scene_of("tiles.obj", with_obj_comment(tiles_obj, faces_of_materials));
     EXPECT_THAT(scene.faces, testing::ElementsAre("brick", "steel", "glass"));
     EXPECT_EQ(scene.surfaces.size(), 4u);
@@ -143,7 +143,7 @@ SceneWithMaterials plates_of_emissivity(const std::string& emissivity) {
     return scene_of("plates.vs3", text);
 }
 
-TEST(Materials, TakeTheEmissivitiesOfView3d) {
+TEST(Materials, ReadTheEmissivitiesOfView3d) {
     constexpr const char* toml =
         "surroundings = 0\n[materials]\nfloor = { temperature = 300 }\nceiling = { temperature = 400 }\n";
     const auto read = [](const SceneWithMaterials& made, const char* text) {
@@ -162,7 +162,7 @@ TEST(Materials, TakeTheEmissivitiesOfView3d) {
         << "the materials file goes first";
 }
 
-TEST(Materials, WarnOfDegreesCelsius) {
+TEST(Materials, WarnAboutDegreesCelsius) {
     const auto materials =
         read_materials("[materials]\n\"*\" = { emissivity = 0.5, temperature = 20 }\n", "m.toml", {room_faces, {}});
     ASSERT_EQ(materials.warnings.size(), 1u);

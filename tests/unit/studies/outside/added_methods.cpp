@@ -52,7 +52,7 @@ void add_methods() {
         [](const samplers::PointSetSpec& spec) { return samplers::find("sobol").make(spec); }));
 }
 
-TEST(AddedMethods, AreMethodsOfStudiesLikeAnyOther) {
+TEST(AddedMethods, WorkInStudiesLikeBuiltInMethods) {
     add_methods();
     const auto results = evaluate(test::run(test::plan_of(test::study_text("trials = 60", R"([[method]]
 name = "mine"
@@ -69,7 +69,7 @@ patches_per_face = 4
     EXPECT_LT(*opposite.bias_se, 1e-3);
 }
 
-TEST(AddedMethods, WithTakenNamesAreRefused) {
+TEST(AddedMethods, AreRefusedWhenTheirNamesAreTaken) {
     const auto add_named = [](const char* name) {
         add(std::make_unique<AddedEstimator>(AddedEstimator::Texts{name, "", ""}, EstimatorInfo{}, nullptr, nullptr));
     };

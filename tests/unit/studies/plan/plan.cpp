@@ -90,7 +90,7 @@ TEST(PlanKeys, DoNotDependOnNameCompletionTrialsOrOrderOfSizes) {
     EXPECT_EQ(sizes, straight);
 }
 
-TEST(PlanKeys, DependOnAllThatShapesTheNumbers) {
+TEST(PlanKeys, DependOnEverythingThatAffectsTheNumbers) {
     const std::string text(rays_method);
     const StreamKey key = only_key("cube", text);
     EXPECT_NE(only_key("cube", replaced(text, "\"random\"", "\"random_mt\"")), key);
@@ -105,7 +105,7 @@ TEST(PlanKeys, DependOnAllThatShapesTheNumbers) {
     EXPECT_NE(plan_of(replaced(study_text("trials = 9", rays_method), "seed = 7", "seed = 8")).cells.at(0).key, key);
 }
 
-TEST(PlanKeys, AreThoseOfTheSceneNotOfItsName) {
+TEST(PlanKeys, DependOnTheSceneNotOnItsName) {
     EXPECT_EQ(only_key("cube", rays_method), only_key("box:6x6x6", rays_method));
     EXPECT_EQ(only_key("cube", rays_method), only_key("box:6.0x6x06", rays_method));
 }
@@ -183,7 +183,7 @@ std::vector<std::string> warnings_of_sobol(std::string_view lines) {
         .warnings;
 }
 
-TEST(Plan, WarnsOfASizeAtWhichASamplerIsNotAtItsBest) {
+TEST(Plan, WarnsOfSizesThatDoNotSuitTheSampler) {
     EXPECT_THAT(warnings_of_sobol("samples_per_patch = [512, 1024]"), testing::IsEmpty());
     EXPECT_THAT(warnings_of_sobol("samples_per_patch = [512, 625]"),
                 testing::ElementsAre(testing::AllOf(testing::HasSubstr("'S'"), testing::HasSubstr("512 = 2^9"))));
@@ -208,7 +208,7 @@ TEST(Plan, CountsRaysAndKernelValues) {
     EXPECT_EQ(evaluations_per_trial(plan, plan.cells[1]), 24u * 20 * 900);
 }
 
-TEST(Plan, CountsPointsThatSeeAllFacesOnce) {
+TEST(Plan, CountsPointsSharedByAllTargetsOnce) {
     const StudyPlan plan = plan_of(study_text("trials = 9",
                                               "[[method]]\nname = \"p\"\nsampler = \"gauss_legendre\"\n"
                                               "estimator = \"point_to_polygon\"\nnodes = 5\npatches_per_face = 4"));
@@ -216,7 +216,7 @@ TEST(Plan, CountsPointsThatSeeAllFacesOnce) {
     EXPECT_EQ(evaluations_per_trial(plan, plan.cells[0]), 24u * 25);
 }
 
-TEST(Plan, RefusesSomeOtherOrdersOnlyWhereTheyAreWrong) {
+TEST(Plan, AcceptsBothTracersForABox) {
     EXPECT_NO_THROW(
         static_cast<void>(plan_of(study_text("trials = 9", std::string(rays_method) + "tracer = \"box\""))));
     EXPECT_NO_THROW(

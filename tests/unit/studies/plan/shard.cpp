@@ -9,7 +9,7 @@
 namespace ff::studies {
 namespace {
 
-TEST(Shard, SharesDealOutEveryUnitOnce) {
+TEST(Shard, HoldsEveryUnitInExactlyOneOfAll) {
     for (std::uint64_t count = 1; count <= 5; ++count) {
         for (std::size_t unit = 0; unit < 23; ++unit) {
             int holders = 0;
@@ -27,7 +27,7 @@ TEST(Shard, IsReadFromIndexAndCount) {
     EXPECT_TRUE(parse_shard("1/1").is_whole());
 }
 
-TEST(Shard, RefusesMalformedShares) {
+TEST(Shard, RefusesMalformedText) {
     for (const char* text :
          {"", "1", "0/1", "2/1", "1/0", "-1/2", "1/2/3", "1 /2", "a/2", "1/2x", "1/99999999999999999999"})
         EXPECT_THROW(parse_shard(text), UserError) << text;

@@ -37,7 +37,7 @@ TEST(PointFile, ReadsArraysOfEveryType) {
     }
 }
 
-TEST(PointFile, ReadsArraysOfSeveralTrialsAndLeavesOutMoreThanFourCoordinates) {
+TEST(PointFile, ReadsArraysOfSeveralTrialsAndIgnoresCoordinatesBeyondFour) {
     std::vector<double> numbers(2 * 3 * 6);
     for (std::size_t i = 0; i < numbers.size(); ++i) numbers[i] = static_cast<double>(i) / 64;
     const auto set = parse_points(npy<double>("<f8", "2, 3, 6", numbers), "points.npy");
@@ -132,7 +132,7 @@ TEST(PointFile, ReadsDigitalNetsAsLDDataHasThem) {
         EXPECT_EQ(parse_points(text, "net.txt").coordinate, net.coordinate);
 }
 
-TEST(PointFile, TakesTheBeginningOfLongDigitalSequences) {
+TEST(PointFile, TruncatesLongDigitalSequences) {
     std::string text = "# dnetup\n2\n1\n4294967296\n64\n";
     for (int c = 0; c < 32; ++c) text += fmt::format("{} ", (std::uint64_t{1} << 63) + (std::uint64_t{1} << c));
     const auto net = parse_points(text, "sequence.txt");
@@ -143,7 +143,7 @@ TEST(PointFile, TakesTheBeginningOfLongDigitalSequences) {
 
 // The first points of van der Corput's sequence are a set themselves for every power of 2; those of i / n only for one
 // point.
-TEST(PointFile, KnowsWhichBeginningsOfASetAreSetsThemselves) {
+TEST(PointFile, FindsTheNestedSizesOfASet) {
     const auto sequence = parse_points("# dnetup\n2\n1\n3\n3\n1 2 4\n", "sequence.txt");
     EXPECT_EQ(nested_sizes(sequence), (std::vector<std::uint64_t>{1, 2, 4}));
     const auto net = parse_points("# dnetup\n2\n2\n3\n3\n1 2 4\n4 2 1\n", "net.txt");

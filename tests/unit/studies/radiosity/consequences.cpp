@@ -49,7 +49,7 @@ const Consequences& of(std::size_t cell, Treatment treatment) {
     return *small_results().find(cell, treatment);
 }
 
-TEST(Consequences, OfDirectRaysKeepDominanceAtEveryReflectance) {
+TEST(Consequences, KeepDominanceForDirectRaysAtEveryReflectance) {
     const Consequences& direct = of(0, Treatment::direct);
     EXPECT_NEAR(direct.dominant_below.least, 1, 1e-14);
     for (const SettingFindings& at : direct.settings) {
@@ -60,7 +60,7 @@ TEST(Consequences, OfDirectRaysKeepDominanceAtEveryReflectance) {
     EXPECT_GT(direct.reciprocity_defect.least, 0);
 }
 
-TEST(Consequences, OfReciprocalRaysMayLoseDominance) {
+TEST(Consequences, MayLoseDominanceForReciprocalRays) {
     const Consequences& reciprocal = of(0, Treatment::reciprocal);
     EXPECT_LT(reciprocal.dominant_below.median, 0.999);
     EXPECT_LT(reciprocal.settings.back().dominant, 100u);
@@ -74,7 +74,7 @@ TEST(Consequences, OfReciprocalRaysMayLoseDominance) {
 }
 
 // Its rows sum to more than 1: found here from the estimates themselves.
-TEST(Consequences, OfPdmLoseDominanceAboveTheReciprocalOfARowSum) {
+TEST(Consequences, LoseDominanceForPdmAboveTheReciprocalOfARowSum) {
     const Consequences& found = of(1, Treatment::direct);
     ASSERT_EQ(found.trials, 1u);
     const double limit = found.dominant_below.median;
@@ -141,7 +141,7 @@ samples_per_patch = 16
     return made;
 }
 
-TEST(PatchConsequences, AreOfDividedFacesAndOfTheTrialsAskedFor) {
+TEST(PatchConsequences, CoverDividedFacesAndTheRequestedTrials) {
     const RadiosityResults& results = between_patches();
     for (const auto& [cell, patches, trials] :
          {std::tuple{std::size_t{1}, 24u, 5u}, {std::size_t{2}, 24u, 1u}, {std::size_t{3}, 96u, 1u}}) {
@@ -159,7 +159,7 @@ TEST(PatchConsequences, AreOfDividedFacesAndOfTheTrialsAskedFor) {
 
 // What a patch gathers differs over a face: patches change the light of a face by some percent, ever less as they
 // shrink.
-TEST(PatchConsequences, HaveExactSolutionsThatSettle) {
+TEST(PatchConsequences, HaveExactSolutionsThatConverge) {
     for (std::size_t setting = 0; setting < 5; ++setting) {
         const Eigen::VectorXd& faces = between_patches().exact_system(0, setting).exitance;
         const Eigen::VectorXd& coarse = between_patches().exact_system(0, setting, 2).exitance;
@@ -189,7 +189,7 @@ TEST(PatchConsequences, RemoveTheDefectsThatTheyPromiseToRemove) {
 }
 
 // The row of a corner patch errs the same however small the patches are: dividing helps faces, not the worst patch.
-TEST(PatchConsequences, OfPdmLoseDominanceAtTheSameReflectanceForAnySubdivision) {
+TEST(PatchConsequences, LoseDominanceForPdmAtOneReflectanceForAnySubdivision) {
     const double coarse = between_patches().find(2, Treatment::direct, Between::patches)->dominant_below.median;
     const double fine = between_patches().find(3, Treatment::direct, Between::patches)->dominant_below.median;
     EXPECT_LT(coarse, 0.9);
@@ -198,7 +198,7 @@ TEST(PatchConsequences, OfPdmLoseDominanceAtTheSameReflectanceForAnySubdivision)
     EXPECT_GT(faces(3).median, faces(2).median + 0.02);
 }
 
-TEST(PatchTrials, RefuseMorePatchesThanAMatrixHoldsPairsOf) {
+TEST(PatchTrials, RefuseTooManyPatchesForAMatrixOfPairs) {
     const auto message = [](std::string_view estimator, int patches) {
         return test::message_of<UserError>([&] {
             lit_plan("trials = 4",
@@ -247,7 +247,7 @@ TEST(Consequences, VanishForAFurnace) {
     EXPECT_GT(results.find(0, Treatment::reciprocal)->settings[0].exitance[1].std.value(), 1e-3);
 }
 
-TEST(SolverRuns, AreKeptForTheOwnCompletionOfTheFirstTrials) {
+TEST(SolverRuns, AreKeptForTheFirstTrialsOfTheMethodsOwnCompletion) {
     EXPECT_TRUE(of(0, Treatment::direct).settings[0].solvers.empty());
     const auto& solvers = of(0, Treatment::reciprocal).settings[0].solvers;
     ASSERT_EQ(solvers.size(), all_solvers.size());
@@ -261,7 +261,7 @@ TEST(SolverRuns, AreKeptForTheOwnCompletionOfTheFirstTrials) {
 
 // With direct rows of independent rays the factors are unbiased. Two errors meet in the second reflection, so that the
 // exitance has a bias, and half the rays make it twice as large: -1 within 6 standard errors of the slope.
-TEST(BiasOrder, OfUnbiasedFactorsIsOneOverN) {
+TEST(BiasOrder, IsOneOverNForUnbiasedFactors) {
     const StudyPlan plan = lit_plan("trials = 20000", R"([[method]]
 name = "SR"
 sampler = "random"

@@ -111,7 +111,7 @@ TEST(FindEnclosure, RefusesUnknownEnclosures) {
     EXPECT_EQ(message("box:2x1x0.5", "1"), "nothing thrown");
 }
 
-TEST(EnclosureStudy, RefusesOtherNumbersOfSurfacesAndNoRays) {
+TEST(EnclosureStudy, RefusesMismatchedSurfaceCountsAndZeroRays) {
     EnclosureRequest wrong = request("cylinder:1x2");
     wrong.light.emission = {1, 0};
     EXPECT_THROW((void)study_enclosure(wrong), UserError);

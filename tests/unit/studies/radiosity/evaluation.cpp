@@ -26,7 +26,7 @@ StudyPlan lit_ray_plan(std::string_view light, std::string_view patches = "1") {
 // Errors of different direct rows are independent, so that in the second order only those within a row meet:
 // b_i = rho^2 / N times the covariance of M_ji and m_j over where a ray from i falls, and M b is the bias, with
 // M = (I - rho F)^-1. In a flat box it can be seen: here it is 7 standard errors, and expected within 5 of them.
-TEST(Bias, OfDirectRowsIsWhatErrorsWithinARowMake) {
+TEST(Bias, ComesFromErrorsWithinARowForDirectRows) {
     const double rho = 0.9;
     const double rays_of_a_face = 16;
     const double trials = 120000;
@@ -64,7 +64,7 @@ solver_trials = 0
     EXPECT_NEAR(*all.bias, expected, 5 * error);
 }
 
-TEST(Evaluation, IsStoppedBetweenPatchesOnly) {
+TEST(Evaluation, CanBeStoppedOnlyInThePartBetweenPatches) {
     const StudyPlan plan = lit_ray_plan("patch_trials = 3\n", "4");
     const Store store = test::run(plan);
     const std::atomic<bool> at_once = true;
@@ -78,7 +78,7 @@ TEST(Evaluation, IsStoppedBetweenPatchesOnly) {
     EXPECT_TRUE(patch_trials(plan, evaluate_radiosity(store, &never)).complete());
 }
 
-TEST(SolverRuns, BetweenPatchesAreLimitedByWhatTheyCost) {
+TEST(SolverRuns, AreLimitedByTheirCostBetweenPatches) {
     const StudyPlan plan = lit_ray_plan("reflectance = [0.5, 0.999]\n");
     EXPECT_TRUE(runs_solvers(plan, 1014, 0));
     EXPECT_FALSE(runs_solvers(plan, 1014, 1));

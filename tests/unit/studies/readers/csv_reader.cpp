@@ -41,7 +41,7 @@ TEST(CsvReader, KeepsEmptyCells) {
     EXPECT_THAT(read("a,,\n,"), ElementsAre(Texts{"a", "", ""}, Texts{"", ""}));
 }
 
-TEST(CsvReader, TakesQuotedCommasQuotesAndLineEndsForText) {
+TEST(CsvReader, ReadsQuotedCommasQuotesAndLineEndsAsText) {
     EXPECT_THAT(read("\"a,b\",\"say \"\"so\"\"\",\"two\nlines\"\n"),
                 ElementsAre(Texts{"a,b", "say \"so\"", "two\nlines"}));
     EXPECT_THAT(read("\"\",x\n"), ElementsAre(Texts{"", "x"}));

@@ -13,7 +13,7 @@ std::string refusal_of_json(std::string_view text) {
     return test::message_of<UserError>([&] { parse_json(text, "t.json"); });
 }
 
-TEST(ParseJson, KnowsWhereEveryValueStands) {
+TEST(ParseJson, LocatesEveryValue) {
     const JsonValue root = parse_json("{\n  \"a\": [1, \"x\\\"y\", null],\n  \"b\": true, \"c\": -2.5e1\n}", "t.json");
     EXPECT_EQ(root.kind, JsonValue::Kind::object);
     EXPECT_EQ(root.position.line, 1);
@@ -39,7 +39,7 @@ TEST(ParseJson, PointsAtASyntaxError) {
     EXPECT_THAT(refusal_of_json("{} {}"), testing::StartsWith("t.json:1:4: this is not JSON"));
 }
 
-TEST(ParseJson, RefusesAKeyThatStandsTwice) {
+TEST(ParseJson, RefusesDuplicateKeys) {
     EXPECT_THAT(refusal_of_json("{\"a\": 1,\n \"a\": 2}"),
                 testing::StartsWith("t.json:2:2: the key \"a\" stands twice"));
 }

@@ -14,14 +14,14 @@ TEST(Printable, EscapesCharactersThatMoveOrHideText) {
     EXPECT_EQ(visible_text("Σ of face 1, žluťoučký, 面 🙂"), "Σ of face 1, žluťoučký, 面 🙂");
 }
 
-TEST(Printable, FindsTheFirstByteThatIsNoUtf8) {
+TEST(Printable, FindsTheFirstByteOfInvalidUtf8) {
     EXPECT_EQ(find_no_utf8("Σ"), std::string::npos);
     EXPECT_EQ(find_no_utf8("Σ\xff"), 2U);
     EXPECT_EQ(find_no_utf8("a\xc0\x80"), 1U) << "an overlong form";
     EXPECT_EQ(find_no_utf8("a\xed\xa0\x80"), 1U) << "a surrogate";
 }
 
-TEST(Printable, RefusesNamesThatASpreadsheetWouldCompute) {
+TEST(Printable, RefusesNamesThatSpreadsheetsReadAsFormulas) {
     for (const char* name : {"=1", "=x", "@SUM(A1)", "+1+1", "-2*3", "+cmd(1)", "-A1:B2", "+\"x\""})
         EXPECT_NE(problem_with_name(name), "") << name;
     for (const char* name : {"+x", "-x", "-z wall", "+1.5", "-1e-5", "a=b", "x@y", "1+1", ""})

@@ -19,7 +19,7 @@ double seconds_of_results(int patches_per_face, int trials) {
 
 // `ffstudy report` took 6.2 s of processor time for 65 536 patches on each face of a cube, 0.4 s for 4096: their exact
 // factors, whatever the number of trials.
-TEST(ExpectedSecondsOfResults, GrowWithPatchesThatAreComparedOneByOne) {
+TEST(ExpectedSecondsOfResults, GrowWithTheNumberOfPatches) {
     EXPECT_GT(seconds_of_results(65536, 4), 6.2 / 2);
     EXPECT_LT(seconds_of_results(65536, 4), 6.2 * 2);
     EXPECT_GT(seconds_of_results(4096, 16), 0.4 / 2);

@@ -55,7 +55,7 @@ TEST(MeasuredCosts, AreReadAgainFromTheContextOfSeveralRuns) {
     EXPECT_FALSE(costs[2]);
 }
 
-TEST(MeasuredCosts, OfAContextThatSaysNothingOrNonsenseAreNone) {
+TEST(MeasuredCosts, AreEmptyForAnEmptyOrMalformedContext) {
     const auto plan = test::plan_of(test::study_text("trials = 4", methods));
     for (const char* text : {"", "a", "a:1:2", "::::", "a:-1:x:y"}) {
         for (const auto& cost : measured_costs(plan, {{std::string(costs_key), text}})) EXPECT_FALSE(cost) << text;

@@ -82,7 +82,7 @@ TEST_F(Merge, NamesMissingAndDuplicateUnits) {
     EXPECT_FALSE(target.is_complete());
 }
 
-TEST_F(Merge, AsksForNoLockOnItsSources) {
+TEST_F(Merge, TakesNoLockOnItsSources) {
     Store target = Store::create_or_resume(file("target"), five_units());
     const auto whole = shard("whole", {1, 1});
     const Database writer(whole, Database::Mode::create_or_open);
@@ -102,7 +102,7 @@ TEST_F(Merge, IsIdempotent) {
     EXPECT_EQ(rows_of(file("target")), rows_of_one_run());
 }
 
-TEST_F(Merge, InSeveralStepsKeepsTheCircumstancesOfAll) {
+TEST_F(Merge, KeepsTheCircumstancesOfAllSourcesInSeveralSteps) {
     Store target = Store::create_or_resume(file("target"), five_units());
     for (const char* host : {"a", "b", "a"}) {
         const auto source = shard(host, {*host == 'a' ? 1u : 2u, 2});
@@ -112,7 +112,7 @@ TEST_F(Merge, InSeveralStepsKeepsTheCircumstancesOfAll) {
     EXPECT_EQ(target.context(), (Context{{"host", "a; b"}}));
 }
 
-TEST_F(Merge, MissesNothingOfAnAdaptiveStudyThatReachedItsGoal) {
+TEST_F(Merge, ReportsNothingMissingFromAFinishedAdaptiveStudy) {
     const StudyPlan plan = test::plan_of(test::study_text("trials = 1000",
                                                           "[[method]]\nname = \"a\"\nsampler = \"random\"\n"
                                                           "estimator = \"ray_shooting\"\nsamples_per_patch = 10000\n"
@@ -159,7 +159,7 @@ TEST_F(Merge, RefusesAnotherStudy) {
                 HasSubstr("other: holds another study (differs in [study]: 'trials = 4' there, 'trials = 3' here)"));
 }
 
-TEST_F(Merge, KeepsTheCircumstancesOfAll) {
+TEST_F(Merge, KeepsTheCircumstancesOfAllSources) {
     Store target = Store::create_or_resume(file("target"), five_units());
     merge_stores({shard("a", {1, 3}), shard("b", {2, 3})}, target);
     EXPECT_EQ(target.context(), (Context{{"host", "a; b"}, {"version", "1"}}));

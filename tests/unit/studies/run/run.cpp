@@ -85,7 +85,7 @@ TEST_F(Run, ResumesAfterAStopAtAnyUnit) {
     }
 }
 
-TEST_F(Run, DoesNothingWhereAllIsDone) {
+TEST_F(Run, DoesNothingWhenAllIsDone) {
     const StudyPlan plan = mixed_plan();
     Store store = test::run(plan);
     RunOptions options;
@@ -248,7 +248,7 @@ TEST_F(Run, ReportsProgressThatGrowsToTheEnd) {
     EXPECT_EQ(reports.back().evaluations, evaluations);
 }
 
-TEST_F(Run, TrialsOfACellDoNotDependOnTheirNumber) {
+TEST_F(Run, GivesTheSameTrialsWhateverTheirNumber) {
     const auto plan = [](std::string_view trials) {
         return plan_of(study_text("trials = " + std::string(trials),
                                   "[[method]]\nname = \"a\"\nsampler = \"random\"\nestimator = \"ray_shooting\"\n"
@@ -261,7 +261,7 @@ TEST_F(Run, TrialsOfACellDoNotDependOnTheirNumber) {
     EXPECT_EQ(few.series(0, observable::hits, 1, 2).value, values);
 }
 
-TEST_F(Run, ALoneMethodGivesTheSameTrialsAsAmongOthers) {
+TEST_F(Run, GivesAMethodTheSameTrialsAloneAsAmongOthers) {
     const StudyPlan all = mixed_plan();
     StudySpec one = all.spec;
     one.methods.erase(one.methods.begin());

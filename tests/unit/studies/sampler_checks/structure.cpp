@@ -27,7 +27,7 @@ TEST(Structure, CountsValuesAndSlices) {
     EXPECT_EQ(found.single_cells, 1u);
 }
 
-TEST(Structure, KnowsNetsAndTheirPairs) {
+TEST(Structure, RecognisesNetsInAllCoordinatesAndInPairs) {
     const SetStructure found = structure_of(set_of_sampler("sobol", 64, 3), 0, 2);
     ASSERT_TRUE(found.t);
     EXPECT_LE(*found.t, 1u);
@@ -46,7 +46,7 @@ TEST(Structure, TakesTheBaseOfTheNumberOfPoints) {
     EXPECT_EQ(base_of_structure(64, 5), 5u);
 }
 
-TEST(Structure, KnowsLatticesOfAnySizeWhateverTheirShift) {
+TEST(Structure, RecognisesLatticesOfAnySizeAndShift) {
     EXPECT_FALSE(first_off_lattice(set_of_sampler("lattice", 256, 4), 0));
     for (const std::size_t n : {7u, 55u, 100u, 1000u}) {
         test::Rows rows(n, std::vector<double>(2));

@@ -59,7 +59,7 @@ TEST(StructureDoubts, SpareAThousandRandomSets) {
         EXPECT_THAT(doubts_of(samplers::find("random"), 64, max_dimension, seed, 100), IsEmpty()) << seed;
 }
 
-TEST(StructureDoubts, SpareLatinHypercubesAndNetsOfOthers) {
+TEST(StructureDoubts, SpareLatinHypercubesAndNetsMadeElsewhere) {
     EXPECT_THAT(doubts_of([](auto n, auto d, auto& random) { return test::latin_rows(n, d, random); }, 100, 3),
                 IsEmpty());
     EXPECT_THAT(doubts_of([](auto n, auto d, auto& random) { return test::net_rows(n, d, random, 0, true); }, 64, 2),
@@ -115,7 +115,7 @@ TEST(StructureDoubts, FindAPermutationThatLeavesOutASlice) {
     EXPECT_THAT(doubts_of(last_left_out, 100, 2), SizeIs(1));
 }
 
-TEST(StructureDoubts, NoteOfAFixedSetThatItIsNearlyALatinHypercube) {
+TEST(StructureDoubts, NoteThatAFixedSetIsNearlyALatinHypercube) {
     const auto checks = check_sampler(samplers::find("sobol_raw"), {.points = 64, .dimension = 4});
     EXPECT_THAT(test::found(checks, SamplerVerdict::note, "nearly a Latin hypercube"), SizeIs(1));
     EXPECT_THAT(test::found(checks, SamplerVerdict::inconclusive), IsEmpty());
@@ -139,7 +139,7 @@ TEST(StructureDoubts, FindAFewValuesForManyPoints) {
     EXPECT_THAT(doubts_of(drawn_anew, 64, 4), SizeIs(1));
 }
 
-TEST(StructureDoubts, FindCoarseGridsAndNotTheWordsOfAGenerator) {
+TEST(StructureDoubts, FindCoarseGridsButSpareTheWordsOfAGenerator) {
     const auto on_grid = [](double steps) {
         return [steps](std::size_t n, std::size_t d, std::mt19937_64& random) {
             auto rows = test::random_rows(n, d, random);

@@ -36,14 +36,14 @@ TEST(CoordinateRounding, IsThatOfSinglePrecision) {
     EXPECT_NEAR(coordinate_rounding(values), 0.9 * 0x1p-24, 0.1 * 0x1p-24);
 }
 
-TEST(CoordinateRounding, IsNoneOfNumbersThatAreMeantSo) {
+TEST(CoordinateRounding, IsZeroForNumbersGivenExactly) {
     EXPECT_EQ(coordinate_rounding(written("{:.17g}")), 0);
     EXPECT_EQ(coordinate_rounding(std::vector<double>{0.25, 1, 3.5, 500000.25, 1e-7, 4, 2.125}), 0);
     EXPECT_EQ(coordinate_rounding(std::vector<double>{500000.01, 500000, 500004, 500010, 4}), 0);
     EXPECT_EQ(coordinate_rounding({}), 0);
 }
 
-TEST(CoordinateRounding, SeesDigitsInNumbersThatAReaderGotALittleWrong) {
+TEST(CoordinateRounding, RecognisesDecimalsReadOneUlpOff) {
     std::vector<double> values = written("{:.6f}");
     for (double& value : values) value = std::nextafter(value, 1);
     EXPECT_DOUBLE_EQ(coordinate_rounding(values), 5e-7);

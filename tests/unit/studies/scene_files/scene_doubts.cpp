@@ -123,7 +123,7 @@ TEST(SceneDoubts, NameFacesThatAreNearlyInOnePlane) {
 }
 
 // A picture on a turned wall, whose coordinates have six decimals: it is in front here and behind there.
-TEST(SceneDoubts, TakeCoordinatesForNoMoreThanTheirDigits) {
+TEST(SceneDoubts, TrustCoordinatesOnlyToTheirDigits) {
     std::string text;
     for (const auto& [x, y] :
          {std::pair(0.0, 0.0), {1.0, 0.0}, {1.0, 1.0}, {0.0, 1.0}, {0.3, 0.4}, {0.6, 0.4}, {0.6, 0.7}, {0.3, 0.7}}) {

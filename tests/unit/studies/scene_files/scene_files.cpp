@@ -73,7 +73,7 @@ End of data
 )";
 
 // pi F = ln(4/3) / 2 ... of unit squares at distance 1: exact_form_factor of the cube.
-TEST(SceneFiles, OfEveryFormatGiveTheSameSquares) {
+TEST(SceneFiles, GiveTheSameSquaresInEveryFormat) {
     const double expected = *exact_form_factor(make_box(1, 1, 1), 0, 5);
     for (const auto& [name, text] :
          {std::pair("a.toml", plates_toml), std::pair("a.obj", plates_obj), std::pair("a.vs3", plates_vs3)}) {
@@ -114,7 +114,7 @@ TEST(SceneFiles, DivideSurfacesByGrids) {
 
 // FNV-1a over 64-bit words, in Python: of the scene [0, of the surface, face, 0, 0, +-1, ...]; of a surface [its
 // shape's index, its corners in order], as doubles. Stored studies rest on it.
-TEST(SceneFiles, KeyStreamsByGridsAndWithoutThemAsBefore) {
+TEST(SceneFiles, KeyStreamsByGridsAndKeepOldKeysWithoutThem) {
     const std::string plain = read_text("a.toml", plates_toml).canonical;
     EXPECT_EQ(plain, "scene e4194e8c8b83a782");
     EXPECT_EQ(read_text("a.toml", plates_with_line("grid = [1, 1]")).canonical, plain);
@@ -246,7 +246,7 @@ TEST(SceneFiles, AreRefusedByFileAndLine) {
     }
 }
 
-TEST(SceneFiles, NeedTheirText) {
+TEST(SceneFiles, CannotBeUsedWithoutTheirText) {
     EXPECT_TRUE(names_scene_file("a.obj"));
     EXPECT_FALSE(names_scene_file("box:2x1x0.5"));
     EXPECT_FALSE(has_scene_text("a.obj"));
@@ -261,7 +261,7 @@ std::string box_obj(bool turned) {
            std::string(turned ? "f 4 1 5 8\n" : "f 4 8 5 1\n");
 }
 
-TEST(Doubts, AreNoneAboutASoundScene) {
+TEST(Doubts, AreEmptyForASoundScene) {
     EXPECT_THAT(doubts_about(read_text("a.obj", box_obj(false))), IsEmpty());
     EXPECT_THAT(doubts_about(make_box(2, 1, 3)), IsEmpty());
 }

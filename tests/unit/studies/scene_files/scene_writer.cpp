@@ -69,7 +69,7 @@ TEST(SceneWriter, KeepsFacesOfSeveralSurfacesAndGrids) {
     EXPECT_EQ(read.surfaces.back().grid, scene.surfaces[1].grid);
 }
 
-TEST(SceneWriter, RefusesNamesThatAreNoWord) {
+TEST(SceneWriter, RefusesNamesThatPolygonFormatsCannotHold) {
     Scene scene = built_in_scene("cube");
     EXPECT_TRUE(is_of_polygons(scene));
     scene.faces[2] = "west wall";

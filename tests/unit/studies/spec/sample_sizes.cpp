@@ -23,12 +23,12 @@ std::string refusal_of_sizes(std::string_view text, std::string_view sampler = "
     return test::message_of<UserError>([&] { static_cast<void>(sizes(text, sampler)); });
 }
 
-TEST(SampleSizes, AreNumbersPowersAndLists) {
+TEST(SampleSizes, MayBeNumbersPowersOrLists) {
     EXPECT_THAT(sizes("1000"), ElementsAre(1000));
     EXPECT_THAT(sizes("5^4, 2^10,7"), ElementsAre(625, 1024, 7));
 }
 
-TEST(SampleSizes, OfARangeAreThoseTheSamplerIsMadeFor) {
+TEST(SampleSizes, SuitTheSamplerWithinARange) {
     EXPECT_THAT(sizes("2^6..2^8"), ElementsAre(64, 128, 256));
     EXPECT_THAT(sizes("64 .. 3200", "faure"), ElementsAre(125, 625, 3125));
     EXPECT_THAT(sizes("2^6..2^8", "stratified"), ElementsAre(81, 256));
@@ -47,7 +47,7 @@ TEST(SampleSizes, AreRefusedWithTheReason) {
     EXPECT_THAT(refusal_of_sizes("130..600", "faure"), HasSubstr("no size that faure is made for"));
 }
 
-TEST(SampleSizes, OfAStudyFileMayBeARange) {
+TEST(SampleSizes, MayBeARangeInAStudyFile) {
     const auto spec = parse_study(test::study_text("trials = 2", R"([[method]]
 name = "faure"
 sampler = "faure"
@@ -61,7 +61,7 @@ samples_per_patch = "2^6..2^16"
     EXPECT_EQ(parse_study(to_toml(spec), "again"), spec);
 }
 
-TEST(SampleSizes, OfAStudyFileAreRefusedAtTheirPlace) {
+TEST(SampleSizes, AreRefusedAtTheirPlaceInAStudyFile) {
     try {
         static_cast<void>(parse_study(test::study_text("trials = 2", R"([[method]]
 name = "sobol"

@@ -120,11 +120,11 @@ TEST_P(WrongMethod, IsRefusedWithPlaceProblemAndSuggestion) {
 
 INSTANTIATE_TEST_SUITE_P(Spec, WrongMethod, testing::ValuesIn(wrong_methods));
 
-TEST(Spec, AcceptsWhatTheWrongStudiesAreMadeFrom) {
+TEST(Spec, AcceptsTheStudyThatTheWrongOnesAreMadeFrom) {
     EXPECT_EQ(refusal_of_study(study_text("trials = 9", random_rays)), "nothing thrown");
 }
 
-TEST(Spec, RefusesSizesThatTheSamplerCannotDo) {
+TEST(Spec, RefusesSizesThatTheSamplerCannotMake) {
     std::size_t refused = 0;
     for (const auto& entry : samplers::catalogue()) {
         if (entry.info.sizes == samplers::Sizes::nodes) continue;
@@ -141,7 +141,7 @@ TEST(Spec, RefusesSizesThatTheSamplerCannotDo) {
     EXPECT_GE(refused, 1u);
 }
 
-TEST(Spec, SizesASequenceForTheWholeFaceWhereOneServesIt) {
+TEST(Spec, SizesASequenceForTheWholeFaceIfOneServesIt) {
     const auto refusal_of = [](std::string_view allocation) {
         return refusal_of_study(
             study_text("trials = 9",
@@ -206,7 +206,7 @@ TEST(Spec, PutsThePointsOfPointToPolygonOnTheSourceAlone) {
                 HasSubstr("only ray_shooting, hemicube, cubic_tetrahedron and single_plane have it"));
 }
 
-TEST(Spec, HasAMapForTheAreaKernelOnly) {
+TEST(Spec, AcceptsAMapForTheAreaKernelOnly) {
     const auto text = [](std::string_view estimator, std::string_view map) {
         return study_text("trials = 9",
                           "[[method]]\nname = \"a\"\nsampler = \"random\"\nsamples_per_patch = 4\n"
@@ -238,7 +238,7 @@ TEST(Spec, RefusesAnUnknownEstimatorOrNone) {
                 HasSubstr("Choose one of ray_shooting"));
 }
 
-TEST(Spec, SuggestsNoTracerThatIsAControl) {
+TEST(Spec, DoesNotSuggestControlTracers) {
     const std::string method = "[[method]]\nname = \"a\"\nsampler = \"random\"\nestimator = \"ray_shooting\"\n";
     EXPECT_THAT(refusal_of_study(study_text("trials = 9", method + "tracer = \"leakey\"\n")),
                 HasSubstr("is unknown. Known: automatic, box, embree."));

@@ -39,7 +39,7 @@ TEST(StudyDifference, MatchesMethodsByNameAndJoinsLines) {
               "the order of its methods");
 }
 
-TEST(StudyDifference, ShowsWhatIsAroundThePlaceOfLongValues) {
+TEST(StudyDifference, ShowsOnlyTheSurroundingsOfADifferenceInLongValues) {
     const std::string begin = "[study]\nscene = [\"" + std::string(500, 'x');
     EXPECT_THAT(first_difference(begin + "1\"]\n", begin + "2\"]\n"),
                 testing::AllOf(testing::HasSubstr("'scene = ...xxx"), testing::HasSubstr("x1\"]' there"),

@@ -27,7 +27,7 @@ std::filesystem::path killed_while_writing(const std::filesystem::path& folder) 
     return left;
 }
 
-TEST(Database, IsReadAsItWasBeforeAKilledProgramWrote) {
+TEST(Database, IsReadAsBeforeAnInterruptedWrite) {
     const test::TemporaryFolder folder;
     const Database reader(killed_while_writing(folder.path()), Database::Mode::read_only);
     Statement rows(reader.handle(), "SELECT count(*) FROM t");
@@ -35,7 +35,7 @@ TEST(Database, IsReadAsItWasBeforeAKilledProgramWrote) {
     EXPECT_EQ(rows.integer(0), 1);
 }
 
-TEST(Database, StaysReadOnlyAfterThat) {
+TEST(Database, StaysReadOnlyAfterAnInterruptedWrite) {
     const test::TemporaryFolder folder;
     const Database reader(killed_while_writing(folder.path()), Database::Mode::read_only);
     EXPECT_THROW(reader.execute("INSERT INTO t VALUES (1)"), IoError);

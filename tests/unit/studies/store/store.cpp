@@ -73,7 +73,7 @@ TEST_F(StoreFile, KeepsTheTextOfThePublishedTables) {
     EXPECT_EQ(Store::open(file()).plan().spec.published, spec.published);
 }
 
-TEST_F(StoreFile, OfAnotherStudyIsRefusedWithWhatDiffers) {
+TEST_F(StoreFile, IsRefusedForAnotherStudyWithWhatDiffers) {
     Store::create_or_resume(file(), store_plan());
     EXPECT_EQ(refusal_to_resume(store_plan()), "nothing thrown");
     EXPECT_THAT(refusal_to_resume(store_plan("trials = 4")),
@@ -93,7 +93,7 @@ TEST_F(StoreFile, OfAnotherStudyIsRefusedWithWhatDiffers) {
     EXPECT_THAT(refusal_to_resume(plan_study(longer)), HasSubstr("Choose another --out"));
 }
 
-TEST_F(StoreFile, WithOtherPublishedTablesIsRefused) {
+TEST_F(StoreFile, IsRefusedForOtherPublishedTables) {
     StudySpec spec = store_plan().spec;
     spec.published = Published{"t.json", std::string(published_tables)};
     Store::create_or_resume(file(), plan_study(spec));
@@ -101,17 +101,17 @@ TEST_F(StoreFile, WithOtherPublishedTablesIsRefused) {
     EXPECT_THAT(refusal_to_resume(plan_study(spec)), HasSubstr("differs in the published tables"));
 }
 
-TEST_F(StoreFile, ThatIsMissingCannotBeOpened) {
+TEST_F(StoreFile, CannotBeOpenedIfMissing) {
     EXPECT_THAT(refusal_to_open<IoError>(), HasSubstr("no such file. Give a folder or file written by ffstudy."));
     EXPECT_FALSE(std::filesystem::exists(file()));
 }
 
-TEST_F(StoreFile, InAMissingFolderCannotBeMade) {
+TEST_F(StoreFile, CannotBeMadeInAMissingFolder) {
     EXPECT_THAT(message_of<IoError>([&] { Store::create_or_resume(folder.path() / "none" / "s", store_plan()); }),
                 HasSubstr("Check that the folder exists"));
 }
 
-TEST_F(StoreFile, ThatIsNoDatabaseIsRefusedAndLeftAlone) {
+TEST_F(StoreFile, IsRefusedAndLeftAloneIfNotADatabase) {
     std::ofstream(file()) << "not a database, but longer than the sixteen bytes of the magic number";
     EXPECT_THAT(refusal_to_open<UserError>(), HasSubstr("not a result store"));
     EXPECT_THAT(message_of<UserError>([&] { Store::create_or_resume(file(), store_plan()); }),
@@ -122,13 +122,13 @@ TEST_F(StoreFile, ThatIsNoDatabaseIsRefusedAndLeftAlone) {
     EXPECT_EQ(word, "not");
 }
 
-TEST_F(StoreFile, OfAnotherProgramIsRefusedAndLeftAlone) {
+TEST_F(StoreFile, IsRefusedAndLeftAloneIfOfAnotherProgram) {
     execute("CREATE TABLE mine(a)");
     EXPECT_THAT(refusal_to_open<UserError>(), HasSubstr("not a result store (no table 'meta')"));
     EXPECT_THAT(refusal_to_resume(store_plan()), HasSubstr("not a result store (no table 'meta')"));
 }
 
-TEST_F(StoreFile, OfANewerVersionIsRefused) {
+TEST_F(StoreFile, IsRefusedIfOfANewerVersion) {
     Store::create_or_resume(file(), store_plan());
     execute("UPDATE meta SET value = '99' WHERE key = 'schema_version'");
     const std::string problem =
@@ -137,7 +137,7 @@ TEST_F(StoreFile, OfANewerVersionIsRefused) {
     EXPECT_THAT(refusal_to_resume(store_plan()), HasSubstr(problem));
 }
 
-TEST_F(StoreFile, ThatIsDamagedIsRefused) {
+TEST_F(StoreFile, IsRefusedIfDamaged) {
     test::run(store_plan("trials = 200"), file());
     // A page in the middle, where rows are.
     std::fstream bytes(file(), std::ios::in | std::ios::out | std::ios::binary);
@@ -149,13 +149,13 @@ TEST_F(StoreFile, ThatIsDamagedIsRefused) {
                 HasSubstr("damaged"));
 }
 
-TEST_F(StoreFile, ThatIsCutOffIsRefused) {
+TEST_F(StoreFile, IsRefusedIfCutOff) {
     test::run(store_plan("trials = 200"), file());
     std::filesystem::resize_file(file(), std::filesystem::file_size(file()) / 2);
     EXPECT_NE(refusal_to_open<IoError>(), "nothing thrown");
 }
 
-TEST_F(StoreFile, IsNotChangedByTheLogOfAnother) {
+TEST_F(StoreFile, IgnoresTheLogOfAnotherStore) {
     const auto log = [](const std::filesystem::path& store) { return store.string() + "-wal"; };
     const auto other = folder.path() / "other.sqlite";
     const auto bytes = [&] {
@@ -178,7 +178,7 @@ TEST_F(StoreFile, IsNotChangedByTheLogOfAnother) {
     EXPECT_TRUE(Store::create_or_resume(file(), store_plan()).is_complete());
 }
 
-TEST_F(StoreFile, ThatIsSealedHasNoLog) {
+TEST_F(StoreFile, HasNoLogOnceSealed) {
     const std::string log = file().string() + "-wal";
     {
         // What a copy of the folder, made while the study ran, holds.
@@ -196,7 +196,7 @@ TEST_F(StoreFile, ThatIsSealedHasNoLog) {
     EXPECT_EQ(Store::open(file()).saved_trials(0), 400u);
 }
 
-TEST_F(StoreFile, ThatTwoProgramsBeginTogetherIsMadeOnce) {
+TEST_F(StoreFile, IsMadeOnceWhenTwoProgramsBeginTogether) {
     for (int round = 0; round < 20; ++round) {
         std::filesystem::remove(file());
         std::barrier together(2);
@@ -214,7 +214,7 @@ TEST_F(StoreFile, ThatTwoProgramsBeginTogetherIsMadeOnce) {
     }
 }
 
-TEST_F(StoreFile, ThatAnotherProgramReadsIsLeftWithItsLog) {
+TEST_F(StoreFile, KeepsItsLogWhileAnotherProgramReadsIt) {
     Store store = Store::create_or_resume(file(), store_plan(), Journal::write_ahead);
     run_study(store, {});
     {
@@ -228,7 +228,7 @@ TEST_F(StoreFile, ThatAnotherProgramReadsIsLeftWithItsLog) {
     EXPECT_EQ(journal_mode(store), "delete");
 }
 
-TEST_F(StoreFile, IsFoundByAnyNameThatFilesMayHave) {
+TEST_F(StoreFile, IsFoundByAnyValidFileName) {
     EXPECT_EQ(sqlite_name("file:x?mode=memory"), (std::filesystem::current_path() / "file:x?mode=memory").string());
     EXPECT_THAT(message_of<IoError>([] { sqlite_name(std::filesystem::path("/") / std::string(600, 'a')); }),
                 HasSubstr("a path of 601 bytes is too long for SQLite"));
@@ -252,14 +252,14 @@ TEST_F(StoreFile, SwitchesToTheJournalOfItsNewFolder) {
     EXPECT_EQ(journal_mode(store), "delete");
 }
 
-TEST_F(StoreFile, ThatIsMovedOrRemovedWhileItIsWrittenIsNoticed) {
+TEST_F(StoreFile, NoticesThatItIsMovedOrRemovedDuringWriting) {
     Store moved = Store::create_or_resume(file(), store_plan());
     std::filesystem::rename(file(), folder.path() / "elsewhere");
     EXPECT_THAT(message_of<IoError>([&] { moved.commit({0, {}, {}, {}}); }), HasSubstr("moved or removed"));
     EXPECT_EQ(Store::open(folder.path() / "elsewhere").saved_trials(0), 0u);
 }
 
-TEST_F(StoreFile, ThatIsEmptyBecomesAStore) {
+TEST_F(StoreFile, BecomesAStoreIfEmpty) {
     std::ofstream(file()).flush();
     EXPECT_EQ(test::run(store_plan(), file()).saved_trials(0), 3u);
 }
@@ -268,7 +268,7 @@ UnitRecord record_with(std::int64_t hits) {
     return {0, {{observable::hits, 1, 2, 0, hits}, {observable::hits, 1, 2, 1, hits + 1}}, {1, 2}, {3, 1ULL << 63}};
 }
 
-TEST_F(StoreFile, ThatCannotGrowSaysSo) {
+TEST_F(StoreFile, ReportsThatItCannotGrow) {
     Store store = Store::create_or_resume(file(), store_plan());
     store.set_context({{"a", "b"}});  // now there is a log, and only the end of a transaction has to grow it
     {

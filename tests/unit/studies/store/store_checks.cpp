@@ -34,7 +34,7 @@ samples_per_patch = 100
     test::TemporaryFolder folder;
 };
 
-TEST_F(StoreRows, WithUnitsThatAreNotOfTheStudyIsRefused) {
+TEST_F(StoreRows, AreRefusedWithUnitsOutsideTheStudy) {
     for (const char* sql : {"UPDATE units SET unit = 1", "UPDATE units SET first_trial = 1",
                             "UPDATE units SET trials = 2", "UPDATE units SET cell = -1"}) {
         write();
@@ -43,7 +43,7 @@ TEST_F(StoreRows, WithUnitsThatAreNotOfTheStudyIsRefused) {
     }
 }
 
-TEST_F(StoreRows, WithValuesOfTrialsThatNoUnitHoldsIsRefused) {
+TEST_F(StoreRows, AreRefusedWithValuesOfTrialsInNoUnit) {
     for (const char* sql : {"DELETE FROM units", "INSERT INTO observations VALUES(0, 'hits', 1, 2, 3, 100)",
                             "INSERT INTO observations VALUES(1, 'hits', 1, 2, 0, 100)"}) {
         write();
@@ -52,7 +52,7 @@ TEST_F(StoreRows, WithValuesOfTrialsThatNoUnitHoldsIsRefused) {
     }
 }
 
-TEST_F(StoreRows, WithSumsOfOtherPatchesIsRefused) {
+TEST_F(StoreRows, AreRefusedWithSumsForOtherPatches) {
     for (const char* sql :
          {"UPDATE units SET patch_hits = zeroblob(100000)", "UPDATE units SET patch_hits_squared = zeroblob(0)",
           "UPDATE units SET patch_hits = zeroblob(8), patch_hits_squared = zeroblob(8)"}) {
@@ -62,13 +62,13 @@ TEST_F(StoreRows, WithSumsOfOtherPatchesIsRefused) {
     }
 }
 
-TEST_F(StoreRows, WithNegativeNumbersOfRaysIsRefused) {
+TEST_F(StoreRows, AreRefusedWithNegativeNumbersOfRays) {
     write();
     change("INSERT INTO observations VALUES(0, 'lost', 1, 0, 0, -5)");
     EXPECT_THAT(refusal(), HasSubstr("'lost' of faces 1 and 0 in cell 0 has a negative number"));
 }
 
-TEST_F(StoreRows, WithMoreHitsThanRaysIsRefused) {
+TEST_F(StoreRows, AreRefusedWithMoreHitsThanRays) {
     for (const char* sql :
          {"UPDATE observations SET value = 401 WHERE observable = 'hits' AND from_face = 2 AND to_face = "
           "3 AND trial = 1",
@@ -82,7 +82,7 @@ TEST_F(StoreRows, WithMoreHitsThanRaysIsRefused) {
     }
 }
 
-TEST_F(StoreRows, ThatAreNotAsTheyWereSavedAreRefused) {
+TEST_F(StoreRows, AreRefusedIfChangedSinceTheyWereSaved) {
     for (const char* sql :
          {"UPDATE observations SET value = value - 1 WHERE observable = 'hits' AND value > 0 AND trial = 2 "
           "AND from_face = 1 AND to_face = 2",
@@ -104,7 +104,7 @@ TEST_F(StoreRows, ThatAreNotAsTheyWereSavedAreRefused) {
     EXPECT_THAT(refusal(), HasSubstr("the context is not as it was saved"));
 }
 
-TEST_F(StoreRows, WithUnknownNamesOrFacesAreRefused) {
+TEST_F(StoreRows, AreRefusedWithUnknownNamesOrFaces) {
     for (const char* sql : {"INSERT INTO observations VALUES(0, 'hitz', 1, 2, 0, 100)",
                             "INSERT INTO observations VALUES(0, 'hits', 7, 2, 0, 100)",
                             "INSERT INTO observations VALUES(0, 'hits', 1, -1, 0, 100)"}) {

@@ -23,7 +23,7 @@ TEST(StoreValues, AreKeptToTheBit) {
     EXPECT_THAT(store.series(0, observable::estimate, 1, 2).value, testing::ElementsAre(third, 5e-324));
 }
 
-TEST(StoreValues, AreKeptWhereTheyAreNoNumbers) {
+TEST(StoreValues, AreKeptEvenIfNotFinite) {
     Store store = Store::create_or_resume(in_memory, plan_of_random_rays());
     const double infinity = std::numeric_limits<double>::infinity();
     store.commit({0,

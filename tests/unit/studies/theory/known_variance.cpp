@@ -96,7 +96,7 @@ stats::KnownLimits limits_of(const Method& method, const Scene& scene, Quantity 
     return known_limits(method, scene, {}, quantity, evaluations, 10);
 }
 
-TEST(KnownLimits, AllowForAPeakThatFewEvaluationsOfAllTrialsMeet) {
+TEST(KnownLimits, AllowForAPeakThatFewEvaluationsMeet) {
     const Method method = kernel(PointMap::uniform);
     const Scene scene = lamp_above_square(0.01, 0.01);
     const Quantity pair{QuantityKind::form_factor, 1, 2};
@@ -108,7 +108,7 @@ TEST(KnownLimits, AllowForAPeakThatFewEvaluationsOfAllTrialsMeet) {
     EXPECT_EQ(limits_of(method, lamp_above_square(0.5, 1), pair, 100).unmet.largest, 0) << "no peak";
 }
 
-TEST(KnownLimits, AreThoseOfTheOtherFactorTimesTheRatioOfAreasWhereFactorsAreReciprocal) {
+TEST(KnownLimits, FollowFromTheReverseFactorUnderReciprocity) {
     Method method = kernel(PointMap::uniform);
     const Scene scene = lamp_above_square(0.01, 0.01);
     method.completion = Completion::reciprocal;
@@ -125,7 +125,7 @@ TEST(KnownLimits, CountPointsAndTheirMirrorImagesOnce) {
         500);
 }
 
-TEST(RoundingOfBias, GrowsWithTheExtentBesideTheAreaOfTheSource) {
+TEST(RoundingOfBias, GrowsWithTheExtentRelativeToTheSourceArea) {
     const Quantity pair{QuantityKind::form_factor, 1, 2};
     const double near = rounding_of_bias(lamp_above_square(0.5, 1), pair);
     EXPECT_NEAR(near, 1e-15, 1e-17);

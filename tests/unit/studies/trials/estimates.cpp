@@ -93,7 +93,7 @@ TEST(Estimates, CountKernelValuesOfAFacePair) {
     EXPECT_EQ(load_estimates(test::run(plan), 0).evaluations_per_face, 4u * 4 * 3);
 }
 
-TEST(Estimates, OfPointToPolygonSumTo1BeforeCompletion) {
+TEST(Estimates, SumTo1BeforeCompletionForPointToPolygon) {
     const std::string lines =
         "[[method]]\nname = \"p\"\nsampler = \"sobol\"\nestimator = \"point_to_polygon\"\n"
         "patches_per_face = 4\nsamples_per_patch = 8\nallocation = \"face\"";
@@ -127,13 +127,13 @@ TEST(Estimates, ReportOneLostRay) {
     EXPECT_EQ(estimates.row_sums[0][0], 499.0 / 500);
 }
 
-TEST(Estimates, OfAStoreThatLacksRowsAreRefused) {
+TEST(Estimates, AreRefusedWhenTheStoreLacksRows) {
     Store store = Store::create_or_resume(test::in_memory, box_plan("direct"));
     store.commit({0, {{observable::hits, 1, 2, 0, std::int64_t{500}}}, {}, {}});
     EXPECT_THROW(load_estimates(store, 0), IoError);
 }
 
-TEST(Estimates, OfTheClosedFormAreTheExactFactors) {
+TEST(Estimates, EqualTheExactFactorsForTheClosedForm) {
     const Store store =
         test::run(plan_of(test::study_text("trials = 9", "[[method]]\nname = \"e\"\nestimator = \"closed_form\"")));
     const CellEstimates estimates = load_estimates(store, 0);

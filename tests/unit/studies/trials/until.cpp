@@ -53,7 +53,7 @@ TEST(StoppingRule, IsRefusedWithTheReason) {
         EXPECT_THROW(static_cast<void>(parse_stopping_rule(text)), UserError) << text;
 }
 
-TEST(Until, RunsThePilotAndThenWhatItsSpreadAsksFor) {
+TEST(Until, RunsThePilotAndThenTheTrialsItsSpreadRequires) {
     const StudyPlan plan = test::plan_of(adaptive("ci = 0.008\npilot = 10", 5000));
     const Store store = test::run(plan);
     const auto outcomes = until_outcomes(store);

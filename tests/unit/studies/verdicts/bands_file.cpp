@@ -83,7 +83,7 @@ band = 1e-3
     EXPECT_EQ(spec.gates[1].reference_se, 1e-9);
 }
 
-TEST(BandsFile, RefusesRisksThatAreNotComputed) {
+TEST(BandsFile, RefusesAlphaOutOfRange) {
     const auto with_alpha = [](std::string_view alpha) {
         return refusal_of_bands(fmt::format("[gates]\nalpha = {}\n{}", alpha, gate("bias", "band = 1e-3")));
     };
@@ -151,7 +151,7 @@ TEST(BandsFile, NamesPlaceAndNearestNameOfUnknownThings) {
                 HasSubstr("Did you mean \"sobol\"?"));
 }
 
-TEST(BandsFile, RefusesWhatAKindDoesNotTake) {
+TEST(BandsFile, RefusesKeysAndValuesUnfitForTheKind) {
     EXPECT_THAT(refusal_of_bands(gate("bias", "band = 1\nexpected = 2")), HasSubstr("it is for slope"));
     EXPECT_THAT(refusal_of_bands(gate("closure", "band = 1\npairs = \"all\"")), HasSubstr("Remove the key"));
     EXPECT_THAT(refusal_of_bands(gate("efficiency", "band = 1\nreference = 2")), HasSubstr("compared with a baseline"));
@@ -191,7 +191,7 @@ TEST(BandsFile, RefusesOptionsOutOfRange) {
     EXPECT_THAT(refusal_of_bands("[[gate]\n"), HasSubstr("bands.toml:1:"));
 }
 
-TEST(BandsFile, TakesWhatOtherProgramsReportWithItsOwnKeysOnly) {
+TEST(BandsFile, AcceptsReportedQuantitiesWithTheirOwnKeysOnly) {
     const auto foreign = [](std::string_view lines) {
         return fmt::format("[[gate]]\nname = \"g\"\nquantity = \"F16\"\n{}\n", lines);
     };
@@ -216,7 +216,7 @@ TEST(BandsFile, TakesWhatOtherProgramsReportWithItsOwnKeysOnly) {
                 HasSubstr("unknown key"));
 }
 
-TEST(BandsFile, WithoutExperimentsRefusesGatesThatRunSomething) {
+TEST(BandsFile, RefusesGatesThatNeedARunWithoutExperiments) {
     EXPECT_THAT([] { static_cast<void>(parse_bands(gate("bias", "band = 1e-3"), "bands.toml", nullptr)); },
                 testing::ThrowsMessage<UserError>(HasSubstr("it runs nothing")));
 }

@@ -42,7 +42,7 @@ std::string refusal_to_judge(const Gate& gate, const ReportedFile& file, const R
     return test::message_of<UserError>([&] { static_cast<void>(judge_reported(spec_of(gate), gate, file, against)); });
 }
 
-TEST(DistributionGates, CountsPassFailOrAreTooFew) {
+TEST(DistributionGates, JudgeCountsToPassFailOrBeTooFew) {
     const auto shares = counts("x,0,0.5\nx,1,0.5\n", "share");
     const auto judged = [&](const std::string& rows) {
         const Gate gate = distribution_gate(0.1);
@@ -55,7 +55,7 @@ TEST(DistributionGates, CountsPassFailOrAreTooFew) {
     EXPECT_THAT(judged("x,0,6000\nx,1,4000\n").note, HasSubstr("worst"));
 }
 
-TEST(DistributionGates, ACountWhereTheShareIsZeroFails) {
+TEST(DistributionGates, FailOnACountWhereTheShareIsZero) {
     const auto shares = counts("x,0,0.5\nx,1,0.5\nx,2,0\n", "share");
     const Gate gate = distribution_gate(0.5);
     const auto result = judge_reported(spec_of(gate), gate, counts("x,0,500\nx,1,500\nx,2,1\n"), &shares);
@@ -63,7 +63,7 @@ TEST(DistributionGates, ACountWhereTheShareIsZeroFails) {
     EXPECT_THAT(result.note, HasSubstr("share is 0"));
 }
 
-TEST(DistributionGates, RefusesWhatCannotBeCompared) {
+TEST(DistributionGates, RefuseFilesThatCannotBeCompared) {
     const auto file = counts("x,0,500\nx,1,510\n");
     const auto short_of_one = counts("x,0,0.5\nx,1,0.4\n", "share");
     const auto none = counts("x,0,0\nx,1,0\n");
@@ -90,7 +90,7 @@ EstimatesFile normal_file(std::size_t n, std::uint64_t seed, double shift = 0) {
 }
 
 // Seeds 1 to 5; alpha 1e-4, passes with power 0.9: 4000 values are more than values_for_distance asks for.
-TEST(DistributionGates, ValuesPassFailOrAreTooFew) {
+TEST(DistributionGates, JudgeValuesToPassFailOrBeTooFew) {
     Gate gate = distribution_gate(0.06);
     gate.law = KnownLaw{KnownLaw::Family::normal, 0, 1};
     const auto judged = [&](const EstimatesFile& file) { return judge_estimates(spec_of(gate), gate, file).verdict; };
@@ -117,7 +117,7 @@ TEST(KnownLaw, RefusesMissingParameters) {
     EXPECT_THAT(problem, HasSubstr("normal(0, 1)"));
 }
 
-TEST(KnownLaw, HasItsDistribution) {
+TEST(KnownLaw, HasTheStatedDistribution) {
     std::string problem;
     EXPECT_DOUBLE_EQ(cumulative(*parse_law("uniform(2, 4)", problem), 3), 0.5);
     EXPECT_DOUBLE_EQ(cumulative(*parse_law("normal( 1 ,2 )", problem), 1), 0.5);

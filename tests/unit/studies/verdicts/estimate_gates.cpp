@@ -67,7 +67,7 @@ TEST(JudgeEstimates, AllowsForTheStandardErrorOfTheReference) {
     EXPECT_EQ(judge_file(gate, file_of_estimates(estimates(100, 2e-3))).verdict, Verdict::inconclusive);
 }
 
-TEST(JudgeEstimates, RefusesWhatNoNumberOfTrialsDecides) {
+TEST(JudgeEstimates, RefusesGatesThatNoNumberOfTrialsCanDecide) {
     Gate gate = bias_gate(5e-4);
     gate.place = "bands.toml:7:8";
     gate.reference_se = 1e-3;
@@ -140,7 +140,7 @@ TEST(JudgeEstimates, LeavesShortChainsUndecided) {
     EXPECT_THAT(result.note, HasSubstr("too few to judge by"));
 }
 
-TEST(JudgeEstimates, SaysThatValuesAreTooSkewedForSoFew) {
+TEST(JudgeEstimates, SaysThatFewValuesAreTooSkewed) {
     std::vector<double> values;  // quantiles of an exponential distribution, in some order
     for (int i = 0; i < 30; ++i) values.push_back(-std::log1p(-((7 * i) % 30 + 0.5) / 30));
     Gate gate = bias_gate(1e-3);

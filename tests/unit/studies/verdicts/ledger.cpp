@@ -9,7 +9,7 @@ namespace {
 
 using testing::HasSubstr;
 
-TEST(Ledger, IsReadAsItWasWritten) {
+TEST(Ledger, ReadsBackAsItWasWritten) {
     const Ledger ledger{{"abc", "1", "2", Verdict::fail}, {"def", "1", "3", Verdict::pass}};
     const Ledger read = parse_ledger(ledger_csv(ledger), "l.csv");
     ASSERT_EQ(read.size(), 2u);

@@ -23,7 +23,7 @@ void expect_power(const Passes& passes) {
                                                {.alpha = 1e-6, .detects = 0.04}));
 }
 
-TEST(NeededTrials, LetAMeanWithoutBiasPassWithThePower) {
+TEST(NeededTrials, LetAMeanWithoutBiasPassWithTheStatedPower) {
     std::mt19937_64 engine(1);
     for (const double sigma : {1.0, 2.0}) {
         const Band band{-0.5, 0.5};
@@ -59,13 +59,13 @@ TEST(NeededTrials, GrowWithComparisonsAndSkewness) {
     EXPECT_EQ(*trials_for_mean(1, 0, 0, 0, strict_levels, 1), 32u);
 }
 
-TEST(NeededTrials, AreEmptyForHopelessBands) {
+TEST(NeededTrials, AreEmptyWhenNoNumberOfTrialsSuffices) {
     EXPECT_FALSE(trials_for_mean(1e-12, 1, 0, 0, strict_levels, 1));
     EXPECT_FALSE(trials_for_ratio({0.9, 1.1}, 0, 10, strict_levels, 1));
     EXPECT_FALSE(trials_for_proportion({0.5, 0.9}, 0.5, strict_levels, 1));
 }
 
-TEST(NeededTrials, LetARatioOfOnePassWithThePower) {
+TEST(NeededTrials, LetARatioOfOnePassWithTheStatedPower) {
     std::mt19937_64 engine(3);
     const Band band{1 / 1.2, 1.2};
     const auto trials = *trials_for_ratio(band, 0, std::numeric_limits<double>::infinity(), strict_levels, 1);
@@ -75,7 +75,7 @@ TEST(NeededTrials, LetARatioOfOnePassWithThePower) {
     });
 }
 
-TEST(NeededTrials, LetARatioToABaselinePassWithThePower) {
+TEST(NeededTrials, LetARatioToABaselinePassWithTheStatedPower) {
     std::mt19937_64 engine(4);
     const Band band{1 / 1.2, 1.2};
     constexpr std::size_t stored = 800;
@@ -87,7 +87,7 @@ TEST(NeededTrials, LetARatioToABaselinePassWithThePower) {
     });
 }
 
-TEST(NeededTrials, LetACoveragePassWithThePower) {
+TEST(NeededTrials, LetACoveragePassWithTheStatedPower) {
     std::mt19937_64 engine(5);
     const Band band{0.93, 0.97};
     const auto trials = *trials_for_proportion(band, 0.95, strict_levels, 1);
@@ -97,7 +97,7 @@ TEST(NeededTrials, LetACoveragePassWithThePower) {
     });
 }
 
-TEST(NeededTrials, LetASlopePassWithThePower) {
+TEST(NeededTrials, LetASlopePassWithTheStatedPower) {
     std::mt19937_64 engine(6);
     const std::vector<double> sizes{16, 64, 256};
     const Band band{-0.6, -0.4};
@@ -110,7 +110,7 @@ TEST(NeededTrials, LetASlopePassWithThePower) {
     });
 }
 
-TEST(RaysForLoss, SeeOneLostRayWithThePower) {
+TEST(RaysForLoss, SufficeToSeeOneLostRayWithTheStatedPower) {
     const double rays = rays_for_loss(1e-3, strict_levels);
     EXPECT_LE(std::pow(1 - 1e-3, rays), 0.1);
     EXPECT_GT(std::pow(1 - 1e-3, rays - 1), 0.1);

@@ -45,7 +45,7 @@ BinEffects share(std::uint64_t hits, std::uint64_t trials, const stats::ShareRef
             .together = {}};
 }
 
-TEST(PValueOfABin, IsOneInsideTheBandAndThatOfTheNearerEndOutside) {
+TEST(PValueOfABin, IsOneInsideTheBandAndUsesTheNearerEndOutside) {
     const auto scale = EffectScale::difference;
     EXPECT_EQ(p_of(difference(1, 1, 10, 2), scale), 1);
     EXPECT_NEAR(p_of(difference(5, 1, 10, 2), scale), 0.013343655022569565, 1e-12);  // SciPy: 2 * t.sf(3, 10)
@@ -53,7 +53,7 @@ TEST(PValueOfABin, IsOneInsideTheBandAndThatOfTheNearerEndOutside) {
     EXPECT_NEAR(p_of(difference(5, 1, infinity, 2), scale), 0.0026997960632601866, 1e-12);  // SciPy: 2 * norm.sf(3)
 }
 
-TEST(PValueOfABin, OfARatioIsThatOfFBeyondTheEnd) {
+TEST(PValueOfABin, IsTheTailOfFBeyondTheEndForARatio) {
     // SciPy: 2 * f.sf(1.5**2, 10, 20), 2 * f.sf(1.5, 10, 20)
     EXPECT_NEAR(p_of(ratio(3, 10, 20), EffectScale::ratio_of_deviations), 0.11772873371246975, 1e-12);
     EXPECT_NEAR(p_of(ratio(3, 10, 20), EffectScale::ratio_of_variances), 0.42189292503722553, 1e-12);
@@ -61,7 +61,7 @@ TEST(PValueOfABin, OfARatioIsThatOfFBeyondTheEnd) {
     EXPECT_NEAR(p_of(ratio(0.25, 10, 20), EffectScale::ratio_of_deviations), 0.028600199069083825, 1e-12);
 }
 
-TEST(PValueOfABin, OfAShareIsABinomialTail) {
+TEST(PValueOfABin, IsABinomialTailForAShare) {
     // By fractions: twice the sum of C(100, k) p^k (1 - p)^(100 - k), k >= 30 at p = 0.2, k <= 2 at p = 0.1
     EXPECT_NEAR(p_value(share(30, 100, {.value = 0.1}, 0.1), 0), 0.02249795744198327, 1e-12);
     EXPECT_NEAR(p_value(share(2, 100, {.value = 0.2}, 0.1), 0), 0.0038897693037600327, 1e-12);
@@ -120,7 +120,7 @@ TEST(JudgeBins, PassesOnlyWhereEveryBinIsShownToLieInside) {
     EXPECT_EQ(verdict.undecided, 1u);
 }
 
-TEST(JudgeBins, FailsTogetherWhereNoBinFailsByItself) {
+TEST(JudgeBins, FailsTogetherWhenNoBinFailsAlone) {
     BinEffects effects;
     for (int i = 0; i < 100; ++i) effects.bins.push_back(difference(3.5, 1, infinity, 1e-9));
     EXPECT_EQ(judge_bins(effects, Combination::holm, 1e-3, 0.05).verdict, Verdict::inconclusive);
@@ -128,7 +128,7 @@ TEST(JudgeBins, FailsTogetherWhereNoBinFailsByItself) {
     EXPECT_EQ(judge_bins(effects, Combination::cauchy, 1e-3, 0.05).verdict, Verdict::fail);
 }
 
-TEST(CountScores, PutsWhatLiesBeyondIntoTheLastSteps) {
+TEST(CountScores, PutsOutlyingScoresIntoTheEndBins) {
     const auto counts = count_scores({difference(100, 1, 1, 1), difference(-100, 1, 1, 1), difference(0.1, 1, 1, 1)});
     EXPECT_EQ(counts.front(), 1u);
     EXPECT_EQ(counts.back(), 1u);

@@ -38,12 +38,12 @@ TEST(ParseReported, TakesExactValuesWhereErrorsAreOptional) {
                 HasSubstr("new.csv:1:1: column 'standard_error' is missing"));
 }
 
-TEST(ParseReported, ToldFromTrialsByTheHeader) {
+TEST(ParseReported, TellsMeansFromTrialsByTheHeader) {
     EXPECT_TRUE(reports_means("quantity,mean,standard_error\n"));
     EXPECT_FALSE(reports_means("trial,quantity,estimate\n"));
 }
 
-TEST(ParseReported, RefusesWhatCannotBeAnError) {
+TEST(ParseReported, RefusesImpossibleErrors) {
     const std::string header = "quantity,mean,standard_error,n\n";
     EXPECT_THAT(refusal_of_reported_file(header + "a,1,0,5\n"),
                 HasSubstr("new.csv:2:5: standard_error = '0' (beside a mean of 1"));
@@ -58,7 +58,7 @@ TEST(ParseReported, RefusesWhatCannotBeAnError) {
     EXPECT_EQ(refusal_of_reported_file(header + "a,0,0,5\n"), "nothing thrown");  // a bin that no sample fell into
 }
 
-TEST(ParseReported, RefusesRowsThatStandTwice) {
+TEST(ParseReported, RefusesDuplicateRows) {
     EXPECT_THAT(refusal_of_reported_file("quantity,mean,standard_error\na,1,1\nb,1,1\na,2,1\n"),
                 HasSubstr("new.csv:4:1: 'a' stands here again (line 2 has it already"));
     EXPECT_THAT(refusal_of_reported_file("quantity,bin,mean,standard_error\na,x,1,1\na,y,1,1\na,x,2,1\n"),

@@ -60,7 +60,7 @@ TEST(JudgeReported, ComparesTwoFilesBinByBin) {
     EXPECT_THAT(result.note, HasSubstr("trusts the standard errors"));
 }
 
-TEST(JudgeReported, DoesNotTrustErrorsWhereRunsTell) {
+TEST(JudgeReported, PrefersTheSpreadOfRunsToStatedErrors) {
     // Errors stated a hundred times too small: in ten runs their spread decides, two show that something is wrong.
     Gate gate = reported_gate(GateKind::bias, {-1e-5, 1e-5});
     gate.against = Against::number;
@@ -76,7 +76,7 @@ TEST(JudgeReported, DoesNotTrustErrorsWhereRunsTell) {
 // On average, 3 of 3000 files with right errors are contradicted by chance; more than 12 are with probability 2e-5.
 // Errors stated a tenth as large are overlooked in 0.004 of files of five runs, and in more than 6 of 200 such files
 // with probability 2e-5.
-TEST(JudgeReported, FindsFewRunsThatContradictTheirErrors) {
+TEST(JudgeReported, FindsErrorsThatFewRunsContradict) {
     Gate gate = reported_gate(GateKind::bias, {-1, 1});
     gate.against = Against::number;
     gate.reference = 1;
@@ -90,7 +90,7 @@ TEST(JudgeReported, FindsFewRunsThatContradictTheirErrors) {
     EXPECT_GE(contradicted(200, 5, 0.1), 194u);
 }
 
-TEST(JudgeReported, FindsErrorsThatAreWrong) {
+TEST(JudgeReported, FindsWrongErrors) {
     const Gate gate = reported_gate(GateKind::std_error, {1 / 1.6, 1.6});
     EXPECT_EQ(judged(gate, file_of_bins(5, 100, 6)).verdict, Verdict::pass);
     EXPECT_EQ(judged(gate, file_of_bins(5, 100, 7, 0.4)).verdict, Verdict::fail);
@@ -100,7 +100,7 @@ TEST(JudgeReported, FindsErrorsThatAreWrong) {
     EXPECT_THAT(judged(gate, file_of_bins(5, 100, 9, reported_sigma)).note, HasSubstr("variances, probably"));
 }
 
-TEST(JudgeReported, SaysThatTooSmallSpreadBetweenFilesIsNoAgreement) {
+TEST(JudgeReported, WarnsWhenFilesAgreeTooClosely) {
     const auto old = file_of_bins(100, 1, 1, 10);
     EXPECT_THAT(judged(reported_gate(GateKind::equal, {-0.1, 0.1}), file_of_bins(100, 1, 2, 10), &old).note,
                 HasSubstr("far below 1, so the errors are too large"));
@@ -115,7 +115,7 @@ TEST(JudgeReported, RefusesRunsAndFilesThatHoldTheSameNumbers) {
         testing::ThrowsMessage<UserError>(HasSubstr("has the same numbers as in file.csv")));
 }
 
-TEST(JudgeReported, RefusesBinningsThatDiffer) {
+TEST(JudgeReported, RefusesDifferentBinnings) {
     const auto old = file_of_bins(10, 1, 1);
     EXPECT_THAT(
         [&] {
@@ -175,7 +175,7 @@ TEST(JudgeReported, JudgesBinsTogetherByTheirCovariance) {
     EXPECT_EQ(known.judge(2, 22).verdict, Verdict::inconclusive);
 }
 
-TEST(JudgeReported, RefusesCovariancesThatCannotBeThoseOfTheBins) {
+TEST(JudgeReported, RefusesImpossibleCovariances) {
     const auto refusal = [](const Correlated& known, std::uint64_t n) {
         try {
             static_cast<void>(known.judge(0, n));
@@ -193,7 +193,7 @@ TEST(JudgeReported, RefusesCovariancesThatCannotBeThoseOfTheBins) {
     EXPECT_THAT(refusal(broken, 0), HasSubstr("stands here again"));
 }
 
-TEST(JudgeReported, NeverPassesWithBinsThatNothingFellInto) {
+TEST(JudgeReported, NeverPassesWithEmptyBins) {
     const auto file =
         parse_reported("quantity,bin,mean,standard_error\nflux,0,1,0.001\nflux,1,0,0\n", "a.csv", Errors::required);
     const auto old = parse_reported("quantity,bin,mean\nflux,0,1\nflux,1,1\n", "b.csv", Errors::optional);
@@ -222,7 +222,7 @@ Gate share_gate(double reference, double band) {
     return gate;
 }
 
-TEST(JudgeShares, NeitherRefuseNorBlockWhereAllOrNoneHit) {
+TEST(JudgeShares, AcceptFilesWhereAllOrNoneHit) {
     EXPECT_EQ(judged(share_gate(0, 0.01), file_of_hits(20, 1, 1000, 0, 1)).verdict, Verdict::pass);
     EXPECT_EQ(judged(share_gate(1, 0.01), file_of_hits(20, 1, 1000, 1, 1)).verdict, Verdict::pass);
     EXPECT_EQ(judged(share_gate(0, 0.01), file_of_hits(20, 1, 100, 0, 1)).verdict, Verdict::inconclusive)
@@ -256,7 +256,7 @@ TEST(JudgeShares, AreInconclusiveWhereHitsComeInBursts) {
     EXPECT_EQ(judged(share_gate(0.3, 0.1), file_of_hits(20, 10, 1000, 0.3, 5)).verdict, Verdict::pass);
 }
 
-TEST(JudgeShares, RefuseWhatIsNoShare) {
+TEST(JudgeShares, RefuseInvalidShares) {
     const auto refusal = [](const char* rows) {
         return test::message_of<UserError>(
             [&] { parse_reported(std::string("quantity,hits,n\n") + rows, "f.csv", Errors::required); });
@@ -299,7 +299,7 @@ Gate independent_gate(double band) {
     return gate;
 }
 
-TEST(IndependentBins, FailTogetherWhereNoneDoesAlone) {
+TEST(IndependentBins, FailTogetherWhenNoneFailsAlone) {
     // A shift of 1000 bins by 0.85 standard errors, with errors that are stated and with errors from ten runs.
     const auto result = judged(independent_gate(1e-9), file_of_bins(1000, 1, 3, 1, 0.85));
     EXPECT_EQ(result.verdict, Verdict::fail);
@@ -310,7 +310,7 @@ TEST(IndependentBins, FailTogetherWhereNoneDoesAlone) {
     EXPECT_EQ(judged(independent_gate(1e-2), file_of_bins(1000, 10, 3)).verdict, Verdict::pass);
 }
 
-TEST(IndependentBins, AreNotJudgedWhereTheyVaryTogether) {
+TEST(IndependentBins, AreNotJudgedWhenCorrelated) {
     std::mt19937_64 engine(5);
     std::normal_distribution<double> normal;
     std::string text = "quantity,bin,run,mean,standard_error\n";

@@ -57,7 +57,7 @@ TEST(VerdictOf, IsTheWorstOfAll) {
     EXPECT_EQ(decisive(gate({inconclusive, fail, pass})).verdict, fail);
 }
 
-TEST(LevelsOf, ShareAlphaAmongGatesLooksAndComparisonsAndThePassingOneAmongLooks) {
+TEST(LevelsOf, SplitAlphaAmongAllTestsAndPassingAlphaAmongLooks) {
     GatesSpec spec;
     spec.alpha = 0.12;
     spec.looks = 2;

@@ -23,7 +23,7 @@ RateTable measured(std::uint64_t scenes, double shrink) {
 
 // Intervals hold in at least 0.95 of all random scenes (alpha 1e-3). With probability 0.9, 0.85 would be noticed in the
 // scenes of a push, and 0.93 in those of a night.
-TEST(AdversarialScenes, AreHeldByTheirIntervals) {
+TEST(AdversarialScenes, AreCoveredByTheirIntervals) {
     const std::uint64_t scenes_of_a_kind = test::repetitions(40, 900);
     const double detects = scenes_of_a_kind < 900 ? 0.1 : 0.02;
     const RateTable table = measured(scenes_of_a_kind, 1);
@@ -42,7 +42,7 @@ TEST(AdversarialScenes, AreMissedByIntervalsThatAreTooNarrow) {
 
 // What they are beside exact values: intervals of far more points hold what the scene says, at a level that leaves no
 // room for chance.
-TEST(AdversarialScenes, KnowTheirExchange) {
+TEST(AdversarialScenes, StateTheirExchangeCorrectly) {
     for (const Trap trap : traps) {
         for (std::uint32_t replicate = 0; replicate < (trap == Trap::many_faces ? 1 : 3); ++replicate) {
             stats::Draws draws({}, stats::Resampling::simulation, replicate);

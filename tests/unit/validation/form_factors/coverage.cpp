@@ -19,7 +19,7 @@ FormFactorCoverage coverage_of(double shrink) {
 // Six rates, each claimed to be at least 0.95: one of them falls below its interval, at level 1 - 0.05 / 6, with
 // probability 0.05 at most if all are 0.95 (fixed seeds). Coverage of 0.83 is noticed with probability 0.9 in each:
 // P(X <= 88) for X ~ B(100, 0.83), 88 being the most whose interval ends below 0.95.
-TEST(FormFactorCoverage, IsThatOfTheLevel) {
+TEST(FormFactorCoverage, ReachesTheStatedLevel) {
     const FormFactorCoverage coverage = coverage_of(1);
     EXPECT_EQ(coverage.contradictions(), 0u);
     EXPECT_EQ(coverage.entries.rates.size(), 3u);

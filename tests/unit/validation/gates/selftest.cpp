@@ -25,7 +25,7 @@ TEST(MeasuredRate, HoldsWhereTheIntervalAllowsTheClaim) {
     EXPECT_TRUE(holds({"", half, RateClaim::none, 0}, level));
 }
 
-TEST(MeasuredRate, IsTheNearerToItsLimitTheLessItAgreesWithTheClaim) {
+TEST(MeasuredRate, HasASmallerTailTheLessItAgreesWithTheClaim) {
     const auto tail = [](RateClaim claim, std::uint64_t hits) { return tail_of({"", {hits, 1000}, claim, 0.5}); };
     EXPECT_LT(tail(RateClaim::at_most, 510), tail(RateClaim::at_most, 490));
     EXPECT_LT(tail(RateClaim::at_least, 490), tail(RateClaim::at_least, 510));
@@ -42,7 +42,7 @@ TEST(Repetitions, DoNotDependOnThreads) {
     EXPECT_NE(one, (Repetitions{Seed{7}, 1}.collect(500, "y", draw)));
 }
 
-TEST(Repetitions, DrawWhatTheySay) {
+TEST(Repetitions, DrawFromTheNamedDistributions) {
     const Repetitions repetitions{Seed{7}, 2};
     const auto normal = repetitions.collect(20'000, "n", [](stats::Draws& draws) { return draw_normal(draws); });
     EXPECT_TRUE(test::unbiased(normal, 0, {.alpha = 1e-6, .detects = 0.06}));
@@ -51,7 +51,7 @@ TEST(Repetitions, DrawWhatTheySay) {
     EXPECT_TRUE(test::unbiased(waits, 1, {.alpha = 1e-6, .detects = 0.06}));
 }
 
-TEST(Repetitions, PassOnWhatATaskThrows) {
+TEST(Repetitions, PropagateExceptionsOfTasks) {
     const auto task = [](std::uint64_t i) {
         if (i == 5) throw std::runtime_error("five");
     };

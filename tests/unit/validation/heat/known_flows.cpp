@@ -28,13 +28,13 @@ void expect_closed_and_reciprocal(Factor factor, const std::vector<double>& area
     }
 }
 
-TEST(KnownFlows, ComeFromFactorsOfClosedScenes) {
+TEST(KnownFlows, ComeFromClosedAndReciprocalFactors) {
     expect_closed_and_reciprocal(cube_factor, std::vector<double>(6, 1));
     expect_closed_and_reciprocal(annulus_factor, {4, 8, 3, 3});
     EXPECT_NEAR(cube_factor(0, 5), 0.199824895698387, 1e-15) << "ffstudy explain cube";
 }
 
-TEST(KnownFlows, OfAnAnnulusAreThoseOfRays) {
+TEST(KnownFlows, AgreeWithRaysInAnAnnulus) {
     const Scene scene = annulus_scene();
     FormFactorRequest request;
     request.tolerance = 1e-3;
@@ -49,7 +49,7 @@ TEST(KnownFlows, OfAnAnnulusAreThoseOfRays) {
 }
 
 // Fails by chance with probability 1e-6, and finds a share of walks that is off by 0.006 with probability 0.99.
-TEST(KnownFlows, OfTheFurnaceAreThoseOfItsWalks) {
+TEST(KnownFlows, AgreeWithRandomWalksInTheFurnace) {
     constexpr std::uint64_t walks = 250'000;
     const std::uint64_t to_roof = test::FurnaceWalks(5).to_roof(walks);
     const auto few = stats::clopper_pearson_interval({.hits = to_roof, .trials = walks}, 1 - 1e-6);
@@ -59,7 +59,7 @@ TEST(KnownFlows, OfTheFurnaceAreThoseOfItsWalks) {
     EXPECT_LT(furnace_power().half_width(), 2e-4 * furnace_power().middle());
 }
 
-TEST(KnownFlows, OfTheFurnaceAreThoseOfItsFactors) {
+TEST(KnownFlows, AgreeWithTheFactorsOfTheFurnace) {
     FormFactorRequest request;
     request.tolerance = 1e-4;
     request.level_of = LevelOf::matrix;
