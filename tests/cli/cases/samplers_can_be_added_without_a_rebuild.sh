@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # A file of points and a plug-in are added as docs/adding-a-sampler.md says, word by word. (A program that prints points:
-# a_program_of_numpy_is_a_sampler.sh.)
+# numpy_programs_serve_as_samplers.sh.)
 source "$(dirname "$0")/../harness.sh"
 
 document=$data/../../docs/adding-a-sampler.md

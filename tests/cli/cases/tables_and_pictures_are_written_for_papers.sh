@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Tables hold whatever users call their methods, and pictures are drawn without a browser. (LaTeX and PDF:
-# papers_take_tables_and_pictures.sh.)
+# latex_compiles_tables_and_pictures.sh.)
 source "$(dirname "$0")/../harness.sh"
 
 oddly_named_study >"$folder/study.toml"
