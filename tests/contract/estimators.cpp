@@ -110,7 +110,7 @@ TEST(IsUnbiasedOfEstimators, CatchesEstimatorsThatSeeThroughOccluders) {
     EXPECT_TRUE(is_unbiased(estimator_entry<Blind>(), configuration_named("cube_adjacent_faces")));
 }
 
-// The bias that has to be noticed is 0.03 sqrt(0.2) = 0.0134, 6.7 % of the factor.
+// The smallest bias that has to be noticed is 0.03 sqrt(0.2) = 0.0134, 6.7 % of the factor.
 TEST(IsUnbiasedOfEstimators, CatchesABiasOfThePromisedSize) {
     EXPECT_FALSE(is_unbiased(estimator_entry<Larger<67>>(), configuration_named("cube_adjacent_faces")));
     EXPECT_TRUE(is_unbiased(estimator_entry<Larger<0>>(), configuration_named("cube_adjacent_faces")));

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# A limit on file sizes stands for the full disk everywhere, and a small tmpfs is one where this user may mount.
+# A limit on file sizes simulates a full disk everywhere; where this user may mount one, a small tmpfs is really full.
 source "$(dirname "$0")/../harness.sh"
 
 small_study 60 >"$folder/study.toml"

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Every kind of geometry that cannot be computed with, in the formats that can say it: file, line and object, exit code 2.
+# Every kind of geometry that cannot be computed with, in each format that can hold it: file, line and object, exit code 2.
 source "$(dirname "$0")/../harness.sh"
 
 study() {

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Points go out and come in again, and what they have to keep is checked for every sampler.
+# Points are written and read back, and what they have to keep is checked for every sampler.
 source "$(dirname "$0")/../harness.sh"
 
 # Out and in: the same points, in every form.

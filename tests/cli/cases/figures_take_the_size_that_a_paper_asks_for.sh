@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# One picture of a study in the size and the letters that a paper asks for. (As PDF and PNG: figures_become_pdf_and_png.sh.)
+# One picture of a study in the size that a paper asks for, letters included. (As PDF and PNG: figures_become_pdf_and_png.sh.)
 source "$(dirname "$0")/../harness.sh"
 
 ffstudy convergence --sampler random,sobol,halton --samples 64,128,256 --trials 6 --out out --quiet

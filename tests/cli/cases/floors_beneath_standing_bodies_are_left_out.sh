@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# A body on a floor that is not cut out beneath it: what it covers is left out, whatever way the model has it.
+# A body on a floor that is not cut out beneath it: what it covers is left out, however the model describes it.
 source "$(dirname "$0")/../harness.sh"
 
 # room FLOOR...: a closed room of 4 x 4 x 3 with these lines for its floor, and a box of 1 x 1 x 1 in it.

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Programs that show manuals find no fault with the pages, but that they bear no date: the same program, the same bytes.
+# Programs that show manuals find no fault with the pages except that they have no date: the same program, the same bytes.
 # Needs mandoc.
 source "$(dirname "$0")/../harness.sh"
 

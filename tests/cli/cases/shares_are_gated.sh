@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Hits of n trials are judged by binomial tails, bin by bin; none and all are shares like any other.
+# Hits of n trials are judged by binomial tails, bin by bin; 0 and 1 are shares like any other.
 source "$(dirname "$0")/../harness.sh"
 
 # hits SEED SHARE TRIALS: bins 0 to 19 with this share, bin 20 without a hit, bin 21 without a miss.

@@ -54,7 +54,8 @@ std::string all_of(const std::vector<std::string>& lines) {
     return fmt::format("{}", fmt::join(lines, "\n"));
 }
 
-// What is said of dominance is 1 / the largest row sum of the estimates themselves, not a sentence about PDM.
+// The limit stated for dominance is 1 / the largest row sum of the estimates themselves, not a fixed sentence about
+// PDM.
 TEST(RadiosityWords, SayWhereDominanceIsLost) {
     const auto& plan = lit().findings.plan;
     const studies::Consequences& pdm = *lit().radiosity->find(1, Treatment::direct);

@@ -45,7 +45,7 @@ Real element_aside_to_disc(Real radius, Real distance, Real aside) {
     return (1 - (squares - radius * radius) / std::sqrt(sum * sum - 4 * aside * aside * radius * radius)) / 2;
 }
 
-// By the kernel over the heights of both and the angle between them; what two points are apart in height counts alone.
+// By the kernel over the heights of both and the angle between them; only the difference of two points' heights counts.
 TEST(CoaxialCylinders, MatchTheIntegralOverWhatTheInnerOneHides) {
     for (const auto& [inner, outer, height] : {std::array<Real, 3>{1, 2, 2}, {1, 1.5, 4}, {2, 3, 1}}) {
         const auto over_heights = [&, height = height](const auto& of_angle, Real low, Real high) {

@@ -27,8 +27,8 @@ TEST(ControlVariate, IsExactWithoutOccluders) {
     }
 }
 
-// A wall of small extent between two squares hides little: of the kernel's variance hardly anything is left. 400 trials
-// of 64 points.
+// A small wall between two squares hides little, so that hardly any of the kernel's variance is left. 400 trials of 64
+// points.
 TEST(ControlVariate, HasOnlyTheErrorOfTheHiddenPart) {
     Scene scene;
     scene.faces = {"a", "b"};

@@ -17,8 +17,8 @@ TEST(GlobalLines, HaveRowsThatAddUpToOneInAClosedScene) {
     }
 }
 
-// Each face of the cube is crossed by a third of 2^18 lines, 8.7e4: the standard error of a factor is 0.0014, and five
-// of them are left for 30 pairs.
+// Each face of the cube is crossed by a third of 2^18 lines, 8.7e4: the standard error of a factor is 0.0014, and each
+// of 30 pairs may be off by five of them.
 TEST(GlobalLines, FindTheFactorsOfACube) {
     const Scene cube = make_box(1, 1, 1);
     const Eigen::MatrixXd difference =
@@ -57,7 +57,7 @@ TEST(GlobalLines, DoNotPassThroughPlatesThatLieOnEachOther) {
     }
 }
 
-// The box around it is flat, and all lines begin beside it.
+// The box around the scene is flat, and all lines begin beside it.
 TEST(GlobalLines, FindNoExchangeInAFlatScene) {
     Scene scene;
     scene.faces = {"left", "right"};

@@ -29,7 +29,7 @@ Eigen::MatrixXd trial(const auto& estimator, std::uint64_t samples, std::uint32_
     return outcome.estimates;
 }
 
-// The same points, the same formula from elsewhere: what remains is rounding.
+// The same points and the same formula, from elsewhere in the code: only rounding differs.
 TEST(PointToVisiblePolygon, EqualsPointToPolygonWithoutOccluders) {
     const Scene box = make_box(3, 2, 1);
     const PointToVisiblePolygon visible(box, TracerChoice::automatic);

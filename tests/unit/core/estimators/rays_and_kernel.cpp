@@ -19,8 +19,8 @@ namespace {
 using test::face_1;
 using test::face_2;
 
-// One point at a time: each way adds at most 1, and by the power heuristic a place that was laid at most 1/2. The
-// kernel alone gives values far above 2 where faces touch.
+// One point at a time: each of the two ways adds at most 1, and with the power heuristic a point placed on the target
+// adds at most 1/2. The kernel alone gives values far above 2 where faces touch.
 TEST(RaysAndKernel, IsBoundedWhereFacesTouch) {
     const Scene cube = make_box(1, 1, 1);
     const auto largest = [](const std::vector<double>& values) {
@@ -31,8 +31,9 @@ TEST(RaysAndKernel, IsBoundedWhereFacesTouch) {
     EXPECT_GT(largest(test::estimates<AreaKernel>(cube, 1, 1, 20000, face_1, face_2)), 10);
 }
 
-// 400 trials of 128 points for each pair of 2 x 2 patches, for each heuristic. Fails for right estimators with
-// probability 2e-8; a bias of 3 %, as of weights that do not add up to 1, goes unnoticed with probability .01 at most.
+// 400 trials of 128 points for each pair of 2 x 2 patches, for each heuristic. Fails for a sound estimator with
+// probability 2e-8; a bias of 3 %, as from weights that do not add up to 1, goes unnoticed with probability .01 at
+// most.
 TEST(RaysAndKernel, IsUnbiasedBetweenPatches) {
     const Scene cube = make_box(1, 1, 1);
     const double exact = *exact_form_factor(cube, face_1, face_2);
@@ -41,9 +42,9 @@ TEST(RaysAndKernel, IsUnbiasedBetweenPatches) {
     EXPECT_TRUE(test::unbiased(test::estimates<RaysAndKernelPower>(cube, 2, 128, 400, face_1, face_2), exact, risks));
 }
 
-// Two far squares: a ray hardly ever meets the other one, and the places that are laid do all the work. What weights
-// leave to the rays is noise, and the power heuristic leaves less. Shares of the variance are those of 20000 trials of
-// one point, good to 10 %; without any weight the ratio would be 1.
+// Two distant squares: a ray hardly ever meets the other one, and the points placed on it do all the work. What the
+// weights leave to the rays is noise, and the power heuristic leaves less. The variances are those of 20000 trials of
+// one point, good to 10 %; without any weights their ratio would be 1.
 TEST(RaysAndKernel, HasLessVarianceWithThePowerHeuristic) {
     Scene scene;
     scene.faces = {"a", "b"};

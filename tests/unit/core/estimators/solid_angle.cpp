@@ -24,8 +24,8 @@ TEST(SphericalTriangle, HasTheAreaOfAnOctant) {
     EXPECT_DOUBLE_EQ(2 * seen({3, 0, 0}, {0, 0.1, 0}, {0, 0, 7}).half_area, std::numbers::pi / 2);
 }
 
-// A flat triangle of area 1/2, right angle below the centre, from a height of 1e4: area over height squared, but for
-// 1e-8 of it. The formula keeps all digits of what is far.
+// A flat triangle of area 1/2, with its right angle below the centre, from a height of 1e4: area over height squared,
+// to within 1e-8 of it. The formula keeps all digits of distant triangles.
 TEST(SphericalTriangle, KeepsItsDigitsWhereItIsSmall) {
     const double height = 1e4;
     const double area = 2 * spherical_triangle({0, 0, height}, {1, 0, height}, {0, 1, height}, height).half_area;
@@ -84,7 +84,8 @@ TEST(DirectionIn, HasTheMeanDirectionOfAnOctant) {
     for (const double mean : Vector3d(sum / (n * n))) EXPECT_NEAR(mean, 0.5, 1e-4);
 }
 
-// In a far small target the cosine and the solid angle hardly change: one point is right to the size over the distance.
+// On a small and distant target the cosine and the solid angle hardly change: one point is accurate to about the size
+// over the distance.
 TEST(SolidAngle, NeedsOnlyOnePointOnASmallTarget) {
     Scene scene;
     scene.faces = {"near", "far"};

@@ -29,7 +29,8 @@ TEST(Unmet, IsZeroWhereMostPointsSeeMuchOfTheOtherFace) {
     }
 }
 
-// The lamp owes its factor to some 1e-5 of the points of the floor: a million of them meet it, a thousand do not.
+// The factor from the floor to the lamp comes from some 1e-5 of the points of the floor: some of a million points are
+// among them, but none of a thousand.
 TEST(Unmet, IsThePeakOfASmallFaceCloseToALargeOne) {
     const Scene scene = lamp_above_floor(100, 0.2, 0.2);
     EXPECT_DOUBLE_EQ(largest_unmet_factor(scene, 0, 1, 1000), 1 / std::numbers::pi);

@@ -71,8 +71,8 @@ TEST(PatchExchange, ComputesEveryPairWhereNoneAreCongruent) {
     expect_every_pair(floor, smaller, exchange, {3});
 }
 
-// A floor of 3 x 1 squares and walls and a roof of other grids, so that columns and rows, and those of the two
-// surfaces, cannot be confused; where patches have an edge in common, pairs that lie alike are computed once.
+// A floor of 3 x 1 squares, and walls and a roof with other grids, so that columns and rows, and those of the two
+// surfaces, cannot be confused; where patches have an edge in common, congruent pairs are computed once.
 TEST(PatchExchange, UsesTheGridOfEachSurface) {
     Surface floor = test::rectangle("0:3 0:1 0:0 +z");
     Surface roof = test::rectangle("0:3 0:1 1:1 -z");

@@ -41,7 +41,7 @@ TEST(Shaft, IsClosedByASurfaceThatAllItsLinesCross) {
     EXPECT_EQ(shaft.crossed_by(rectangle({-9, -9, 1.5}, {20, 0, 0}, {0, 20, 0})), Crossing::none) << "beyond it";
 }
 
-// Lines at random through random polygons: a proof is never contradicted, and there are proofs of both kinds.
+// Random lines through random polygons: a proof is never contradicted, and proofs of both kinds occur.
 TEST(Shaft, ProvesOnlyWhatHoldsForEveryLine) {
     std::mt19937_64 engine(1);
     const auto draw = [&](double low, double high) { return std::uniform_real_distribution(low, high)(engine); };

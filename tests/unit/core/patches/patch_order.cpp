@@ -55,7 +55,7 @@ TEST(PatchSequences, AreOnePerPatch) {
     EXPECT_EQ(sequences.of(1, 23).first, 0u);
 }
 
-// One sequence for the patches that lie in the same part of the grid, each with points of its own; all of them are
+// One sequence for the patches that lie in the same part of the grid, each patch with points of its own; all points are
 // used.
 TEST(PatchSequences, AreOnePerGridPartWhereOneServesAFace) {
     const Scene room = test::gridded_room();
@@ -80,8 +80,8 @@ TEST(PatchSequences, AreOnePerGridPartWhereOneServesAFace) {
     EXPECT_EQ(taken.rbegin()->first, 19u);
 }
 
-// The rectangle cut by hand into surfaces of the same face: patch by patch the same arithmetic, so the same bits, but
-// for the column of the face itself as a target, which is the sum over six.
+// The rectangle is cut by hand into surfaces of the same face. Patch by patch the arithmetic is the same, and so are
+// the bits, except in the column of the face itself as a target, which is the sum over six.
 TEST(ExactPatchToFace, IsTheSameForAGridAsForSeparateSurfaces) {
     Scene whole = test::gridded_room();
     whole.surfaces[0].grid = {3, 2};

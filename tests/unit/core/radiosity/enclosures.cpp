@@ -46,7 +46,7 @@ TEST(EveryEnclosure, IsClosedAndReciprocal) {
     }
 }
 
-// The two-surface solution of a cavity that only its base lights, and the furnace, with a patch that sees itself.
+// The two-surface solution of a cavity lit by its base alone, and a furnace with a patch that sees itself.
 TEST(ConcavePatches, HaveTheirExactSolutions) {
     RadiositySystem system{cavity(2, 1).factors, Eigen::Vector2d(2, 1), Eigen::Vector2d(0.8, 0.4),
                            Eigen::Vector2d(0, 1)};

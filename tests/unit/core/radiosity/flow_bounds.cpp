@@ -95,7 +95,7 @@ TEST(FlowBounds, HoldForEveryMatrixWithinTheIntervals) {
     }
 }
 
-// Bounds that are merely wide would hold as well: the best of many random matrices comes near to them.
+// Bounds that are merely wide would hold as well: the best of many random matrices comes close to these.
 TEST(FlowBounds, AreNearlyAttained) {
     std::mt19937_64 random(2);
     const RandomCase made = random_case(random, 2, 0.05);
@@ -135,7 +135,7 @@ TEST(FlowBounds, NeedAFaceThatAbsorbs) {
     EXPECT_EQ(find_absorption(sparse(low, high), laws).absorption, Absorption::reached);
 }
 
-// Absorption is far away: nearly everything is reflected hundreds of times, which iterations are slow at.
+// Nearly everything is reflected hundreds of times before it is absorbed, which makes iterations slow.
 TEST(FlowBounds, HoldWhereHardlyAnythingIsAbsorbed) {
     std::mt19937_64 random(4);
     for (int i = 0; i < 50; ++i) {

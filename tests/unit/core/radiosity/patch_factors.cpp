@@ -79,7 +79,7 @@ TEST(ShotPatchFactors, AreUnbiased) {
     }
 }
 
-// The same sums, once more: random points have the streams of their pair of patches, others serve all pairs.
+// The same sums once more: random points use the streams of their pair of patches, other points serve all pairs.
 TEST(KernelPatchFactors, AddUpToTheTrial) {
     const Scene scene = built_in_scene("box:2x1x0.5");
     for (const PointMap map : {PointMap::uniform, PointMap::graded}) {

@@ -47,7 +47,7 @@ TEST(SpectralRadius, LiesWithinItsBounds) {
     }
 }
 
-// Eigenvalues of two plates are +1 and -1 times the same: plain power iteration swings for ever.
+// The two eigenvalues of two plates differ only in sign: plain power iteration oscillates forever.
 TEST(SpectralRadius, IsFoundWhereTwoEigenvaluesAreEquallyLarge) {
     const Bounds bounds = spectral_radius((Eigen::MatrixXd(2, 2) << 0, 0.5, 0.08, 0).finished());
     EXPECT_TRUE(enclose(bounds, 0.2));

@@ -77,7 +77,7 @@ TEST(BalancedFactors, AreTheLeastSquaresSolution) {
     }
 }
 
-// A pair that was never hit is no certain 0: it gets a share where the other way, and closure, ask for it.
+// A pair that was never hit need not be 0: it gets a share where the opposite direction and closure ask for it.
 TEST(BalancedFactors, MayChangeAPairWithoutAHit) {
     Eigen::MatrixXd estimates = test::shot_factors(100, 5);
     estimates(0, 1) = 0;
@@ -87,7 +87,8 @@ TEST(BalancedFactors, MayChangeAPairWithoutAHit) {
     EXPECT_GT(result.factors(0, 1), 0.001);
 }
 
-// Two data for each pair and six constraints leave less error: by theory half of the variance, and what closure takes.
+// Two data for each pair and six constraints reduce the error: in theory to half of the variance, less what closure
+// removes.
 TEST(BalancedFactors, AreBetterThanTheEstimates) {
     double before = 0;
     double after = 0;
@@ -105,7 +106,8 @@ TEST(BalancedFactors, AreBetterThanTheEstimates) {
     EXPECT_LT(after, normalised);
 }
 
-// Both ways estimate the same exchange area: with equal rays they weigh the same, however differently they fell.
+// Both directions estimate the same exchange area: with equal numbers of rays they weigh the same, however much their
+// hits differ.
 TEST(WeightsOfHits, AreTheSameBothWays) {
     const Eigen::MatrixXd weights = hit_weights(test::shot_factors(20, 4), 20);
     EXPECT_EQ(weights, weights.transpose());
@@ -117,7 +119,7 @@ TEST(WeightsOfHits, AreTheSameBothWays) {
     EXPECT_NEAR(unequal(5, 0) / unequal(0, 5), 4, 1e-12) << "N / p, and p is a quarter from the large face";
 }
 
-// Patches of one plane see nothing of each other, and balancing must not invent it.
+// Patches of one plane see nothing of each other, and balancing must not invent any exchange between them.
 TEST(BalancedFactors, StayZeroBetweenPatchesThatCannotSeeEachOther) {
     Sight sight = all_but_itself(6);
     sight(0, 1) = sight(1, 0) = false;

@@ -210,8 +210,8 @@ TEST(TracedMirrors, ShowPatchesWhereTheirImagesAre) {
     }
 }
 
-// A cylinder whose top is a mirror is half of one of twice the height. Images hidden or bent are not computed, so there
-// is no exact value; rays find it all the same: three binomial tests of 1e-7.
+// A cylinder whose top is a mirror is half of one of twice the height. Hidden or bent images are not computed, so that
+// there is no exact value, but rays find it: three binomial tests of 1e-7.
 TEST(TracedMirrors, AreFlatShapesOfAnyKind) {
     const std::vector<std::string> top{"2"};
     const Scene half = with_mirrors(cylinder(1, 1), top);
@@ -226,7 +226,8 @@ TEST(TracedMirrors, AreFlatShapesOfAnyKind) {
     expect(1, 1, whole(2, 2));
 }
 
-// Between opposite mirrors rays may be reflected for ever: those that have been 64 times are lost, and few are.
+// Between opposite mirrors rays may be reflected forever: those that have been reflected 64 times are lost, and they
+// are few.
 TEST(TracedMirrors, LoseEndlessRays) {
     const Scene scene = mirrored("cube", {"1", "6"});
     EXPECT_FALSE(exact_room_factors(scene));

@@ -63,7 +63,8 @@ TEST(GaussSeidel, IsFasterThanJacobi) {
     EXPECT_LT(iterations(Solver::conjugate_gradient), 6u);  // three distinct eigenvalues
 }
 
-// A first row that sums to 1.5 makes the spectral radius exceed 1: the series diverges, and so does all that sums it.
+// A first row that sums to 1.5 makes the spectral radius exceed 1: the series diverges, and so does every solver that
+// sums it.
 TEST(EverySolver, RecognisesDivergence) {
     RadiositySystem system = test::lit_cube(0.99);
     system.factors *= 1.02;

@@ -8,8 +8,8 @@
 namespace ff {
 namespace {
 
-// In a closed box where all emits and reflects alike nothing tells patches apart: m = e / (1 - rho), whatever F is, as
-// long as its rows sum to 1.
+// In a closed box where all patches emit and reflect alike nothing tells them apart: m = e / (1 - rho), whatever F is,
+// as long as its rows sum to 1.
 TEST(RadiositySystem, HasTheFurnaceSolutionForIdenticalPatches) {
     for (const double reflectance : {0.0, 0.1, 0.9, 0.999}) {
         // Rounding is magnified by the condition of G, (1 + rho) / (1 - rho) or less.
@@ -28,7 +28,7 @@ TEST(RadiositySystem, HasTheFurnaceSolutionForIdenticalPatches) {
     }
 }
 
-// Parallel plates without end: m_1 = (e_1 + rho_1 e_2) / (1 - rho_1 rho_2).
+// Infinite parallel plates: m_1 = (e_1 + rho_1 e_2) / (1 - rho_1 rho_2).
 TEST(RadiositySystem, HasTheSolutionOfTwoPlates) {
     RadiositySystem plates;
     plates.factors = (Eigen::MatrixXd(2, 2) << 0, 1, 1, 0).finished();

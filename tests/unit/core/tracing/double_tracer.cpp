@@ -44,7 +44,7 @@ double opposite_discs(double a, double b) {
     return (x - std::sqrt(x * x - 4 * b * b / (a * a))) / 2;
 }
 
-// From the upper disc, all that would end beneath the sheet ends on it: F12 - F(disc to 0.8 disc).
+// All rays from the upper disc that would end beneath the sheet end on it: F12 - F(disc to 0.8 disc).
 TEST(DoubleTracer, LetsNoRayThroughASheetHoweverNear) {
     const double expected = opposite_discs(1, 1) - opposite_discs(1, 0.8);
     const double rays = blocks_per_surface * block_capacity;
@@ -63,7 +63,7 @@ TEST(DoubleTracer, LetsNoRayThroughASheetHoweverNear) {
     }
 }
 
-// The checker itself: Embree's rays, which start a little beside the disc, pass the sheet.
+// Checks the check: Embree's rays, which start a little off the disc, pass through the sheet.
 TEST(DoubleTracer, IsNeededBecauseEmbreeMissesNearSheets) {
     const Scene scene = disc_under_a_sheet(4e-8);
     EXPECT_TRUE(has_fine_detail(scene));

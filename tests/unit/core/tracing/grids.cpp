@@ -24,7 +24,7 @@ namespace {
 
 constexpr StreamKey grid_key{3, 4};
 
-// A cell of the map of every shape, to single precision; an azimuth wraps around.
+// For every shape, rays start in their patch's cell of the map, to single precision; azimuths wrap around.
 TEST(Grids, StartRaysOnTheirPatch) {
     std::vector<Surface> surfaces = test::closed_can().surfaces;
     surfaces.push_back(test::gridded_room().surfaces[0]);

@@ -65,7 +65,7 @@ TEST(LevelNeighbours, CatchNoRayInARoom) {
     EXPECT_EQ(ends.nowhere, 0u);
 }
 
-// Nothing receives outside of a block: its rays all leave, and the neighbours across its edges let them.
+// Nothing outside a block receives its rays: they all leave, past the neighbours across its edges.
 TEST(LevelNeighbours, CatchNoRayFromABlock) {
     Scene block = inside_out(turned_mosaic(make_box(1, 1, 1), 40));
     block.closed = false;
@@ -73,7 +73,7 @@ TEST(LevelNeighbours, CatchNoRayFromABlock) {
     EXPECT_EQ(ends.nowhere, std::uint64_t{6} * 40 * 40 * block_capacity);
 }
 
-// The checker itself: a tile that hangs just in front of another, back to back, does catch rays.
+// Checks the check: a tile that hangs just in front of another, back to back, does catch rays.
 TEST(LevelNeighbours, CheckNoticesATileInFront) {
     Scene room = turned_mosaic(make_box(1, 1, 1), 4);
     Surface tile = room.surfaces[5];

@@ -109,7 +109,7 @@ TEST(LostRays, DoNotOccurAtEdgesAndCorners) {
     EXPECT_EQ(losses.embree, 0u);
 }
 
-// The checker itself: a box with a slit of 1e-4 along one edge does lose rays.
+// Checks the check: a box with a slit of 1e-4 along one edge does lose rays.
 TEST(LostRays, AreFoundThroughASlit) {
     Scene leaky = make_box(6, 6, 6);
     parallelogram(leaky.surfaces[5]).edge_u *= 1 - 1e-4;

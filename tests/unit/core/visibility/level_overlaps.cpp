@@ -49,7 +49,7 @@ TEST(LevelOverlaps, ExcludeAdjacentAndSeparateSurfaces) {
     EXPECT_TRUE(level_overlaps(turned(apart)).empty());
 }
 
-// Between them nothing is counted twice without a word: what proofs about occlusion leave room for is level.
+// Nothing is silently counted twice: a surface just above another either hides it or counts as level with it.
 TEST(LevelOverlaps, AreLevelWithinTheToleranceOfOcclusion) {
     for (const double height : {0.0, 1e-15, 1e-14, 1e-13, 1e-12, 3e-12, 1e-11, 1e-10, 1e-8, 1e-7}) {
         const Scene scene =

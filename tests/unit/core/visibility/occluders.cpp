@@ -132,7 +132,7 @@ Seen look_at_scenes(bool dropped) {
     return all;
 }
 
-// Among some hundred thousand lines in 300 scenes none is hidden by what has been left out.
+// Among some hundred thousand lines in 300 scenes, none is hidden only by a surface that was left out.
 TEST(Occluders, HideAllThatTheSurfacesHide) {
     const Seen seen = look_at_scenes(false);
     EXPECT_GT(seen.lines, 200'000u);
@@ -141,7 +141,7 @@ TEST(Occluders, HideAllThatTheSurfacesHide) {
     EXPECT_EQ(seen.seen_of_hidden, 0u);
 }
 
-// A lamp flush under the lid of a closed box shines at the bottom, not at the floor below.
+// A lamp flush under the lid of a closed box lights the bottom of the box, not the floor below it.
 TEST(Occluders, HideWhatLiesInThePlaneOfASideOfABody) {
     Scene scene;
     add_tiles(scene, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, 1);

@@ -17,7 +17,7 @@ std::string npz(const Sparse& matrix) {
     return out.str();
 }
 
-// That NumPy reads it, tests/cli/cases/form_factors_have_intervals.sh shows.
+// tests/cli/cases/form_factors_have_intervals.sh shows that NumPy reads it.
 TEST(SparseNpz, HoldsTheValuesButNoTimes) {
     Sparse matrix(3, 3);
     const std::vector<Eigen::Triplet<double>> entries{{0, 2, 0.25}, {2, 0, 0.5}};

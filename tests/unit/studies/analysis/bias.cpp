@@ -39,7 +39,7 @@ TEST(BinomialHits, AreCountedWhereTheirVarianceIsBinomial) {
     EXPECT_EQ(binomial_hits(std::vector<double>(10, 0.0), 1e-3)->hits, 0u);
 }
 
-// Ten rays that always go the same way, or trials that are all the same one.
+// Ten rays that always go the same way, or trials that are all alike.
 TEST(BinomialHits, AreEmptyWhereRaysOrTrialsAreDependent) {
     EXPECT_FALSE(binomial_hits(shares_of_hits(50, 1000, 0.2, 10), 1e-3));
     EXPECT_FALSE(binomial_hits(std::vector<double>(10, 0.2), 1e-3));
@@ -98,9 +98,9 @@ TEST(Bias, IsFoundInSkewedTrialsWhereItIsLarge) {
     EXPECT_FALSE(found.bias->unseen);
 }
 
-// One trial in ten is off by 6 standard deviations of the others: some pair of thirty has not met it in forty trials.
-// By its own trials alone 30 % of these studies are called biased. Risks: false alarm 1e-6; .35 is noticed with power
-// .99, and a bias of 8 standard errors that is found in fewer than .6 of them.
+// One trial in ten is off by 6 standard deviations of the others: in forty trials, some of the thirty pairs have no
+// such trial. Judged by their own trials alone, 30 % of these studies are called biased. Risks: false alarm 1e-6; .35
+// is noticed with power .99, and so is a bias of 8 standard errors that is found in fewer than .6 of them.
 TEST(Bias, IsRarelyFoundWhereTheTrialsOfOtherPairsExplainIt) {
     constexpr std::uint64_t studies = 60;
     const auto count = [&](double shift) {
@@ -117,7 +117,7 @@ TEST(Bias, IsRarelyFoundWhereTheTrialsOfOtherPairsExplainIt) {
                                                {.alpha = 1e-6, .detects = 0.35}));
 }
 
-// Trials with a long upper tail that they hardly show have too low a mean.
+// Trials whose long upper tail has hardly been sampled have too low a mean.
 TEST(Bias, IsInconclusiveWhereFewTrialsMayBeSkewed) {
     EXPECT_EQ(log_normal_study(10, 1, -20).bias_finding, BiasFinding::inconclusive);
 }

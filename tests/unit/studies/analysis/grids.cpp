@@ -113,8 +113,8 @@ TEST(StudiesOfGrids, AreUnbiased) {
     }
 }
 
-// What VarianceCheck tests in the cube (its alarm, 1e-6, is by Holm of all quantities): exact moments know areas and
-// grids. Weights by patches would make the standard deviations of the floor wrong by a fifth.
+// As VarianceCheck tests in the cube (false alarm 1e-6, by Holm over all quantities): exact moments take areas and
+// grids into account. Weights by patches would make the standard deviations of the floor wrong by a fifth.
 TEST(StudiesOfGrids, HaveTheVarianceOfIndependentRays) {
     for (const std::string_view scene : {std::string_view(room), std::string_view(plain_room)}) {
         const auto checks = check_variances(analyse(test::run(grid_plan(scene, ray_method(2), 400))));
@@ -126,7 +126,7 @@ TEST(StudiesOfGrids, HaveTheVarianceOfIndependentRays) {
     }
 }
 
-/// As in PatchErrors: Var F_pj = F_pj (1 - F_pj) / n, here of patches that are all there is of a part.
+/// As in PatchErrors: Var F_pj = F_pj (1 - F_pj) / n, here for patches that are whole parts of the grid.
 TEST(StudiesOfGrids, HaveBinomialErrorsWithOnePatchPerPart) {
     const Store store = test::run(grid_plan(room, ray_method(1), 400));
     const auto errors = patch_errors(store, 0);

@@ -67,7 +67,7 @@ TEST(Slopes, MatchTheRateOfTheErrors) {
     EXPECT_EQ(parallel.finding, RateFinding::as_expected);
 }
 
-// Correlation 1: six pairs say no more than one, and the interval has to be as wide.
+// Correlation 1: six pairs say no more than one, so the interval must be as wide.
 TEST(Slopes, AllowForCorrelatedPairsOfAClass) {
     const auto plan = ladder_plan("halton", "area_kernel");
     const auto apart = slopes_of(store_with_rate(plan, -1, 0));

@@ -126,9 +126,9 @@ samples_per_patch = 100
     EXPECT_LT(shared, 0.9 * independent);
 }
 
-// Eight methods that are one and the same, with other random numbers. Intervals hold together in 95 of 100 studies: of
-// 60 more than 12 without have a probability of 5e-5. Each by itself would fail in some pair in half of the studies or
-// more; then 12 or fewer are seen with a probability of 2e-6.
+// Eight copies of one method with different random numbers. All intervals hold in 95 of 100 studies: that they do not
+// in more than 12 of 60 has a probability of 5e-5. Separate intervals would fail for some pair in half of the studies
+// or more; then 12 or fewer are seen with a probability of 2e-6.
 TEST(Contests, HaveSimultaneousIntervals) {
     std::string methods;
     for (int i = 0; i < 8; ++i) {

@@ -78,7 +78,7 @@ TEST(FormFactorContradictions, AreRareWhereNothingIsBroken) {
     }
 }
 
-// Points and rays are sampled of these squares, and only the rays are wrong. That is found in 0.95 of runs at least
+// These squares are sampled by points and by rays, and only the rays are wrong. That is found in at least 0.95 of runs
 // (0.83 would be noticed), and the interval, which holds that of the points, misses no more often than that one may.
 TEST(FormFactorContradictions, AreFoundWhereRaysAreLostAndPointsAreNot) {
     const Outcome found = outcome("squares_blocked", 0.1F);
@@ -86,14 +86,14 @@ TEST(FormFactorContradictions, AreFoundWhereRaysAreLostAndPointsAreNot) {
     EXPECT_TRUE(test::has_probability_at_least(found.held, found.contradicted, 0.95, contradiction_risk));
 }
 
-// Rays alone do for discs: the first pilots are sound, and what follows is not.
+// Discs are sampled by rays alone: the first pilots are sound, and what follows is not.
 TEST(FormFactorContradictions, AreFoundWhereLaterRaysAreLost) {
     const Outcome found = outcome("discs_blocked", 0.1F, 65536);
     EXPECT_TRUE(test::has_probability_at_least(found.contradicted, contradiction_runs, 0.95, contradiction_risk));
     EXPECT_TRUE(test::has_probability_at_least(found.held, found.contradicted, 0.95, contradiction_risk));
 }
 
-// A thousandth of a surface is less than the pilots can tell: nobody is to rely on this comparison alone.
+// A thousandth of a surface is less than the pilots can detect: nobody should rely on this comparison alone.
 TEST(FormFactorContradictions, AreNotFoundWhereLittleIsLost) {
     EXPECT_TRUE(test::has_probability_at_most(outcome("squares_blocked", 0.001F).contradicted, contradiction_runs, 0.01,
                                               contradiction_risk));

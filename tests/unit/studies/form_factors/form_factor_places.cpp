@@ -103,8 +103,8 @@ class Moves {
 
 constexpr std::uint64_t move_count = 8;
 
-// What is off by more than two tolerances is found surely: in single precision at the origin of coordinates it was
-// beyond 10^5 sizes, and at sizes of 10^19 all factors were 0.
+// An error of more than two tolerances is sure to be found: in single precision at the origin of coordinates there were
+// such errors beyond 10^5 sizes, and at sizes of 10^19 all factors were 0.
 TEST(FormFactorPlaces, DoNotMatterForACylinder) {
     Moves random(16);
     for (std::uint64_t seed = 1; seed <= move_count; ++seed) {
@@ -144,7 +144,7 @@ TEST(FormFactorPlaces, DoNotMatterForAFurnishedRoom) {
     }
 }
 
-// The checker itself: another can is told from this one.
+// Checks the check: a slightly longer can has another factor.
 TEST(FormFactorPlaces, CheckNoticesASlightlyLongerCan) {
     Scene longer = can();
     std::get<Frustum>(longer.surfaces[0].shape).axis *= 1.1;

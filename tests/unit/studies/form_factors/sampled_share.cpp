@@ -76,8 +76,8 @@ std::uint64_t held_of_poisson(double mean, std::uint64_t times) {
     return held;
 }
 
-// However many points a small thing is due: 9 means, each of 4000 repetitions at 0.95 at least; 0.93 would be noticed
-// in each with probability 0.99.
+// Whatever the expected number of hits: 9 means, each with 4000 repetitions and a coverage of at least 0.95; 0.93 would
+// be noticed in each with probability 0.99.
 TEST(SampledShare, CoversTheTruthHoweverFewHitsAreExpected) {
     for (const double mean : {0.5, 1.0, 2.0, 3.6, 5.0, 8.0, 20.0, 60.0, 200.0}) {
         EXPECT_TRUE(test::has_probability_at_least(held_of_poisson(mean, 4000), 4000, 0.95,

@@ -41,7 +41,7 @@ TEST(FlowSampling, MeetsTheToleranceForEveryPower) {
     }
 }
 
-// The estimate is one: within a factor of 3 of what a tolerance for all takes that gives about the same certainty.
+// It is only an estimate: within a factor of 3 of what one tolerance for all takes to give about the same certainty.
 TEST(FlowSampling, EstimatesTheCostOfOneToleranceForAll) {
     const Scene scene = furnace_scene();
     const Materials materials = furnace_materials();

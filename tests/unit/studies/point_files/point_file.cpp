@@ -141,8 +141,8 @@ TEST(PointFile, TruncatesLongDigitalSequences) {
     EXPECT_EQ(net.row(0, 0)[6], 3u << 29);
 }
 
-// The first points of van der Corput's sequence are a set themselves for every power of 2; those of i / n only for one
-// point.
+// The first points of van der Corput's sequence form a set of their own for every power of 2; those of i / n only for
+// one point.
 TEST(PointFile, FindsTheNestedSizesOfASet) {
     const auto sequence = parse_points("# dnetup\n2\n1\n3\n3\n1 2 4\n", "sequence.txt");
     EXPECT_EQ(nested_sizes(sequence), (std::vector<std::uint64_t>{1, 2, 4}));

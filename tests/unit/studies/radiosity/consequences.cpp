@@ -157,7 +157,7 @@ TEST(PatchConsequences, CoverDividedFacesAndTheRequestedTrials) {
     EXPECT_EQ(small_results().find(0, Treatment::direct, Between::patches), nullptr) << "nobody asked";
 }
 
-// What a patch gathers differs over a face: patches change the light of a face by some percent, ever less as they
+// What a patch gathers varies over a face: patches change the light of a face by some percent, and ever less as they
 // shrink.
 TEST(PatchConsequences, HaveExactSolutionsThatConverge) {
     for (std::size_t setting = 0; setting < 5; ++setting) {
@@ -188,7 +188,8 @@ TEST(PatchConsequences, RemoveTheDefectsThatTheyPromiseToRemove) {
     EXPECT_TRUE(of(Treatment::direct).settings[0].solvers.empty());
 }
 
-// The row of a corner patch errs the same however small the patches are: dividing helps faces, not the worst patch.
+// The row of a corner patch has the same error however small the patches are: dividing helps faces, not the worst
+// patch.
 TEST(PatchConsequences, LoseDominanceForPdmAtOneReflectanceForAnySubdivision) {
     const double coarse = between_patches().find(2, Treatment::direct, Between::patches)->dominant_below.median;
     const double fine = between_patches().find(3, Treatment::direct, Between::patches)->dominant_below.median;

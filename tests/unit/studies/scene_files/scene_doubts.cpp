@@ -122,7 +122,8 @@ TEST(SceneDoubts, NameFacesThatAreNearlyInOnePlane) {
     EXPECT_THAT(doubts.notes, ElementsAre(HasSubstr("less than a millionth of their size apart")));
 }
 
-// A picture on a turned wall, whose coordinates have six decimals: it is in front here and behind there.
+// A picture on a turned wall, with coordinates of six decimals: their rounding puts it partly in front and partly
+// behind.
 TEST(SceneDoubts, TrustCoordinatesOnlyToTheirDigits) {
     std::string text;
     for (const auto& [x, y] :

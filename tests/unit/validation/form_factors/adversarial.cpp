@@ -33,15 +33,14 @@ TEST(AdversarialScenes, AreCoveredByTheirIntervals) {
     EXPECT_EQ(table.rates.back().counts.hits, 0u) << "scenes that miss with too many of their seeds";
 }
 
-// The checker itself: without room for what no point has hit, scenes are missed again and again.
+// Checks the check: without an allowance for what no point has hit, scenes are missed again and again.
 TEST(AdversarialScenes, AreMissedByIntervalsThatAreTooNarrow) {
     const RateTable table = measured(20, 0.02);
     EXPECT_FALSE(holds(table.rates[table.rates.size() - 2], 0.95));
     EXPECT_GT(table.rates.back().counts.hits, 0u);
 }
 
-// What they are beside exact values: intervals of far more points hold what the scene says, at a level that leaves no
-// room for chance.
+// Intervals of far more points hold the exchange that the scene states, at a level that leaves no room for chance.
 TEST(AdversarialScenes, StateTheirExchangeCorrectly) {
     for (const Trap trap : traps) {
         for (std::uint32_t replicate = 0; replicate < (trap == Trap::many_faces ? 1 : 3); ++replicate) {
