@@ -58,7 +58,7 @@ TEST_P(EverySampler, HasWeightsThatSumToOne) {
 TEST_P(EverySampler, GivesTheSamePointsInBothKindsOfBlock) {
     EXPECT_TRUE(blocks_agree(GetParam()));
 }
-TEST_P(EverySampler, KeepsWhatItsSizesPromise) {
+TEST_P(EverySampler, FillsItsStrata) {
     EXPECT_TRUE(fills_its_strata(GetParam()));
 }
 

@@ -53,7 +53,7 @@ TEST(Isocell, AcceptsSizesThatDoNotFillWholeRings) {
 
 // Each 64th of the grid's coordinate, shifted, holds one of 64 points, and so does each 64th of the base 2 coordinate.
 // Both coordinates together are a net: each of 8 x 8 cells holds one point, except those that the shift cuts.
-TEST(Hammersley, IsAGridBesideRadicalInverses) {
+TEST(Hammersley, PairsAGridWithRadicalInverses) {
     const auto block = direction_points<Hammersley>(64, 4);
     std::vector<double> grid;
     std::set<int> slices;

@@ -110,7 +110,7 @@ std::vector<double> bins_of_six_runs(std::size_t bins, double shift, std::mt1993
     return p;
 }
 
-TEST(ChiSquaredCombination, IsTheLevelForIndependentTestsAndFindsAShiftOfThemAll) {
+TEST(ChiSquaredCombination, KeepsTheLevelForIndependentTestsAndFindsACommonShift) {
     // 2000 families of 100 without a shift, at 1 %: the limit is exceeded with a probability of 1e-4 (binom.isf(1e-4,
     // 2000, 0.01) = 38) where the rate is 1 %, and missed with one below 1e-4 where it is 4 %.
     std::mt19937_64 engine(23);

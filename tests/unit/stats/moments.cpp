@@ -51,7 +51,7 @@ TEST(Moments, HaveZeroVarianceAndNoShapeForEqualValues) {
     EXPECT_FALSE(moments.skewness() || moments.excess_kurtosis() || moments.variance_of_variance());
 }
 
-TEST(Moments, SeeAVarianceOf1e24AndABiasOf1e13BesideAMeanOfAFifth) {
+TEST(Moments, ResolveATinyVarianceAndBiasBesideAMeanOfAFifth) {
     // Values on the lattice of doubles near 0.2, so that the truth is known exactly: reference + k * 2^-40, k = 1,
     // 2, 3.
     const double reference = 0.2;
@@ -75,7 +75,7 @@ TEST(Moments, SurviveAHugeOffsetThatDefeatsSumsOfSquares) {
     EXPECT_GT(std::abs((sum_of_squares - sum * sum / 8) / 7 - 6.477142857142856), 1);  // the textbook formula is lost
 }
 
-TEST(ShapeStandardErrors, AreThoseOfSpssAndSas) {
+TEST(ShapeStandardErrors, AgreeWithSpssAndSas) {
     EXPECT_NEAR(*skewness_standard_error(20), 0.5121033367077574, 1e-14);
     EXPECT_NEAR(*excess_kurtosis_standard_error(20), 0.992383612541845, 1e-14);
     EXPECT_FALSE(skewness_standard_error(2) || excess_kurtosis_standard_error(3));

@@ -77,7 +77,7 @@ TEST(FindRepeats, FindsAQuarterOfTheTrialsCopiedAmongCounts) {
     EXPECT_LT(find_repeats(values)->p, 1e-6);
 }
 
-TEST(FindRepeats, AccusesNoCountsOfRareOrClusteredEvents) {
+TEST(FindRepeats, AllowsForCountsOfRareOrClusteredEvents) {
     std::mt19937_64 engine(6);
     std::poisson_distribution<int> rare(0.1);
     std::poisson_distribution<int> one(1);
@@ -102,7 +102,7 @@ TEST(FindRepeats, AccusesNoCountsOfRareOrClusteredEvents) {
     }
 }
 
-TEST(FindRepeats, AccusesNoFiguresOfThreeDigitsOverManyDecades) {
+TEST(FindRepeats, AllowsForFiguresOfThreeDigitsOverManyDecades) {
     std::mt19937_64 engine(7);
     std::lognormal_distribution<double> wide(0, 1.5);
     for (int i = 0; i < 500; ++i) {

@@ -17,7 +17,7 @@ std::vector<double> autoregressive(double rho, std::size_t n, std::mt19937_64& e
     return x;
 }
 
-TEST(Autocorrelations, AreThoseOfAShortSeries) {
+TEST(Autocorrelations, MatchAShortSeriesByHand) {
     // Deviations -2 -1 0 1 2 around 3, sum of squares 10: lag 1 is 2 + 0 + 0 + 2, lag 2 is 0 - 1 + 0.
     const std::vector<double> values{1, 2, 3, 4, 5};
     EXPECT_THAT(autocorrelations(values, 2), testing::ElementsAre(testing::DoubleEq(0.4), testing::DoubleEq(-0.1)));
@@ -77,7 +77,7 @@ TEST(SerialTest, IsEmptyForFewOrEqualValues) {
     EXPECT_FALSE(test_serial_correlation(std::vector<double>(20, 1.0)));
 }
 
-TEST(AutocorrelationTime, IsThatOfAnAutoregressiveSeries) {
+TEST(AutocorrelationTime, MatchesTheoryForAnAutoregressiveSeries) {
     // (1 + rho) / (1 - rho) = 3 and 9. Its own error is some 5 % at this length.
     std::mt19937_64 engine(5);
     EXPECT_NEAR(autocorrelation_of(autoregressive(0.5, 100'000, engine)).time, 3, 0.3);

@@ -23,7 +23,7 @@ constexpr SeenRectangle rectangles[]{{-1, -1, 2, 2, 1},     {1, 2, 3, 1, 0.5},  
                                      {-4, -3, 2, 1, 1},     {-0.5, 1, 2, 0.3, 0.01}, {0, 0, 1, 1, 1},
                                      {-9, -8, 17, 19, 0.1}, {2, -30, 0.01, 60, 3},   {-30, 2, 60, 0.01, 3}};
 
-TEST(HalfSolidAngle, IsThatOfFourRectanglesOverACorner) {
+TEST(HalfSolidAngle, MatchesFourRectanglesOverACorner) {
     for (const SeenRectangle& seen : rectangles)
         EXPECT_NEAR(2 * half_solid_angle(seen), by_corners(seen, seen.width, seen.height), 1e-14);
     EXPECT_NEAR(2 * half_solid_angle({-1, -1, 2, 2, 1}), 2 * std::numbers::pi / 3, 1e-15);  // a side of a cube

@@ -10,7 +10,7 @@ namespace {
 
 const Parallelogram sheared{{1, 2, 3}, {4, 0, 0}, {3, 2, 0}};
 
-TEST(Area, IsThatOfTheParallelogram) {
+TEST(Area, MatchesTheParallelogram) {
     EXPECT_DOUBLE_EQ(area(sheared), 8);
 }
 

@@ -36,7 +36,7 @@ TEST(UnfoldedBox, KeepsAreasAndOverlapsNowhere) {
     }
 }
 
-TEST(UnfoldedBox, LaysFacesThatMeetAnEdgeOfTheFirstBesideIt) {
+TEST(UnfoldedBox, LaysAdjoiningFacesBesideTheFirst) {
     const Scene scene = make_box(1, 1, 1);
     const auto box = unfold_box(scene, {1});
     ASSERT_TRUE(box);

@@ -67,7 +67,7 @@ TEST(SpectralRadius, KeepsItsBoundsApartForDisconnectedBlocks) {
     EXPECT_LE(bounds.low, 0.5);
 }
 
-TEST(FactorProperties, OfExactFactorsHaveNoDefect) {
+TEST(FactorProperties, HaveNoDefectForExactFactors) {
     const RadiositySystem system = test::lit_box();
     const FactorProperties properties = factor_properties(system.factors, system.areas);
     EXPECT_LT(properties.closure_defect, 1e-14);
@@ -114,7 +114,7 @@ TEST(Dominance, IsKeptByRowsThatSumToOne) {
     }
 }
 
-TEST(Condition, IsThatOfTheInverse) {
+TEST(Condition, EstimatesTheConditionNumberFromBelow) {
     RadiositySystem system = test::lit_box();
     const Eigen::MatrixXd g = coefficient_matrix(system);
     const auto norm = [](const Eigen::MatrixXd& matrix) { return matrix.cwiseAbs().colwise().sum().maxCoeff(); };

@@ -14,7 +14,7 @@ void use_processor_in_a_child() {
     ASSERT_EQ(output.code, 0) << output.errors;
 }
 
-TEST(ProcessorTime, IsThatOfTheThreadAndOfProgramsThatItWaitedFor) {
+TEST(ProcessorTime, CoversTheThreadAndProgramsThatItWaitedFor) {
     const double begin = processor_seconds();
     use_processor_in_a_child();
     EXPECT_GE(processor_seconds() - begin, 0.199);

@@ -36,7 +36,7 @@ TEST(Convexity, HoldsInsideEveryBox) {
     EXPECT_TRUE(is_convex(make_box(1.0 / 3, 0.1, 1e6)));
 }
 
-TEST(Convexity, FailsWhereSomethingMayStandBetween) {
+TEST(Convexity, FailsWhereOcclusionIsPossible) {
     Scene with_screen = make_box(6, 6, 6);
     with_screen.surfaces.push_back(test::rectangle("2:4 2:4 3:3 +z"));
     with_screen.surfaces.back().face = 6;

@@ -210,7 +210,7 @@ void add_tiles_towards_corner(Scene& scene, const Vector3d& corner, const Vector
     add(corner, size, size);
 }
 
-TEST(Occluders, AreSeenBesideTheSmallestTileOfAWall) {
+TEST(Occluders, AreFoundBesideTheSmallestTileOfAWall) {
     Scene scene;
     constexpr int halvings = 30;
     add_tiles_towards_corner(scene, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, halvings);

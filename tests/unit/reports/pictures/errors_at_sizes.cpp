@@ -88,7 +88,7 @@ samples_per_patch = 1024
     EXPECT_THAT(pictures[0].finding, HasSubstr("may be luck"));
 }
 
-TEST(ErrorsAtSizes, AreOfferedBesideConvergenceRates) {
+TEST(ErrorsAtSizes, AreOfferedAsAlternativesToConvergenceRates) {
     const auto lead = lead_picture(equal_and_other_sizes());
     ASSERT_TRUE(lead);
     EXPECT_EQ(lead->name, "convergence rates");

@@ -24,7 +24,7 @@ std::vector<double> heights(const json& values) {
     return found;
 }
 
-TEST(LineLabels, StandApartWithinTheAxis) {
+TEST(LineLabels, KeepTheirDistanceWithinTheAxis) {
     LineLabels labels(HeightAxis::logarithmic);
     for (const double error : {1e-4, 1.0}) labels.make_room(error);
     for (int i = 0; i < 7; ++i) labels.add("m", "m", 1.0);  // all at the upper end

@@ -30,7 +30,7 @@ TEST(CoordinateRounding, IsHalfAUnitOfTheLastDigit) {
     EXPECT_DOUBLE_EQ(coordinate_rounding(written("{:.9g}", 1e5)), 5e-5);
 }
 
-TEST(CoordinateRounding, IsThatOfSinglePrecision) {
+TEST(CoordinateRounding, RecognisesSinglePrecision) {
     std::vector<double> values = written("{:.17g}");
     for (double& value : values) value = static_cast<double>(static_cast<float>(value));
     EXPECT_NEAR(coordinate_rounding(values), 0.9 * 0x1p-24, 0.1 * 0x1p-24);

@@ -231,7 +231,7 @@ TEST(Spec, RefusesTwoMethodsOfOneName) {
                 testing::AllOf(HasSubstr("study.toml:12:8: name = "), HasSubstr("is used twice")));
 }
 
-TEST(Spec, RefusesAnUnknownEstimatorOrNone) {
+TEST(Spec, RefusesAnUnknownOrMissingEstimator) {
     EXPECT_THAT(refusal_of_study(study_text("trials = 9", "[[method]]\nname = \"a\"\nestimator = \"ray_shoting\"")),
                 HasSubstr("Did you mean 'ray_shooting'? Known: ray_shooting, global_lines, area_kernel, "));
     EXPECT_THAT(refusal_of_study(study_text("trials = 9", "[[method]]\nname = \"a\"")),

@@ -20,7 +20,7 @@ TEST(StudyDifference, NamesSectionKeyAndBothValues) {
               "[study]: 'trials = 3' there, 'trials = 4' here");
 }
 
-TEST(StudyDifference, NamesWhatOnlyOneOfThemHas) {
+TEST(StudyDifference, NamesWhatOnlyOneStudyHas) {
     EXPECT_EQ(first_difference(study_section, study_section + "level = 0.9\n"),
               "[study]: no 'level' there, 'level = 0.9' here");
     EXPECT_EQ(first_difference(study_section + "\n[radiosity]\nemission = [1]\n", study_section),

@@ -46,7 +46,7 @@ TEST(KnownVariance, IsFiniteWithTheGradedMap) {
     EXPECT_EQ(of_pair(method, two_squares(1), 1, 2), VarianceStatus::finite);
 }
 
-TEST(KnownVariance, IsNoBetterWithTheGradedMapWhereSomethingMayStandInBetween) {
+TEST(KnownVariance, IsNoBetterWithTheGradedMapWhereOcclusionIsPossible) {
     // The corner square lies in the way of some rays, not of those near the common edge.
     Scene scene = two_squares(0);
     scene.surfaces.push_back({Parallelogram{{0.4, 0.4, 0.4}, {0.2, 0, 0}, {0, 0.1, -0.1}},

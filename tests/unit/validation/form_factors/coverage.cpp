@@ -30,7 +30,7 @@ TEST(FormFactorCoverage, ReachesTheStatedLevel) {
 }
 
 // Half the width holds about 0.71 of all values where it should hold 0.955 (Student's t, 15 degrees of freedom).
-TEST(FormFactorCoverage, IsSeenToFallShortWhereIntervalsAreTooNarrow) {
+TEST(FormFactorCoverage, FallsShortWhereIntervalsAreTooNarrow) {
     EXPECT_EQ(coverage_of(0.5).contradictions(), 6u);
 }
 
