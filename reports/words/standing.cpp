@@ -120,13 +120,15 @@ void rank_rates_of_class(const StudyResults& results, Ranking& ranking, double l
     }
     if (last.alone && !best.all)
         ranking.said += fmt::format("; {} slowest ({})", ranking.methods.back().label, slope_and_reach(last));
-    const auto in_class = [&](const studies::LadderSlopes& ladder) {
+    // Those without an interval, as deterministic methods are, may fall faster or slower than all that are ranked.
+    const auto is_beyond = [&](const studies::LadderSlopes& ladder) {
         return ladder.ladder.scene == ranking.scene &&
-               std::any_of(ladder.classes.begin(), ladder.classes.end(),
-                           [&](const auto& of) { return of.pair_class == ranking.pair_class; });
+               std::any_of(ladder.classes.begin(), ladder.classes.end(), [&](const auto& of) {
+                   const auto& value = ranked.of_median ? of.median.slope : of.rmse.slope;
+                   return of.pair_class == ranking.pair_class && value && (*value < first.value || *value > last.value);
+               });
     };
-    const auto all = std::count_if(results.slopes.begin(), results.slopes.end(), in_class);
-    if (static_cast<std::size_t>(all) > ranked.slopes.size() && ranked.slopes.size() > 1)
+    if (std::any_of(results.slopes.begin(), results.slopes.end(), is_beyond))
         ranking.said += "; methods without an interval are not ranked";
 }
 
