@@ -132,6 +132,22 @@ void add_unmatched(const studies::Findings& findings, const std::vector<std::siz
     lines.push_back(fmt::format("Only {} has {}.", run, fmt::join(labels, "; ")));
 }
 
+/// Sizes have the same numbers, which count rays of a patch in one method and points of a pair of patches in another.
+std::string costs_in_words(const RunComparison& comparison) {
+    for (const CellComparison& compared : comparison.cells) {
+        const studies::Cell& first = comparison.first.plan.cells[compared.first];
+        const studies::Cell& second = comparison.second.plan.cells[compared.second];
+        const auto a = studies::evaluations_per_trial(comparison.first.plan, first);
+        const auto b = studies::evaluations_per_trial(comparison.second.plan, second);
+        if (a == b) continue;
+        return fmt::format(
+            "Methods are compared at sizes of the same number, not at the same cost: with {} a trial takes {} "
+            "evaluations in {} and {} in {}.",
+            size_label(comparison.first.plan, first), a, comparison.names[0], b, comparison.names[1]);
+    }
+    return {};
+}
+
 std::vector<std::string> remarks(const RunComparison& comparison) {
     std::vector<std::string> lines;
     for (const studies::ChangedScene& scene : comparison.changed_scenes) {
@@ -142,6 +158,7 @@ std::vector<std::string> remarks(const RunComparison& comparison) {
     }
     add_unmatched(comparison.first, comparison.only_first, comparison.names[0], lines);
     add_unmatched(comparison.second, comparison.only_second, comparison.names[1], lines);
+    if (std::string costs = costs_in_words(comparison); !costs.empty()) lines.push_back(std::move(costs));
     return lines;
 }
 

@@ -89,6 +89,12 @@ ffstudy compare two:rays "two:other rays"
 expect_status 1
 expect_stdout "other rays is better"
 expect_stdout "rays | other rays"
+! grep -q "not at the same cost" "$folder/stdout" || fail "expected nothing about costs, which are equal"
+sed 's/"sobol"/"random"/; s/"ray_shooting"$/"area_kernel"/' two.toml | sed '0,/area_kernel/s//ray_shooting/' >costs.toml
+grep -q area_kernel costs.toml || fail "expected a study of rays and kernel values"
+ffstudy run costs.toml --quiet --out costs
+ffstudy compare costs:rays "costs:other rays"
+expect_stdout "not at the same cost"
 ffstudy compare two:rays two
 expect_status 2
 expect_stderr "only one names a method"
