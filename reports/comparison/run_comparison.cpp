@@ -196,8 +196,11 @@ std::string answer(const RunComparison& comparison) {
 
 std::string verdict(const RunComparison& comparison) {
     const std::size_t untestable = comparison.count(Likeness::untestable);
-    return fmt::format("{}Of {} methods and sizes in both runs {} differ{}.", answer(comparison),
-                       comparison.cells.size(), comparison.count(Likeness::different),
+    const std::size_t different = comparison.count(Likeness::different);
+    return fmt::format("{}Of {} in both runs {} {}{}.", answer(comparison),
+                       comparison.cells.size() == 1 ? "1 method and size"
+                                                    : fmt::format("{} methods and sizes", comparison.cells.size()),
+                       different, different == 1 ? "differs" : "differ",
                        untestable == 0 ? "" : fmt::format("; {} cannot be tested", untestable));
 }
 

@@ -17,6 +17,9 @@ std::string bias_line(const studies::Findings& findings) {
     BiasTally tally = tally_of(findings);
     if (tally.sampled == 0) return {};
     const auto biased = tally.found[studies::BiasFinding::biased];
+    if (tally.found[studies::BiasFinding::untestable] == tally.sampled)
+        return fmt::format("- Bias: not tested in any of {} sampled methods and sizes. Lost rays: {}.\n", tally.sampled,
+                           tally.lost_rays);
     std::string out = fmt::format(
         "- Bias: {}none found in {} of {} sampled methods and sizes ({:g} % over all of them)",
         biased > 0 ? fmt::format("found in {}, ", biased) : "", tally.found[studies::BiasFinding::no_bias_found],

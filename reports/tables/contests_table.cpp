@@ -9,7 +9,9 @@
 
 #include <algorithm>
 #include <set>
+#include <string>
 #include <utility>
+#include <vector>
 
 namespace ff::reports {
 namespace {
@@ -48,7 +50,9 @@ std::string name_of(const studies::StudyPlan& plan, const Contest& contest, std:
     const std::string& name = plan.spec.methods[cell.method].name;
     const auto same = std::count_if(contest.entrants.begin(), contest.entrants.end(),
                                     [&](const auto& other) { return plan.cells[other.cell].method == cell.method; });
-    return same > 1 ? fmt::format("{} ({} patches)", name, cell.subdivision.per_part()) : name;
+    return same > 1 ? fmt::format("{} ({} {})", name, cell.subdivision.per_part(),
+                                  cell.subdivision.per_part() == 1 ? "patch" : "patches")
+                    : name;
 }
 
 /// "b  2.31 [2.10, 2.55]": the group, and the ratio to the first.
@@ -181,16 +185,30 @@ Table decisions_table(const studies::StudyResults& results, bool timed) {
         {},
         {}};
     for (const studies::Decision& decision : studies::decide(plan, results.contests, equal)) {
+        // All methods that are best as often as the one at a place.
+        const auto alike = [&](std::size_t place) {
+            std::vector<std::string> names;
+            for (; place < decision.choices.size(); ++place) {
+                const studies::Choice& choice = decision.choices[place];
+                if (!names.empty() && (choice.best != decision.choices[place - 1].best ||
+                                       choice.entered != decision.choices[place - 1].entered))
+                    break;
+                names.push_back(plan.spec.methods[choice.method].name);
+            }
+            return names;
+        };
         const auto text = [&](std::size_t place) -> std::string {
             if (place >= decision.choices.size() || decision.choices[place].best == 0) return "–";
             const studies::Choice& choice = decision.choices[place];
-            return fmt::format("{} ({} of {}, at worst {:.2g})", plan.spec.methods[choice.method].name, choice.best,
-                               choice.entered, choice.largest_handicap);
+            const auto names = alike(place);
+            const std::string worst =
+                names.size() == 1 ? fmt::format(", at worst {:.2g}", choice.largest_handicap) : " each";
+            return fmt::format("{} ({} of {}{})", listed(names), choice.best, choice.entered, worst);
         };
         table.rows.push_back({{kind_of(decision.pair_class, decision.may_be_occluded)},
                               {std::to_string(decision.scenes)},
                               {text(0)},
-                              {text(1)}});
+                              {text(alike(0).size())}});
     }
     if (!timed && !table.rows.empty()) table.remarks.emplace_back(measured_elsewhere);
     return table;

@@ -27,9 +27,9 @@ struct Leaders {
 
     [[nodiscard]] bool one() const { return names.size() == 1; }
 
-    /// "both methods", "all 5 methods"
+    /// "a and b", "all 5 methods"
     [[nodiscard]] std::string everyone() const {
-        return names.size() == 2 ? "both methods" : fmt::format("all {} methods", names.size());
+        return names.size() < 5 ? listed(names) : fmt::format("all {} methods", names.size());
     }
     /// Of several: "a and b have the smallest errors and cannot be told apart".
     [[nodiscard]] std::string tied(std::string_view lead) const {
@@ -150,7 +150,10 @@ void rank_errors_of_class(const StudyResults& results, Ranking& ranking, double 
     ranking.methods = ranked_cells(plan, ranked);
     const Leaders best = leaders(ranked, ranking.methods);
     const std::string& size = ranking.methods.front().size;
-    const std::string rmse = fmt::format("RMSE {}, {}", from_to(brief(best.best), brief(best.last)), size);
+    const bool of_one_size = std::all_of(ranking.methods.begin(), ranking.methods.end(),
+                                         [&](const RankedMethod& each) { return each.size == size; });
+    const std::string rmse = fmt::format("RMSE {}{}", from_to(brief(best.best), brief(best.last)),
+                                         of_one_size || best.one() ? ", " + size : "");
     if (best.best < studies::rounding_error) {
         ranking.said = fmt::format(" {} {} exact to rounding", listed(best.names), best.one() ? "is" : "are");
     } else if (ranked.size() == 1) {

@@ -56,8 +56,9 @@ std::string biased_in_words(const studies::CellFindings& found) {
 std::string inconclusive_in_words(const studies::CellFindings& found) {
     const studies::BiasFamily& family = *found.bias;
     if (family.constant)
-        return fmt::format("inconclusive: one wrong value in every trial, but rarer ones may make up for it{}",
-                           undefined_in_words(family));
+        return fmt::format(
+            "inconclusive: one wrong value in every trial, but values too rare to be met may make up for it{}",
+            undefined_in_words(family));
     const std::string_view why = family.heavy_tails      ? "the tails are too heavy for a verdict"
                                  : family.may_be_unmet   ? "perhaps no evaluation met what would explain it"
                                  : family.others_explain ? "trials of other pairs are skewed enough to explain it"

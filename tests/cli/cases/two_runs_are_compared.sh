@@ -60,7 +60,7 @@ for out in one two; do
 done
 expect_equal_files one/comparison.html two/comparison.html
 expect_equal_files one/comparison.md two/comparison.md
-expect_in_file one/comparison.md "Of 2 methods and sizes in both runs 1 differ"
+expect_in_file one/comparison.md "Of 2 methods and sizes in both runs 1 differs"
 ffstudy compare a/results.sqlite broken --quiet
 expect_status 1
 expect_no_stdout

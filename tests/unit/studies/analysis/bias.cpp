@@ -103,21 +103,26 @@ TEST(Bias, IsFoundInSkewedTrialsWhereItIsLarge) {
 // is noticed with power .99, and so is a bias of 8 standard errors that is found in fewer than .6 of them.
 TEST(Bias, IsRarelyFoundWhereTheTrialsOfOtherPairsExplainIt) {
     constexpr std::uint64_t studies = 60;
-    const auto count = [&](double shift) {
+    const auto count = [&](double shift, bool alternating) {
         std::uint64_t seed = 0;
         return test::count_events(studies, [&] {
             std::normal_distribution<double> normal;
             std::bernoulli_distribution far(0.1);
-            const auto law = [&](auto& engine) { return 0.2 * (normal(engine) + (far(engine) ? 6 : 0) - 0.6); };
+            int values = 0;  // 30 in a trial, so that every second pair leans to the other side
+            const auto law = [&](auto& engine) {
+                const double value = 0.2 * (normal(engine) + (far(engine) ? 6 : 0) - 0.6);
+                return alternating && values++ % 2 == 1 ? -value : value;
+            };
             return study_of(law, 40, ++seed, shift).bias_finding == BiasFinding::biased;
         });
     };
-    EXPECT_TRUE(test::has_probability_at_most(count(0), studies, 0.05, {.alpha = 1e-6, .detects = 0.35}));
-    EXPECT_TRUE(test::has_probability_at_least(count(8 * 0.2 * 2.06 / std::sqrt(40)), studies, 0.9,
+    for (const bool alternating : {false, true})
+        EXPECT_TRUE(
+            test::has_probability_at_most(count(0, alternating), studies, 0.05, {.alpha = 1e-6, .detects = 0.35}));
+    EXPECT_TRUE(test::has_probability_at_least(count(8 * 0.2 * 2.06 / std::sqrt(40), false), studies, 0.9,
                                                {.alpha = 1e-6, .detects = 0.35}));
 }
 
-// Trials whose long upper tail has hardly been sampled have too low a mean.
 TEST(Bias, IsInconclusiveWhereFewTrialsMayBeSkewed) {
     EXPECT_EQ(log_normal_study(10, 1, -20).bias_finding, BiasFinding::inconclusive);
 }
