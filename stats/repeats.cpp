@@ -144,6 +144,13 @@ bool are_real(const std::vector<double>& distinct) {
     return 4 * ratios < distinct.size() && !differences_repeat(distinct);
 }
 
+/// The same of no more than four values: none is 0, short, or a ratio of whole numbers.
+bool are_few_reals(const std::vector<double>& distinct) {
+    const auto is_real = [](double value) { return value != 0 && !is_ratio(value); };
+    return distinct.size() > 1 && relative_grain(distinct) == 0 &&
+           std::all_of(distinct.begin(), distinct.end(), is_real);
+}
+
 }  // namespace
 
 std::optional<Repeats> find_repeats(std::span<const double> values) {
@@ -198,13 +205,16 @@ std::size_t repeated_trials(std::span<const std::span<const double>> series) {
     std::sort(order.begin(), order.end(), is_before);
     std::vector<std::pair<std::size_t, std::size_t>> repeating;  // how often a trial repeats, and which
     std::size_t repeats = 0;
+    std::size_t different = 0;
     for (std::size_t begin = 0, end = 0; begin < order.size(); begin = end) {
         while (end < order.size() && !is_before(order[begin], order[end])) ++end;
         repeats += end - begin - 1;
+        ++different;
         if (end - begin > 1) repeating.emplace_back(end - begin - 1, order[begin]);
     }
     if (repeating.size() < 2) return 0;
     std::iter_swap(repeating.begin(), std::max_element(repeating.begin(), repeating.end()));
+    bool are_few = different <= 4;
     for (const auto values : series) {
         std::vector<double> distinct(values.begin(), values.end());
         std::sort(distinct.begin(), distinct.end());
@@ -214,8 +224,9 @@ std::size_t repeated_trials(std::span<const std::span<const double>> series) {
             return value != distinct.front() && value != distinct.back() && value != 0;
         };
         if (are_real(distinct) && std::any_of(std::next(repeating.begin()), repeating.end(), counts)) return repeats;
+        are_few = are_few && are_few_reals(distinct);
     }
-    return 0;
+    return are_few ? repeats : 0;
 }
 
 std::optional<std::size_t> find_period(std::span<const double> values, double alpha) {

@@ -26,7 +26,8 @@ std::optional<Repeats> find_repeats(std::span<const double> values);
 /// How many trials repeat an earlier one, bit for bit and in every series, where chance does not explain it; otherwise
 /// 0. Chance never does where some series has real numbers with all of their digits. Values on a lattice, ratios of
 /// whole numbers and sums of several counts coincide now and then and tell nothing, nor do the least value, the
-/// largest, 0, and the commonest trial, which may be what an estimator gives where nothing happens.
+/// largest, 0, and the commonest trial, which may be what an estimator gives where nothing happens. But where there are
+/// no more than four different trials, and every value of every series is such a number, all of them count.
 /// @param series  of equal length
 std::size_t repeated_trials(std::span<const std::span<const double>> series);
 

@@ -17,7 +17,7 @@ std::string expected_text(const studies::Slope& slope) {
     if (!slope.expected) return "-";
     const double rate = slope.expected->rate;
     if (slope.expected->at_least) return fmt::format("≤ {:.2f}", slope.slowest_expected);
-    if (slope.expected->log_power == 0) return fmt::format("{:.2f}", rate);
+    if (slope.slowest_expected == rate) return fmt::format("{:.2f}", rate);
     return fmt::format("{:.2f} to {:.2f}", rate, slope.slowest_expected);
 }
 

@@ -63,6 +63,8 @@ std::optional<double> p_of_expected(const Slope& slope, double standard_error) {
 void fit(std::span<const stats::Rung> rungs, double level, const stats::LadderDraws& draws, Slope& slope) {
     slope.points = rungs.size();
     if (slope.expected && slope.expected->of_median && slope.error == ErrorSize::rmse) slope.expected.reset();
+    if (slope.expected)
+        slope.slowest_expected = slope.expected->slowest(std::sqrt(rungs.front().size * rungs.back().size));
     if (slope.variance == VarianceStatus::none) {
         slope.slope = deterministic_slope(rungs, slope.error);
         return;
@@ -73,17 +75,13 @@ void fit(std::span<const stats::Rung> rungs, double level, const stats::LadderDr
     if (!rate) return;
     slope.slope = rate->rate;
     const auto few = [](const stats::Rung& rung) { return rung.replicates() < stats::fewest_replicates; };
-    slope.few_trials = std::any_of(rungs.begin(), rungs.end(), few);
+    slope.few_trials = slope.few_trials || std::any_of(rungs.begin(), rungs.end(), few);
     if (slope.few_trials) return;
     slope.interval = rate->bootstrap;
     if (slope.error == ErrorSize::rmse) slope.from_fit = rate->interval;
     slope.lack_of_fit_p = rate->lack_of_fit_p;
     slope.misfit = rate->misfit;
-    if (slope.expected) {
-        const double middle = std::sqrt(rungs.front().size * rungs.back().size);
-        slope.slowest_expected = slope.expected->slowest(middle);
-        slope.p = p_of_expected(slope, rate->standard_error);
-    }
+    if (slope.expected) slope.p = p_of_expected(slope, rate->standard_error);
 }
 
 /// All that is fitted to one ladder.
@@ -157,6 +155,8 @@ class LadderFit {
         slope.pair_class = class_of(pairs.front());
         slope.error = error;
         slope.variance = variance_of(pairs.front());
+        slope.few_trials = std::any_of(ladder_.cells.begin(), ladder_.cells.end(),
+                                       [&](std::size_t cell) { return findings_.cells[cell].repeated_trials > 0; });
         if (ladder_.growth == Growth::samples) slope.expected = expected_rate(method, slope.pair_class, hiding(pairs));
         fit(rungs(pairs), plan_.spec.level, draws_, slope);
         return slope;

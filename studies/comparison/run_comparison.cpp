@@ -109,12 +109,15 @@ void widen(std::optional<stats::Interval>& all, double low, double high, double 
 /// Both tests of every pair that has them.
 void test_pairs(const CellEstimates& a, const CellEstimates& b, const Findings& first, const Findings& second,
                 const std::vector<Quantity>& pairs, std::size_t index, CellComparison& cell, std::vector<Test>& tests) {
+    const bool independent =
+        first.cells[cell.first].repeated_trials == 0 && second.cells[cell.second].repeated_trials == 0;
     for (const Quantity pair : pairs) {
         const Summary& of_a = first.cells[cell.first].summary(pair);
         const Summary& of_b = second.cells[cell.second].summary(pair);
         const auto& x = a.values(pair);
         const auto& y = b.values(pair);
-        const bool finite = of_a.variance == VarianceStatus::finite && of_b.variance == VarianceStatus::finite;
+        const bool finite =
+            independent && of_a.variance == VarianceStatus::finite && of_b.variance == VarianceStatus::finite;
         const double centre = finite && !x.empty() ? x.front() : 0;
         const auto in_a = stats::moments_of(finite ? std::span<const double>(x) : std::span<const double>(), centre);
         const auto in_b = stats::moments_of(finite ? std::span<const double>(y) : std::span<const double>(), centre);

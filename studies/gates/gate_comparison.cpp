@@ -39,6 +39,25 @@ MeanReference mean_reference(const Gate& gate, const Effect& effect, const std::
     return {.value = effect.truth.value_or(0)};
 }
 
+/// What is known of the values whose mean a gate judges. Reciprocity is about a factor less another one, times the
+/// ratio of the areas: each of them may have missed something.
+stats::KnownLimits limits_of(const Gate& gate, const StudyPlan& plan, const Effect& effect,
+                             const CellEstimates& estimates) {
+    const Cell& cell = plan.cells[effect.cells.front()];
+    const Scene& scene = plan.scenes[cell.scene];
+    const auto limits_there = [&](Quantity quantity) {
+        return known_limits(plan.spec.methods[cell.method], scene, cell.subdivision, quantity,
+                            estimates.evaluations_per_face, estimates.trials());
+    };
+    const auto [kind, from, to] = effect.quantity;
+    if (gate.kind != GateKind::reciprocity) return limits_there(effect.quantity);
+    const stats::Unmet there = limits_there({kind, from, to}).unmet;
+    const stats::Unmet back = limits_there({kind, to, from}).unmet;
+    const double ratio = face_area(scene, to - 1) / face_area(scene, from - 1);
+    return {.unmet = {.largest = there.largest + ratio * back.largest,
+                      .evaluations = std::max(there.evaluations, back.evaluations)}};
+}
+
 /// Bias, closure and reciprocity.
 void compare_means(const Gate& gate, const GatePlan& plan, const Effect& effect,
                    const std::optional<StoredQuantity>& stored, const CellEstimates& estimates,
@@ -51,13 +70,8 @@ void compare_means(const Gate& gate, const GatePlan& plan, const Effect& effect,
         row.measurement = measure_exactly(*moments.bias(), row.band);
         return judge_into(row);
     }
-    const Cell& cell = plan.study.cells[effect.cells.front()];
-    const auto limits =
-        gate.kind == GateKind::bias
-            ? known_limits(plan.study.spec.methods[cell.method], plan.study.scenes[cell.scene], cell.subdivision,
-                           effect.quantity, estimates.evaluations_per_face, estimates.trials())
-            : stats::KnownLimits{};
-    row.measurement = measure_mean(values, reference, row.band, plan.levels, limits);
+    row.measurement =
+        measure_mean(values, reference, row.band, plan.levels, limits_of(gate, plan.study, effect, estimates));
     judge_into(row);
     if (!row.measurement) row.note = "every trial gave the same value";
     const auto lattice = gate.kind == GateKind::bias ? estimates.lattice(effect.quantity) : std::nullopt;

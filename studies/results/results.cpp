@@ -28,6 +28,10 @@ StudyResults evaluate(const Store& store, const std::atomic<bool>* stop) {
         results.until = until_outcomes(store);
         results.contests = hold_contests(store, results.findings);
         results.claimed_errors = judge_claimed_errors(store);
+        // A share of claims that hold is judged among independent trials.
+        std::erase_if(results.claimed_errors, [&](const ClaimedErrors& claimed) {
+            return claimed.promised < 1 && results.findings.cells[claimed.cell].repeated_trials > 0;
+        });
         if (results.findings.plan.spec.radiosity) {
             results.radiosity = evaluate_radiosity(store, stop);
             results.bias_orders = bias_orders(results.findings.plan, *results.radiosity);

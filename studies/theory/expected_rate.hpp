@@ -18,7 +18,7 @@ struct ExpectedRate {
     std::string_view because;  ///< in a few words
 
     /// The slowest expected slope of a straight line through sizes about `size`: that of N^rate (ln N)^log_power
-    /// there.
+    /// there, and of N^rate (1 - N^rate) for medians, whose law is a limit.
     [[nodiscard]] double slowest(double size) const;
 };
 

@@ -74,7 +74,19 @@ const Surface* only_surface(const Scene& scene, int face) {
 
 stats::KnownLimits known_limits(const Method& method, const Scene& scene, Subdivision subdivision, Quantity quantity,
                                 std::uint64_t evaluations, std::size_t trials) {
-    if (quantity.kind != QuantityKind::form_factor || evaluations == 0) return {};
+    if (evaluations == 0) return {};
+    if (quantity.kind == QuantityKind::row_sum) {
+        stats::KnownLimits sum;
+        for (int to = 1; to <= static_cast<int>(scene.faces.size()); ++to) {
+            const Quantity term{QuantityKind::form_factor, quantity.from, to};
+            const auto limits = known_limits(method, scene, subdivision, term, evaluations, trials);
+            if (limits.unmet.largest > 0)
+                sum.unmet = {.largest = sum.unmet.largest + limits.unmet.largest,
+                             .evaluations = limits.unmet.evaluations};
+        }
+        return sum;
+    }
+    if (quantity.kind != QuantityKind::form_factor) return {};
     const int from = quantity.from - 1;
     const int to = quantity.to - 1;
     if (method.completion == Completion::reciprocal && from > to) {

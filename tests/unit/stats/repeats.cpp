@@ -148,7 +148,7 @@ std::size_t repeated_of(const std::vector<std::vector<double>>& series) {
 
 TEST(RepeatedTrials, AreFoundWhereFewSeedsAreUsed) {
     std::mt19937_64 engine(9);
-    for (const std::size_t seeds : {4u, 8u, 64u}) {
+    for (const std::size_t seeds : {2u, 3u, 4u, 8u, 64u}) {
         const auto found =
             repeated_of({test::normal_sample(100, engine), test::normal_sample(100, engine)}, seeds, engine);
         EXPECT_GE(found, 100 - seeds);
@@ -185,6 +185,15 @@ TEST(RepeatedTrials, AreNoneAmongSoundOnes) {
         EXPECT_EQ(repeated_of({counted(100, 100'000, 0.2, engine)}), 0u);
     }
     EXPECT_EQ(repeated_of({std::vector<double>(100, 0.2)}), 0u);
+}
+
+TEST(RepeatedTrials, AreNoneAmongTwoValuesOfWhichOneIsNothing) {
+    std::mt19937_64 engine(12);
+    std::bernoulli_distribution hit(0.4);
+    std::vector<double> shadow(100);  // an exact factor, or 0 behind a blocker
+    for (double& value : shadow) value = hit(engine) ? std::sqrt(0.02) : 0;
+    EXPECT_EQ(repeated_of({shadow}), 0u);
+    EXPECT_EQ(repeated_of({test::normal_sample(100, engine), shadow}), 0u);
 }
 
 TEST(FindPeriod, FindsTwoEqualHalvesOfCoarseCounts) {

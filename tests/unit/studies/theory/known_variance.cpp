@@ -117,6 +117,15 @@ TEST(KnownLimits, FollowFromTheReverseFactorUnderReciprocity) {
     EXPECT_NEAR(back, 1e4 * forth, 1e-9 * back);
 }
 
+TEST(KnownLimits, AddUpInARowSum) {
+    const Method method = kernel(PointMap::uniform);
+    const Scene scene = lamp_above_square(0.01, 0.01);
+    const double term = limits_of(method, scene, {QuantityKind::form_factor, 1, 2}, 100).unmet.largest;
+    const stats::KnownLimits sum = limits_of(method, scene, {QuantityKind::row_sum, 1, 0}, 100);
+    EXPECT_GE(sum.unmet.largest, term);
+    EXPECT_EQ(sum.unmet.evaluations, 1000);
+}
+
 TEST(KnownLimits, CountPointsAndTheirMirrorImagesOnce) {
     Method method = kernel(PointMap::uniform);
     method.sampler = "antithetic";
