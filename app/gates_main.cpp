@@ -2,7 +2,7 @@
 // includes, directly or not, and from nothing else (cmake/FfGatesOnly.cmake).
 
 #include "app/command_line/program.hpp"
-#include "app/commands/gate_commands.hpp"
+#include "app/commands/gates/gate_commands.hpp"
 #include "app/commands/hidden_commands.hpp"
 
 namespace {

@@ -2,7 +2,7 @@
 #include "app/command_line/program.hpp"
 #include "app/commands/definitions.hpp"
 #include "app/commands/form_factor_definitions.hpp"
-#include "app/commands/gate_commands.hpp"
+#include "app/commands/gates/gate_commands.hpp"
 #include "app/commands/hidden_commands.hpp"
 #include "app/commands/study_definitions.hpp"
 

@@ -1,6 +1,6 @@
 // The paper's PDM on 1014 patches: all pairs of patches, five Gauss-Legendre nodes a side on each.
 
-#include "core/estimators/area_kernel.hpp"
+#include "core/estimators/pairs/area_kernel.hpp"
 
 #include "core/geometry/box.hpp"
 #include "samplers/sampler.hpp"

@@ -1,4 +1,4 @@
-#include "stats/gate.hpp"
+#include "stats/gates/gate.hpp"
 
 #include <benchmark/benchmark.h>
 

@@ -1,6 +1,6 @@
 // Exact factors from points of a face to the five others of a cube, points included.
 
-#include "core/estimators/point_to_polygon.hpp"
+#include "core/estimators/points/point_to_polygon.hpp"
 
 #include "core/geometry/box.hpp"
 #include "samplers/sampler.hpp"

@@ -1,7 +1,7 @@
 #include "benchmarks/fill_sets.hpp"
 #include "python/module/function_sampler.hpp"
 
-#include "samplers/added.hpp"
+#include "samplers/outside/added.hpp"
 
 #include <benchmark/benchmark.h>
 #include <pybind11/embed.h>

@@ -1,6 +1,6 @@
 // One trial of ray shooting on the cube of the paper: 1014 patches x 625 rays, points, tracing and tallies.
 
-#include "core/estimators/ray_shooting.hpp"
+#include "core/estimators/rays/ray_shooting.hpp"
 #include "core/geometry/box.hpp"
 #include "samplers/sampler.hpp"
 

@@ -27,7 +27,7 @@ endfunction()
 set(component library)
 if(FFSTUDY_GATES_ONLY)
   set(component program)
-  ff_install_headers(program stats/gate*.hpp stats/skewed_reach.hpp)
+  ff_install_headers(program stats/gates/*.hpp)
 endif()
 configure_package_config_file(cmake/ffstudyConfig.cmake.in ${PROJECT_BINARY_DIR}/ffstudyConfig.cmake
   INSTALL_DESTINATION ${package_dir} PATH_VARS CMAKE_INSTALL_INCLUDEDIR)

@@ -1,6 +1,6 @@
 # ff_included_sources(app/gates_main.cpp VARIABLE): the sources that a program with this main needs. They are found by
-# its includes: "stats/spread.hpp" asks for stats/spread.cpp, where there is one, and so on. Folders are those of the
-# project that ROOT is.
+# its includes: "studies/run/run.hpp" asks for studies/run/run.cpp, where there is one, and so on. Folders are those of
+# the project that ROOT is.
 #
 # cmake -D ROOT=. -D MAIN=app/gates_main.cpp -P cmake/IncludedSources.cmake: prints all files that are read, with the
 # headers of others, one a line, on stderr.

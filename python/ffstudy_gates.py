@@ -81,7 +81,7 @@ def _reach(skewness, side, t, z):
     """How far a limit lies from the mean, in standard errors [hall1992, johnson1978]; infinite where x is too skewed.
 
     Side 1 is the upper limit, -1 the lower one; t and z are critical values of the tail beyond it. The factors are
-    explained in stats/skewed_reach.hpp.
+    explained in stats/gates/skewed_reach.hpp.
     """
     value, error, insignificant = skewness
     value *= side

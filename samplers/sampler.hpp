@@ -73,7 +73,7 @@ struct CatalogueEntry {
     SamplerInfo info;
     std::unique_ptr<PointSource> (*maker)(const CatalogueEntry& self, const PointSetSpec& spec);
     const AddedSampler* added =
-        nullptr;  ///< the user's sampler behind the entry, see samplers/added.hpp; null for built-in ones
+        nullptr;  ///< the user's sampler behind the entry, see samplers/outside/added.hpp; null for built-in ones
 
     /// @throws UserError where the size is impossible
     [[nodiscard]] std::unique_ptr<PointSource> make(const PointSetSpec& spec) const { return maker(*this, spec); }

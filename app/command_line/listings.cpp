@@ -6,7 +6,7 @@
 #include "core/configurations/families.hpp"
 #include "core/support/error.hpp"
 #include "core/support/nearest_name.hpp"
-#include "samplers/added.hpp"
+#include "samplers/outside/added.hpp"
 #include "studies/explain/controls.hpp"
 #include "studies/explain/descriptions.hpp"
 

@@ -1,11 +1,11 @@
 #include "app/commands/commands.hpp"
 
 #include "app/command_line/common_options.hpp"
-#include "app/commands/check_estimates.hpp"
-#include "app/commands/check_session.hpp"
-#include "app/commands/look_ledger.hpp"
-#include "app/commands/run_context.hpp"
-#include "app/commands/save_means.hpp"
+#include "app/commands/context/run_context.hpp"
+#include "app/commands/gates/check_estimates.hpp"
+#include "app/commands/gates/check_session.hpp"
+#include "app/commands/gates/look_ledger.hpp"
+#include "app/commands/gates/save_means.hpp"
 #include "app/folders/output_folder.hpp"
 
 #include "core/support/error.hpp"
@@ -19,7 +19,7 @@
 #include "studies/run/parallel.hpp"
 #include "studies/verdicts/at_gate.hpp"
 #include "studies/verdicts/bands_file.hpp"
-#include "studies/verdicts/estimate_gates.hpp"
+#include "studies/verdicts/reported/estimate_gates.hpp"
 #include "studies/verdicts/seed_sweep.hpp"
 
 #include <fmt/format.h>

@@ -3,7 +3,7 @@
 #include "app/command_line/listings.hpp"
 #include "app/command_line/program.hpp"
 #include "app/commands/commands.hpp"
-#include "app/commands/gate_commands.hpp"
+#include "app/commands/gates/gate_commands.hpp"
 #include "app/folders/result_files.hpp"
 
 #include <fmt/format.h>

@@ -1,5 +1,5 @@
 #include "app/commands/commands.hpp"
-#include "app/commands/form_factor_run.hpp"
+#include "app/commands/form_factors/form_factor_run.hpp"
 #include "app/folders/output_folder.hpp"
 #include "app/folders/template_files.hpp"
 #include "app/terminal/messages.hpp"

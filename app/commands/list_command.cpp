@@ -9,7 +9,7 @@
 #include "core/support/error.hpp"
 #include "core/support/nearest_name.hpp"
 #include "reports/text/scene_text.hpp"
-#include "samplers/added.hpp"
+#include "samplers/outside/added.hpp"
 #include "studies/explain/controls.hpp"
 #include "studies/explain/descriptions.hpp"
 #include "studies/explain/scene_explanation.hpp"

@@ -1,6 +1,6 @@
 #include "app/commands/commands.hpp"
-#include "app/commands/form_factor_rows.hpp"
-#include "app/commands/form_factor_run.hpp"
+#include "app/commands/form_factors/form_factor_rows.hpp"
+#include "app/commands/form_factors/form_factor_run.hpp"
 
 #include "app/folders/result_files.hpp"
 #include "app/folders/template_files.hpp"

@@ -3,7 +3,7 @@
 #include "core/support/error.hpp"
 #include "reports/files/output_file.hpp"
 #include "reports/files/point_set_files.hpp"
-#include "samplers/draw_set.hpp"
+#include "samplers/point_sets/draw_set.hpp"
 #include "studies/sampler_checks/evenness_of_set.hpp"
 #include "studies/sampler_checks/sampler_checks.hpp"
 

@@ -6,7 +6,7 @@
 #include "app/process/limits.hpp"
 
 #include "core/support/error.hpp"
-#include "stats/interval.hpp"
+#include "stats/basics/interval.hpp"
 #include "studies/results/resources.hpp"
 #include "studies/spec/spec_trials.hpp"
 #include "studies/store/store.hpp"

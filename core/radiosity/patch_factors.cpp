@@ -1,6 +1,6 @@
 #include "core/radiosity/patch_factors.hpp"
 
-#include "core/estimators/area_kernel.hpp"
+#include "core/estimators/pairs/area_kernel.hpp"
 #include "core/exact/patch_exchange.hpp"
 #include "core/geometry/placement.hpp"
 #include "core/patches/patch_order.hpp"

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/estimators/graded_map.hpp"
-#include "core/estimators/ray_shooting.hpp"
+#include "core/estimators/rays/ray_shooting.hpp"
 #include "core/geometry/scene.hpp"
 #include "core/points/points.hpp"
 #include "core/radiosity/repair.hpp"

@@ -5,7 +5,7 @@
 #include "core/support/error.hpp"
 #include "python/module/python_lock.hpp"
 #include "python/module/words.hpp"
-#include "samplers/outside_points.hpp"
+#include "samplers/outside/outside_points.hpp"
 #include "studies/scene_files/scene_writer.hpp"
 
 #include <fmt/format.h>

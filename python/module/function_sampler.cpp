@@ -3,9 +3,9 @@
 #include "core/support/error.hpp"
 #include "python/module/python_lock.hpp"
 #include "python/module/words.hpp"
-#include "samplers/added.hpp"
-#include "samplers/outside_points.hpp"
-#include "samplers/set_of_rows.hpp"
+#include "samplers/outside/added.hpp"
+#include "samplers/outside/outside_points.hpp"
+#include "samplers/point_sets/set_of_rows.hpp"
 
 #include <fmt/format.h>
 #include <pybind11/numpy.h>

@@ -1,6 +1,6 @@
 #include "python/module/gates.hpp"
 
-#include "app/commands/check_estimates.hpp"
+#include "app/commands/gates/check_estimates.hpp"
 
 #include "reports/csv/gates_csv.hpp"
 #include "reports/terminal/gates_terminal.hpp"

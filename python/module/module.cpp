@@ -7,7 +7,7 @@
 #include "core/exact/known_factors.hpp"
 #include "core/support/error.hpp"
 #include "core/visibility/mirrors.hpp"
-#include "samplers/draw_set.hpp"
+#include "samplers/point_sets/draw_set.hpp"
 #include "studies/form_factors/form_factors.hpp"
 #include "studies/outside/outside_code.hpp"
 #include "studies/readers/text_file.hpp"

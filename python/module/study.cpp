@@ -2,7 +2,7 @@
 
 #include "python/module/interruptible.hpp"
 
-#include "app/commands/run_context.hpp"
+#include "app/commands/context/run_context.hpp"
 #include "app/folders/folder_lock.hpp"
 
 #include "core/support/error.hpp"

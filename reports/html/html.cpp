@@ -10,8 +10,8 @@
 #include "reports/templates/mustache.hpp"
 #include "reports/text/labels.hpp"
 #include "reports/words/cells_in_between.hpp"
+#include "reports/words/findings/radiosity_words.hpp"
 #include "reports/words/in_brief.hpp"
-#include "reports/words/radiosity_words.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

@@ -1,7 +1,7 @@
 #include "reports/json/json_radiosity.hpp"
 
 #include "reports/text/labels.hpp"
-#include "reports/words/radiosity_words.hpp"
+#include "reports/words/findings/radiosity_words.hpp"
 
 #include <cmath>
 #include <string>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "stats/interval.hpp"
+#include "stats/basics/interval.hpp"
 
 #include <nlohmann/json.hpp>
 

@@ -3,10 +3,10 @@
 #include "reports/pictures/pictures.hpp"
 #include "reports/text/numbers.hpp"
 #include "reports/words/answer.hpp"
+#include "reports/words/findings/radiosity_words.hpp"
+#include "reports/words/findings/verdicts.hpp"
 #include "reports/words/in_brief.hpp"
 #include "reports/words/published_summary.hpp"
-#include "reports/words/radiosity_words.hpp"
-#include "reports/words/verdicts.hpp"
 
 #include <fmt/format.h>
 

@@ -2,7 +2,7 @@
 #include "reports/markdown/markdown_table.hpp"
 #include "reports/markdown/markdown_text.hpp"
 #include "reports/tables/radiosity_tables.hpp"
-#include "reports/words/radiosity_words.hpp"
+#include "reports/words/findings/radiosity_words.hpp"
 
 #include <fmt/format.h>
 

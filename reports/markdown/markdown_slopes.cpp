@@ -5,7 +5,7 @@
 #include "reports/templates/mustache.hpp"
 #include "reports/text/labels.hpp"
 #include "reports/text/numbers.hpp"
-#include "reports/words/slope_words.hpp"
+#include "reports/words/findings/slope_words.hpp"
 
 #include <fmt/format.h>
 

@@ -3,7 +3,7 @@
 #include "reports/text/labels.hpp"
 #include "reports/text/numbers.hpp"
 #include "reports/text/study_text.hpp"
-#include "reports/words/verdicts.hpp"
+#include "reports/words/findings/verdicts.hpp"
 
 #include <fmt/format.h>
 

@@ -4,7 +4,7 @@
 #include "reports/pictures/pictures.hpp"
 #include "reports/text/labels.hpp"
 #include "reports/text/numbers.hpp"
-#include "reports/words/radiosity_words.hpp"
+#include "reports/words/findings/radiosity_words.hpp"
 #include "studies/radiosity/lighting.hpp"
 
 #include <fmt/format.h>

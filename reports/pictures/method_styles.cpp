@@ -1,8 +1,8 @@
 #include "reports/pictures/method_styles.hpp"
 
 #include "core/estimators/added.hpp"
-#include "reports/words/standing.hpp"
-#include "samplers/added.hpp"
+#include "reports/words/findings/standing.hpp"
+#include "samplers/outside/added.hpp"
 #include "samplers/sampler.hpp"
 
 #include <nlohmann/json.hpp>

@@ -3,7 +3,7 @@
 #include "reports/pictures/picture_values.hpp"
 #include "reports/pictures/pictures.hpp"
 #include "reports/text/labels.hpp"
-#include "reports/words/occlusion_words.hpp"
+#include "reports/words/findings/occlusion_words.hpp"
 
 #include <fmt/format.h>
 

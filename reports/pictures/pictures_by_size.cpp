@@ -4,8 +4,8 @@
 #include "reports/pictures/pictures.hpp"
 #include "reports/text/labels.hpp"
 #include "reports/text/numbers.hpp"
+#include "reports/words/findings/standing.hpp"
 #include "reports/words/size_series.hpp"
-#include "reports/words/standing.hpp"
 
 #include <fmt/format.h>
 

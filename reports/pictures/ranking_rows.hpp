@@ -3,7 +3,7 @@
 #include "reports/pictures/method_choice.hpp"
 #include "reports/pictures/picture_values.hpp"
 #include "reports/pictures/pictures.hpp"
-#include "reports/words/standing.hpp"
+#include "reports/words/findings/standing.hpp"
 #include "studies/results/results.hpp"
 
 #include <cstddef>

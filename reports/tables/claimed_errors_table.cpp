@@ -2,7 +2,7 @@
 #include "reports/text/idle_columns.hpp"
 #include "reports/text/labels.hpp"
 
-#include "stats/distributions.hpp"
+#include "stats/basics/distributions.hpp"
 #include "studies/diagnostics/claimed_errors.hpp"
 
 #include <fmt/format.h>

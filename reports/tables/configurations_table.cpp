@@ -1,7 +1,7 @@
 #include "reports/tables/tables.hpp"
 #include "reports/text/labels.hpp"
 #include "reports/text/numbers.hpp"
-#include "reports/words/verdicts.hpp"
+#include "reports/words/findings/verdicts.hpp"
 
 #include "studies/analysis/configuration_estimates.hpp"
 

@@ -1,7 +1,7 @@
 #include "reports/tables/tables.hpp"
 #include "reports/text/idle_columns.hpp"
 #include "reports/text/numbers.hpp"
-#include "reports/words/slope_words.hpp"
+#include "reports/words/findings/slope_words.hpp"
 
 #include <fmt/format.h>
 

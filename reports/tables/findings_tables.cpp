@@ -2,8 +2,8 @@
 #include "reports/text/idle_columns.hpp"
 #include "reports/text/labels.hpp"
 #include "reports/text/numbers.hpp"
-#include "reports/words/coverage_words.hpp"
-#include "reports/words/reduction_words.hpp"
+#include "reports/words/findings/coverage_words.hpp"
+#include "reports/words/findings/reduction_words.hpp"
 
 #include <fmt/format.h>
 

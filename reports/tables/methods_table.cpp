@@ -2,7 +2,7 @@
 #include "reports/text/labels.hpp"
 #include "reports/text/numbers.hpp"
 #include "reports/words/cells_in_between.hpp"
-#include "reports/words/verdicts.hpp"
+#include "reports/words/findings/verdicts.hpp"
 
 #include <fmt/format.h>
 

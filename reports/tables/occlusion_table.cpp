@@ -1,8 +1,8 @@
 #include "reports/tables/tables.hpp"
 #include "reports/text/labels.hpp"
 #include "reports/text/numbers.hpp"
-#include "reports/words/occlusion_words.hpp"
-#include "reports/words/slope_words.hpp"
+#include "reports/words/findings/occlusion_words.hpp"
+#include "reports/words/findings/slope_words.hpp"
 
 #include <fmt/format.h>
 

@@ -2,7 +2,7 @@
 
 #include "reports/text/labels.hpp"
 #include "reports/text/numbers.hpp"
-#include "reports/words/radiosity_words.hpp"
+#include "reports/words/findings/radiosity_words.hpp"
 
 #include <fmt/format.h>
 

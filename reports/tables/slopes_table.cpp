@@ -1,5 +1,5 @@
 #include "reports/tables/tables.hpp"
-#include "reports/words/slope_words.hpp"
+#include "reports/words/findings/slope_words.hpp"
 
 #include <fmt/format.h>
 

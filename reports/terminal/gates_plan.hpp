@@ -1,7 +1,7 @@
 #pragma once
 
 #include "studies/gates/gate_plan.hpp"
-#include "studies/verdicts/estimate_gates.hpp"
+#include "studies/verdicts/reported/estimate_gates.hpp"
 
 #include <span>
 #include <string>

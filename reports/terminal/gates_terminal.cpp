@@ -1,7 +1,7 @@
 #include "reports/terminal/gates_terminal.hpp"
 
 #include "reports/text/numbers.hpp"
-#include "studies/verdicts/reported_bins.hpp"
+#include "studies/verdicts/reported/reported_bins.hpp"
 
 #include <fmt/format.h>
 

@@ -2,7 +2,7 @@
 
 #include "reports/text/colour.hpp"
 #include "studies/verdicts/check_results.hpp"
-#include "studies/verdicts/estimate_gates.hpp"
+#include "studies/verdicts/reported/estimate_gates.hpp"
 #include "studies/verdicts/seed_sweep.hpp"
 
 #include <cstddef>

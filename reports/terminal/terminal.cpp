@@ -7,15 +7,15 @@
 #include "reports/text/text_table.hpp"
 #include "reports/words/audit_summary.hpp"
 #include "reports/words/cells_in_between.hpp"
-#include "reports/words/claim_words.hpp"
-#include "reports/words/coverage_words.hpp"
-#include "reports/words/occlusion_words.hpp"
+#include "reports/words/findings/claim_words.hpp"
+#include "reports/words/findings/coverage_words.hpp"
+#include "reports/words/findings/occlusion_words.hpp"
+#include "reports/words/findings/radiosity_words.hpp"
+#include "reports/words/findings/reduction_words.hpp"
+#include "reports/words/findings/tail_words.hpp"
+#include "reports/words/findings/until_words.hpp"
+#include "reports/words/findings/verdicts.hpp"
 #include "reports/words/published_summary.hpp"
-#include "reports/words/radiosity_words.hpp"
-#include "reports/words/reduction_words.hpp"
-#include "reports/words/tail_words.hpp"
-#include "reports/words/until_words.hpp"
-#include "reports/words/verdicts.hpp"
 
 #include <fmt/format.h>
 

@@ -1,11 +1,11 @@
 #include "reports/words/in_brief.hpp"
 
-#include "reports/words/coverage_words.hpp"
-#include "reports/words/occlusion_words.hpp"
-#include "reports/words/reduction_words.hpp"
-#include "reports/words/slope_words.hpp"
-#include "reports/words/tail_words.hpp"
-#include "reports/words/until_words.hpp"
+#include "reports/words/findings/coverage_words.hpp"
+#include "reports/words/findings/occlusion_words.hpp"
+#include "reports/words/findings/reduction_words.hpp"
+#include "reports/words/findings/slope_words.hpp"
+#include "reports/words/findings/tail_words.hpp"
+#include "reports/words/findings/until_words.hpp"
 
 #include <fmt/format.h>
 

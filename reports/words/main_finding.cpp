@@ -2,9 +2,9 @@
 
 #include "reports/text/labels.hpp"
 #include "reports/text/numbers.hpp"
-#include "reports/words/coverage_words.hpp"
-#include "reports/words/occlusion_words.hpp"
-#include "reports/words/radiosity_words.hpp"
+#include "reports/words/findings/coverage_words.hpp"
+#include "reports/words/findings/occlusion_words.hpp"
+#include "reports/words/findings/radiosity_words.hpp"
 #include "studies/analysis/configuration_estimates.hpp"
 #include "studies/comparison/decisions.hpp"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "reports/words/standing.hpp"
+#include "reports/words/findings/standing.hpp"
 #include "studies/results/results.hpp"
 
 #include <string>

@@ -2,7 +2,7 @@
 #include "samplers/controls/same_seed.hpp"
 #include "samplers/controls/sobol_digits_reversed.hpp"
 #include "samplers/controls/sobol_first_dropped.hpp"
-#include "samplers/entry.hpp"
+#include "samplers/support/entry.hpp"
 
 #include <array>
 

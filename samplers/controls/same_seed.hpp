@@ -1,6 +1,6 @@
 #pragma once
 
-#include "samplers/random.hpp"
+#include "samplers/random/random.hpp"
 
 namespace ff::samplers {
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "samplers/owen_hash.hpp"
-#include "samplers/sobol.hpp"
+#include "samplers/nets/sobol.hpp"
+#include "samplers/support/owen_hash.hpp"
 
 namespace ff::samplers {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "samplers/sobol.hpp"
+#include "samplers/nets/sobol.hpp"
 
 namespace ff::samplers {
 

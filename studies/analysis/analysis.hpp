@@ -33,8 +33,8 @@ struct CellFindings {
     std::optional<BiasFamily> bias;  ///< empty for deterministic methods
     BiasFinding bias_finding = BiasFinding::untestable;
     EquivalenceFinding equivalence = EquivalenceFinding::not_asked;
-    /// Trials that repeat earlier ones beyond chance (stats/repeats.hpp). If there are any, nothing is tested or
-    /// compared, and there are no intervals.
+    /// Trials that repeat earlier ones beyond chance (stats/dependence/repeats.hpp). If there are any, nothing is
+    /// tested or compared, and there are no intervals.
     std::size_t repeated_trials = 0;
 
     [[nodiscard]] const Summary& summary(Quantity quantity) const;

@@ -2,13 +2,13 @@
 
 #include "core/points/stream.hpp"
 #include "samplers/sampler.hpp"
-#include "stats/binomial.hpp"
-#include "stats/mean_test.hpp"
-#include "stats/moments.hpp"
-#include "stats/multiplicity.hpp"
-#include "stats/power.hpp"
-#include "stats/resampling.hpp"
-#include "stats/tail_doubt.hpp"
+#include "stats/basics/binomial.hpp"
+#include "stats/basics/moments.hpp"
+#include "stats/basics/resampling.hpp"
+#include "stats/error_rates/multiplicity.hpp"
+#include "stats/error_rates/power.hpp"
+#include "stats/means/mean_test.hpp"
+#include "stats/variances/tail_doubt.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "stats/mean_test.hpp"
+#include "stats/means/mean_test.hpp"
 #include "studies/analysis/summary.hpp"
 #include "studies/trials/estimates.hpp"
 

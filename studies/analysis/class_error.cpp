@@ -1,11 +1,11 @@
 #include "studies/analysis/class_error.hpp"
 
 #include "core/visibility/facing.hpp"
-#include "stats/distributions.hpp"
-#include "stats/mean_interval.hpp"
-#include "stats/mean_test.hpp"
-#include "stats/moments.hpp"
-#include "stats/quantiles.hpp"
+#include "stats/basics/distributions.hpp"
+#include "stats/basics/moments.hpp"
+#include "stats/basics/quantiles.hpp"
+#include "stats/means/mean_interval.hpp"
+#include "stats/means/mean_test.hpp"
 
 #include <algorithm>
 #include <cmath>

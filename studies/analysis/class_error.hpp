@@ -3,9 +3,9 @@
 #include "core/exact/known_factors.hpp"
 #include "core/geometry/scene.hpp"
 #include "core/visibility/pair_class.hpp"
-#include "stats/interval.hpp"
-#include "stats/mean_test.hpp"
-#include "stats/measured.hpp"
+#include "stats/basics/interval.hpp"
+#include "stats/means/mean_test.hpp"
+#include "stats/means/measured.hpp"
 #include "studies/analysis/summary.hpp"
 #include "studies/trials/estimates.hpp"
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/configurations/catalogue.hpp"
-#include "stats/interval.hpp"
+#include "stats/basics/interval.hpp"
 #include "studies/analysis/analysis.hpp"
 
 #include <optional>

@@ -1,8 +1,8 @@
 #include "studies/analysis/error_shape.hpp"
 
-#include "stats/distributions.hpp"
-#include "stats/moments.hpp"
-#include "stats/quantiles.hpp"
+#include "stats/basics/distributions.hpp"
+#include "stats/basics/moments.hpp"
+#include "stats/basics/quantiles.hpp"
 
 #include <algorithm>
 #include <cmath>

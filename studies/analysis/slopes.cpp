@@ -2,11 +2,11 @@
 
 #include "core/exact/known_factors.hpp"
 #include "core/visibility/occlusion.hpp"
-#include "stats/convergence.hpp"
-#include "stats/distributions.hpp"
-#include "stats/multiplicity.hpp"
-#include "stats/power_law.hpp"
-#include "stats/quantiles.hpp"
+#include "stats/basics/distributions.hpp"
+#include "stats/basics/quantiles.hpp"
+#include "stats/convergence/convergence.hpp"
+#include "stats/convergence/power_law.hpp"
+#include "stats/error_rates/multiplicity.hpp"
 
 #include <fmt/format.h>
 

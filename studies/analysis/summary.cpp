@@ -1,12 +1,12 @@
 #include "studies/analysis/summary.hpp"
 
-#include "stats/distributions.hpp"
-#include "stats/moments.hpp"
-#include "stats/normality.hpp"
-#include "stats/quantiles.hpp"
-#include "stats/tail_index.hpp"
-#include "stats/two_stage.hpp"
-#include "stats/variance_interval.hpp"
+#include "stats/basics/distributions.hpp"
+#include "stats/basics/moments.hpp"
+#include "stats/basics/quantiles.hpp"
+#include "stats/goodness_of_fit/normality.hpp"
+#include "stats/means/two_stage.hpp"
+#include "stats/variances/tail_index.hpp"
+#include "stats/variances/variance_interval.hpp"
 
 #include <algorithm>
 #include <array>

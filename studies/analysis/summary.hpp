@@ -2,9 +2,9 @@
 
 #include "core/points/stream.hpp"
 #include "core/visibility/pair_class.hpp"
-#include "stats/binomial.hpp"
-#include "stats/interval.hpp"
-#include "stats/mean_test.hpp"
+#include "stats/basics/binomial.hpp"
+#include "stats/basics/interval.hpp"
+#include "stats/means/mean_test.hpp"
 #include "studies/theory/known_variance.hpp"
 
 #include <cstdint>
@@ -53,7 +53,7 @@ struct SummaryRequest {
     std::optional<double> reference;
     std::optional<double> lattice;  ///< spacing of possible values
     bool binomial = false;          ///< values are hits of independent rays, in units of `lattice`
-    stats::KnownLimits limits;      ///< what is known of the values beforehand (stats/mean_test.hpp)
+    stats::KnownLimits limits;      ///< what is known of the values beforehand (stats/means/mean_test.hpp)
     std::uint64_t evaluations_per_face = 0;
     double level = 0.95;               ///< confidence level of intervals
     double detectable_bias = 0;        ///< what the family-wise test finds in this many normal trials of deviation 1

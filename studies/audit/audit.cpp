@@ -1,7 +1,7 @@
 #include "studies/audit/audit.hpp"
 
 #include "core/support/error.hpp"
-#include "stats/distributions.hpp"
+#include "stats/basics/distributions.hpp"
 #include "studies/audit/blame.hpp"
 #include "studies/audit/explain.hpp"
 

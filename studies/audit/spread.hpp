@@ -1,6 +1,6 @@
 #pragma once
 
-#include "stats/chi_squared.hpp"
+#include "stats/goodness_of_fit/chi_squared.hpp"
 #include "studies/audit/experiment.hpp"
 #include "studies/audit/hit_counts.hpp"
 #include "studies/published/published.hpp"

@@ -1,8 +1,8 @@
 #include "studies/claims/claim_evidence.hpp"
 
-#include "stats/binomial.hpp"
-#include "stats/mean_test.hpp"
-#include "stats/moments.hpp"
+#include "stats/basics/binomial.hpp"
+#include "stats/basics/moments.hpp"
+#include "stats/means/mean_test.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "stats/interval.hpp"
+#include "stats/basics/interval.hpp"
 #include "studies/analysis/analysis.hpp"
 #include "studies/published/published.hpp"
 
@@ -71,8 +71,8 @@ struct Share {
 };
 Share share_of(std::size_t count, std::size_t of, double level);
 
-/// Mean with the longer side of its interval (stats/mean_test.hpp); infinite where the values are too few or too skewed
-/// for one, 0 for a deterministic value.
+/// Mean with the longer side of its interval (stats/means/mean_test.hpp); infinite where the values are too few or too
+/// skewed for one, 0 for a deterministic value.
 struct MeanWithError {
     double mean = 0;
     double half_width = 0;

@@ -1,7 +1,7 @@
 #include "studies/claims/claim_judgements.hpp"
 
-#include "stats/quantiles.hpp"
-#include "stats/variance_test.hpp"
+#include "stats/basics/quantiles.hpp"
+#include "stats/variances/variance_test.hpp"
 
 #include <fmt/format.h>
 

@@ -3,9 +3,9 @@
 #include "core/configurations/built_in_scene.hpp"
 #include "core/support/contract.hpp"
 #include "core/support/error.hpp"
-#include "stats/distributions.hpp"
-#include "stats/moments.hpp"
-#include "stats/multiplicity.hpp"
+#include "stats/basics/distributions.hpp"
+#include "stats/basics/moments.hpp"
+#include "stats/error_rates/multiplicity.hpp"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "stats/chi_squared.hpp"
-#include "stats/quantiles.hpp"
+#include "stats/basics/quantiles.hpp"
+#include "stats/goodness_of_fit/chi_squared.hpp"
 #include "studies/analysis/analysis.hpp"
 #include "studies/published/published.hpp"
 

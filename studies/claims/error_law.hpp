@@ -1,6 +1,6 @@
 #pragma once
 
-#include "stats/power_law.hpp"
+#include "stats/convergence/power_law.hpp"
 #include "studies/analysis/analysis.hpp"
 #include "studies/published/published.hpp"
 

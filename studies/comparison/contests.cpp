@@ -1,7 +1,7 @@
 #include "studies/comparison/contests.hpp"
 
 #include "core/support/contract.hpp"
-#include "stats/distributions.hpp"
+#include "stats/basics/distributions.hpp"
 #include "studies/comparison/ranking.hpp"
 #include "studies/comparison/rivals.hpp"
 #include "studies/run/measured_costs.hpp"

@@ -1,6 +1,6 @@
 #include "studies/comparison/ranking.hpp"
 
-#include "stats/distributions.hpp"
+#include "stats/basics/distributions.hpp"
 #include "studies/comparison/rivals.hpp"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "stats/interval.hpp"
-#include "stats/measured.hpp"
+#include "stats/basics/interval.hpp"
+#include "stats/means/measured.hpp"
 #include "studies/analysis/slopes.hpp"
 #include "studies/diagnostics/variance_reduction.hpp"
 

@@ -2,11 +2,11 @@
 
 #include "core/support/error.hpp"
 #include "core/support/nearest_name.hpp"
-#include "stats/distributions.hpp"
-#include "stats/mean_test.hpp"
-#include "stats/multiplicity.hpp"
-#include "stats/spread.hpp"
-#include "stats/variance_test.hpp"
+#include "stats/basics/distributions.hpp"
+#include "stats/error_rates/multiplicity.hpp"
+#include "stats/means/mean_test.hpp"
+#include "stats/variances/spread.hpp"
+#include "stats/variances/variance_test.hpp"
 #include "studies/comparison/face_difference.hpp"
 #include "studies/comparison/rivals.hpp"
 

@@ -1,9 +1,9 @@
 #include "studies/diagnostics/claimed_errors.hpp"
 
 #include "core/exact/known_factors.hpp"
-#include "stats/binomial.hpp"
-#include "stats/distributions.hpp"
-#include "stats/quantiles.hpp"
+#include "stats/basics/binomial.hpp"
+#include "stats/basics/distributions.hpp"
+#include "stats/basics/quantiles.hpp"
 #include "studies/analysis/class_error.hpp"
 #include "studies/trials/estimates.hpp"
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/visibility/pair_class.hpp"
-#include "stats/interval.hpp"
+#include "stats/basics/interval.hpp"
 #include "studies/store/store.hpp"
 #include "studies/theory/quantity.hpp"
 

@@ -1,11 +1,11 @@
 #include "studies/diagnostics/coverage.hpp"
 
 #include "core/exact/known_factors.hpp"
-#include "stats/binomial.hpp"
-#include "stats/distributions.hpp"
-#include "stats/mean_interval.hpp"
-#include "stats/multiplicity.hpp"
-#include "stats/two_stage.hpp"
+#include "stats/basics/binomial.hpp"
+#include "stats/basics/distributions.hpp"
+#include "stats/error_rates/multiplicity.hpp"
+#include "stats/means/mean_interval.hpp"
+#include "stats/means/two_stage.hpp"
 #include "studies/analysis/class_error.hpp"
 #include "studies/trials/estimates.hpp"
 

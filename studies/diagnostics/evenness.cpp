@@ -1,7 +1,7 @@
 #include "studies/diagnostics/evenness.hpp"
 
 #include "core/support/error.hpp"
-#include "samplers/draw_set.hpp"
+#include "samplers/point_sets/draw_set.hpp"
 #include "studies/sampler_checks/evenness_of_set.hpp"
 
 #include <algorithm>

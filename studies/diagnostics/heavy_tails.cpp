@@ -1,7 +1,7 @@
 #include "studies/diagnostics/heavy_tails.hpp"
 
-#include "stats/multiplicity.hpp"
-#include "stats/tail_index.hpp"
+#include "stats/error_rates/multiplicity.hpp"
+#include "stats/variances/tail_index.hpp"
 
 namespace ff::studies {
 namespace {

@@ -14,8 +14,8 @@ struct HeavyTail {
     double index = 0;  ///< tail index of the upper tail; the variance is infinite below 2
 };
 
-/// Tests the tail of every pair that is treated as having a variance (stats/tail_index.hpp), at the study's error rate
-/// over all of them together. Cells with fewer than 200 trials are skipped: a tail does not show in so few.
+/// Tests the tail of every pair that is treated as having a variance (stats/variances/tail_index.hpp), at the study's
+/// error rate over all of them together. Cells with fewer than 200 trials are skipped: a tail does not show in so few.
 std::vector<HeavyTail> find_heavy_tails(const Store& store, const Findings& findings);
 
 }  // namespace ff::studies

@@ -1,8 +1,8 @@
 #include "studies/diagnostics/variance_check.hpp"
 
 #include "samplers/sampler.hpp"
-#include "stats/distributions.hpp"
-#include "stats/multiplicity.hpp"
+#include "stats/basics/distributions.hpp"
+#include "stats/error_rates/multiplicity.hpp"
 #include "studies/theory/sr_distribution.hpp"
 
 #include <algorithm>

@@ -3,7 +3,7 @@
 #include "core/geometry/joined_surfaces.hpp"
 #include "core/geometry/placement.hpp"
 #include "core/support/error.hpp"
-#include "stats/multiplicity.hpp"
+#include "stats/error_rates/multiplicity.hpp"
 #include "studies/form_factors/repair.hpp"
 #include "studies/form_factors/rounds.hpp"
 #include "studies/form_factors/sample_pairs.hpp"

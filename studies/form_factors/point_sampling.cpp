@@ -4,8 +4,8 @@
 #include "core/support/contract.hpp"
 #include "core/visibility/visible_polygon.hpp"
 #include "samplers/sampler.hpp"
-#include "studies/form_factors/sampled_share.hpp"
-#include "studies/form_factors/source_division.hpp"
+#include "studies/form_factors/division/sampled_share.hpp"
+#include "studies/form_factors/division/source_division.hpp"
 
 #include <algorithm>
 #include <memory>

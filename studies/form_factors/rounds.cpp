@@ -1,7 +1,7 @@
 #include "studies/form_factors/rounds.hpp"
 
 #include "core/support/error.hpp"
-#include "stats/multiplicity.hpp"
+#include "stats/error_rates/multiplicity.hpp"
 #include "studies/run/parallel.hpp"
 
 #include <fmt/format.h>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "studies/form_factors/sampled_share.hpp"
+#include "studies/form_factors/division/sampled_share.hpp"
 
 #include <cstdint>
 #include <optional>

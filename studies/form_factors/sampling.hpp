@@ -2,8 +2,8 @@
 
 #include "core/points/stream.hpp"
 #include "core/tracing/tracer.hpp"
+#include "studies/form_factors/division/source_cells.hpp"
 #include "studies/form_factors/face_pairs.hpp"
-#include "studies/form_factors/source_cells.hpp"
 
 #include <atomic>
 #include <cstdint>

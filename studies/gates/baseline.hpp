@@ -1,7 +1,7 @@
 #pragma once
 
-#include "stats/moments.hpp"
-#include "stats/spread.hpp"
+#include "stats/basics/moments.hpp"
+#include "stats/variances/spread.hpp"
 #include "studies/trials/estimates.hpp"
 
 #include <cstddef>

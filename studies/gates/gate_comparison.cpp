@@ -1,8 +1,8 @@
 #include "studies/gates/gate_comparison.hpp"
 
-#include "stats/mean_interval.hpp"
-#include "stats/mean_test.hpp"
-#include "stats/repeats.hpp"
+#include "stats/dependence/repeats.hpp"
+#include "stats/means/mean_interval.hpp"
+#include "stats/means/mean_test.hpp"
 #include "studies/theory/known_variance.hpp"
 #include "studies/verdicts/measurement.hpp"
 #include "studies/verdicts/needed_trials.hpp"

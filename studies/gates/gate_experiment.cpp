@@ -1,7 +1,7 @@
 #include "studies/gates/gate_experiment.hpp"
 
 #include "core/support/contract.hpp"
-#include "stats/interval.hpp"
+#include "stats/basics/interval.hpp"
 #include "studies/readers/toml_reader.hpp"
 
 #include <array>

@@ -3,7 +3,7 @@
 #include "core/estimators/added.hpp"
 #include "core/support/error.hpp"
 #include "core/support/words.hpp"
-#include "samplers/outside_points.hpp"
+#include "samplers/outside/outside_points.hpp"
 #include "studies/readers/csv_reader.hpp"
 #include "studies/scene_files/scene_writer.hpp"
 

@@ -2,9 +2,9 @@
 
 #include "core/support/error.hpp"
 #include "core/support/excerpt.hpp"
-#include "samplers/added.hpp"
-#include "samplers/outside_points.hpp"
-#include "samplers/set_of_rows.hpp"
+#include "samplers/outside/added.hpp"
+#include "samplers/outside/outside_points.hpp"
+#include "samplers/point_sets/set_of_rows.hpp"
 #include "studies/point_files/content.hpp"
 #include "studies/readers/printable.hpp"
 

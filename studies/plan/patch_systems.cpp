@@ -2,7 +2,7 @@
 
 #include "core/radiosity/patch_factors.hpp"
 #include "core/support/error.hpp"
-#include "samplers/added.hpp"
+#include "samplers/outside/added.hpp"
 
 #include <fmt/format.h>
 

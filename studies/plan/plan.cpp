@@ -3,7 +3,7 @@
 #include "core/geometry/placement.hpp"
 #include "core/support/error.hpp"
 #include "samplers/sampler.hpp"
-#include "stats/interval.hpp"
+#include "stats/basics/interval.hpp"
 #include "studies/plan/patch_systems.hpp"
 #include "studies/scene_files/scene_file.hpp"
 #include "studies/theory/applicability.hpp"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "samplers/added.hpp"
+#include "samplers/outside/added.hpp"
 
 #include <filesystem>
 #include <string>

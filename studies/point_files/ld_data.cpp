@@ -1,7 +1,7 @@
 #include "core/support/error.hpp"
 #include "core/support/excerpt.hpp"
 #include "core/support/words.hpp"
-#include "samplers/parts.hpp"
+#include "samplers/point_sets/parts.hpp"
 #include "studies/point_files/point_file.hpp"
 
 #include <fmt/format.h>

@@ -1,6 +1,6 @@
 #include "studies/radiosity/bias_order.hpp"
 
-#include "stats/line_fit.hpp"
+#include "stats/convergence/line_fit.hpp"
 #include "studies/plan/ladders.hpp"
 
 #include <algorithm>

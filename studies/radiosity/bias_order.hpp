@@ -1,6 +1,6 @@
 #pragma once
 
-#include "stats/interval.hpp"
+#include "stats/basics/interval.hpp"
 #include "studies/radiosity/consequences.hpp"
 #include "studies/store/store.hpp"
 

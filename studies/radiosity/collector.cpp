@@ -1,8 +1,8 @@
 #include "studies/radiosity/collector.hpp"
 
-#include "stats/mean_test.hpp"
-#include "stats/moments.hpp"
-#include "stats/quantiles.hpp"
+#include "stats/basics/moments.hpp"
+#include "stats/basics/quantiles.hpp"
+#include "stats/means/mean_test.hpp"
 
 #include <algorithm>
 #include <cmath>

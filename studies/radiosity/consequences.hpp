@@ -2,7 +2,7 @@
 
 #include "core/radiosity/properties.hpp"
 #include "core/radiosity/solver.hpp"
-#include "stats/interval.hpp"
+#include "stats/basics/interval.hpp"
 #include "studies/radiosity/treatment.hpp"
 
 #include <atomic>

@@ -1,6 +1,6 @@
 #include "studies/radiosity/solver_runs.hpp"
 
-#include "stats/quantiles.hpp"
+#include "stats/basics/quantiles.hpp"
 
 #include <utility>
 

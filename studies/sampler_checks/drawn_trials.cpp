@@ -1,6 +1,6 @@
 #include "studies/sampler_checks/drawn_trials.hpp"
 
-#include "samplers/parts.hpp"
+#include "samplers/point_sets/parts.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #include "studies/sampler_checks/evenness_of_set.hpp"
 
-#include "samplers/net_parameter.hpp"
-#include "stats/discrepancy.hpp"
+#include "samplers/point_sets/net_parameter.hpp"
+#include "stats/goodness_of_fit/discrepancy.hpp"
 
 #include <algorithm>
 

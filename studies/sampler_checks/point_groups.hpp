@@ -1,6 +1,6 @@
 #pragma once
 
-#include "samplers/point_set.hpp"
+#include "samplers/point_sets/point_set.hpp"
 
 #include <cstdint>
 #include <optional>

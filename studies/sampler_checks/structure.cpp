@@ -1,8 +1,8 @@
 #include "studies/sampler_checks/structure.hpp"
 
 #include "core/support/contract.hpp"
-#include "samplers/net_parameter.hpp"
-#include "samplers/sizes.hpp"
+#include "samplers/point_sets/net_parameter.hpp"
+#include "samplers/support/sizes.hpp"
 #include "studies/sampler_checks/point_groups.hpp"
 
 #include <algorithm>

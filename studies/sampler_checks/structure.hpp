@@ -1,6 +1,6 @@
 #pragma once
 
-#include "samplers/parts.hpp"
+#include "samplers/point_sets/parts.hpp"
 
 #include <cstdint>
 #include <optional>

@@ -1,8 +1,8 @@
 #include "studies/sampler_checks/structure_checks.hpp"
 
-#include "samplers/draw_set.hpp"
-#include "samplers/net_parameter.hpp"
-#include "samplers/sizes.hpp"
+#include "samplers/point_sets/draw_set.hpp"
+#include "samplers/point_sets/net_parameter.hpp"
+#include "samplers/support/sizes.hpp"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
-#include "samplers/net_parameter.hpp"
-#include "samplers/sizes.hpp"
-#include "stats/distributions.hpp"
+#include "samplers/point_sets/net_parameter.hpp"
+#include "samplers/support/sizes.hpp"
+#include "stats/basics/distributions.hpp"
 #include "studies/sampler_checks/point_groups.hpp"
 #include "studies/sampler_checks/structure_checks.hpp"
 

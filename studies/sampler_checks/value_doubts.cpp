@@ -1,5 +1,5 @@
-#include "samplers/sizes.hpp"
-#include "stats/binomial.hpp"
+#include "samplers/support/sizes.hpp"
+#include "stats/basics/binomial.hpp"
 #include "studies/sampler_checks/structure_checks.hpp"
 
 #include <fmt/format.h>

@@ -4,7 +4,7 @@
 #include "core/support/error.hpp"
 #include "core/support/nearest_name.hpp"
 #include "samplers/sampler.hpp"
-#include "stats/interval.hpp"
+#include "stats/basics/interval.hpp"
 #include "studies/published/published.hpp"
 #include "studies/readers/printable.hpp"
 #include "studies/readers/text_file.hpp"

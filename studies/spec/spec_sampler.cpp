@@ -1,7 +1,7 @@
 #include "studies/spec/spec_sampler.hpp"
 
 #include "core/support/error.hpp"
-#include "samplers/added.hpp"
+#include "samplers/outside/added.hpp"
 #include "studies/outside/program.hpp"
 #include "studies/point_files/file_sampler.hpp"
 #include "studies/readers/toml_reader.hpp"

@@ -17,8 +17,8 @@ template <>
 inline constexpr auto names_of<StoppingGoal> = name_table(Named{StoppingGoal::rmse, "rmse"},
                                                           Named{StoppingGoal::ci, "ci"});
 
-/// When a cell has enough trials: Stein's two stages (stats/two_stage.hpp). The spread of the pilot's trials determines
-/// the total number, at most the study's `trials`.
+/// When a cell has enough trials: Stein's two stages (stats/means/two_stage.hpp). The spread of the pilot's trials
+/// determines the total number, at most the study's `trials`.
 struct StoppingRule {
     StoppingGoal goal = StoppingGoal::rmse;
     double target = 0;         ///< in units of the form factor, > 0

@@ -1,6 +1,6 @@
 #include "studies/store/stored_samplers.hpp"
 
-#include "samplers/added.hpp"
+#include "samplers/outside/added.hpp"
 #include "studies/point_files/file_sampler.hpp"
 
 #include <algorithm>

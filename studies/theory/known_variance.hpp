@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/geometry/scene.hpp"
-#include "stats/mean_test.hpp"
+#include "stats/means/mean_test.hpp"
 #include "studies/spec/spec.hpp"
 #include "studies/theory/quantity.hpp"
 
@@ -29,10 +29,10 @@ VarianceStatus known_variance(const Method& method, const Scene& scene, Quantity
 /// @param lattice  1 / rays of a trial; empty where nothing is counted
 bool too_few_hits(std::optional<double> lattice, std::optional<double> reference, std::size_t trials);
 
-/// What theory knows of a trial's estimate, as the rule for means wants it (stats/mean_test.hpp). How much one part can
-/// move it: the largest value of an evaluation over the number of independent ones; infinite where values have no known
-/// bound, and for quantities other than form factors. What the evaluations of all trials may have missed: shadows,
-/// edges and peaks, for form factors.
+/// What theory knows of a trial's estimate, as the rule for means wants it (stats/means/mean_test.hpp). How much one
+/// part can move it: the largest value of an evaluation over the number of independent ones; infinite where values have
+/// no known bound, and for quantities other than form factors. What the evaluations of all trials may have missed:
+/// shadows, edges and peaks, for form factors.
 /// @param evaluations  of a trial, for a face or for a pair of faces
 stats::KnownLimits known_limits(const Method& method, const Scene& scene, Subdivision subdivision, Quantity quantity,
                                 std::uint64_t evaluations, std::size_t trials);

@@ -2,7 +2,7 @@
 
 #include "core/support/contract.hpp"
 #include "core/support/error.hpp"
-#include "stats/multiplicity.hpp"
+#include "stats/error_rates/multiplicity.hpp"
 
 #include <fmt/format.h>
 

@@ -2,7 +2,7 @@
 
 #include "core/support/nearest_name.hpp"
 #include "core/support/words.hpp"
-#include "stats/distributions.hpp"
+#include "stats/basics/distributions.hpp"
 
 #include <fmt/format.h>
 

@@ -2,7 +2,7 @@
 
 #include "core/support/contract.hpp"
 #include "core/support/error.hpp"
-#include "stats/distributions.hpp"
+#include "stats/basics/distributions.hpp"
 #include "studies/readers/csv_reader.hpp"
 
 #include <fmt/format.h>

@@ -1,7 +1,7 @@
 #include "studies/verdicts/measurement.hpp"
 
 #include "core/support/contract.hpp"
-#include "stats/distributions.hpp"
+#include "stats/basics/distributions.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,10 +1,10 @@
 #pragma once
 
-#include "stats/binomial.hpp"
-#include "stats/convergence.hpp"
-#include "stats/mean_test.hpp"
-#include "stats/serial_correlation.hpp"
-#include "stats/spread.hpp"
+#include "stats/basics/binomial.hpp"
+#include "stats/convergence/convergence.hpp"
+#include "stats/dependence/serial_correlation.hpp"
+#include "stats/means/mean_test.hpp"
+#include "stats/variances/spread.hpp"
 #include "studies/verdicts/verdict.hpp"
 
 #include <limits>
@@ -23,7 +23,7 @@ struct MeanReference {
     double freedom = std::numeric_limits<double>::infinity();  ///< degrees of freedom of `standard_error`
 };
 
-/// Mean minus reference by the rule for means (stats/mean_test.hpp).
+/// Mean minus reference by the rule for means (stats/means/mean_test.hpp).
 /// @param limits       of the values
 /// @param correlation  of the values in order; by default that of independent ones
 std::optional<Measurement> measure_mean(std::span<const double> values, const MeanReference& reference,

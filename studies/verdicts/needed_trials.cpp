@@ -1,10 +1,10 @@
 #include "studies/verdicts/needed_trials.hpp"
 
 #include "core/support/contract.hpp"
-#include "stats/distributions.hpp"
-#include "stats/moments.hpp"
-#include "stats/power.hpp"
-#include "stats/skewed_reach.hpp"
+#include "stats/basics/distributions.hpp"
+#include "stats/basics/moments.hpp"
+#include "stats/error_rates/power.hpp"
+#include "stats/gates/skewed_reach.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #include "studies/verdicts/seed_sweep.hpp"
 
 #include "core/support/contract.hpp"
-#include "stats/binomial.hpp"
+#include "stats/basics/binomial.hpp"
 
 namespace ff::studies {
 namespace {

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "stats/gate_verdict.hpp"
-#include "stats/interval.hpp"
+#include "stats/basics/interval.hpp"
+#include "stats/gates/gate_verdict.hpp"
 
 #include <optional>
 
@@ -35,7 +35,7 @@ struct Measurement {
     double minimum_detectable = 0;
 };
 
-/// By the rule of every gate (stats/gate_verdict.hpp); inconclusive without a measurement.
+/// By the rule of every gate (stats/gates/gate_verdict.hpp); inconclusive without a measurement.
 Verdict judge(const std::optional<Measurement>& measurement, const Band& band);
 
 /// One verdict for several comparisons: fail if one fails, pass if all pass.

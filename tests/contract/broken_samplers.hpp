@@ -1,10 +1,10 @@
 #pragma once
 
-#include "samplers/entry.hpp"
-#include "samplers/gauss_legendre.hpp"
-#include "samplers/random.hpp"
-#include "samplers/sobol.hpp"
-#include "samplers/stratified.hpp"
+#include "samplers/grids/gauss_legendre.hpp"
+#include "samplers/grids/stratified.hpp"
+#include "samplers/nets/sobol.hpp"
+#include "samplers/random/random.hpp"
+#include "samplers/support/entry.hpp"
 
 // Samplers that are broken on purpose, each in one way, beside the controls that the program ships. The contract checks
 // must catch every one.

@@ -1,7 +1,7 @@
 #include "tests/contract/estimator_checks.hpp"
 
 #include "samplers/sampler.hpp"
-#include "stats/moments.hpp"
+#include "stats/basics/moments.hpp"
 #include "tests/support/statistical_assertions.hpp"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 #include "core/estimators/entry.hpp"
-#include "core/estimators/solid_angle.hpp"
+#include "core/estimators/pairs/solid_angle.hpp"
 #include "tests/contract/estimator_checks.hpp"
 
 #include <algorithm>

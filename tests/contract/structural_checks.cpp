@@ -1,5 +1,5 @@
 #include "core/support/error.hpp"
-#include "samplers/sizes.hpp"
+#include "samplers/support/sizes.hpp"
 #include "tests/contract/checks.hpp"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-"""The rule of python/ffstudy_gates.py, by the table that tests/unit/stats/gate.cpp reads too."""
+"""The rule of python/ffstudy_gates.py, by the table that tests/unit/stats/gates/gate.cpp reads too."""
 
 import csv
 import pathlib

@@ -1,10 +1,10 @@
 // A file of estimates gives verdicts whose numbers are numbers, or is a UserError.
 
-#include "studies/verdicts/estimates_file.hpp"
+#include "studies/verdicts/reported/estimates_file.hpp"
 #include "core/support/error.hpp"
 #include "reports/csv/gates_csv.hpp"
 #include "reports/json/gates_json.hpp"
-#include "studies/verdicts/estimate_gates.hpp"
+#include "studies/verdicts/reported/estimate_gates.hpp"
 #include "tests/fuzz/no_number.hpp"
 #include "tests/fuzz/one_input.hpp"
 

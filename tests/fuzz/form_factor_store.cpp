@@ -8,7 +8,7 @@
 #include "reports/json/form_factors_json.hpp"
 #include "reports/terminal/form_factors_text.hpp"
 #include "studies/form_factors/repair.hpp"
-#include "studies/form_factors/store.hpp"
+#include "studies/form_factors/store/store.hpp"
 #include "studies/scene_files/scene_file.hpp"
 #include "tests/fuzz/damaged_file.hpp"
 #include "tests/fuzz/no_number.hpp"

@@ -8,10 +8,10 @@
 
 #include "core/configurations/built_in_scene.hpp"
 #include "core/exact/exact.hpp"
-#include "stats/mean_test.hpp"
-#include "stats/moments.hpp"
-#include "stats/power.hpp"
-#include "stats/variance_interval.hpp"
+#include "stats/basics/moments.hpp"
+#include "stats/error_rates/power.hpp"
+#include "stats/means/mean_test.hpp"
+#include "stats/variances/variance_interval.hpp"
 
 #include "samplers/sampler.hpp"
 #include "studies/trials/estimates.hpp"

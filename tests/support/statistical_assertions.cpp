@@ -1,9 +1,9 @@
 #include "tests/support/statistical_assertions.hpp"
 
-#include "stats/binomial.hpp"
-#include "stats/distributions.hpp"
-#include "stats/mean_test.hpp"
-#include "stats/power.hpp"
+#include "stats/basics/binomial.hpp"
+#include "stats/basics/distributions.hpp"
+#include "stats/error_rates/power.hpp"
+#include "stats/means/mean_test.hpp"
 
 #include <cmath>
 

@@ -1,4 +1,4 @@
-#include "stats/distributions.hpp"
+#include "stats/basics/distributions.hpp"
 #include "studies/comparison/ranking.hpp"
 #include "studies/results/results.hpp"
 #include "studies/trials/estimates.hpp"

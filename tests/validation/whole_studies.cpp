@@ -1,5 +1,5 @@
 #include "core/support/error.hpp"
-#include "stats/binomial.hpp"
+#include "stats/basics/binomial.hpp"
 #include "studies/analysis/analysis.hpp"
 #include "studies/trials/estimates.hpp"
 #include "tests/support/repetitions.hpp"

@@ -75,7 +75,7 @@ for a, b, *rest in view:
     assert [float(row[k]) for k in ("factor", "low", "high", "half_width")] == rest[:4]
     assert [row["method"], row["reason"], row["samples"]] == [rest[4], rest[5], str(rest[6])]
 PYTHON
-for table in $(grep -oE 'CREATE (TABLE|VIEW) [a-z_]+' "$root/studies/form_factors/store.cpp" | cut -d' ' -f3); do
+for table in $(grep -oE 'CREATE (TABLE|VIEW) [a-z_]+' "$root/studies/form_factors/store/store.cpp" | cut -d' ' -f3); do
     grep -Fq "\`$table\`" "$root/docs/form-factors.md" || fail "docs/form-factors.md does not explain $table"
 done
 

@@ -4,8 +4,8 @@
 #include "reports/pictures/pictures.hpp"
 #include "reports/tables/radiosity_tables.hpp"
 #include "reports/text/numbers.hpp"
+#include "reports/words/findings/radiosity_words.hpp"
 #include "reports/words/headline.hpp"
-#include "reports/words/radiosity_words.hpp"
 #include "tests/support/studies.hpp"
 #include "tests/unit/reports/small_study.hpp"
 

@@ -1,21 +1,21 @@
 // Every function that numbers from files reach, over the whole range that its documentation allows: no exception, no
 // NaN, no interval whose ends are exchanged. Contracts are on in tests, so a call outside a domain ends them.
 
-#include "stats/binomial.hpp"
-#include "stats/distributions.hpp"
-#include "stats/mean_interval.hpp"
-#include "stats/mean_test.hpp"
-#include "stats/moments.hpp"
-#include "stats/multiplicity.hpp"
-#include "stats/normality.hpp"
-#include "stats/power.hpp"
-#include "stats/repeats.hpp"
-#include "stats/serial_correlation.hpp"
-#include "stats/spread.hpp"
-#include "stats/tail_index.hpp"
-#include "stats/two_stage.hpp"
-#include "stats/variance_interval.hpp"
-#include "stats/variance_test.hpp"
+#include "stats/basics/binomial.hpp"
+#include "stats/basics/distributions.hpp"
+#include "stats/basics/moments.hpp"
+#include "stats/dependence/repeats.hpp"
+#include "stats/dependence/serial_correlation.hpp"
+#include "stats/error_rates/multiplicity.hpp"
+#include "stats/error_rates/power.hpp"
+#include "stats/goodness_of_fit/normality.hpp"
+#include "stats/means/mean_interval.hpp"
+#include "stats/means/mean_test.hpp"
+#include "stats/means/two_stage.hpp"
+#include "stats/variances/spread.hpp"
+#include "stats/variances/tail_index.hpp"
+#include "stats/variances/variance_interval.hpp"
+#include "stats/variances/variance_test.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

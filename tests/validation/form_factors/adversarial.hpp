@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/geometry/scene.hpp"
-#include "stats/resampling.hpp"
+#include "stats/basics/resampling.hpp"
 #include "tests/validation/form_factors/tiled_walls.hpp"
 
 #include <array>

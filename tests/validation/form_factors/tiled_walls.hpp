@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/geometry/scene.hpp"
-#include "stats/resampling.hpp"
+#include "stats/basics/resampling.hpp"
 
 #include <cstdint>
 #include <vector>

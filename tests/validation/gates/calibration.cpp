@@ -1,10 +1,10 @@
 #include "tests/validation/gates/calibration.hpp"
 
-#include "stats/distributions.hpp"
-#include "stats/kolmogorov.hpp"
-#include "stats/mean_test.hpp"
-#include "stats/moments.hpp"
-#include "stats/power.hpp"
+#include "stats/basics/distributions.hpp"
+#include "stats/basics/moments.hpp"
+#include "stats/error_rates/power.hpp"
+#include "stats/goodness_of_fit/kolmogorov.hpp"
+#include "stats/means/mean_test.hpp"
 #include "studies/verdicts/measurement.hpp"
 #include "tests/validation/rates/bench.hpp"
 

@@ -7,7 +7,7 @@
 #include "studies/gates/gate_experiment.hpp"
 #include "studies/gates/gate_run.hpp"
 #include "studies/run/parallel.hpp"
-#include "studies/verdicts/estimate_gates.hpp"
+#include "studies/verdicts/reported/estimate_gates.hpp"
 #include "tests/validation/rates/bench.hpp"
 
 #include <fmt/format.h>

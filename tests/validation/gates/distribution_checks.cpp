@@ -1,7 +1,7 @@
 #include "tests/validation/gates/distribution_checks.hpp"
 
-#include "studies/verdicts/distribution_gates.hpp"
-#include "studies/verdicts/reported_gates.hpp"
+#include "studies/verdicts/reported/distribution_gates.hpp"
+#include "studies/verdicts/reported/reported_gates.hpp"
 #include "tests/validation/rates/bench.hpp"
 
 #include <fmt/format.h>

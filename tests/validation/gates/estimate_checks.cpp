@@ -1,10 +1,10 @@
 #include "tests/validation/gates/estimate_checks.hpp"
 
 #include "core/support/error.hpp"
-#include "stats/multiplicity.hpp"
+#include "stats/error_rates/multiplicity.hpp"
 #include "studies/analysis/analysis.hpp"
-#include "studies/verdicts/estimate_gates.hpp"
 #include "studies/verdicts/measurement.hpp"
+#include "studies/verdicts/reported/estimate_gates.hpp"
 #include "tests/validation/gates/made_up_files.hpp"
 #include "tests/validation/rates/bench.hpp"
 

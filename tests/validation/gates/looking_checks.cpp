@@ -1,10 +1,10 @@
 #include "tests/validation/gates/looking_checks.hpp"
 
-#include "stats/confidence_sequence.hpp"
-#include "stats/mean_interval.hpp"
-#include "stats/moments.hpp"
+#include "stats/basics/moments.hpp"
+#include "stats/means/confidence_sequence.hpp"
+#include "stats/means/mean_interval.hpp"
 #include "studies/verdicts/ledger.hpp"
-#include "studies/verdicts/reported_gates.hpp"
+#include "studies/verdicts/reported/reported_gates.hpp"
 #include "tests/validation/rates/bench.hpp"
 
 #include <fmt/format.h>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "stats/resampling.hpp"
+#include "stats/basics/resampling.hpp"
 
 #include <cstddef>
 #include <functional>

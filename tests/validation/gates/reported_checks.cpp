@@ -1,9 +1,9 @@
 #include "tests/validation/gates/reported_checks.hpp"
 
-#include "stats/box_distance.hpp"
-#include "stats/distributions.hpp"
-#include "stats/multiplicity.hpp"
-#include "studies/verdicts/reported_gates.hpp"
+#include "stats/basics/distributions.hpp"
+#include "stats/error_rates/multiplicity.hpp"
+#include "stats/means/box_distance.hpp"
+#include "studies/verdicts/reported/reported_gates.hpp"
 #include "tests/validation/rates/bench.hpp"
 
 #include <fmt/format.h>

@@ -1,6 +1,6 @@
 #include "tests/validation/gates/selftest.hpp"
 
-#include "stats/multiplicity.hpp"
+#include "stats/error_rates/multiplicity.hpp"
 #include "tests/validation/gates/coverage.hpp"
 #include "tests/validation/gates/distribution_checks.hpp"
 #include "tests/validation/gates/estimate_checks.hpp"

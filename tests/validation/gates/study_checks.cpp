@@ -1,8 +1,8 @@
 #include "tests/validation/gates/study_checks.hpp"
 
-#include "stats/mean_test.hpp"
-#include "stats/multiplicity.hpp"
-#include "stats/tail_doubt.hpp"
+#include "stats/error_rates/multiplicity.hpp"
+#include "stats/means/mean_test.hpp"
+#include "stats/variances/tail_doubt.hpp"
 #include "tests/validation/gates/made_up_files.hpp"
 #include "tests/validation/rates/bench.hpp"
 

@@ -4,7 +4,7 @@
 #include "core/configurations/catalogue.hpp"
 #include "core/geometry/scene.hpp"
 #include "core/support/error.hpp"
-#include "stats/multiplicity.hpp"
+#include "stats/error_rates/multiplicity.hpp"
 #include "studies/form_factors/form_factors.hpp"
 #include "studies/heat/heat.hpp"
 #include "studies/run/parallel.hpp"

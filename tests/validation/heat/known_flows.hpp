@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/geometry/scene.hpp"
-#include "stats/binomial.hpp"
+#include "stats/basics/binomial.hpp"
 #include "studies/heat/heat.hpp"
 #include "studies/heat/materials.hpp"
 

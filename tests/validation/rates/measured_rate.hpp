@@ -1,7 +1,7 @@
 #pragma once
 
-#include "stats/binomial.hpp"
-#include "stats/interval.hpp"
+#include "stats/basics/binomial.hpp"
+#include "stats/basics/interval.hpp"
 
 #include <cstddef>
 #include <string>

@@ -1,6 +1,6 @@
 #include "tests/validation/rates/repetitions.hpp"
 
-#include "stats/distributions.hpp"
+#include "stats/basics/distributions.hpp"
 #include "studies/run/parallel.hpp"
 
 #include <algorithm>

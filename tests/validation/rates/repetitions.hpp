@@ -1,8 +1,8 @@
 #pragma once
 
 #include "core/points/stream.hpp"
-#include "stats/binomial.hpp"
-#include "stats/resampling.hpp"
+#include "stats/basics/binomial.hpp"
+#include "stats/basics/resampling.hpp"
 
 #include <cstdint>
 #include <functional>

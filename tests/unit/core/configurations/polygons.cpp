@@ -1,4 +1,4 @@
-#include "core/configurations/polygons.hpp"
+#include "core/configurations/formulas/polygons.hpp"
 
 #include "core/formulas/rectangle_formulas.hpp"
 #include "core/support/error.hpp"

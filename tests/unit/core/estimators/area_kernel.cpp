@@ -1,4 +1,4 @@
-#include "core/estimators/area_kernel.hpp"
+#include "core/estimators/pairs/area_kernel.hpp"
 
 #include "core/exact/exact.hpp"
 #include "core/geometry/box.hpp"

@@ -1,6 +1,6 @@
-#include "core/estimators/control_variate.hpp"
+#include "core/estimators/pairs/control_variate.hpp"
 
-#include "core/estimators/area_kernel.hpp"
+#include "core/estimators/pairs/area_kernel.hpp"
 #include "core/exact/exact.hpp"
 #include "core/geometry/box.hpp"
 #include "tests/support/estimator_trials.hpp"

@@ -1,4 +1,4 @@
-#include "core/estimators/global_lines.hpp"
+#include "core/estimators/rays/global_lines.hpp"
 
 #include "core/configurations/catalogue.hpp"
 #include "core/exact/exact.hpp"

@@ -1,10 +1,10 @@
 #include "core/estimators/graded_map.hpp"
 
-#include "core/estimators/area_kernel.hpp"
+#include "core/estimators/pairs/area_kernel.hpp"
 #include "core/exact/exact.hpp"
 #include "core/geometry/box.hpp"
-#include "stats/moments.hpp"
-#include "stats/tail_index.hpp"
+#include "stats/basics/moments.hpp"
+#include "stats/variances/tail_index.hpp"
 #include "tests/support/gauss_points.hpp"
 #include "tests/support/philox_points.hpp"
 #include "tests/unit/core/tracing/instruction_sets.hpp"

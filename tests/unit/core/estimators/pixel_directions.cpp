@@ -1,8 +1,8 @@
-#include "core/estimators/pixel_directions.hpp"
+#include "core/estimators/rays/pixel_directions.hpp"
 
-#include "core/estimators/cubic_tetrahedron.hpp"
-#include "core/estimators/hemicube.hpp"
-#include "core/estimators/single_plane.hpp"
+#include "core/estimators/rays/cubic_tetrahedron.hpp"
+#include "core/estimators/rays/hemicube.hpp"
+#include "core/estimators/rays/single_plane.hpp"
 #include "core/exact/exact.hpp"
 #include "core/geometry/box.hpp"
 #include "tests/support/estimator_trials.hpp"

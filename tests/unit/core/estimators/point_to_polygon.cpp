@@ -1,4 +1,4 @@
-#include "core/estimators/point_to_polygon.hpp"
+#include "core/estimators/points/point_to_polygon.hpp"
 
 #include "core/exact/exact.hpp"
 #include "core/geometry/box.hpp"

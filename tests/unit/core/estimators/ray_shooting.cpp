@@ -1,4 +1,4 @@
-#include "core/estimators/ray_shooting.hpp"
+#include "core/estimators/rays/ray_shooting.hpp"
 
 #include "core/exact/exact.hpp"
 #include "core/geometry/box.hpp"

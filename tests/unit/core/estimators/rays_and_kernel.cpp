@@ -1,9 +1,9 @@
-#include "core/estimators/rays_and_kernel.hpp"
+#include "core/estimators/pairs/rays_and_kernel.hpp"
 
-#include "core/estimators/area_kernel.hpp"
+#include "core/estimators/pairs/area_kernel.hpp"
 #include "core/exact/exact.hpp"
 #include "core/geometry/box.hpp"
-#include "stats/moments.hpp"
+#include "stats/basics/moments.hpp"
 #include "tests/support/estimator_trials.hpp"
 #include "tests/support/statistical_assertions.hpp"
 #include "tests/unit/core/estimators/faces.hpp"

@@ -1,4 +1,4 @@
-#include "core/estimators/solid_angle.hpp"
+#include "core/estimators/pairs/solid_angle.hpp"
 
 #include "core/geometry/box.hpp"
 #include "tests/support/estimator_trials.hpp"

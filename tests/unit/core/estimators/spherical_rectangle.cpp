@@ -1,4 +1,4 @@
-#include "core/estimators/spherical_rectangle.hpp"
+#include "core/estimators/pairs/spherical_rectangle.hpp"
 
 #include <gtest/gtest.h>
 

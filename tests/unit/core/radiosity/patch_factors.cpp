@@ -1,7 +1,7 @@
 #include "core/radiosity/patch_factors.hpp"
 
 #include "core/configurations/built_in_scene.hpp"
-#include "core/estimators/area_kernel.hpp"
+#include "core/estimators/pairs/area_kernel.hpp"
 #include "core/exact/exact.hpp"
 #include "core/patches/patch_order.hpp"
 #include "core/radiosity/properties.hpp"

@@ -2,7 +2,7 @@
 // that are traced there against exact factors.
 
 #include "core/configurations/built_in_scene.hpp"
-#include "core/estimators/ray_shooting.hpp"
+#include "core/estimators/rays/ray_shooting.hpp"
 #include "core/exact/exact.hpp"
 #include "core/exact/exact_rooms.hpp"
 #include "core/radiosity/enclosures.hpp"

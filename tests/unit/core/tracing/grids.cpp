@@ -1,8 +1,8 @@
 // Estimators in scenes whose surfaces have grids of their own.
 
-#include "core/estimators/area_kernel.hpp"
-#include "core/estimators/point_to_polygon.hpp"
-#include "core/estimators/ray_shooting.hpp"
+#include "core/estimators/pairs/area_kernel.hpp"
+#include "core/estimators/points/point_to_polygon.hpp"
+#include "core/estimators/rays/ray_shooting.hpp"
 #include "core/exact/exact.hpp"
 #include "core/geometry/surface_map.hpp"
 #include "core/patches/face_averages.hpp"

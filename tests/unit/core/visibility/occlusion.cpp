@@ -1,6 +1,6 @@
 #include "core/visibility/occlusion.hpp"
 
-#include "core/estimators/area_kernel.hpp"
+#include "core/estimators/pairs/area_kernel.hpp"
 #include "core/exact/exact.hpp"
 #include "core/geometry/box.hpp"
 #include "core/geometry/surface_map.hpp"

@@ -1,4 +1,4 @@
-#include "reports/words/verdicts.hpp"
+#include "reports/words/findings/verdicts.hpp"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>

@@ -1,8 +1,8 @@
 #include "studies/analysis/analysis.hpp"
 
 #include "core/exact/exact.hpp"
-#include "stats/multiplicity.hpp"
-#include "stats/power.hpp"
+#include "stats/error_rates/multiplicity.hpp"
+#include "stats/error_rates/power.hpp"
 #include "tests/support/statistical_assertions.hpp"
 #include "tests/support/studies.hpp"
 #include "tests/unit/studies/quantities.hpp"

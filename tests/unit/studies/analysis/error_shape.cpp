@@ -1,6 +1,6 @@
 #include "studies/analysis/error_shape.hpp"
 
-#include "stats/distributions.hpp"
+#include "stats/basics/distributions.hpp"
 
 #include <gtest/gtest.h>
 

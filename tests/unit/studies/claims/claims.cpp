@@ -2,7 +2,7 @@
 
 #include "core/exact/exact.hpp"
 #include "core/visibility/pair_class.hpp"
-#include "stats/mean_test.hpp"
+#include "stats/means/mean_test.hpp"
 #include "studies/claims/claim_evidence.hpp"
 #include "tests/support/studies.hpp"
 

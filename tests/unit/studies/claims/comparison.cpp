@@ -1,7 +1,7 @@
 #include "studies/claims/comparison.hpp"
 
 #include "core/support/error.hpp"
-#include "stats/distributions.hpp"
+#include "stats/basics/distributions.hpp"
 #include "tests/support/studies.hpp"
 
 #include <gmock/gmock.h>

@@ -1,7 +1,7 @@
 #include "studies/comparison/run_comparison.hpp"
 
 #include "core/support/error.hpp"
-#include "stats/binomial.hpp"
+#include "stats/basics/binomial.hpp"
 #include "tests/support/studies.hpp"
 
 #include <gmock/gmock.h>

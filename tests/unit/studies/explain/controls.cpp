@@ -1,5 +1,5 @@
 #include "core/configurations/built_in_scene.hpp"
-#include "core/estimators/point_to_polygon.hpp"
+#include "core/estimators/points/point_to_polygon.hpp"
 #include "core/exact/exact.hpp"
 #include "samplers/sampler.hpp"
 

@@ -1,4 +1,4 @@
-#include "studies/form_factors/store.hpp"
+#include "studies/form_factors/store/store.hpp"
 
 #include "core/support/error.hpp"
 #include "studies/form_factors/repair.hpp"

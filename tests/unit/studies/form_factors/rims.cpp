@@ -1,4 +1,4 @@
-#include "studies/form_factors/rims.hpp"
+#include "studies/form_factors/division/rims.hpp"
 
 #include "core/geometry/surface_map.hpp"
 #include "core/visibility/visible_polygon.hpp"

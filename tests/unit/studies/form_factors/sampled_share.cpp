@@ -1,7 +1,7 @@
-#include "studies/form_factors/sampled_share.hpp"
+#include "studies/form_factors/division/sampled_share.hpp"
 
-#include "stats/binomial.hpp"
-#include "stats/mean_interval.hpp"
+#include "stats/basics/binomial.hpp"
+#include "stats/means/mean_interval.hpp"
 #include "tests/support/statistical_assertions.hpp"
 
 #include <gtest/gtest.h>

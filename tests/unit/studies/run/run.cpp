@@ -1,6 +1,6 @@
 #include "studies/run/run.hpp"
 
-#include "samplers/added.hpp"
+#include "samplers/outside/added.hpp"
 #include "studies/results/results.hpp"
 #include "tests/support/studies.hpp"
 

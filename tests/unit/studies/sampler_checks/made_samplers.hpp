@@ -1,7 +1,7 @@
 #pragma once
 
-#include "samplers/added.hpp"
-#include "samplers/outside_points.hpp"
+#include "samplers/outside/added.hpp"
+#include "samplers/outside/outside_points.hpp"
 #include "studies/sampler_checks/sampler_checks.hpp"
 
 #include <algorithm>

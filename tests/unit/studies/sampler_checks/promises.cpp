@@ -1,7 +1,7 @@
 #include "studies/sampler_checks/promises.hpp"
 
 #include "core/support/error.hpp"
-#include "samplers/draw_set.hpp"
+#include "samplers/point_sets/draw_set.hpp"
 #include "tests/unit/studies/sampler_checks/made_samplers.hpp"
 
 #include <gmock/gmock.h>

@@ -1,6 +1,6 @@
 #include "studies/sampler_checks/structure.hpp"
 
-#include "samplers/draw_set.hpp"
+#include "samplers/point_sets/draw_set.hpp"
 #include "studies/sampler_checks/point_groups.hpp"
 #include "tests/unit/studies/sampler_checks/made_samplers.hpp"
 

@@ -1,8 +1,8 @@
-#include "studies/verdicts/distribution_gates.hpp"
+#include "studies/verdicts/reported/distribution_gates.hpp"
 
 #include "core/support/error.hpp"
-#include "studies/verdicts/estimate_gates.hpp"
-#include "studies/verdicts/reported_gates.hpp"
+#include "studies/verdicts/reported/estimate_gates.hpp"
+#include "studies/verdicts/reported/reported_gates.hpp"
 #include "tests/support/studies.hpp"
 
 #include <fmt/format.h>

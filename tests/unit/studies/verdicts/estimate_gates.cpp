@@ -1,4 +1,4 @@
-#include "studies/verdicts/estimate_gates.hpp"
+#include "studies/verdicts/reported/estimate_gates.hpp"
 
 #include "core/support/error.hpp"
 #include "tests/support/studies.hpp"

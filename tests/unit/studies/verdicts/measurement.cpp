@@ -1,6 +1,6 @@
 #include "studies/verdicts/measurement.hpp"
 
-#include "stats/power.hpp"
+#include "stats/error_rates/power.hpp"
 #include "tests/support/statistical_assertions.hpp"
 #include "tests/unit/stats/samples.hpp"
 

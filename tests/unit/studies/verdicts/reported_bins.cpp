@@ -1,4 +1,4 @@
-#include "studies/verdicts/reported_bins.hpp"
+#include "studies/verdicts/reported/reported_bins.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "studies/verdicts/reported_file.hpp"
+#include "studies/verdicts/reported/reported_file.hpp"
 
 #include "core/support/error.hpp"
 #include "tests/support/studies.hpp"

@@ -1,6 +1,6 @@
 #include "tests/validation/gates/selftest.hpp"
 
-#include "stats/moments.hpp"
+#include "stats/basics/moments.hpp"
 #include "studies/run/parallel.hpp"
 #include "tests/support/statistical_assertions.hpp"
 

@@ -1,6 +1,6 @@
 #include "tests/validation/heat/known_flows.hpp"
 
-#include "stats/binomial.hpp"
+#include "stats/basics/binomial.hpp"
 #include "tests/references/furnace_walks.hpp"
 
 #include <gtest/gtest.h>

@@ -1,0 +1,56 @@
+#pragma once
+
+#include "app/command_line/options.hpp"
+#include "app/folders/output_folder.hpp"
+#include "app/process/exit_code.hpp"
+#include "app/process/processes.hpp"
+
+#include "studies/form_factors/store/kept_rows.hpp"
+#include "studies/form_factors/store/store.hpp"
+
+#include <filesystem>
+#include <mutex>
+#include <optional>
+
+namespace ff::app {
+
+/// File with the rows that a matrix in the making has; gone when the matrix is whole.
+inline constexpr const char* rows_file = "rows.sqlite";
+
+/// The file of rows that a folder holds, or the path itself where it is one.
+std::optional<std::filesystem::path> rows_of(const std::filesystem::path& folder_or_file);
+
+/// Rows that a process samples: its part of the share that --shard names. @throws UserError
+studies::Shard rows_to_sample(const FormFactorsCommand& command, const Processes& processes);
+
+/// Keeps rows in the folder of the matrix as soon as they are sampled, gives those of an earlier run back, and receives
+/// those of other processes.
+class RowsInFolder {
+  public:
+    /// Sets what the request does with rows. All are kept by reference. @param out  null: rows are not kept
+    /// @throws UserError where the folder holds rows of another matrix; IoError
+    RowsInFolder(OutputFolder* out, studies::KeptFormFactors& kept, const Processes& processes);
+
+    /// Takes in the rows of another file.
+    void take(const std::filesystem::path& file);
+    /// Rows that are kept.
+    [[nodiscard]] std::size_t count() const { return rows_ ? rows_->faces().size() : 0; }
+    /// When the matrix is whole.
+    void remove();
+
+  private:
+    OutputFolder* out_;
+    const studies::KeptFormFactors& kept_;
+    std::optional<studies::KeptRows> rows_;
+    std::mutex keeping_;  ///< rows of other processes come on a thread of their own
+
+    /// The file is made when there is something to keep.
+    studies::KeptRows& opened();
+    void keep(const studies::SampledRow& row);
+};
+
+/// The part of a process beside the first one: samples its rows and sends them.
+ExitCode assist_form_factors(const Processes& processes, const FormFactorsCommand& command,
+                             studies::KeptFormFactors& kept);
+
+}  // namespace ff::app

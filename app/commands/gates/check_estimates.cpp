@@ -1,0 +1,125 @@
+#include "app/commands/gates/check_estimates.hpp"
+
+#include "core/support/error.hpp"
+#include "studies/readers/text_file.hpp"
+#include "studies/verdicts/at_gate.hpp"
+#include "studies/verdicts/reported/reported_gates.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+#include <string>
+
+namespace ff::app {
+namespace {
+
+using studies::GatesSpec;
+
+/// What `make` makes of each gate on what another program gave; nothing is run for them.
+template <class Make>
+auto each_on_estimates(const GatesSpec& spec, const Make& make) {
+    std::vector<decltype(make(spec.gates.front()))> results;
+    for (const studies::Gate& gate : spec.gates) {
+        if (gate.from_estimates()) results.push_back(studies::at_gate(gate, [&] { return make(gate); }));
+    }
+    return results;
+}
+
+/// @throws UserError where a gate needs means with their errors, and trials are given
+void expect_gates_on_trials(const CheckCommand& command, const GatesSpec& spec) {
+    bool two_files = false;
+    for (const studies::Gate& gate : spec.gates) {
+        const bool of_trials = gate.kind == studies::GateKind::bias || gate.kind == studies::GateKind::std;
+        const bool of_distributions = gate.kind == studies::GateKind::distribution;
+        two_files = two_files || (of_distributions && !gate.law);
+        if (!gate.from_estimates() || (of_trials && gate.reference)) continue;
+        if (of_distributions && (gate.law || !command.against.empty())) continue;
+        throw UserError(
+            fmt::format("{}: gate \"{}\" ({} is of trials, which are gated on bias and std beside a number, and on "
+                        "their distribution beside a known one or --against). Give means with standard errors, or a "
+                        "reference.",
+                        gate.place, gate.name, command.estimates.string()));
+    }
+    if (!command.against.empty() && !two_files)
+        throw UserError(
+            fmt::format("--against {} ({} has trials, and no gate compares their distribution with that of others; "
+                        "means are compared with their errors). Give files with the columns "
+                        "quantity,mean,standard_error.",
+                        command.against.string(), command.estimates.string()));
+}
+
+/// The second file of trials; empty where there is none.
+std::optional<studies::EstimatesFile> trials_against(const CheckCommand& command) {
+    if (command.against.empty()) return std::nullopt;
+    return studies::load_estimates_file(command.against);
+}
+
+template <class File>
+const File* pointer_to(const std::optional<File>& file) {
+    return file ? &*file : nullptr;
+}
+
+/// What one of two functions makes of each gate, the file and the one that it is compared with: `of_trials`, or
+/// `of_reports` where the header is that of means or shares.
+template <class OfTrials, class OfReports>
+auto on_estimates(const CheckCommand& command, const GatesSpec& spec, const OfTrials& of_trials,
+                  const OfReports& of_reports) {
+    const std::string origin = command.estimates.string();
+    std::string text = studies::read_text_file(command.estimates, studies::FileKind::estimates);
+    if (!studies::reports_means(text)) {
+        expect_gates_on_trials(command, spec);
+        const auto file = studies::parse_estimates(text, origin);
+        const auto against = trials_against(command);
+        return each_on_estimates(
+            spec, [&](const studies::Gate& gate) { return of_trials(spec, gate, file, pointer_to(against)); });
+    }
+    const auto file = studies::parse_reported(text, origin, studies::Errors::required);
+    text = {};  // a hundred megabytes, with a million bins
+    std::optional<studies::ReportedFile> against;
+    if (!command.against.empty()) against = studies::load_reported(command.against, studies::Errors::optional);
+    return each_on_estimates(
+        spec, [&](const studies::Gate& gate) { return of_reports(spec, gate, file, pointer_to(against)); });
+}
+
+}  // namespace
+
+void expect_estimates(const CheckCommand& command, const GatesSpec& spec) {
+    const auto& gates = spec.gates;
+    const auto wanting =
+        std::find_if(gates.begin(), gates.end(), [](const auto& gate) { return gate.from_estimates(); });
+    const bool given = !command.estimates.empty();
+    if (wanting != gates.end() && !given)
+        throw UserError(
+            fmt::format("{}: gate \"{}\" is on estimates of another program (none are given). Add "
+                        "--estimates FILE.csv.",
+                        wanting->place, wanting->name));
+    if (wanting == gates.end() && given)
+        throw UserError(
+            fmt::format("--estimates {} (no gate of {} has a quantity, so none would be judged). Add a gate "
+                        "with quantity = \"...\", or leave the option out.",
+                        command.estimates.string(), command.bands.string()));
+    if (!given && !command.against.empty())
+        throw UserError("--against (it is what --estimates FILE is compared with, and there is none). Add it.");
+    if (given && command.seed_sweep > 0)
+        throw UserError(
+            "--estimates (the file has one set of random numbers; --seed-sweep runs new ones). Leave one of them out.");
+    const auto of_ours = [](const studies::Gate& gate) { return !gate.from_estimates(); };
+    if (given && !command.save_baseline.empty() && std::any_of(gates.begin(), gates.end(), of_ours))
+        throw UserError(
+            fmt::format("--save-baseline ({} has gates on estimates and gates that are run; a baseline is of "
+                        "one kind). Give them bands files of their own.",
+                        command.bands.string()));
+}
+
+std::vector<studies::GateResult> judge_file(const CheckCommand& command, const GatesSpec& spec) {
+    if (command.estimates.empty()) return {};
+    return on_estimates(command, spec, studies::judge_estimates, studies::judge_reported);
+}
+
+std::vector<studies::EstimatesPlan> plan_file(const CheckCommand& command, const GatesSpec& spec) {
+    if (command.estimates.empty()) return {};
+    return on_estimates(command, spec, studies::plan_estimates, studies::plan_reported);
+}
+
+}  // namespace ff::app

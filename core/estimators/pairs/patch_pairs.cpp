@@ -1,0 +1,105 @@
+#include "core/estimators/pairs/patch_pairs.hpp"
+
+#include "core/patches/patch_order.hpp"
+#include "core/visibility/facing.hpp"
+#include "core/visibility/mirrors.hpp"
+#include "core/visibility/occlusion.hpp"
+
+#include <fmt/format.h>
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <memory>
+
+namespace ff {
+namespace {
+
+/// One pair of patches with all its points.
+double sum_over_points(const PatchPair& pair, const PointSource& points, const Stream& stream, const PairSum& sum,
+                       WeightedBlock& block) {
+    double total = 0;
+    const std::uint64_t count = points.points();
+    for (std::uint64_t first = 0; first < count; first += block.size) {
+        block.size = static_cast<std::size_t>(std::min<std::uint64_t>(block_capacity, count - first));
+        points.fill(stream, first, block);
+        total += sum(pair, block);
+    }
+    return total;
+}
+
+PatchView view(const Surface& surface, const SurfaceMap& map, Grid grid, std::uint32_t patch) {
+    return {&surface, &map, grid, patch % grid.columns, patch / grid.columns, area(surface.shape) / grid.parts()};
+}
+
+}  // namespace
+
+std::array<Eigen::Vector3d, 4> counter_clockwise(const PatchView& patch) {
+    std::array<Eigen::Vector3d, 4> corners = patch.corners();
+    const Eigen::Vector3d turn = (corners[2] - corners[0]).cross(corners[3] - corners[1]);
+    if (turn.dot(patch.surface->normal) < 0) std::reverse(corners.begin(), corners.end());
+    return corners;
+}
+
+PairAverages average_pair_values(const Scene& scene, const EstimatorTask& task, const PairValue& value, PairsOf pairs) {
+    const PatchOrder order(scene, task.subdivision);
+    std::vector<SurfaceMap> maps;
+    for (const Surface& surface : scene.surfaces) maps.emplace_back(surface);
+    const auto faces = static_cast<Eigen::Index>(scene.faces.size());
+    PairAverages result{Eigen::MatrixXd::Zero(faces, faces), Eigen::MatrixXd::Zero(faces, faces)};
+    Stream stream{.key = task.key, .trial = task.trial};
+    for (std::uint32_t i = 0; i < scene.surfaces.size(); ++i) {
+        const Surface& from = scene.surfaces[i];
+        if (!is_of_face(from)) continue;
+        const Grid from_grid = task.subdivision.of(from);
+        for (std::uint32_t j = 0; j < scene.surfaces.size(); ++j) {
+            const Surface& to = scene.surfaces[j];
+            if (!is_of_face(to) || !face_each_other(from, to)) continue;
+            const Grid to_grid = task.subdivision.of(to);
+            std::vector<const Surface*> blockers;
+            if (!scene.empty_box) blockers = possible_blockers(scene, from, to);
+            if (pairs == PairsOf::occluded && blockers.empty()) continue;
+            BoundedValue<double> exchange;
+            for (std::uint32_t p = 0; p < from_grid.parts(); ++p) {
+                stream.source = order.first(i) + p;
+                for (std::uint32_t q = 0; q < to_grid.parts(); ++q) {
+                    stream.target = order.first(j) + q + 1;
+                    const PatchPair pair{view(from, maps[i], from_grid, p), view(to, maps[j], to_grid, q), &blockers};
+                    const auto [factor, claim] = value(pair, stream);
+                    exchange.value += pair.from.area * factor;
+                    exchange.error += pair.from.area * claim;
+                }
+            }
+            result.factors(from.face, to.face) += exchange.value / face_area(scene, from.face);
+            result.claims(from.face, to.face) += exchange.error / face_area(scene, from.face);
+        }
+    }
+    return result;
+}
+
+Eigen::MatrixXd average_over_pairs(const Scene& scene, const EstimatorTask& task, std::size_t dimension,
+                                   const PairSum& sum, PairsOf pairs) {
+    const auto block = std::make_unique_for_overwrite<WeightedBlock>();
+    block->dimension = dimension;
+    const auto value = [&](const PatchPair& pair, const Stream& stream) -> BoundedValue<double> {
+        task.points->checkpoint();
+        return {sum_over_points(pair, *task.points, stream, sum, *block), 0};
+    };
+    return average_pair_values(scene, task, value, pairs).factors;
+}
+
+bool has_polygonal_faces(const Scene& scene) {
+    return std::all_of(scene.surfaces.begin(), scene.surfaces.end(), [](const Surface& surface) {
+        return !is_of_face(surface) || std::holds_alternative<Parallelogram>(surface.shape) ||
+               std::holds_alternative<Triangle>(surface.shape);
+    });
+}
+
+std::string refuse_curved_faces(std::string_view estimator, const Scene& scene) {
+    if (has_polygonal_faces(scene)) return {};
+    return fmt::format(
+        "{} cannot be used in scene '{}' (not all of its faces are parallelograms and triangles). Use estimator = "
+        "\"ray_shooting\" or \"area_kernel\".",
+        estimator, scene.name);
+}
+
+}  // namespace ff

@@ -1,0 +1,123 @@
+#include "core/estimators/points/point_to_polygon.hpp"
+
+#include "core/estimators/points/source_points.hpp"
+#include "core/estimators/unmet.hpp"
+#include "core/formulas/polygon_factor.hpp"
+#include "core/geometry/convex_polygon.hpp"
+#include "core/visibility/facing.hpp"
+
+#include <fmt/format.h>
+#include <Eigen/Geometry>
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace ff {
+namespace {
+
+/// Coordinates in which a source surface lies in z = 0, radiates upwards, and has its corner at the origin.
+struct SourceFrame {
+    Eigen::Vector3d origin;
+    Eigen::Matrix3d axes;  ///< rows
+
+    explicit SourceFrame(const Surface& source) : origin(parallelogram(source).corner) {
+        axes.row(0) = parallelogram(source).edge_u.normalized();
+        axes.row(1) = source.normal.cross(parallelogram(source).edge_u).normalized();
+        axes.row(2) = source.normal;
+    }
+
+    [[nodiscard]] Eigen::Vector3d direction(const Eigen::Vector3d& vector) const { return axes * vector; }
+    [[nodiscard]] Eigen::Vector3d point(const Eigen::Vector3d& point) const { return axes * (point - origin); }
+};
+
+/// A surface that a source sees some of.
+struct SeenSurface {
+    std::size_t surface = 0;
+    Polygon polygon;  ///< in the frame of the source, above its horizon
+};
+
+/// A source, and what lies in front of it.
+struct SeenFrom {
+    std::uint32_t surface;
+    SourceFrame frame;
+    std::vector<SeenSurface> targets;
+
+    SeenFrom(const Scene& scene, std::uint32_t source) : surface(source), frame(scene.surfaces[source]) {
+        for (std::size_t t = 0; t < scene.surfaces.size(); ++t) {
+            const Surface& target = scene.surfaces[t];
+            if (target.face == no_face || !face_each_other(scene.surfaces[source], target)) continue;
+            Polygon polygon = outline(target);
+            for (Eigen::Vector3d& vertex : polygon) vertex = frame.point(vertex);
+            targets.push_back({t, clip_at_horizon(polygon)});
+        }
+    }
+};
+
+/// Where a block of 2-D points lies on a patch.
+void place(const SourceFrame& frame, const Parallelogram& patch, const WeightedBlock& block, PlanePoints& points) {
+    const Eigen::Vector3d corner = frame.point(patch.corner);
+    const Eigen::Vector3d edge_u = frame.direction(patch.edge_u);
+    const Eigen::Vector3d edge_v = frame.direction(patch.edge_v);
+    for (std::size_t i = 0; i < block.size; ++i) {
+        const double u = block.coordinate[0][i];
+        const double v = block.coordinate[1][i];
+        points.x[i] = corner.x() + (u * edge_u.x() + v * edge_v.x());
+        points.y[i] = corner.y() + (u * edge_u.y() + v * edge_v.y());
+        points.weight[i] = block.weight[i];
+    }
+    points.size = (block.size + 7) / 8 * 8;
+    for (std::size_t i = block.size; i < points.size; ++i) points.x[i] = points.y[i] = points.weight[i] = 0;
+}
+
+}  // namespace
+
+Eigen::MatrixXd point_to_polygon(const Scene& scene, Subdivision subdivision, const PointSource& points,
+                                 std::uint64_t samples_per_patch, Allocation allocation, StreamKey key,
+                                 std::uint32_t trial) {
+    const EstimatorTask task{.subdivision = subdivision,
+                             .points = &points,
+                             .samples = samples_per_patch,
+                             .options = {.allocation = allocation},
+                             .key = key,
+                             .trial = trial};
+    const auto placed = std::make_unique_for_overwrite<PlanePoints>();
+    std::optional<SeenFrom> source;
+    return average_over_sources(
+        scene, task, 2, [&](SourcePatch at, const WeightedBlock& block, std::span<double> sums) {
+            if (!source || source->surface != at.surface) source.emplace(scene, at.surface);
+            place(source->frame, patch(parallelogram(scene.surfaces[at.surface]), at.grid, at.index), block, *placed);
+            for (const SeenSurface& target : source->targets)
+                sums[target.surface] += sum_polygon_factors(*placed, target.polygon);
+        });
+}
+
+std::string PointToPolygon::refusal(const EstimatorOptions& /*options*/, const Scene& scene) {
+    if (has_only_parallelograms(scene)) return {};
+    return fmt::format(
+        "{} cannot be used in scene '{}' (not all of its surfaces are parallelograms). Use estimator = "
+        "\"ray_shooting\" or \"area_kernel\".",
+        info.name, scene.name);
+}
+
+double PointToPolygon::nanoseconds(const EstimatorOptions& /*options*/, const Scene& /*scene*/) {
+    return 60.0;  // of all faces of a box
+}
+
+std::optional<Integrand> PointToPolygon::integrand(const EstimatorOptions& /*options*/, PairClass pair_class,
+                                                   Hiding /*hiding*/) {
+    return pair_class == PairClass::adjacent ? Integrand::rough : Integrand::smooth;
+}
+
+double PointToPolygon::largest_unmet(const EstimatorOptions& /*options*/, const Scene& scene, int from, int to,
+                                     double evaluations) {
+    return largest_unmet_factor(scene, from, to, evaluations);
+}
+
+void PointToPolygon::observe(const EstimatorTask& task, Outcome& outcome, PatchTotals& /*totals*/) const {
+    outcome.estimates = point_to_polygon(*scene_, task.subdivision, *task.points, task.samples, task.options.allocation,
+                                         task.key, task.trial);
+}
+
+}  // namespace ff

@@ -1,0 +1,118 @@
+#include "reports/words/findings/coverage_words.hpp"
+
+#include "reports/text/labels.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <set>
+
+namespace ff::reports {
+namespace {
+
+using studies::Coverage;
+using studies::IntervalRule;
+
+constexpr std::array all_rules{IntervalRule::student_t, IntervalRule::normal, IntervalRule::percentile_bootstrap,
+                               IntervalRule::two_stage, IntervalRule::look_short};
+
+/// Several rows: the least and the most of them, and how many are significantly short.
+struct Range {
+    std::vector<const Coverage*> rows;  ///< ascending
+    std::ptrdiff_t short_of = 0;
+
+    [[nodiscard]] std::string in_words() const {
+        return fmt::format("covers {:.3f} to {:.3f}; significantly short in {} of {} rows", rows.front()->share(),
+                           rows.back()->share(), short_of, rows.size());
+    }
+};
+
+/// The rows of a rule, of one number of replicates or of all.
+Range range_of(const studies::StudyResults& results, IntervalRule rule, std::optional<std::uint64_t> replicates,
+               bool finite = true) {
+    Range range;
+    for (const Coverage& row : results.coverage) {
+        if (row.rule != rule || (replicates && row.replicates != *replicates)) continue;
+        if (results.findings.cells[row.cell].has_infinite_variance(row.pair_class) == finite) continue;
+        range.rows.push_back(&row);
+        range.short_of += row.short_of_nominal ? 1 : 0;
+    }
+    std::stable_sort(range.rows.begin(), range.rows.end(),
+                     [](const Coverage* a, const Coverage* b) { return a->share() < b->share(); });
+    return range;
+}
+
+}  // namespace
+
+std::vector<std::string> coverage_clauses(const studies::StudyResults& results) {
+    std::vector<std::string> clauses;
+    for (const IntervalRule rule : all_rules) {
+        const Range range = range_of(results, rule, {});
+        if (range.rows.empty()) continue;
+        clauses.push_back(fmt::format("{} {:.1f} to {:.1f} % (significantly short in {} of {} rows)",
+                                      rule_in_words(rule), 100 * range.rows.front()->share(),
+                                      100 * range.rows.back()->share(), range.short_of, range.rows.size()));
+    }
+    if (!clauses.empty()) {
+        clauses.front() = fmt::format("intervals that promise {:g} % contain the exact value in: {}",
+                                      100 * results.findings.plan.spec.level, clauses.front());
+    }
+    return clauses;
+}
+
+std::vector<Ranking> least_coverage(const studies::StudyResults& results) {
+    const studies::StudyPlan& plan = results.findings.plan;
+    std::vector<Ranking> rankings;
+    std::set<IntervalRule> seen;
+    for (const Coverage& first : results.coverage) {
+        if (!seen.insert(first.rule).second) continue;
+        Ranking& ranking = rankings.emplace_back(Ranking{.heading = std::string(rule_in_words(first.rule))});
+        for (const std::uint64_t replicates : plan.spec.coverage) {
+            const Range range = range_of(results, first.rule, replicates);
+            if (range.rows.empty()) continue;
+            const Coverage& least = *range.rows.front();
+            const studies::Cell& cell = plan.cells[least.cell];
+            ranking.methods.push_back({fmt::format("R = {}", replicates), cell.method, size_label(plan, cell),
+                                       least.share(), least.actual, plan.spec.level,
+                                       least.short_of_nominal ? "short" : ""});
+        }
+    }
+    return rankings;
+}
+
+std::string_view rule_in_words(IntervalRule rule) {
+    switch (rule) {
+        case IntervalRule::student_t:
+            return "Student's t";
+        case IntervalRule::normal:
+            return "normal quantiles";
+        case IntervalRule::percentile_bootstrap:
+            return "percentile bootstrap";
+        case IntervalRule::two_stage:
+            return "Stein's two stages";
+        case IntervalRule::look_short:
+            break;
+    }
+    return "stopping where t looks short";
+}
+
+std::vector<std::string> coverage_in_brief(const studies::StudyResults& results) {
+    std::vector<std::string> lines;
+    for (const IntervalRule rule : all_rules) {
+        for (const std::uint64_t replicates : results.findings.plan.spec.coverage) {
+            const Range range = range_of(results, rule, replicates);
+            if (range.rows.empty()) continue;
+            lines.push_back(fmt::format("{}, R = {}: {} (nominal {:g}).", rule_in_words(rule), replicates,
+                                        range.in_words(), results.findings.plan.spec.level));
+        }
+    }
+    const Range without = range_of(results, IntervalRule::student_t, {}, false);
+    if (!without.rows.empty())
+        lines.push_back(fmt::format("Student's t where the variance is infinite: {}.", without.in_words()));
+    return lines;
+}
+
+}  // namespace ff::reports

@@ -1,0 +1,148 @@
+#include "reports/words/findings/occlusion_words.hpp"
+
+#include "reports/text/labels.hpp"
+#include "reports/text/numbers.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+namespace ff::reports {
+namespace {
+
+using studies::HiddenPair;
+using studies::OcclusionSeries;
+using studies::StudyResults;
+
+/// The slope of random points, which no other set of points should fall short of.
+constexpr double slope_of_random = -0.5;
+
+bool is_open(const HiddenPair& scene) {
+    return scene.hidden == 0;
+}
+
+bool is_partly_hidden(const HiddenPair& scene) {
+    return scene.hidden > 0 && scene.exact > 0;
+}
+
+/// All scenes of all series that a condition holds for.
+template <class Condition>
+std::vector<const HiddenPair*> scenes_where(const StudyResults& results, Condition holds) {
+    std::vector<const HiddenPair*> found;
+    for (const OcclusionSeries& series : results.occlusion) {
+        for (const HiddenPair& scene : series.scenes) {
+            if (holds(scene)) found.push_back(&scene);
+        }
+    }
+    return found;
+}
+
+/// Slopes of one method, in ascending order.
+struct Slopes {
+    std::vector<double> values;
+    int flat = 0;  ///< that are shown to be flatter than that of random points; without an interval, that are
+};
+
+Slopes slopes_of(const std::vector<const HiddenPair*>& scenes, std::size_t method) {
+    Slopes slopes;
+    for (const HiddenPair* scene : scenes) {
+        const auto& found = scene->methods[method];
+        if (!found || !found->slope || !found->slope->slope) continue;
+        const double steepest = found->slope->interval ? found->slope->interval->low : *found->slope->slope;
+        if (steepest > slope_of_random) ++slopes.flat;
+        slopes.values.push_back(*found->slope->slope);
+    }
+    std::sort(slopes.values.begin(), slopes.values.end());
+    return slopes;
+}
+
+std::string range(const std::vector<double>& ascending) {
+    const std::string low = fmt::format("{:.2f}", ascending.front());
+    const std::string high = fmt::format("{:.2f}", ascending.back());
+    return low == high ? low : fmt::format("{} to {}", low, high);
+}
+
+/// "PDM: ..."; empty where it has no slope in hidden scenes.
+std::string slopes_in_words(const StudyResults& results, std::size_t method) {
+    const Slopes open = slopes_of(scenes_where(results, is_open), method);
+    const Slopes hidden = slopes_of(scenes_where(results, is_partly_hidden), method);
+    if (hidden.values.empty()) return {};
+    return fmt::format(
+        "{}: the error falls with slope {}{} where something hides a part (median {:.2f}), slower than "
+        "random points' {:.1f} in {} of {} cases.",
+        results.findings.plan.spec.methods[method].name,
+        open.values.empty() ? "" : fmt::format("{} with nothing in between, ", range(open.values)),
+        range(hidden.values), hidden.values[hidden.values.size() / 2], slope_of_random, hidden.flat,
+        hidden.values.size());
+}
+
+std::string share(double hidden) {
+    return fmt::format("{:.3g}", hidden);
+}
+
+/// The least error of a scene: its method and, where that is not shown, that it is not.
+std::string winner(const StudyResults& results, const HiddenPair& scene) {
+    if (!scene.least) return "all are exact";
+    const std::string& name = results.findings.plan.spec.methods[*scene.least].name;
+    return scene.decided ? name : fmt::format("{} (not shown)", name);
+}
+
+}  // namespace
+
+std::string series_in_words(const StudyResults& results, const OcclusionSeries& series) {
+    std::vector<std::string> parts;
+    for (auto first = series.scenes.begin(); first != series.scenes.end();) {
+        const std::string who = winner(results, *first);
+        const auto end = std::find_if(first, series.scenes.end(),
+                                      [&](const HiddenPair& scene) { return winner(results, scene) != who; });
+        const std::string from = share(first->hidden);
+        const std::string to = share(std::prev(end)->hidden);
+        parts.push_back(fmt::format("{} at {}", who, from == to ? from : fmt::format("{} to {}", from, to)));
+        first = end;
+    }
+    const Scene& scene = results.findings.plan.scenes[series.scenes.front().scene];
+    return fmt::format("{}, {}, at about {} evaluations, least error by occluded fraction: {}.", series.family,
+                       quantity_label(scene, series.pair), series.evaluations, fmt::join(parts, "; "));
+}
+
+std::vector<std::string> occlusion_in_brief(const StudyResults& results) {
+    std::vector<std::string> lines;
+    if (results.occlusion.empty()) return lines;
+    for (std::size_t method = 0; method < results.findings.plan.spec.methods.size(); ++method) {
+        if (std::string line = slopes_in_words(results, method); !line.empty()) lines.push_back(std::move(line));
+    }
+    for (const OcclusionSeries& series : results.occlusion) lines.push_back(series_in_words(results, series));
+    return lines;
+}
+
+std::string occlusion_clause(const StudyResults& results) {
+    const auto& plan = results.findings.plan;
+    const auto tell = [&](const std::vector<const HiddenPair*>& scenes, const char* pair) {
+        std::map<std::size_t, int> wins;  // by method
+        int undecided = 0;
+        for (const HiddenPair* scene : scenes) {
+            if (scene->least && scene->decided)
+                ++wins[*scene->least];
+            else
+                ++undecided;
+        }
+        std::vector<std::string> parts;
+        const auto on = [&](int count) {
+            if (scenes.size() == 1) return fmt::format("the only {}", pair);
+            return fmt::format("{} of {}{}", count, scenes.size(), parts.empty() ? fmt::format(" {}s", pair) : "");
+        };
+        for (const auto& [method, count] : wins)
+            parts.push_back(fmt::format("{} on {}", plan.spec.methods[method].name, on(count)));
+        if (undecided > 0) parts.push_back(fmt::format("none for certain on {}", on(undecided)));
+        return listed(std::move(parts));
+    };
+    const auto open = scenes_where(results, is_open);
+    const auto hidden = scenes_where(results, is_partly_hidden);
+    if (hidden.empty()) return {};
+    return fmt::format("with about the same number of evaluations, the smallest errors are those of {}{}",
+                       tell(hidden, "partly occluded pair"),
+                       open.empty() ? "" : fmt::format("; with nothing in between, {}", tell(open, "pair")));
+}
+
+}  // namespace ff::reports

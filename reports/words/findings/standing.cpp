@@ -1,0 +1,269 @@
+#include "reports/words/findings/standing.hpp"
+
+#include "reports/text/labels.hpp"
+#include "reports/text/numbers.hpp"
+#include "studies/comparison/rivals.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <string_view>
+#include <utility>
+
+namespace ff::reports {
+namespace {
+
+using studies::Ranked;
+using studies::StudyResults;
+
+/// Those that cannot be told apart from the best.
+struct Leaders {
+    std::vector<std::string> names;
+    double best = 0;
+    double last = 0;   ///< the value that is last of them
+    bool all = false;  ///< whether nothing comes after them
+
+    [[nodiscard]] bool one() const { return names.size() == 1; }
+
+    /// "a and b", "all 5 methods"
+    [[nodiscard]] std::string everyone() const {
+        return names.size() < 5 ? listed(names) : fmt::format("all {} methods", names.size());
+    }
+    /// Of several: "a and b have the smallest errors and cannot be told apart".
+    [[nodiscard]] std::string tied(std::string_view lead) const {
+        return fmt::format("{} cannot be told apart", all ? everyone() : fmt::format("{} {} and", listed(names), lead));
+    }
+};
+
+/// @param methods  the same, in words
+Leaders leaders(const std::vector<Ranked>& ranked, const std::vector<RankedMethod>& methods) {
+    Leaders found;
+    for (std::size_t i = 0; i < ranked.size(); ++i) {
+        if (ranked[i].group > 0) continue;
+        found.names.push_back(methods[i].label);
+        found.last = ranked[i].value;
+    }
+    found.best = ranked.front().value;
+    found.all = found.names.size() == ranked.size();
+    return found;
+}
+
+std::vector<RankedMethod> ranked_cells(const studies::StudyPlan& plan, const std::vector<Ranked>& ranked) {
+    std::vector<RankedMethod> methods;
+    for (const Ranked& each : ranked) methods.push_back(ranked_cell(plan, each, letter(ranked, each)));
+    return methods;
+}
+
+/// The same of methods with several sizes, which their names have to tell.
+Leaders leading_sizes(const studies::StudyPlan& plan, const std::vector<Ranked>& ranked) {
+    auto methods = ranked_cells(plan, ranked);
+    for (std::size_t i = 0; i < ranked.size(); ++i) methods[i].label = cell_label(plan, plan.cells[ranked[i].index]);
+    return leaders(ranked, methods);
+}
+
+/// "-0.98 to -0.94", ends once where they are alike.
+std::string from_to(const std::string& first, const std::string& last) {
+    return first == last ? first : fmt::format("{} to {}", first, last);
+}
+
+std::string slope_and_reach(const Ranked& slope) {
+    return fmt::format("{:.2f} ± {:.2f}", slope.value, slope.interval->width() / 2);
+}
+
+/// The rankings of all classes of pairs of all scenes that have one, such that all of them hold together.
+/// @param rank  fills one in, at a level
+template <class Rank>
+std::vector<Ranking> of_each_class(const StudyResults& results, const Rank& rank) {
+    const studies::StudyPlan& plan = results.findings.plan;
+    const auto ranked_at = [&](double level) {
+        std::vector<Ranking> all;
+        for (std::size_t scene = 0; scene < plan.scenes.size(); ++scene) {
+            for (const PairClass pair_class : {PairClass::parallel, PairClass::adjacent, PairClass::other}) {
+                Ranking ranking{heading_of(plan, scene, pair_class), {}, scene, pair_class};
+                rank(ranking, level);
+                if (!ranking.methods.empty()) all.push_back(std::move(ranking));
+            }
+        }
+        return all;
+    };
+    return ranked_at(studies::level_of_each(plan.spec.level, ranked_at(plan.spec.level).size()));
+}
+
+void rank_rates_of_class(const StudyResults& results, Ranking& ranking, double level) {
+    const auto ranked = studies::rank_slopes(results.slopes, ranking.scene, ranking.pair_class, level);
+    if (ranked.slopes.empty()) return;
+    if (ranked.of_median) ranking.heading += " (median error)";
+    for (const Ranked& each : ranked.slopes) {
+        const studies::LadderSlopes& ladder = results.slopes[each.index];
+        const auto found = std::find_if(ladder.classes.begin(), ladder.classes.end(),
+                                        [&](const auto& of) { return of.pair_class == ranking.pair_class; });
+        const studies::Slope& slope = ranked.of_median ? found->median : found->rmse;
+        ranking.methods.push_back({ladder.ladder.label, ladder.ladder.method, "", each.value, each.interval,
+                                   slope.expected ? std::optional(slope.slowest_expected) : std::nullopt,
+                                   letter(ranked.slopes, each)});
+    }
+    const Leaders best = leaders(ranked.slopes, ranking.methods);
+    const std::string slope = ranked.of_median ? "slope of the median error" : "slope";
+    const Ranked& first = ranked.slopes.front();
+    const Ranked& last = ranked.slopes.back();
+    if (ranked.slopes.size() == 1) {
+        ranking.said =
+            fmt::format(" the error of {} falls with {} {}", best.names.front(), slope, slope_and_reach(first));
+    } else if (best.one()) {
+        ranking.said = fmt::format(" {} converges fastest ({} {})", best.names.front(), slope, slope_and_reach(first));
+    } else {
+        ranking.said = fmt::format(" {} ({} {})", best.tied("converge fastest"),
+                                   ranked.of_median ? "slopes of the median error" : "slopes",
+                                   from_to(fmt::format("{:.2f}", best.best), fmt::format("{:.2f}", best.last)));
+    }
+    if (last.alone && !best.all)
+        ranking.said += fmt::format("; {} slowest ({})", ranking.methods.back().label, slope_and_reach(last));
+    // Those without an interval, as deterministic methods are, may fall faster or slower than all that are ranked.
+    const auto is_beyond = [&](const studies::LadderSlopes& ladder) {
+        return ladder.ladder.scene == ranking.scene &&
+               std::any_of(ladder.classes.begin(), ladder.classes.end(), [&](const auto& of) {
+                   const auto& value = ranked.of_median ? of.median.slope : of.rmse.slope;
+                   return of.pair_class == ranking.pair_class && value && (*value < first.value || *value > last.value);
+               });
+    };
+    if (std::any_of(results.slopes.begin(), results.slopes.end(), is_beyond))
+        ranking.said += "; methods without an interval are not ranked";
+}
+
+/// "2.1 to 2.4", how many times the error of the second is that of the first.
+std::string times_smaller(const Ranked& first, const Ranked& second) {
+    if (!second.behind) return brief(second.value / first.value);
+    const std::string low = brief(std::exp(second.behind->low));
+    const double high = std::exp(second.behind->high);
+    return std::isfinite(high) ? from_to(low, brief(high)) : fmt::format("at least {}", low);
+}
+
+void rank_errors_of_class(const StudyResults& results, Ranking& ranking, double level) {
+    const studies::Findings& findings = results.findings;
+    const studies::StudyPlan& plan = findings.plan;
+    const auto tables = results.published ? results.published->comparisons : std::vector<studies::TableComparison>();
+    const auto ranked = studies::rank_errors(findings, studies::compared_cells(findings, ranking.scene, tables),
+                                             ranking.pair_class, level);
+    if (ranked.empty()) return;
+    ranking.methods = ranked_cells(plan, ranked);
+    const Leaders best = leaders(ranked, ranking.methods);
+    const std::string& size = ranking.methods.front().size;
+    const bool of_one_size = std::all_of(ranking.methods.begin(), ranking.methods.end(),
+                                         [&](const RankedMethod& each) { return each.size == size; });
+    const std::string rmse = fmt::format("RMSE {}{}", from_to(brief(best.best), brief(best.last)),
+                                         of_one_size || best.one() ? ", " + size : "");
+    if (best.best < studies::rounding_error) {
+        ranking.said = fmt::format(" {} {} exact to rounding", listed(best.names), best.one() ? "is" : "are");
+    } else if (ranked.size() == 1) {
+        ranking.said = fmt::format(" {} has an RMSE of {} at {}", best.names.front(), brief(best.best), size);
+    } else if (best.one()) {
+        ranking.said = fmt::format(" {} has the smallest error, {} times smaller than {} ({})", best.names.front(),
+                                   times_smaller(ranked[0], ranked[1]), ranking.methods[1].label, rmse);
+    } else {
+        ranking.said = fmt::format(" {} ({})", best.tied("have the smallest errors"), rmse);
+    }
+}
+
+void rank_variances_of_size(const StudyResults& results, Ranking& ranking, double level) {
+    const studies::StudyPlan& plan = results.findings.plan;
+    const auto ranked =
+        studies::rank_reductions(results.findings, results.reductions, *ranking.random_cell, ranking.pair_class, level);
+    ranking.methods = ranked_cells(plan, ranked);
+    for (RankedMethod& each : ranking.methods) each.expected = 1;
+    const bool random_leads = std::any_of(ranked.begin(), ranked.end(), [&](const Ranked& each) {
+        return each.index == ranking.random_cell && each.group == 0;
+    });
+    const std::string size = size_label(plan, plan.cells[*ranking.random_cell]);
+    ranking.heading += ", " + size;
+    ranking.said = fmt::format(" with {} ", size);
+    const Leaders best = leaders(ranked, ranking.methods);
+    if (best.all) {
+        ranking.said += fmt::format("the variances of {} cannot be told apart", best.everyone());
+    } else if (random_leads) {
+        ranking.said += "no method is shown to have less variance than random points";
+    } else {
+        const auto& interval = ranked.front().interval;
+        const std::string much =
+            best.one() && interval ? fmt::format("{:.3g} ({:.3g} to {:.3g})", best.best, interval->low, interval->high)
+                                   : from_to(fmt::format("{:.3g}", best.last), fmt::format("{:.3g}", best.best));
+        ranking.said += fmt::format("{} {} the least variance, {} times less than random points", listed(best.names),
+                                    best.one() ? "has" : "have", much);
+    }
+}
+
+}  // namespace
+
+std::string sentence(const Ranking& ranking, const studies::StudyPlan& plan) {
+    return fmt::format("O{}{}.", on_pairs(plan, ranking.scene, name(ranking.pair_class)).substr(1), ranking.said);
+}
+
+std::vector<Ranking> rank_rates(const StudyResults& results) {
+    return of_each_class(results,
+                         [&](Ranking& ranking, double level) { rank_rates_of_class(results, ranking, level); });
+}
+
+std::vector<Ranking> rank_compared_errors(const StudyResults& results) {
+    return of_each_class(results,
+                         [&](Ranking& ranking, double level) { rank_errors_of_class(results, ranking, level); });
+}
+
+std::vector<Ranking> rank_variances(const StudyResults& results) {
+    const studies::StudyPlan& plan = results.findings.plan;
+    std::vector<Ranking> all;
+    std::set<std::pair<std::size_t, PairClass>> seen;
+    for (const studies::VarianceReduction& first : results.reductions) {
+        if (!seen.emplace(first.random_cell, first.pair_class).second) continue;
+        const std::size_t scene = plan.cells[first.random_cell].scene;
+        all.push_back({heading_of(plan, scene, first.pair_class), {}, scene, first.pair_class, {}, first.random_cell});
+    }
+    const double level = studies::level_of_each(plan.spec.level, all.size());
+    for (Ranking& ranking : all) rank_variances_of_size(results, ranking, level);
+    return all;
+}
+
+RankedMethod ranked_cell(const studies::StudyPlan& plan, const Ranked& one, std::string group) {
+    const studies::Cell& cell = plan.cells[one.index];
+    return {plan.spec.methods[cell.method].name,
+            cell.method,
+            size_label(plan, cell),
+            one.value < studies::rounding_error ? std::nullopt : std::optional(one.value),
+            one.interval,
+            std::nullopt,
+            std::move(group)};
+}
+
+std::string letter(std::span<const Ranked> ranked, const Ranked& one) {
+    const bool groups = std::any_of(ranked.begin(), ranked.end(), [](const Ranked& each) { return each.group > 0; });
+    return groups ? std::string(1, static_cast<char>('a' + std::min<std::size_t>(one.group, 25))) : std::string();
+}
+
+std::string letters_in_words(double level, std::string_view of) {
+    return fmt::format(
+        "Methods with the same letter cannot be told apart from the first of them ({:g} % over all pairs of "
+        "methods{}).",
+        100 * (1 - level), of);
+}
+
+std::string smallest_errors(const studies::Findings& findings, std::span<const std::size_t> cells,
+                            PairClass pair_class) {
+    const auto ranked = studies::rank_errors(findings, cells, pair_class, findings.plan.spec.level);
+    if (ranked.empty()) return {};
+    const Leaders best = leading_sizes(findings.plan, ranked);
+    return fmt::format("{} {} (RMSE {})", listed(best.names),
+                       best.one() ? "has the smallest error" : "have the smallest errors and cannot be told apart",
+                       from_to(brief(best.best), brief(best.last)));
+}
+
+std::string largest_efficiencies(const studies::Findings& findings, std::span<const std::size_t> cells,
+                                 PairClass pair_class) {
+    const auto ranked = studies::rank_efforts(findings, cells, pair_class);
+    if (ranked.size() < 2) return {};
+    const Leaders best = leading_sizes(findings.plan, ranked);
+    if (best.all) return fmt::format("all {} cannot be told apart", ranked.size());
+    return fmt::format("{} {} most; the estimates of all {} span a factor of {}", listed(best.names),
+                       best.one() ? "achieves" : "achieve", ranked.size(), brief(ranked.back().value / best.best));
+}
+
+}  // namespace ff::reports

@@ -1,0 +1,153 @@
+#include "reports/words/findings/verdicts.hpp"
+
+#include "reports/text/numbers.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <string_view>
+#include <vector>
+
+namespace ff::reports {
+namespace {
+
+/// Why some pairs, or all, are not tested.
+std::string why_untested(const studies::CellFindings& found) {
+    const studies::BiasFamily& family = *found.bias;
+    if (found.repeated_trials > 0)
+        return fmt::format("trials repeat each other ({} of {})", found.repeated_trials, found.trials);
+    if (family.few_trials) return "too few trials";
+    if (family.undefined > 0) return "infinity or no number in some trials";
+    std::vector<std::string_view> reasons;
+    if (family.unknown > 0) reasons.emplace_back("no exact value");
+    if (family.infinite > 0) reasons.emplace_back("infinite variance");
+    if (reasons.empty() && family.sparse > 0) reasons.emplace_back("too few hits");
+    if (reasons.empty() && family.skewed > 0) reasons.emplace_back("too few trials to rule out skewness");
+    return reasons.empty() ? "no spread" : fmt::format("{}", fmt::join(reasons, " or "));
+}
+
+bool has_exact_value(const studies::CellFindings& found) {
+    return std::any_of(found.summaries.begin(), found.summaries.end(), [](const studies::Summary& summary) {
+        return summary.quantity.kind == studies::QuantityKind::form_factor && summary.reference;
+    });
+}
+
+/// Fewer trials than this cannot show that they are not skewed.
+constexpr std::size_t enough_trials = 30;
+
+std::string_view undefined_in_words(const studies::BiasFamily& family) {
+    return family.undefined > 0 ? "; infinity or no number in some trials of other pairs" : "";
+}
+
+/// "BIASED (t up to ±9.1, p = ...), unless a value of 4.2 occurs less often than once in 64 trials"
+std::string biased_in_words(const studies::CellFindings& found) {
+    const studies::BiasFamily& family = *found.bias;
+    if (family.constant_and_wrong) return "BIASED (one wrong value in every trial)";
+    std::string words = fmt::format("BIASED (t up to ±{:.1f}, {})", family.largest_t, p_text(family.adjusted_p));
+    if (family.unseen)
+        words += fmt::format(", unless a value of {} occurs less often than once in {:.0f} trials",
+                             brief(family.unseen->value, 2), std::ceil(family.unseen->one_in));
+    return words.append(undefined_in_words(family));
+}
+
+/// A difference that a skewed law without bias would show too.
+std::string inconclusive_in_words(const studies::CellFindings& found) {
+    const studies::BiasFamily& family = *found.bias;
+    if (family.constant)
+        return fmt::format(
+            "inconclusive: one wrong value in every trial, but values too rare to be met may make up for it{}",
+            undefined_in_words(family));
+    const std::string_view why = family.heavy_tails      ? "the tails are too heavy for a verdict"
+                                 : family.may_be_unmet   ? "perhaps no evaluation met what would explain it"
+                                 : family.others_explain ? "trials of other pairs are skewed enough to explain it"
+                                 : found.trials < enough_trials ? "too few trials to rule out skewness"
+                                                                : "the trials are too skewed for a verdict";
+    return fmt::format("inconclusive: t up to ±{:.1f}, but {}{}", family.largest_t, why, undefined_in_words(family));
+}
+
+}  // namespace
+
+std::string bias_in_words(const studies::CellFindings& found) {
+    if (found.trials == 0) return "no trials yet";
+    if (!found.bias) return "deterministic: the error is the bias";
+    switch (found.bias_finding) {
+        case studies::BiasFinding::untestable:
+            return fmt::format("no test: {}", has_exact_value(found) ? why_untested(found) : "no exact value");
+        case studies::BiasFinding::biased:
+            return biased_in_words(found);
+        case studies::BiasFinding::inconclusive:
+            return inconclusive_in_words(found);
+        case studies::BiasFinding::no_bias_found:
+            break;
+    }
+    const std::string untested = found.bias->untestable == 0 ? std::string()
+                                                             : fmt::format(" on {} of {} pairs, {} on the others",
+                                                                           found.bias->pairs - found.bias->untestable,
+                                                                           found.bias->pairs, why_untested(found));
+    return fmt::format("none found{} (would detect {})", untested, brief(found.bias->minimum_detectable_bias, 2));
+}
+
+std::string equivalence_in_words(const studies::CellFindings& found) {
+    if (!found.bias || !found.bias->margin) return "";
+    const std::string margin = brief(*found.bias->margin, 2);
+    const std::string reach = std::isfinite(found.bias->shown_below)
+                                  ? fmt::format("only ±{}", brief(found.bias->shown_below, 2))
+                                  : "the trials are too few, or too skewed, for an interval";
+    switch (found.equivalence) {
+        case studies::EquivalenceFinding::shown:
+            return fmt::format("bias within ±{} shown (even ±{})", margin, brief(found.bias->shown_below, 2));
+        case studies::EquivalenceFinding::refuted:
+            return fmt::format("bias within ±{} refuted", margin);
+        case studies::EquivalenceFinding::inconclusive:
+            return found.bias->untestable > 0 ? fmt::format("inconclusive: {}", why_untested(found))
+                                              : fmt::format("bias within ±{} not shown ({})", margin, reach);
+        case studies::EquivalenceFinding::not_asked:
+            break;
+    }
+    return "";
+}
+
+Mark bias_mark(const studies::CellFindings& found) {
+    if (!found.bias) return Mark::none;
+    switch (found.bias_finding) {
+        case studies::BiasFinding::biased:
+            return Mark::bad;
+        case studies::BiasFinding::inconclusive:
+        case studies::BiasFinding::untestable:
+            return Mark::open;
+        case studies::BiasFinding::no_bias_found:
+            break;
+    }
+    return Mark::good;
+}
+
+Mark equivalence_mark(studies::EquivalenceFinding finding) {
+    switch (finding) {
+        case studies::EquivalenceFinding::shown:
+            return Mark::good;
+        case studies::EquivalenceFinding::refuted:
+            return Mark::bad;
+        case studies::EquivalenceFinding::inconclusive:
+            return Mark::open;
+        case studies::EquivalenceFinding::not_asked:
+            break;
+    }
+    return Mark::none;
+}
+
+BiasTally tally_of(const studies::Findings& findings) {
+    BiasTally tally;
+    for (const studies::CellFindings& found : findings.cells) {
+        tally.lost_rays += found.lost_rays;
+        if (!found.bias) continue;
+        ++tally.sampled;
+        ++tally.found[found.bias_finding];
+        tally.shown += found.equivalence == studies::EquivalenceFinding::shown ? 1 : 0;
+        tally.detectable = std::max(tally.detectable, found.bias->minimum_detectable_bias);
+    }
+    return tally;
+}
+
+}  // namespace ff::reports

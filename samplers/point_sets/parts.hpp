@@ -1,0 +1,32 @@
+#pragma once
+
+#include "samplers/point_sets/point_set.hpp"
+
+#include <cstdint>
+#include <vector>
+
+namespace ff::samplers {
+
+/// A coordinate is known to a cell of width 2^-32. Which end of it decides on the part that the point is in, where the
+/// cell lies in two.
+enum class Edge { upper, lower };
+
+/// Which of so many equal parts of [0, 1) a coordinate is in. With `upper`, a point made on a boundary, such as i / 3,
+/// is in the part that begins there. @pre parts <= 2^32
+constexpr std::uint64_t part_of(std::uint32_t x, std::uint64_t parts, Edge edge = Edge::upper) {
+    return edge == Edge::upper ? ((x + std::uint64_t{1}) * parts - 1) >> 32 : x * parts >> 32;
+}
+
+/// One way to sort the points of a set into parts.
+struct Reading {
+    PointSet set;  ///< one alone, less the points whose part is open
+    Edge edge = Edge::upper;
+};
+
+/// The ways to sort a set into parts, or into fewer of which each is some of them: a set has a structure where it has
+/// it in one of these. The first counts all points at the upper end of their cells. The second, where a cell lies in
+/// two parts, leaves out the points of such cells, if these are as few as chance makes them; points that are many there
+/// are so by a rule, and are all counted at the lower end. @pre which < set.sets, parts <= 2^32
+std::vector<Reading> readings(const PointSet& set, std::uint64_t which, std::uint64_t parts);
+
+}  // namespace ff::samplers

@@ -1,0 +1,55 @@
+#pragma once
+
+#include "stats/basics/interval.hpp"
+#include "stats/convergence/ladder_draws.hpp"
+#include "stats/convergence/line_fit.hpp"
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace ff::stats {
+
+/// One size of a ladder: the errors (estimate - truth) of its independent replicates. A replicate may have several
+/// errors, e.g. those of several pairs of faces in one trial; these may depend on each other and stay together.
+struct Rung {
+    double size = 0;             ///< evaluations N > 0
+    std::vector<double> errors;  ///< [replicate * width + i]
+    std::size_t width = 1;       ///< errors of a replicate
+
+    [[nodiscard]] std::size_t replicates() const { return errors.size() / width; }
+};
+
+/// Rate r of "error ~ N^r": the slope of ln(error) on ln(N), -0.5 for plain Monte Carlo.
+struct ConvergenceRate {
+    double rate = 0;
+    Interval interval;                    ///< "wls_normal" from the fit's weights
+    Interval bootstrap;                   ///< "percentile_bootstrap" over replicates within each size
+    double standard_error = 0;            ///< the larger of those behind the two intervals
+    std::optional<double> lack_of_fit_p;  ///< p-value of a straight line; empty for two sizes and for medians
+    double misfit = 1;                    ///< sqrt(chi-squared / degrees of freedom) of the line, at least 1
+    double variance_factor = 1;           ///< the variances for one normal error per replicate were multiplied by this
+    std::size_t points = 0;
+};
+
+/// Rate of the root mean squared error over all errors of a size. Weights: Var(ln MSE) = trigamma(R/2) for R normal
+/// errors, times half the squared relative variation of a replicate's mean squared error (pooled over sizes): for one
+/// error per replicate 1 + excess kurtosis / 2, at least 1; for w errors at least 1 / w, as for independent normal
+/// ones. Assumes a finite fourth moment: show the median rate beside it. Empty below two sizes, below two replicates at
+/// one, or where all errors of one are 0.
+/// @pre widths are equal
+std::optional<ConvergenceRate> fit_rmse_rate(std::span<const Rung> ladder, double level, const LadderDraws& draws);
+
+/// Rate of the median absolute error, which survives infinite variance. `interval` repeats `bootstrap`. Empty below two
+/// sizes or where a median is 0.
+std::optional<ConvergenceRate> fit_median_rate(std::span<const Rung> ladder, double level, const LadderDraws& draws);
+
+/// The same with its own draws.
+std::optional<ConvergenceRate> fit_rmse_rate(std::span<const Rung> ladder, double level, const ResamplingPlan& plan);
+std::optional<ConvergenceRate> fit_median_rate(std::span<const Rung> ladder, double level, const ResamplingPlan& plan);
+
+/// Variance of the logarithm of a mean of squares of `freedom` independent standard normals: trigamma(freedom / 2).
+double log_chi_squared_variance(double freedom);
+
+}  // namespace ff::stats

@@ -1,0 +1,153 @@
+#include "stats/means/mean_test.hpp"
+
+#include "core/support/contract.hpp"
+#include "stats/basics/distributions.hpp"
+#include "stats/basics/moments.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ff::stats {
+namespace {
+
+/// The difference of two independent parts: their variances and third moments add.
+MeanEvidence less(const MeanEvidence& second, const MeanEvidence& first) {
+    MeanEvidence both = second;
+    both.difference = second.difference - first.difference;
+    both.standard_error = std::hypot(first.standard_error, second.standard_error);
+    // As shares of the whole: squares of variances of 1e-160 would be 0.
+    const double a = std::pow(first.standard_error / both.standard_error, 2);
+    const double b = std::pow(second.standard_error / both.standard_error, 2);
+    both.freedom = 1 / (a * a / first.freedom + b * b / second.freedom);
+    const double of_first = std::pow(a, 1.5);
+    const double of_second = std::pow(b, 1.5);
+    const gate::MeanSkewness& x = first.skewness;
+    const gate::MeanSkewness& y = second.skewness;
+    const auto weighted = [](double weight, double limit) { return weight > 0 ? weight * limit : 0; };
+    both.skewness = {.value = of_second * y.value - of_first * x.value,
+                     .error = std::hypot(of_first * x.error, of_second * y.error),
+                     .insignificant = std::min(x.insignificant, y.insignificant) < 0
+                                          ? -std::numeric_limits<double>::infinity()
+                                          : std::hypot(of_first * x.insignificant, of_second * y.insignificant),
+                     .most = weighted(of_second, y.most) + weighted(of_first, x.most)};
+    both.method = "skewed_welch_t";
+    return both;
+}
+
+/// A mean, or one without spread, about the first value: what is far from 0 keeps its digits.
+MeanEvidence mean_of(std::span<const double> values, double reference) {
+    if (const auto evidence = mean_evidence(values, reference)) return *evidence;
+    return {.difference = values.front() - reference, .freedom = 1, .skewness = {}, .method = {}, .n = values.size()};
+}
+
+/// How far a mean may be off on one side, except with probability `tail`.
+double reach_of(const MeanEvidence& mean, int side, double tail) {
+    const double met = mean.unmet.tail_of_met(tail);
+    const double t = student_critical(mean.freedom, met);
+    return mean.standard_error * gate::skewed_reach(mean.skewness, side, t, normal_critical(met)) +
+           mean.unmet.reach(mean.unmet.tail_of_unmet(tail)) + mean.rounding;
+}
+
+}  // namespace
+
+double Unmet::reach(double tail) const {
+    return largest == 0 ? 0 : -largest * std::expm1(std::log(tail) / evaluations);
+}
+
+std::optional<MeanEvidence> mean_evidence(std::span<const double> values, double reference, const KnownLimits& limits,
+                                          const std::optional<Autocorrelation>& correlation) {
+    if (values.size() < 3) return std::nullopt;
+    // Its spread about a value of its own, so that a reference far away costs no digits of it.
+    const Moments moments = moments_of(values, values.front());
+    const double independent = *moments.standard_error();
+    const auto n = static_cast<double>(values.size());
+    const double time = correlation ? correlation->time : 1;
+    const double effective = n / time;
+    const double freedom = (correlation ? std::min(correlation->freedom, effective) : n) - 1;
+    if (independent == 0 || effective < 2 || freedom < 1) return std::nullopt;
+    MeanEvidence mean{.difference = *moments_of(values, reference).bias(),
+                      .standard_error = independent * std::sqrt(time),
+                      .freedom = freedom,
+                      .skewness = gate::skewness_of_mean(values, effective),
+                      .unmet = limits.unmet,
+                      .rounding = limits.rounding,
+                      .method = "skewed_t",
+                      .n = values.size()};
+    mean.skewness.most = limits.largest_part / *moments.standard_deviation() / std::sqrt(effective);
+    return mean;
+}
+
+MeanEvidence mean_evidence_after(const Pilot& pilot, std::span<const double> values, double reference,
+                                 const KnownLimits& limits) {
+    const auto n = static_cast<double>(values.size());
+    return {.difference = *moments_of(values, reference).bias(),
+            .standard_error = pilot.standard_deviation / std::sqrt(n),
+            .freedom = pilot.freedom(),
+            .skewness = pilot.skewness_at(values.size()),
+            .unmet = limits.unmet,
+            .rounding = limits.rounding,
+            .method = "stein_two_stage",
+            .n = values.size()};
+}
+
+std::optional<MeanEvidence> difference_of_means(std::span<const double> first, std::span<const double> second) {
+    if (first.size() < 3 || second.size() < 3) return std::nullopt;
+    const MeanEvidence a = mean_of(first, first.front());
+    const MeanEvidence b = mean_of(second, first.front());
+    return a.standard_error + b.standard_error == 0 ? std::nullopt : std::optional(less(b, a));
+}
+
+MeanEvidence with_uncertain_reference(const MeanEvidence& mean, double standard_error, double freedom) {
+    if (standard_error == 0) return mean;
+    return less(mean,
+                {.standard_error = standard_error, .freedom = freedom, .skewness = {.most = no_part}, .method = {}});
+}
+
+Interval interval_of(const MeanEvidence& mean, double level) {
+    const double tail = (1 - level) / 2;
+    return {.low = mean.difference - reach_of(mean, -1, tail),
+            .high = mean.difference + reach_of(mean, 1, tail),
+            .level = level,
+            .method = mean.method,
+            .n = mean.n};
+}
+
+std::optional<Interval> mean_interval(std::span<const double> values, double reference, double level,
+                                      const KnownLimits& limits) {
+    const auto mean = mean_evidence(values, reference, limits);
+    if (!mean) return std::nullopt;
+    const Interval interval = interval_of(*mean, level);
+    return interval.is_finite() ? std::optional(interval) : std::nullopt;
+}
+
+MeanTest test_mean(const MeanEvidence& mean) {
+    FF_EXPECT(mean.standard_error > 0);
+    MeanTest test;
+    test.student_p = student_two_sided_p(mean.t(), mean.freedom);
+    if (mean.skewness.most == 0 && mean.unmet.largest == 0 && mean.rounding == 0)
+        return {test.student_p, test.student_p};
+    const int side = mean.difference > 0 ? -1 : 1;
+    // The smallest tail is that of Student's t.
+    test.p = two_sided_p([&](double tail) { return std::abs(mean.difference) > reach_of(mean, side, tail); },
+                         test.student_p);
+    return test;
+}
+
+double two_sided_p(const std::function<bool(double)>& leaves_out, double least) {
+    double excluding = 0;
+    // z of a p-value of 1e-300 is 37.
+    double including = std::min(37.0, least > 0 ? normal_critical(least / 2) : 37.0);
+    if (!(including > 0)) return 1;
+    for (int i = 0; i < 40; ++i) {
+        const double z = (excluding + including) / 2;
+        (z > 0 && leaves_out(normal_tail(z)) ? excluding : including) = z;
+    }
+    return normal_two_sided_p(including);
+}
+
+UnseenValue unseen_value(double mean, double reference, std::size_t n, double tail) {
+    const double share = -std::expm1(std::log(tail) / static_cast<double>(n));
+    return {.value = mean + (reference - mean) / share, .one_in = 1 / share};
+}
+
+}  // namespace ff::stats

@@ -1,0 +1,135 @@
+#include "stats/variances/variance_interval.hpp"
+
+#include "core/support/contract.hpp"
+#include "stats/basics/distributions.hpp"
+#include "stats/basics/quantiles.hpp"
+#include "stats/variances/spread.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace ff::stats {
+namespace {
+
+/// ln s^2 of a sample and its delta-method standard error, sqrt((excess kurtosis + 2) / n).
+struct LogVariance {
+    double value = 0;
+    double standard_error = 0;
+};
+
+/// Empty where the sample does not spread, or only between two values half each (standard error 0).
+std::optional<LogVariance> log_variance(std::span<const double> centred) {
+    const double n = static_cast<double>(centred.size());
+    double sum1 = 0, sum2 = 0, sum3 = 0, sum4 = 0;
+    for (const double x : centred) {
+        const double square = x * x;
+        sum1 += x;
+        sum2 += square;
+        sum3 += square * x;
+        sum4 += square * square;
+    }
+    // A resample's mean is near 0, so moving the moments to it costs no digits.
+    const double mean = sum1 / n;
+    const double second = sum2 / n - mean * mean;
+    const double fourth = sum4 / n - 4 * mean * sum3 / n + 6 * mean * mean * sum2 / n - 3 * std::pow(mean, 4);
+    const double spread = fourth / (second * second) - 1;  // excess kurtosis + 2
+    constexpr double rounding = 1e-9;
+    if (!(second > 0 && spread > rounding)) return std::nullopt;
+    return LogVariance{.value = std::log(second * n / (n - 1)), .standard_error = std::sqrt(spread / n)};
+}
+
+/// Values minus their mean, in units of their standard deviation, so that no power under- or overflows.
+std::vector<double> standardise(std::span<const double> values, const Moments& moments) {
+    std::vector<double> result;
+    result.reserve(values.size());
+    for (const double value : values) {
+        result.push_back((value - moments.reference() - *moments.bias()) / *moments.standard_deviation());
+    }
+    return result;
+}
+
+/// Whether too few values differ from the most frequent one.
+bool is_sparse(std::span<const double> values) {
+    std::vector<double> sorted(values.begin(), values.end());
+    std::sort(sorted.begin(), sorted.end());
+    std::size_t most = 0;
+    for (auto run = sorted.begin(); run != sorted.end();) {
+        const auto end = std::upper_bound(run, sorted.end(), *run);
+        most = std::max(most, static_cast<std::size_t>(end - run));
+        run = end;
+    }
+    return values.size() - most < std::min(fewest_deviating_values, values.size() / 2);
+}
+
+/// Chi-squared intervals are right for normal kurtosis: is the sample's excess within two standard errors of 0? And
+/// they are safe for values that crowd at two ends (-2: two values half each), where the bootstrap collapses, since the
+/// variance cannot grow with what a resample changes.
+bool suits_chi_squared(const Moments& moments) {
+    constexpr double two_ended = -1.5;  // a uniform distribution has -1.2
+    const auto excess = moments.excess_kurtosis();
+    return !excess || *excess < two_ended || std::abs(*excess) <= 2 * *excess_kurtosis_standard_error(moments.count());
+}
+
+}  // namespace
+
+std::optional<Interval> variance_interval_chi2(const Moments& moments, double level) {
+    FF_EXPECT(0 < level && level < 1);
+    if (moments.count() < 2 || *moments.variance() == 0) return std::nullopt;
+    const double freedom = static_cast<double>(moments.count() - 1);
+    const double sum = *moments.variance() * freedom;
+    const double tail = (1 - level) / 2;
+    return Interval{.low = sum / chi_squared_critical(freedom, tail),
+                    .high = sum / chi_squared_critical(freedom, 1 - tail),
+                    .level = level,
+                    .method = "chi_squared",
+                    .n = moments.count()};
+}
+
+std::optional<Interval> variance_interval_bootstrap(std::span<const double> values, double level,
+                                                    const ResamplingPlan& plan) {
+    FF_EXPECT(0 < level && level < 1 && plan.replicates >= 1);
+    if (values.size() < fewest_for_variance_bootstrap || is_sparse(values)) return std::nullopt;
+    const Moments moments = moments_of(values, values.front());
+    const std::vector<double> data = standardise(values, moments);
+    const auto seen = log_variance(data);
+    if (!seen) return std::nullopt;
+
+    std::vector<double> sample(data.size());
+    std::vector<double> studentised;
+    studentised.reserve(plan.replicates);
+    for (std::uint32_t replicate = 0; replicate < plan.replicates; ++replicate) {
+        Draws draws(plan.key, Resampling::bootstrap, replicate);
+        resample(data, draws, sample);
+        if (const auto drawn = log_variance(sample)) {
+            studentised.push_back((drawn->value - seen->value) / drawn->standard_error);
+        }
+    }
+    if (studentised.empty()) return std::nullopt;
+    std::sort(studentised.begin(), studentised.end());
+    const double variance = *moments.variance();
+    return Interval{.low = variance * std::exp(-quantile(studentised, (1 + level) / 2) * seen->standard_error),
+                    .high = variance * std::exp(-quantile(studentised, (1 - level) / 2) * seen->standard_error),
+                    .level = level,
+                    .method = "studentised_bootstrap",
+                    .n = values.size()};
+}
+
+std::optional<Interval> variance_interval(std::span<const double> values, double level, const ResamplingPlan& plan) {
+    if (values.empty() || is_sparse(values)) return std::nullopt;
+    const Moments moments = moments_of(values, values.front());
+    if (values.size() < fewest_for_variance_bootstrap || suits_chi_squared(moments)) {
+        return variance_interval_chi2(moments, level);
+    }
+    if (values.size() >= enough_for_kurtosis) return mean_square_interval(*spread_of(moments), level);
+    return variance_interval_bootstrap(values, level, plan);
+}
+
+std::optional<Interval> standard_deviation_interval(std::span<const double> values, double level,
+                                                    const ResamplingPlan& plan) {
+    const auto interval = variance_interval(values, level, plan);
+    if (!interval) return std::nullopt;
+    return square_root(*interval);
+}
+
+}  // namespace ff::stats

@@ -1,0 +1,45 @@
+#include "studies/form_factors/division/sampled_share.hpp"
+
+#include "stats/basics/moments.hpp"
+#include "stats/means/mean_interval.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ff::studies {
+namespace {
+
+/// Student's half width; 0 for equal means.
+double student_half_width(const std::vector<double>& means, double level) {
+    const auto interval = stats::mean_interval_t(stats::moments_of(means), level);
+    return interval ? interval->width() / 2 : 0;
+}
+
+}  // namespace
+
+double none_of(std::uint64_t points, double level) {
+    return -std::expm1(std::log((1 - level) / 2) / static_cast<double>(points));
+}
+
+double Unmet::at(double p) const {
+    return std::max(rough * p, smooth * std::pow(p, power));
+}
+
+Estimate estimate_of(const SampledSum& sum, double level) {
+    Estimate result{sum.offset, sum.offset_error, sum.offset_error, 0};
+    if (sum.terms.empty()) return result;
+    std::vector<double> sums(sum.terms.front().share.means.size(), 0.0);
+    for (const auto& [scale, share] : sum.terms) {
+        for (std::size_t r = 0; r < sums.size(); ++r) sums[r] += scale * share.means[r];
+        // Points of all terms together share the few that a set of places may be due and get none of.
+        const double due = none_of(share.points, level);
+        result.unmet = std::max(result.unmet, std::abs(scale) * share.unmet.at(due));
+    }
+    result.value += *stats::moments_of(sums).mean();
+    const double width = student_half_width(sums, level) + result.unmet;
+    result.down += width;
+    result.up += width;
+    return result;
+}
+
+}  // namespace ff::studies

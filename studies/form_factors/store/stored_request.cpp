@@ -1,0 +1,81 @@
+#include "studies/form_factors/store/stored_request.hpp"
+
+#include "studies/scene_files/scene_file.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace ff::studies {
+namespace {
+
+/// A statement at its only row. @throws IoError where there is none
+Statement& at_row(Statement& query, std::string_view key, const StoredKeys& keys) {
+    query.bind(0, key);
+    keys.expect(query.step(), key);
+    return query;
+}
+
+std::string select(const StoreFormat& format) {
+    return fmt::format("SELECT value FROM {} WHERE key = ?", format.keys);
+}
+
+}  // namespace
+
+void StoredKeys::expect(bool sound, std::string_view what) const {
+    if (!sound) report_damage(file_, fmt::format("{} that no run has written", what));
+}
+
+std::string StoredKeys::text(std::string_view key) const {
+    Statement query(database_.handle(), select(format_));
+    return at_row(query, key, *this).text(0);
+}
+
+double StoredKeys::real(std::string_view key) const {
+    Statement query(database_.handle(), select(format_));
+    return at_row(query, key, *this).real(0);
+}
+
+std::uint64_t StoredKeys::count(std::string_view key) const {
+    Statement query(database_.handle(), select(format_));
+    const std::int64_t value = at_row(query, key, *this).integer(0);
+    expect(value >= 0, key);
+    return static_cast<std::uint64_t>(value);
+}
+
+void write_request(const Database& database, const StoreFormat& format, std::string_view source,
+                   const FormFactorRequest& request) {
+    Statement insert(database.handle(), fmt::format("INSERT INTO {} VALUES(?, ?)", format.keys));
+    const auto write = [&](std::string_view key, auto value) { insert.bind(0, key).bind(1, value).run(); };
+    const std::size_t end_of_name = std::min(source.find('\n'), source.size());
+    write("schema_version", std::int64_t{format.version});
+    write("scene", source.substr(0, end_of_name));
+    if (has_scene_text(source)) write("scene_text", source.substr(end_of_name + 1));
+    write("tolerance", request.tolerance);
+    if (request.relative > 0) write("relative", request.relative);
+    if (request.drop > 0) write("drop", request.drop);
+    write("level", request.level);
+    write("coverage", std::string_view(request.level_of == LevelOf::entry ? "entry" : "matrix"));
+    write("seed", static_cast<std::int64_t>(request.seed.value));
+    write("max_samples", static_cast<std::int64_t>(request.max_samples));
+}
+
+std::pair<std::string, FormFactorRequest> read_request(const StoredKeys& keys) {
+    std::string source = keys.text("scene");
+    if (keys.has("scene_text")) source = with_scene_text(source, keys.text("scene_text"));
+    FormFactorRequest request;
+    request.tolerance = keys.real("tolerance");
+    if (keys.has("relative")) request.relative = keys.real("relative");
+    if (keys.has("drop")) request.drop = keys.real("drop");
+    request.level = keys.real("level");
+    request.level_of = keys.text("coverage") == "entry" ? LevelOf::entry : LevelOf::matrix;
+    request.seed = Seed{keys.count("seed")};
+    request.max_samples = keys.count("max_samples");
+    keys.expect(request.tolerance > 0 && request.tolerance < 1, "a tolerance");
+    keys.expect(request.relative >= 0 && request.relative < 1, "a relative tolerance");
+    keys.expect(request.drop >= 0 && request.drop < 1, "a factor to drop");
+    keys.expect(request.level > 0 && request.level < 1, "a level");
+    return {std::move(source), std::move(request)};
+}
+
+}  // namespace ff::studies

@@ -1,0 +1,186 @@
+#include "studies/verdicts/reported/distribution_gates.hpp"
+
+#include "core/support/error.hpp"
+#include "stats/goodness_of_fit/anderson_darling.hpp"
+#include "stats/goodness_of_fit/ecdf_band.hpp"
+#include "stats/shares/count_distance.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace ff::studies {
+namespace {
+
+/// The largest distance up to `found` at which "no further than this" is rejected at `alpha`; 0 where none is.
+template <class Statistic>
+double lower_limit(const Statistic& statistic, double found, double alpha) {
+    const auto rejects = [&](double tolerance) { return stats::anderson_darling_tail(statistic(tolerance)) < alpha; };
+    if (!rejects(0)) return 0;
+    double low = 0;
+    double high = found;
+    constexpr int halvings = 30;
+    for (int i = 0; i < halvings; ++i) {
+        const double middle = (low + high) / 2;
+        (rejects(middle) ? low : high) = middle;
+    }
+    return low;
+}
+
+/// @param reach  how far empirical distributions are from the true ones, together, with a probability of 1 - alpha
+template <class Statistic, class Reach>
+Measurement measure(double distance, std::size_t n, const Statistic& statistic, const Reach& reach,
+                    const Levels& levels) {
+    const auto interval_at = [&](double alpha) {
+        return stats::Interval{.low = lower_limit(statistic, distance, alpha),
+                               .high = std::min(1.0, distance + reach(alpha)),
+                               .level = 1 - 2 * alpha,
+                               .method = "anderson_darling",
+                               .n = n};
+    };
+    return {.value = distance,
+            .passing = interval_at(levels.pass_alpha),
+            .failing = interval_at(levels.fail_alpha / 2),
+            .minimum_detectable = std::numeric_limits<double>::infinity()};
+}
+
+std::vector<double> sorted(std::span<const double> values) {
+    std::vector<double> copy(values.begin(), values.end());
+    std::sort(copy.begin(), copy.end());
+    return copy;
+}
+
+/// Half of the risk for each of two samples.
+double dkw_reach(std::size_t n, double alpha, std::size_t samples) {
+    return stats::dkw_half_width(n, 1 - alpha / static_cast<double>(samples));
+}
+
+std::vector<double> numbers_of_bins(const Gate& gate, const Bins& bins) {
+    if (bins.runs != 1)
+        throw UserError(
+            fmt::format("{}: counts of {} runs (of several runs their sum is judged). Add them up for each bin.",
+                        gate.place, bins.runs));
+    std::vector<double> numbers;
+    numbers.reserve(bins.count());
+    for (const ReportedRow& row : bins.rows) numbers.push_back(row.mean);
+    return numbers;
+}
+
+double sum_of(const std::vector<double>& values) {
+    double sum = 0;
+    for (const double value : values) sum += value;
+    return sum;
+}
+
+/// The bins that differ most, in standard errors; in words.
+std::string worst_bins(const Bins& bins, const std::vector<double>& counts, const std::vector<double>& others,
+                       bool are_shares) {
+    const double n = sum_of(counts);
+    const double m = sum_of(others);
+    std::vector<std::pair<double, std::size_t>> scores;
+    for (std::size_t i = 0; i < counts.size(); ++i) {
+        const double share = are_shares ? others[i] : (counts[i] + others[i]) / (n + m);
+        const double variance = share * (1 - share) * (are_shares ? 1 / n : 1 / n + 1 / m);
+        const double difference = counts[i] / n - others[i] / m;
+        if (variance > 0) scores.emplace_back(difference / std::sqrt(variance), i);
+    }
+    constexpr std::size_t most = 3;
+    const std::size_t shown = std::min(most, scores.size());
+    std::partial_sort(scores.begin(), scores.begin() + static_cast<std::ptrdiff_t>(shown), scores.end(),
+                      [](const auto& a, const auto& b) { return std::abs(a.first) > std::abs(b.first); });
+    std::vector<std::string> words;
+    for (std::size_t i = 0; i < shown; ++i)
+        words.push_back(fmt::format("{} ({:+.3g} errors)", bins.name(scores[i].second), scores[i].first));
+    return fmt::format("worst {}", fmt::join(words, ", "));
+}
+
+Measurement measure_counts(const stats::CountDistance& found, const Band& band, const Levels& levels) {
+    const double noise = std::max(0.0, found.statistic - found.freedom);
+    return {.value = std::sqrt(noise / found.draws),
+            .passing = stats::distance_interval(found, 1 - 2 * levels.pass_alpha),
+            .failing = stats::distance_interval(found, 1 - levels.fail_alpha),
+            .minimum_detectable = stats::detectable_distance(found, band.high, levels.fail_alpha, levels.power)};
+}
+
+}  // namespace
+
+Measurement measure_distribution(std::span<const double> values, const KnownLaw& law, const Levels& levels) {
+    std::vector<double> uniform;
+    uniform.reserve(values.size());
+    for (const double value : values) uniform.push_back(cumulative(law, value));
+    std::sort(uniform.begin(), uniform.end());
+    return measure(
+        stats::kolmogorov_distance(uniform), values.size(),
+        [&](double tolerance) { return stats::anderson_darling(uniform, tolerance); },
+        [&](double alpha) { return dkw_reach(values.size(), alpha, 1); }, levels);
+}
+
+Measurement measure_distributions(std::span<const double> first, std::span<const double> second, const Levels& levels) {
+    const auto a = sorted(first);
+    const auto b = sorted(second);
+    return measure(
+        stats::kolmogorov_distance(a, b), std::min(a.size(), b.size()),
+        [&](double tolerance) { return stats::anderson_darling(a, b, tolerance); },
+        [&](double alpha) { return dkw_reach(a.size(), alpha, 2) + dkw_reach(b.size(), alpha, 2); }, levels);
+}
+
+std::uint64_t values_for_distance(double band, const Levels& levels, std::size_t samples) {
+    const double risk = 1 - levels.power;
+    const double reach =
+        static_cast<double>(samples) * (dkw_reach(1, levels.pass_alpha, samples) + dkw_reach(1, risk, samples));
+    return static_cast<std::uint64_t>(std::ceil(reach * reach / (band * band)));
+}
+
+GateResult judge_counts(const GatesSpec& spec, const Gate& gate, const Bins& bins, const Bins& against) {
+    const bool are_shares = against.file->holds == Holds::shares;
+    const auto counts = numbers_of_bins(gate, bins);
+    auto others = numbers_of_bins(gate, against);
+    if (sum_of(counts) == 0 || sum_of(others) == 0)
+        throw UserError(
+            fmt::format("{}: no counts of '{}' (nothing would be compared). Run longer.", gate.place, gate.quantity));
+    if (are_shares) {
+        const double whole = sum_of(others);
+        constexpr double rounding = 1e-3;
+        if (std::abs(whole - 1) > rounding)
+            throw UserError(fmt::format(
+                "{}: the shares of '{}' in {} add up to {:.6g} (those of all bins are 1). Add the missing bins.",
+                gate.place, gate.quantity, against.file->origin, whole));
+        for (double& share : others) share /= whole;
+    }
+    GatesSpec one_look = spec;  // nothing can be added to a file
+    one_look.looks = 1;
+    Comparison row;
+    row.quantity = gate.quantity;
+    row.band = gate.band;
+    row.levels = levels_of(one_look, 1);
+    row.trials = static_cast<std::uint64_t>(sum_of(counts));
+    const auto found =
+        are_shares ? stats::count_distance(counts, others) : stats::count_distance_of_two(counts, others);
+    if (!found) {
+        row.note = "fewer than two cells in which 5 are expected: run longer";
+    } else if (found->impossible) {
+        row.verdict = Verdict::fail;
+        row.note = "there are counts in bins whose share is 0";
+    } else {
+        row.measurement = measure_counts(*found, row.band, row.levels);
+        row.verdict = judge(row.measurement, row.band);
+        row.note = fmt::format(
+            "{} bins pooled to {:g} cells of 5 or more, G = {:.4g}, p = {:.2g} for no difference; {}; takes counts for "
+            "those of independent events",
+            counts.size(), found->freedom + 1, found->statistic, stats::p_above(*found, 0),
+            worst_bins(bins, counts, others, are_shares));
+    }
+    return {.gate = gate.name,
+            .kind = gate.kind,
+            .verdict = row.verdict,
+            .comparisons = {row},
+            .looks = 1,
+            .evaluations = 0,
+            .note = row.note};
+}
+
+}  // namespace ff::studies

@@ -1,0 +1,279 @@
+#include "studies/verdicts/reported/estimate_gates.hpp"
+
+#include "core/support/contract.hpp"
+#include "core/support/error.hpp"
+#include "stats/basics/moments.hpp"
+#include "stats/dependence/repeats.hpp"
+#include "stats/dependence/serial_correlation.hpp"
+#include "stats/means/confidence_sequence.hpp"
+#include "stats/variances/spread.hpp"
+#include "stats/variances/tail_doubt.hpp"
+#include "studies/verdicts/at_gate.hpp"
+#include "studies/verdicts/measurement.hpp"
+#include "studies/verdicts/needed_trials.hpp"
+#include "studies/verdicts/reported/distribution_gates.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace ff::studies {
+namespace {
+
+constexpr double repeat_alpha = 1e-6;
+constexpr double serial_alpha = 0.05;
+constexpr double fewest_effective = 30;  // independent trials that correlated ones have to be worth
+
+[[noreturn]] void refuse_estimates(const EstimateSeries& series, const std::string& origin, std::size_t index,
+                                   const std::string& problem) {
+    throw UserError(
+        fmt::format("{}:{}:1: the estimates of '{}' {}", origin, series.lines[index], series.quantity, problem));
+}
+
+constexpr std::string_view how_it_happens =
+    "Was every trial seeded alike, or a file joined to itself? Give every trial a seed of its own";
+
+void refuse_repeats(const EstimateSeries& series, const std::string& origin) {
+    const auto& values = series.values;
+    if (std::all_of(values.begin(), values.end(), [&](double value) { return value == values.front(); }))
+        refuse_estimates(
+            series, origin, 0,
+            fmt::format("are all {} (no spread is no evidence of precision). {}; a value without randomness needs no "
+                        "trials.",
+                        values.front(), how_it_happens));
+    if (*stats::moments_of(values, values.front()).standard_deviation() < smallest_magnitude)
+        refuse_estimates(series, origin, 0,
+                         fmt::format("spread by less than {:g} (its powers cannot be computed). Choose another unit.",
+                                     smallest_magnitude));
+    if (const auto period = stats::find_period(values, repeat_alpha))
+        refuse_estimates(series, origin, *period,
+                         fmt::format("repeat from here on those from line {} on (repeated trials are not trials). {}.",
+                                     series.lines.front(), how_it_happens));
+    const auto repeats = stats::find_repeats(values);
+    if (repeats && repeats->p < repeat_alpha)
+        refuse_estimates(
+            series, origin, repeats->later,
+            fmt::format("repeat: this one is equal to that of line {}, and of {} trials {} repeat an earlier one, "
+                        "where chance makes about {:.2g}. {}.",
+                        series.lines[repeats->earlier], values.size(), repeats->repeats, repeats->expected,
+                        how_it_happens));
+}
+
+/// Why no interval of the mean can be believed, in words; empty where nothing speaks against one.
+std::string heavy_tail(const std::vector<double>& values) {
+    using enum stats::TailDoubt::Reason;
+    const auto doubt = stats::doubt_tails(values);
+    if (!doubt) return {};
+    switch (doubt->reason) {
+        case infinite_variance:
+            return fmt::format("tail index {:.2g}: infinite variance, so no interval holds", doubt->value);
+        case not_shown_finite:
+            return "the tail may be of infinite variance (its index is not shown to be above 2), so no interval holds";
+        case few_values_decide:
+            return fmt::format(
+                "variance of the variance {:.2g} (above {:.2g}): a few values make the mean, so no interval holds",
+                doubt->value, doubt->limit);
+        case outer_tails_infinite:
+            break;
+    }
+    return fmt::format("the tails look as if their variance were infinite (index {:.2g}), so no interval holds",
+                       doubt->value);
+}
+
+/// Measures a mean by confidence sequences, which hold at all looks together. The effect that would fail is not known.
+Measurement measure_anytime(const Gate& gate, const std::vector<double>& values, const Levels& levels) {
+    const auto interval_at = [&](double level) {
+        auto interval = gate.anytime == Anytime::normal
+                            ? stats::normal_sequence(values, gate.tightest_at, level)
+                            : stats::bounded_sequence(values, gate.bounds.low, gate.bounds.high, level);
+        interval.low -= *gate.reference;
+        interval.high -= *gate.reference;
+        return interval;
+    };
+    return {.value = *stats::moments_of(values, *gate.reference).bias(),
+            .passing = interval_at(1 - 2 * levels.pass_alpha),
+            .failing = interval_at(1 - levels.fail_alpha),
+            .minimum_detectable = std::numeric_limits<double>::infinity()};
+}
+
+/// @throws UserError at a value beyond the bounds that the gate states
+void expect_bounded(const Gate& gate, const EstimateSeries& series, const std::string& origin) {
+    for (std::size_t i = 0; i < series.values.size(); ++i) {
+        if (gate.bounds.holds(series.values[i])) continue;
+        refuse_estimates(
+            series, origin, i,
+            fmt::format("leave the bounds {:g} to {:g} of gate \"{}\" ({:g}; no interval holds where an assumption "
+                        "does not). Correct the bounds, for all data again.",
+                        gate.bounds.low, gate.bounds.high, gate.name, series.values[i]));
+    }
+}
+
+/// The data that a gate on a file of trials has.
+struct ExaminedSeries {
+    EstimateSeries series;
+    std::optional<EstimateSeries> other;  ///< series in the second file; empty where there is none
+    Independence independence;
+    Levels levels;
+};
+
+std::optional<Measurement> measurement_of(const Gate& gate, const ExaminedSeries& examined) {
+    const auto& values = examined.series.values;
+    if (gate.anytime != Anytime::no) {
+        if (examined.independence.correlation) return std::nullopt;
+        return measure_anytime(gate, values, examined.levels);
+    }
+    if (gate.kind == GateKind::bias)
+        return measure_mean(values, {.value = *gate.reference, .standard_error = gate.reference_se.value_or(0)},
+                            gate.band, examined.levels, {}, examined.independence.correlation);
+    if (gate.kind == GateKind::distribution) {
+        if (examined.independence.correlation) return std::nullopt;
+        if (!examined.other) return measure_distribution(values, *gate.law, examined.levels);
+        if (std::min(values.size(), examined.other->values.size()) < fewest_of_two) return std::nullopt;
+        return measure_distributions(values, examined.other->values, examined.levels);
+    }
+    FF_EXPECT(gate.kind == GateKind::std);
+    const auto spread = stats::spread_of(stats::moments_of(values, values.front()));
+    if (!spread || examined.independence.correlation) return std::nullopt;
+    return measure_spread(*spread, *gate.reference, gate.band, examined.levels);
+}
+
+/// What the measurement cannot say, in words.
+std::string missing(const Gate& gate, const ExaminedSeries& examined, const Comparison& row) {
+    if (gate.kind == GateKind::distribution) {
+        if (row.measurement) return {};
+        return examined.independence.correlation
+                   ? "correlated values crowd as no independent ones do: their distribution is not judged"
+                   : fmt::format("fewer than {} values in one of the files", fewest_of_two);
+    }
+    if (gate.anytime != Anytime::no) {
+        if (!row.measurement) return "correlated values break the assumption of an anytime gate";
+        return gate.anytime == Anytime::normal
+                   ? "at any time: assumes independent normal values, and every look at the same trials with more added"
+                   : "at any time: assumes values between the bounds, with one mean, and every look at the same trials "
+                     "with more added";
+    }
+    if (!row.measurement) return examined.independence.correlation ? "their spread cannot be judged" : "no spread";
+    const Measurement& m = *row.measurement;
+    if (row.verdict != Verdict::inconclusive || (m.passing.is_finite() && m.failing.is_finite())) return {};
+    const auto moments = stats::moments_of(examined.series.values, *gate.reference);
+    return fmt::format("skewness {:.2g} of {} trials: too skewed, or too few, for intervals at these levels",
+                       moments.skewness().value_or(0), examined.series.values.size());
+}
+
+/// Standard deviation of a trial, from the trials at hand. Where they are correlated, it is that of independent trials
+/// whose mean would be as uncertain.
+double spread_of_trials(const ExaminedSeries& examined) {
+    const auto& values = examined.series.values;
+    const double time = examined.independence.correlation ? examined.independence.correlation->time : 1;
+    return *stats::moments_of(values, values.front()).standard_deviation() * std::sqrt(time);
+}
+
+std::optional<std::uint64_t> trials_for_spread(const Gate& gate, const ExaminedSeries& examined) {
+    const auto& values = examined.series.values;
+    return trials_for_ratio(gate.band, stats::moments_of(values, values.front()).excess_kurtosis().value_or(0),
+                            std::numeric_limits<double>::infinity(), examined.levels, 1);
+}
+
+/// The trials of the second file: of the same quantity, and of no run that the first has.
+void add_other(const Gate& gate, const EstimatesFile& against, ExaminedSeries& examined) {
+    examined.other = find_series(against, gate.quantity, gate.place);
+    const auto second = examine_independence(*examined.other, against.origin);
+    if (examined.other->values == examined.series.values)
+        throw UserError(
+            fmt::format("{}: '{}' has the same values in both files (a file is equal to itself; that shows nothing). "
+                        "Compare runs with random numbers of their own.",
+                        gate.place, gate.quantity));
+    if (!examined.independence.correlation && second.correlation) examined.independence = second;
+}
+
+std::uint64_t trials_for_distribution(const Gate& gate, const ExaminedSeries& examined) {
+    return values_for_distance(gate.band.high, examined.levels, examined.other ? 2 : 1);
+}
+
+ExaminedSeries examine(const GatesSpec& spec, const Gate& gate, const EstimatesFile& file,
+                       const EstimatesFile* against) {
+    FF_EXPECT(gate.from_estimates() && (gate.reference || gate.law || against != nullptr));
+    ExaminedSeries examined;
+    examined.series = find_series(file, gate.quantity, gate.place);
+    if (gate.anytime == Anytime::bounded) expect_bounded(gate, examined.series, file.origin);
+    examined.independence = examine_independence(examined.series, file.origin);
+    GatesSpec one_look = spec;  // nothing can be added to a file
+    one_look.looks = 1;
+    examined.levels = levels_of(one_look, 1);
+    if (gate.kind == GateKind::distribution) {
+        if (!gate.law) add_other(gate, *against, examined);
+        return examined;
+    }
+    const bool decidable = gate.kind == GateKind::std
+                               ? trials_for_spread(gate, examined).has_value()
+                               : can_decide_mean(gate.band.high, spread_of_trials(examined),
+                                                 gate.reference_se.value_or(0), examined.levels, 1);
+    if (!decidable) refuse_undecidable(gate, "trials");
+    return examined;
+}
+
+}  // namespace
+
+Independence examine_independence(const EstimateSeries& series, const std::string& origin) {
+    refuse_repeats(series, origin);
+    const auto test = stats::test_serial_correlation(series.values);
+    if (!test || test->p >= serial_alpha) return {};
+    const auto correlation = stats::autocorrelation_of(series.values);
+    if (correlation.time <= 1) return {};
+    const double effective = static_cast<double>(series.values.size()) / correlation.time;
+    Independence found;
+    found.correlation = correlation;
+    found.note = fmt::format("trials are serially correlated (lag 1: {:.2g}, p = {:.1g}): {} are worth {:.0f}",
+                             test->first, test->p, series.values.size(), effective);
+    found.enough = effective >= fewest_effective;
+    return found;
+}
+
+EstimatesPlan plan_estimates(const GatesSpec& spec, const Gate& gate, const EstimatesFile& file,
+                             const EstimatesFile* against) {
+    const ExaminedSeries examined = examine(spec, gate, file, against);
+    EstimatesPlan plan{.gate = gate.name, .kind = gate.kind, .at_hand = examined.series.values.size()};
+    if (gate.kind == GateKind::distribution) {
+        plan.needed = trials_for_distribution(gate, examined);
+        return plan;
+    }
+    const auto needed = gate.kind == GateKind::std ? trials_for_spread(gate, examined)
+                                                   : trials_for_mean(gate.band.high, spread_of_trials(examined), 0,
+                                                                     gate.reference_se.value_or(0), examined.levels, 1);
+    if (!needed) refuse_undecidable(gate, "trials");
+    plan.needed = *needed;
+    return plan;
+}
+
+GateResult judge_estimates(const GatesSpec& spec, const Gate& gate, const EstimatesFile& file,
+                           const EstimatesFile* against) {
+    const ExaminedSeries examined = examine(spec, gate, file, against);
+    Comparison row;
+    row.quantity = gate.quantity;
+    row.band = gate.band;
+    row.levels = examined.levels;
+    row.trials = examined.series.values.size();
+    row.note = examined.independence.note;
+    const bool of_moments = gate.kind != GateKind::distribution && gate.anytime != Anytime::bounded;
+    if (const std::string reason = of_moments ? heavy_tail(examined.series.values) : ""; !reason.empty()) {
+        row.note = reason;
+    } else if (of_moments && !examined.independence.enough) {
+        row.note += ", too few to judge by";
+    } else {
+        row.measurement = measurement_of(gate, examined);
+        row.verdict = judge(row.measurement, row.band);
+        const std::string open = missing(gate, examined, row);
+        row.note += row.note.empty() || open.empty() ? open : "; " + open;
+    }
+    return {.gate = gate.name,
+            .kind = gate.kind,
+            .verdict = row.verdict,
+            .comparisons = {row},
+            .looks = 1,
+            .evaluations = 0,
+            .note = row.note};
+}
+
+}  // namespace ff::studies

@@ -1,0 +1,335 @@
+#include "studies/verdicts/reported/reported_effects.hpp"
+
+#include "stats/basics/distributions.hpp"
+#include "stats/dependence/independence.hpp"
+#include "studies/verdicts/at_gate.hpp"
+#include "studies/verdicts/reported/covariance.hpp"
+#include "studies/verdicts/reported/reported_gates.hpp"
+#include "studies/verdicts/reported/reported_shares.hpp"
+#include "studies/verdicts/reported/reporting_faults.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace ff::studies {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// The effect a - b, with its standard error and degrees of freedom by Welch and Satterthwaite.
+BinEffect difference(const MeanReference& a, const MeanReference& b) {
+    BinEffect effect;
+    effect.value = a.value - b.value;
+    effect.error = std::hypot(a.standard_error, b.standard_error);
+    const auto part = [&](const MeanReference& mean) {
+        return std::pow(mean.standard_error / effect.error, 4) / mean.freedom;
+    };
+    effect.freedom = 1 / (part(a) + part(b));
+    return effect;
+}
+
+/// Whether verdicts rest on errors that the code states.
+bool trusts(const Bins& bins) {
+    return bins.file->has_errors && bins.runs < enough_runs;
+}
+
+/// Errors are trusted where runs are few, but not against what these few show: variances given as errors make them
+/// scatter far too much. By F of the spread between runs over what they state, averaged over bins, with the freedom of
+/// one bin, since bins may be correlated.
+void expect_scatter_as_stated(Comparing& comparing, const Bins& bins) {
+    if (!trusts(bins) || bins.runs < 2) return;
+    double ratios = 0;
+    double errors = 0;
+    double judged = 0;
+    for (std::size_t bin = 0; bin < bins.count(); ++bin) {
+        const Rows runs = bins.runs_of(bin);
+        double mean = 0;
+        double stated = 0;
+        for (const ReportedRow& run : runs) {
+            mean += run.mean / static_cast<double>(runs.size());
+            stated += run.standard_error * run.standard_error / static_cast<double>(runs.size());
+        }
+        if (stated == 0) continue;
+        double squares = 0;
+        for (const ReportedRow& run : runs) squares += (run.mean - mean) * (run.mean - mean);
+        ratios += squares / static_cast<double>(runs.size() - 1) / stated;
+        errors += std::log(stated) / 2;
+        ++judged;
+    }
+    if (judged == 0) return;
+    const double n = bins.rows[0].n;
+    const auto runs = static_cast<double>(bins.runs);
+    const double p = stats::fisher_tail(ratios / judged, runs - 1, n > 1 ? runs * (n - 1) : infinity);
+    if (p >= false_alarm_of_scatter) return;
+    comparing.contradicted = true;
+    const double ratio = std::sqrt(ratios / judged);
+    add_note(comparing.note,
+             fmt::format("the {} runs of {} scatter {:.3g} times as much as the errors that they state (p = {:.2g}): "
+                         "no verdict rests on such errors.{} Mend them, or give {} runs",
+                         bins.runs, bins.file->origin, ratio, p, fault_of_errors(ratio, std::exp(errors / judged), n),
+                         enough_runs));
+}
+
+void compare_means(Comparing& comparing, const Bins* against) {
+    const Gate& gate = comparing.gate;
+    const MeanReference number{gate.reference.value_or(0), gate.reference_se.value_or(0), infinity};
+    comparing.effects.bins.reserve(comparing.bins.count());
+    for (std::size_t bin = 0; bin < comparing.bins.count(); ++bin) {
+        const Rows runs = comparing.bins.runs_of(bin);
+        const MeanReference own = mean_of(runs);
+        const MeanReference reference = against != nullptr ? mean_of(against->runs_of(bin)) : number;
+        if (own.standard_error == 0) {
+            if (own.value != 0)
+                refuse_gate(gate,
+                            fmt::format("bin '{}' of {} has the same mean in every run (repeated runs are not runs). "
+                                        "Give every run a seed of its own.",
+                                        comparing.bins.name(bin), comparing.bins.file->origin));
+            ++comparing.empty;
+            continue;
+        }
+        BinEffect effect = difference(own, reference);
+        effect.name = static_cast<std::uint32_t>(bin);
+        effect.band = band_beside(comparing, bin, reference.value);
+        comparing.effects.bins.push_back(effect);
+    }
+    if (!gate.covariance.empty() && !comparing.effects.bins.empty())
+        comparing.effects.together = p_by_covariance(gate, comparing.bins, comparing.effects.bins);
+    ReportedRow as_row;
+    as_row.mean = number.value;
+    std::string fault = fault_of_means(comparing.bins.rows, against != nullptr ? against->rows : Rows(&as_row, 1));
+    if (against != nullptr) fault += fault_between_errors(comparing.bins.rows, against->rows);
+    expect_scatter_as_stated(comparing, comparing.bins);
+    if (against != nullptr) expect_scatter_as_stated(comparing, *against);
+    if (!comparing.contradicted && (trusts(comparing.bins) || (against != nullptr && trusts(*against))))
+        add_note(comparing.note,
+                 "trusts the standard errors that are stated; several runs would show whether they are "
+                 "right (kind = \"std_error\")");
+    if (!fault.empty()) add_note(comparing.note, fault.substr(1));
+}
+
+void compare_spreads(Comparing& comparing) {
+    if (!comparing.bins.file->has_n)
+        refuse_gate(comparing.gate,
+                    fmt::format("kind = \"std\" needs the column 'n' of {} (the error of a mean of how many "
+                                "values?). Add it.",
+                                comparing.bins.file->origin));
+    comparing.effects.scale = EffectScale::ratio_of_deviations;
+    for (std::size_t bin = 0; bin < comparing.bins.count(); ++bin) {
+        double squares = 0;
+        double freedom = 0;
+        for (const ReportedRow& run : comparing.bins.runs_of(bin)) {
+            squares += run.standard_error * run.standard_error * run.n * (run.n - 1);
+            freedom += run.n - 1;
+        }
+        if (squares == 0) {
+            ++comparing.empty;
+            continue;
+        }
+        comparing.effects.bins.push_back({.value = std::sqrt(squares / freedom) / *comparing.gate.reference,
+                                          .error = 0,
+                                          .freedom = freedom,
+                                          .freedom_below = infinity,
+                                          .band = comparing.gate.band,
+                                          .name = static_cast<std::uint32_t>(bin)});
+    }
+    add_note(comparing.note, "takes the n values behind each error for independent and normal");
+}
+
+void compare_efficiencies(Comparing& comparing, const Bins& against) {
+    for (const Bins* bins : {&std::as_const(comparing).bins, &against}) {
+        if (!bins->file->has_n || bins->runs != 1)
+            refuse_gate(comparing.gate,
+                        fmt::format("kind = \"efficiency\" needs one run with the column 'n' in {} (an error of "
+                                    "how many values?). Add it.",
+                                    bins->file->origin));
+    }
+    const bool by_cost = comparing.bins.file->has_cost && against.file->has_cost;
+    comparing.effects.scale = EffectScale::ratio_of_variances;
+    const auto inverse = [&](const ReportedRow& row) {
+        return row.standard_error * row.standard_error * (by_cost ? row.cost : row.n);
+    };
+    for (std::size_t bin = 0; bin < comparing.bins.count(); ++bin) {
+        const ReportedRow& own = comparing.bins.rows[bin];
+        const ReportedRow& other = against.rows[bin];
+        if (own.standard_error == 0 || other.standard_error == 0) {
+            ++comparing.empty;
+            continue;
+        }
+        comparing.effects.bins.push_back({.value = inverse(other) / inverse(own),
+                                          .error = 0,
+                                          .freedom = other.n - 1,
+                                          .freedom_below = own.n - 1,
+                                          .band = comparing.gate.band,
+                                          .name = static_cast<std::uint32_t>(bin)});
+    }
+    add_note(comparing.note, by_cost ? "1 / (error² × cost), of the file over --against; seconds depend on the machine"
+                                     : "1 / (error² × n), of the file over --against");
+    add_note(comparing.note, "takes the n values behind each error for independent and normal");
+}
+
+/// How the runs of one bin lie about their mean, in the errors that they state.
+struct Standardised {
+    double square_sum = 0;
+    double freedom = 0;          ///< runs - 1, reduced for kurtosis [box1953]
+    std::size_t within_two = 0;  ///< runs nearer than 1.96 errors, with what the mean's own error takes
+};
+
+Standardised standardise(Rows runs) {
+    double weights = 0;
+    double sum = 0;
+    for (const ReportedRow& run : runs) {
+        const double weight = 1 / (run.standard_error * run.standard_error);
+        weights += weight;
+        sum += weight * run.mean;
+    }
+    const double mean = sum / weights;
+    Standardised result;
+    double fourth = 0;
+    for (const ReportedRow& run : runs) {
+        const double z = (run.mean - mean) / run.standard_error;
+        const double share = 1 - 1 / (run.standard_error * run.standard_error * weights);
+        result.square_sum += z * z;
+        fourth += z * z * z * z;
+        result.within_two += share > 0 && std::abs(z) <= 1.959964 * std::sqrt(share) ? 1u : 0u;
+    }
+    const auto n = static_cast<double>(runs.size());
+    const double kurtosis = n * fourth / (result.square_sum * result.square_sum) - 3;
+    result.freedom = (n - 1) / (1 + std::max(0.0, kurtosis) / 2);
+    return result;
+}
+
+void compare_errors(Comparing& comparing) {
+    const Bins& bins = comparing.bins;
+    if (bins.runs < fewest_runs)
+        refuse_gate(comparing.gate,
+                    fmt::format("kind = \"std_error\" needs at least {} runs ({} has {} of '{}': one run cannot "
+                                "show whether its own error is right). Add rows with a column 'run'.",
+                                fewest_runs, bins.file->origin, bins.runs, comparing.gate.quantity));
+    comparing.effects.scale = EffectScale::ratio_of_deviations;
+    std::size_t within = 0;
+    std::size_t all = 0;
+    double ratios = 0;
+    double errors = 0;
+    for (std::size_t bin = 0; bin < bins.count(); ++bin) {
+        const Rows runs = bins.runs_of(bin);
+        if (std::any_of(runs.begin(), runs.end(), [](const ReportedRow& run) { return run.standard_error == 0; })) {
+            ++comparing.empty;
+            continue;
+        }
+        const Standardised found = standardise(runs);
+        if (found.square_sum == 0)
+            refuse_gate(comparing.gate,
+                        fmt::format("bin '{}' of {} has the same mean in every run (repeated runs are not runs). "
+                                    "Give every run a seed of its own.",
+                                    bins.name(bin), bins.file->origin));
+        const double ratio = std::sqrt(found.square_sum / static_cast<double>(bins.runs - 1));
+        within += found.within_two;
+        all += bins.runs;
+        ratios += std::log(ratio);
+        errors += std::log(runs[0].standard_error);
+        comparing.effects.bins.push_back({.value = ratio,
+                                          .error = 0,
+                                          .freedom = found.freedom,
+                                          .freedom_below = infinity,
+                                          .band = comparing.gate.band,
+                                          .name = static_cast<std::uint32_t>(bin)});
+    }
+    if (comparing.effects.bins.empty()) return;
+    const auto judged = static_cast<double>(comparing.effects.bins.size());
+    add_note(comparing.note,
+             fmt::format("{} of {} means of runs ({:.3g} %) lie within 1.96 stated errors of the mean of "
+                         "all, where 95 % should",
+                         within, all, 100.0 * static_cast<double>(within) / static_cast<double>(all)));
+    comparing.note +=
+        fmt::format(".{}", fault_of_errors(std::exp(ratios / judged), std::exp(errors / judged), bins.rows[0].n));
+}
+
+/// Bins that are said to be independent are looked at where there are several runs, also of hits.
+void expect_independent_bins(Comparing& comparing, const Bins& bins) {
+    constexpr std::size_t most_runs = 50;  // more would take long, and show little more
+    const std::size_t runs = std::min(bins.runs, most_runs);
+    std::vector<double> values;
+    values.reserve(runs * bins.count());
+    for (std::size_t bin = 0; bin < bins.count(); ++bin) {
+        for (const ReportedRow& row : bins.runs_of(bin).first(runs))
+            values.push_back(bins.file->holds == Holds::hits ? row.mean / std::max(1.0, row.n) : row.mean);
+    }
+    const auto p = stats::p_of_independence(values, runs);
+    if (!p) add_note(comparing.note, fmt::format("takes the bins of {} for independent", bins.file->origin));
+    if (!p || *p >= false_alarm_of_scatter) return;
+    comparing.contradicted = true;
+    add_note(comparing.note,
+             fmt::format("the bins of {} vary together from run to run (p = {:.2g}): no verdict rests on their "
+                         "independence. Take combine = \"cauchy\", or give their covariance",
+                         bins.file->origin, *p));
+}
+
+}  // namespace
+
+MeanReference mean_of(Rows runs) {
+    const auto n = static_cast<double>(runs.size());
+    if (runs.size() == 1) return {runs[0].mean, runs[0].standard_error, runs[0].n > 0 ? runs[0].n - 1 : infinity};
+    MeanReference mean;
+    for (const ReportedRow& run : runs) mean.value += run.mean / n;
+    double squares = 0;
+    if (runs.size() >= enough_runs) {
+        for (const ReportedRow& run : runs) squares += (run.mean - mean.value) * (run.mean - mean.value) / (n - 1);
+        mean.standard_error = std::sqrt(squares / n);
+        mean.freedom = n - 1;
+        return mean;
+    }
+    for (const ReportedRow& run : runs) squares += run.standard_error * run.standard_error;
+    mean.standard_error = std::sqrt(squares) / n;
+    if (runs.front().n > 0) mean.freedom = n * (runs.front().n - 1);
+    return mean;
+}
+
+Band band_beside(const Comparing& comparing, std::size_t bin, double reference) {
+    const Gate& gate = comparing.gate;
+    if (!gate.relative) return gate.band;
+    if (reference == 0)
+        refuse_gate(gate, fmt::format("relative = true, and the reference of bin '{}' is 0 (a share of nothing). Leave "
+                                      "the bin out, or give an absolute band.",
+                                      comparing.bins.name(bin)));
+    return {gate.band.low * std::abs(reference), gate.band.high * std::abs(reference)};
+}
+
+void add_note(std::string& note, std::string_view text) {
+    if (text.empty()) return;
+    if (!note.empty()) note += "; ";
+    note += text;
+}
+
+Comparing effects_of(const Gate& gate, const Bins& bins, const Bins* against) {
+    Comparing comparing{.gate = gate, .bins = bins, .effects = {}, .empty = 0, .note = {}};
+    switch (gate.kind) {
+        case GateKind::std:
+            compare_spreads(comparing);
+            break;
+        case GateKind::std_error:
+            compare_errors(comparing);
+            break;
+        case GateKind::efficiency:
+            compare_efficiencies(comparing, *against);
+            break;
+        default:
+            if (bins.file->holds == Holds::hits) {
+                compare_shares(comparing, against);
+            } else {
+                compare_means(comparing, against);
+            }
+            break;
+    }
+    if (gate.combine == Combination::chi_squared && gate.covariance.empty()) {
+        expect_independent_bins(comparing, bins);
+        if (against != nullptr) expect_independent_bins(comparing, *against);
+    }
+    return comparing;
+}
+
+}  // namespace ff::studies

@@ -1,0 +1,41 @@
+#pragma once
+
+#include "studies/verdicts/measurement.hpp"
+#include "studies/verdicts/reported/reported_bins.hpp"
+#include "studies/verdicts/reported/reported_quantity.hpp"
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace ff::studies {
+
+/// Everything that the text of a verdict is made from.
+struct Comparing {
+    const Gate& gate;
+    Bins bins;
+    BinEffects effects;
+    std::size_t empty = 0;      ///< bins without any sample
+    bool contradicted = false;  ///< runs scatter otherwise than the verdict would have to assume: there is none
+    std::string note;
+};
+
+/// Rate at which runs that keep an assumption are said to contradict it.
+inline constexpr double false_alarm_of_scatter = 1e-3;
+
+/// The mean of all runs of a bin with its standard error: by what the runs state, or by their spread where they are
+/// many. The error is 0 where none is stated.
+MeanReference mean_of(Rows runs);
+
+/// The gate's band in one bin, whose reference scales it where it is relative.
+Band band_beside(const Comparing& comparing, std::size_t bin, double reference);
+
+/// Appends to the note, after a semicolon if there is one already.
+void add_note(std::string& note, std::string_view text);
+
+/// The effect in each bin, with notes.
+/// @param against  null where the reference is a number
+/// @throws UserError where the file lacks what the kind needs
+Comparing effects_of(const Gate& gate, const Bins& bins, const Bins* against);
+
+}  // namespace ff::studies

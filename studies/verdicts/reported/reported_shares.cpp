@@ -1,0 +1,118 @@
+#include "studies/verdicts/reported/reported_shares.hpp"
+
+#include "stats/error_rates/global_test.hpp"
+#include "studies/verdicts/needed_trials.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace ff::studies {
+namespace {
+
+double estimate(const stats::Proportion& counts) {
+    return static_cast<double>(counts.hits) / static_cast<double>(counts.trials);
+}
+
+/// The variance of a share, by a probability that is neither 0 nor 1, with which scores can be computed.
+double approximate_variance(const stats::Proportion& counts) {
+    const auto n = static_cast<double>(counts.trials);
+    const double p = (static_cast<double>(counts.hits) + 0.5) / (n + 1);
+    return p * (1 - p) / n;
+}
+
+void expect_binomial_scatter(Comparing& comparing, const Bins& bins) {
+    if (bins.runs < 2) return;
+    std::vector<double> p;
+    std::vector<stats::Proportion> runs(bins.runs);
+    for (std::size_t bin = 0; bin < bins.count(); ++bin) {
+        const Rows rows = bins.runs_of(bin);
+        std::transform(rows.begin(), rows.end(), runs.begin(),
+                       [](const ReportedRow& row) { return pooled(Rows(&row, 1)); });
+        p.push_back(stats::p_of_binomial_scatter(runs));
+    }
+    const double together = stats::cauchy_combination(p);
+    if (together >= false_alarm_of_scatter) return;
+    comparing.contradicted = true;
+    add_note(comparing.note,
+             fmt::format("the hits of the {} runs of {} scatter more than those of independent trials (p = {:.2g}): no "
+                         "verdict rests on them. Give each run's share as a mean with its standard error",
+                         bins.runs, bins.file->origin, together));
+}
+
+/// What the share of a bin is compared with: the gate's number, or this bin of a second file, which may hold hits, or
+/// means with or without errors.
+stats::ShareReference share_reference(const Gate& gate, const Bins* against, std::size_t bin) {
+    stats::ShareReference reference;
+    if (against == nullptr) {
+        reference.value = gate.reference.value_or(0);
+        reference.standard_error = gate.reference_se.value_or(0);
+    } else if (against->file->holds == Holds::hits) {
+        reference.counts = pooled(against->runs_of(bin));
+        reference.value = reference.counts->trials > 0 ? estimate(*reference.counts) : 0;
+    } else {
+        const MeanReference mean = mean_of(against->runs_of(bin));
+        reference.value = mean.value;
+        reference.standard_error = mean.standard_error;
+        reference.freedom = mean.freedom;
+    }
+    return reference;
+}
+
+}  // namespace
+
+stats::Proportion pooled(Rows runs) {
+    stats::Proportion all;
+    for (const ReportedRow& run : runs) {
+        all.hits += static_cast<std::uint64_t>(run.mean);
+        all.trials += static_cast<std::uint64_t>(run.n);
+    }
+    return all;
+}
+
+void compare_shares(Comparing& comparing, const Bins* against) {
+    const Gate& gate = comparing.gate;
+    comparing.effects.scale = EffectScale::difference_of_shares;
+    for (std::size_t bin = 0; bin < comparing.bins.count(); ++bin) {
+        const SharePair pair{pooled(comparing.bins.runs_of(bin)), share_reference(gate, against, bin)};
+        if (pair.counts.trials == 0 || (pair.reference.counts && pair.reference.counts->trials == 0)) {
+            ++comparing.empty;
+            continue;
+        }
+        const double of_reference = pair.reference.counts
+                                        ? approximate_variance(*pair.reference.counts)
+                                        : pair.reference.standard_error * pair.reference.standard_error;
+        comparing.effects.bins.push_back({.value = estimate(pair.counts) - pair.reference.value,
+                                          .error = std::sqrt(approximate_variance(pair.counts) + of_reference),
+                                          .freedom = static_cast<double>(pair.counts.trials),
+                                          .freedom_below = 0,
+                                          .band = band_beside(comparing, bin, pair.reference.value),
+                                          .name = static_cast<std::uint32_t>(bin)});
+        comparing.effects.shares.push_back(pair);
+    }
+    expect_binomial_scatter(comparing, comparing.bins);
+    if (against != nullptr && against->file->holds == Holds::hits) expect_binomial_scatter(comparing, *against);
+    if (!comparing.contradicted) add_note(comparing.note, "takes the trials behind each share for independent");
+}
+
+std::optional<std::uint64_t> runs_for_share(const SharePair& pair, const Band& band, std::size_t runs,
+                                            const Levels& levels, std::size_t comparisons) {
+    const double reference = std::clamp(pair.reference.value, 0.0, 1.0);
+    Levels of_share = levels;
+    double uncertain = 0;
+    if (pair.reference.counts || pair.reference.standard_error > 0) {
+        of_share.pass_alpha /= 2;
+        const stats::Interval other = stats::reference_interval(pair.reference, 1 - 2 * of_share.pass_alpha);
+        uncertain = std::max(other.high - reference, reference - other.low);
+    }
+    const Band left{reference + band.low + uncertain, reference + band.high - uncertain};
+    if (!(left.low < reference && reference < left.high)) return std::nullopt;
+    const auto trials = trials_for_proportion(left, reference, of_share, comparisons);
+    if (!trials) return std::nullopt;
+    const double of_run = static_cast<double>(pair.counts.trials) / static_cast<double>(runs);
+    return static_cast<std::uint64_t>(std::ceil(static_cast<double>(*trials) / of_run));
+}
+
+}  // namespace ff::studies
