@@ -3,6 +3,36 @@
 # Components: program, runtime (shared libraries, where they are built), library (for developers).
 
 include(FfInstallGate)
+include(IncludedSources)
+
+# What programs of others may include (docs/library.md). The headers that these include are installed with them; all
+# others stay inside.
+set(public_headers
+  core/estimators/added.hpp
+  core/estimators/pairs/patch_pairs.hpp
+  core/exact/exact.hpp
+  core/geometry/box.hpp
+  core/points/stream.hpp
+  core/radiosity/solver.hpp
+  samplers/outside/added.hpp
+  samplers/sampler.hpp
+  stats/convergence/convergence.hpp
+  stats/error_rates/multiplicity.hpp
+  stats/gates/gate_macros.hpp  # of ffstudy/gate.hpp
+  stats/means/mean_test.hpp
+  stats/shares/share_test.hpp
+  stats/variances/variance_interval.hpp
+  studies/form_factors/form_factors.hpp
+  studies/outside/outside_code.hpp
+  studies/plan/plan.hpp
+  studies/results/results.hpp
+  studies/run/run.hpp
+  studies/scene_files/scene_file.hpp
+  studies/spec/spec.hpp
+  studies/store/store.hpp
+  reports/html/html.hpp
+  reports/json/json.hpp
+  reports/markdown/markdown.hpp)
 
 set(libraries core samplers stats studies reports)
 list(TRANSFORM libraries PREPEND ff_ OUTPUT_VARIABLE targets)
@@ -17,9 +47,8 @@ if(BUILD_SHARED_LIBS)
   set_target_properties(${targets} PROPERTIES INSTALL_RPATH "$ORIGIN")
 endif()
 
-foreach(library ${libraries})
-  ff_install_headers(library ${library}/*.hpp)
-endforeach()
+ff_included_headers(library_headers ${public_headers})
+ff_install_headers(library ${library_headers})
 
 install(DIRECTORY studies/built_in/ DESTINATION ${CMAKE_INSTALL_DATADIR}/ffstudy/studies)
 install(DIRECTORY reports/templates/ DESTINATION ${CMAKE_INSTALL_DATADIR}/ffstudy/templates FILES_MATCHING PATTERN "*.mustache" PATTERN "report.*" PATTERN "scene_report.*")

@@ -7,8 +7,7 @@ set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/ffstudy)
 
 # ff_install_headers(COMPONENT core/*.hpp): users write <ffstudy/core/...>, and so do the installed headers.
 function(ff_install_headers component)
-  string(MAKE_C_IDENTIFIER "${ARGN}" name)
-  set(headers ${PROJECT_BINARY_DIR}/headers/${name})
+  set(headers ${PROJECT_BINARY_DIR}/headers/${component})
   install(CODE "
     file(REMOVE_RECURSE \"${headers}\")
     foreach(pattern IN ITEMS ${ARGN})
@@ -20,8 +19,7 @@ function(ff_install_headers component)
         file(WRITE \"${headers}/\${path}\" \"\${text}\")
       endforeach()
     endforeach()" COMPONENT ${component})
-  install(DIRECTORY ${headers}/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/ffstudy COMPONENT ${component}
-    PATTERN embree_version.hpp EXCLUDE)
+  install(DIRECTORY ${headers}/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/ffstudy COMPONENT ${component})
 endfunction()
 
 set(component library)
