@@ -53,8 +53,7 @@ const std::vector<std::string> matrix_files{
     "repaired.mtx",    "repaired.npy",    "repaired.npz",     "form_factors.json", "intervals.csv",
     "context.json",    "report.html",     rows_file};
 
-/// A built-in name, or name and text of a file.
-std::string read_source(const FormFactorsCommand& command) {
+studies::SceneSource read_source(const FormFactorsCommand& command) {
     const std::string& name = command.scene;
     if (name.empty()) throw UserError("SCENE is missing. See 'ffstudy form_factors --help'.");
     const bool is_changed = command.faces != "group" || command.closed;
@@ -63,20 +62,22 @@ std::string read_source(const FormFactorsCommand& command) {
             fmt::format("{}: '{}' is neither an OBJ file nor a mesh (others say it themselves). Leave it "
                         "out.",
                         command.closed ? "--closed" : "--faces " + command.faces, name));
-    if (!studies::names_scene_file(name)) {
-        if (!std::filesystem::is_regular_file(name)) return name;
+    studies::SceneSource source = studies::scene_source(name);
+    if (!source.is_file()) {
+        if (!std::filesystem::is_regular_file(name)) return source;
         static_cast<void>(studies::read_text_file(name, studies::FileKind::scene));  // says so if it is something else
         throw UserError(fmt::format("{}: its extension names no scene format ({}). Rename it.", name,
                                     studies::scene_extensions_in_words()));
     }
-    std::string text = studies::read_scene_file(studies::scene_file(name));
+    std::string text = studies::read_scene_file(source.name);
     if (command.faces == "polygon") text = studies::with_obj_comment(text, studies::faces_of_polygons);
     if (command.faces == "material") text = studies::with_obj_comment(text, studies::faces_of_materials);
     if (command.closed) text = studies::with_obj_comment(text, studies::closed_scene);
-    return studies::with_scene_text(name, text);
+    source.text = std::move(text);
+    return source;
 }
 
-Scene make_scene(const std::string& source) {
+Scene scene_without_mirrors(const studies::SceneSource& source) {
     Scene scene = studies::make_scene(source);
     if (mirrors(scene).empty()) return scene;
     throw UserError(fmt::format(
@@ -198,7 +199,7 @@ studies::KeptFormFactors prepare_form_factors(const FormFactorsCommand& command)
     studies::KeptFormFactors kept;
     kept.request = request_of(command);
     kept.source = read_source(command);
-    kept.scene = make_scene(kept.source);
+    kept.scene = scene_without_mirrors(kept.source);
     return kept;
 }
 
@@ -276,12 +277,12 @@ ExitCode merge_form_factors(const MergeCommand& command) {
     studies::KeptFormFactors kept;
     FormFactorsCommand as_asked;
     std::tie(kept.source, kept.request) = studies::matrix_of_kept_rows(rows_of(command.sources.front()).value());
-    kept.scene = make_scene(kept.source);
+    kept.scene = scene_without_mirrors(kept.source);
     kept.request.threads = thread_count(std::nullopt);
     kept.request.finished.assign(kept.scene.faces.size(), true);  // nothing is sampled here
     kept.request.stop = &stop_flag();
     as_asked.request = kept.request;
-    as_asked.scene = kept.source.substr(0, kept.source.find('\n'));
+    as_asked.scene = kept.source.title();
     as_asked.seed = kept.request.seed.value;
     as_asked.whole_matrix = kept.request.level_of == studies::LevelOf::matrix;
     as_asked.quiet = command.quiet;

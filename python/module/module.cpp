@@ -38,7 +38,7 @@ namespace {
 
 /// A scene: the name of a built-in one, or the name of a file with its text.
 Scene scene_of(const std::string& name, const std::optional<std::string>& text) {
-    return studies::make_scene(text ? studies::with_scene_text(name, *text) : name);
+    return text ? studies::make_scene(studies::source_of_file(name, *text)) : studies::make_scene(name);
 }
 
 /// Matrices of more faces are sparse in Python: most pairs of large scenes do not see each other.

@@ -1,7 +1,5 @@
 #include "reports/text/study_text.hpp"
 
-#include "studies/scene_files/scene_file.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -14,14 +12,14 @@ namespace {
 constexpr std::ptrdiff_t most_scene_lines = 60;
 constexpr int lines_shown = 20;
 
-/// Cuts a scene's text short. @return whether it was long
-bool shorten(std::string& scene) {
-    const std::ptrdiff_t lines = std::count(scene.begin(), scene.end(), '\n') - (scene.ends_with('\n') ? 1 : 0);
+/// Cuts the text of a scene short. @return whether it was long
+bool shorten(std::string& text) {
+    const std::ptrdiff_t lines = std::count(text.begin(), text.end(), '\n') + (text.ends_with('\n') ? 0 : 1);
     if (lines <= most_scene_lines) return false;
-    std::size_t end = scene.find('\n');  // of the name
-    for (int line = 0; line < lines_shown; ++line) end = scene.find('\n', end + 1);
-    scene.resize(end);
-    scene += fmt::format("\n… {} more lines: results.sqlite has them", lines - lines_shown);
+    std::size_t end = text.find('\n');
+    for (int line = 1; line < lines_shown; ++line) end = text.find('\n', end + 1);
+    text.resize(end);
+    text += fmt::format("\n… {} more lines: results.sqlite has them", lines - lines_shown);
     return true;
 }
 
@@ -29,8 +27,8 @@ bool shorten(std::string& scene) {
 
 StudyText study_text(studies::StudySpec spec) {
     StudyText result;
-    for (std::string& scene : spec.scenes) {
-        if (studies::has_scene_text(scene) && shorten(scene)) result.whole = false;
+    for (studies::SceneSource& scene : spec.scenes) {
+        if (scene.text && shorten(*scene.text)) result.whole = false;
     }
     result.text = studies::to_toml(spec);
     return result;

@@ -12,7 +12,7 @@ namespace ff::studies {
 
 /// The experiment of a gate that ffstudy runs itself.
 struct GateExperiment {
-    std::vector<std::string> scenes;
+    std::vector<SceneSource> scenes;
     Method method;
 };
 

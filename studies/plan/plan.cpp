@@ -208,7 +208,7 @@ StudyPlan plan_study(StudySpec spec) {
     StudyPlan plan;
     plan.spec = std::move(spec);
     Warnings warnings(plan);
-    for (const std::string& scene : plan.spec.scenes) plan.scenes.push_back(make_scene(scene));
+    for (const SceneSource& scene : plan.spec.scenes) plan.scenes.push_back(make_scene(scene));
     for (const Scene& scene : plan.scenes) {
         if (!scene.empty_box) {
             for (std::string& doubt : doubts_about(scene)) warnings.add(std::move(doubt));
@@ -218,7 +218,7 @@ StudyPlan plan_study(StudySpec spec) {
     // Only the warnings above say where a scene lies. What is built in lies at the origin.
     for (std::size_t i = 0; i < plan.scenes.size(); ++i) {
         Scene& scene = plan.scenes[i];
-        if (has_scene_text(plan.spec.scenes[i])) scene = placed(scene, {placement_of(scene).origin, 1});
+        if (plan.spec.scenes[i].text) scene = placed(scene, {placement_of(scene).origin, 1});
     }
     std::vector<std::vector<std::string>> left_out(plan.spec.methods.size());  // scenes, by method
     for (std::size_t scene = 0; scene < plan.scenes.size(); ++scene) {

@@ -124,7 +124,9 @@ double seconds_of_patches(const StudyPlan& plan) {
 std::uint64_t memory_of_scenes(const StudyPlan& plan) {
     std::uint64_t bytes = 0;
     for (const Scene& scene : plan.scenes) bytes += scene.surfaces.size() * bytes_of_a_surface;
-    for (const std::string& scene : plan.spec.scenes) bytes += scene.size() * copies_of_scene_text;
+    for (const SceneSource& scene : plan.spec.scenes) {
+        if (scene.text) bytes += scene.text->size() * copies_of_scene_text;
+    }
     return bytes;
 }
 

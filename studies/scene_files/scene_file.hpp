@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/geometry/scene.hpp"
+#include "studies/scene_files/scene_source.hpp"
 
 #include <filesystem>
 #include <optional>
@@ -12,24 +13,12 @@ namespace ff::studies {
 
 /// Scenes that users write: TOML (surfaces of every shape), Wavefront OBJ, View3D's .vs3 and meshes (polygons);
 /// docs/scenes.md.
-///
-/// A study names a scene file beside it, whose text becomes part of the study: in a spec, such a scene is the name, a
-/// line break and the text of the file, so that stores need no other file and a changed text is a different study.
-
-/// Whether a scene is a file: the name ends with .toml, .obj, .vs3 or an ending of meshes, or has the text.
-bool names_scene_file(std::string_view scene);
 
 /// ".obj, .toml, .vs3, .stl, .ply, .off, .gltf, .glb"
 std::string scene_extensions_in_words();
 
 /// The text of a scene file; a mesh is converted to OBJ. @throws UserError, IoError
 std::string read_scene_file(const std::filesystem::path& file);
-
-/// Whether the scene includes its text.
-bool has_scene_text(std::string_view scene);
-
-/// Name and text combined. @pre the name has no line break
-std::string with_scene_text(std::string_view name, std::string_view text);
 
 /// Comments of OBJ files: every polygon, or every material, is a face of its own; every ray hits something.
 inline constexpr std::string_view faces_of_polygons = "faces polygon";
@@ -41,12 +30,6 @@ std::string with_obj_comment(std::string_view text, std::string_view comment);
 
 /// Whether a file of that name is read as OBJ.
 bool is_read_as_obj(std::string_view name);
-
-/// The file name of a scene from a file, without the mirrors that follow it.
-std::string scene_file(std::string_view scene);
-
-/// Names a scene with some of its faces as mirrors: "cube mirrors:6", with '+' between faces. @pre no text
-std::string with_mirrors_named(std::string_view scene, const std::vector<std::string>& faces);
 
 /// What a scene file states about a face besides its shape.
 struct FaceMaterial {
@@ -61,8 +44,11 @@ struct SceneWithMaterials {
 
 /// A built-in scene, or one from a file whose text is included.
 /// @throws UserError "name:line: face: problem (why). Suggestion."
-Scene make_scene(std::string_view scene);
-SceneWithMaterials make_scene_with_materials(std::string_view scene);
+Scene make_scene(const SceneSource& source);
+SceneWithMaterials make_scene_with_materials(const SceneSource& source);
+
+/// The built-in scene of that name, which may have mirrors. @throws UserError
+Scene make_scene(std::string_view title);
 
 /// Doubts about a scene.
 struct SceneDoubts {

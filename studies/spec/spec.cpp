@@ -221,23 +221,24 @@ Method read_method(const TomlReader& reader, std::span<const std::string_view> o
     return method;
 }
 
-std::vector<std::string> read_scenes(const TomlReader& reader) {
-    std::vector<std::string> names = reader.texts("scene");
-    for (std::string& scene : names) {
-        if (reader.has("mirrors")) scene = with_mirrors_named(scene, reader.texts("mirrors"));
-    }
+std::vector<SceneSource> read_scenes(const TomlReader& reader) {
+    std::vector<SceneSource> sources;
     std::set<std::string> scenes;
-    for (const std::string& scene : names) {
-        reader.expect_none("scene", problem_with_name(scene.substr(0, scene.find('\n'))));
-        std::string canonical = scene;
+    for (const std::string& written : reader.texts("scene")) {
+        SceneSource& source = sources.emplace_back(scene_source(written));
+        if (reader.has("mirrors")) {
+            for (std::string& face : reader.texts("mirrors")) source.mirrors.push_back(std::move(face));
+        }
+        reader.expect_none("scene", problem_with_name(source.title()));
+        std::string canonical = source.written();
         try {
-            if (!names_scene_file(scene) || has_scene_text(scene)) canonical = make_scene(scene).canonical;
+            if (!source.is_file() || source.text) canonical = make_scene(source).canonical;
         } catch (const UserError& error) {
             reader.fail("scene", fmt::format("is refused: {}", error.what()));
         }
         if (!scenes.insert(canonical).second) reader.fail("scene", "names a scene twice. Keep one.");
     }
-    return names;
+    return sources;
 }
 
 StudySpec parse_study(std::string_view text, std::string_view origin) {
@@ -297,9 +298,9 @@ StudySpec parse_study(std::string_view text, std::string_view origin) {
 }
 
 void read_named_files(StudySpec& spec, const std::filesystem::path& folder) {
-    for (std::string& scene : spec.scenes) {
-        if (!names_scene_file(scene) || has_scene_text(scene)) continue;
-        scene = with_scene_text(scene, read_scene_file(folder / scene_file(scene)));
+    for (SceneSource& scene : spec.scenes) {
+        if (!scene.is_file() || scene.text) continue;
+        scene.text = read_scene_file(folder / scene.name);
         static_cast<void>(make_scene(scene));  // refused before it is run
     }
     if (spec.published) {

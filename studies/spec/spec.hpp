@@ -3,6 +3,7 @@
 #include "core/estimators/estimator.hpp"
 #include "core/points/stream.hpp"
 #include "studies/readers/names.hpp"
+#include "studies/scene_files/scene_source.hpp"
 #include "studies/spec/request.hpp"
 #include "studies/spec/stopping_rule.hpp"
 
@@ -96,7 +97,7 @@ inline constexpr auto names_of<Inapplicable> = name_table(Named{Inapplicable::re
 struct StudySpec {
     std::string name;
     std::string title;
-    std::vector<std::string> scenes;
+    std::vector<SceneSource> scenes;
     Inapplicable inapplicable = Inapplicable::refuse;
     std::uint64_t trials = 0;
     Seed seed;
@@ -120,7 +121,7 @@ Method read_method(const TomlReader& reader, std::span<const std::string_view> o
 
 /// The scenes that `scene` names: one or a list without repetitions.
 /// @throws UserError
-std::vector<std::string> read_scenes(const TomlReader& reader);
+std::vector<SceneSource> read_scenes(const TomlReader& reader);
 
 /// Parses the text of a study file; `origin` names it in messages.
 /// @throws UserError "origin:line:column: problem (why). Suggestion."

@@ -8,7 +8,7 @@ namespace ff::studies {
 
 std::string to_toml(const StudySpec& spec) {
     std::vector<std::string> scenes;
-    for (const std::string& scene : spec.scenes) scenes.push_back(toml_text(scene));
+    for (const SceneSource& scene : spec.scenes) scenes.push_back(toml_text(scene.written()));
     std::string out =
         fmt::format("[study]\nname = {}\ntitle = {}\nscene = [{}]\ntrials = {}\nseed = {}\nlevel = {}\npower = {}\n",
                     toml_text(spec.name), toml_text(spec.title), fmt::join(scenes, ", "), spec.trials, spec.seed.value,

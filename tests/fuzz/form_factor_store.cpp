@@ -43,7 +43,7 @@ void set_value(const Database& database, std::uint8_t which, double value) {
 
 void save_cube(const std::filesystem::path& path) {
     KeptFormFactors kept;
-    kept.source = "cube";
+    kept.source.name = "cube";
     kept.scene = make_scene(kept.source);
     kept.request.repair = true;
     kept.matrix = find_form_factors(kept.scene, kept.request);

@@ -16,7 +16,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     constexpr std::array<std::string_view, 3> names{"a.obj", "a.vs3", "a.toml"};
     const std::string_view text{reinterpret_cast<const char*>(data) + 1, size - 1};
     try {
-        const ff::Scene scene = ff::studies::make_scene(ff::studies::with_scene_text(names[data[0] % 3], text));
+        const ff::Scene scene = ff::studies::make_scene(ff::studies::source_of_file(names[data[0] % 3], text));
         for (int face = 0; face < static_cast<int>(scene.faces.size()); ++face) {
             if (!(std::isfinite(ff::face_area(scene, face)) && ff::face_area(scene, face) > 0)) std::abort();
         }

@@ -54,7 +54,7 @@ StudyPlan plan_of(std::string_view text) {
 
 StudyPlan plan_in(std::string_view scene, std::string_view text) {
     StudySpec spec = studies::parse_study(text, "study.toml");
-    spec.scenes = {studies::with_scene_text("scene.toml", scene)};
+    spec.scenes = {studies::source_of_file("scene.toml", scene)};
     return studies::plan_study(std::move(spec));
 }
 

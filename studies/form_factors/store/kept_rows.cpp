@@ -22,7 +22,7 @@ std::string checksum_of_row(std::span<const std::uint64_t> words) {
     return in_hexadecimal(Digest().add(words));
 }
 
-void expect_same(const Database& database, const std::filesystem::path& file, std::string_view source,
+void expect_same(const Database& database, const std::filesystem::path& file, const SceneSource& source,
                  const FormFactorRequest& request) {
     Database wanted(":memory:", Database::Mode::create_or_open);
     wanted.execute(kept_rows_schema);
@@ -44,7 +44,7 @@ void expect_same(const Database& database, const std::filesystem::path& file, st
 
 }  // namespace
 
-KeptRows::KeptRows(const std::filesystem::path& file, const std::string& source, const FormFactorRequest& request)
+KeptRows::KeptRows(const std::filesystem::path& file, const SceneSource& source, const FormFactorRequest& request)
     : file_(file), database_(file, Database::Mode::create_or_open) {
     // Safe whatever happens to the process; if the machine fails, checksums tell.
     database_.execute("PRAGMA synchronous = OFF; BEGIN IMMEDIATE");
@@ -89,7 +89,7 @@ std::vector<std::uint32_t> KeptRows::faces() const {
     return faces;
 }
 
-std::pair<std::string, FormFactorRequest> matrix_of_kept_rows(const std::filesystem::path& file) {
+std::pair<SceneSource, FormFactorRequest> matrix_of_kept_rows(const std::filesystem::path& file) {
     const auto database = open_store(file, kept_rows_format);
     return read_request(StoredKeys(*database, kept_rows_format, file));
 }

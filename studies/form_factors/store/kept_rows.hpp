@@ -2,6 +2,7 @@
 
 #include "studies/form_factors/request.hpp"
 #include "studies/form_factors/sampled_row.hpp"
+#include "studies/scene_files/scene_source.hpp"
 #include "studies/store/sqlite.hpp"
 
 #include <filesystem>
@@ -20,9 +21,8 @@ inline constexpr int kept_rows_schema_version = 1;
 class KeptRows {
   public:
     /// Makes the file, or opens one of the same scene and request.
-    /// @param source  of the scene (studies/scene_files/scene_file.hpp)
     /// @throws UserError where it is of another matrix, or no such file; IoError
-    KeptRows(const std::filesystem::path& file, const std::string& source, const FormFactorRequest& request);
+    KeptRows(const std::filesystem::path& file, const SceneSource& source, const FormFactorRequest& request);
 
     /// A row that is there already stays as it is.
     void keep(const SampledRow& row) const;
@@ -39,6 +39,6 @@ class KeptRows {
 };
 
 /// What such a file is of: source of the scene, and request. @throws UserError, IoError
-std::pair<std::string, FormFactorRequest> matrix_of_kept_rows(const std::filesystem::path& file);
+std::pair<SceneSource, FormFactorRequest> matrix_of_kept_rows(const std::filesystem::path& file);
 
 }  // namespace ff::studies

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "studies/form_factors/form_factors.hpp"
+#include "studies/scene_files/scene_source.hpp"
 #include "studies/store/store.hpp"
 
 #include <filesystem>
@@ -15,7 +16,7 @@ inline constexpr int form_factor_schema_version = 3;
 /// A matrix with its scene and request.
 struct KeptFormFactors {
     /// Where the scene is from: a built-in name, or name and text of a file (studies/scene_files/scene_file.hpp).
-    std::string source;
+    SceneSource source;
     Scene scene;                ///< built from `source`
     FormFactorRequest request;  ///< only fields that the result depends on are kept
     FormFactorMatrix matrix;

@@ -43,14 +43,13 @@ std::uint64_t StoredKeys::count(std::string_view key) const {
     return static_cast<std::uint64_t>(value);
 }
 
-void write_request(const Database& database, const StoreFormat& format, std::string_view source,
+void write_request(const Database& database, const StoreFormat& format, const SceneSource& source,
                    const FormFactorRequest& request) {
     Statement insert(database.handle(), fmt::format("INSERT INTO {} VALUES(?, ?)", format.keys));
     const auto write = [&](std::string_view key, auto value) { insert.bind(0, key).bind(1, value).run(); };
-    const std::size_t end_of_name = std::min(source.find('\n'), source.size());
     write("schema_version", std::int64_t{format.version});
-    write("scene", source.substr(0, end_of_name));
-    if (has_scene_text(source)) write("scene_text", source.substr(end_of_name + 1));
+    write("scene", source.title());
+    if (source.text) write("scene_text", *source.text);
     write("tolerance", request.tolerance);
     if (request.relative > 0) write("relative", request.relative);
     if (request.drop > 0) write("drop", request.drop);
@@ -60,9 +59,9 @@ void write_request(const Database& database, const StoreFormat& format, std::str
     write("max_samples", static_cast<std::int64_t>(request.max_samples));
 }
 
-std::pair<std::string, FormFactorRequest> read_request(const StoredKeys& keys) {
-    std::string source = keys.text("scene");
-    if (keys.has("scene_text")) source = with_scene_text(source, keys.text("scene_text"));
+std::pair<SceneSource, FormFactorRequest> read_request(const StoredKeys& keys) {
+    SceneSource source = scene_source(keys.text("scene"));
+    if (keys.has("scene_text")) source.text = keys.text("scene_text");
     FormFactorRequest request;
     request.tolerance = keys.real("tolerance");
     if (keys.has("relative")) request.relative = keys.real("relative");

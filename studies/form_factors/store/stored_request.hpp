@@ -1,6 +1,7 @@
 #pragma once
 
 #include "studies/form_factors/request.hpp"
+#include "studies/scene_files/scene_source.hpp"
 #include "studies/store/store_format.hpp"
 
 #include <filesystem>
@@ -33,11 +34,10 @@ class StoredKeys {
 };
 
 /// Scene and request of a matrix, as far as the result depends on them, in a table of keys and values.
-/// @param source  of the scene (studies/scene_files/scene_file.hpp)
-void write_request(const Database& database, const StoreFormat& format, std::string_view source,
+void write_request(const Database& database, const StoreFormat& format, const SceneSource& source,
                    const FormFactorRequest& request);
 
 /// What it has written: source and request.
-std::pair<std::string, FormFactorRequest> read_request(const StoredKeys& keys);
+std::pair<SceneSource, FormFactorRequest> read_request(const StoredKeys& keys);
 
 }  // namespace ff::studies

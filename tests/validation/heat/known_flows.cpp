@@ -90,7 +90,7 @@ roof = { emissivity = 0.6, temperature = 400 }
 }  // namespace
 
 Scene annulus_scene() {
-    return make_scene(with_scene_text("annulus.toml", annulus));
+    return make_scene(source_of_file("annulus.toml", annulus));
 }
 
 double annulus_factor(int from, int to) {
@@ -122,7 +122,7 @@ double cube_factor(int from, int to) {
 }
 
 Scene furnace_scene() {
-    return make_scene(with_scene_text("furnace.obj", furnace));
+    return make_scene(source_of_file("furnace.obj", furnace));
 }
 
 Materials furnace_materials() {

@@ -18,20 +18,20 @@ using testing::HasSubstr;
 using testing::Not;
 
 /// A file of so many lines, the last one with or without its end.
-std::string scene_of(int lines, const char* end = "\n") {
+studies::SceneSource scene_of(int lines, const char* end = "\n") {
     std::string text;
     for (int line = 1; line <= lines; ++line) text += fmt::format("# line {}{}", line, line < lines ? "\n" : end);
-    return studies::with_scene_text("mesh.obj", text);
+    return studies::source_of_file("mesh.obj", text);
 }
 
-studies::StudySpec spec_of(const std::string& scene) {
+studies::StudySpec spec_of(const studies::SceneSource& scene) {
     studies::StudySpec spec = test::plan_of(test::study_text("trials = 2", test::random_rays)).spec;
-    spec.scenes = {"cube", scene};
+    spec.scenes = {studies::scene_source("cube"), scene};
     return spec;
 }
 
 TEST(StudyText, IsTheStudyFileWhereNoSceneIsLong) {
-    for (const std::string& scene : {std::string("box:1x2x3"), scene_of(60), scene_of(60, "")}) {
+    for (const studies::SceneSource& scene : {studies::scene_source("box:1x2x3"), scene_of(60), scene_of(60, "")}) {
         const StudyText shown = study_text(spec_of(scene));
         EXPECT_TRUE(shown.whole);
         EXPECT_EQ(shown.text, studies::to_toml(spec_of(scene)));

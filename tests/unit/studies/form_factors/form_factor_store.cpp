@@ -43,7 +43,7 @@ g between
 f 7 8 9
 )";
 
-KeptFormFactors found(std::string source, bool repaired, double drop = 0) {
+KeptFormFactors found(SceneSource source, bool repaired, double drop = 0) {
     KeptFormFactors kept;
     kept.source = std::move(source);
     kept.scene = make_scene(kept.source);
@@ -110,13 +110,13 @@ class FormFactorStore : public testing::Test {
         return refusal<IoError>();
     }
     test::TemporaryFolder folder;
-    KeptFormFactors kept = found("squares_blocked", false);
+    KeptFormFactors kept = found(scene_source("squares_blocked"), false);
 };
 
 TEST_F(FormFactorStore, RestoresWhatWasSaved) {
     for (const auto& [source, repaired] :
-         {std::pair(std::string("squares_blocked"), false), std::pair(std::string("nested_cubes"), true),
-          std::pair(with_scene_text("room.obj", triangles_obj), false)}) {
+         {std::pair(scene_source("squares_blocked"), false), std::pair(scene_source("nested_cubes"), true),
+          std::pair(source_of_file("room.obj", triangles_obj), false)}) {
         const KeptFormFactors saved = found(source, repaired);
         save(saved);
         const KeptFormFactors read = load_form_factors(file());
@@ -168,7 +168,7 @@ TEST_F(FormFactorStore, IsReadFromAnEarlierVersion) {
 std::string read_or_refused(const std::filesystem::path& file) {
     try {
         const KeptFormFactors kept = load_form_factors(file);
-        std::string words = kept.source + kept.context.at("host") + kept.warnings.at(0) + kept.warnings.at(1);
+        std::string words = kept.source.written() + kept.context.at("host") + kept.warnings.at(0) + kept.warnings.at(1);
         const auto add = [&](double value) { words += fmt::format("{} ", value); };
         for (const FaceExchange& pair : kept.matrix.exchanges) {
             for (const double value : {pair.value, pair.low, pair.high}) add(value);

@@ -81,7 +81,7 @@ facing = "inward"
 )";
 
 TEST(HeatFlows, ContainTheExactOneBetweenSpheres) {
-    const Scene scene = make_scene(with_scene_text("spheres.toml", spheres_toml));
+    const Scene scene = make_scene(source_of_file("spheres.toml", spheres_toml));
     const double exact = two_surfaces(4 * std::numbers::pi, 0.8, 600, 16 * std::numbers::pi, 0.5, 300);
     for (std::uint64_t seed = 1; seed <= 20; ++seed) {
         const auto flows = flows_of(scene, R"(
@@ -97,7 +97,7 @@ outer = { emissivity = 0.5, temperature = 300 }
 }
 
 TEST(HeatFlows, RecoverTheTemperatureFromItsFlux) {
-    const Scene scene = make_scene(with_scene_text("spheres.toml", spheres_toml));
+    const Scene scene = make_scene(source_of_file("spheres.toml", spheres_toml));
     const double exact = two_surfaces(4 * std::numbers::pi, 0.8, 600, 16 * std::numbers::pi, 0.5, 300);
     const auto flows = flows_of(scene, fmt::format(R"(
 [materials]
@@ -111,7 +111,7 @@ outer = {{ emissivity = 0.5, temperature = 300 }}
 
 // Between two concentric spheres: what the inner one emits, the outer absorbs unless it is sent back. @see [howell]
 TEST(GebhartFactors, ContainTheExactOnesBetweenSpheres) {
-    const Scene scene = make_scene(with_scene_text("spheres.toml", spheres_toml));
+    const Scene scene = make_scene(source_of_file("spheres.toml", spheres_toml));
     const auto materials = read_materials(R"(
 [materials]
 inner = { emissivity = 0.8, flux = 0 }
@@ -131,7 +131,7 @@ outer = { emissivity = 0.5, temperature = 300 }
 }
 
 TEST(GebhartFactors, IncludeTheSurroundingsOfAnOpenScene) {
-    const Scene scene = make_scene(with_scene_text("plate.toml", R"(
+    const Scene scene = make_scene(source_of_file("plate.toml", R"(
 [[surface]]
 face = "plate"
 shape = "disc"
@@ -168,7 +168,7 @@ radius = 1
 )";
 
 TEST(HeatFlows, ReachTheSurroundingsOfAnOpenScene) {
-    const Scene scene = make_scene(with_scene_text("plate.toml", plate_toml));
+    const Scene scene = make_scene(source_of_file("plate.toml", plate_toml));
     const auto flows =
         flows_of(scene, "surroundings = 300\n[materials]\nplate = { emissivity = 0.7, temperature = 500 }\n");
     const double exact = std::numbers::pi * 0.7 * (black(500) - black(300));

@@ -89,7 +89,7 @@ f 1 5 6 2
 )";
 
 SceneWithMaterials scene_of(const std::string& name, std::string_view text) {
-    return make_scene_with_materials(with_scene_text(name, text));
+    return make_scene_with_materials(source_of_file(name, text));
 }
 
 TEST(Materials, AreFoundByTheNamesOfUsemtl) {

@@ -42,7 +42,7 @@ std::string room_obj(bool closed, const std::vector<std::size_t>& turned, const 
 }
 
 Scene read_obj(const std::string& text) {
-    return make_scene(with_scene_text("a.obj", text));
+    return make_scene(source_of_file("a.obj", text));
 }
 
 const std::vector<std::size_t> all_walls{0, 1, 2, 3, 4, 5};
@@ -97,7 +97,7 @@ std::string square(const std::string& face, const std::string& corner, double ed
 }
 
 SceneDoubts doubts_of(const std::string& toml) {
-    return examine_scene(make_scene(with_scene_text("a.toml", toml)));
+    return examine_scene(make_scene(source_of_file("a.toml", toml)));
 }
 
 const std::string two_plates = square("a", "[0, 0, 0]", 1) + square("b", "[0, 0, 1]", 1, true);

@@ -17,7 +17,7 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 
 Scene read_text(std::string_view name, std::string_view text) {
-    return make_scene(with_scene_text(name, text));
+    return make_scene(source_of_file(name, text));
 }
 
 std::string refusal_of_text(std::string_view name, std::string_view text) {
@@ -246,10 +246,21 @@ TEST(SceneFiles, AreRefusedByFileAndLine) {
     }
 }
 
+TEST(SceneSource, IsReadAsItIsWritten) {
+    for (const char* written :
+         {"cube", "cube mirrors:6", "a.obj mirrors:left+right", "a.obj mirrors:6\nv 0 0 0\n", "a.obj\n"})
+        EXPECT_EQ(scene_source(written).written(), written);
+    const SceneSource source = scene_source("a.obj mirrors:left+right\nf 1 2 3");
+    EXPECT_EQ(source.name, "a.obj");
+    EXPECT_THAT(source.mirrors, testing::ElementsAre("left", "right"));
+    EXPECT_EQ(source.text, "f 1 2 3");
+    EXPECT_EQ(source.title(), "a.obj mirrors:left+right");
+}
+
 TEST(SceneFiles, CannotBeUsedWithoutTheirText) {
-    EXPECT_TRUE(names_scene_file("a.obj"));
-    EXPECT_FALSE(names_scene_file("box:2x1x0.5"));
-    EXPECT_FALSE(has_scene_text("a.obj"));
+    EXPECT_TRUE(scene_source("a.obj").is_file());
+    EXPECT_FALSE(scene_source("box:2x1x0.5").is_file());
+    EXPECT_FALSE(scene_source("a.obj").text);
     EXPECT_THROW(static_cast<void>(make_scene("a.obj")), UserError);
     EXPECT_EQ(make_scene("cube").faces.size(), 6u);
 }

@@ -40,7 +40,7 @@ void expect_same(const Scene& read, const Scene& scene) {
 
 TEST(SceneWriter, WritesTomlThatReadsBackAsTheSameScene) {
     for (const Scene& scene : scenes())
-        expect_same(make_scene(with_scene_text("s.toml", toml_scene_text(scene))), scene);
+        expect_same(make_scene(source_of_file("s.toml", toml_scene_text(scene))), scene);
 }
 
 TEST(SceneWriter, WritesPolygonsInBothFormatsOfPolygons) {
@@ -48,23 +48,23 @@ TEST(SceneWriter, WritesPolygonsInBothFormatsOfPolygons) {
     for (const Scene& scene : scenes()) {
         if (!is_of_polygons(scene)) continue;
         ++written;
-        expect_same(make_scene(with_scene_text("s.obj", obj_text(scene))), scene);
-        expect_same(make_scene(with_scene_text("s.vs3", vs3_text(scene))), scene);
+        expect_same(make_scene(source_of_file("s.obj", obj_text(scene))), scene);
+        expect_same(make_scene(source_of_file("s.vs3", vs3_text(scene))), scene);
     }
     EXPECT_GE(written, 5u);
 }
 
 TEST(SceneWriter, KeepsFacesOfSeveralSurfacesAndGrids) {
     const Scene scene =
-        make_scene(with_scene_text("s.toml",
-                                   "[[surface]]\nshape = \"triangle\"\na = [0, 0, 0]\nb = [1, 0, 0]\nc = [0, 1, 0]\n"
-                                   "face = \"floor\"\nflip = true\n[[surface]]\nshape = \"parallelogram\"\n"
-                                   "corner = [0, 0, 1]\nedge_u = [1, 0, 0]\nedge_v = [0, 0.1, 0]\nface = \"top\"\n"
-                                   "grid = [3, 2]\n[[surface]]\nshape = \"triangle\"\na = [1, 0, 0]\nb = [1, 1, 0]\n"
-                                   "c = [0, 1, 0]\nface = \"floor\"\nflip = true\n"));
-    expect_same(make_scene(with_scene_text("s.obj", obj_text(scene))), scene);
-    expect_same(make_scene(with_scene_text("s.vs3", vs3_text(scene))), scene);
-    const Scene read = make_scene(with_scene_text("s.toml", toml_scene_text(scene)));
+        make_scene(source_of_file("s.toml",
+                                  "[[surface]]\nshape = \"triangle\"\na = [0, 0, 0]\nb = [1, 0, 0]\nc = [0, 1, 0]\n"
+                                  "face = \"floor\"\nflip = true\n[[surface]]\nshape = \"parallelogram\"\n"
+                                  "corner = [0, 0, 1]\nedge_u = [1, 0, 0]\nedge_v = [0, 0.1, 0]\nface = \"top\"\n"
+                                  "grid = [3, 2]\n[[surface]]\nshape = \"triangle\"\na = [1, 0, 0]\nb = [1, 1, 0]\n"
+                                  "c = [0, 1, 0]\nface = \"floor\"\nflip = true\n"));
+    expect_same(make_scene(source_of_file("s.obj", obj_text(scene))), scene);
+    expect_same(make_scene(source_of_file("s.vs3", vs3_text(scene))), scene);
+    const Scene read = make_scene(source_of_file("s.toml", toml_scene_text(scene)));
     expect_same(read, scene);
     EXPECT_EQ(read.surfaces.back().grid, scene.surfaces[1].grid);
 }

@@ -105,8 +105,9 @@ StudySpec any_spec() {
     StudySpec spec;
     spec.name = *any_name();
     spec.title = *any_name();
-    spec.scenes =
-        *rc::gen::elementOf(std::vector<std::vector<std::string>>{{"cube"}, {"box:2x1x0.5"}, {"box:1e-3x7x2", "cube"}});
+    const SceneSource cube = scene_source("cube");
+    spec.scenes = *rc::gen::elementOf(std::vector<std::vector<SceneSource>>{
+        {cube}, {scene_source("box:2x1x0.5")}, {scene_source("box:1e-3x7x2 mirrors:6"), cube}});
     spec.trials = *at_least_two(1ULL << 32);
     spec.seed = Seed{*rc::gen::inRange<std::uint64_t>(0, 1ULL << 63)};
     spec.level = 0.501 + 0.498 * any_fraction();

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace ff::studies {
+
+/// Where a scene comes from. A study names a scene file beside it, whose text becomes part of the study, so that stores
+/// need no other file and a changed text is a different study.
+struct SceneSource {
+    std::string name;                  ///< "cube", "box:1x2x3" or that of a file
+    std::vector<std::string> mirrors;  ///< faces that mirror
+    std::optional<std::string>
+        text;  ///< of the file, a mesh converted to OBJ; empty for built-in scenes and until it is read
+
+    /// Whether the name is that of a file: it ends with .toml, .obj, .vs3 or an ending of meshes.
+    [[nodiscard]] bool is_file() const;
+    /// The name with its mirrors: "cube mirrors:6", with '+' between faces.
+    [[nodiscard]] std::string title() const;
+    /// What studies in stores say: the title and, after a line break, the text.
+    [[nodiscard]] std::string written() const;
+
+    bool operator==(const SceneSource&) const = default;
+};
+
+/// The source that is written so.
+SceneSource scene_source(std::string_view written);
+
+/// A title with the text of that file.
+SceneSource source_of_file(std::string_view title, std::string_view text);
+
+}  // namespace ff::studies
