@@ -74,7 +74,6 @@ struct EstimatorInfo {
     bool has_tracer = false;        ///< takes the option `tracer`
     bool has_map = false;           ///< takes the option `map`
     bool exact = false;             ///< no error except rounding: a reference, not a competitor
-    bool claims_errors = false;     ///< states an error bound for every factor; those added later may do so without
     bool sees_occluders = false;    ///< obstacles between two faces are noticed
     bool sees_reflections = false;  ///< light by way of mirrors is counted
     /// Largest value of one evaluation, none being negative; infinite where none is known.

@@ -171,7 +171,6 @@ std::optional<ConvergenceRate> fit_rate(std::span<const Rung> ladder, std::span<
     rate.lack_of_fit_p = line->lack_of_fit_p;
     if (line->freedom > 0)
         rate.misfit = std::sqrt(std::max(1.0, line->chi_squared / static_cast<double>(line->freedom)));
-    rate.variance_factor = factor;
     rate.points = ladder.size();
     return rate;
 }

@@ -29,7 +29,6 @@ struct ConvergenceRate {
     double standard_error = 0;            ///< the larger of those behind the two intervals
     std::optional<double> lack_of_fit_p;  ///< p-value of a straight line; empty for two sizes and for medians
     double misfit = 1;                    ///< sqrt(chi-squared / degrees of freedom) of the line, at least 1
-    double variance_factor = 1;           ///< the variances for one normal error per replicate were multiplied by this
     std::size_t points = 0;
 };
 

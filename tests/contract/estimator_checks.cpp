@@ -109,8 +109,6 @@ AssertionResult declares_itself(const EstimatorEntry& estimator) {
         return AssertionFailure() << info.dimension << " coordinates, but `points` says otherwise";
     if (info.own_points && (info.takes_points() || estimator.size_problem(0).empty()))
         return AssertionFailure() << "points of its own beside those of a sampler, or none at all";
-    if (estimator.info.claims_errors && estimator.info.observes == Observes::hits)
-        return AssertionFailure() << "errors are claimed of estimates";
     if (info.observes == Observes::hits && info.points != PointsServe::patches)
         return AssertionFailure() << "hits are of rays from patches";
     if (!(estimator.nanoseconds({}, scene_for(estimator)) > 0)) return AssertionFailure() << "costs nothing";

@@ -24,7 +24,6 @@ class AdaptiveContour {
         .reference = "piessens1983",
         .points = PointsServe::pairs,
         .own_points = true,
-        .claims_errors = true,
     };
 
     static std::string refusal(const EstimatorOptions& options, const Scene& scene);

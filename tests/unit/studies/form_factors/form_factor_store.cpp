@@ -205,7 +205,7 @@ TEST_F(FormFactorStore, IsRefusedOrUnchangedAfterABitFlip) {
 }
 
 TEST_F(FormFactorStore, RestoresDroppedPairs) {
-    const KeptFormFactors saved = found("nested_cubes", false, 0.2);
+    const KeptFormFactors saved = found(scene_source("nested_cubes"), false, 0.2);
     ASSERT_GT(saved.matrix.dropped, 0u);
     save(saved);
     const KeptFormFactors read = load_form_factors(file());
@@ -222,9 +222,9 @@ TEST_F(FormFactorStore, IsReadWithoutATableOfDroppedPairs) {
 }
 
 TEST_F(FormFactorStore, IsRepairedLaterExactlyAsDuringTheRun) {
-    KeptFormFactors plain = found("nested_cubes", false);
+    KeptFormFactors plain = found(scene_source("nested_cubes"), false);
     save(plain);
-    EXPECT_EQ(repair(load_form_factors(file()).matrix).factors, found("nested_cubes", true).matrix.repaired->factors);
+    EXPECT_EQ(repair(load_form_factors(file()).matrix).factors, found(scene_source("nested_cubes"), true).matrix.repaired->factors);
 }
 
 TEST_F(FormFactorStore, IsRefusedIfItIsAnotherKindOfFile) {
@@ -262,7 +262,7 @@ TEST_F(FormFactorStore, IsRefusedIfDamaged) {
     Database(file(), Database::Mode::create_or_open).execute("ALTER TABLE pairs ADD COLUMN more AS (low + high)");
     EXPECT_THAT(refusal<UserError>(), HasSubstr("table 'pairs' is defined otherwise"));
     // Bytes that are overwritten, as by a failing disk: of the middle of the file.
-    kept = found("nested_cubes", true);
+    kept = found(scene_source("nested_cubes"), true);
     save(kept);
     std::fstream(file(), std::ios::in | std::ios::out | std::ios::binary)
         .seekp(static_cast<std::streamoff>(std::filesystem::file_size(file()) / 2))
