@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <vector>
 
 namespace ff {
 namespace {
@@ -48,9 +50,29 @@ double farthest_coordinate(const Scene& scene) {
     return std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff());
 }
 
+double rounding_of_far_coordinates(const Scene& scene, const Placement& placement) {
+    double rounding = 0;
+    for (Eigen::Index axis = 0; axis < 3; ++axis) {
+        if (placement.origin[axis] == 0) continue;
+        std::vector<double> ends;
+        for (const Surface& surface : scene.surfaces) {
+            const Eigen::AlignedBox3d box = box_around(surface);
+            ends.insert(ends.end(), {box.min()[axis], box.max()[axis]});
+        }
+        const double farthest = std::max(std::abs(*std::min_element(ends.begin(), ends.end())),
+                                         std::abs(*std::max_element(ends.begin(), ends.end())));
+        const double last_place = std::ldexp(std::numeric_limits<double>::epsilon(), std::ilogb(farthest));
+        if (std::any_of(ends.begin(), ends.end(),
+                        [&](double end) { return std::remainder(end, 256 * last_place) != 0; }))
+            rounding = std::max(rounding, last_place / 2);
+    }
+    return rounding;
+}
+
 Scene placed(const Scene& scene, const Placement& placement) {
     Scene result = scene;
     if (placement.is_identity()) return result;
+    result.coordinate_rounding = std::max(scene.coordinate_rounding, rounding_of_far_coordinates(scene, placement));
     const auto move = [&](Vector3d& place) { place = (place - placement.origin) / placement.unit; };
     const auto scale = [&](auto& length) { length /= placement.unit; };
     for (Surface& surface : result.surfaces) {

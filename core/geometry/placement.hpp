@@ -24,7 +24,13 @@ Placement placement_of(const Scene& scene);
 /// The largest absolute coordinate of a scene.
 double farthest_coordinate(const Scene& scene);
 
-/// The scene in its place; placing it again changes nothing.
+/// By how much far coordinates, those along axes on which a scene is moved, may be off because double precision rounded
+/// them: half a unit in the last place of the largest. 0 where each is a multiple of 256 such units, as whole numbers
+/// are: rounding would hardly leave them so.
+double rounding_of_far_coordinates(const Scene& scene, const Placement& placement);
+
+/// The scene in its place, with coordinates that are known to be rounded at least as much as far ones are; placing it
+/// again changes nothing.
 Scene placed(const Scene& scene, const Placement& placement);
 Scene placed(const Scene& scene);
 

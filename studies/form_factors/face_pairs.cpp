@@ -1,6 +1,7 @@
 #include "studies/form_factors/face_pairs.hpp"
 
 #include "core/geometry/placement.hpp"
+#include "core/geometry/surface_map.hpp"
 #include "core/support/error.hpp"
 #include "core/visibility/facing.hpp"
 #include "studies/run/parallel.hpp"
@@ -301,6 +302,22 @@ FacePairs examine_pairs(const Scene& scene, const FormFactorRequest& request) {
     if (static_cast<std::size_t>(sampled) > most_of_full_effort) result.effort = PointEffort::sized;
     add_resolution(scene, result);
     return result;
+}
+
+void allow_for_rounding(double rounding, const Scene& scene, FacePairs& pairs) {
+    if (rounding == 0) return;
+    // Edges are at most pi times as long as the diagonals, and are off by sqrt(3) times the rounding. That changes what
+    // is exchanged, and the area that it is divided by.
+    constexpr double of_diagonals = 16;
+    std::vector<double> diagonals(pairs.faces());
+    for (const Surface& surface : scene.surfaces) {
+        if (surface.face != no_face)
+            diagonals[static_cast<std::size_t>(surface.face)] += box_around(surface).diagonal().norm();
+    }
+    for (FacePair& pair : pairs.pairs) {
+        const double diagonal = std::min(diagonals[pair.from], diagonals[pair.to]);
+        pair.resolution = std::max(pair.resolution, of_diagonals * rounding * diagonal);
+    }
 }
 
 }  // namespace ff::studies

@@ -41,7 +41,7 @@ struct FacePair {
     std::uint32_t to = 0;
     double known = 0;       ///< sum of what is known, in squared units of length
     double bound = 0;       ///< upper bound of its error
-    double resolution = 0;  ///< possible effect of rounding the scene's largest coordinates; 0 where it is small
+    double resolution = 0;  ///< possible effect of rounding coordinates that are large, or were; 0 where it is small
     double most = 0;        ///< upper bound of the exchange area: the unoccluded one
     bool all_unblocked_known = true;   ///< `most` is the unblocked exchange area, not merely the area of a surface
     std::vector<SampledPair> sampled;  ///< empty where `everything` is sampled
@@ -88,5 +88,8 @@ struct FacePairs {
 /// request is stopped are left to be sampled.
 /// @throws UserError for more faces than a matrix may have
 FacePairs examine_pairs(const Scene& scene, const FormFactorRequest& request);
+
+/// Widens what is known of each pair by what coordinates that may be off by so much can change of it.
+void allow_for_rounding(double rounding, const Scene& scene, FacePairs& pairs);
 
 }  // namespace ff::studies

@@ -52,8 +52,8 @@ void expect_possible(const Scene& scene, const FacePairs& geometry, const FormFa
 
 /// Clips an interval to what geometry allows, and the value to the interval.
 void clip(FaceExchange& exchange, const FacePair& pair) {
-    const double least = std::max(0.0, pair.known - pair.bound);
-    const double most = std::max(least, pair.most);
+    const double least = std::max(0.0, pair.known - pair.bound - pair.resolution);
+    const double most = std::max(least, pair.most + pair.resolution);
     exchange.clipped = exchange.value < least || exchange.value > most;
     exchange.low = std::clamp(exchange.low, least, most);
     exchange.high = std::clamp(exchange.high, least, most);
@@ -66,8 +66,8 @@ FaceExchange face_exchange(const FacePair& pair, const PairEstimate& estimate) {
     result.to = pair.to;
     result.reason = pair.reason;
     result.value = pair.known;
-    result.low = pair.known - pair.bound;
-    result.high = pair.known + pair.bound;
+    result.low = pair.known - pair.bound - pair.resolution;
+    result.high = pair.known + pair.bound + pair.resolution;
     if (pair.is_sampled() && !estimate.sum) {
         // Nothing but geometry: it was stopped before the first round was over.
         result.low = std::max(0.0, result.low);
@@ -271,7 +271,9 @@ FormFactorMatrix find_form_factors(const Scene& whole_scene, const FormFactorReq
     const Scene scene = with_joined_surfaces(placed(whole_scene, placement));
     FormFactorMatrix matrix;
     matrix.surfaces = scene.surfaces.size();
-    const FacePairs geometry = examine_pairs(scene, request);
+    FacePairs examined = examine_pairs(scene, request);
+    allow_for_rounding(rounding_of_far_coordinates(whole_scene, placement) / placement.unit, scene, examined);
+    const FacePairs geometry = std::move(examined);
     matrix.areas = geometry.areas;
     matrix.interrupted = request.stop != nullptr && *request.stop;
     if (!matrix.interrupted) expect_possible(scene, geometry, request);

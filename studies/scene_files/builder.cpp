@@ -256,8 +256,10 @@ Scene SceneBuilder::finish(bool closed, std::vector<FaceMaterial>* materials) {
     }
     scene_.name = name_;
     scene_.closed = closed;
+    Eigen::AlignedBox3d box;
+    for (const Surface& surface : scene_.surfaces) box.extend(box_around(surface));
     const std::vector<double> coordinates(coordinates_.begin(), coordinates_.end());
-    scene_.coordinate_rounding = coordinate_rounding(coordinates);
+    scene_.coordinate_rounding = coordinate_rounding(coordinates, box.sizes().maxCoeff());
     cut_out_covered_parts(materials);
     scene_.canonical = canonical_of(scene_);
     return std::move(scene_);

@@ -30,6 +30,8 @@ constexpr int most_digits = 14;
 constexpr int digits_of_single = 9;
 /// Fewer are meant so.
 constexpr int fewest_digits = 6;
+/// So many digits are those of coordinates up to 8 times as large as the scene, beyond which it counts as far away.
+constexpr double largest_unit = 8e-5;
 
 Digits digits_of(double value) {
     std::array<char, 32> text{};
@@ -48,7 +50,7 @@ Digits digits_of(double value) {
 
 }  // namespace
 
-double coordinate_rounding(std::span<const double> values) {
+double coordinate_rounding(std::span<const double> values, double size) {
     std::vector<Digits> all;
     int decimals = 0;
     int significant = 0;
@@ -72,8 +74,9 @@ double coordinate_rounding(std::span<const double> values) {
     const double as_decimals = share([&](const Digits& digits) { return digits.decimals() == decimals; });
     const double as_significant = share([&](const Digits& digits) { return digits.significant == significant; });
     if (std::max(as_decimals, as_significant) <= most) return 0;
-    const int last = as_decimals >= as_significant ? -decimals : digits_of(largest).exponent + 1 - significant;
-    return 0.5 * std::pow(10, last);
+    if (as_decimals < as_significant) return 0.5 * std::pow(10, digits_of(largest).exponent + 1 - significant);
+    const double unit = std::pow(10, -decimals);
+    return unit > largest_unit * size ? 0 : 0.5 * unit;
 }
 
 }  // namespace ff::studies

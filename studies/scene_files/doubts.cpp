@@ -126,8 +126,11 @@ void add_overlaps(const Scene& scene, SceneDoubts& doubts) {
 }
 
 void add_resolution(const Scene& scene, SceneDoubts& doubts) {
-    const double farthest = farthest_coordinate(placed(scene)) * placement_of(scene).unit;
-    const double step = 4 * std::numeric_limits<double>::epsilon() * farthest;
+    const Placement placement = placement_of(scene);
+    const double rounding = 16 * rounding_of_far_coordinates(scene, placement);
+    const double farthest =
+        rounding > 0 ? farthest_coordinate(scene) : farthest_coordinate(placed(scene, placement)) * placement.unit;
+    const double step = std::max(rounding, 4 * std::numeric_limits<double>::epsilon() * farthest);
     std::vector<std::size_t> small;
     double least = std::numeric_limits<double>::max();
     for (std::size_t face = 0; face < scene.faces.size(); ++face) {
@@ -137,9 +140,10 @@ void add_resolution(const Scene& scene, SceneDoubts& doubts) {
     }
     if (small.empty()) return;
     doubts.notes.push_back(fmt::format(
-        "scene '{}': {} {} small beside coordinates of {:.2g} (which are rounded: sampled factors of a face of "
-        "size {:.2g} are known to {:.1g} at best)",
-        scene.name, names(scene, small), small.size() == 1 ? "is" : "are", farthest, least, step / least));
+        "scene '{}': {} {} small beside coordinates of {:.2g} (which are rounded: {}factors of a face of size "
+        "{:.2g} are known to {:.1g} at best)",
+        scene.name, names(scene, small), small.size() == 1 ? "is" : "are", farthest, rounding > 0 ? "" : "sampled ",
+        least, step / least));
 }
 
 /// Coordinates with so few digits that faces are not where they were meant.

@@ -43,6 +43,22 @@ TEST(Placement, BringsFarScenesToTheOriginWithoutLosingADigit) {
     EXPECT_TRUE(placement_of(near).is_identity());
 }
 
+TEST(Placement, KnowsWhichFarCoordinatesWereRounded) {
+    const auto rounding_at = [](const Vector3d& corner, double edge) {
+        Scene scene;
+        scene.faces = {"a"};
+        scene.surfaces.push_back({Parallelogram{corner, {edge, 0, 0}, {0, edge, 0}}, {0, 0, 1}, 0});
+        const double rounding = rounding_of_far_coordinates(scene, placement_of(scene));
+        EXPECT_EQ(placed(scene).coordinate_rounding, rounding / placement_of(scene).unit);
+        return rounding;
+    };
+    EXPECT_EQ(rounding_at({0.1, 0.2, 0.3}, 0.7), 0) << "near";
+    EXPECT_EQ(rounding_at({1e9, 1e9, 1e9 + 3}, 4), 0) << "whole numbers";
+    EXPECT_EQ(rounding_at({1e7 + 0.25, 1e7, 1e7}, 0.125), 0) << "powers of two";
+    EXPECT_EQ(rounding_at({1e9, 1e9, 1e9}, 0.1), 0x1p-24);
+    EXPECT_EQ(rounding_at({0.5, 1e9 + 0.1, 0}, 4), 0x1p-24);
+}
+
 TEST(Placement, ScalesByAPowerOfTwo) {
     for (const double scale : {1e-30, 1e-18, 1e-7, 1e7, 1e18, 1e30}) {
         const Scene scene = moved(test::closed_can(), {0, 0, 0}, scale);

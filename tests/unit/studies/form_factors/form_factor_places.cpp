@@ -3,8 +3,12 @@
 #include "core/geometry/box.hpp"
 #include "core/geometry/placement.hpp"
 #include "studies/form_factors/form_factors.hpp"
+#include "studies/scene_files/scene_file.hpp"
 #include "tests/support/round_scenes.hpp"
 
+#include <fmt/format.h>
+
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -12,6 +16,8 @@
 #include <cmath>
 #include <cstdint>
 #include <random>
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace ff::studies {
@@ -141,6 +147,69 @@ TEST(FormFactorPlaces, DoNotMatterForAFurnishedRoom) {
         }
         EXPECT_EQ(there.missed(), 0u) << seed;
         EXPECT_TRUE(is_trusted(scene, there, place_tolerance)) << seed;
+    }
+}
+
+/// Of a closed room with walls that stand upright.
+struct Plan {
+    std::vector<std::pair<double, double>> outline;  ///< counterclockwise
+    std::vector<std::vector<std::size_t>> floor;     ///< convex parts, corners from 0
+};
+
+const Plan box_plan{{{0, 0}, {5, 0}, {5, 7}, {0, 7}}, {{0, 1, 2, 3}}};
+const Plan l_plan{{{0, 0}, {7, 0}, {7, 3}, {3, 3}, {3, 5}, {0, 5}}, {{0, 1, 2, 3}, {0, 3, 4, 5}}};
+
+/// The room, 3 units high, with all its coordinates so far off; through an OBJ file with so many decimals.
+Scene read_room(const Plan& plan, double unit, double far, int decimals) {
+    const std::size_t n = plan.outline.size();
+    std::string text = "# closed\n";
+    for (const double height : {0.0, 3.0}) {
+        for (const auto& [x, y] : plan.outline)
+            text += fmt::format("v {1:.{0}f} {2:.{0}f} {3:.{0}f}\n", decimals, far + unit * x, far + unit * y,
+                                far + unit * height);
+    }
+    for (std::size_t i = 0; i < n; ++i)
+        text += fmt::format("g wall{}\nf {} {} {} {}\n", i + 1, i + 1, n + i + 1, n + (i + 1) % n + 1, (i + 1) % n + 1);
+    for (const std::vector<std::size_t>& part : plan.floor) {
+        std::string below;
+        std::string above;
+        for (const std::size_t corner : part) {
+            below += fmt::format(" {}", corner + 1);
+            above.insert(0, fmt::format(" {}", n + corner + 1));
+        }
+        text += "g floor\nf" + below + "\ng ceiling\nf" + above + "\n";
+    }
+    return make_scene(with_scene_text("room.obj", text));
+}
+
+// Whole numbers, and decimals, keep their few digits however far off a room is. Where double precision rounds them, the
+// intervals say so: without that, the exact ones would exclude each other from 10^3 on.
+TEST(FormFactorPlaces, DoNotMatterForRoomsOfFewDigits) {
+    for (const Plan& plan : {box_plan, l_plan}) {
+        for (const auto& [unit, decimals] : {std::pair(1.0, 0), {0.25, 2}, {0.1, 1}, {0.013, 3}}) {
+            const FormFactorMatrix here = matrix_with_seed(read_room(plan, unit, 0, decimals), 1);
+            for (const double far : {1e3, 1e5, 1e7, 1e9}) {
+                SCOPED_TRACE(fmt::format("{} corners, unit {}, at {}", plan.outline.size(), unit, far));
+                const Scene scene = read_room(plan, unit, far, decimals);
+                const bool is_rounded = unit != 1.0 && unit != 0.25;
+                const SceneDoubts doubts = examine_scene(scene);
+                EXPECT_THAT(doubts.faults, testing::IsEmpty());
+                EXPECT_TRUE(is_rounded || doubts.notes.empty());
+                EXPECT_TRUE(!is_rounded || far < 1e7 || !doubts.notes.empty());
+                const FormFactorMatrix there = matrix_with_seed(scene, 1);
+                EXPECT_EQ(there.missed(), 0u);
+                EXPECT_TRUE(is_trusted(scene, there, place_tolerance));
+                for (std::size_t from = 0; from < here.faces(); ++from) {
+                    for (std::size_t to = from; to < here.faces(); ++to) {
+                        const FaceExchange a = here.exchange(from, to);
+                        const FaceExchange b = there.exchange(from, to);
+                        EXPECT_LE(a.low, b.high);
+                        EXPECT_GE(a.high, b.low);
+                        EXPECT_TRUE(is_rounded || a.is_sampled() || half_width(b) <= half_width(a) + 1e-12 * a.value);
+                    }
+                }
+            }
+        }
     }
 }
 

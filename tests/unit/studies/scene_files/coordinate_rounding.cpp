@@ -24,29 +24,36 @@ std::vector<double> written(const std::string& format, double scale = 1) {
 }
 
 TEST(CoordinateRounding, IsHalfAUnitOfTheLastDigit) {
-    EXPECT_DOUBLE_EQ(coordinate_rounding(written("{:.6f}")), 5e-7);
-    EXPECT_DOUBLE_EQ(coordinate_rounding(written("{:.4f}", 1000)), 5e-5);
-    EXPECT_DOUBLE_EQ(coordinate_rounding(written("{:.6g}", 1e-3)), 5e-10);
-    EXPECT_DOUBLE_EQ(coordinate_rounding(written("{:.9g}", 1e5)), 5e-5);
+    EXPECT_DOUBLE_EQ(coordinate_rounding(written("{:.6f}"), 1), 5e-7);
+    EXPECT_DOUBLE_EQ(coordinate_rounding(written("{:.4f}", 1000), 1000), 5e-5);
+    EXPECT_DOUBLE_EQ(coordinate_rounding(written("{:.6g}", 1e-3), 1e-3), 5e-10);
+    EXPECT_DOUBLE_EQ(coordinate_rounding(written("{:.9g}", 1e5), 1e5), 5e-5);
 }
 
 TEST(CoordinateRounding, RecognisesSinglePrecision) {
     std::vector<double> values = written("{:.17g}");
     for (double& value : values) value = static_cast<double>(static_cast<float>(value));
-    EXPECT_NEAR(coordinate_rounding(values), 0.9 * 0x1p-24, 0.1 * 0x1p-24);
+    EXPECT_NEAR(coordinate_rounding(values, 1), 0.9 * 0x1p-24, 0.1 * 0x1p-24);
 }
 
 TEST(CoordinateRounding, IsZeroForNumbersGivenExactly) {
-    EXPECT_EQ(coordinate_rounding(written("{:.17g}")), 0);
-    EXPECT_EQ(coordinate_rounding(std::vector<double>{0.25, 1, 3.5, 500000.25, 1e-7, 4, 2.125}), 0);
-    EXPECT_EQ(coordinate_rounding(std::vector<double>{500000.01, 500000, 500004, 500010, 4}), 0);
-    EXPECT_EQ(coordinate_rounding({}), 0);
+    EXPECT_EQ(coordinate_rounding(written("{:.17g}"), 1), 0);
+    EXPECT_EQ(coordinate_rounding(std::vector<double>{0.25, 1, 3.5, 500000.25, 1e-7, 4, 2.125}, 5e5), 0);
+    EXPECT_EQ(coordinate_rounding(std::vector<double>{500000.01, 500000, 500004, 500010, 4}, 5e5), 0);
+    EXPECT_EQ(coordinate_rounding({}, 1), 0);
+}
+
+// The digits of far coordinates say where a scene lies, not how finely its sizes were written.
+TEST(CoordinateRounding, IsZeroForFewDecimalsOfAFarScene) {
+    EXPECT_EQ(coordinate_rounding(std::vector<double>{10000003, 10000004, 10000005, 1e7}, 5), 0);
+    EXPECT_EQ(coordinate_rounding(std::vector<double>{10000.5, 10000.7, 10000.3, 1e4}, 0.7), 0);
+    EXPECT_DOUBLE_EQ(coordinate_rounding(std::vector<double>{500123.41, 500987.12, 4600045.93, 4600512.67}, 900), 5e-3);
 }
 
 TEST(CoordinateRounding, RecognisesDecimalsReadOneUlpOff) {
     std::vector<double> values = written("{:.6f}");
     for (double& value : values) value = std::nextafter(value, 1);
-    EXPECT_DOUBLE_EQ(coordinate_rounding(values), 5e-7);
+    EXPECT_DOUBLE_EQ(coordinate_rounding(values, 1), 5e-7);
 }
 
 }  // namespace
