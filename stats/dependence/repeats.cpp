@@ -106,13 +106,15 @@ double repeats_by_neighbours(const std::map<double, Occurrences>& values, double
     return pairs / 2;  // on either side of it
 }
 
-/// Whether a number is that of two whole numbers below 2^20, as one real number in a thousand is.
-bool is_ratio(double value) {
+/// Whether a number is, to rounding, the ratio of two whole numbers so small that one real number in a thousand is:
+/// below 2^20 in double precision.
+bool is_ratio(double value, double rounding) {
+    const double most = std::sqrt(1e-3 / rounding);
     double rest = std::abs(value);
     std::array<double, 2> above{1, std::floor(rest)};
     std::array<double, 2> below{0, 1};
-    while (std::max(above[1], below[1]) < 0x1p20) {
-        if (std::abs(above[1] / below[1] - std::abs(value)) <= std::abs(value) * 0x1p-50) return true;
+    while (std::max(above[1], below[1]) < most) {
+        if (std::abs(above[1] / below[1] - std::abs(value)) <= std::abs(value) * rounding) return true;
         rest = 1 / (rest - std::floor(rest));
         if (!std::isfinite(rest)) return false;
         above = {above[1], std::floor(rest) * above[1] + above[0]};
@@ -123,30 +125,37 @@ bool is_ratio(double value) {
 
 /// Whether more than one in a hundred differences of ascending values equals another, as those of a * i + b * j with
 /// whole i and j do.
-bool differences_repeat(const std::vector<double>& distinct) {
+bool differences_repeat(const std::vector<double>& distinct, double grain) {
     const std::size_t some = std::min<std::size_t>(distinct.size(), 200);
     std::vector<double> differences;
     for (std::size_t i = 0; i < some; ++i) {
         for (std::size_t j = i + 1; j < some; ++j) differences.push_back(distinct[j] - distinct[i]);
     }
     std::sort(differences.begin(), differences.end());
-    const double rounding = std::max(std::abs(distinct.front()), std::abs(distinct.back())) * 0x1p-46;
+    const double rounding = std::max(std::abs(distinct.front()), std::abs(distinct.back())) * std::max(0x1p-46, grain);
     std::size_t equal = 0;
     for (std::size_t i = 1; i < differences.size(); ++i)
         equal += differences[i] - differences[i - 1] <= rounding ? 1u : 0u;
     return 100 * equal > differences.size();
 }
 
-/// Whether ascending distinct values are real numbers with all of their digits, which chance never makes equal.
-bool are_real(const std::vector<double>& distinct) {
-    if (distinct.size() < 3 || find_spacing(distinct) > 0 || relative_grain(distinct) > 0) return false;
-    const auto ratios = static_cast<std::size_t>(std::count_if(distinct.begin(), distinct.end(), is_ratio));
-    return 4 * ratios < distinct.size() && !differences_repeat(distinct);
+/// Values printed with ten digits or more; with fewer, ratios and sums of counts cannot be told from real numbers.
+constexpr double finest_printed = 1.001e-9;
+
+/// Whether ascending distinct values are real numbers, which chance never makes equal.
+/// @param coarsest  the largest relative_grain that they may have
+bool are_real(const std::vector<double>& distinct, double coarsest) {
+    const double grain = relative_grain(distinct);
+    if (distinct.size() < 3 || find_spacing(distinct) > 0 || grain > coarsest) return false;
+    const double rounding = std::max(0x1p-50, grain);
+    const auto ratios = static_cast<std::size_t>(
+        std::count_if(distinct.begin(), distinct.end(), [&](double value) { return is_ratio(value, rounding); }));
+    return 4 * ratios < distinct.size() && !differences_repeat(distinct, grain);
 }
 
 /// The same of no more than four values: none is 0, short, or a ratio of whole numbers.
 bool are_few_reals(const std::vector<double>& distinct) {
-    const auto is_real = [](double value) { return value != 0 && !is_ratio(value); };
+    const auto is_real = [](double value) { return value != 0 && !is_ratio(value, 0x1p-50); };
     return distinct.size() > 1 && relative_grain(distinct) == 0 &&
            std::all_of(distinct.begin(), distinct.end(), is_real);
 }
@@ -167,16 +176,19 @@ std::optional<Repeats> find_repeats(std::span<const double> values) {
 
     Repeats found;
     std::map<double, Occurrences> inner;
+    std::size_t repeating = 0;  // values that do
     for (const auto& [value, here] : seen) {
         if (value == distinct.front() || value == distinct.back() || value == 0) continue;
         inner.emplace(value, here);
         found.repeats += here.count - 1;
+        repeating += here.count > 1;
         if (here.count == 1 || (found.later > 0 && here.second > found.later)) continue;
         found.earlier = here.first;
         found.later = here.second;
     }
-    if (found.repeats == 0) return std::nullopt;
     const auto n = static_cast<double>(values.size());
+    if (found.repeats == 0) return std::nullopt;
+    found.certain = repeating > 1 && are_real(distinct, finest_printed);
     const double grain = relative_grain(distinct);
     const double normal =
         distinct.size() > 1 ? expected_repeats(n, n * spacing / *moments_of(values).standard_deviation()) : 0;
@@ -223,7 +235,7 @@ std::size_t repeated_trials(std::span<const std::span<const double>> series) {
             const double value = values[trial.second];
             return value != distinct.front() && value != distinct.back() && value != 0;
         };
-        if (are_real(distinct) && std::any_of(std::next(repeating.begin()), repeating.end(), counts)) return repeats;
+        if (are_real(distinct, 0) && std::any_of(std::next(repeating.begin()), repeating.end(), counts)) return repeats;
         are_few = are_few && are_few_reals(distinct);
     }
     return are_few ? repeats : 0;

@@ -10,7 +10,8 @@ namespace ff::stats {
 struct Repeats {
     std::size_t repeats = 0;  ///< values that are equal to an earlier one
     double expected = 0;      ///< how many are expected by chance among independent values on the same lattice
-    double p = 0;             ///< P(at least as many by chance)
+    double p = 0;             ///< P(at least as many by chance), where every site of the lattice may be taken
+    bool certain = false;     ///< several values do that are real numbers with most of their digits
     std::size_t earlier = 0;  ///< index of the first value that occurs again ...
     std::size_t later = 0;    ///< ... and of where it does
 };
@@ -21,6 +22,10 @@ struct Repeats {
 /// lattice, whose spacing is the greatest common divisor of the gaps, and the neighbours, since where values crowd, the
 /// sites beside them fill too. Where the sites are few enough to be filled, repeats tell nothing. Values without a
 /// lattice never coincide by chance. Empty without a repeat, and where repeats tell nothing.
+///
+/// Printed shares of few trials, and sums of several, take few values, which need not be neighbours; and an estimator
+/// may give one value often, where nothing happens. So p can be small among honest ones: only where `certain` can one
+/// conclude that trials were repeated.
 std::optional<Repeats> find_repeats(std::span<const double> values);
 
 /// How many trials repeat an earlier one, bit for bit and in every series, where chance does not explain it; otherwise

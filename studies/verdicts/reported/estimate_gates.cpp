@@ -35,7 +35,9 @@ constexpr double fewest_effective = 30;  // independent trials that correlated o
 constexpr std::string_view how_it_happens =
     "Was every trial seeded alike, or a file joined to itself? Give every trial a seed of its own";
 
-void refuse_repeats(const EstimateSeries& series, const std::string& origin) {
+/// @return what else there is to say of repeats, in words; empty where there are none beyond chance
+/// @throws UserError where trials were certainly repeated
+std::string examine_repeats(const EstimateSeries& series, const std::string& origin) {
     const auto& values = series.values;
     if (std::all_of(values.begin(), values.end(), [&](double value) { return value == values.front(); }))
         refuse_estimates(
@@ -52,13 +54,18 @@ void refuse_repeats(const EstimateSeries& series, const std::string& origin) {
                          fmt::format("repeat from here on those from line {} on (repeated trials are not trials). {}.",
                                      series.lines.front(), how_it_happens));
     const auto repeats = stats::find_repeats(values);
-    if (repeats && repeats->p < repeat_alpha)
+    if (!repeats || repeats->p >= repeat_alpha) return {};
+    if (repeats->certain)
         refuse_estimates(
             series, origin, repeats->later,
             fmt::format("repeat: this one is equal to that of line {}, and of {} trials {} repeat an earlier one, "
                         "where chance makes about {:.2g}. {}.",
                         series.lines[repeats->earlier], values.size(), repeats->repeats, repeats->expected,
                         how_it_happens));
+    return fmt::format(
+        "{} of {} trials repeat an earlier value: no wonder if an estimate can take few values, as of few "
+        "rays or to few digits; otherwise seeds repeat, and the interval is too narrow",
+        repeats->repeats, values.size());
 }
 
 /// Why no interval of the mean can be believed, in words; empty where nothing speaks against one.
@@ -217,16 +224,17 @@ ExaminedSeries examine(const GatesSpec& spec, const Gate& gate, const EstimatesF
 }  // namespace
 
 Independence examine_independence(const EstimateSeries& series, const std::string& origin) {
-    refuse_repeats(series, origin);
-    const auto test = stats::test_serial_correlation(series.values);
-    if (!test || test->p >= serial_alpha) return {};
-    const auto correlation = stats::autocorrelation_of(series.values);
-    if (correlation.time <= 1) return {};
-    const double effective = static_cast<double>(series.values.size()) / correlation.time;
     Independence found;
+    found.note = examine_repeats(series, origin);
+    const auto test = stats::test_serial_correlation(series.values);
+    if (!test || test->p >= serial_alpha) return found;
+    const auto correlation = stats::autocorrelation_of(series.values);
+    if (correlation.time <= 1) return found;
+    const double effective = static_cast<double>(series.values.size()) / correlation.time;
     found.correlation = correlation;
-    found.note = fmt::format("trials are serially correlated (lag 1: {:.2g}, p = {:.1g}): {} are worth {:.0f}",
-                             test->first, test->p, series.values.size(), effective);
+    if (!found.note.empty()) found.note += "; ";
+    found.note += fmt::format("trials are serially correlated (lag 1: {:.2g}, p = {:.1g}): {} are worth {:.0f}",
+                              test->first, test->p, series.values.size(), effective);
     found.enough = effective >= fewest_effective;
     return found;
 }

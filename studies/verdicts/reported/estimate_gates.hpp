@@ -21,8 +21,8 @@ struct Independence {
 
 /// Rejects a series whose trials repeat; measures serial correlation in the order of trials, with a false alarm in 5 %
 /// of independent series, which costs only power.
-/// @throws UserError where all values are equal, where values repeat that chance does not repeat (probability below
-///         1e-6), and where the series repeats itself
+/// @throws UserError where all values are equal, where real numbers with most of their digits repeat, and where the
+///         series repeats itself (by chance with a probability below 1e-6)
 Independence examine_independence(const EstimateSeries& series, const std::string& origin);
 
 /// What a gate on a file would need.

@@ -203,6 +203,16 @@ TEST(ExamineIndependence, RefusesAFileJoinedToItself) {
                           "from line 2 on"));
 }
 
+// 3 of 7 rays, as 0.429: three digits hide that these are ratios.
+TEST(ExamineIndependence, OnlyNotesRepeatsOfEstimatesThatTakeFewValues) {
+    std::mt19937_64 engine(4);
+    std::binomial_distribution<int> hits(7, truth);
+    std::vector<double> values(100);
+    for (double& value : values) value = std::round(1000 * hits(engine) / 7.0) / 1000;
+    EXPECT_THAT(judge_file(bias_gate(0.2), file_of_estimates(values)).note,
+                HasSubstr("repeat an earlier value: no wonder if an estimate can take few values"));
+}
+
 TEST(ExamineIndependence, RefusesTrialsThatShareSeeds) {
     auto values = estimates(100, 0);
     for (std::size_t i = 0; i < values.size(); ++i) values[i] = values[i * i % 41];
