@@ -31,8 +31,9 @@ std::string independent_in_words(const RunComparison& comparison, const CellComp
     const Scene& scene = scene_of(comparison, cell);
     std::vector<std::string> parts;
     if (cell.mean && cell.mean->adjusted_p < alpha) {
-        parts.push_back(fmt::format("mean of {} by {:+.1e} ± {:.0e} ({})", quantity_label(scene, cell.mean->pair),
-                                    cell.mean->size, cell.mean->error, p_text(cell.mean->adjusted_p)));
+        parts.push_back(fmt::format("mean of {} by {}{} ({})", quantity_label(scene, cell.mean->pair),
+                                    cell.mean->size > 0 ? "+" : "", with_half_width(cell.mean->size, cell.mean->error),
+                                    p_text(cell.mean->adjusted_p)));
     }
     if (cell.spread && cell.spread->adjusted_p < alpha) {
         parts.push_back(fmt::format("standard deviation of {} by a factor {} ({})",
@@ -177,8 +178,8 @@ std::string answer(const RunComparison& comparison) {
         return fmt::format("{} to {}", brief(interval.low), brief(interval.high));
     };
     if (!lead.decided) {
-        return fmt::format("Neither run is better: the RMSE of {} is {} times that of {} in every comparison. ", second,
-                           range(*lead.ratios), first);
+        return fmt::format("Neither run is better: the RMSE of {} is {} times that of {}{}. ", second,
+                           range(*lead.ratios), first, lead.compared == 1 ? "" : " in every comparison");
     }
     if (lead.first > 0 && lead.second > 0) {
         return fmt::format("Neither run is better throughout: of {} RMSEs {} are smaller in {}, and {} in {}. ",
@@ -186,12 +187,10 @@ std::string answer(const RunComparison& comparison) {
     }
     const bool first_leads = lead.first > 0;
     const std::size_t led = lead.first + lead.second;
-    const std::string where =
-        led == lead.compared
-            ? fmt::format("all {} comparisons", led)
-            : fmt::format("{} of {} comparisons (the others do not tell them apart)", led, lead.compared);
-    return fmt::format("{} is better: its RMSE is {} times smaller than that of {} in {}. ",
-                       first_leads ? first : second, range(*lead.decided), first_leads ? second : first, where);
+    std::string where = fmt::format(" in {} of {} comparisons (the others do not tell them apart)", led, lead.compared);
+    if (led == lead.compared) where = led == 1 ? "" : fmt::format(" in all {} comparisons", led);
+    return fmt::format("{} is better: its RMSE is {} times smaller than that of {}{}. ", first_leads ? first : second,
+                       range(*lead.decided), first_leads ? second : first, where);
 }
 
 std::string verdict(const RunComparison& comparison) {

@@ -38,7 +38,7 @@ Table faces_table(const FormFactorReport& report) {
              plain_cell(to_error(sum.value, width)),
              plain_cell(fmt::format("{} to {}", to_error(sum.low, width), to_error(sum.high, width)))});
         const double half = std::max(sum.dropped.high - sum.dropped.value, sum.dropped.value - sum.dropped.low);
-        if (drops) table.rows.back().push_back(plain_cell(to_error(sum.dropped.value, half) + " ± " + brief(half, 2)));
+        if (drops) table.rows.back().push_back(plain_cell(with_half_width(sum.dropped.value, half)));
     }
     if (report.scene.faces.size() > most_listed_faces)
         table.remarks.push_back(

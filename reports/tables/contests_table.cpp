@@ -35,13 +35,13 @@ std::string_view in_words(Equal equal) {
 std::string budget_in_words(const Contest& contest) {
     switch (contest.equal) {
         case Equal::evaluations:
-            return fmt::format("{:g} evaluations", contest.budget);
+            return fmt::format("at {:g} evaluations", contest.budget);
         case Equal::processor_time:
-            return fmt::format("{:.3g} s", contest.budget);
+            return fmt::format("in {} s of processor time", brief(contest.budget));
         case Equal::error:
             break;
     }
-    return fmt::format("RMSE {:.3g}", contest.budget);
+    return fmt::format("at an RMSE of {}", brief(contest.budget));
 }
 
 /// The method; with its patches where it enters with several numbers of them.
@@ -62,8 +62,9 @@ std::string standing(const Contest& contest, std::size_t entrant) {
     const auto found = std::find_if(contest.handicaps.begin(), contest.handicaps.end(), [&](const auto& handicap) {
         return handicap.better == 0 && handicap.worse == entrant;
     });
-    if (!found->interval) return fmt::format("{}  {:.3g}", group, found->ratio);
-    return fmt::format("{}  {:.3g} [{:.3g}, {:.3g}]", group, found->ratio, found->interval->low, found->interval->high);
+    if (!found->interval) return fmt::format("{}  {}", group, brief(found->ratio));
+    return fmt::format("{}  {} [{}, {}]", group, brief(found->ratio), brief(found->interval->low),
+                       brief(found->interval->high));
 }
 
 std::string kind_of(PairClass pair_class, bool may_be_occluded) {
@@ -124,7 +125,8 @@ Table side_by_side(const studies::StudyResults& results, bool timed) {
                 table.rows.push_back(std::move(row));
             }
         }
-        table.remarks.push_back(fmt::format("On {} pairs: {}.", name(lead->pair_class), fmt::join(budgets, ", ")));
+        table.remarks.push_back(
+            fmt::format("On {} pairs methods are compared {}.", name(lead->pair_class), listed(budgets)));
     }
     table.remarks.push_back(
         fmt::format("Intervals of level {:g} hold together for all pairs of methods and all sizes in a column, of a "
@@ -202,7 +204,7 @@ Table decisions_table(const studies::StudyResults& results, bool timed) {
             const studies::Choice& choice = decision.choices[place];
             const auto names = alike(place);
             const std::string worst =
-                names.size() == 1 ? fmt::format(", at worst {:.2g}", choice.largest_handicap) : " each";
+                names.size() == 1 ? fmt::format(", at worst {}", brief(choice.largest_handicap, 2)) : " each";
             return fmt::format("{} ({} of {}{})", listed(names), choice.best, choice.entered, worst);
         };
         table.rows.push_back({{kind_of(decision.pair_class, decision.may_be_occluded)},

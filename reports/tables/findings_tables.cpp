@@ -39,7 +39,7 @@ Table error_law_table(const studies::StudyResults& results) {
         for (const double error : law.closure_errors) errors.push_back(fmt::format("{:+.6f}", error));
         table.rows.push_back({{law.method + (law.published ? ", as printed" : "")},
                               {fmt::format("{:+.4f}", law.first_order.coefficient)},
-                              {fmt::format("{:.2g} %", 100 * law.first_order.largest_residual)},
+                              {brief(100 * law.first_order.largest_residual, 2) + " %"},
                               {law.free ? fmt::format("{:.4f}", law.free->exponent) : "–"},
                               {fmt::format("{}", fmt::join(law.m, ", "))},
                               {fmt::format("{}", fmt::join(errors, ", "))}});

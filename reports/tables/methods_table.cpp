@@ -15,8 +15,7 @@ std::string rmse_text(const studies::CellFindings& found, PairClass pair_class) 
     if (error == nullptr) return "–";
     if (error->status == studies::VarianceStatus::infinite) return "infinite";
     if (!error->interval) return brief(error->rmse);
-    const double reach = error->interval->width() / 2;
-    return fmt::format("{} ± {:.1g}", to_error(error->rmse, reach), reach);
+    return with_half_width(error->rmse, error->interval->width() / 2);
 }
 
 std::string sum_error_text(const studies::CellFindings& found) {
@@ -32,8 +31,7 @@ std::string sum_error_text(const studies::CellFindings& found) {
 std::string mean_text(const studies::Summary& s) {
     if (!s.mean) return "–";
     if (s.reference || !s.mean_interval) return to_error(*s.mean, s.bias_se.value_or(0.0));
-    const double reach = s.mean_interval->width() / 2;
-    return fmt::format("{} ± {:.1g}", to_error(*s.mean, reach), reach);
+    return with_half_width(*s.mean, s.mean_interval->width() / 2);
 }
 
 }  // namespace

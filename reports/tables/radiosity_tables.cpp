@@ -203,7 +203,7 @@ Table bias_order_table(const studies::StudyResults& results) {
         std::vector<std::string> sizes, biases, products;
         for (const auto& point : order.points) {
             sizes.push_back(fmt::format("{:.0f}", point.evaluations));
-            biases.push_back(fmt::format("{} ± {}", percent(point.bias), percent(point.error, 1)));
+            biases.push_back(percent_with_half_width(point.bias, point.error));
             products.push_back(brief(point.evaluations * point.bias, 2));
         }
         const std::string slope = order.slope ? fmt::format("{:.2f} [{:.2f}, {:.2f}]", *order.slope,

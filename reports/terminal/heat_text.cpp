@@ -24,7 +24,7 @@ std::string with_error(const Bounds& bounds, bool is_rounding = false) {
     constexpr double unseen = 0.01;
     if (is_rounding || std::abs(bounds.middle()) < unseen * bounds.half_width())
         return fmt::format("0 ± {}", brief(bounds.half_width(), 2));
-    return fmt::format("{} ± {}", to_error(bounds.middle(), bounds.half_width()), brief(bounds.half_width(), 2));
+    return with_half_width(bounds.middle(), bounds.half_width());
 }
 
 constexpr std::size_t most_flows_shown = 40;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 namespace ff::reports {
 
@@ -20,9 +21,21 @@ std::string to_error(double value, double error) {
     return fmt::format("{:.{}f}", value, decimals);
 }
 
+std::string with_half_width(double value, double half) {
+    if (half == 0) return to_error(value, half);
+    if (!std::isfinite(half)) return fmt::format("{} ± {}", to_error(value, half), brief(half));
+    const std::string shown = to_error(value, std::strtod(fmt::format("{:.1e}", half).c_str(), nullptr));  // 0.996: 1.0
+    if (shown.find('e') != std::string::npos) return fmt::format("{} ± {:.1e}", shown, half);
+    const std::size_t decimals = shown.size() - std::min(shown.find('.'), shown.size() - 1) - 1;
+    return fmt::format("{} ± {:.{}f}", shown, half, decimals);
+}
+
 std::string brief(double value, int digits) {
     if (std::isinf(value)) return value > 0 ? "∞" : "-∞";
-    return fmt::format("{:.{}g}", value, digits);
+    const std::string text = fmt::format("{:.{}g}", value, digits);
+    constexpr double large = 1e6;
+    const double shown = std::strtod(text.c_str(), nullptr);
+    return std::abs(shown) >= 1 && std::abs(shown) < large ? fmt::format("{}", shown) : text;
 }
 
 std::string p_value(double p) {

@@ -12,7 +12,11 @@ std::string exact(std::optional<double> value);
 /// not a number, shows eight digits. Below 1e-4 with an exponent, unless the error is larger.
 std::string to_error(double value, double error);
 
-/// A few significant digits; values below 1e-4 have an exponent: "0.0123", "7.7e-05".
+/// A value and half the width of its interval, both to the second significant digit of the half width:
+/// "0.00055 ± 0.00030", "4.07e-05 ± 3.0e-06". The value alone where that is 0.
+std::string with_half_width(double value, double half);
+
+/// A few significant digits; values below 1e-4, and from a million on, have an exponent: "0.0123", "7.7e-05", "1930".
 std::string brief(double value, int digits = 3);
 
 /// A p-value: two significant digits, "< 1e-10" below that.

@@ -1,5 +1,6 @@
 #include "reports/words/in_brief.hpp"
 
+#include "reports/text/numbers.hpp"
 #include "reports/words/findings/coverage_words.hpp"
 #include "reports/words/findings/occlusion_words.hpp"
 #include "reports/words/findings/reduction_words.hpp"
@@ -17,8 +18,9 @@ std::vector<std::string> error_laws_in_brief(const studies::StudyResults& result
     std::vector<std::string> laws;
     if (!results.occlusion.empty()) return laws;  // row sums are not what its scenes are about
     for (const studies::ErrorLaw& law : results.error_laws) {
-        laws.push_back(fmt::format("{:+.4f} for {}{} (within {:.2g} %)", law.first_order.coefficient, law.method,
-                                   law.published ? " as printed" : "", 100 * law.first_order.largest_residual));
+        laws.push_back(fmt::format("{:+.4f} for {}{} (within {} %)", law.first_order.coefficient, law.method,
+                                   law.published ? " as printed" : "",
+                                   brief(100 * law.first_order.largest_residual, 2)));
     }
     if (laws.empty()) return {};
     return {fmt::format("With m patches along an edge the row sums of deterministic methods miss 1 by c/m: c = {}.",

@@ -70,13 +70,20 @@ SettingFindings SettingCollector::finish(const Eigen::VectorXd& exact, const Eig
     const double mean = areas.dot(exact) / areas.sum();
     const bool has_moments = findings_.trials == 1 || findings_.convergent == findings_.trials;
     double squares = 0;
+    std::vector<double> of_trials(findings_.trials, 0.0);  // mean squares
     for (std::size_t i = 0; i < by_element_.size(); ++i) {
         const double truth = i == 0 ? mean : exact[static_cast<Eigen::Index>(i) - 1];
         auto& found = findings_.exitance.emplace_back(summarise_exitance(i, truth, by_element_[i]));
         if (has_moments) add_moments(found, by_element_[i], level);
         if (i > 0) squares += std::pow(found.rmse.value_or(0), 2);
+        for (std::size_t trial = 0; i > 0 && trial < of_trials.size(); ++trial)
+            of_trials[trial] += std::pow((by_element_[i][trial] - truth) / mean, 2) / static_cast<double>(exact.size());
     }
-    if (has_moments) findings_.light_error = std::sqrt(squares / static_cast<double>(exact.size())) / mean;
+    if (!has_moments) return std::move(findings_);
+    findings_.light_error = std::sqrt(squares / static_cast<double>(exact.size())) / mean;
+    if (of_trials.size() < stats::fewest_replicates) return std::move(findings_);
+    const auto interval = stats::mean_interval(of_trials, 0, level);
+    if (interval && interval->low > 0) findings_.light_interval = stats::square_root(*interval);
     return std::move(findings_);
 }
 

@@ -67,7 +67,8 @@ struct SettingFindings {
     /// Root mean square over trials and elements of the exitance's error, relative to the mean exact exitance; empty
     /// where the mean of ExitanceFindings is.
     std::optional<double> light_error;
-    std::vector<SolverFindings> solvers;  ///< one for each solver; only for the method's own completion
+    std::optional<stats::Interval> light_interval;  ///< by the rule for means of squares; empty for few trials
+    std::vector<SolverFindings> solvers;            ///< one for each solver; only for the method's own completion
 };
 
 /// The results of one treatment of the estimates of one cell.

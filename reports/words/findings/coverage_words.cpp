@@ -1,6 +1,7 @@
 #include "reports/words/findings/coverage_words.hpp"
 
 #include "reports/text/labels.hpp"
+#include "reports/words/form_factor_warnings.hpp"
 
 #include <fmt/format.h>
 
@@ -24,9 +25,16 @@ struct Range {
     std::vector<const Coverage*> rows;  ///< ascending
     std::ptrdiff_t short_of = 0;
 
+    /// Whether so few intervals were made that not one row tells its coverage to a half.
+    [[nodiscard]] bool tells_nothing() const {
+        return std::all_of(rows.begin(), rows.end(), [](const Coverage* row) { return row->actual.width() > 0.5; });
+    }
     [[nodiscard]] std::string in_words() const {
-        return fmt::format("covers {:.3f} to {:.3f}; significantly short in {} of {} rows", rows.front()->share(),
-                           rows.back()->share(), short_of, rows.size());
+        if (tells_nothing()) return "too few trials to tell the coverage";
+        const std::string shares = rows.size() == 1
+                                       ? fmt::format("{:.3f}", rows.front()->share())
+                                       : fmt::format("{:.3f} to {:.3f}", rows.front()->share(), rows.back()->share());
+        return fmt::format("covers {}; significantly short in {} of {}", shares, short_of, counted(rows.size(), "row"));
     }
 };
 
@@ -49,9 +57,11 @@ Range range_of(const studies::StudyResults& results, IntervalRule rule, std::opt
 
 std::vector<std::string> coverage_clauses(const studies::StudyResults& results) {
     std::vector<std::string> clauses;
+    bool has_few = false;
     for (const IntervalRule rule : all_rules) {
         const Range range = range_of(results, rule, {});
-        if (range.rows.empty()) continue;
+        has_few |= !range.rows.empty() && range.tells_nothing();
+        if (range.rows.empty() || range.tells_nothing()) continue;
         clauses.push_back(fmt::format("{} {:.1f} to {:.1f} % (significantly short in {} of {} rows)",
                                       rule_in_words(rule), 100 * range.rows.front()->share(),
                                       100 * range.rows.back()->share(), range.short_of, range.rows.size()));
@@ -59,6 +69,8 @@ std::vector<std::string> coverage_clauses(const studies::StudyResults& results) 
     if (!clauses.empty()) {
         clauses.front() = fmt::format("intervals that promise {:g} % contain the exact value in: {}",
                                       100 * results.findings.plan.spec.level, clauses.front());
+    } else if (has_few) {
+        clauses.emplace_back("too few trials tell how often intervals contain the exact value");
     }
     return clauses;
 }

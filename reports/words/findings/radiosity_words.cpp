@@ -21,6 +21,8 @@ using studies::Treatment;
 
 /// Row sums that are 1 but for rounding.
 constexpr double rounding = 1e-12;
+/// Percentages below this are rounding.
+constexpr double least_percents = 1e-9;
 
 Treatment own_treatment(const studies::StudyPlan& plan, std::size_t cell) {
     return studies::treatment_of(plan.spec.methods[plan.cells[cell].method].completion);
@@ -39,6 +41,12 @@ std::string dominance_text(const Consequences& found) {
         brief(found.convergent_below.least, 4));
 }
 
+/// With ± half the width of its interval, if it has one.
+std::string light_error_text(const studies::SettingFindings& at) {
+    return at.light_interval ? percent_with_half_width(*at.light_error, at.light_interval->width() / 2)
+                             : percent(*at.light_error);
+}
+
 /// What becomes of the exitance at one setting.
 std::string light_text(const studies::StudyPlan& plan, const Consequences& found, std::size_t setting) {
     const studies::SettingFindings& at = found.settings[setting];
@@ -49,7 +57,7 @@ std::string light_text(const studies::StudyPlan& plan, const Consequences& found
         return fmt::format("at {} the exitance is negative or undefined in {} of {} trials", where, impossible,
                            at.trials);
     if (!at.light_error) return fmt::format("at {} its error has no mean", where);
-    return fmt::format("at {} the exitance error is {}", where, percent(*at.light_error));
+    return fmt::format("at {} the exitance error is {}", where, light_error_text(at));
 }
 
 /// The setting that a reader is told about besides the last: the middle one.
@@ -164,8 +172,12 @@ std::vector<std::size_t> lit_cells(const studies::StudyPlan& plan, std::size_t s
 
 std::string percent(double share, int digits) {
     const double percents = 100 * share;
-    if (std::abs(percents) < 1e-9) return "0 %";  // rounding
+    if (std::abs(percents) < least_percents) return "0 %";
     return std::abs(percents) < 100 ? fmt::format("{} %", brief(percents, digits)) : fmt::format("{:.0f} %", percents);
+}
+
+std::string percent_with_half_width(double share, double half) {
+    return 100 * half < least_percents ? percent(share) : with_half_width(100 * share, 100 * half) + " %";
 }
 
 std::string over_trials_text(const studies::OverTrials& range, std::size_t trials, int digits) {
@@ -177,8 +189,7 @@ std::string over_trials_text(const studies::OverTrials& range, std::size_t trial
 std::string bias_text(const studies::ExitanceFindings& found) {
     if (!found.bias) return "no mean";
     if (!found.bias_interval) return percent(*found.bias / found.exact);
-    return fmt::format("{} ± {}", percent(*found.bias / found.exact),
-                       percent(found.bias_interval->width() / 2 / found.exact, 1));
+    return percent_with_half_width(*found.bias / found.exact, found.bias_interval->width() / 2 / found.exact);
 }
 
 std::string iterations_text(const studies::SolverFindings& found) {
@@ -224,28 +235,30 @@ std::optional<LightInBrief> light_in_brief(const studies::StudyResults& results)
     if (!results.radiosity) return std::nullopt;
     const studies::StudyPlan& plan = results.findings.plan;
     const std::size_t told = told_setting(plan);
-    std::map<std::size_t, double> errors;  // of a method the largest
+    std::map<std::size_t, const studies::SettingFindings*> errors;  // of a method the largest
     for (std::size_t scene = 0; scene < plan.scenes.size(); ++scene) {
         for (const std::size_t cell : lit_cells(plan, scene)) {
             const Consequences* found = results.radiosity->find(cell, own_treatment(plan, cell));
             if (found->settings.empty() || !found->settings[told].light_error) continue;
-            double& error = errors[plan.cells[cell].method];
-            error = std::max(error, *found->settings[told].light_error);
+            const studies::SettingFindings*& largest = errors[plan.cells[cell].method];
+            if (largest == nullptr || *largest->light_error < *found->settings[told].light_error)
+                largest = &found->settings[told];
         }
     }
     if (errors.empty()) return std::nullopt;
     LightInBrief brief;
     brief.reflectance = setting_text(plan, told);
     std::vector<std::string> parts;  // in the study's order, since nothing tests which error is smaller
-    for (const auto& [method, error] : errors)
-        parts.push_back(fmt::format("{} with {}", percent(error), plan.spec.methods[method].name));
+    for (const auto& [method, at] : errors)
+        parts.push_back(fmt::format("{} with {}", light_error_text(*at), plan.spec.methods[method].name));
     brief.clause =
         fmt::format("at reflectance {} the exitance error is {}{}", brief.reflectance, fmt::join(parts, ", "),
                     plan.scenes.size() > 1 ? ", in the scene where it is largest" : "");
-    const auto [least, largest] = std::minmax_element(errors.begin(), errors.end(),
-                                                      [](const auto& a, const auto& b) { return a.second < b.second; });
-    brief.value = percent(least->second);
-    if (errors.size() > 1) brief.value += fmt::format(" to {}", percent(largest->second));
+    const auto [least, largest] = std::minmax_element(errors.begin(), errors.end(), [](const auto& a, const auto& b) {
+        return *a.second->light_error < *b.second->light_error;
+    });
+    brief.value = percent(*least->second->light_error);
+    if (errors.size() > 1) brief.value += fmt::format(" to {}", percent(*largest->second->light_error));
     return brief;
 }
 

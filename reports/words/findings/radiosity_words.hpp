@@ -15,7 +15,7 @@ std::vector<std::string> radiosity_in_brief(const studies::StudyResults& results
 /// The exitance error of each compared method, at the reflectance of the headline.
 struct LightInBrief {
     std::string reflectance;
-    std::string clause;  ///< "at reflectance 0.9 the exitance error is 27 % with PDM and 0.9 % with SR"
+    std::string clause;  ///< "at reflectance 0.9 the exitance error is 27 % with PDM, 0.90 ± 0.02 % with SR"
     std::string value;   ///< "0.9 % to 27 %"
 };
 std::optional<LightInBrief> light_in_brief(const studies::StudyResults& results);
@@ -28,6 +28,9 @@ std::string over_trials_text(const studies::OverTrials& range, std::size_t trial
 
 /// An error relative to the exact value: "1.2 %"; rounding shows as "0 %".
 std::string percent(double share, int digits = 2);
+
+/// "17.0 ± 1.2 %", of shares; as `percent` where nothing but rounding is left of the half width.
+std::string percent_with_half_width(double share, double half);
 
 /// Bias of an exitance relative to the exact one: "-0.3 % ± 0.02 %". Without ± where all trials are equal.
 std::string bias_text(const studies::ExitanceFindings& found);

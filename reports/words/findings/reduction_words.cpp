@@ -1,6 +1,7 @@
 #include "reports/words/findings/reduction_words.hpp"
 
 #include "reports/text/labels.hpp"
+#include "reports/text/numbers.hpp"
 #include "reports/words/findings/standing.hpp"
 
 #include <fmt/format.h>
@@ -47,7 +48,8 @@ bool is_below_the_top(const studies::StudyResults& results, std::size_t cell) {
 }  // namespace
 
 std::string factor_text(const VarianceReduction& reduction) {
-    return fmt::format("{:.3g} [{:.3g}, {:.3g}]", reduction.factor, reduction.interval.low, reduction.interval.high);
+    return fmt::format("{} [{}, {}]", brief(reduction.factor), brief(reduction.interval.low),
+                       brief(reduction.interval.high));
 }
 
 std::vector<std::string> reductions_in_brief(const studies::StudyResults& results) {

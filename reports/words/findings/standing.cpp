@@ -69,7 +69,7 @@ std::string from_to(const std::string& first, const std::string& last) {
 }
 
 std::string slope_and_reach(const Ranked& slope) {
-    return fmt::format("{:.2f} ± {:.2f}", slope.value, slope.interval->width() / 2);
+    return with_half_width(slope.value, slope.interval->width() / 2);
 }
 
 /// The rankings of all classes of pairs of all scenes that have one, such that all of them hold together.
@@ -185,9 +185,9 @@ void rank_variances_of_size(const StudyResults& results, Ranking& ranking, doubl
         ranking.said += "no method is shown to have less variance than random points";
     } else {
         const auto& interval = ranked.front().interval;
-        const std::string much =
-            best.one() && interval ? fmt::format("{:.3g} ({:.3g} to {:.3g})", best.best, interval->low, interval->high)
-                                   : from_to(fmt::format("{:.3g}", best.last), fmt::format("{:.3g}", best.best));
+        const std::string much = best.one() && interval ? fmt::format("{} ({} to {})", brief(best.best),
+                                                                      brief(interval->low), brief(interval->high))
+                                                        : from_to(brief(best.last), brief(best.best));
         ranking.said += fmt::format("{} {} the least variance, {} times less than random points", listed(best.names),
                                     best.one() ? "has" : "have", much);
     }

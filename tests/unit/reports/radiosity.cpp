@@ -89,7 +89,8 @@ TEST(Headline, BeginsWithTheExitanceError) {
     const auto light = light_in_brief(lit());
     ASSERT_TRUE(light);
     EXPECT_EQ(light->reflectance, "0.9");
-    EXPECT_THAT(light->clause, testing::ContainsRegex("at reflectance 0.9 the exitance error is [0-9.]+ % with SR, "));
+    EXPECT_THAT(light->clause,
+                testing::ContainsRegex("at reflectance 0.9 the exitance error is [0-9.]+ ± [0-9.]+ % with SR, "));
     EXPECT_THAT(headline(lit()).verdict, testing::StartsWith("At reflectance 0.9 the exitance error is "));
     EXPECT_EQ(headline(lit()).numbers.front().value, light->value);
     EXPECT_FALSE(light_in_brief(test::small_results()));

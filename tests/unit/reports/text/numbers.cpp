@@ -40,10 +40,24 @@ TEST(ToError, ShowsEightDigitsWithoutAnError) {
     EXPECT_EQ(to_error(1, 0), "1");
 }
 
+TEST(WithHalfWidth, ShowsBothToTheSameDecimalPlace) {
+    EXPECT_EQ(with_half_width(0.000551, 0.0003), "0.00055 ± 0.00030");
+    EXPECT_EQ(with_half_width(0.00178, 0.0000996), "0.00178 ± 0.00010");
+    EXPECT_EQ(with_half_width(17.3, 1.24), "17.3 ± 1.2");
+    EXPECT_EQ(with_half_width(173.4, 12.4), "173 ± 12");
+    EXPECT_EQ(with_half_width(1734, 124), "1734 ± 124");
+    EXPECT_EQ(with_half_width(4.07e-5, 3.04e-6), "4.07e-05 ± 3.0e-06");
+    EXPECT_EQ(with_half_width(0.5, 0), "0.5");
+    EXPECT_EQ(with_half_width(-2e-6, 3e-6), "-0.0000020 ± 0.0000030");
+}
+
 TEST(Brief, ShowsAFewDigits) {
     EXPECT_EQ(brief(0.0123456), "0.0123");
     EXPECT_EQ(brief(7.7e-5, 2), "7.7e-05");
     EXPECT_EQ(brief(0), "0");
+    EXPECT_EQ(brief(11.7, 1), "10");
+    EXPECT_EQ(brief(-1934), "-1930");
+    EXPECT_EQ(brief(999600), "1e+06");
 }
 
 TEST(PValue, NeverShowsZero) {

@@ -4,6 +4,7 @@
 #include "reports/pictures/pictures.hpp"
 #include "reports/terminal/terminal.hpp"
 #include "reports/text/labels.hpp"
+#include "reports/words/coverage_words.hpp"
 #include "reports/words/headline.hpp"
 #include "tests/support/studies.hpp"
 #include "tests/unit/reports/small_study.hpp"
@@ -24,6 +25,20 @@ using testing::StartsWith;
 
 studies::StudyResults results_of(const std::string& keys, const std::string& methods) {
     return studies::evaluate(test::run(test::plan_of(test::study_text(keys, methods))));
+}
+
+TEST(CoverageInBrief, SaysWhereTooFewTrialsTellTheCoverage) {
+    const auto lines_of = [](int trials) {
+        const std::string text = fmt::format(
+            "[study]\nname = \"few\"\nscene = \"cube_opposite_faces\"\ntrials = {}\nseed = 1\n[[method]]\nname = "
+            "\"SR\"\nsampler = \"random\"\nestimator = \"ray_shooting\"\nsamples_per_patch = 64\n"
+            "[coverage]\nreplicates = [5]\n",
+            trials);
+        return coverage_in_brief(studies::evaluate(test::run(test::plan_of(text))));
+    };
+    EXPECT_THAT(lines_of(10),
+                testing::Contains("Student's t, R = 5: too few trials to tell the coverage (nominal 0.95)."));
+    EXPECT_THAT(lines_of(100), testing::Each(HasSubstr("significantly short in ")));
 }
 
 TEST(Listed, NamesAFewAndCountsTheRest) {
