@@ -26,6 +26,7 @@
 #include "reports/programs/hand_over.hpp"
 #include "reports/terminal/form_factors_text.hpp"
 #include "reports/text/labels.hpp"
+#include "reports/text/numbers.hpp"
 #include "reports/words/form_factor_warnings.hpp"
 #include "studies/form_factors/repair.hpp"
 #include "studies/form_factors/store/store.hpp"

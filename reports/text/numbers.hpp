@@ -1,7 +1,10 @@
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 
 namespace ff::reports {
 
@@ -27,5 +30,11 @@ std::string p_text(double p);
 
 /// A time: "12.3 s", "2.5 min" from 100 seconds on.
 std::string seconds_in_words(double seconds);
+
+/// Thousands apart, so that counts of samples can be read: "1 234 567".
+std::string thousands_apart(std::uint64_t number);
+
+/// "1 face", "2 faces"
+std::string counted(std::size_t number, std::string_view thing);
 
 }  // namespace ff::reports

@@ -43,17 +43,6 @@ std::string row_warning(const FormFactorReport& report, const std::vector<std::s
 
 }  // namespace
 
-std::string thousands_apart(std::uint64_t number) {
-    std::string digits = std::to_string(number);
-    for (auto at = static_cast<std::ptrdiff_t>(digits.size()) - 3; at > 0; at -= 3)
-        digits.insert(static_cast<std::size_t>(at), " ");
-    return digits;
-}
-
-std::string counted(std::size_t number, std::string_view thing) {
-    return fmt::format("{} {}{}", number, thing, number == 1 ? "" : "s");
-}
-
 std::vector<std::string> form_factor_warnings(const FormFactorReport& report) {
     const studies::FormFactorMatrix& matrix = report.matrix;
     std::vector<std::string> warnings = matrix.faults;

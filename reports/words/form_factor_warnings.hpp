@@ -21,10 +21,4 @@ struct FormFactorReport {
 /// Sentences about suspicious findings: row sums of closed scenes that exclude 1, lost rays, contradictions.
 std::vector<std::string> form_factor_warnings(const FormFactorReport& report);
 
-/// Thousands apart, so that counts of samples can be read: "1 234 567".
-std::string thousands_apart(std::uint64_t number);
-
-/// "1 face", "2 faces"
-std::string counted(std::size_t number, std::string_view thing);
-
 }  // namespace ff::reports

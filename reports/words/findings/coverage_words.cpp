@@ -1,7 +1,7 @@
 #include "reports/words/findings/coverage_words.hpp"
+#include "reports/text/numbers.hpp"
 
 #include "reports/text/labels.hpp"
-#include "reports/words/form_factor_warnings.hpp"
 
 #include <fmt/format.h>
 

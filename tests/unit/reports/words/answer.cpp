@@ -4,7 +4,7 @@
 #include "reports/pictures/pictures.hpp"
 #include "reports/terminal/terminal.hpp"
 #include "reports/text/labels.hpp"
-#include "reports/words/coverage_words.hpp"
+#include "reports/words/findings/coverage_words.hpp"
 #include "reports/words/headline.hpp"
 #include "tests/support/studies.hpp"
 #include "tests/unit/reports/small_study.hpp"

@@ -224,7 +224,8 @@ TEST_F(FormFactorStore, IsReadWithoutATableOfDroppedPairs) {
 TEST_F(FormFactorStore, IsRepairedLaterExactlyAsDuringTheRun) {
     KeptFormFactors plain = found(scene_source("nested_cubes"), false);
     save(plain);
-    EXPECT_EQ(repair(load_form_factors(file()).matrix).factors, found(scene_source("nested_cubes"), true).matrix.repaired->factors);
+    EXPECT_EQ(repair(load_form_factors(file()).matrix).factors,
+              found(scene_source("nested_cubes"), true).matrix.repaired->factors);
 }
 
 TEST_F(FormFactorStore, IsRefusedIfItIsAnotherKindOfFile) {
