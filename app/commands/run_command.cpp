@@ -176,7 +176,7 @@ ExitCode run(const RunCommand& command) {
                           units));
     bool worked = false;
     studies::MeasuredCosts costs(plan);
-    options.report = [&](const studies::Progress& state) {
+    options.report = [&](const studies::RunProgress& state) {
         worked = true;
         progress.show(state);
         costs.add(state);

@@ -46,7 +46,7 @@ ProgressDisplay::Style ProgressDisplay::style(bool quiet) {
     return ::isatty(STDERR_FILENO) == 1 ? Style::bar : Style::lines;
 }
 
-void ProgressDisplay::show(const studies::Progress& progress) {
+void ProgressDisplay::show(const studies::RunProgress& progress) {
     if (style_ == Style::silent) return;
     const auto now = Clock::now();
     const bool last = progress.units_done == progress.units;

@@ -17,7 +17,7 @@ class ProgressDisplay {
     enum class Style { silent, lines, bar };
     explicit ProgressDisplay(Style style) : style_(style) {}
 
-    void show(const studies::Progress& progress);
+    void show(const studies::RunProgress& progress);
     /// Leaves the bar's line.
     void finish();
 

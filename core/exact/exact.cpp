@@ -15,8 +15,8 @@ namespace {
 
 /// The part of `rectangle` in front of the plane of `viewer`, as heights above that plane.
 /// @pre the planes are perpendicular
-Interval heights_above(const AlignedRectangle& viewer, const AlignedRectangle& rectangle) {
-    const Interval& extent = rectangle.extent[viewer.axis];
+AxisInterval heights_above(const AlignedRectangle& viewer, const AlignedRectangle& rectangle) {
+    const AxisInterval& extent = rectangle.extent[viewer.axis];
     const long double a = viewer.side * (extent.low - viewer.plane());
     const long double b = viewer.side * (extent.high - viewer.plane());
     return {std::max(0.0L, std::min(a, b)), std::max(0.0L, std::max(a, b))};
@@ -33,8 +33,8 @@ Real parallel_pair(const AlignedRectangle& from, const AlignedRectangle& to) {
 
 template <class Real>
 Real perpendicular_pair(const AlignedRectangle& from, const AlignedRectangle& to) {
-    const Interval height_from = heights_above(to, from);
-    const Interval height_to = heights_above(from, to);
+    const AxisInterval height_from = heights_above(to, from);
+    const AxisInterval height_to = heights_above(from, to);
     if (height_from.high <= 0 || height_to.high <= 0) return 0;
     const std::size_t along = 3 - from.axis - to.axis;
     return perpendicular_exchange_area<Real>(from.extent[along], to.extent[along], height_from, height_to);

@@ -19,7 +19,7 @@ using Distances = std::array<Real, 4>;
 constexpr std::array<int, 4> second_difference{1, -1, -1, 1};
 
 template <class Real>
-Distances<Real> distances(const Interval& a, const Interval& b) {
+Distances<Real> distances(const AxisInterval& a, const AxisInterval& b) {
     return {static_cast<Real>(std::abs(a.high - b.low)), static_cast<Real>(std::abs(a.high - b.high)),
             static_cast<Real>(std::abs(a.low - b.low)), static_cast<Real>(std::abs(a.low - b.high))};
 }
@@ -51,8 +51,8 @@ Real parallel_corner(Real u, Real v, Real gap) {
 }
 
 template <class Real>
-Real parallel_exchange_area(const Interval& x_from, const Interval& y_from, const Interval& x_to, const Interval& y_to,
-                            long double gap) {
+Real parallel_exchange_area(const AxisInterval& x_from, const AxisInterval& y_from, const AxisInterval& x_to,
+                            const AxisInterval& y_to, long double gap) {
     FF_EXPECT(gap > 0);
     Distances<Real> u = distances<Real>(x_from, x_to);
     Distances<Real> v = distances<Real>(y_from, y_to);
@@ -80,8 +80,8 @@ Real parallel_exchange_area(const Interval& x_from, const Interval& y_from, cons
 }
 
 template <class Real>
-Real perpendicular_exchange_area(const Interval& along_from, const Interval& along_to, const Interval& height_from,
-                                 const Interval& height_to) {
+Real perpendicular_exchange_area(const AxisInterval& along_from, const AxisInterval& along_to,
+                                 const AxisInterval& height_from, const AxisInterval& height_to) {
     FF_EXPECT(height_from.low >= 0 && height_to.low >= 0);
     Distances<Real> u = distances<Real>(along_from, along_to);
     const Real unit =
@@ -107,10 +107,13 @@ Real perpendicular_exchange_area(const Interval& along_from, const Interval& alo
 }
 
 template long double parallel_corner(long double, long double, long double);
-template double parallel_exchange_area(const Interval&, const Interval&, const Interval&, const Interval&, long double);
-template long double parallel_exchange_area(const Interval&, const Interval&, const Interval&, const Interval&,
-                                            long double);
-template double perpendicular_exchange_area(const Interval&, const Interval&, const Interval&, const Interval&);
-template long double perpendicular_exchange_area(const Interval&, const Interval&, const Interval&, const Interval&);
+template double parallel_exchange_area(const AxisInterval&, const AxisInterval&, const AxisInterval&,
+                                       const AxisInterval&, long double);
+template long double parallel_exchange_area(const AxisInterval&, const AxisInterval&, const AxisInterval&,
+                                            const AxisInterval&, long double);
+template double perpendicular_exchange_area(const AxisInterval&, const AxisInterval&, const AxisInterval&,
+                                            const AxisInterval&);
+template long double perpendicular_exchange_area(const AxisInterval&, const AxisInterval&, const AxisInterval&,
+                                                 const AxisInterval&);
 
 }  // namespace ff

@@ -11,8 +11,8 @@ namespace ff {
 /// Two rectangles in parallel planes `gap` apart that face each other; any offset and overlap.
 /// @pre gap > 0   @see [howell] C-13, [ehlert1993]
 template <class Real>
-Real parallel_exchange_area(const Interval& x_from, const Interval& y_from, const Interval& x_to, const Interval& y_to,
-                            long double gap);
+Real parallel_exchange_area(const AxisInterval& x_from, const AxisInterval& y_from, const AxisInterval& x_to,
+                            const AxisInterval& y_to, long double gap);
 
 /// One corner term of `parallel_exchange_area`, times 2 pi: the kernel 1 / (pi r^4), integrated four times, at offsets
 /// u, v >= 0 in the two directions of the planes, `gap` apart.
@@ -24,7 +24,7 @@ Real parallel_corner(Real u, Real v, Real gap);
 /// rectangle touches that plane).
 /// @pre all heights >= 0   @see [howell] C-15, [ehlert1993]
 template <class Real>
-Real perpendicular_exchange_area(const Interval& along_from, const Interval& along_to, const Interval& height_from,
-                                 const Interval& height_to);
+Real perpendicular_exchange_area(const AxisInterval& along_from, const AxisInterval& along_to,
+                                 const AxisInterval& height_from, const AxisInterval& height_to);
 
 }  // namespace ff

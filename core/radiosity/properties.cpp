@@ -17,11 +17,11 @@ constexpr double smallest_entry = 1e-280;  // of the iterated vector, before quo
 
 }  // namespace
 
-Bounds spectral_radius(const Eigen::MatrixXd& matrix, double tolerance) {
+RadiusBounds spectral_radius(const Eigen::MatrixXd& matrix, double tolerance) {
     FF_EXPECT(matrix.rows() == matrix.cols() && matrix.size() > 0);
     FF_EXPECT(matrix.minCoeff() >= 0 && matrix.allFinite());
     Eigen::VectorXd x = Eigen::VectorXd::Ones(matrix.rows());
-    Bounds bounds{0, std::numeric_limits<double>::infinity()};
+    RadiusBounds bounds{0, std::numeric_limits<double>::infinity()};
     for (int step = 0; step < most_power_steps; ++step) {
         const Eigen::VectorXd image = matrix * x;
         const Eigen::VectorXd quotients = image.cwiseQuotient(x);

@@ -109,7 +109,7 @@ StudyTables run(const StudyRequest& request, const std::filesystem::path& folder
         options.stop = &stop;
         options.drop = &stop;
         if (progress) {
-            options.report = [&](const studies::Progress& state) {
+            options.report = [&](const studies::RunProgress& state) {
                 const py::gil_scoped_acquire held;
                 try {
                     (*progress)(state.units_done, state.units);

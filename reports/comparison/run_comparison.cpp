@@ -119,7 +119,7 @@ Table differences_table(const RunComparison& comparison) {
     return table;
 }
 
-void add_unmatched(const studies::Findings& findings, const std::vector<std::size_t>& cells, std::string_view run,
+void add_unmatched(const studies::Analysis& findings, const std::vector<std::size_t>& cells, std::string_view run,
                    std::vector<std::string>& lines) {
     if (!findings.complete) lines.push_back(fmt::format("{} is partial: it was stopped early.", run));
     if (findings.plan.spec.until)

@@ -22,7 +22,7 @@ std::string nodes_field(const studies::Method& method) {
 
 }  // namespace
 
-void write_summary_csv(std::ostream& out, const studies::Findings& findings) {
+void write_summary_csv(std::ostream& out, const studies::Analysis& findings) {
     CsvRecords csv(out,
                    "study,scene,method,sampler,estimator,completion,nodes,allocation,patches_per_face,"
                    "samples_per_patch,trials,from_face,to_face,pair_class,reference,mean,bias,bias_se,"
@@ -33,7 +33,7 @@ void write_summary_csv(std::ostream& out, const studies::Findings& findings) {
                    "tail_index,efficiency_samples,lost_rays,std_interval_method=std_interval/method,"
                    "mean_ci_low=mean_interval/low,mean_ci_high=mean_interval/high");
     const studies::StudyPlan& plan = findings.plan;
-    for (const studies::CellFindings& found : findings.cells) {
+    for (const studies::CellAnalysis& found : findings.cells) {
         const studies::Cell& cell = plan.cells[found.cell];
         Json record = in_cell(plan, found.cell, cell_json(plan, found));
         record["nodes"] = nodes_field(plan.spec.methods[cell.method]);

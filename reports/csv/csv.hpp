@@ -9,7 +9,7 @@
 namespace ff::reports {
 
 /// One row per scene, method, size and quantity; a column is empty where a value does not exist (docs/results.md).
-void write_summary_csv(std::ostream& out, const studies::Findings& findings);
+void write_summary_csv(std::ostream& out, const studies::Analysis& findings);
 
 /// One row per ladder, class or pair, and size of the error: how fast it falls.
 void write_slopes_csv(std::ostream& out, const studies::StudyResults& results);

@@ -29,7 +29,7 @@ template <class Row>
 void for_each_setting(const studies::StudyResults& results, const Row& row) {
     const StudyPlan& plan = results.findings.plan;
     for (const studies::Consequences& found : results.radiosity->consequences) {
-        for (const studies::SettingFindings& at : found.settings) {
+        for (const studies::SettingStatistics& at : found.settings) {
             row(in_cell(plan, found.cell,
                         {{"between", studies::name(found.between)},
                          {"treatment", studies::name(found.treatment)},
@@ -44,7 +44,7 @@ void for_each_setting(const studies::StudyResults& results, const Row& row) {
 template <class Row>
 void for_each_solver(const studies::StudyResults& results, const Row& row) {
     const StudyPlan& plan = results.findings.plan;
-    const auto add = [&](Json record, const std::vector<studies::SolverFindings>& solvers) {
+    const auto add = [&](Json record, const std::vector<studies::SolverStatistics>& solvers) {
         for (const auto& found : solvers) {
             record.update(solver_json(found));
             row(record, found);
@@ -96,7 +96,7 @@ void write_exitance_csv(std::ostream& out, const studies::StudyResults& results)
                                     "median,q975",
                                     system_columns));
     for_each_setting(results, [&](Json record, const auto& found, const auto& at) {
-        for (const studies::ExitanceFindings& element : at.exitance) {
+        for (const studies::ExitanceStatistics& element : at.exitance) {
             record.update(exitance_json(results.findings.plan, found, element));
             csv.add(record);
         }
@@ -111,7 +111,7 @@ void write_solvers_csv(std::ostream& out, const studies::StudyResults& results) 
 
 void write_residuals_csv(std::ostream& out, const studies::StudyResults& results) {
     CsvRecords csv(out, fmt::format("{},reflectance,solver,iteration,residual", system_columns));
-    for_each_solver(results, [&](Json record, const studies::SolverFindings& found) {
+    for_each_solver(results, [&](Json record, const studies::SolverStatistics& found) {
         for (std::size_t i = 0; i < found.residuals.size(); ++i) {
             if (!is_written(i, found.residuals.size() - 1)) continue;
             record["iteration"] = i;

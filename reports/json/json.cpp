@@ -29,7 +29,7 @@ std::string_view name(studies::VarianceStatus status) {
     return names.at(static_cast<std::size_t>(status));
 }
 
-Json bias_json(const studies::StudyPlan& plan, const studies::CellFindings& found) {
+Json bias_json(const studies::StudyPlan& plan, const studies::CellAnalysis& found) {
     if (!found.bias) return nullptr;
     const studies::BiasFamily& family = *found.bias;
     const Scene& scene = plan.scenes[plan.cells[found.cell].scene];
@@ -164,7 +164,7 @@ Json summary_json(const Scene& scene, const studies::Summary& s) {
             {"efficiency_samples", optional_json(s.efficiency_samples)}};
 }
 
-Json cell_json(const studies::StudyPlan& plan, const studies::CellFindings& found) {
+Json cell_json(const studies::StudyPlan& plan, const studies::CellAnalysis& found) {
     const studies::Cell& cell = plan.cells[found.cell];
     const studies::Method& method = plan.spec.methods[cell.method];
     const EstimatorInfo& estimator = estimator_info(method);
@@ -210,7 +210,7 @@ std::string results_json(const studies::StudyResults& results) {
               {"equivalence_margin", optional_json(plan.spec.equivalence_margin)},
               {"warnings", plan.warnings}};
     Json& cells = json["cells"] = Json::array();
-    for (const studies::CellFindings& found : results.findings.cells) {
+    for (const studies::CellAnalysis& found : results.findings.cells) {
         Json& cell = cells.emplace_back(cell_json(plan, found));
         cell["bias_test"] = bias_json(plan, found);
         Json& summaries = cell["summaries"] = Json::array();

@@ -6,7 +6,7 @@
 namespace ff::reports {
 
 /// Records of results.json and of summary.csv; docs/results.md has their keys.
-Json cell_json(const studies::StudyPlan& plan, const studies::CellFindings& found);
+Json cell_json(const studies::StudyPlan& plan, const studies::CellAnalysis& found);
 Json summary_json(const Scene& scene, const studies::Summary& s);
 
 /// The record after what tells a cell: study, scene, method, patches_per_face, samples_per_patch (null for none),

@@ -128,7 +128,7 @@ Json claimed_errors_json(const studies::StudyResults& results) {
                         // Ratios are infinite where the claimed error is 0.
                         {"median_ratio", finite_json(row.median_ratio)},
                         {"largest_ratio", finite_json(row.largest_ratio)},
-                        {"finding", row.finding == studies::ClaimFinding::fails ? "fails" : "not_refuted"}});
+                        {"finding", row.finding == studies::ClaimedErrorFinding::fails ? "fails" : "not_refuted"}});
     }
     return rows;
 }

@@ -19,16 +19,16 @@ Json range_json(const studies::OverTrials& range) {
     return {{"least", number(range.least)}, {"median", number(range.median)}, {"largest", number(range.largest)}};
 }
 
-Json solvers_json(const std::vector<studies::SolverFindings>& solvers) {
+Json solvers_json(const std::vector<studies::SolverStatistics>& solvers) {
     Json list = Json::array();
-    for (const studies::SolverFindings& found : solvers) list.push_back(solver_json(found));
+    for (const studies::SolverStatistics& found : solvers) list.push_back(solver_json(found));
     return list;
 }
 
 /// Exitance of all faces together and of each face. Between patches, only that of all together and of the worst patch
 /// is given: the rest is in exitance.csv.
 Json exitances_json(const studies::StudyPlan& plan, const studies::Consequences& of,
-                    const studies::SettingFindings& at) {
+                    const studies::SettingStatistics& at) {
     Json list = Json::array();
     if (of.between == studies::Between::faces) {
         for (const auto& found : at.exitance) list.push_back(exitance_json(plan, of, found));
@@ -54,7 +54,7 @@ Json order_json(const studies::StudyPlan& plan, const studies::BiasOrder& order)
 
 }  // namespace
 
-Json solver_json(const studies::SolverFindings& found) {
+Json solver_json(const studies::SolverStatistics& found) {
     return {{"solver", ff::name(found.solver)},
             {"runs", found.runs},
             {"converged", found.converged},
@@ -66,7 +66,7 @@ Json solver_json(const studies::SolverFindings& found) {
 }
 
 Json exitance_json(const studies::StudyPlan& plan, const studies::Consequences& of,
-                   const studies::ExitanceFindings& found) {
+                   const studies::ExitanceStatistics& found) {
     const studies::Cell& cell = plan.cells[of.cell];
     const Place place = found.element == 0
                             ? Place{"all"}
@@ -85,7 +85,8 @@ Json exitance_json(const studies::StudyPlan& plan, const studies::Consequences& 
             {"q975", found.q975}};
 }
 
-Json setting_json(const studies::StudyPlan& plan, const studies::Consequences& of, const studies::SettingFindings& at) {
+Json setting_json(const studies::StudyPlan& plan, const studies::Consequences& of,
+                  const studies::SettingStatistics& at) {
     return {{"reflectance", plan.spec.radiosity->reflectance[at.setting]},
             {"dominant", at.dominant},
             {"convergent", at.convergent},

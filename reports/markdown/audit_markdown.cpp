@@ -85,12 +85,12 @@ void write_findings(Out out, const PublishedTables& tables, const AuditReport& r
 
 void write_formats(Out out, const AuditReport& report) {
     fmt::format_to(out, "## How figures are printed\n\n");
-    for (const studies::FormatFinding& f : report.formats) {
+    for (const studies::InferredFormat& f : report.formats) {
         fmt::format_to(
             out, "- {}: {}{}\n", markdown_text(f.method), describe(f.format),
             f.evidence.empty() ? ", or the other way: its figures cannot tell rounding from truncation." : ".");
     }
-    for (const studies::FormatFinding& f : report.formats) {
+    for (const studies::InferredFormat& f : report.formats) {
         if (f.evidence.empty()) continue;
         fmt::format_to(
             out,
@@ -150,7 +150,7 @@ void write_spreads(Out out, const AuditReport& report) {
                    "chi-squared tests below, correct tables raise a false alarm with probability {:.1g} at most.\n\n"
                    "| experiment | chi-squared | degrees of freedom | p as far | p as close |\n|---|--:|--:|--:|--:|\n",
                    report.z_limit, report.plausibility_tests, report.alpha);
-    for (const studies::SpreadFinding& s : report.spreads) {
+    for (const studies::ExperimentSpread& s : report.spreads) {
         fmt::format_to(out, "| {} | {:.3g} | {} | {:.2g} | {:.2g} |\n", markdown_cell(s.experiment),
                        s.spread.chi_squared.statistic, s.spread.chi_squared.freedom, s.spread.too_far,
                        s.spread.too_close);

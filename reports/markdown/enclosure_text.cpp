@@ -73,7 +73,7 @@ Table trials_table(const EnclosureRequest& request, const EnclosureResults& resu
     for (std::size_t setting = 0; setting < results.exact.size(); ++setting) {
         for (const Consequences& found : results.consequences) {
             if (found.settings.empty()) continue;
-            const studies::SettingFindings& at = found.settings[setting];
+            const studies::SettingStatistics& at = found.settings[setting];
             const auto* worst = worst_element(at);
             table.rows.push_back(cells(
                 {reflectance(request, setting), std::string(studies::name(found.treatment)),

@@ -13,7 +13,7 @@
 namespace ff::reports {
 namespace {
 
-std::string bias_line(const studies::Findings& findings) {
+std::string bias_line(const studies::Analysis& findings) {
     BiasTally tally = tally_of(findings);
     if (tally.sampled == 0) return {};
     const auto biased = tally.found[studies::BiasFinding::biased];

@@ -15,7 +15,7 @@
 namespace ff::reports {
 namespace {
 
-using studies::CellFindings;
+using studies::CellAnalysis;
 using studies::Completion;
 using studies::QuantityKind;
 using studies::StudyPlan;
@@ -44,7 +44,7 @@ bool follows(const Summary& s, Completion completion) {
 }
 
 /// The pair of the largest |t|; of the largest error where nothing is tested.
-const Summary* worst_pair(const CellFindings& found) {
+const Summary* worst_pair(const CellAnalysis& found) {
     if (found.bias && found.bias->largest_t > 0) return &found.summary(found.bias->largest_pair);
     const Summary* worst = nullptr;
     for (const Summary& s : found.summaries) {
@@ -73,11 +73,11 @@ std::string worst_row(const StudyPlan& plan, const studies::Cell& cell, const Su
                        s.vov ? brief(*s.vov, 2) : "–", s.tail_index ? fmt::format("{:.1f}", *s.tail_index) : "–");
 }
 
-std::string worst_table(const studies::Findings& findings) {
+std::string worst_table(const studies::Analysis& findings) {
     std::string out =
         "| method and size | pair | exact | mean | bias | t | interval | detectable | standard deviation of a run | "
         "normality p | VOV | tail index |\n|---|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|\n";
-    for (const CellFindings& found : findings.cells) {
+    for (const CellAnalysis& found : findings.cells) {
         if (const Summary* worst = worst_pair(found))
             out += worst_row(findings.plan, findings.plan.cells[found.cell], *worst);
     }
@@ -85,12 +85,12 @@ std::string worst_table(const studies::Findings& findings) {
 }
 
 /// t of every pair and row sum, a row for each sampled cell of one scene and completion; empty where there is none.
-std::string t_table(const studies::Findings& findings, std::size_t scene, Completion completion) {
+std::string t_table(const studies::Analysis& findings, std::size_t scene, Completion completion) {
     const StudyPlan& plan = findings.plan;
     std::string header = "| method and size |";
     std::string rule = "|---|";
     std::string rows;
-    for (const CellFindings& found : findings.cells) {
+    for (const CellAnalysis& found : findings.cells) {
         const studies::Cell& cell = plan.cells[found.cell];
         if (cell.scene != scene || !found.bias || plan.spec.methods[cell.method].completion != completion) continue;
         const bool first = rows.empty();

@@ -12,7 +12,9 @@ namespace ff::reports {
 
 std::optional<Picture> claims_picture(const studies::StudyResults& results) {
     const auto& claims = results.claimed_errors;
-    const auto fails = [](const studies::ClaimedErrors& each) { return each.finding == studies::ClaimFinding::fails; };
+    const auto fails = [](const studies::ClaimedErrors& each) {
+        return each.finding == studies::ClaimedErrorFinding::fails;
+    };
     const auto failing = std::count_if(claims.begin(), claims.end(), fails);
     const bool is_stated = std::any_of(claims.begin(), claims.end(), [](const studies::ClaimedErrors& each) {
         return each.claimant != studies::Claimant::one_run;

@@ -15,7 +15,7 @@ using studies::ErrorShape;
 
 /// What all pictures of a cell's errors share.
 struct Distribution {
-    const studies::CellFindings& found;
+    const studies::CellAnalysis& found;
     const Scene& scene;
     std::string label;
     nlohmann::ordered_json pairs;  ///< names, in the order of the shapes
@@ -108,7 +108,7 @@ Picture quantile_plot(const Distribution& d) {
 
 std::vector<Picture> distribution_pictures(const studies::StudyResults& results, std::size_t cell) {
     const studies::StudyPlan& plan = results.findings.plan;
-    const studies::CellFindings& found = results.findings.cells[cell];
+    const studies::CellAnalysis& found = results.findings.cells[cell];
     if (found.shapes.empty()) return {};
     const studies::Cell& planned = plan.cells[found.cell];
     Distribution d{found, plan.scenes[planned.scene], cell_label(plan, planned), nlohmann::ordered_json::array()};

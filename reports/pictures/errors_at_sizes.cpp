@@ -29,9 +29,9 @@ struct Octave {
     }
 };
 
-std::map<int, Octave> octaves_of(const studies::Findings& findings) {
+std::map<int, Octave> octaves_of(const studies::Analysis& findings) {
     std::map<int, Octave> octaves;
-    for (const studies::CellFindings& found : findings.cells) {
+    for (const studies::CellAnalysis& found : findings.cells) {
         if (found.evaluations_per_face == 0) continue;
         Octave& octave = octaves[static_cast<int>(std::bit_width(found.evaluations_per_face))];
         ++octave.sizes[found.evaluations_per_face];
@@ -43,7 +43,7 @@ std::map<int, Octave> octaves_of(const studies::Findings& findings) {
 }
 
 /// The method, with its size where that is not the usual one or where it has several.
-std::string label_of(const studies::Findings& findings, const Octave& octave, std::size_t cell) {
+std::string label_of(const studies::Analysis& findings, const Octave& octave, std::size_t cell) {
     const studies::StudyPlan& plan = findings.plan;
     const auto is_another = [&](std::size_t other) {
         return other != cell && plan.cells[other].method == plan.cells[cell].method &&
@@ -58,7 +58,7 @@ std::string label_of(const studies::Findings& findings, const Octave& octave, st
 }  // namespace
 
 std::vector<Picture> errors_at_sizes(const studies::StudyResults& results, const MethodChoice& methods) {
-    const studies::Findings& findings = results.findings;
+    const studies::Analysis& findings = results.findings;
     const studies::StudyPlan& plan = findings.plan;
     std::vector<Picture> pictures;
     for (const auto& entry : octaves_of(findings)) {

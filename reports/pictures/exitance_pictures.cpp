@@ -121,7 +121,7 @@ std::optional<Picture> gathered_picture(const studies::StudyResults& results, st
 }
 
 /// One treatment of one cell between patches, at a setting where it has what is shown.
-using Visit = std::function<void(const std::string& label, const studies::SettingFindings&)>;
+using Visit = std::function<void(const std::string& label, const studies::SettingStatistics&)>;
 
 void for_each_lit(const StudyPlan& plan, const studies::RadiosityResults& radiosity,
                   const std::vector<std::size_t>& cells, const Visit& visit) {
@@ -131,7 +131,7 @@ void for_each_lit(const StudyPlan& plan, const studies::RadiosityResults& radios
             for (const studies::Treatment treatment : {own, studies::Treatment::balanced}) {
                 const Consequences* found = radiosity.find(cell, treatment, studies::Between::patches);
                 if (found == nullptr || found->settings.empty()) continue;
-                const studies::SettingFindings& at = found->settings[setting];
+                const studies::SettingStatistics& at = found->settings[setting];
                 if (!at.light_error) continue;
                 visit(fmt::format("{}, {}, {}, reflectance {}", plan.spec.methods[plan.cells[cell].method].name,
                                   size_label(plan, plan.cells[cell]), studies::name(treatment),
@@ -167,7 +167,7 @@ std::vector<Picture> patch_pictures(const studies::StudyResults& results, std::s
         Choice means{label, {}};
         Choice misses{label, {}};
         for (std::size_t i = 1; i < at.exitance.size(); ++i) {
-            const studies::ExitanceFindings& patch = at.exitance[i];
+            const studies::ExitanceStatistics& patch = at.exitance[i];
             means.values.push_back(*patch.mean * unit);
             misses.values.push_back(relative_error(patch));
         }

@@ -107,7 +107,7 @@ std::vector<std::size_t> cells_of(const studies::StudyPlan& plan, const std::vec
 }
 
 /// The one error of a deterministic method may be small by luck, so that it is not set against those of samples.
-std::string smallest_errors_in_words(const studies::Findings& findings, const std::vector<SizeSeries>& all,
+std::string smallest_errors_in_words(const studies::Analysis& findings, const std::vector<SizeSeries>& all,
                                      PairClass pair_class) {
     std::string text;
     for (const bool deterministic : {true, false}) {
@@ -119,7 +119,7 @@ std::string smallest_errors_in_words(const studies::Findings& findings, const st
     return text;
 }
 
-Picture convergence_picture(const studies::Findings& findings, std::size_t scene, PairClass pair_class,
+Picture convergence_picture(const studies::Analysis& findings, std::size_t scene, PairClass pair_class,
                             const std::vector<SizeSeries>& all, const std::vector<MethodStyle>& styles) {
     PictureValues values({"method", "role", "size", "evaluations", "error", "low", "high"});
     for (const SizeSeries& series : all) {
@@ -145,19 +145,19 @@ Picture convergence_picture(const studies::Findings& findings, std::size_t scene
     return picture;
 }
 
-std::optional<Picture> efficiency_picture(const studies::Findings& findings, std::size_t scene, PairClass pair_class,
+std::optional<Picture> efficiency_picture(const studies::Analysis& findings, std::size_t scene, PairClass pair_class,
                                           const std::vector<SizeSeries>& all, const std::vector<MethodStyle>& styles) {
     PictureValues values({"method", "size", "evaluations", "efficiency", "low", "high"});
     auto names = nlohmann::ordered_json::array();
     std::vector<std::size_t> cells;
     LineLabels labels(HeightAxis::logarithmic);
-    const auto efficiency = [&](const studies::CellFindings& found) {
+    const auto efficiency = [&](const studies::CellAnalysis& found) {
         return found.class_error(pair_class)->efficiency;
     };
     for (const SizeSeries& series : all) {
         std::optional<double> last;
         for (const SizePoint& point : series.points) {
-            const studies::CellFindings& found = *point.found;
+            const studies::CellAnalysis& found = *point.found;
             if (!efficiency(found)) continue;
             const studies::ClassError& error = *found.class_error(pair_class);
             values.add({series.method, size_label(findings.plan, findings.plan.cells[found.cell]),
@@ -195,7 +195,7 @@ std::optional<Picture> efficiency_picture(const studies::Findings& findings, std
 
 std::vector<Picture> pictures_of_scene(const studies::StudyResults& results, std::size_t scene,
                                        const MethodChoice& methods) {
-    const studies::Findings& findings = results.findings;
+    const studies::Analysis& findings = results.findings;
     std::vector<Picture> pictures;
     const auto styles = method_styles(results, methods);
     for (const PairClass pair_class : {PairClass::parallel, PairClass::adjacent, PairClass::other}) {

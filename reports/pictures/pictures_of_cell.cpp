@@ -17,13 +17,13 @@
 namespace ff::reports {
 namespace {
 
-using studies::CellFindings;
+using studies::CellAnalysis;
 using studies::Quantity;
 using studies::QuantityKind;
 using studies::Summary;
 
 struct CellView {
-    const CellFindings& found;
+    const CellAnalysis& found;
     const studies::Cell& cell;
     const studies::Method& method;
     const Scene& scene;
@@ -32,7 +32,7 @@ struct CellView {
 
 CellView view(const studies::StudyResults& results, std::size_t index) {
     const studies::StudyPlan& plan = results.findings.plan;
-    const CellFindings& found = results.findings.cells[index];
+    const CellAnalysis& found = results.findings.cells[index];
     const studies::Cell& cell = plan.cells[found.cell];
     return {found, cell, plan.spec.methods[cell.method], plan.scenes[cell.scene], cell_label(plan, cell)};
 }

@@ -92,7 +92,7 @@ std::optional<Picture> errors_picture(const studies::StudyResults& results, std:
     std::string where;
     for (const Shown& each : shown) {
         std::optional<double> last;
-        for (const studies::SettingFindings& at : each.found->settings) {
+        for (const studies::SettingStatistics& at : each.found->settings) {
             const auto reflectance = same_everywhere(plan, at.setting);
             if (!reflectance || at.exitance.empty()) continue;
             const double rmse = at.light_error.value_or(0);
@@ -132,7 +132,7 @@ std::optional<Picture> radius_picture(const studies::StudyResults& results, std:
     double limit = 1;
     for (const Shown& each : shown) {
         std::optional<double> last;
-        for (const studies::SettingFindings& at : each.found->settings) {
+        for (const studies::SettingStatistics& at : each.found->settings) {
             const auto reflectance = same_everywhere(plan, at.setting);
             if (!reflectance) continue;
             const auto& radius = at.spectral_radius;
@@ -174,10 +174,10 @@ std::optional<Picture> residuals_picture(const studies::StudyResults& results, s
     PictureValues values({"system", "solver", "iteration", "residual"});
     auto systems = nlohmann::ordered_json::array();
     std::set<std::string> failed;
-    const auto add = [&](const std::string& label, const std::vector<studies::SolverFindings>& solvers) {
+    const auto add = [&](const std::string& label, const std::vector<studies::SolverStatistics>& solvers) {
         if (solvers.empty()) return;
         systems.push_back(label);
-        for (const studies::SolverFindings& found : solvers) {
+        for (const studies::SolverStatistics& found : solvers) {
             if (found.solver == Solver::lu) continue;
             if (found.diverged > 0) failed.insert(label);
             for (std::size_t i = 0; i < found.residuals.size(); ++i) {
@@ -193,7 +193,7 @@ std::optional<Picture> residuals_picture(const studies::StudyResults& results, s
     for (const std::size_t cell : lit_cells(plan, scene)) {
         const auto own = studies::treatment_of(plan.spec.methods[plan.cells[cell].method].completion);
         const Consequences* found = results.radiosity->find(cell, own);
-        for (const studies::SettingFindings& at : found->settings) {
+        for (const studies::SettingStatistics& at : found->settings) {
             add(fmt::format("{}, reflectance {}", cell_label(plan, plan.cells[cell]), setting_text(plan, at.setting)),
                 at.solvers);
         }

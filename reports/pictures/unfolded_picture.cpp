@@ -10,7 +10,7 @@ namespace ff::reports {
 
 std::optional<Picture> unfolded_picture(const studies::StudyResults& results, std::size_t index) {
     const studies::StudyPlan& plan = results.findings.plan;
-    const studies::CellFindings& found = results.findings.cells[index];
+    const studies::CellAnalysis& found = results.findings.cells[index];
     if (!found.patch_errors) return std::nullopt;
     const studies::PatchErrors& errors = *found.patch_errors;
     const studies::Cell& cell = plan.cells[found.cell];

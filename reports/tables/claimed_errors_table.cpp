@@ -64,7 +64,8 @@ Table claimed_errors_table(const studies::StudyResults& results, Claims claims) 
     constexpr std::size_t most_rows = 12;
     std::size_t hidden = 0;
     if (claims == Claims::stated && rows.size() > most_rows)
-        hidden = std::erase_if(rows, [](const auto* row) { return row->finding == studies::ClaimFinding::holds; });
+        hidden =
+            std::erase_if(rows, [](const auto* row) { return row->finding == studies::ClaimedErrorFinding::holds; });
     if (hidden > 0) {
         table.remarks.push_back(
             fmt::format("{} methods, sizes and classes of pairs whose claims hold: claimed_errors.csv.", hidden));
@@ -73,7 +74,7 @@ Table claimed_errors_table(const studies::StudyResults& results, Claims claims) 
         const studies::ClaimedErrors& row = *found;
         const studies::Cell& cell = plan.cells[row.cell];
         const std::uint64_t trials = cell.trials;
-        const bool fails = row.finding == studies::ClaimFinding::fails;
+        const bool fails = row.finding == studies::ClaimedErrorFinding::fails;
         table.rows.push_back({{cell_label(plan, cell)},
                               {std::string(name(row.pair_class))},
                               {fails ? "fails" : "not refuted", fails ? Mark::bad : Mark::good},

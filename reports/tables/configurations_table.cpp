@@ -29,7 +29,7 @@ std::string_view why_no_interval(studies::VarianceStatus variance) {
 
 /// The bias test is of all pairs of a scene: a pair that could not be tested does not agree because others do.
 TableCell verdict(const Scene& scene, const studies::ConfigurationEstimate& row) {
-    const studies::CellFindings& found = *row.found;
+    const studies::CellAnalysis& found = *row.found;
     if (!found.bias) return {"deterministic", Mark::open};
     if (found.bias_finding == studies::BiasFinding::biased) {
         const bool has_place = found.bias->pairs > 1 && found.bias->largest_t > 0;

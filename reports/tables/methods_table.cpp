@@ -9,7 +9,7 @@
 namespace ff::reports {
 namespace {
 
-std::string rmse_text(const studies::CellFindings& found, PairClass pair_class) {
+std::string rmse_text(const studies::CellAnalysis& found, PairClass pair_class) {
     const studies::ClassError* error = found.class_error(pair_class);
     if (found.has_infinite_variance(pair_class)) return "infinite";
     if (error == nullptr) return "–";
@@ -18,7 +18,7 @@ std::string rmse_text(const studies::CellFindings& found, PairClass pair_class) 
     return with_half_width(error->rmse, error->interval->width() / 2);
 }
 
-std::string sum_error_text(const studies::CellFindings& found) {
+std::string sum_error_text(const studies::CellAnalysis& found) {
     for (const studies::Summary& summary : found.summaries) {
         if (summary.quantity.kind != studies::QuantityKind::sum_relative_error || !summary.mean) continue;
         if (!summary.q025 || summary.q025 == summary.q975) return brief(*summary.mean);
@@ -62,7 +62,7 @@ Table methods_table(const studies::StudyResults& results) {
     table.columns.push_back({"Σ r.e. (%)", true, "", true});
     table.columns.push_back({"trials", true, "", true});
     const auto hidden = cells_in_between(results);
-    for (const studies::CellFindings& found : results.findings.cells) {
+    for (const studies::CellAnalysis& found : results.findings.cells) {
         if (hidden.contains(found.cell)) continue;
         const studies::Cell& cell = plan.cells[found.cell];
         const std::string scene = plan.scenes.size() == 1 ? std::string() : plan.scenes[cell.scene].name + ": ";
@@ -84,7 +84,7 @@ Table methods_table(const studies::StudyResults& results) {
 
 Table pairs_table(const studies::StudyResults& results, std::size_t cell_index) {
     const studies::StudyPlan& plan = results.findings.plan;
-    const studies::CellFindings& found = results.findings.cells[cell_index];
+    const studies::CellAnalysis& found = results.findings.cells[cell_index];
     const studies::Cell& cell = plan.cells[found.cell];
     const Scene& scene = plan.scenes[cell.scene];
     Table table{fmt::format("pairs-{}", cell_index),

@@ -104,7 +104,7 @@ Table exitance_table(const studies::StudyResults& results, Between between) {
         {}};
     for (const Consequences& found : results.radiosity->consequences) {
         if (found.between != between) continue;
-        for (const studies::SettingFindings& at : found.settings) {
+        for (const studies::SettingStatistics& at : found.settings) {
             auto row = row_of(plan, found.cell);
             row.push_back({std::string(studies::name(found.treatment)), Mark::none});
             row.push_back({setting_text(plan, at.setting), Mark::none});
@@ -138,7 +138,7 @@ Table exitance_table(const studies::StudyResults& results, Between between) {
     return table;
 }
 
-TableCell solver_cell(const studies::SolverFindings& found) {
+TableCell solver_cell(const studies::SolverStatistics& found) {
     return {iterations_text(found), found.converged == found.runs ? Mark::none : Mark::bad};
 }
 
@@ -160,10 +160,10 @@ Table solvers_table(const studies::StudyResults& results, Between between) {
         if (solver != Solver::lu) table.columns.push_back({std::string(ff::name(solver)), true, "iterations"});
     }
     const auto add = [&](std::vector<TableCell> row, std::size_t setting,
-                         const std::vector<studies::SolverFindings>& solvers) {
+                         const std::vector<studies::SolverStatistics>& solvers) {
         if (solvers.empty()) return;
         row.push_back({setting_text(plan, setting), Mark::none});
-        for (const studies::SolverFindings& found : solvers) {
+        for (const studies::SolverStatistics& found : solvers) {
             if (found.solver != Solver::lu) row.push_back(solver_cell(found));
         }
         table.rows.push_back(std::move(row));
@@ -176,7 +176,8 @@ Table solvers_table(const studies::StudyResults& results, Between between) {
     }
     for (const Consequences& found : results.radiosity->consequences) {
         if (found.between != between) continue;
-        for (const studies::SettingFindings& at : found.settings) add(row_of(plan, found.cell), at.setting, at.solvers);
+        for (const studies::SettingStatistics& at : found.settings)
+            add(row_of(plan, found.cell), at.setting, at.solvers);
     }
     return table;
 }

@@ -41,7 +41,7 @@ std::string explained(const Table& table, const TextStyle& style) {
 }
 
 /// Two significant digits where nothing is known about the error of the third.
-std::string rmse(const studies::StudyPlan& plan, const studies::CellFindings& found, PairClass pair_class) {
+std::string rmse(const studies::StudyPlan& plan, const studies::CellAnalysis& found, PairClass pair_class) {
     const auto value = found.class_rmse(pair_class);
     if (!value) return found.has_infinite_variance(pair_class) ? "infinite" : "-";
     const bool known = plan.cells[found.cell].deterministic || found.class_error(pair_class)->interval;
@@ -49,7 +49,7 @@ std::string rmse(const studies::StudyPlan& plan, const studies::CellFindings& fo
 }
 
 /// With the scene, where there are several.
-std::string scene_and_method(const studies::StudyPlan& plan, const studies::CellFindings& found) {
+std::string scene_and_method(const studies::StudyPlan& plan, const studies::CellAnalysis& found) {
     const studies::Cell& cell = plan.cells[found.cell];
     const std::string scene = plan.scenes.size() == 1 ? std::string() : plan.scenes[cell.scene].name + " ";
     return scene + plan.spec.methods[cell.method].name;
@@ -71,7 +71,7 @@ Table summary_table(const studies::StudyResults& results, const std::set<std::si
                 {},
                 {}};
     if (equivalence) table.columns.push_back({"equivalence", false, ""});
-    for (const studies::CellFindings& found : results.findings.cells) {
+    for (const studies::CellAnalysis& found : results.findings.cells) {
         if (hidden.contains(found.cell)) continue;
         std::vector<TableCell> row{{scene_and_method(plan, found), Mark::none},
                                    {size_label(plan, plan.cells[found.cell]), Mark::none},
@@ -96,7 +96,7 @@ std::string terminal_summary(const studies::StudyResults& results, const TextSty
     std::string out = fmt::format("{}{}\nseed {}{}\n\n{}", plan.spec.name, title, plan.spec.seed.value,
                                   results.findings.complete ? "" : "  (PARTIAL: stopped early)",
                                   text_table(summary_table(results, hidden), style));
-    for (const studies::CellFindings& found : results.findings.cells) {
+    for (const studies::CellAnalysis& found : results.findings.cells) {
         if (found.repeated_trials > 0) out += fmt::format("WARNING {}\n", studies::repeats_in_words(plan, found));
     }
     if (!hidden.empty())

@@ -13,12 +13,12 @@ std::set<std::size_t> cells_in_between(const studies::StudyResults& results) {
     }
     for (const studies::OcclusionSeries& series : results.occlusion) {
         for (const studies::HiddenPair& scene : series.scenes) {
-            for (const studies::CellFindings& found : results.findings.cells) {
+            for (const studies::CellAnalysis& found : results.findings.cells) {
                 if (results.findings.plan.cells[found.cell].scene == scene.scene) hidden.insert(found.cell);
             }
         }
     }
-    for (const studies::CellFindings& found : results.findings.cells) {
+    for (const studies::CellAnalysis& found : results.findings.cells) {
         const bool remarkable =
             found.lost_rays > 0 || (found.bias && found.bias_finding == studies::BiasFinding::biased);
         if (remarkable || found.equivalence == studies::EquivalenceFinding::refuted) hidden.erase(found.cell);

@@ -26,7 +26,7 @@ std::string interval_text(const stats::Interval& interval) {
                        100 * interval.level);
 }
 
-KeyNumber contest_number(const studies::Findings& findings, const Rivalry& rivalry) {
+KeyNumber contest_number(const studies::Analysis& findings, const Rivalry& rivalry) {
     const studies::StudyPlan& plan = findings.plan;
     const auto method = [&](std::size_t cell) { return plan.spec.methods[plan.cells[cell].method].name; };
     const auto rmse = [&](std::size_t cell) {
@@ -60,7 +60,7 @@ KeyNumber contest_number(const studies::Findings& findings, const Rivalry& rival
     return number;
 }
 
-KeyNumber bias_number(const studies::Findings& findings) {
+KeyNumber bias_number(const studies::Analysis& findings) {
     BiasTally tally = tally_of(findings);
     if (tally.sampled == 0) return {};
     KeyNumber number;

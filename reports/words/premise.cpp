@@ -48,7 +48,7 @@ PrintedErrors printed_errors(const studies::StudyResults& results, std::size_t c
 }
 
 /// "17.9 million kernel values"
-std::string cost(const studies::Findings& findings, std::size_t cell) {
+std::string cost(const studies::Analysis& findings, std::size_t cell) {
     const studies::Method& method = findings.plan.spec.methods[findings.plan.cells[cell].method];
     const auto evaluations = static_cast<double>(findings.cells[cell].evaluations_per_face);
     return fmt::format("{:.3g} million {}", evaluations / 1e6, estimator_info(method).evaluations);
@@ -56,7 +56,7 @@ std::string cost(const studies::Findings& findings, std::size_t cell) {
 
 std::string in_words(const studies::StudyResults& results, const PrintedErrors& errors,
                      const std::vector<std::size_t>& cells) {
-    const studies::Findings& findings = results.findings;
+    const studies::Analysis& findings = results.findings;
     const studies::StudyPlan& plan = findings.plan;
     const auto method = [&](std::size_t cell) { return plan.spec.methods[plan.cells[cell].method].name; };
     const std::string where = on_pairs(plan, plan.cells[errors.cell].scene, name(errors.pair_class));

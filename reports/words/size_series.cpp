@@ -19,7 +19,7 @@ std::vector<const studies::ClassSlopes*> ladders_of(const studies::StudyResults&
     return found;
 }
 
-std::optional<SizePoint> point_of(const studies::CellFindings& found, PairClass pair_class) {
+std::optional<SizePoint> point_of(const studies::CellAnalysis& found, PairClass pair_class) {
     const studies::ClassError* error = found.class_error(pair_class);
     if (error == nullptr || found.evaluations_per_face == 0) return std::nullopt;
     const bool is_median = found.has_infinite_variance(pair_class);
@@ -30,11 +30,11 @@ std::optional<SizePoint> point_of(const studies::CellFindings& found, PairClass 
 }  // namespace
 
 std::vector<SizeSeries> size_series(const studies::StudyResults& results, std::size_t scene, PairClass pair_class) {
-    const studies::Findings& findings = results.findings;
+    const studies::Analysis& findings = results.findings;
     std::vector<SizeSeries> all;
     for (std::size_t method = 0; method < findings.plan.spec.methods.size(); ++method) {
         SizeSeries series{findings.plan.spec.methods[method].name, {}, ladders_of(results, scene, method, pair_class)};
-        for (const studies::CellFindings& found : findings.cells) {
+        for (const studies::CellAnalysis& found : findings.cells) {
             const studies::Cell& cell = findings.plan.cells[found.cell];
             if (cell.scene != scene || cell.method != method) continue;
             if (const auto point = point_of(found, pair_class)) series.points.push_back(*point);

@@ -10,7 +10,7 @@ namespace ff::reports {
 
 /// A method at one size on a class of pairs.
 struct SizePoint {
-    const studies::CellFindings* found = nullptr;
+    const studies::CellAnalysis* found = nullptr;
     double error = 0;  ///< RMSE of a run; without a variance, the median absolute error
     bool is_median = false;
 };

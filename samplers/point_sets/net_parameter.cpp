@@ -14,7 +14,7 @@ namespace {
 class Intervals {
   public:
     /// @param most  points that an interval holds where all hold as many
-    Intervals(const Reading& reading, std::uint32_t base, std::uint64_t most)
+    Intervals(const Sorting& reading, std::uint32_t base, std::uint64_t most)
         : points_(reading.set), edge_(reading.edge), base_(base), most_(most), cell_(reading.set.points, 0) {}
 
     /// An interval that holds more than its share, for any way to divide `digits` among the coordinates from `d` on.
@@ -77,7 +77,7 @@ std::optional<ElementaryInterval> crowded_interval(const PointSet& points, std::
     const auto m = exponent_of(points, base);
     FF_EXPECT(m && t <= *m);
     std::optional<ElementaryInterval> found;
-    for (const Reading& reading : readings(points, set, integer_power(base, *m - t))) {
+    for (const Sorting& reading : sortings(points, set, integer_power(base, *m - t))) {
         const auto crowded = Intervals(reading, base, integer_power(base, t)).find_crowded(*m - t);
         if (!crowded) return std::nullopt;
         if (!found) found = crowded;

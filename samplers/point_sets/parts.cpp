@@ -9,7 +9,7 @@ constexpr std::uint64_t many = 16;  // one in so many is more than chance leaves
 
 }  // namespace
 
-std::vector<Reading> readings(const PointSet& set, std::uint64_t which, std::uint64_t parts) {
+std::vector<Sorting> sortings(const PointSet& set, std::uint64_t which, std::uint64_t parts) {
     std::vector<bool> is_open(set.points, false);
     for (std::size_t d = 0; d < set.dimension; ++d) {
         const auto row = set.row(which, d);
@@ -26,7 +26,7 @@ std::vector<Reading> readings(const PointSet& set, std::uint64_t which, std::uin
         }
         return rest;
     };
-    std::vector<Reading> all{{left_out(false), Edge::upper}};
+    std::vector<Sorting> all{{left_out(false), Edge::upper}};
     if (open > 0) all.push_back({left_out(open * many <= set.points), Edge::lower});
     return all;
 }

@@ -18,7 +18,7 @@ constexpr std::uint64_t part_of(std::uint32_t x, std::uint64_t parts, Edge edge 
 }
 
 /// One way to sort the points of a set into parts.
-struct Reading {
+struct Sorting {
     PointSet set;  ///< one alone, less the points whose part is open
     Edge edge = Edge::upper;
 };
@@ -27,6 +27,6 @@ struct Reading {
 /// it in one of these. The first counts all points at the upper end of their cells. The second, where a cell lies in
 /// two parts, leaves out the points of such cells, if these are as few as chance makes them; points that are many there
 /// are so by a rule, and are all counted at the lower end. @pre which < set.sets, parts <= 2^32
-std::vector<Reading> readings(const PointSet& set, std::uint64_t which, std::uint64_t parts);
+std::vector<Sorting> sortings(const PointSet& set, std::uint64_t which, std::uint64_t parts);
 
 }  // namespace ff::samplers

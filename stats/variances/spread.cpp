@@ -17,15 +17,15 @@ double effective_freedom(double freedom, double excess_kurtosis) {
 
 }  // namespace
 
-std::optional<Spread> spread_of(const Moments& moments) {
+std::optional<MeanSquare> mean_square_of(const Moments& moments) {
     const auto excess = moments.excess_kurtosis();
     if (!excess) return std::nullopt;
-    return Spread{.mean_square = *moments.variance(),
-                  .freedom = effective_freedom(static_cast<double>(moments.count() - 1), *excess),
-                  .n = moments.count()};
+    return MeanSquare{.mean_square = *moments.variance(),
+                      .freedom = effective_freedom(static_cast<double>(moments.count() - 1), *excess),
+                      .n = moments.count()};
 }
 
-std::optional<Spread> spread_about(std::span<const double> values, double reference) {
+std::optional<MeanSquare> mean_square_about(std::span<const double> values, double reference) {
     const auto n = static_cast<double>(values.size());
     double sum2 = 0;
     double sum4 = 0;
@@ -39,10 +39,11 @@ std::optional<Spread> spread_about(std::span<const double> values, double refere
     }
     // (n + 2) / n: unbiased for normal errors.
     const double excess = n * sum4 / (sum2 * sum2) * (n + 2) / n - 3;
-    return Spread{.mean_square = sum2 / n * scale * scale, .freedom = effective_freedom(n, excess), .n = values.size()};
+    return MeanSquare{
+        .mean_square = sum2 / n * scale * scale, .freedom = effective_freedom(n, excess), .n = values.size()};
 }
 
-Interval mean_square_interval(const Spread& spread, double level) {
+Interval mean_square_interval(const MeanSquare& spread, double level) {
     FF_EXPECT(0 < level && level < 1);
     const double tail = (1 - level) / 2;
     const double sum = spread.mean_square * spread.freedom;
@@ -53,7 +54,7 @@ Interval mean_square_interval(const Spread& spread, double level) {
             .n = spread.n};
 }
 
-Interval ratio_interval(const Spread& a, const Spread& b, double level) {
+Interval ratio_interval(const MeanSquare& a, const MeanSquare& b, double level) {
     FF_EXPECT(0 < level && level < 1);
     const double tail = (1 - level) / 2;
     const double ratio = a.mean_square / b.mean_square;

@@ -121,7 +121,7 @@ std::optional<Interval> variance_interval(std::span<const double> values, double
     if (values.size() < fewest_for_variance_bootstrap || suits_chi_squared(moments)) {
         return variance_interval_chi2(moments, level);
     }
-    if (values.size() >= enough_for_kurtosis) return mean_square_interval(*spread_of(moments), level);
+    if (values.size() >= enough_for_kurtosis) return mean_square_interval(*mean_square_of(moments), level);
     return variance_interval_bootstrap(values, level, plan);
 }
 

@@ -30,7 +30,7 @@ double detectable_in_sigmas(const StudyPlan& plan, std::size_t pairs, std::size_
 }
 
 /// Finite where it is so for every one of these pairs.
-VarianceStatus class_variance(const CellFindings& findings, const std::vector<Quantity>& pairs) {
+VarianceStatus class_variance(const CellAnalysis& findings, const std::vector<Quantity>& pairs) {
     VarianceStatus worst = VarianceStatus::finite;
     for (const Quantity pair : pairs) {
         const VarianceStatus status = findings.summary(pair).variance;
@@ -50,7 +50,7 @@ std::size_t repeated_trials(const Method& method, const CellEstimates& estimates
 }
 
 /// Takes back what rests on trials being independent.
-void withdraw_evidence(CellFindings& findings) {
+void withdraw_evidence(CellAnalysis& findings) {
     for (Summary& summary : findings.summaries) {
         summary.bias_se.reset();
         summary.minimum_detectable_bias.reset();
@@ -88,28 +88,28 @@ std::optional<double> reference_of(const Scene& scene, const KnownFactors& known
     return std::nullopt;
 }
 
-const Summary& CellFindings::summary(Quantity quantity) const {
+const Summary& CellAnalysis::summary(Quantity quantity) const {
     return *std::find_if(summaries.begin(), summaries.end(), [&](const Summary& s) { return s.quantity == quantity; });
 }
 
-std::optional<double> CellFindings::class_rmse(PairClass pair_class) const {
+std::optional<double> CellAnalysis::class_rmse(PairClass pair_class) const {
     const ClassError* error = class_error(pair_class);
     return error == nullptr || error->status == VarianceStatus::infinite ? std::nullopt : std::optional(error->rmse);
 }
 
-const ClassError* CellFindings::class_error(PairClass pair_class) const {
+const ClassError* CellAnalysis::class_error(PairClass pair_class) const {
     const auto found = std::find_if(class_errors.begin(), class_errors.end(),
                                     [&](const ClassError& error) { return error.pair_class == pair_class; });
     return found == class_errors.end() ? nullptr : &*found;
 }
 
-bool CellFindings::has_infinite_variance(PairClass pair_class) const {
+bool CellAnalysis::has_infinite_variance(PairClass pair_class) const {
     return std::any_of(summaries.begin(), summaries.end(), [&](const Summary& s) {
         return s.pair_class == pair_class && s.variance == VarianceStatus::infinite;
     });
 }
 
-CellFindings analyse_cell(const Store& store, std::size_t cell_index) {
+CellAnalysis analyse_cell(const Store& store, std::size_t cell_index) {
     const StudyPlan& plan = store.plan();
     const Cell& cell = plan.cells[cell_index];
     const Method& method = plan.spec.methods[cell.method];
@@ -119,7 +119,7 @@ CellFindings analyse_cell(const Store& store, std::size_t cell_index) {
     const auto pairs = distinct_pairs(estimates.faces, method.completion);
     const std::size_t tested = std::max<std::size_t>(1, known_pairs(pairs, known).size());
 
-    CellFindings findings;
+    CellAnalysis findings;
     findings.cell = cell_index;
     findings.trials = estimates.trials();
     findings.trials_planned = needed_trials(store, cell_index);
@@ -197,8 +197,8 @@ CellFindings analyse_cell(const Store& store, std::size_t cell_index) {
     return findings;
 }
 
-Findings analyse(const Store& store) {
-    Findings findings;
+Analysis analyse(const Store& store) {
+    Analysis findings;
     findings.plan = store.plan();
     findings.complete = store.plan().spec.until ? is_adaptively_complete(store) : store.is_complete();
     for (std::size_t cell = 0; cell < findings.plan.cells.size(); ++cell) {
@@ -209,7 +209,7 @@ Findings analyse(const Store& store) {
     return findings;
 }
 
-std::string repeats_in_words(const StudyPlan& plan, const CellFindings& found) {
+std::string repeats_in_words(const StudyPlan& plan, const CellAnalysis& found) {
     if (found.repeated_trials == 0) return {};
     const Cell& cell = plan.cells[found.cell];
     return fmt::format(

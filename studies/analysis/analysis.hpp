@@ -20,7 +20,7 @@ namespace ff::studies {
 std::optional<double> reference_of(const Scene& scene, const KnownFactors& known, Quantity quantity);
 
 /// Statistics of one cell.
-struct CellFindings {
+struct CellAnalysis {
     std::size_t cell = 0;
     std::uint64_t trials = 0;  ///< saved
     std::uint64_t trials_planned = 0;
@@ -47,18 +47,18 @@ struct CellFindings {
 };
 
 /// All that a study found; every report is made from it. Pure: the same store gives the same findings to the bit.
-struct Findings {
+struct Analysis {
     StudyPlan plan;
     bool complete = false;  ///< every planned unit is there
-    std::vector<CellFindings> cells;
+    std::vector<CellAnalysis> cells;
 };
 
-Findings analyse(const Store& store);
+Analysis analyse(const Store& store);
 
 /// The warning of a cell whose trials repeat each other; empty where they do not.
-std::string repeats_in_words(const StudyPlan& plan, const CellFindings& found);
+std::string repeats_in_words(const StudyPlan& plan, const CellAnalysis& found);
 
 /// Summaries of one cell.
-CellFindings analyse_cell(const Store& store, std::size_t cell);
+CellAnalysis analyse_cell(const Store& store, std::size_t cell);
 
 }  // namespace ff::studies

@@ -8,12 +8,12 @@ namespace {
 
 /// The statistics of a configuration's pair of faces; for the form factor of a face to itself, those of its factor to
 /// another face.
-const Summary& summary_of(const CellFindings& found, const Configuration& configuration) {
+const Summary& summary_of(const CellAnalysis& found, const Configuration& configuration) {
     const int to = configuration.from == configuration.to ? 1 - configuration.to : configuration.to;
     return found.summary({QuantityKind::form_factor, configuration.from + 1, to + 1});
 }
 
-std::optional<ConfigurationEstimate> estimate_of(const Scene& scene, const CellFindings& found,
+std::optional<ConfigurationEstimate> estimate_of(const Scene& scene, const CellAnalysis& found,
                                                  const Configuration& configuration) {
     const Summary& summary = summary_of(found, configuration);
     if (!summary.mean || !summary.reference) return std::nullopt;
@@ -42,10 +42,10 @@ std::optional<ConfigurationEstimate> estimate_of(const Scene& scene, const CellF
 
 }  // namespace
 
-std::vector<ConfigurationEstimate> configuration_estimates(const Findings& findings) {
+std::vector<ConfigurationEstimate> configuration_estimates(const Analysis& findings) {
     std::vector<ConfigurationEstimate> estimates;
     for (const Configuration& configuration : configurations()) {
-        for (const CellFindings& found : findings.cells) {
+        for (const CellAnalysis& found : findings.cells) {
             const Scene& scene = findings.plan.scenes[findings.plan.cells[found.cell].scene];
             if (!is_configuration(scene, configuration) || found.trials == 0) continue;
             if (auto estimate = estimate_of(scene, found, configuration)) estimates.push_back(*estimate);

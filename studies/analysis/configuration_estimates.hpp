@@ -13,7 +13,7 @@ namespace ff::studies {
 /// factor to another face.
 struct ConfigurationEstimate {
     const Configuration* configuration = nullptr;
-    const CellFindings* found = nullptr;
+    const CellAnalysis* found = nullptr;
     double mean = 0;
     double exact = 0;
     double error = 0;                         ///< standard error; of a deterministic method |mean - exact|
@@ -25,6 +25,6 @@ struct ConfigurationEstimate {
 
 /// In the order of the catalogue, then of the cells. Empty where no scene is one of the catalogue. Points into
 /// `findings`.
-std::vector<ConfigurationEstimate> configuration_estimates(const Findings& findings);
+std::vector<ConfigurationEstimate> configuration_estimates(const Analysis& findings);
 
 }  // namespace ff::studies

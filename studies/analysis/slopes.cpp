@@ -87,7 +87,7 @@ void fit(std::span<const stats::Rung> rungs, double level, const stats::LadderDr
 /// All that is fitted to one ladder.
 class LadderFit {
   public:
-    LadderFit(const Store& store, const Findings& findings, const Ladder& ladder)
+    LadderFit(const Store& store, const Analysis& findings, const Ladder& ladder)
         : plan_(store.plan()),
           findings_(findings),
           ladder_(ladder),
@@ -181,7 +181,7 @@ class LadderFit {
     }
 
     const StudyPlan& plan_;
-    const Findings& findings_;
+    const Analysis& findings_;
     const Ladder& ladder_;
     std::vector<CellEstimates> estimates_;
     KnownFactors known_;
@@ -243,7 +243,7 @@ std::uint32_t resamples_of_ladder(std::uint64_t trials) {
     });
 }
 
-std::vector<LadderSlopes> fit_slopes(const Store& store, const Findings& findings) {
+std::vector<LadderSlopes> fit_slopes(const Store& store, const Analysis& findings) {
     if (!findings.complete) return {};
     std::vector<LadderSlopes> ladders;
     for (const Ladder& ladder : find_ladders(store.plan()))

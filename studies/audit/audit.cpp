@@ -50,7 +50,7 @@ class Auditor {
     void judge_formats() {
         for (const Experiment& experiment : experiments_) {
             const bool known = std::any_of(report_.formats.begin(), report_.formats.end(),
-                                           [&](const FormatFinding& f) { return f.method == experiment.method; });
+                                           [&](const InferredFormat& f) { return f.method == experiment.method; });
             if (known) continue;
             report_.formats.push_back(infer_format(tables_, experiment.method));
             if (!report_.formats.back().evidence.empty()) judge_printing_rule(report_.formats.back());
@@ -58,7 +58,7 @@ class Auditor {
     }
 
     /// Does the publication print as it says?
-    void judge_printing_rule(const FormatFinding& finding) {
+    void judge_printing_rule(const InferredFormat& finding) {
         if (tables_.rule == PrintingRule::unstated) return;
         const Rounding stated = tables_.rule == PrintingRule::rounded ? Rounding::rounded : Rounding::truncated;
         const FormatEvidence& best = finding.evidence.front();
@@ -85,9 +85,9 @@ class Auditor {
         add(std::move(f));
     }
 
-    FormatFinding& format_of_method(const std::string& method) {
+    InferredFormat& format_of_method(const std::string& method) {
         return *std::find_if(report_.formats.begin(), report_.formats.end(),
-                             [&](const FormatFinding& f) { return f.method == method; });
+                             [&](const InferredFormat& f) { return f.method == method; });
     }
 
     // What errors are relative to -------------------------------------------------------------------------------
@@ -144,7 +144,7 @@ class Auditor {
     void judge_readings() {
         NumberFormat format{};
         for (const std::string& method : tables_.sampling_methods) {
-            for (const FormatFinding& f : report_.formats) {
+            for (const InferredFormat& f : report_.formats) {
                 if (f.method == method) format = f.format;
             }
         }
@@ -217,7 +217,7 @@ class Auditor {
     }
 
     void judge_experiment(const Experiment& experiment) {
-        FormatFinding& format = format_of_method(experiment.method);
+        InferredFormat& format = format_of_method(experiment.method);
         Judged judged = judge_as(experiment, format.format);
         if (!experiment.rays_per_face && !judged.diagnoses.empty() && judged.diagnoses.front().diagnosis.cost > 0) {
             // Without hits to tell rounding from truncation, a figure is wrong only if it is wrong under both.
@@ -292,7 +292,7 @@ class Auditor {
     void judge_spreads() {
         const double level =
             report_.alpha / 2 / (2 * static_cast<double>(std::max<std::size_t>(1, report_.spreads.size())));
-        for (const SpreadFinding& s : report_.spreads) {
+        for (const ExperimentSpread& s : report_.spreads) {
             const bool far = s.spread.too_far < level;
             if (!far && s.spread.too_close >= level) continue;
             Finding f;

@@ -52,7 +52,7 @@ struct RecoveredHits {
 };
 
 /// The Monte Carlo values of one experiment taken together, misprints corrected.
-struct SpreadFinding {
+struct ExperimentSpread {
     std::string experiment;
     JointDistance spread;
 };
@@ -62,11 +62,11 @@ struct AuditReport {
     std::string source;
     std::size_t figures = 0;
     std::vector<Finding> findings;  ///< contradictions first, in the order of the tables
-    std::vector<FormatFinding> formats;
+    std::vector<InferredFormat> formats;
     ReferenceInference references;
     std::vector<ReadingEvidence> readings;
     std::vector<RecoveredHits> hits;
-    std::vector<SpreadFinding> spreads;
+    std::vector<ExperimentSpread> spreads;
     double alpha = 0;  ///< family-wise, of all statistical tests together
     std::size_t plausibility_tests = 0;
     double z_limit = 0;  ///< standard deviations from which one Monte Carlo value is impossible

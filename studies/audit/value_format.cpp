@@ -14,7 +14,7 @@ bool has_readings(const PublishedTables& tables, const std::string& table) {
                        [&](const Reading& reading) { return reading.table == table; });
 }
 
-FormatFinding sampled_format(const PublishedTables& tables, const std::string& method) {
+InferredFormat sampled_format(const PublishedTables& tables, const std::string& method) {
     std::vector<SampledFigure> figures;
     std::vector<SampledFigure> uncertain;
     for (const Figure& figure : tables.figures) {
@@ -23,13 +23,13 @@ FormatFinding sampled_format(const PublishedTables& tables, const std::string& m
                                     *figure.samples_per_patch * figure.patches_per_face};
         (has_readings(tables, figure.table) ? uncertain : figures).push_back(sampled);
     }
-    FormatFinding finding{.method = method, .format = {}, .evidence = {}};
+    InferredFormat finding{.method = method, .format = {}, .evidence = {}};
     finding.evidence = weigh_formats(figures.empty() ? uncertain : figures, tables.decimals);
     finding.format = finding.evidence.front().format;
     return finding;
 }
 
-FormatFinding deterministic_format(const PublishedTables& tables, const std::string& method) {
+InferredFormat deterministic_format(const PublishedTables& tables, const std::string& method) {
     int most = 0;
     int least = 99;
     const NumberFormat significant{Rounding::rounded, Layout::significant_digits, tables.decimals};
@@ -49,7 +49,7 @@ FormatFinding deterministic_format(const PublishedTables& tables, const std::str
 
 }  // namespace
 
-FormatFinding infer_format(const PublishedTables& tables, const std::string& method) {
+InferredFormat infer_format(const PublishedTables& tables, const std::string& method) {
     const auto& sampling = tables.sampling_methods;
     const bool sampled = std::find(sampling.begin(), sampling.end(), method) != sampling.end();
     return sampled ? sampled_format(tables, method) : deterministic_format(tables, method);

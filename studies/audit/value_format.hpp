@@ -9,7 +9,7 @@
 namespace ff::studies {
 
 /// The number format of a method's form factors and row sums.
-struct FormatFinding {
+struct InferredFormat {
     std::string method;
     NumberFormat format;
     std::vector<FormatEvidence> evidence;  ///< sampling methods only; the likeliest first
@@ -19,6 +19,6 @@ struct FormatFinding {
 /// count only where there are no others. For a deterministic one, fixed decimals, unless the figures' lengths vary as
 /// with significant digits; rounded or truncated as the publication says.
 /// @pre the method has figures in the tables
-FormatFinding infer_format(const PublishedTables& tables, const std::string& method);
+InferredFormat infer_format(const PublishedTables& tables, const std::string& method);
 
 }  // namespace ff::studies

@@ -67,7 +67,7 @@ struct Contenders {
 
 /// The cells of these methods.
 std::vector<std::size_t> contending_cells(const ClaimEvidence& evidence, const PublishedClaim& claim) {
-    const Findings& findings = evidence.findings();
+    const Analysis& findings = evidence.findings();
     std::vector<std::size_t> result;
     for (std::size_t i = 0; i < findings.plan.cells.size(); ++i) {
         const Cell& cell = findings.plan.cells[i];

@@ -21,11 +21,11 @@ bool names(const std::vector<Size>& sizes, Size size) {
 class ClaimEvidence {
   public:
     /// @param scene  the study's scene that the tables are about
-    ClaimEvidence(const Store& store, const Findings& findings, const PublishedTables& tables, std::size_t scene)
+    ClaimEvidence(const Store& store, const Analysis& findings, const PublishedTables& tables, std::size_t scene)
         : store_(store), findings_(findings), tables_(tables), scene_(scene) {}
 
     [[nodiscard]] const Store& store() const { return store_; }
-    [[nodiscard]] const Findings& findings() const { return findings_; }
+    [[nodiscard]] const Analysis& findings() const { return findings_; }
     [[nodiscard]] std::size_t scene() const { return scene_; }
 
     /// The cells of the claim's method number `method` at its sizes, by patches, then samples; those without trials are
@@ -56,7 +56,7 @@ class ClaimEvidence {
 
   private:
     const Store& store_;
-    const Findings& findings_;
+    const Analysis& findings_;
     const PublishedTables& tables_;
     std::size_t scene_;
     mutable std::vector<CellEstimates> cache_;

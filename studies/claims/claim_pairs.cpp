@@ -138,7 +138,7 @@ Judgement judge_nonuniform(const ClaimEvidence& evidence, const PublishedClaim& 
     const double level = evidence.findings().plan.spec.level;
     const auto range = stats::central_range(ratios, level);
     std::vector<Quantity> by_std = pairs;
-    const CellFindings& findings = evidence.findings().cells[cells.front()];
+    const CellAnalysis& findings = evidence.findings().cells[cells.front()];
     std::sort(by_std.begin(), by_std.end(),
               [&](Quantity a, Quantity b) { return findings.summary(a).std < findings.summary(b).std; });
     const auto& least = evidence.estimates(cells.front()).values(by_std.front());

@@ -71,7 +71,7 @@ std::string_view name(ClaimVerdict verdict) {
     return "inconclusive";
 }
 
-std::vector<JudgedClaim> judge_claims(const Store& store, const Findings& findings, const PublishedTables& tables) {
+std::vector<JudgedClaim> judge_claims(const Store& store, const Analysis& findings, const PublishedTables& tables) {
     const auto scene = find_scene(findings.plan, tables);
     const ClaimEvidence evidence(store, findings, tables, scene.value_or(0));
     std::vector<JudgedClaim> judged;

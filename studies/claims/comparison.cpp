@@ -52,7 +52,7 @@ std::vector<double> printed_values(const CellEstimates& estimates, const Figure&
     return values;
 }
 
-void compare(const CellEstimates& estimates, const CellFindings& findings, const Figure& figure, double level,
+void compare(const CellEstimates& estimates, const CellAnalysis& findings, const Figure& figure, double level,
              FigureComparison& comparison) {
     const Summary& summary = findings.summary(comparison.quantity);
     const auto values = printed_values(estimates, figure, comparison.quantity, summary.reference);
@@ -126,7 +126,7 @@ stats::ChiSquared combine(const std::vector<ColumnChiSquared>& columns) {
     return combined;
 }
 
-void add_chi_squared(const PublishedTables& tables, const Findings& findings,
+void add_chi_squared(const PublishedTables& tables, const Analysis& findings,
                      const std::map<std::size_t, CellEstimates>& estimates, TableComparison& table) {
     std::map<std::size_t, std::vector<const FigureComparison*>> columns;
     for (const FigureComparison& comparison : table.figures) {
@@ -181,7 +181,7 @@ std::optional<std::size_t> find_cell(const StudyPlan& plan, std::size_t scene, s
     return std::nullopt;
 }
 
-std::vector<TableComparison> compare_with_published(const Store& store, const Findings& findings,
+std::vector<TableComparison> compare_with_published(const Store& store, const Analysis& findings,
                                                     const PublishedTables& tables) {
     std::map<std::size_t, CellEstimates> estimates;
     const auto scene = find_scene(findings.plan, tables);

@@ -19,8 +19,8 @@ struct FigureComparison {
     Quantity quantity;
     double printed = 0;
     bool deterministic = false;
-    std::optional<double> ours;              ///< value of a deterministic method, mean over trials otherwise
-    std::optional<stats::Range> single_run;  ///< 95 % range of one trial
+    std::optional<double> ours;                     ///< value of a deterministic method, mean over trials otherwise
+    std::optional<stats::CentralRange> single_run;  ///< 95 % range of one trial
     std::optional<double> z;           ///< (printed - ours) / standard deviation of one trial; form factors and sums
     std::optional<stats::Rank> rank;   ///< among the trials, values equal at the printed precision counted as ties
     std::optional<double> adjusted_p;  ///< Holm over the table's sampled figures; 0 where no trial can give it
@@ -48,7 +48,7 @@ std::optional<std::size_t> find_cell(const StudyPlan& plan, std::size_t scene, s
                                      std::uint32_t patches_per_face, std::optional<std::uint64_t> samples_per_patch);
 
 /// Every printed figure against the trials of the study.
-std::vector<TableComparison> compare_with_published(const Store& store, const Findings& findings,
+std::vector<TableComparison> compare_with_published(const Store& store, const Analysis& findings,
                                                     const PublishedTables& tables);
 
 /// Half a unit of the last printed digit: "0.61" -> 0.005.

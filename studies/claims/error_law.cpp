@@ -36,7 +36,7 @@ bool is_deterministic(const StudySpec& spec, const StudyPlan& plan, const std::s
 
 }  // namespace
 
-std::vector<ErrorLaw> fit_error_laws(const Findings& findings, const PublishedTables* tables) {
+std::vector<ErrorLaw> fit_error_laws(const Analysis& findings, const PublishedTables* tables) {
     const StudyPlan& plan = findings.plan;
     std::vector<ErrorLaw> laws;
     for (std::size_t scene = 0; scene < plan.scenes.size(); ++scene) {

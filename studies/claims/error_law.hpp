@@ -22,6 +22,6 @@ struct ErrorLaw {
 
 /// One law for each deterministic method with at least two subdivisions of a closed scene, then those of the
 /// publication. Methods without error (closed_form) have none.
-std::vector<ErrorLaw> fit_error_laws(const Findings& findings, const PublishedTables* tables);
+std::vector<ErrorLaw> fit_error_laws(const Analysis& findings, const PublishedTables* tables);
 
 }  // namespace ff::studies

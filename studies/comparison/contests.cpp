@@ -39,8 +39,8 @@ struct Placed {
     stats::Measured logarithm;
 };
 
-std::optional<Rung> rung_of(const Findings& findings, std::size_t index, PairClass pair_class) {
-    const CellFindings& found = findings.cells[index];
+std::optional<Rung> rung_of(const Analysis& findings, std::size_t index, PairClass pair_class) {
+    const CellAnalysis& found = findings.cells[index];
     const Cell& cell = findings.plan.cells[found.cell];
     const ClassError* error = found.class_error(pair_class);
     // No ratio is formed to what is exact to rounding.
@@ -60,7 +60,7 @@ std::optional<Rung> rung_of(const Findings& findings, std::size_t index, PairCla
 }
 
 /// All sizes of each method, or of each number of patches where those have several sizes.
-std::vector<Contender> contenders(const Findings& findings, const Costs& costs, std::size_t scene, PairClass pair_class,
+std::vector<Contender> contenders(const Analysis& findings, const Costs& costs, std::size_t scene, PairClass pair_class,
                                   Equal equal) {
     const StudyPlan& plan = findings.plan;
     std::map<std::pair<std::size_t, std::uint32_t>, std::vector<Rung>> of_patches;
@@ -294,7 +294,7 @@ std::string_view name(Equal equal) {
     return "error";
 }
 
-std::vector<Contest> hold_contests(const Store& store, const Findings& findings) {
+std::vector<Contest> hold_contests(const Store& store, const Analysis& findings) {
     const Costs costs = measured_costs(findings.plan, store.context());
     std::vector<Contest> contests;
     for (std::size_t scene = 0; scene < findings.plan.scenes.size(); ++scene) {

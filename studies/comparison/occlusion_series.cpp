@@ -25,12 +25,12 @@ std::vector<std::size_t> cells_of(const StudyPlan& plan, std::size_t scene, std:
     return cells;
 }
 
-double log_evaluations(const Findings& findings, std::size_t cell) {
+double log_evaluations(const Analysis& findings, std::size_t cell) {
     return std::log(static_cast<double>(std::max<std::uint64_t>(1, findings.cells[cell].evaluations_per_face)));
 }
 
 /// The least of the largest numbers of evaluations of all methods in all scenes of a series.
-std::uint64_t common_evaluations(const Findings& findings, const std::vector<std::size_t>& scenes) {
+std::uint64_t common_evaluations(const Analysis& findings, const std::vector<std::size_t>& scenes) {
     std::uint64_t common = std::numeric_limits<std::uint64_t>::max();
     for (const std::size_t scene : scenes) {
         for (std::size_t method = 0; method < findings.plan.spec.methods.size(); ++method) {
@@ -57,7 +57,7 @@ std::optional<Slope> slope_of(const std::vector<LadderSlopes>& slopes, std::size
 /// Finds the error of a method on a pair in a scene, at the method's size closest to a number of evaluations.
 class Errors {
   public:
-    Errors(const Store& store, const Findings& findings, const std::vector<LadderSlopes>& slopes)
+    Errors(const Store& store, const Analysis& findings, const std::vector<LadderSlopes>& slopes)
         : store_(store), findings_(findings), slopes_(slopes) {}
 
     [[nodiscard]] std::optional<PairError> of(std::size_t scene, std::size_t method, Quantity pair,
@@ -86,7 +86,7 @@ class Errors {
 
   private:
     const Store& store_;
-    const Findings& findings_;
+    const Analysis& findings_;
     const std::vector<LadderSlopes>& slopes_;
 };
 
@@ -124,7 +124,7 @@ void judge_hidden_pair(const StudyPlan& plan, double alpha, HiddenPair& scene) {
 
 }  // namespace
 
-std::vector<OcclusionSeries> occlusion_series(const Store& store, const Findings& findings,
+std::vector<OcclusionSeries> occlusion_series(const Store& store, const Analysis& findings,
                                               const std::vector<LadderSlopes>& slopes) {
     const StudyPlan& plan = findings.plan;
     const Errors errors(store, findings, slopes);

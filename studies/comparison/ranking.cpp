@@ -111,7 +111,7 @@ RankedSlopes rank_slopes(std::span<const LadderSlopes> ladders, std::size_t scen
     return out;
 }
 
-std::vector<Ranked> rank_errors(const Findings& findings, std::span<const std::size_t> cells, PairClass pair_class,
+std::vector<Ranked> rank_errors(const Analysis& findings, std::span<const std::size_t> cells, PairClass pair_class,
                                 double level) {
     std::vector<Ranked> ranked;
     std::vector<stats::Measured> measured;
@@ -129,7 +129,7 @@ std::vector<Ranked> rank_errors(const Findings& findings, std::span<const std::s
     return ranked;
 }
 
-std::vector<Ranked> rank_efforts(const Findings& findings, std::span<const std::size_t> cells, PairClass pair_class) {
+std::vector<Ranked> rank_efforts(const Analysis& findings, std::span<const std::size_t> cells, PairClass pair_class) {
     std::vector<Ranked> ranked;
     std::vector<stats::Measured> measured;
     for (const std::size_t cell : cells) {
@@ -143,7 +143,7 @@ std::vector<Ranked> rank_efforts(const Findings& findings, std::span<const std::
     return ranked;
 }
 
-std::vector<Ranked> rank_reductions(const Findings& findings, std::span<const VarianceReduction> reductions,
+std::vector<Ranked> rank_reductions(const Analysis& findings, std::span<const VarianceReduction> reductions,
                                     std::size_t random_cell, PairClass pair_class, double level) {
     std::vector<Ranked> ranked;
     std::vector<stats::Measured> measured;

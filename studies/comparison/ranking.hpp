@@ -49,15 +49,15 @@ RankedSlopes rank_slopes(std::span<const LadderSlopes> ladders, std::size_t scen
 
 /// RMSEs of these cells on a class of pairs, smallest first. Cells without a variance, and sampled ones with few
 /// trials, are left out; errors at the level of rounding count as equal. Ranked::index is a cell.
-std::vector<Ranked> rank_errors(const Findings& findings, std::span<const std::size_t> cells, PairClass pair_class,
+std::vector<Ranked> rank_errors(const Analysis& findings, std::span<const std::size_t> cells, PairClass pair_class,
                                 double level);
 
 /// RMSE² N of these cells, 1 / efficiency, the same way.
-std::vector<Ranked> rank_efforts(const Findings& findings, std::span<const std::size_t> cells, PairClass pair_class);
+std::vector<Ranked> rank_efforts(const Analysis& findings, std::span<const std::size_t> cells, PairClass pair_class);
 
 /// Variances of all cells that are compared with this random one, smallest first, including the random one itself with
 /// a factor of 1. Ranked::index is a cell.
-std::vector<Ranked> rank_reductions(const Findings& findings, std::span<const VarianceReduction> reductions,
+std::vector<Ranked> rank_reductions(const Analysis& findings, std::span<const VarianceReduction> reductions,
                                     std::size_t random_cell, PairClass pair_class, double level);
 
 }  // namespace ff::studies

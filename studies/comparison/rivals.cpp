@@ -13,7 +13,7 @@ namespace ff::studies {
 namespace {
 
 /// Cells of the last table that shows two methods for the same scene.
-std::vector<std::size_t> published_rivals(const Findings& findings, const std::vector<TableComparison>& published) {
+std::vector<std::size_t> published_rivals(const Analysis& findings, const std::vector<TableComparison>& published) {
     for (std::size_t table = published.size(); table-- > 0;) {
         std::map<std::size_t, std::size_t> cell_of_method;
         for (const FigureComparison& figure : published[table].figures) {
@@ -29,14 +29,14 @@ std::vector<std::size_t> published_rivals(const Findings& findings, const std::v
 }
 
 /// Whether no pair is off by more than rounding, as it is at every size then.
-bool is_exact_to_rounding(const CellFindings& found) {
+bool is_exact_to_rounding(const CellAnalysis& found) {
     return !found.class_errors.empty() &&
            std::all_of(found.class_errors.begin(), found.class_errors.end(),
                        [](const ClassError& error) { return error.rmse < rounding_error; });
 }
 
 /// One cell per method: sampled ones at the size that most of them share, quadratures at the same number of patches.
-std::vector<std::size_t> comparable_cells(const Findings& findings, std::size_t scene) {
+std::vector<std::size_t> comparable_cells(const Analysis& findings, std::size_t scene) {
     const StudyPlan& plan = findings.plan;
     std::map<std::pair<std::uint32_t, std::uint64_t>, std::set<std::size_t>> methods_of_size;
     for (const Cell& cell : plan.cells) {
@@ -64,7 +64,7 @@ std::vector<std::size_t> comparable_cells(const Findings& findings, std::size_t 
     return cells;
 }
 
-std::optional<Rivalry> best_two(const Findings& findings, std::size_t scene, PairClass pair_class,
+std::optional<Rivalry> best_two(const Analysis& findings, std::size_t scene, PairClass pair_class,
                                 const std::vector<std::size_t>& cells) {
     const auto error = [&](std::size_t cell) { return findings.cells[cell].class_error(pair_class); };
     std::vector<std::size_t> ranking;
@@ -104,7 +104,7 @@ bool may_be_luck(const StudyPlan& plan, const Cell& cell) {
     return cell.deterministic && !method.sampler.empty() && samplers::find(method.sampler).info.equal_weights;
 }
 
-std::vector<std::size_t> compared_cells(const Findings& findings, std::size_t scene,
+std::vector<std::size_t> compared_cells(const Analysis& findings, std::size_t scene,
                                         const std::vector<TableComparison>& published) {
     auto printed = published_rivals(findings, published);
     if (!printed.empty() && findings.plan.cells[printed.front()].scene == scene) return printed;
@@ -116,7 +116,7 @@ bool Rivalry::decided() const {
     return !doubtful && (!ratio || apart);
 }
 
-std::vector<Rivalry> find_rivals(const Findings& findings, const std::vector<TableComparison>& published) {
+std::vector<Rivalry> find_rivals(const Analysis& findings, const std::vector<TableComparison>& published) {
     std::vector<Rivalry> rivals;
     for (std::size_t scene = 0; scene < findings.plan.scenes.size(); ++scene) {
         const auto cells = compared_cells(findings, scene, published);

@@ -15,7 +15,7 @@ namespace ff::studies {
 struct Rivalry {
     std::size_t scene = 0;
     PairClass pair_class = PairClass::other;
-    std::size_t better = 0;            ///< index into Findings::cells
+    std::size_t better = 0;            ///< index into Analysis::cells
     std::optional<std::size_t> worse;  ///< empty where the study has one method only
     std::optional<double> ratio;       ///< RMSE of the worse / RMSE of the better; empty where that is rounding
     /// Interval of the ratio, at the study's level over all pairs of methods from which these two are picked
@@ -35,7 +35,7 @@ inline constexpr double rounding_error = 1e-12;
 /// tables, the methods and sizes of the last table that compares two methods; otherwise the cells of the size that most
 /// methods share (the largest of several), without closed forms and without point sets that are neither randomised nor
 /// quadratures.
-std::vector<std::size_t> compared_cells(const Findings& findings, std::size_t scene,
+std::vector<std::size_t> compared_cells(const Analysis& findings, std::size_t scene,
                                         const std::vector<TableComparison>& published);
 
 /// Whether a point set is neither randomised nor a quadrature: its error is that of a single set, has no interval, and
@@ -43,6 +43,6 @@ std::vector<std::size_t> compared_cells(const Findings& findings, std::size_t sc
 bool may_be_luck(const StudyPlan& plan, const Cell& cell);
 
 /// The two best of these cells on each class of pairs of each scene.
-std::vector<Rivalry> find_rivals(const Findings& findings, const std::vector<TableComparison>& published);
+std::vector<Rivalry> find_rivals(const Analysis& findings, const std::vector<TableComparison>& published);
 
 }  // namespace ff::studies

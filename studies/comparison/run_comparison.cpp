@@ -73,7 +73,7 @@ std::vector<Quantity> pairs_of(const CellEstimates& estimates, const StudyPlan& 
     return distinct_pairs(estimates.faces, completion_a == completion_b ? completion_a : Completion::direct);
 }
 
-std::vector<RmseRatio> ratios_of(const CellFindings& first, const CellFindings& second, Basis basis) {
+std::vector<RmseRatio> ratios_of(const CellAnalysis& first, const CellAnalysis& second, Basis basis) {
     std::vector<RmseRatio> ratios;
     for (const ClassError& a : first.class_errors) {
         const ClassError* b = second.class_error(a.pair_class);
@@ -107,7 +107,7 @@ void widen(std::optional<stats::Interval>& all, double low, double high, double 
 }
 
 /// Both tests of every pair that has them.
-void test_pairs(const CellEstimates& a, const CellEstimates& b, const Findings& first, const Findings& second,
+void test_pairs(const CellEstimates& a, const CellEstimates& b, const Analysis& first, const Analysis& second,
                 const std::vector<Quantity>& pairs, std::size_t index, CellComparison& cell, std::vector<Test>& tests) {
     const bool independent =
         first.cells[cell.first].repeated_trials == 0 && second.cells[cell.second].repeated_trials == 0;
@@ -138,8 +138,8 @@ void test_pairs(const CellEstimates& a, const CellEstimates& b, const Findings& 
             inverse ? stats::test_variances_brown_forsythe(x, y) : stats::test_variances_brown_forsythe(y, x);
         if (!spread) continue;
         const double ratio = inverse ? std::numeric_limits<double>::infinity() : spread->ratio;
-        const auto spread_a = stats::spread_of(in_a);
-        const auto spread_b = stats::spread_of(in_b);
+        const auto spread_a = stats::mean_square_of(in_a);
+        const auto spread_b = stats::mean_square_of(in_b);
         const double error =
             spread_a && spread_b
                 ? std::sqrt(brown_forsythe_cost * (1 / (2 * spread_a->freedom) + 1 / (2 * spread_b->freedom)))

@@ -80,8 +80,8 @@ struct ChangedScene {
 /// Two runs side by side.
 struct RunComparison {
     std::array<std::string, 2> names;  ///< names by which the user knows the runs
-    Findings first;
-    Findings second;
+    Analysis first;
+    Analysis second;
     std::vector<CellComparison> cells;    ///< in the order of the first run
     std::vector<std::size_t> only_first;  ///< cells without a counterpart
     std::vector<std::size_t> only_second;

@@ -109,7 +109,7 @@ std::optional<ClaimedErrors> judge(const Store& store, const CellEstimates& esti
     found.median_ratio = *stats::median_absolute_error(ratios, 0);
     found.largest_ratio = *std::max_element(ratios.begin(), ratios.end());
     const bool wrong = found.promised < 1 ? found.worst_share.high < found.promised : found.held < found.claims;
-    found.finding = wrong ? ClaimFinding::fails : ClaimFinding::holds;
+    found.finding = wrong ? ClaimedErrorFinding::fails : ClaimedErrorFinding::holds;
     return found;
 }
 

@@ -20,7 +20,7 @@ enum class Claimant {
 };
 std::string_view name(Claimant claimant);
 
-enum class ClaimFinding {
+enum class ClaimedErrorFinding {
     holds,  ///< no claim was wrong; where not all have to hold, no share is significantly too small
     fails,  ///< some claim was wrong; where not all have to hold, a pair's share is significantly too small
 };
@@ -38,7 +38,7 @@ struct ClaimedErrors {
     stats::Interval worst_share;  ///< on that pair, all runs: Clopper-Pearson, corrected for the pairs of the class
     double median_ratio = 0;      ///< median of |error| / claim
     double largest_ratio = 0;
-    ClaimFinding finding = ClaimFinding::holds;
+    ClaimedErrorFinding finding = ClaimedErrorFinding::holds;
 
     [[nodiscard]] double share() const { return static_cast<double>(held) / static_cast<double>(claims); }
 };

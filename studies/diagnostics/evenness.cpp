@@ -70,7 +70,7 @@ std::map<Setting, std::map<std::uint64_t, std::vector<std::size_t>>> groups_of(c
 
 class Comparison {
   public:
-    explicit Comparison(const Findings& findings) : findings_(findings) {}
+    explicit Comparison(const Analysis& findings) : findings_(findings) {}
 
     std::vector<Evenness> compare(const std::vector<std::size_t>& cells, PairClass pair_class) {
         std::vector<Evenness> all;
@@ -100,13 +100,13 @@ class Comparison {
         return at->second;
     }
 
-    const Findings& findings_;
+    const Analysis& findings_;
     std::map<std::tuple<std::string, std::uint64_t, std::size_t>, std::optional<Measures>> measures_;
 };
 
 }  // namespace
 
-std::vector<Evenness> compare_evenness_with_errors(const Findings& findings) {
+std::vector<Evenness> compare_evenness_with_errors(const Analysis& findings) {
     std::vector<Evenness> all;
     Comparison comparison(findings);
     for (const auto& [setting, sizes] : groups_of(findings.plan)) {

@@ -24,6 +24,6 @@ struct Evenness {
 
 /// For each scene and estimator at the largest size of at most 1024 points that enough samplers share. The measures are
 /// means over a few sets; samplers whose points cannot be made here are left out. Pure.
-std::vector<Evenness> compare_evenness_with_errors(const Findings& findings);
+std::vector<Evenness> compare_evenness_with_errors(const Analysis& findings);
 
 }  // namespace ff::studies

@@ -12,9 +12,9 @@ struct Candidate {
     stats::TailFit fit;
 };
 
-std::vector<Candidate> candidates(const Store& store, const Findings& findings) {
+std::vector<Candidate> candidates(const Store& store, const Analysis& findings) {
     std::vector<Candidate> found;
-    for (const CellFindings& cell : findings.cells) {
+    for (const CellAnalysis& cell : findings.cells) {
         const CellEstimates estimates = load_estimates(store, cell.cell);
         for (const Summary& summary : cell.summaries) {
             const bool pair = summary.quantity.kind == QuantityKind::form_factor;
@@ -28,7 +28,7 @@ std::vector<Candidate> candidates(const Store& store, const Findings& findings) 
 
 }  // namespace
 
-std::vector<HeavyTail> find_heavy_tails(const Store& store, const Findings& findings) {
+std::vector<HeavyTail> find_heavy_tails(const Store& store, const Analysis& findings) {
     const auto tested = candidates(store, findings);
     std::vector<HeavyTail> heavy;
     if (tested.empty()) return heavy;

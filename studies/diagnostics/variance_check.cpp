@@ -21,10 +21,10 @@ double chi_squared_two_sided_p(double sampled, double exact, std::size_t trials)
 }
 
 /// Adjusted for the quantities of this cell only. Empty where the exact variance is not known, and below two trials.
-std::optional<VarianceCheck> check_cell(const Findings& findings, std::size_t cell_index) {
+std::optional<VarianceCheck> check_cell(const Analysis& findings, std::size_t cell_index) {
     const Cell& cell = findings.plan.cells[cell_index];
     const Method& method = findings.plan.spec.methods[cell.method];
-    const CellFindings& found = findings.cells[cell_index];
+    const CellAnalysis& found = findings.cells[cell_index];
     const bool known =
         estimator_info(method).observes == Observes::hits && samplers::find(method.sampler).info.independent();
     if (!known || found.trials < 2) return std::nullopt;
@@ -64,7 +64,7 @@ std::optional<VarianceCheck> check_cell(const Findings& findings, std::size_t ce
 
 }  // namespace
 
-std::vector<VarianceCheck> check_variances(const Findings& findings) {
+std::vector<VarianceCheck> check_variances(const Analysis& findings) {
     std::vector<VarianceCheck> checks;
     std::vector<double> p_values;
     for (std::size_t cell = 0; cell < findings.cells.size(); ++cell) {

@@ -25,6 +25,6 @@ struct VarianceCheck {
 
 /// Every cell whose exact variance is known and that has two trials. One error rate for all of them together: if every
 /// spread is right, the chance that any `adjusted_p` is below alpha is at most alpha.
-std::vector<VarianceCheck> check_variances(const Findings& findings);
+std::vector<VarianceCheck> check_variances(const Analysis& findings);
 
 }  // namespace ff::studies

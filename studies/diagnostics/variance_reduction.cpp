@@ -23,7 +23,7 @@ std::optional<std::size_t> counterpart(const StudyPlan& plan, const Cell& cell) 
 
 }  // namespace
 
-std::vector<VarianceReduction> compare_with_random(const Findings& findings) {
+std::vector<VarianceReduction> compare_with_random(const Analysis& findings) {
     const StudyPlan& plan = findings.plan;
     std::vector<VarianceReduction> reductions;
     for (std::size_t i = 0; i < plan.cells.size(); ++i) {

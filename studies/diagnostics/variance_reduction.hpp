@@ -21,6 +21,6 @@ struct VarianceReduction {
 
 /// One for each cell and class that has a variance with an interval, and a random counterpart, in the order of cells.
 /// Pure.
-std::vector<VarianceReduction> compare_with_random(const Findings& findings);
+std::vector<VarianceReduction> compare_with_random(const Analysis& findings);
 
 }  // namespace ff::studies

@@ -74,7 +74,7 @@ FaceExchange face_exchange(const FacePair& pair, const PairEstimate& estimate) {
         result.high = pair.most;
         result.value = (result.low + result.high) / 2;
     } else if (pair.is_sampled()) {
-        const Estimate found = estimate_of(*estimate.sum, estimate.level);
+        const EstimatedSum found = estimate_of(*estimate.sum, estimate.level);
         result.value = found.value;
         result.low = found.value - found.down - pair.bound - pair.resolution;
         result.high = found.value + found.up + pair.bound + pair.resolution;
@@ -140,7 +140,7 @@ RowSum row_sum(const FormFactorMatrix& matrix, const FacePairs& geometry, const 
     const RowTerms terms = row_terms(matrix, geometry, estimates, pairs, geometry.dropped[row]);
     const double area = matrix.areas[row];
     const auto ends = [&](double at) {
-        const Estimate found = estimate_of(terms.sum, at);
+        const EstimatedSum found = estimate_of(terms.sum, at);
         return std::pair((found.value - found.down - terms.down) / area, (found.value + found.up + terms.up) / area);
     };
     const auto [low, high] = ends(std::max(level, terms.level));

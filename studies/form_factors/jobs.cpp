@@ -177,7 +177,7 @@ std::vector<std::uint64_t> Job::sizes_for(const std::vector<double>& wanted, dou
     struct Term {
         double spread = 0;
         double scale = 0;
-        Unmet unmet;
+        UnmetBound unmet;
         std::uint64_t size = 0;
         double unmet_now = 0;
 
@@ -187,7 +187,7 @@ std::vector<std::uint64_t> Job::sizes_for(const std::vector<double>& wanted, dou
     std::vector<Term> terms;
     for (std::size_t k = 0; k < points_.size(); ++k) {
         const SampledSum sum = point_sum(k, hidden_[k]);
-        const Estimate now = estimate_of(sum, level);
+        const EstimatedSum now = estimate_of(sum, level);
         const SampledSum::Term& term = sum.terms.front();
         terms.push_back(
             {margin * (now.half_width() - now.unmet), std::abs(term.scale), term.share.unmet, sizes_[k], now.unmet});

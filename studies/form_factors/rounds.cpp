@@ -233,7 +233,7 @@ void Rounds::evaluate() {
         for (const std::size_t pair : work.job.pairs()) {
             record(work.job, pair, work.rounds);
             State& state = pairs_[pair];
-            const Estimate found = estimate_of(*state.estimate.sum, state.estimate.level);
+            const EstimatedSum found = estimate_of(*state.estimate.sum, state.estimate.level);
             aim_.expected[pair] = std::max(0.0, found.value);
             const bool within = found.half_width() <= aim_.wanted(pair);
             if (within && !state.done) ++progress_.within;
@@ -287,8 +287,8 @@ void Rounds::compare() {
         State& state = pairs_[earlier.pair];
         if (!state.recorded) continue;
         const double level = 1 - stats::bonferroni_level(contradiction_rate, sampled_ * comparisons[earlier.pair]) / 2;
-        const Estimate a = estimate_of(*state.estimate.sum, level);
-        const Estimate b = estimate_of(earlier.sum, level);
+        const EstimatedSum a = estimate_of(*state.estimate.sum, level);
+        const EstimatedSum b = estimate_of(earlier.sum, level);
         // Contour integrals and traced rays agree within single precision.
         const double room = 1e-6 * aim_.geometry.areas[aim_.owner(earlier.pair)];
         if (a.value - a.down <= b.value + b.up + room && b.value - b.down <= a.value + a.up + room) continue;

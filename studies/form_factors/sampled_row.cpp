@@ -10,7 +10,7 @@ namespace {
 
 /// The order of members, said once for both directions.
 template <class Archive>
-void pass(Archive& archive, Estimate& estimate) {
+void pass(Archive& archive, EstimatedSum& estimate) {
     archive(estimate.value, estimate.down, estimate.up, estimate.unmet);
 }
 

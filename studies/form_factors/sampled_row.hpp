@@ -17,7 +17,7 @@ struct PairEstimate {
     double level = 0;           ///< confidence level of its interval
     std::uint64_t samples = 0;  ///< rays or points behind it
     bool contradicted = false;
-    Estimate other;  ///< estimate from the independent randomisation that contradicts
+    EstimatedSum other;  ///< estimate from the independent randomisation that contradicts
 };
 
 /// What sampling found for the pairs of a row that are estimated from it, the smaller of their faces. It does not

@@ -40,7 +40,7 @@ class PointSampling {
     struct Side {
         BoundedValue<double> known;
         double sign = 1;
-        Unmet unmet;
+        UnmetBound unmet;
     };
     [[nodiscard]] Side side(bool hidden) const;
     [[nodiscard]] bool has_sides() const { return pair_->exchange.area.has_value(); }

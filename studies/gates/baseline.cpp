@@ -27,14 +27,14 @@ double read_number(const Json& json, const char* key, double low) {
     return number;
 }
 
-Json spread_json(const std::optional<stats::Spread>& spread) {
+Json spread_json(const std::optional<stats::MeanSquare>& spread) {
     if (!spread) return nullptr;
     return {{"mean_square", spread->mean_square}, {"freedom", spread->freedom}};
 }
 
-std::optional<stats::Spread> read_spread(const Json& json, std::uint64_t trials) {
+std::optional<stats::MeanSquare> read_spread(const Json& json, std::uint64_t trials) {
     if (json.is_null()) return std::nullopt;
-    const stats::Spread spread{
+    const stats::MeanSquare spread{
         .mean_square = json.at("mean_square").get<double>(), .freedom = json.at("freedom").get<double>(), .n = trials};
     if (!(smallest_square <= spread.mean_square && spread.mean_square <= largest_square))
         throw UserError(fmt::format("mean_square = {} (not from {:g} to {:g})", spread.mean_square, smallest_square,
@@ -86,8 +86,8 @@ StoredQuantity store_quantity(std::string cell, Quantity quantity, std::span<con
     stored.trials = values.size();
     stored.mean = *moments.mean();
     stored.standard_error = moments.standard_error().value_or(0);
-    stored.variance = stats::spread_of(moments);
-    if (reference) stored.mean_square_error = stats::spread_about(values, *reference);
+    stored.variance = stats::mean_square_of(moments);
+    if (reference) stored.mean_square_error = stats::mean_square_about(values, *reference);
     return stored;
 }
 

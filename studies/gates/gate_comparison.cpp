@@ -85,8 +85,8 @@ void compare_means(const Gate& gate, const GatePlan& plan, const Effect& effect,
 void compare_spreads(const Gate& gate, const GatePlan& plan, const Effect& effect,
                      const std::optional<StoredQuantity>& stored, std::span<const double> values, Comparison& row) {
     const bool about_truth = gate.kind == GateKind::rmse;
-    const auto spread = about_truth ? stats::spread_about(values, effect.truth.value_or(0))
-                                    : stats::spread_of(stats::moments_of(values, values.front()));
+    const auto spread = about_truth ? stats::mean_square_about(values, effect.truth.value_or(0))
+                                    : stats::mean_square_of(stats::moments_of(values, values.front()));
     if (!spread) {
         row.note = "fewer than four trials, or all alike";
         return;

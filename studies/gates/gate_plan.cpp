@@ -74,7 +74,7 @@ Noise noise_of(std::span<const double> values) {
     Noise noise;
     if (values.empty()) return noise;
     const auto moments = stats::moments_of(values, values.front());
-    const auto spread = stats::spread_of(moments);
+    const auto spread = stats::mean_square_of(moments);
     if (!spread) return noise;
     noise.sigma = std::sqrt(stats::mean_square_interval(*spread, 2 * pilot_confidence - 1).high);
     const double chance = 2 * *stats::skewness_standard_error(values.size());

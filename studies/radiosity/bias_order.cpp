@@ -41,7 +41,7 @@ std::vector<BiasOrder> bias_orders(const StudyPlan& plan, const RadiosityResults
                     const auto& exitance = found->settings[setting].exitance;
                     if (exitance.empty() || exitance.front().std.value_or(0) <= rounding * exitance.front().exact)
                         continue;
-                    const ExitanceFindings& all = exitance.front();
+                    const ExitanceStatistics& all = exitance.front();
                     const Cell& planned = plan.cells[cell];
                     order.points.push_back({cell, static_cast<double>(planned.samples * planned.subdivision.per_part()),
                                             *all.bias / all.exact,

@@ -11,24 +11,24 @@
 namespace ff::studies {
 namespace {
 
-ExitanceFindings summarise_exitance(std::size_t element, double exact, const std::vector<double>& values) {
-    ExitanceFindings findings;
-    findings.element = element;
-    findings.exact = exact;
+ExitanceStatistics summarise_exitance(std::size_t element, double exact, const std::vector<double>& values) {
+    ExitanceStatistics statistics;
+    statistics.element = element;
+    statistics.exact = exact;
     const auto ascending = stats::sorted(values);
-    findings.q025 = stats::quantile(ascending, 0.025);
-    findings.median = stats::quantile(ascending, 0.5);
-    findings.q975 = stats::quantile(ascending, 0.975);
-    return findings;
+    statistics.q025 = stats::quantile(ascending, 0.025);
+    statistics.median = stats::quantile(ascending, 0.5);
+    statistics.q975 = stats::quantile(ascending, 0.975);
+    return statistics;
 }
 
-void add_moments(ExitanceFindings& findings, const std::vector<double>& values, double level) {
-    const auto moments = stats::moments_of(values, findings.exact);
-    findings.mean = moments.mean();
-    findings.bias = moments.bias();
-    findings.bias_interval = stats::mean_interval(values, findings.exact, level);
-    findings.std = moments.standard_deviation();
-    findings.rmse = moments.root_mean_squared_error();
+void add_moments(ExitanceStatistics& statistics, const std::vector<double>& values, double level) {
+    const auto moments = stats::moments_of(values, statistics.exact);
+    statistics.mean = moments.mean();
+    statistics.bias = moments.bias();
+    statistics.bias_interval = stats::mean_interval(values, statistics.exact, level);
+    statistics.std = moments.standard_deviation();
+    statistics.rmse = moments.root_mean_squared_error();
 }
 
 /// Root mean square over pairs: of an element with itself where it sees itself.
@@ -41,19 +41,19 @@ double error_of(const Eigen::MatrixXd& factors, const Eigen::MatrixXd& exact, co
 
 void SettingCollector::add(const RadiositySystem& system) {
     const auto [properties, exitance] = solve_with_properties(system);
-    ++findings_.trials;
-    findings_.dominant += properties.dominance > 0;
-    findings_.convergent += properties.spectral_radius.high < 1;
-    findings_.divergent += properties.spectral_radius.low >= 1;
+    ++statistics_.trials;
+    statistics_.dominant += properties.dominance > 0;
+    statistics_.convergent += properties.spectral_radius.high < 1;
+    statistics_.divergent += properties.spectral_radius.low >= 1;
     radius_.push_back(properties.spectral_radius.middle());
-    findings_.radius_uncertainty =
-        std::max(findings_.radius_uncertainty, properties.spectral_radius.high - properties.spectral_radius.low);
+    statistics_.radius_uncertainty =
+        std::max(statistics_.radius_uncertainty, properties.spectral_radius.high - properties.spectral_radius.low);
     condition_.push_back(properties.condition);
     if (!exitance) {
-        ++findings_.singular;
+        ++statistics_.singular;
         return;
     }
-    findings_.negative += exitance->minCoeff() < 0;
+    statistics_.negative += exitance->minCoeff() < 0;
     energy_.push_back(energy_balance(system, *exitance).defect());
     const auto elements = static_cast<std::size_t>(exitance->size());
     by_element_.resize(elements + 1);
@@ -61,30 +61,30 @@ void SettingCollector::add(const RadiositySystem& system) {
     for (std::size_t i = 0; i < elements; ++i) by_element_[i + 1].push_back((*exitance)[static_cast<Eigen::Index>(i)]);
 }
 
-SettingFindings SettingCollector::finish(const Eigen::VectorXd& exact, const Eigen::VectorXd& areas, double level) {
-    findings_.solvers = solvers_.finish();
-    findings_.spectral_radius = over_trials(radius_);
-    findings_.condition = over_trials(condition_);
-    if (!energy_.empty()) findings_.energy_defect = over_trials(energy_);
-    if (findings_.singular > 0) return std::move(findings_);
+SettingStatistics SettingCollector::finish(const Eigen::VectorXd& exact, const Eigen::VectorXd& areas, double level) {
+    statistics_.solvers = solvers_.finish();
+    statistics_.spectral_radius = over_trials(radius_);
+    statistics_.condition = over_trials(condition_);
+    if (!energy_.empty()) statistics_.energy_defect = over_trials(energy_);
+    if (statistics_.singular > 0) return std::move(statistics_);
     const double mean = areas.dot(exact) / areas.sum();
-    const bool has_moments = findings_.trials == 1 || findings_.convergent == findings_.trials;
+    const bool has_moments = statistics_.trials == 1 || statistics_.convergent == statistics_.trials;
     double squares = 0;
-    std::vector<double> of_trials(findings_.trials, 0.0);  // mean squares
+    std::vector<double> of_trials(statistics_.trials, 0.0);  // mean squares
     for (std::size_t i = 0; i < by_element_.size(); ++i) {
         const double truth = i == 0 ? mean : exact[static_cast<Eigen::Index>(i) - 1];
-        auto& found = findings_.exitance.emplace_back(summarise_exitance(i, truth, by_element_[i]));
+        auto& found = statistics_.exitance.emplace_back(summarise_exitance(i, truth, by_element_[i]));
         if (has_moments) add_moments(found, by_element_[i], level);
         if (i > 0) squares += std::pow(found.rmse.value_or(0), 2);
         for (std::size_t trial = 0; i > 0 && trial < of_trials.size(); ++trial)
             of_trials[trial] += std::pow((by_element_[i][trial] - truth) / mean, 2) / static_cast<double>(exact.size());
     }
-    if (!has_moments) return std::move(findings_);
-    findings_.light_error = std::sqrt(squares / static_cast<double>(exact.size())) / mean;
-    if (of_trials.size() < stats::fewest_replicates) return std::move(findings_);
+    if (!has_moments) return std::move(statistics_);
+    statistics_.light_error = std::sqrt(squares / static_cast<double>(exact.size())) / mean;
+    if (of_trials.size() < stats::fewest_replicates) return std::move(statistics_);
     const auto interval = stats::mean_interval(of_trials, 0, level);
-    if (interval && interval->low > 0) findings_.light_interval = stats::square_root(*interval);
-    return std::move(findings_);
+    if (interval && interval->low > 0) statistics_.light_interval = stats::square_root(*interval);
+    return std::move(statistics_);
 }
 
 ConsequencesCollector::ConsequencesCollector(const Lighting& lighting, std::span<const Eigen::VectorXd> exitance,

@@ -12,14 +12,14 @@ namespace ff::studies {
 /// Collects the trials of one setting.
 class SettingCollector {
   public:
-    explicit SettingCollector(std::size_t setting) { findings_.setting = setting; }
+    explicit SettingCollector(std::size_t setting) { statistics_.setting = setting; }
 
     void add(const RadiositySystem& system);
     void run_solvers(const RadiositySystem& system, const SolverOptions& options) { solvers_.add(system, options); }
-    SettingFindings finish(const Eigen::VectorXd& exact, const Eigen::VectorXd& areas, double level);
+    SettingStatistics finish(const Eigen::VectorXd& exact, const Eigen::VectorXd& areas, double level);
 
   private:
-    SettingFindings findings_;
+    SettingStatistics statistics_;
     SolverRuns solvers_;
     std::vector<double> radius_, condition_, energy_;
     std::vector<std::vector<double>> by_element_;  // all together, then each

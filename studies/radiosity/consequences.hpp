@@ -29,7 +29,7 @@ struct OverTrials {
 /// The exitance of a face or patch, or the mean of all by area, over the trials: against the solution with exact
 /// factors. Mean, bias and spread are given for single trials too, but are empty where one of several trials is not
 /// convergent: as the spectral radius passes 1, the exitance passes a pole and has no mean.
-struct ExitanceFindings {
+struct ExitanceStatistics {
     std::size_t element = 0;  ///< face, or patch in the order of PatchOrder, from 1; 0 for all
     double exact = 0;
     std::optional<double> mean;
@@ -41,7 +41,7 @@ struct ExitanceFindings {
 };
 
 /// One solver on the systems of one setting.
-struct SolverFindings {
+struct SolverStatistics {
     Solver solver = Solver::jacobi;
     std::size_t runs = 0;
     std::size_t converged = 0, diverged = 0, stalled = 0, exhausted = 0;
@@ -51,7 +51,7 @@ struct SolverFindings {
 };
 
 /// All trials of a cell under one treatment, at one setting of reflectances.
-struct SettingFindings {
+struct SettingStatistics {
     std::size_t setting = 0;  ///< index into RadiosityRequest::reflectance
     std::size_t trials = 0;
     std::size_t dominant = 0;    ///< trials with G strictly diagonally dominant
@@ -62,13 +62,13 @@ struct SettingFindings {
     OverTrials spectral_radius;
     double radius_uncertainty = 0;  ///< largest width of its bounds
     OverTrials condition;
-    std::optional<OverTrials> energy_defect;  ///< share of the emitted power that is lost; empty if all are singular
-    std::vector<ExitanceFindings> exitance;   ///< all together, then each; empty if some trial is singular
+    std::optional<OverTrials> energy_defect;   ///< share of the emitted power that is lost; empty if all are singular
+    std::vector<ExitanceStatistics> exitance;  ///< all together, then each; empty if some trial is singular
     /// Root mean square over trials and elements of the exitance's error, relative to the mean exact exitance; empty
-    /// where the mean of ExitanceFindings is.
+    /// where the mean of ExitanceStatistics is.
     std::optional<double> light_error;
     std::optional<stats::Interval> light_interval;  ///< by the rule for means of squares; empty for few trials
-    std::vector<SolverFindings> solvers;            ///< one for each solver; only for the method's own completion
+    std::vector<SolverStatistics> solvers;          ///< one for each solver; only for the method's own completion
 };
 
 /// The results of one treatment of the estimates of one cell.
@@ -84,7 +84,7 @@ struct Consequences {
     OverTrials factor_error;        ///< root mean square over pairs of F - exact
     OverTrials dominant_below;      ///< with one reflectance for all elements G is strictly diagonally dominant below
     OverTrials convergent_below;    ///< and the spectral radius of P F is below 1 below this
-    std::vector<SettingFindings> settings;
+    std::vector<SettingStatistics> settings;
 };
 
 /// The system of a scene with exact factors, at one setting.
@@ -94,7 +94,7 @@ struct ExactSystem {
     std::size_t setting = 0;
     Eigen::VectorXd exitance;
     SystemProperties properties;
-    std::vector<SolverFindings> solvers;
+    std::vector<SolverStatistics> solvers;
 };
 
 struct RadiosityResults {

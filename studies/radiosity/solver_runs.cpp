@@ -13,33 +13,33 @@ OverTrials over_trials(std::span<const double> values) {
 
 void SolverRuns::add(const RadiositySystem& system, const SolverOptions& options) {
     if (solvers_.empty()) {
-        for (const Solver solver : all_solvers) solvers_.emplace_back().findings.solver = solver;
+        for (const Solver solver : all_solvers) solvers_.emplace_back().statistics.solver = solver;
     }
     for (OfSolver& one : solvers_) {
-        SolverRun run = solve(system, one.findings.solver, options);
-        ++one.findings.runs;
-        one.findings.converged += run.outcome == SolverOutcome::converged;
-        one.findings.diverged += run.outcome == SolverOutcome::diverged;
-        one.findings.stalled += run.outcome == SolverOutcome::stalled;
-        one.findings.exhausted += run.outcome == SolverOutcome::exhausted;
+        SolverRun run = solve(system, one.statistics.solver, options);
+        ++one.statistics.runs;
+        one.statistics.converged += run.outcome == SolverOutcome::converged;
+        one.statistics.diverged += run.outcome == SolverOutcome::diverged;
+        one.statistics.stalled += run.outcome == SolverOutcome::stalled;
+        one.statistics.exhausted += run.outcome == SolverOutcome::exhausted;
         if (run.outcome == SolverOutcome::converged) {
             one.iterations.push_back(static_cast<double>(run.iterations()));
             one.flops.push_back(run.flops);
         }
-        if (one.findings.residuals.empty()) one.findings.residuals = std::move(run.residuals);
+        if (one.statistics.residuals.empty()) one.statistics.residuals = std::move(run.residuals);
     }
 }
 
-std::vector<SolverFindings> SolverRuns::finish() {
-    std::vector<SolverFindings> findings;
+std::vector<SolverStatistics> SolverRuns::finish() {
+    std::vector<SolverStatistics> statistics;
     for (OfSolver& one : solvers_) {
         if (!one.iterations.empty()) {
-            one.findings.iterations = over_trials(one.iterations);
-            one.findings.flops = over_trials(one.flops).median;
+            one.statistics.iterations = over_trials(one.iterations);
+            one.statistics.flops = over_trials(one.flops).median;
         }
-        findings.push_back(std::move(one.findings));
+        statistics.push_back(std::move(one.statistics));
     }
-    return findings;
+    return statistics;
 }
 
 }  // namespace ff::studies

@@ -15,11 +15,11 @@ class SolverRuns {
   public:
     void add(const RadiositySystem& system, const SolverOptions& options);
     /// Empty where no system was added.
-    std::vector<SolverFindings> finish();
+    std::vector<SolverStatistics> finish();
 
   private:
     struct OfSolver {
-        SolverFindings findings;
+        SolverStatistics statistics;
         std::vector<double> iterations, flops;  // of the runs that converged
     };
     std::vector<OfSolver> solvers_;

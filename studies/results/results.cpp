@@ -5,8 +5,8 @@
 namespace ff::studies {
 namespace {
 
-bool all_finite(const Findings& findings) {
-    return std::all_of(findings.cells.begin(), findings.cells.end(), [](const CellFindings& cell) {
+bool all_finite(const Analysis& findings) {
+    return std::all_of(findings.cells.begin(), findings.cells.end(), [](const CellAnalysis& cell) {
         return std::all_of(cell.summaries.begin(), cell.summaries.end(),
                            [](const Summary& summary) { return summary.not_finite == 0; });
     });

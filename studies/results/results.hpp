@@ -36,7 +36,7 @@ struct PublishedResults {
 
 /// Everything that reports show, computed from a store alone. Context (host, dates) is kept apart.
 struct StudyResults {
-    Findings findings;
+    Analysis findings;
     std::vector<LadderSlopes> slopes;
     std::vector<OcclusionSeries> occlusion;
     std::vector<VarianceReduction> reductions;

@@ -37,7 +37,7 @@ double MeasuredCost::relative_error() const {
     return std::hypot(std::sqrt(variance / n) / mean(), of_the_machine, to_settle / seconds);
 }
 
-void MeasuredCosts::add(const Progress& progress) {
+void MeasuredCosts::add(const RunProgress& progress) {
     if (progress.processor_seconds <= 0) return;
     const WorkUnit& unit = plan_.units[progress.unit];
     add_to(of_cells_[unit.cell], {unit.trials, progress.processor_seconds, progress.processor_seconds_squared});

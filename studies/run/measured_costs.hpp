@@ -32,7 +32,7 @@ class MeasuredCosts {
   public:
     explicit MeasuredCosts(const StudyPlan& plan) : plan_(plan), of_cells_(plan.cells.size()) {}
 
-    void add(const Progress& progress);
+    void add(const RunProgress& progress);
 
     /// The costs of methods without a table of costs, i.e. programs and functions of a user: "mine at 64: 0.0312 s,
     /// mine at 256: 0.124 s" by method and size, over all scenes and patches; empty where nothing was measured.

@@ -159,7 +159,7 @@ std::vector<const WorkUnit*> own_units(const std::vector<const WorkUnit*>& missi
 
 /// Counts what is wanted and what of it is done.
 void count_units(const StudyPlan& plan, const std::vector<bool>& finished, const std::vector<bool>& wanted,
-                 const RunOptions& options, Progress& progress) {
+                 const RunOptions& options, RunProgress& progress) {
     progress.units = progress.units_done = 0;
     progress.expected_seconds = progress.expected_seconds_done = 0;
     for (const WorkUnit& unit : plan.units) {
@@ -173,7 +173,7 @@ void count_units(const StudyPlan& plan, const std::vector<bool>& finished, const
 }
 
 void run_round(Store& store, const Worker& worker, const std::vector<const WorkUnit*>& missing,
-               const RunOptions& options, Progress& progress) {
+               const RunOptions& options, RunProgress& progress) {
     const StudyPlan& plan = store.plan();
     Workshop workshop(worker, own_units(missing, options), options);
     while (const auto record = workshop.take()) {
@@ -195,7 +195,7 @@ RunOutcome run_study(Store& store, const RunOptions& options) {
     FF_EXPECT(options.threads >= 1);
     const StudyPlan& plan = store.plan();
     const Worker worker(plan, options.drop);
-    Progress progress;
+    RunProgress progress;
     // An adaptive study has two rounds: what the second needs is known when the first is saved. Others have one, in
     // which other processes are waited for even where nothing is missing.
     for (bool first = true;; first = false) {

@@ -11,7 +11,7 @@
 namespace ff::studies {
 
 /// The progress of a run; `evaluations` are rays and kernel values.
-struct Progress {
+struct RunProgress {
     std::size_t units_done = 0;
     std::size_t units = 0;
     double expected_seconds_done = 0;  ///< on one core, by the plan's cost table
@@ -27,12 +27,12 @@ using Deliver = std::function<bool(UnitRecord)>;
 
 struct RunOptions {
     unsigned threads = 1;
-    Shard shard;                                  ///< only the units of this share are carried out and counted
-    Shard process;                                ///< this process's part of the missing ones
-    std::function<void(const Deliver&)> others;   ///< delivers the results of other processes; called on its own thread
-    const std::atomic<bool>* stop = nullptr;      ///< once true, begin no unit and return when current ones are saved
-    const std::atomic<bool>* drop = nullptr;      ///< once true, units in progress are dropped: a trial can take hours
-    std::function<void(const Progress&)> report;  ///< called on the calling thread after each saved unit
+    Shard shard;                                 ///< only the units of this share are carried out and counted
+    Shard process;                               ///< this process's part of the missing ones
+    std::function<void(const Deliver&)> others;  ///< delivers the results of other processes; called on its own thread
+    const std::atomic<bool>* stop = nullptr;     ///< once true, begin no unit and return when current ones are saved
+    const std::atomic<bool>* drop = nullptr;     ///< once true, units in progress are dropped: a trial can take hours
+    std::function<void(const RunProgress&)> report;  ///< called on the calling thread after each saved unit
 };
 
 /// Most records waiting to be saved at a time.

@@ -25,8 +25,8 @@ struct FullCell {
 
 std::optional<FullCell> full_cell(const samplers::PointSet& set, std::uint64_t which, std::uint64_t k) {
     std::optional<FullCell> found;
-    for (const samplers::Reading& reading : samplers::readings(set, which, k)) {
-        const auto counts = points_of_cells(reading, k);
+    for (const samplers::Sorting& sorting : samplers::sortings(set, which, k)) {
+        const auto counts = points_of_cells(sorting, k);
         const auto fullest = std::max_element(counts.begin(), counts.end());
         if (*fullest <= 1) return std::nullopt;
         if (!found) found = FullCell{static_cast<std::uint64_t>(fullest - counts.begin()), *fullest};

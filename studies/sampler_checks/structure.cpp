@@ -16,10 +16,10 @@ namespace {
 /// How many of k^d cells hold one point. One whose cell is open counts as alone in it.
 std::uint64_t count_singles(const samplers::PointSet& set, std::uint64_t which, std::uint64_t k) {
     std::uint64_t most = 0;
-    for (const samplers::Reading& reading : samplers::readings(set, which, k)) {
-        const auto cells = points_of_cells(reading, k);
+    for (const samplers::Sorting& sorting : samplers::sortings(set, which, k)) {
+        const auto cells = points_of_cells(sorting, k);
         const auto singles = static_cast<std::uint64_t>(std::count(cells.begin(), cells.end(), 1));
-        most = std::max(most, singles + (set.points - reading.set.points));
+        most = std::max(most, singles + (set.points - sorting.set.points));
     }
     return most;
 }
@@ -85,13 +85,13 @@ samplers::PointSet projection(const samplers::PointSet& set, std::uint64_t which
     return result;
 }
 
-std::vector<std::uint64_t> points_of_cells(const samplers::Reading& reading, std::uint64_t k) {
-    const samplers::PointSet& set = reading.set;
+std::vector<std::uint64_t> points_of_cells(const samplers::Sorting& sorting, std::uint64_t k) {
+    const samplers::PointSet& set = sorting.set;
     std::vector<std::uint64_t> counts(samplers::integer_power(k, set.dimension), 0);
     for (std::size_t i = 0; i < set.points; ++i) {
         std::uint64_t cell = 0;
         for (std::size_t d = set.dimension; d-- > 0;)
-            cell = cell * k + samplers::part_of(set.row(0, d)[i], k, reading.edge);
+            cell = cell * k + samplers::part_of(set.row(0, d)[i], k, sorting.edge);
         ++counts[cell];
     }
     return counts;

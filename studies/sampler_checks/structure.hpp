@@ -46,7 +46,7 @@ samplers::PointSet projection(const samplers::PointSet& set, std::uint64_t which
                               const std::vector<std::size_t>& coordinates);
 
 /// How many points each of k^d cells holds; those of one coordinate are slices.
-std::vector<std::uint64_t> points_of_cells(const samplers::Reading& reading, std::uint64_t k);
+std::vector<std::uint64_t> points_of_cells(const samplers::Sorting& sorting, std::uint64_t k);
 
 /// The base of t-values: of a sampler that is made for powers its own; else 2, or the least of 3, 5, 7, 11 and 13 that
 /// the number of points is a power of.

@@ -48,7 +48,7 @@ double beyond_by_factor(const Band& band, double log_standard_error, const Level
 }
 
 /// Approximate variance of the logarithm of a root mean square.
-double log_variance(const stats::Spread& spread) {
+double log_variance(const stats::MeanSquare& spread) {
     return 1 / (2 * spread.freedom);
 }
 
@@ -77,7 +77,7 @@ std::optional<Measurement> measure_mean(std::span<const double> values, const Me
     return measurement;
 }
 
-Measurement measure_spread(const stats::Spread& spread, double reference, const Band& band, const Levels& levels) {
+Measurement measure_spread(const stats::MeanSquare& spread, double reference, const Band& band, const Levels& levels) {
     FF_EXPECT(reference > 0);
     const auto interval_of = [&](double level) {
         stats::Interval interval = stats::square_root(stats::mean_square_interval(spread, level));
@@ -90,7 +90,7 @@ Measurement measure_spread(const stats::Spread& spread, double reference, const 
     return measurement;
 }
 
-Measurement measure_spread(const stats::Spread& spread, const stats::Spread& reference, const Band& band,
+Measurement measure_spread(const stats::MeanSquare& spread, const stats::MeanSquare& reference, const Band& band,
                            const Levels& levels) {
     const auto interval_of = [&](double level) { return stats::ratio_interval(spread, reference, level); };
     Measurement measurement = measured_at(std::sqrt(spread.mean_square / reference.mean_square), levels, interval_of);

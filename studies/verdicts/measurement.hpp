@@ -31,10 +31,10 @@ std::optional<Measurement> measure_mean(std::span<const double> values, const Me
                                         const std::optional<stats::Autocorrelation>& correlation = {});
 
 /// Root of a mean square (standard deviation or RMSE) over a known one, > 0.
-Measurement measure_spread(const stats::Spread& spread, double reference, const Band& band, const Levels& levels);
+Measurement measure_spread(const stats::MeanSquare& spread, double reference, const Band& band, const Levels& levels);
 
 /// Root mean square over that of an independent sample.
-Measurement measure_spread(const stats::Spread& spread, const stats::Spread& reference, const Band& band,
+Measurement measure_spread(const stats::MeanSquare& spread, const stats::MeanSquare& reference, const Band& band,
                            const Levels& levels);
 
 /// The probability behind independent trials, by Clopper and Pearson. @pre counts.trials >= 1

@@ -214,8 +214,8 @@ TEST(WholeStudies, SeldomCallRandomSoundMethodsBiased) {
             continue;  // none of its methods can be used in its scene
         }
         ++studies;
-        const Findings findings = analyse(test::run(plan));
-        const bool some = std::any_of(findings.cells.begin(), findings.cells.end(), [](const CellFindings& cell) {
+        const Analysis findings = analyse(test::run(plan));
+        const bool some = std::any_of(findings.cells.begin(), findings.cells.end(), [](const CellAnalysis& cell) {
             return cell.bias_finding == BiasFinding::biased;
         });
         if (!some) continue;

@@ -74,10 +74,10 @@ auto on_estimates(const CheckCommand& command, const GatesSpec& spec, const OfTr
         return each_on_estimates(
             spec, [&](const studies::Gate& gate) { return of_trials(spec, gate, file, pointer_to(against)); });
     }
-    const auto file = studies::parse_reported(text, origin, studies::Errors::required);
+    const auto file = studies::parse_reported(text, origin, studies::StandardErrors::required);
     text = {};  // a hundred megabytes, with a million bins
     std::optional<studies::ReportedFile> against;
-    if (!command.against.empty()) against = studies::load_reported(command.against, studies::Errors::optional);
+    if (!command.against.empty()) against = studies::load_reported(command.against, studies::StandardErrors::optional);
     return each_on_estimates(
         spec, [&](const studies::Gate& gate) { return of_reports(spec, gate, file, pointer_to(against)); });
 }

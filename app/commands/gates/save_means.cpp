@@ -20,7 +20,7 @@ void save_means(const CheckCommand& command) {
     const std::string origin = command.estimates.string();
     std::string means = text;
     if (studies::reports_means(text)) {
-        static_cast<void>(studies::parse_reported(text, origin, studies::Errors::optional));
+        static_cast<void>(studies::parse_reported(text, origin, studies::StandardErrors::optional));
     } else {
         means = "quantity,mean,standard_error,n\n";
         const auto file = studies::parse_estimates(text, origin);

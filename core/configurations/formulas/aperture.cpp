@@ -14,13 +14,13 @@
 namespace ff {
 namespace {
 
-constexpr Interval unit{0, 1};
-constexpr Interval three{0, 3};
+constexpr AxisInterval unit{0, 1};
+constexpr AxisInterval three{0, 3};
 
 /// The interval of places x on the first rectangle, from where a ray that ends `u` further meets an interval a fraction
 /// of the way on: it moves by -fraction for every unit of u.
 struct MovingInterval {
-    Interval at_rest;
+    AxisInterval at_rest;
     long double fraction = 0;
 };
 
@@ -67,14 +67,16 @@ std::vector<Kink> kinks_of(const Conditions& conditions) {
     return kinks;
 }
 
-Conditions conditions_of(const Interval& from, const Interval& to, const Interval& hole, long double fraction) {
+Conditions conditions_of(const AxisInterval& from, const AxisInterval& to, const AxisInterval& hole,
+                         long double fraction) {
     return {MovingInterval{from, 0}, MovingInterval{to, 1}, MovingInterval{hole, fraction}};
 }
 
 }  // namespace
 
-long double exchange_area_through_aperture(const Interval& x_from, const Interval& y_from, const Interval& x_to,
-                                           const Interval& y_to, long double gap, const Aperture& aperture) {
+long double exchange_area_through_aperture(const AxisInterval& x_from, const AxisInterval& y_from,
+                                           const AxisInterval& x_to, const AxisInterval& y_to, long double gap,
+                                           const Aperture& aperture) {
     expect_positive("aperture", {{"gap", gap}, {"fraction", aperture.fraction}});
     expect_valid(aperture.fraction < 1, "aperture", "it is not between the rectangles (its fraction is 1 or more).");
     const auto x_kinks = kinks_of(conditions_of(x_from, x_to, aperture.x, aperture.fraction));
@@ -89,7 +91,7 @@ long double exchange_area_through_aperture(const Interval& x_from, const Interva
 
 long double squares_through_aperture_factor(long double edge) {
     const long double half = edge / 2;
-    const Interval hole{0.5L - half, 0.5L + half};
+    const AxisInterval hole{0.5L - half, 0.5L + half};
     return edge == 0 ? 0 : exchange_area_through_aperture(unit, unit, unit, unit, 1, {hole, hole, 0.5});
 }
 

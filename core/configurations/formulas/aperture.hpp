@@ -7,8 +7,8 @@ namespace ff {
 /// A rectangular hole, its edges along the axes, in an opaque plane between two parallel rectangles and parallel to
 /// them.
 struct Aperture {
-    Interval x;
-    Interval y;
+    AxisInterval x;
+    AxisInterval y;
     long double fraction = 0.5;  ///< position in the gap, from the first rectangle, strictly between 0 and 1
 };
 
@@ -19,8 +19,9 @@ struct Aperture {
 /// antiderivative, at the kinks, is an elementary function ([howell] C-13, [ehlert1993]). Within about 1e-18 of the
 /// squared extent.
 /// @throws UserError unless gap > 0 and 0 < fraction < 1
-long double exchange_area_through_aperture(const Interval& x_from, const Interval& y_from, const Interval& x_to,
-                                           const Interval& y_to, long double gap, const Aperture& aperture);
+long double exchange_area_through_aperture(const AxisInterval& x_from, const AxisInterval& y_from,
+                                           const AxisInterval& x_to, const AxisInterval& y_to, long double gap,
+                                           const Aperture& aperture);
 
 /// The same as a factor, between opposite unit squares 1 apart, through a square hole of this edge, 0 to 1, in the
 /// middle of a plate halfway between them.

@@ -60,7 +60,7 @@ long double blocked_share(long double inner) {
 long double nested_cubes_opposite_factor(long double inner, long double outer) {
     expect_positive("nested cubes", {{"inner", inner}, {"outer", outer}});
     expect_valid(inner < outer, "nested cubes", "the inner cube does not fit into the outer one.");
-    constexpr Interval face{0, 1};
+    constexpr AxisInterval face{0, 1};
     return parallel_exchange_area<long double>(face, face, face, face, 1) - blocked_share(inner / outer);
 }
 

@@ -42,14 +42,14 @@ std::string dominance_text(const Consequences& found) {
 }
 
 /// With ± half the width of its interval, if it has one.
-std::string light_error_text(const studies::SettingFindings& at) {
+std::string light_error_text(const studies::SettingStatistics& at) {
     return at.light_interval ? percent_with_half_width(*at.light_error, at.light_interval->width() / 2)
                              : percent(*at.light_error);
 }
 
 /// What becomes of the exitance at one setting.
 std::string light_text(const studies::StudyPlan& plan, const Consequences& found, std::size_t setting) {
-    const studies::SettingFindings& at = found.settings[setting];
+    const studies::SettingStatistics& at = found.settings[setting];
     const std::string where = setting_text(plan, setting);
     const std::size_t impossible = at.negative + at.singular;
     if (found.trials == 1 && impossible > 0) return fmt::format("at {} the exitance is negative or undefined", where);
@@ -186,13 +186,13 @@ std::string over_trials_text(const studies::OverTrials& range, std::size_t trial
                        brief(range.largest, digits));
 }
 
-std::string bias_text(const studies::ExitanceFindings& found) {
+std::string bias_text(const studies::ExitanceStatistics& found) {
     if (!found.bias) return "no mean";
     if (!found.bias_interval) return percent(*found.bias / found.exact);
     return percent_with_half_width(*found.bias / found.exact, found.bias_interval->width() / 2 / found.exact);
 }
 
-std::string iterations_text(const studies::SolverFindings& found) {
+std::string iterations_text(const studies::SolverStatistics& found) {
     if (found.converged == found.runs) return over_trials_text(*found.iterations, found.runs, 6);
     std::vector<std::string> parts;
     for (const auto& [count, word] : {std::pair{found.converged, "converged"}, std::pair{found.diverged, "diverged"},
@@ -202,11 +202,11 @@ std::string iterations_text(const studies::SolverFindings& found) {
     return fmt::format("{}", fmt::join(parts, ", "));
 }
 
-double relative_error(const studies::ExitanceFindings& found) {
+double relative_error(const studies::ExitanceStatistics& found) {
     return found.exact > 0 ? *found.rmse / found.exact : 0;
 }
 
-const studies::ExitanceFindings* worst_element(const studies::SettingFindings& at) {
+const studies::ExitanceStatistics* worst_element(const studies::SettingStatistics& at) {
     if (!at.light_error) return nullptr;
     return &*std::max_element(at.exitance.begin() + 1, at.exitance.end(),
                               [](const auto& a, const auto& b) { return relative_error(a) < relative_error(b); });
@@ -235,12 +235,12 @@ std::optional<LightInBrief> light_in_brief(const studies::StudyResults& results)
     if (!results.radiosity) return std::nullopt;
     const studies::StudyPlan& plan = results.findings.plan;
     const std::size_t told = told_setting(plan);
-    std::map<std::size_t, const studies::SettingFindings*> errors;  // of a method the largest
+    std::map<std::size_t, const studies::SettingStatistics*> errors;  // of a method the largest
     for (std::size_t scene = 0; scene < plan.scenes.size(); ++scene) {
         for (const std::size_t cell : lit_cells(plan, scene)) {
             const Consequences* found = results.radiosity->find(cell, own_treatment(plan, cell));
             if (found->settings.empty() || !found->settings[told].light_error) continue;
-            const studies::SettingFindings*& largest = errors[plan.cells[cell].method];
+            const studies::SettingStatistics*& largest = errors[plan.cells[cell].method];
             if (largest == nullptr || *largest->light_error < *found->settings[told].light_error)
                 largest = &found->settings[told];
         }

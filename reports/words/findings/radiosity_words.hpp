@@ -33,16 +33,16 @@ std::string percent(double share, int digits = 2);
 std::string percent_with_half_width(double share, double half);
 
 /// Bias of an exitance relative to the exact one: "-0.3 % ± 0.02 %". Without ± where all trials are equal.
-std::string bias_text(const studies::ExitanceFindings& found);
+std::string bias_text(const studies::ExitanceStatistics& found);
 
 /// Iterations of a solver, or how its runs ended: "12 [11, 13]", "3 converged, 7 too slow".
-std::string iterations_text(const studies::SolverFindings& found);
+std::string iterations_text(const studies::SolverStatistics& found);
 
 /// RMSE of an exitance that has a mean, relative to the exact one; 0 for a black face without emission.
-double relative_error(const studies::ExitanceFindings& found);
+double relative_error(const studies::ExitanceStatistics& found);
 
 /// The face or patch whose exitance has the largest relative error; null where the exitance has no mean.
-const studies::ExitanceFindings* worst_element(const studies::SettingFindings& at);
+const studies::ExitanceStatistics* worst_element(const studies::SettingStatistics& at);
 
 /// A face, or a patch of it: row and column from 1, 0 for the whole face.
 struct Place {
@@ -51,7 +51,7 @@ struct Place {
     std::size_t column = 0;
 };
 
-/// @param element of ExitanceFindings, > 0
+/// @param element of ExitanceStatistics, > 0
 Place place_of(const Scene& scene, Subdivision subdivision, studies::Between between, std::size_t element);
 
 /// "face 3", or "face 3, row 1, column 13".

@@ -141,7 +141,7 @@ std::string times_smaller(const Ranked& first, const Ranked& second) {
 }
 
 void rank_errors_of_class(const StudyResults& results, Ranking& ranking, double level) {
-    const studies::Findings& findings = results.findings;
+    const studies::Analysis& findings = results.findings;
     const studies::StudyPlan& plan = findings.plan;
     const auto tables = results.published ? results.published->comparisons : std::vector<studies::TableComparison>();
     const auto ranked = studies::rank_errors(findings, studies::compared_cells(findings, ranking.scene, tables),
@@ -246,7 +246,7 @@ std::string letters_in_words(double level, std::string_view of) {
         100 * (1 - level), of);
 }
 
-std::string smallest_errors(const studies::Findings& findings, std::span<const std::size_t> cells,
+std::string smallest_errors(const studies::Analysis& findings, std::span<const std::size_t> cells,
                             PairClass pair_class) {
     const auto ranked = studies::rank_errors(findings, cells, pair_class, findings.plan.spec.level);
     if (ranked.empty()) return {};
@@ -256,7 +256,7 @@ std::string smallest_errors(const studies::Findings& findings, std::span<const s
                        from_to(brief(best.best), brief(best.last)));
 }
 
-std::string largest_efficiencies(const studies::Findings& findings, std::span<const std::size_t> cells,
+std::string largest_efficiencies(const studies::Analysis& findings, std::span<const std::size_t> cells,
                                  PairClass pair_class) {
     const auto ranked = studies::rank_efforts(findings, cells, pair_class);
     if (ranked.size() < 2) return {};

@@ -59,12 +59,12 @@ std::string letter(std::span<const studies::Ranked> ranked, const studies::Ranke
 std::string letters_in_words(double level, std::string_view of);
 
 /// Which of these methods and sizes have the smallest errors; "" where none has a variance.
-std::string smallest_errors(const studies::Findings& findings, std::span<const std::size_t> cells,
+std::string smallest_errors(const studies::Analysis& findings, std::span<const std::size_t> cells,
                             PairClass pair_class);
 
 /// Which of these methods and sizes have the smallest errors for their evaluations, and what factor all of them span;
 /// "" where fewer than two have a variance.
-std::string largest_efficiencies(const studies::Findings& findings, std::span<const std::size_t> cells,
+std::string largest_efficiencies(const studies::Analysis& findings, std::span<const std::size_t> cells,
                                  PairClass pair_class);
 
 }  // namespace ff::reports

@@ -11,7 +11,7 @@ namespace ff::reports {
 std::vector<std::string> heavy_tails_in_brief(const studies::StudyResults& results) {
     const studies::StudyPlan& plan = results.findings.plan;
     std::vector<std::string> lines;
-    for (const studies::CellFindings& found : results.findings.cells) {
+    for (const studies::CellAnalysis& found : results.findings.cells) {
         const auto of_cell = [&](const studies::HeavyTail& tail) { return tail.cell == found.cell; };
         const auto first = std::find_if(results.heavy_tails.begin(), results.heavy_tails.end(), of_cell);
         if (first == results.heavy_tails.end()) continue;

@@ -14,7 +14,7 @@ namespace ff::reports {
 namespace {
 
 /// Why some pairs, or all, are not tested.
-std::string why_untested(const studies::CellFindings& found) {
+std::string why_untested(const studies::CellAnalysis& found) {
     const studies::BiasFamily& family = *found.bias;
     if (found.repeated_trials > 0)
         return fmt::format("trials repeat each other ({} of {})", found.repeated_trials, found.trials);
@@ -28,7 +28,7 @@ std::string why_untested(const studies::CellFindings& found) {
     return reasons.empty() ? "no spread" : fmt::format("{}", fmt::join(reasons, " or "));
 }
 
-bool has_exact_value(const studies::CellFindings& found) {
+bool has_exact_value(const studies::CellAnalysis& found) {
     return std::any_of(found.summaries.begin(), found.summaries.end(), [](const studies::Summary& summary) {
         return summary.quantity.kind == studies::QuantityKind::form_factor && summary.reference;
     });
@@ -42,7 +42,7 @@ std::string_view undefined_in_words(const studies::BiasFamily& family) {
 }
 
 /// "BIASED (t up to ±9.1, p = ...), unless a value of 4.2 occurs less often than once in 64 trials"
-std::string biased_in_words(const studies::CellFindings& found) {
+std::string biased_in_words(const studies::CellAnalysis& found) {
     const studies::BiasFamily& family = *found.bias;
     if (family.constant_and_wrong) return "BIASED (one wrong value in every trial)";
     std::string words = fmt::format("BIASED (t up to ±{:.1f}, {})", family.largest_t, p_text(family.adjusted_p));
@@ -53,7 +53,7 @@ std::string biased_in_words(const studies::CellFindings& found) {
 }
 
 /// A difference that a skewed law without bias would show too.
-std::string inconclusive_in_words(const studies::CellFindings& found) {
+std::string inconclusive_in_words(const studies::CellAnalysis& found) {
     const studies::BiasFamily& family = *found.bias;
     if (family.constant)
         return fmt::format(
@@ -69,7 +69,7 @@ std::string inconclusive_in_words(const studies::CellFindings& found) {
 
 }  // namespace
 
-std::string bias_in_words(const studies::CellFindings& found) {
+std::string bias_in_words(const studies::CellAnalysis& found) {
     if (found.trials == 0) return "no trials yet";
     if (!found.bias) return "deterministic: the error is the bias";
     switch (found.bias_finding) {
@@ -89,7 +89,7 @@ std::string bias_in_words(const studies::CellFindings& found) {
     return fmt::format("none found{} (would detect {})", untested, brief(found.bias->minimum_detectable_bias, 2));
 }
 
-std::string equivalence_in_words(const studies::CellFindings& found) {
+std::string equivalence_in_words(const studies::CellAnalysis& found) {
     if (!found.bias || !found.bias->margin) return "";
     const std::string margin = brief(*found.bias->margin, 2);
     const std::string reach = std::isfinite(found.bias->shown_below)
@@ -109,7 +109,7 @@ std::string equivalence_in_words(const studies::CellFindings& found) {
     return "";
 }
 
-Mark bias_mark(const studies::CellFindings& found) {
+Mark bias_mark(const studies::CellAnalysis& found) {
     if (!found.bias) return Mark::none;
     switch (found.bias_finding) {
         case studies::BiasFinding::biased:
@@ -137,9 +137,9 @@ Mark equivalence_mark(studies::EquivalenceFinding finding) {
     return Mark::none;
 }
 
-BiasTally tally_of(const studies::Findings& findings) {
+BiasTally tally_of(const studies::Analysis& findings) {
     BiasTally tally;
-    for (const studies::CellFindings& found : findings.cells) {
+    for (const studies::CellAnalysis& found : findings.cells) {
         tally.lost_rays += found.lost_rays;
         if (!found.bias) continue;
         ++tally.sampled;

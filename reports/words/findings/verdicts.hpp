@@ -11,13 +11,13 @@
 namespace ff::reports {
 
 /// The family-wise bias test in words, e.g. "none found (would detect 0.00019)".
-std::string bias_in_words(const studies::CellFindings& found);
+std::string bias_in_words(const studies::CellAnalysis& found);
 
 /// The equivalence test in words, e.g. "bias within ±0.0002 shown (even ±0.00014)".
-std::string equivalence_in_words(const studies::CellFindings& found);
+std::string equivalence_in_words(const studies::CellAnalysis& found);
 
 /// The mark for either, wherever it appears: bad where a bias is found, open where nothing is shown.
-Mark bias_mark(const studies::CellFindings& found);
+Mark bias_mark(const studies::CellAnalysis& found);
 Mark equivalence_mark(studies::EquivalenceFinding finding);
 
 /// The verdicts on bias of all cells of a study together.
@@ -28,6 +28,6 @@ struct BiasTally {
     double detectable = 0;                              ///< the largest of their minimum detectable biases
     std::uint64_t lost_rays = 0;                        ///< of all cells
 };
-BiasTally tally_of(const studies::Findings& findings);
+BiasTally tally_of(const studies::Analysis& findings);
 
 }  // namespace ff::reports

@@ -21,12 +21,12 @@ double none_of(std::uint64_t points, double level) {
     return -std::expm1(std::log((1 - level) / 2) / static_cast<double>(points));
 }
 
-double Unmet::at(double p) const {
+double UnmetBound::at(double p) const {
     return std::max(rough * p, smooth * std::pow(p, power));
 }
 
-Estimate estimate_of(const SampledSum& sum, double level) {
-    Estimate result{sum.offset, sum.offset_error, sum.offset_error, 0};
+EstimatedSum estimate_of(const SampledSum& sum, double level) {
+    EstimatedSum result{sum.offset, sum.offset_error, sum.offset_error, 0};
     if (sum.terms.empty()) return result;
     std::vector<double> sums(sum.terms.front().share.means.size(), 0.0);
     for (const auto& [scale, share] : sum.terms) {

@@ -13,7 +13,7 @@ inline constexpr std::size_t randomisations = 16;
 /// Upper bound of the part of a mean that points may have missed, where p is the share of points that a set of places
 /// may be entitled to and still get none: max(rough * p, smooth * p^power). For a quantity in [0, 1] that may jump
 /// anywhere it is p.
-struct Unmet {
+struct UnmetBound {
     double rough = 1;
     double smooth = 0;
     double power = 1.5;
@@ -25,13 +25,13 @@ struct Unmet {
 struct SampledShare {
     std::vector<double> means;  ///< one for each randomisation
     std::uint64_t points = 0;   ///< number of points in all randomisations together
-    Unmet unmet;
+    UnmetBound unmet;
     bool hits = false;      ///< values are 0 or 1
     std::uint64_t met = 0;  ///< number of hits
 };
 
 /// Sums of shares with factors, as an estimate with an interval.
-struct Estimate {
+struct EstimatedSum {
     double value = 0;
     double down = 0;  ///< the interval is [value - down, value + up]
     double up = 0;
@@ -57,6 +57,6 @@ double none_of(std::uint64_t points, double level);
 /// A sum with its interval. Its terms add up, randomisation by randomisation, to independent values: Student's
 /// interval. What no point has hit is added, as large as it may be in any one term (docs/statistics.md).
 /// @pre all terms have the same number of randomisations
-Estimate estimate_of(const SampledSum& sum, double level);
+EstimatedSum estimate_of(const SampledSum& sum, double level);
 
 }  // namespace ff::studies

@@ -34,8 +34,8 @@ const SourceCell* SourceCells::at(double s, double t) const {
     return node->cell < 0 ? nullptr : &mixed[static_cast<std::size_t>(node->cell)];
 }
 
-Unmet unmet(const SourceCells& cells, bool hidden) {
-    Unmet result{.rough = 0, .smooth = 0, .power = power_of_unmet(cells.curved)};
+UnmetBound unmet(const SourceCells& cells, bool hidden) {
+    UnmetBound result{.rough = 0, .smooth = 0, .power = power_of_unmet(cells.curved)};
     for (const SourceCell& cell : cells.mixed) {
         const double most = cell.area / cell.share * std::min(cell.change, hidden ? cell.most_hidden : cell.most_whole);
         const double smooth = smooth_unmet(cell, cell.share, cells.curved);

@@ -63,6 +63,6 @@ double smooth_unmet(const SourceCell& cell, double share, bool curved);
 
 /// Upper bound of what points may have missed of an exchange area.
 /// @param hidden  whether the hidden part is sampled instead of the visible one
-Unmet unmet(const SourceCells& cells, bool hidden);
+UnmetBound unmet(const SourceCells& cells, bool hidden);
 
 }  // namespace ff::studies

@@ -141,7 +141,7 @@ std::optional<Measurement> measurement_of(const Gate& gate, const ExaminedSeries
         return measure_distributions(values, examined.other->values, examined.levels);
     }
     FF_EXPECT(gate.kind == GateKind::std);
-    const auto spread = stats::spread_of(stats::moments_of(values, values.front()));
+    const auto spread = stats::mean_square_of(stats::moments_of(values, values.front()));
     if (!spread || examined.independence.correlation) return std::nullopt;
     return measure_spread(*spread, *gate.reference, gate.band, examined.levels);
 }

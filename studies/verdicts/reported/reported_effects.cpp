@@ -41,7 +41,7 @@ bool trusts(const Bins& bins) {
 /// Errors are trusted where runs are few, but not against what these few show: variances given as errors make them
 /// scatter far too much. By F of the spread between runs over what they state, averaged over bins, with the freedom of
 /// one bin, since bins may be correlated.
-void expect_scatter_as_stated(Comparing& comparing, const Bins& bins) {
+void expect_scatter_as_stated(BinComparison& comparing, const Bins& bins) {
     if (!trusts(bins) || bins.runs < 2) return;
     double ratios = 0;
     double errors = 0;
@@ -75,7 +75,7 @@ void expect_scatter_as_stated(Comparing& comparing, const Bins& bins) {
                          enough_runs));
 }
 
-void compare_means(Comparing& comparing, const Bins* against) {
+void compare_means(BinComparison& comparing, const Bins* against) {
     const Gate& gate = comparing.gate;
     const MeanReference number{gate.reference.value_or(0), gate.reference_se.value_or(0), infinity};
     comparing.effects.bins.reserve(comparing.bins.count());
@@ -112,7 +112,7 @@ void compare_means(Comparing& comparing, const Bins* against) {
     if (!fault.empty()) add_note(comparing.note, fault.substr(1));
 }
 
-void compare_spreads(Comparing& comparing) {
+void compare_spreads(BinComparison& comparing) {
     if (!comparing.bins.file->has_n)
         refuse_gate(comparing.gate,
                     fmt::format("kind = \"std\" needs the column 'n' of {} (the error of a mean of how many "
@@ -140,7 +140,7 @@ void compare_spreads(Comparing& comparing) {
     add_note(comparing.note, "takes the n values behind each error for independent and normal");
 }
 
-void compare_efficiencies(Comparing& comparing, const Bins& against) {
+void compare_efficiencies(BinComparison& comparing, const Bins& against) {
     for (const Bins* bins : {&std::as_const(comparing).bins, &against}) {
         if (!bins->file->has_n || bins->runs != 1)
             refuse_gate(comparing.gate,
@@ -203,7 +203,7 @@ Standardised standardise(Rows runs) {
     return result;
 }
 
-void compare_errors(Comparing& comparing) {
+void compare_errors(BinComparison& comparing) {
     const Bins& bins = comparing.bins;
     if (bins.runs < fewest_runs)
         refuse_gate(comparing.gate,
@@ -250,7 +250,7 @@ void compare_errors(Comparing& comparing) {
 }
 
 /// Bins that are said to be independent are looked at where there are several runs, also of hits.
-void expect_independent_bins(Comparing& comparing, const Bins& bins) {
+void expect_independent_bins(BinComparison& comparing, const Bins& bins) {
     constexpr std::size_t most_runs = 50;  // more would take long, and show little more
     const std::size_t runs = std::min(bins.runs, most_runs);
     std::vector<double> values;
@@ -289,7 +289,7 @@ MeanReference mean_of(Rows runs) {
     return mean;
 }
 
-Band band_beside(const Comparing& comparing, std::size_t bin, double reference) {
+Band band_beside(const BinComparison& comparing, std::size_t bin, double reference) {
     const Gate& gate = comparing.gate;
     if (!gate.relative) return gate.band;
     if (reference == 0)
@@ -305,8 +305,8 @@ void add_note(std::string& note, std::string_view text) {
     note += text;
 }
 
-Comparing effects_of(const Gate& gate, const Bins& bins, const Bins* against) {
-    Comparing comparing{.gate = gate, .bins = bins, .effects = {}, .empty = 0, .note = {}};
+BinComparison effects_of(const Gate& gate, const Bins& bins, const Bins* against) {
+    BinComparison comparing{.gate = gate, .bins = bins, .effects = {}, .empty = 0, .note = {}};
     switch (gate.kind) {
         case GateKind::std:
             compare_spreads(comparing);

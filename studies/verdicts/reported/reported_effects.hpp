@@ -11,7 +11,7 @@
 namespace ff::studies {
 
 /// Everything that the text of a verdict is made from.
-struct Comparing {
+struct BinComparison {
     const Gate& gate;
     Bins bins;
     BinEffects effects;
@@ -28,7 +28,7 @@ inline constexpr double false_alarm_of_scatter = 1e-3;
 MeanReference mean_of(Rows runs);
 
 /// The gate's band in one bin, whose reference scales it where it is relative.
-Band band_beside(const Comparing& comparing, std::size_t bin, double reference);
+Band band_beside(const BinComparison& comparing, std::size_t bin, double reference);
 
 /// Appends to the note, after a semicolon if there is one already.
 void add_note(std::string& note, std::string_view text);
@@ -36,6 +36,6 @@ void add_note(std::string& note, std::string_view text);
 /// The effect in each bin, with notes.
 /// @param against  null where the reference is a number
 /// @throws UserError where the file lacks what the kind needs
-Comparing effects_of(const Gate& gate, const Bins& bins, const Bins* against);
+BinComparison effects_of(const Gate& gate, const Bins& bins, const Bins* against);
 
 }  // namespace ff::studies

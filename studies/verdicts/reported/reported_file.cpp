@@ -41,7 +41,7 @@ Holds held(const ReportedHeader& header) {
     return header[ReportedColumn::share] ? Holds::shares : Holds::means;
 }
 
-ReportedHeader read_reported_header(CsvReader& reader, std::string_view origin, Errors errors) {
+ReportedHeader read_reported_header(CsvReader& reader, std::string_view origin, StandardErrors errors) {
     using enum ReportedColumns::Column;
     std::vector<CsvField> record;
     if (!reader.next(record))
@@ -52,7 +52,7 @@ ReportedHeader read_reported_header(CsvReader& reader, std::string_view origin, 
     ReportedHeader header = find_columns(reader, record, reported_columns);
     const ReportedColumn value = value_columns.at(static_cast<std::size_t>(held(header)));
     std::vector<ReportedColumn> needed{quantity, value};
-    if (value == mean && errors == Errors::required) needed.push_back(standard_error);
+    if (value == mean && errors == StandardErrors::required) needed.push_back(standard_error);
     if (value == hits) {
         needed.push_back(n);
     } else if (value != mean) {
@@ -223,7 +223,7 @@ bool reports_means(std::string_view text) {
     return header.find("estimate") == std::string_view::npos && header.find("trial") == std::string_view::npos;
 }
 
-ReportedFile parse_reported(std::string_view text, std::string_view origin, Errors errors) {
+ReportedFile parse_reported(std::string_view text, std::string_view origin, StandardErrors errors) {
     using enum ReportedColumns::Column;
     CsvReader reader(text, origin);
     const ReportedHeader header = read_reported_header(reader, origin, errors);
@@ -265,7 +265,7 @@ ReportedFile parse_reported(std::string_view text, std::string_view origin, Erro
     return file;
 }
 
-ReportedFile load_reported(const std::filesystem::path& file, Errors errors) {
+ReportedFile load_reported(const std::filesystem::path& file, StandardErrors errors) {
     return parse_reported(read_text_file(file, FileKind::estimates), file.string(), errors);
 }
 

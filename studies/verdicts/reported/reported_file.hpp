@@ -51,17 +51,17 @@ struct ReportedFile {
 };
 
 /// Whether standard errors are required. Exact values have none.
-enum class Errors { required, optional };
+enum class StandardErrors { required, optional };
 
 /// Whether the text begins with the header of such a file rather than with that of a file of trials.
 bool reports_means(std::string_view text);
 
 /// @throws UserError "origin:line:column: problem (why). Suggestion." for wrong columns and cells, standard errors that
 ///   are negative, or 0 beside a nonzero mean, duplicate rows, and a file without rows
-ReportedFile parse_reported(std::string_view text, std::string_view origin, Errors errors);
+ReportedFile parse_reported(std::string_view text, std::string_view origin, StandardErrors errors);
 
 /// @throws IoError, UserError
-ReportedFile load_reported(const std::filesystem::path& file, Errors errors);
+ReportedFile load_reported(const std::filesystem::path& file, StandardErrors errors);
 
 /// @throws UserError at `place`: a file has nothing of a quantity, only of others @param what  it has none of
 [[noreturn]] void fail_without(std::string_view wanted, std::string_view what, std::string_view origin,

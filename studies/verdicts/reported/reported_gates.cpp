@@ -18,12 +18,12 @@
 namespace ff::studies {
 namespace {
 
-std::string label(const Comparing& comparing, std::size_t bin) {
+std::string label(const BinComparison& comparing, std::size_t bin) {
     const auto name = comparing.bins.name(bin);
     return name.empty() ? comparing.gate.quantity : fmt::format("{}[{}]", comparing.gate.quantity, name);
 }
 
-void add_words(Comparing& comparing, const BinsVerdict& verdict, GateResult& result) {
+void add_words(BinComparison& comparing, const BinsVerdict& verdict, GateResult& result) {
     const auto& bins = comparing.effects.bins;
     std::string words;
     if (bins.size() > 1) {
@@ -62,7 +62,7 @@ void add_words(Comparing& comparing, const BinsVerdict& verdict, GateResult& res
     result.note = words;
 }
 
-GateResult judge_effects(const GatesSpec& spec, Comparing& comparing) {
+GateResult judge_effects(const GatesSpec& spec, BinComparison& comparing) {
     const auto& bins = comparing.effects.bins;
     if (bins.empty())
         refuse_gate(comparing.gate,
@@ -170,7 +170,7 @@ std::optional<Bins> bins_beside(const Gate& gate, const Bins& bins, const Report
 }
 
 /// Runs with which the mean of one bin would lie in its band.
-std::optional<std::uint64_t> runs_for_bin(const Comparing& comparing, const Bins* against, std::size_t index,
+std::optional<std::uint64_t> runs_for_bin(const BinComparison& comparing, const Bins* against, std::size_t index,
                                           const Levels& levels) {
     const BinEffect& bin = comparing.effects.bins[index];
     const double error = mean_of(comparing.bins.runs_of(bin.name)).standard_error;
@@ -188,7 +188,7 @@ GateResult judge_reported(const GatesSpec& spec, const Gate& gate, const Reporte
     if (are_trials(gate, bins)) return judge_estimates(spec, gate, as_trials(gate, bins));
     const auto other = bins_beside(gate, bins, against);
     if (gate.kind == GateKind::distribution) return judge_counts(spec, gate, bins, *other);
-    Comparing comparing = effects_of(gate, bins, other ? &*other : nullptr);
+    BinComparison comparing = effects_of(gate, bins, other ? &*other : nullptr);
     return judge_effects(spec, comparing);
 }
 
@@ -203,7 +203,7 @@ EstimatesPlan plan_reported(const GatesSpec& spec, const Gate& gate, const Repor
                                 "the option out.",
                                 name(gate.kind), file.origin));
     const Bins* const beside = other ? &*other : nullptr;
-    const Comparing comparing = effects_of(gate, bins, beside);
+    const BinComparison comparing = effects_of(gate, bins, beside);
     GatesSpec one_look = spec;
     one_look.looks = 1;
     const Levels levels = levels_of(one_look, 1);

@@ -23,7 +23,7 @@ double approximate_variance(const stats::Proportion& counts) {
     return p * (1 - p) / n;
 }
 
-void expect_binomial_scatter(Comparing& comparing, const Bins& bins) {
+void expect_binomial_scatter(BinComparison& comparing, const Bins& bins) {
     if (bins.runs < 2) return;
     std::vector<double> p;
     std::vector<stats::Proportion> runs(bins.runs);
@@ -72,7 +72,7 @@ stats::Proportion pooled(Rows runs) {
     return all;
 }
 
-void compare_shares(Comparing& comparing, const Bins* against) {
+void compare_shares(BinComparison& comparing, const Bins* against) {
     const Gate& gate = comparing.gate;
     comparing.effects.scale = EffectScale::difference_of_shares;
     for (std::size_t bin = 0; bin < comparing.bins.count(); ++bin) {

@@ -9,7 +9,7 @@ stats::Proportion pooled(Rows runs);
 
 /// The difference of each bin's share from its reference, with notes. Hits of several runs are added up; where they
 /// scatter more than those of independent trials, there is no verdict.
-void compare_shares(Comparing& comparing, const Bins* against);
+void compare_shares(BinComparison& comparing, const Bins* against);
 
 /// Runs, each with the mean number of trials of those at hand, with which the share would be shown to lie in the band
 /// if it were equal to the reference. Empty where none are enough.

@@ -79,7 +79,7 @@ TEST(RadiosityWords, NameThePatchThatErrsMost) {
     EXPECT_EQ(element_text(plan, found, 1), "face 1, row 1, column 1");
     EXPECT_EQ(element_text(plan, found, 24), "face 6, row 2, column 2");
     EXPECT_EQ(element_text(plan, *lit().radiosity->find(0, Treatment::direct), 3), "face 3");
-    studies::SettingFindings& at = found.settings.front();
+    studies::SettingStatistics& at = found.settings.front();
     at.exitance[7].rmse = 100 * at.exitance[7].exact;
     EXPECT_EQ(worst_element(at)->element, 7u);
     EXPECT_THAT(at.exitance, testing::SizeIs(25));

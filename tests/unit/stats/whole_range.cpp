@@ -131,7 +131,7 @@ RC_GTEST_PROP(WholeRange, StatisticsOfAnyFileAreNumbers, ()) {
     expect_interval(mean_interval_normal(moments, level));
     expect_interval(variance_interval_chi2(moments, level));
     expect_interval(variance_interval(values, level, {.key = {}, .replicates = 19}));
-    if (const auto spread = spread_of(moments)) {
+    if (const auto spread = mean_square_of(moments)) {
         RC_ASSERT(spread->freedom > 0 && spread->freedom <= static_cast<double>(values.size()));
         expect_interval(mean_square_interval(*spread, level));
         expect_interval(ratio_interval(*spread, {1, *freedoms(), 10}, level));

@@ -140,7 +140,7 @@ void add_variances(CoverageTable& table) {
     };
     const IntervalOf chosen = [](const auto& x) { return stats::variance_interval(x, nominal_level, resampling(x)); };
     const IntervalOf spread = [](const auto& x) -> std::optional<stats::Interval> {
-        const auto found = stats::spread_of(stats::moments_of(x));
+        const auto found = stats::mean_square_of(stats::moments_of(x));
         return found ? std::optional(stats::mean_square_interval(*found, nominal_level)) : std::nullopt;
     };
     table.add("variance: chi_squared", normal_data, 30, RateClaim::equal, chi2, 1);
@@ -184,8 +184,8 @@ void add_ratios(CoverageTable& table) {
     for (const Distribution& data : {normal_data, exponential_data}) {
         table.add_event(fmt::format("ratio of spreads: F of gates, {} data, n = 100 and 30", data.name),
                         RateClaim::none, 1, [&](stats::Draws& draws) {
-                            const auto a = stats::spread_of(stats::moments_of(draw_sample(data, 100, draws)));
-                            const auto b = stats::spread_of(stats::moments_of(draw_sample(data, 30, draws)));
+                            const auto a = stats::mean_square_of(stats::moments_of(draw_sample(data, 100, draws)));
+                            const auto b = stats::mean_square_of(stats::moments_of(draw_sample(data, 30, draws)));
                             return stats::ratio_interval(*a, *b, nominal_level).contains(1);
                         });
     }

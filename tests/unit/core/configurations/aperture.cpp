@@ -23,18 +23,18 @@ using test::Real;
 using test::three;
 using test::unit;
 
-constexpr Interval middle_half{0.25, 0.75};
+constexpr AxisInterval middle_half{0.25, 0.75};
 
 /// Where rays that start in `from`, end `u` further in `to` and pass the hole on the way start: the length of it.
-Real common_length(const Interval& from, const Interval& to, const Interval& hole, Real fraction, Real u) {
+Real common_length(const AxisInterval& from, const AxisInterval& to, const AxisInterval& hole, Real fraction, Real u) {
     const Real low = std::max({from.low, to.low - u, hole.low - fraction * u});
     const Real high = std::min({from.high, to.high - u, hole.high - fraction * u});
     return std::max(Real{0}, high - low);
 }
 
 /// @pre kinks lie at multiples of `step`, within `reach` of 0
-Real integral_over_rays(const Interval& x_from, const Interval& y_from, const Interval& x_to, const Interval& y_to,
-                        Real gap, const Aperture& hole, Real step, Real reach) {
+Real integral_over_rays(const AxisInterval& x_from, const AxisInterval& y_from, const AxisInterval& x_to,
+                        const AxisInterval& y_to, Real gap, const Aperture& hole, Real step, Real reach) {
     using Rule = boost::math::quadrature::gauss<Real, 20>;
     const auto over = [&](auto f) {
         Real sum = 0;
@@ -68,8 +68,8 @@ TEST(ExchangeAreaThroughAperture, MatchesTheIntegralOverAllRaysThatPass) {
 }
 
 TEST(ExchangeAreaThroughAperture, IgnoresAPlateWhoseHoleHidesNothing) {
-    constexpr Interval wide{-9, 9};
-    constexpr Interval to{0.5, 2};
+    constexpr AxisInterval wide{-9, 9};
+    constexpr AxisInterval to{0.5, 2};
     for (const Real fraction : {0.125L, 0.5L, 0.75L}) {
         EXPECT_PRED3(test::near,
                      exchange_area_through_aperture(unit, middle_half, to, unit, 0.5, {wide, wide, fraction}),
@@ -81,9 +81,9 @@ RC_GTEST_PROP(ExchangeAreaThroughAperture, IsTheSumOverPartsOfTheHole, ()) {
     const auto place = rc::gen::map(rc::gen::inRange(0, 17), [](int n) { return static_cast<Real>(n) / 8; });
     const auto interval = [&] {
         const Real low = *place;
-        return Interval{low, low + 0.125L + *place};
+        return AxisInterval{low, low + 0.125L + *place};
     };
-    const Interval x_from = interval(), y_from = interval(), x_to = interval(), y_to = interval();
+    const AxisInterval x_from = interval(), y_from = interval(), x_to = interval(), y_to = interval();
     const Aperture whole{interval(), interval(), *rc::gen::element(0.25L, 0.5L, 0.7L)};
     const Real gap = 0.125L + *place;
     const Real cut = whole.x.low + (whole.x.high - whole.x.low) * 0.3L;

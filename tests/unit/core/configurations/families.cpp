@@ -36,13 +36,14 @@ double corner_factor(double x, double y, double gap) {
 }
 
 /// What a point at x (in one coordinate) sees of `to` through `hole`.
-Interval seen(double x, const Interval& to, const Interval& hole, double fraction) {
+AxisInterval seen(double x, const AxisInterval& to, const AxisInterval& hole, double fraction) {
     const auto project = [&](long double edge) { return x + (edge - x) / fraction; };
     return {std::max(to.low, project(hole.low)), std::min(to.high, project(hole.high))};
 }
 
 /// Where `seen` changes its formula, within `from`.
-std::vector<double> breaks(const Interval& from, const Interval& to, const Interval& hole, double fraction) {
+std::vector<double> breaks(const AxisInterval& from, const AxisInterval& to, const AxisInterval& hole,
+                           double fraction) {
     std::vector<double> places{static_cast<double>(from.low), static_cast<double>(from.high)};
     for (const auto edge : {hole.low, hole.high}) {
         for (const auto end : {to.low, to.high}) {
@@ -56,12 +57,13 @@ std::vector<double> breaks(const Interval& from, const Interval& to, const Inter
 }
 
 /// Exchange area between rectangles that face each other across `gap`, through a hole a fraction of the way on.
-double through(const Interval& x_from, const Interval& y_from, const Interval& x_to, const Interval& y_to, double gap,
-               const Interval& x_hole, const Interval& y_hole, double fraction) {
+double through(const AxisInterval& x_from, const AxisInterval& y_from, const AxisInterval& x_to,
+               const AxisInterval& y_to, double gap, const AxisInterval& x_hole, const AxisInterval& y_hole,
+               double fraction) {
     using Rule = boost::math::quadrature::gauss<double, 40>;
     const auto from_point = [&](double x, double y) {
-        const Interval along = seen(x, x_to, x_hole, fraction);
-        const Interval across = seen(y, y_to, y_hole, fraction);
+        const AxisInterval along = seen(x, x_to, x_hole, fraction);
+        const AxisInterval across = seen(y, y_to, y_hole, fraction);
         if (along.high <= along.low || across.high <= across.low) return 0.0;
         const auto at = [&](long double u, long double v) {
             return corner_factor(static_cast<double>(u) - x, static_cast<double>(v) - y, gap);
@@ -90,7 +92,7 @@ constexpr double rounding_of_sum = 4e-14;
 
 TEST(SceneFamilies, AgreeWithWhatPointsSeeThroughAHole) {
     for (const double edge : {0.1, 0.25, 0.5, 0.8, 1.0}) {
-        const Interval hole{0.5L - edge / 2, 0.5L + edge / 2};
+        const AxisInterval hole{0.5L - edge / 2, 0.5L + edge / 2};
         const double exchange = through(unit, unit, unit, unit, 1, hole, hole, 0.5);
         EXPECT_NEAR(of_family("squares_through_aperture:" + std::to_string(edge)), exchange, rounding_of_sum) << edge;
         EXPECT_NEAR(of_family("squares_blocked:" + std::to_string(edge)), of_family("cube_opposite_faces") - exchange,
@@ -102,7 +104,7 @@ TEST(SceneFamilies, AgreeWithWhatPointsSeeThroughAHole) {
         EXPECT_NEAR(of_family("l_shaped_room:" + std::to_string(depth)), exchange / 9, rounding_of_sum) << depth;
     }
     // The comparison notices a hole that is a millionth larger.
-    const Interval larger{0.25L, 0.750001L};
+    const AxisInterval larger{0.25L, 0.750001L};
     EXPECT_GT(through(unit, unit, unit, unit, 1, larger, larger, 0.5) - of_family("squares_through_aperture:0.5"),
               rounding_of_sum);
 }

@@ -4,7 +4,7 @@
 
 namespace ff::test {
 
-inline constexpr Interval unit{0, 1};
-inline constexpr Interval three{0, 3};
+inline constexpr AxisInterval unit{0, 1};
+inline constexpr AxisInterval three{0, 3};
 
 }  // namespace ff::test

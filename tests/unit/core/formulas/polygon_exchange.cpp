@@ -37,7 +37,7 @@ Polygon3 corners_of(const Surface& surface) {
     for (const auto& [u, v] : {std::pair{0, 0}, std::pair{1, 0}, std::pair{1, 1}, std::pair{0, 1}}) {
         Vector3d corner;
         corner[static_cast<int>(rectangle.axis)] = static_cast<double>(rectangle.plane());
-        const auto end = [](const Interval& interval, int high) {
+        const auto end = [](const AxisInterval& interval, int high) {
             return static_cast<double>(high != 0 ? interval.high : interval.low);
         };
         corner[static_cast<int>(first)] = end(rectangle.extent[first], u);

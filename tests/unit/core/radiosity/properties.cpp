@@ -18,14 +18,14 @@ double radius_by_eigenvalues(const Eigen::MatrixXd& matrix) {
     return Eigen::EigenSolver<Eigen::MatrixXd>(matrix, false).eigenvalues().cwiseAbs().maxCoeff();
 }
 
-bool enclose(const Bounds& bounds, double value) {
+bool enclose(const RadiusBounds& bounds, double value) {
     return bounds.low <= value * (1 + 1e-13) && bounds.high >= value * (1 - 1e-13);
 }
 
 // Rows of the exact cube sum to 1, so that its spectral radius is 1, and rho with reflectance rho.
 TEST(SpectralRadius, EqualsTheReflectanceOfTheExactCube) {
     for (const double reflectance : {0.1, 0.5, 0.999}) {
-        const Bounds bounds = spectral_radius(reflection_matrix(test::lit_cube(reflectance)));
+        const RadiusBounds bounds = spectral_radius(reflection_matrix(test::lit_cube(reflectance)));
         EXPECT_TRUE(enclose(bounds, reflectance));
         EXPECT_LT(bounds.high - bounds.low, 1e-12);
     }
@@ -37,7 +37,7 @@ TEST(SpectralRadius, LiesWithinItsBounds) {
     for (int n = 1; n <= 40; ++n) {
         Eigen::MatrixXd matrix(n, n);
         for (double& value : matrix.reshaped()) value = entry(engine) < 0.5 ? 0.0 : entry(engine);
-        const Bounds bounds = spectral_radius(matrix);
+        const RadiusBounds bounds = spectral_radius(matrix);
         const double radius = radius_by_eigenvalues(matrix);
         EXPECT_TRUE(enclose(bounds, radius)) << n << ": " << bounds.low << " " << radius << " " << bounds.high;
         if (n > 12) {
@@ -49,20 +49,20 @@ TEST(SpectralRadius, LiesWithinItsBounds) {
 
 // The two eigenvalues of two plates differ only in sign: plain power iteration oscillates forever.
 TEST(SpectralRadius, IsFoundWhereTwoEigenvaluesAreEquallyLarge) {
-    const Bounds bounds = spectral_radius((Eigen::MatrixXd(2, 2) << 0, 0.5, 0.08, 0).finished());
+    const RadiusBounds bounds = spectral_radius((Eigen::MatrixXd(2, 2) << 0, 0.5, 0.08, 0).finished());
     EXPECT_TRUE(enclose(bounds, 0.2));
     EXPECT_LT(bounds.high - bounds.low, 1e-12);
 }
 
 TEST(SpectralRadius, IsZeroForTheZeroMatrix) {
-    const Bounds bounds = spectral_radius(Eigen::MatrixXd::Zero(3, 3));
+    const RadiusBounds bounds = spectral_radius(Eigen::MatrixXd::Zero(3, 3));
     EXPECT_EQ(bounds.low, 0);
     EXPECT_EQ(bounds.high, 0);
 }
 
 TEST(SpectralRadius, KeepsItsBoundsApartForDisconnectedBlocks) {
     const Eigen::MatrixXd blocks = Eigen::Vector2d(0.5, 0.25).asDiagonal();
-    const Bounds bounds = spectral_radius(blocks);
+    const RadiusBounds bounds = spectral_radius(blocks);
     EXPECT_TRUE(enclose(bounds, 0.5));
     EXPECT_LE(bounds.low, 0.5);
 }

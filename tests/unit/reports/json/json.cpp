@@ -100,7 +100,7 @@ TEST(ResultsJson, SaysHowOftenClaimedErrorsHold) {
     for (std::size_t i = 0; i < expected.size(); ++i) {
         const json& row = small().at("claimed_errors").at(i);
         EXPECT_EQ(row.at("held"), expected[i].held);
-        EXPECT_EQ(row.at("finding") == "fails", expected[i].finding == studies::ClaimFinding::fails);
+        EXPECT_EQ(row.at("finding") == "fails", expected[i].finding == studies::ClaimedErrorFinding::fails);
     }
 }
 

@@ -104,7 +104,7 @@ TEST(MarkdownReport, WritesDittoMarksForFiguresOfTheRowAbove) {
 TEST(MarkdownReport, ShowsTheWorstPairOfEveryCellAndTheLargestT) {
     const std::string text = markdown_report(test::small_results());
     const auto& findings = test::small_results().findings;
-    for (const studies::CellFindings& found : findings.cells) {
+    for (const studies::CellAnalysis& found : findings.cells) {
         if (!found.bias || found.bias->largest_t == 0) continue;
         const studies::Cell& cell = findings.plan.cells[found.cell];
         const std::string row = fmt::format("| {} | {} |", cell_label(findings.plan, cell),

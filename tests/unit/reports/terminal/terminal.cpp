@@ -23,7 +23,7 @@ TEST(TerminalSummary, HasALineForEveryCell) {
 
 TEST(TerminalSummary, ColoursStatementsLikeTheReport) {
     studies::StudyResults results = test::small_results();
-    for (studies::CellFindings& found : results.findings.cells) {
+    for (studies::CellAnalysis& found : results.findings.cells) {
         if (!found.bias) continue;
         found.bias_finding = studies::BiasFinding::no_bias_found;
         found.equivalence = studies::EquivalenceFinding::inconclusive;

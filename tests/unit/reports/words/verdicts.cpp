@@ -11,8 +11,8 @@ using studies::BiasFinding;
 using studies::EquivalenceFinding;
 using testing::HasSubstr;
 
-studies::CellFindings sampled(BiasFinding finding, std::size_t untestable = 0) {
-    studies::CellFindings found;
+studies::CellAnalysis sampled(BiasFinding finding, std::size_t untestable = 0) {
+    studies::CellAnalysis found;
     found.trials = 100;
     found.trials_planned = 100;
     found.bias.emplace();
@@ -49,7 +49,7 @@ TEST(BiasInWords, SaysWhyThereIsNoTest) {
     found.repeated_trials = found.trials - 8;
     EXPECT_EQ(bias_in_words(found),
               fmt::format("no test: trials repeat each other ({} of {})", found.trials - 8, found.trials));
-    studies::CellFindings deterministic;
+    studies::CellAnalysis deterministic;
     deterministic.trials = 1;
     EXPECT_THAT(bias_in_words(deterministic), HasSubstr("deterministic"));
     EXPECT_EQ(bias_in_words({}), "no trials yet");

@@ -17,9 +17,9 @@ TEST(Spread, IsChiSquaredWithoutPositiveKurtosis) {
     // Kurtosis below 0 is not made use of.
     const Moments flat = moments_of(std::array{1.0, 2.0, 3.0, 4.0, 5.0, 6.0});
     ASSERT_LT(*flat.excess_kurtosis(), 0);
-    EXPECT_EQ(spread_of(flat)->freedom, 5);
+    EXPECT_EQ(mean_square_of(flat)->freedom, 5);
     // 5 * np.var([1, 2, 3, 4, 5, 6], ddof=1) / stats.chi2.ppf([.975, .025], 5)
-    const Interval interval = mean_square_interval(*spread_of(flat), 0.95);
+    const Interval interval = mean_square_interval(*mean_square_of(flat), 0.95);
     EXPECT_NEAR(interval.low, 17.5 / 12.8325020, 1e-6);
     EXPECT_NEAR(interval.high, 17.5 / 0.8312116, 1e-5);
 }
@@ -27,28 +27,28 @@ TEST(Spread, IsChiSquaredWithoutPositiveKurtosis) {
 // G2 = stats.kurtosis(x, bias=False) = 3.3925178
 TEST(Spread, LosesDegreesOfFreedomToKurtosis) {
     const Moments moments = moments_of(eight_values);
-    EXPECT_NEAR(spread_of(moments)->freedom, 7 / (1 + *moments.excess_kurtosis() / 2), 1e-12);
-    EXPECT_EQ(spread_of(moments)->mean_square, *moments.variance());
-    EXPECT_EQ(spread_of(moments)->n, 8u);
+    EXPECT_NEAR(mean_square_of(moments)->freedom, 7 / (1 + *moments.excess_kurtosis() / 2), 1e-12);
+    EXPECT_EQ(mean_square_of(moments)->mean_square, *moments.variance());
+    EXPECT_EQ(mean_square_of(moments)->n, 8u);
 }
 
 TEST(Spread, IsTheMeanSquaredErrorAboutAReference) {
-    const auto spread = spread_about(eight_values, 3);
+    const auto spread = mean_square_about(eight_values, 3);
     EXPECT_DOUBLE_EQ(spread->mean_square, *moments_of(eight_values, 3).mean_squared_error());
     EXPECT_LT(spread->freedom, 8);
-    EXPECT_LT(spread_about(std::array{1e-200, -2e-200, 1.5e-200, 1e-200}, 0)->mean_square, 1e-300);
+    EXPECT_LT(mean_square_about(std::array{1e-200, -2e-200, 1.5e-200, 1e-200}, 0)->mean_square, 1e-300);
 }
 
 TEST(Spread, IsEmptyForTooFewOrEqualValues) {
-    EXPECT_FALSE(spread_of(moments_of(std::array{1.0, 2.0, 3.0})));
-    EXPECT_FALSE(spread_of(moments_of(std::array{1.0, 1.0, 1.0, 1.0})));
-    EXPECT_FALSE(spread_about(std::array{1.0, 1.0, 1.0, 1.0}, 1));
-    EXPECT_FALSE(spread_about(std::array{1.0, 2.0, 3.0}, 1));
-    EXPECT_TRUE(spread_about(std::array{1.0, 1.0, 1.0, 1.0}, 0));
+    EXPECT_FALSE(mean_square_of(moments_of(std::array{1.0, 2.0, 3.0})));
+    EXPECT_FALSE(mean_square_of(moments_of(std::array{1.0, 1.0, 1.0, 1.0})));
+    EXPECT_FALSE(mean_square_about(std::array{1.0, 1.0, 1.0, 1.0}, 1));
+    EXPECT_FALSE(mean_square_about(std::array{1.0, 2.0, 3.0}, 1));
+    EXPECT_TRUE(mean_square_about(std::array{1.0, 1.0, 1.0, 1.0}, 0));
 }
 
 TEST(Spread, HasRatiosThatAgreeWithF) {
-    const auto flat = *spread_of(moments_of(std::array{1.0, 2.0, 3.0, 4.0, 5.0, 6.0}));
+    const auto flat = *mean_square_of(moments_of(std::array{1.0, 2.0, 3.0, 4.0, 5.0, 6.0}));
     // np.sqrt(1 / stats.f.ppf([.975, .025], 5, 5))
     const Interval interval = ratio_interval(flat, flat, 0.95);
     EXPECT_NEAR(interval.low, 0.37407, 1e-5);
@@ -60,8 +60,8 @@ template <class Draw>
 std::array<std::uint64_t, 2> misses(std::uint64_t runs, double level, const Draw& draw) {
     std::array<std::uint64_t, 2> missed{};
     for (std::uint64_t run = 0; run < runs; ++run) {
-        const auto a = spread_of(moments_of(draw()));
-        const auto b = spread_of(moments_of(draw()));
+        const auto a = mean_square_of(moments_of(draw()));
+        const auto b = mean_square_of(moments_of(draw()));
         missed[0] += mean_square_interval(*a, level).contains(1) ? 0u : 1u;
         missed[1] += ratio_interval(*a, *b, level).contains(1) ? 0u : 1u;
     }

@@ -47,14 +47,14 @@ Store normal_trials(const StudyPlan& plan, std::uint64_t seed, double shift) {
 
 TEST(Bias, IsFoundOnASinglePairAboveTheMinimumDetectable) {
     const StudyPlan plan = plan_of(study_text("trials = 40", many_rays()));
-    const Findings clean = analyse(normal_trials(plan, 1, 0));
+    const Analysis clean = analyse(normal_trials(plan, 1, 0));
     ASSERT_TRUE(clean.complete);
-    const CellFindings& cell = clean.cells.at(0);
+    const CellAnalysis& cell = clean.cells.at(0);
     EXPECT_EQ(cell.bias_finding, BiasFinding::no_bias_found);
     EXPECT_EQ(cell.bias->pairs, 30u);
     EXPECT_EQ(cell.bias->untestable, 0u);
 
-    const Findings shifted = analyse(normal_trials(plan, 1, 2 * cell.bias->minimum_detectable_bias));
+    const Analysis shifted = analyse(normal_trials(plan, 1, 2 * cell.bias->minimum_detectable_bias));
     EXPECT_EQ(shifted.cells.at(0).bias_finding, BiasFinding::biased);
     EXPECT_EQ(shifted.cells.at(0).bias->largest_pair, (Quantity{pair, 1, 2}));
     EXPECT_LT(shifted.cells.at(0).bias->adjusted_p, 0.05);
@@ -143,7 +143,7 @@ TEST(InfiniteVariance, LeavesAdjacentPairsWithoutIntervalAndTest) {
         plan_of(study_text("trials = 30\nequivalence_margin = 0.1",
                            "[[method]]\nname = \"kernel\"\nsampler = \"random\"\nestimator = \"area_kernel\"\n"
                            "samples_per_patch = 100")));
-    const CellFindings found = analyse_cell(store, 0);
+    const CellAnalysis found = analyse_cell(store, 0);
     for (const Summary& s : found.summaries) {
         const bool parallel = s.pair_class == PairClass::parallel;
         EXPECT_EQ(s.variance, parallel ? VarianceStatus::finite : VarianceStatus::infinite);
@@ -162,7 +162,7 @@ TEST(InfiniteVariance, IsRemovedByTheGradedMap) {
         plan_of(study_text("trials = 100",
                            "[[method]]\nname = \"kernel\"\nsampler = \"random\"\nestimator = \"area_kernel\"\n"
                            "map = \"graded\"\nsamples_per_patch = 100")));
-    const CellFindings found = analyse_cell(store, 0);
+    const CellAnalysis found = analyse_cell(store, 0);
     for (const Summary& s : found.summaries) {
         EXPECT_EQ(s.variance, VarianceStatus::finite);
         EXPECT_EQ(s.bias_interval.has_value(), s.reference.has_value());
@@ -208,8 +208,8 @@ TEST(FewTrials, GiveEstimatesWithoutVerdicts) {
             plan_of(study_text(fmt::format("trials = {}\nequivalence_margin = 0.1", trials), many_rays()));
         const std::string note = fmt::format("{}", fmt::join(plan.warnings, "|"));
         EXPECT_NE(note.find("fewer than 5 trials"), std::string::npos) << note;
-        const Findings findings = analyse(normal_trials(plan, 1, 0));
-        const CellFindings& cell = findings.cells.at(0);
+        const Analysis findings = analyse(normal_trials(plan, 1, 0));
+        const CellAnalysis& cell = findings.cells.at(0);
         EXPECT_EQ(cell.bias_finding, BiasFinding::untestable);
         EXPECT_TRUE(cell.bias->few_trials);
         EXPECT_EQ(cell.bias->minimum_detectable_bias, 0);
@@ -221,7 +221,7 @@ TEST(FewTrials, GiveEstimatesWithoutVerdicts) {
             EXPECT_FALSE(error.mean_square || error.squared_deviation || error.interval || error.variance_interval);
         }
     }
-    const Findings enough = analyse(normal_trials(plan_of(study_text("trials = 5", many_rays())), 1, 0));
+    const Analysis enough = analyse(normal_trials(plan_of(study_text("trials = 5", many_rays())), 1, 0));
     EXPECT_TRUE(enough.plan.warnings.empty());
     EXPECT_TRUE(enough.cells.at(0).class_errors.front().mean_square);
 }
@@ -232,7 +232,7 @@ TEST(Bias, HasNoMinimumDetectableSizeWhereThatWouldExceedOne) {
     const Store store = test::fill(plan, [](std::size_t, std::uint64_t trial, int from, int to) {
         return to == static_cast<int>((static_cast<std::uint64_t>(from) + trial) % 6) + 1 ? 1.0 : 0.0;
     });
-    const CellFindings cell = analyse_cell(store, 0);
+    const CellAnalysis cell = analyse_cell(store, 0);
     EXPECT_EQ(cell.bias_finding, BiasFinding::untestable);
     EXPECT_TRUE(cell.bias->few_trials);
     EXPECT_FALSE(cell.summary({pair, 1, 2}).minimum_detectable_bias);
@@ -244,7 +244,7 @@ TEST(Bias, IsTestedByCountsWhereHitsAreFew) {
         test::run(plan_of(study_text("trials = 16",
                                      "[[method]]\nname = \"SR\"\nsampler = \"random\"\nestimator = \"ray_shooting\"\n"
                                      "patches_per_face = 4\nsamples_per_patch = 1")));
-    const CellFindings found = analyse_cell(store, 0);
+    const CellAnalysis found = analyse_cell(store, 0);
     EXPECT_EQ(found.bias_finding, BiasFinding::no_bias_found);
     EXPECT_EQ(found.bias->sparse, 0u);
     EXPECT_EQ(found.summary({pair, 1, 2}).bias_interval->method, "clopper_pearson");
@@ -255,7 +255,7 @@ TEST(Analysis, TestsNothingForADeterministicMethod) {
     const Store store = test::run(plan_of(study_text(
         "trials = 30\nequivalence_margin = 0.1",
         "[[method]]\nname = \"PDM\"\nsampler = \"gauss_legendre\"\nestimator = \"area_kernel\"\nnodes = 2")));
-    const CellFindings found = analyse_cell(store, 0);
+    const CellAnalysis found = analyse_cell(store, 0);
     EXPECT_EQ(found.trials, 1u);
     EXPECT_FALSE(found.bias);
     EXPECT_EQ(found.equivalence, EquivalenceFinding::not_asked);
@@ -287,7 +287,7 @@ TEST(Analysis, ReportsThatAStudyIsUnfinished) {
     const StudyPlan plan = plan_of(study_text("trials = 16", many_rays() + "[[method]]\nname = \"e\"\nestimator = "
                                                                            "\"closed_form\"\n"));
     const Store store = Store::create_or_resume(test::in_memory, plan);
-    const Findings findings = analyse(store);
+    const Analysis findings = analyse(store);
     EXPECT_FALSE(findings.complete);
     EXPECT_EQ(findings.cells.at(0).trials, 0u);
     EXPECT_EQ(findings.cells.at(0).trials_planned, 16u);
@@ -297,7 +297,7 @@ TEST(Analysis, ReportsThatAStudyIsUnfinished) {
 TEST(Analysis, MeasuresFromTheExactFactorsOfTheScene) {
     const Store store = test::run(
         plan_of("[study]\nname = \"t\"\nscene = \"box:2x1x0.5\"\ntrials = 4\nseed = 1\n" + std::string(few_rays)));
-    const CellFindings found = analyse_cell(store, 0);
+    const CellAnalysis found = analyse_cell(store, 0);
     const Scene& scene = store.plan().scenes.front();
     for (int i = 1; i <= 6; ++i) {
         EXPECT_EQ(found.summary({QuantityKind::row_sum, i, 0}).reference, 1.0);
@@ -312,7 +312,7 @@ TEST(Analysis, MeasuresFromTheExactFactorsOfTheScene) {
 TEST(Analysis, UsesTheAvailableExactFactors) {
     const Store store = test::run(
         plan_of("[study]\nname = \"t\"\nscene = \"l_shaped_room\"\ntrials = 40\nseed = 1\n" + std::string(few_rays)));
-    const CellFindings found = analyse_cell(store, 0);
+    const CellAnalysis found = analyse_cell(store, 0);
     // By the formula of the catalogue, by closed form, and past the corner by none.
     EXPECT_NEAR(found.summary({pair, 1, 2}).reference.value(), 0.032890247563088, 1e-14);
     EXPECT_NEAR(found.summary({pair, 1, 4}).reference.value(), 0.027473405707512, 1e-14);  // ffstudy explain
@@ -332,8 +332,8 @@ TEST(Analysis, UsesTheAvailableExactFactors) {
 
 TEST(Analysis, GivesTheSameBitsForTheSameStore) {
     const Store store = test::run(plan_of(study_text("trials = 30", few_rays)));
-    const CellFindings a = analyse_cell(store, 0);
-    const CellFindings b = analyse_cell(store, 0);
+    const CellAnalysis a = analyse_cell(store, 0);
+    const CellAnalysis b = analyse_cell(store, 0);
     for (std::size_t i = 0; i < a.summaries.size(); ++i) {
         EXPECT_EQ(a.summaries[i].normality_p, b.summaries[i].normality_p);
         EXPECT_EQ(a.summaries[i].bias, b.summaries[i].bias);

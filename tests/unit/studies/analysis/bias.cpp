@@ -61,7 +61,7 @@ TEST(BiasFinding, IsInconclusiveWhereOnlyStudentsTFindsADifference) {
 
 /// A study whose trials are off the exact factors by values of a law; those of F 1-2 are shifted.
 template <class Law>
-CellFindings study_of(Law law, std::uint64_t trials, std::uint64_t seed, double shift, std::string_view lines = "") {
+CellAnalysis study_of(Law law, std::uint64_t trials, std::uint64_t seed, double shift, std::string_view lines = "") {
     const StudyPlan plan = test::plan_of(
         test::study_text("trials = " + std::to_string(trials) + "\n" + std::string(lines), kernel_method));
     const auto exact = exact_form_factors(plan.scenes.front()).value();
@@ -74,7 +74,7 @@ CellFindings study_of(Law law, std::uint64_t trials, std::uint64_t seed, double 
                         0);
 }
 
-CellFindings log_normal_study(std::uint64_t trials, std::uint64_t seed, double shift, std::string_view lines = "") {
+CellAnalysis log_normal_study(std::uint64_t trials, std::uint64_t seed, double shift, std::string_view lines = "") {
     std::lognormal_distribution<double> law(0, 0.7);
     return study_of([&](auto& engine) { return law(engine) / std::exp(0.245) - 1; }, trials, seed, shift, lines);
 }

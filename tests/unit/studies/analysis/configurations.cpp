@@ -37,9 +37,9 @@ std::string all_scenes() {
 
 TEST(CatalogueStudy, FindsNoBiasAndLosesNoRay) {
     // False alarm in one seed of 1000 over all scenes together (level 0.999): seeded, so it either is one or not.
-    const Findings findings = analyse(test::run(test::plan_of(study_of(all_scenes(), "level = 0.999"))));
+    const Analysis findings = analyse(test::run(test::plan_of(study_of(all_scenes(), "level = 0.999"))));
     ASSERT_EQ(findings.cells.size(), 23u);
-    for (const CellFindings& cell : findings.cells) {
+    for (const CellAnalysis& cell : findings.cells) {
         const std::string& scene = findings.plan.scenes[findings.plan.cells[cell.cell].scene].name;
         EXPECT_EQ(cell.bias_finding, BiasFinding::no_bias_found) << scene << " p " << cell.bias->adjusted_p;
         EXPECT_EQ(cell.lost_rays, 0u) << scene;
@@ -53,7 +53,7 @@ TEST(CatalogueStudy, FindsBiasOnlyWhereTheExactValueIsWrong) {
     // The exact value stays that of radii 1 and 1; the scene gets a second disc of 1.05: F12 grows by 7 %, some 0.027.
     StudyPlan plan = test::plan_of(study_of(R"("coaxial_discs_equal", "hemisphere")"));
     std::get<Disc>(plan.scenes[0].surfaces[1].shape).outer_radius = 1.05;
-    const Findings findings = analyse(test::run(plan));
+    const Analysis findings = analyse(test::run(plan));
     EXPECT_EQ(findings.cells[0].bias_finding, BiasFinding::biased);
     EXPECT_EQ(findings.cells[1].bias_finding, BiasFinding::no_bias_found);
 }

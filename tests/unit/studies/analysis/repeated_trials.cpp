@@ -32,8 +32,8 @@ TEST(RepeatedTrials, LeaveNothingToTestOrCompare) {
         EXPECT_EQ(findings_of(seeds).cells.at(0).repeated_trials, 100 - seeds);
         EXPECT_EQ(findings_of(seeds).cells.at(0).bias_finding, BiasFinding::untestable);
     }
-    const Findings found = findings_of(8);
-    const CellFindings& cell = found.cells.at(0);
+    const Analysis found = findings_of(8);
+    const CellAnalysis& cell = found.cells.at(0);
     EXPECT_EQ(cell.repeated_trials, 92u);
     EXPECT_EQ(cell.bias_finding, BiasFinding::untestable);
     EXPECT_FALSE(cell.summary({QuantityKind::form_factor, 1, 2}).bias_interval);
@@ -41,7 +41,7 @@ TEST(RepeatedTrials, LeaveNothingToTestOrCompare) {
     EXPECT_NE(fmt::format("{}", fmt::join(found.plan.warnings, "|")).find("92 of 100 trials repeat earlier ones"),
               std::string::npos);
 
-    const Findings sound = findings_of(100);
+    const Analysis sound = findings_of(100);
     EXPECT_EQ(sound.cells.at(0).repeated_trials, 0u);
     EXPECT_NE(sound.cells.at(0).bias_finding, BiasFinding::untestable);
     EXPECT_TRUE(sound.plan.warnings.empty());

@@ -89,7 +89,7 @@ TEST(AuditOfThePaper, DetectsLostRays) {
 
 TEST(AuditOfThePaper, ShowsThatFiguresAreRoundedNotTruncated) {
     EXPECT_NE(find(paper().report, "printing rule: SR"), nullptr);
-    for (const FormatFinding& f : paper().report.formats) {
+    for (const InferredFormat& f : paper().report.formats) {
         if (f.method != "SR") continue;
         EXPECT_EQ(f.format, (NumberFormat{Rounding::rounded, Layout::significant_digits, 6}));
     }

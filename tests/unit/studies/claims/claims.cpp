@@ -115,7 +115,7 @@ TEST(SmallerError, ComparesOneClassOfPairs) {
 
 TEST(Claims, AreInconclusiveAboutMeansOfInfiniteVariance) {
     const Store store = trials({small, small, large, small});
-    Findings findings = analyse(store);
+    Analysis findings = analyse(store);
     PublishedTables tables = about_the_cube();
     tables.claims = {claim("smaller_error", {"A", "B"}, "adjacent"), claim("smaller_error", {"A", "B"}, "parallel"),
                      claim("error_falls_with_subdivision_not_always", {"A"})};
@@ -307,7 +307,7 @@ TEST(Claims, NeedBothMethodsThatTheyCompare) {
 
 TEST(ClaimEvidence, OrdersTheCellsOfTheClaimBySize) {
     const Store store = trials({small, small, small, small});
-    const Findings findings = analyse(store);
+    const Analysis findings = analyse(store);
     const PublishedTables tables = about_the_cube();
     const ClaimEvidence evidence(store, findings, tables, 0);
     auto sizes = claim("smaller_error", {"A", "D"});

@@ -38,8 +38,8 @@ const Store& store() {
     return made;
 }
 
-const Findings& findings() {
-    static const Findings made = analyse(store());
+const Analysis& findings() {
+    static const Analysis made = analyse(store());
     return made;
 }
 
@@ -107,7 +107,7 @@ TEST(Comparison, GivesAMisprintAnExtremeScore) {
 }
 
 TEST(Comparison, UsesRanksAloneUnderInfiniteVariance) {
-    Findings infinite = findings();
+    Analysis infinite = findings();
     for (Summary& summary : infinite.cells[0].summaries) summary.variance = VarianceStatus::infinite;
     const auto table = compare_with_published(store(), infinite, an_honest_run()).at(0);
     for (const FigureComparison& c : table.figures) {

@@ -79,7 +79,7 @@ TEST(Contests, NeedMeasuredCostsAtEqualTime) {
     MeasuredCosts costs(store.plan());
     for (const WorkUnit& unit : store.plan().units) {
         const double each = unit.cell == 2 ? 4e-3 : unit.cell == 1 ? 0.1 : 1e-3;
-        Progress progress;
+        RunProgress progress;
         progress.unit = unit.index;
         progress.processor_seconds = each * static_cast<double>(unit.trials);
         progress.processor_seconds_squared = 1.01 * each * each * static_cast<double>(unit.trials);

@@ -44,7 +44,7 @@ std::vector<OcclusionSeries> series_of(const StudyPlan& plan, Rule rule) {
         return known.at(from - 1, to - 1).value() +
                (cell.deterministic ? rule(hidden) * std::pow(n, -0.25) : point_sigma / std::sqrt(n) * normal(bits));
     });
-    const Findings findings = analyse(store);
+    const Analysis findings = analyse(store);
     return occlusion_series(store, findings, fit_slopes(store, findings));
 }
 

@@ -10,7 +10,7 @@ namespace ff::studies {
 namespace {
 
 /// Errors of +-scale(cell), their sign by trial.
-Findings findings_with_errors(const std::vector<double>& scales) {
+Analysis findings_with_errors(const std::vector<double>& scales) {
     const auto plan = test::plan_of(test::study_text("trials = 70", test::two_methods));
     return analyse(test::fill(plan, [&](std::size_t cell, std::uint64_t trial, int, int) {
         return 0.2 + scales[cell] * test::wobble(trial);

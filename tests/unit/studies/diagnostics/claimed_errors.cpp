@@ -27,7 +27,7 @@ samples_per_patch = 1000
     EXPECT_EQ(found[0].claimant, Claimant::one_run);
     EXPECT_EQ(found[0].claims, 2400u);
     EXPECT_NEAR(found[0].share(), 0.95, 0.02);
-    EXPECT_EQ(found[0].finding, ClaimFinding::holds);
+    EXPECT_EQ(found[0].finding, ClaimedErrorFinding::holds);
 }
 
 // Sobol' points err less than independent ones: what their binomial error claims holds nearly always.
@@ -53,9 +53,9 @@ TEST(ClaimedErrors, CanBeRefutedByOneRunWhenAStudyStatesThem) {
     ASSERT_EQ(large.size(), 2u);
     EXPECT_EQ(large[0].claimant, Claimant::study);
     EXPECT_EQ(large[0].held, large[0].claims);
-    EXPECT_EQ(large[0].finding, ClaimFinding::holds);
+    EXPECT_EQ(large[0].finding, ClaimedErrorFinding::holds);
     const auto small = judged(text(1e-9), 20);
-    EXPECT_EQ(small[1].finding, ClaimFinding::fails);
+    EXPECT_EQ(small[1].finding, ClaimedErrorFinding::fails);
     EXPECT_LT(small[1].held, small[1].claims);
     EXPECT_GT(small[1].largest_ratio, 1);
 }
@@ -69,7 +69,7 @@ samples_per_patch = [60, 300]
     ASSERT_EQ(found.size(), 4u);
     for (const ClaimedErrors& each : found) {
         EXPECT_EQ(each.claimant, Claimant::estimator);
-        EXPECT_EQ(each.finding, ClaimFinding::holds) << each.cell;
+        EXPECT_EQ(each.finding, ClaimedErrorFinding::holds) << each.cell;
         EXPECT_LE(each.largest_ratio, 1);
     }
 }

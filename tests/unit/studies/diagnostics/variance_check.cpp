@@ -27,14 +27,14 @@ StudyPlan plan_of_rays(std::string_view sampler, std::string_view completion = "
 /// factor of about 1 + (5.5 + 2) / sqrt(2 * 400) = 1.27, power 0.98.
 constexpr double alarm_level = 1e-6;
 
-std::optional<VarianceCheck> only_check(const Findings& findings) {
+std::optional<VarianceCheck> only_check(const Analysis& findings) {
     auto checks = check_variances(findings);
     return checks.empty() ? std::nullopt : std::optional(std::move(checks.front()));
 }
 
 TEST(VarianceCheck, AgreesForIndependentRays) {
     for (const char* completion : {"direct", "reciprocal"}) {
-        const Findings findings = analyse(test::run(plan_of_rays("random", completion)));
+        const Analysis findings = analyse(test::run(plan_of_rays("random", completion)));
         const auto check = only_check(findings);
         ASSERT_TRUE(check);
         EXPECT_GT(check->adjusted_p, alarm_level);
@@ -46,7 +46,7 @@ TEST(VarianceCheck, AgreesForIndependentRays) {
 }
 
 TEST(VarianceCheck, CatchesAWrongNumberOfRays) {
-    Findings findings = analyse(test::run(plan_of_rays("random")));
+    Analysis findings = analyse(test::run(plan_of_rays("random")));
     for (const std::uint64_t claimed : {32u, 128u}) {  // true: 64; standard deviations wrong by sqrt(2)
         findings.plan.cells[0].samples = claimed;
         const auto check = only_check(findings);
@@ -57,7 +57,7 @@ TEST(VarianceCheck, CatchesAWrongNumberOfRays) {
 
 TEST(VarianceCheck, CatchesRaysThatAreNotIndependent) {
     // The same store under the name of a sampler with independent points.
-    Findings findings = analyse(test::run(plan_of_rays("sobol")));
+    Analysis findings = analyse(test::run(plan_of_rays("sobol")));
     EXPECT_FALSE(only_check(findings));
     findings.plan.spec.methods[0].sampler = "random";
     EXPECT_LT(only_check(findings)->adjusted_p, alarm_level);
@@ -66,7 +66,7 @@ TEST(VarianceCheck, CatchesRaysThatAreNotIndependent) {
 TEST(VarianceCheck, ExpectsTheStratifiedVarianceOfRaysFromPatches) {
     // Not the binomial F (1 - F) / N: patches beside an edge send more rays to the face beyond it. The four patches of
     // a face see the opposite one alike, so that nothing is gained there.
-    const Findings findings = analyse(test::run(plan_of_rays("random")));
+    const Analysis findings = analyse(test::run(plan_of_rays("random")));
     const auto check = only_check(findings);
     ASSERT_TRUE(check);
     for (const VarianceComparison& c : check->quantities) {
@@ -87,8 +87,8 @@ TEST(VarianceCheck, SkipsOtherEstimators) {
 }
 
 TEST(VarianceCheck, SharesOneErrorRateAmongTheCellsOfAStudy) {
-    const Findings one = analyse(test::run(plan_of_rays("random")));
-    Findings three = one;
+    const Analysis one = analyse(test::run(plan_of_rays("random")));
+    Analysis three = one;
     for (std::size_t cell = 1; cell < 3; ++cell) {
         three.cells.push_back(one.cells[0]);
         three.plan.cells.push_back(one.plan.cells[0]);

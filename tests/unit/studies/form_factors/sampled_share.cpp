@@ -25,7 +25,7 @@ SampledShare hits(const std::vector<std::uint64_t>& counts, std::uint64_t rays) 
 TEST(SampledShare, HasStudentsIntervalOfItsRandomisations) {
     const SampledShare share = hits({190, 210, 205, 195}, 1000);
     const auto student = *stats::mean_interval_t(stats::moments_of(share.means), 0.9);
-    const Estimate estimate = estimate_of({3, {{2, share}}}, 0.9);
+    const EstimatedSum estimate = estimate_of({3, {{2, share}}}, 0.9);
     EXPECT_DOUBLE_EQ(estimate.value, 3.4);
     EXPECT_DOUBLE_EQ(estimate.unmet, 2 * none_of(4000, 0.9));
     EXPECT_DOUBLE_EQ(estimate.half_width() - estimate.unmet, student.width());
@@ -33,7 +33,7 @@ TEST(SampledShare, HasStudentsIntervalOfItsRandomisations) {
 
 TEST(SampledShare, AddsUpWithinRandomisations) {
     // What one share has more, the other has less: their sum is known.
-    const Estimate sum =
+    const EstimatedSum sum =
         estimate_of({0, {{1, hits({190, 210, 205, 195}, 1000)}, {1, hits({310, 290, 295, 305}, 1000)}}}, 0.9);
     EXPECT_DOUBLE_EQ(sum.value, 0.5);
     EXPECT_LT(sum.half_width() - sum.unmet, 1e-15);
@@ -44,7 +44,7 @@ TEST(SampledShare, StaysUncertainWithoutHits) {
     const double unmet = stats::clopper_pearson_interval({.hits = 0, .trials = 4000}, 0.95).high;
     EXPECT_NEAR(none_of(4000, 0.95), unmet, 1e-15);
     for (const std::uint64_t count : {0U, 500U, 1000U}) {
-        const Estimate estimate = estimate_of({0, {{1, hits({count, count, count, count}, 1000)}}}, 0.95);
+        const EstimatedSum estimate = estimate_of({0, {{1, hits({count, count, count, count}, 1000)}}}, 0.95);
         EXPECT_NEAR(estimate.up, unmet, 1e-15) << "equal means are no evidence";
         EXPECT_NEAR(estimate.down, unmet, 1e-15);
     }
@@ -69,7 +69,7 @@ std::uint64_t held_of_poisson(double mean, std::uint64_t times) {
     for (std::uint64_t i = 0; i < times; ++i) {
         std::vector<std::uint64_t> drawn(randomisations);
         for (std::uint64_t& count : drawn) count = counts(engine);
-        const Estimate estimate = estimate_of({0, {{1, hits(drawn, rays)}}}, 0.95);
+        const EstimatedSum estimate = estimate_of({0, {{1, hits(drawn, rays)}}}, 0.95);
         const double truth = mean / static_cast<double>(randomisations * rays);
         held += estimate.value - estimate.down <= truth && truth <= estimate.value + estimate.up;
     }

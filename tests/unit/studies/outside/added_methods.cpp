@@ -61,7 +61,7 @@ estimator = "linked_kernel"
 samples_per_patch = 256
 patches_per_face = 4
 )"))));
-    const CellFindings& found = results.findings.cells.front();
+    const CellAnalysis& found = results.findings.cells.front();
     const Summary& opposite = found.summary({QuantityKind::form_factor, 1, 6});
     ASSERT_TRUE(opposite.bias && opposite.bias_se);
     // Five standard errors: a sound estimator fails in 1e-5 of seeds. A wrong factor pi or area is off by far more.

@@ -52,7 +52,7 @@ const Consequences& of(std::size_t cell, Treatment treatment) {
 TEST(Consequences, KeepDominanceForDirectRaysAtEveryReflectance) {
     const Consequences& direct = of(0, Treatment::direct);
     EXPECT_NEAR(direct.dominant_below.least, 1, 1e-14);
-    for (const SettingFindings& at : direct.settings) {
+    for (const SettingStatistics& at : direct.settings) {
         EXPECT_EQ(at.dominant, 100u);
         EXPECT_EQ(at.convergent, 100u);
         EXPECT_NEAR(at.energy_defect->median, 0, 0.05);
@@ -80,7 +80,7 @@ TEST(Consequences, LoseDominanceForPdmAboveTheReciprocalOfARowSum) {
     const double limit = found.dominant_below.median;
     EXPECT_LT(limit, 0.99);
     EXPECT_NEAR(1 / limit - 1, found.closure_defect.median, 1e-12);
-    for (const SettingFindings& at : found.settings) {
+    for (const SettingStatistics& at : found.settings) {
         const double reflectance = RadiosityRequest().reflectance[at.setting].front();
         EXPECT_EQ(at.dominant == 1, reflectance < limit) << reflectance;
         EXPECT_EQ(at.divergent == 1, reflectance > limit) << reflectance;
@@ -95,9 +95,9 @@ TEST(Consequences, VanishForExactFactors) {
     for (const Treatment treatment : all_treatments) {
         const Consequences& found = of(2, treatment);
         EXPECT_LT(found.factor_error.median, 1e-14);
-        for (const SettingFindings& at : found.settings) {
+        for (const SettingStatistics& at : found.settings) {
             EXPECT_EQ(at.dominant, 1u);
-            for (const ExitanceFindings& e : at.exitance) EXPECT_NEAR(*e.mean / e.exact, 1, 1e-11) << name(treatment);
+            for (const ExitanceStatistics& e : at.exitance) EXPECT_NEAR(*e.mean / e.exact, 1, 1e-11) << name(treatment);
         }
     }
 }
@@ -237,9 +237,9 @@ TEST(RadiosityCost, GrowsWithTheSquareOfThePatches) {
 TEST(Consequences, VanishForAFurnace) {
     const auto results = evaluate_radiosity(
         test::run(lit_plan("trials = 20", reciprocal_rays, "reflectance = [0.5, 0.99]\nemission = 2\n")));
-    for (const SettingFindings& at : results.find(0, Treatment::direct)->settings) {
+    for (const SettingStatistics& at : results.find(0, Treatment::direct)->settings) {
         const double expected = 2 / (1 - (at.setting == 0 ? 0.5 : 0.99));
-        for (const ExitanceFindings& e : at.exitance) {
+        for (const ExitanceStatistics& e : at.exitance) {
             EXPECT_NEAR(e.exact / expected, 1, 1e-12);
             EXPECT_NEAR(e.q025 / expected, 1, 1e-12);
             EXPECT_NEAR(e.q975 / expected, 1, 1e-12);
@@ -252,7 +252,7 @@ TEST(SolverRuns, AreKeptForTheFirstTrialsOfTheMethodsOwnCompletion) {
     EXPECT_TRUE(of(0, Treatment::direct).settings[0].solvers.empty());
     const auto& solvers = of(0, Treatment::reciprocal).settings[0].solvers;
     ASSERT_EQ(solvers.size(), all_solvers.size());
-    for (const SolverFindings& found : solvers) {
+    for (const SolverStatistics& found : solvers) {
         EXPECT_EQ(found.runs, RadiosityRequest().solver_trials);
         EXPECT_EQ(found.runs, found.converged + found.diverged + found.stalled + found.exhausted);
         EXPECT_FALSE(found.residuals.empty());

@@ -40,9 +40,9 @@ TEST(EnclosureStudy, IsExactForAFurnace) {
             EXPECT_NEAR(system.properties.spectral_radius.middle(), furnace.light.reflectance[system.setting].front(),
                         1e-11);
         }
-        for (const SettingFindings& at : results.consequences[0].settings) {
+        for (const SettingStatistics& at : results.consequences[0].settings) {
             const double expected = 3 / (1 - furnace.light.reflectance[at.setting].front());
-            for (const ExitanceFindings& e : at.exitance) EXPECT_NEAR(e.q975 / expected, 1, 1e-12) << furnace.name;
+            for (const ExitanceStatistics& e : at.exitance) EXPECT_NEAR(e.q975 / expected, 1, 1e-12) << furnace.name;
         }
     }
 }
@@ -55,8 +55,8 @@ TEST(EnclosureStudy, DrawsRaysWithTheExactFactors) {
     drawn.light.reflectance = {{0.5}};
     drawn.light.solver_trials = 0;
     const EnclosureResults results = study_enclosure(drawn);
-    const SettingFindings& at = results.consequences[0].settings[0];
-    for (const ExitanceFindings& e : at.exitance) {
+    const SettingStatistics& at = results.consequences[0].settings[0];
+    for (const ExitanceStatistics& e : at.exitance) {
         const double error = *e.std / std::sqrt(2000.0);
         EXPECT_LT(5.4 * error, 0.01 * e.exact);
         EXPECT_LT(std::abs(*e.bias), 5.4 * error + 5e-4 * e.exact) << "a bias of order 1/N is there";

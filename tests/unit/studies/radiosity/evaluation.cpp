@@ -58,7 +58,7 @@ solver_trials = 0
         areas[i] = face_area(scene, static_cast<int>(i));
     }
     const double expected = areas.dot(inverse * own) / areas.sum();
-    const ExitanceFindings& all = results.find(0, Treatment::direct)->settings[0].exitance[0];
+    const ExitanceStatistics& all = results.find(0, Treatment::direct)->settings[0].exitance[0];
     const double error = *all.std / std::sqrt(trials);
     EXPECT_GT(expected, 6 * error) << "or the test would not see it";
     EXPECT_NEAR(*all.bias, expected, 5 * error);

@@ -26,8 +26,8 @@ tracer = "embree"
 samples_per_patch = 100
 )";
 
-Progress of_unit(std::size_t unit, double seconds, double squares) {
-    Progress progress;
+RunProgress of_unit(std::size_t unit, double seconds, double squares) {
+    RunProgress progress;
     progress.unit = unit;
     progress.processor_seconds = seconds;
     progress.processor_seconds_squared = squares;
@@ -67,7 +67,7 @@ TEST(MeasuredCosts, AreMeasuredByARun) {
     Store store = Store::create_or_resume(test::in_memory, plan);
     MeasuredCosts costs(plan);
     RunOptions options;
-    options.report = [&](const Progress& progress) { costs.add(progress); };
+    options.report = [&](const RunProgress& progress) { costs.add(progress); };
     run_study(store, options);
     for (const auto& cost : measured_costs(plan, {{std::string(costs_key), costs.in_context()}})) {
         ASSERT_TRUE(cost);

@@ -73,7 +73,7 @@ TEST_F(Run, ResumesAfterAStopAtAnyUnit) {
             std::atomic<bool> stop{false};
             RunOptions options;
             options.stop = &stop;
-            options.report = [&](const Progress& progress) { stop = progress.units_done >= units; };
+            options.report = [&](const RunProgress& progress) { stop = progress.units_done >= units; };
             const auto outcome = run_study(store, options);
             const auto done = store.finished_units();
             EXPECT_GE(std::accumulate(done.begin(), done.end(), std::size_t{0}), units);
@@ -89,7 +89,7 @@ TEST_F(Run, DoesNothingWhenAllIsDone) {
     const StudyPlan plan = mixed_plan();
     Store store = test::run(plan);
     RunOptions options;
-    options.report = [](const Progress&) { FAIL() << "a unit was done again"; };
+    options.report = [](const RunProgress&) { FAIL() << "a unit was done again"; };
     EXPECT_EQ(run_study(store, options), RunOutcome::complete);
 }
 
@@ -111,7 +111,7 @@ TEST_F(Run, KeepsOnlyAFewUnitsInMemoryWhileTheDiskIsSlow) {
     options.threads = threads;
     options.stop = &stop;
     // Nothing is taken from the threads while the first report lasts: they could do all 55 units in a tenth of it.
-    options.report = [&](const Progress&) {
+    options.report = [&](const RunProgress&) {
         if (stop) return;
         std::this_thread::sleep_for(std::chrono::milliseconds(300));
         stop = true;
@@ -195,7 +195,7 @@ TEST_F(Run, FinishesCurrentUnitsUnlessToldToDropThem) {
         RunOptions options;
         options.stop = &stop;
         if (drop) options.drop = &stop;
-        options.report = [&](const Progress&) {
+        options.report = [&](const RunProgress&) {
             gate.wait_until_a_trial_is_held();
             stop = true;
             gate.open();
@@ -235,9 +235,9 @@ TEST_F(Run, StopsWithinATrialThatWouldTakeHours) {
 
 TEST_F(Run, ReportsProgressThatGrowsToTheEnd) {
     Store store = Store::create_or_resume(test::in_memory, mixed_plan());
-    std::vector<Progress> reports;
+    std::vector<RunProgress> reports;
     RunOptions options;
-    options.report = [&](const Progress& progress) { reports.push_back(progress); };
+    options.report = [&](const RunProgress& progress) { reports.push_back(progress); };
     run_study(store, options);
     ASSERT_EQ(reports.size(), store.plan().units.size());
     for (std::size_t i = 0; i < reports.size(); ++i) EXPECT_EQ(reports[i].units_done, i + 1);

@@ -68,9 +68,9 @@ TEST(Until, RunsThePilotAndThenTheTrialsItsSpreadRequires) {
     EXPECT_GT(outcomes.front().trials, outcomes.back().trials);  // 64 rays need more trials than 256
     EXPECT_TRUE(all_reached(outcomes));
 
-    const Findings findings = analyse(store);
+    const Analysis findings = analyse(store);
     EXPECT_TRUE(findings.complete);
-    for (const CellFindings& found : findings.cells) {
+    for (const CellAnalysis& found : findings.cells) {
         const auto& interval = found.summary({QuantityKind::form_factor, 1, 6}).bias_interval;
         EXPECT_EQ(interval->method, "stein_two_stage");
         EXPECT_LE(interval->width() / 2, 0.008);
@@ -108,7 +108,7 @@ TEST(Until, DecidesTheSameAfterAnInterruptionAndForAnyThreads) {
         std::atomic<bool> stop{false};
         RunOptions options;
         options.stop = &stop;
-        options.report = [&](const Progress& progress) { stop = progress.units_done >= 1; };
+        options.report = [&](const RunProgress& progress) { stop = progress.units_done >= 1; };
         EXPECT_EQ(run_study(store, options), RunOutcome::stopped);
         EXPECT_FALSE(analyse(store).complete);
     }

@@ -35,7 +35,7 @@ GatesSpec spec_of(const Gate& gate) {
 }
 
 ReportedFile counts(const std::string& rows, std::string_view column = "count") {
-    return parse_reported(fmt::format("quantity,bin,{}\n{}", column, rows), "file.csv", Errors::optional);
+    return parse_reported(fmt::format("quantity,bin,{}\n{}", column, rows), "file.csv", StandardErrors::optional);
 }
 
 std::string refusal_to_judge(const Gate& gate, const ReportedFile& file, const ReportedFile* against) {
@@ -71,7 +71,7 @@ TEST(DistributionGates, RefuseFilesThatCannotBeCompared) {
     EXPECT_THAT(refusal_to_judge(distribution_gate(0.1), none, &file), HasSubstr("nothing would be compared"));
     EXPECT_THAT(refusal_to_judge(distribution_gate(0.1), short_of_one, &file), HasSubstr("holds shares"));
     EXPECT_THAT(refusal_to_judge(distribution_gate(0.1), file, nullptr), HasSubstr("--against"));
-    const auto means = parse_reported("quantity,mean,standard_error\nx,1,0.1\n", "means.csv", Errors::required);
+    const auto means = parse_reported("quantity,mean,standard_error\nx,1,0.1\n", "means.csv", StandardErrors::required);
     EXPECT_THAT(refusal_to_judge(distribution_gate(0.1), means, &file), HasSubstr("is not for means.csv"));
     Gate equal = distribution_gate(0.1);
     equal.kind = GateKind::equal;

@@ -87,7 +87,7 @@ TEST(MeasureMean, DetectsLessWhereValuesMayBeSkewed) {
 }
 
 TEST(MeasureSpread, IsOneForTheReferenceItself) {
-    const auto spread = *stats::spread_of(stats::moments_of(eight_values));
+    const auto spread = *stats::mean_square_of(stats::moments_of(eight_values));
     const double sigma = std::sqrt(spread.mean_square);
     const Measurement measurement = measure_spread(spread, sigma, {0.5, 2}, usual_levels);
     EXPECT_DOUBLE_EQ(measurement.value, 1);
@@ -102,7 +102,7 @@ TEST(MeasureSpread, IsOneForTheReferenceItself) {
 }
 
 TEST(MeasureSpread, LooksBelowABandWithoutUpperEnd) {
-    const auto spread = *stats::spread_of(stats::moments_of(eight_values));
+    const auto spread = *stats::mean_square_of(stats::moments_of(eight_values));
     EXPECT_LT(
         measure_spread(spread, 1, {0.9, std::numeric_limits<double>::infinity()}, usual_levels).minimum_detectable,
         0.9);

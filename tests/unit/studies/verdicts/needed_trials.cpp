@@ -70,7 +70,7 @@ TEST(NeededTrials, LetARatioOfOnePassWithTheStatedPower) {
     const Band band{1 / 1.2, 1.2};
     const auto trials = *trials_for_ratio(band, 0, std::numeric_limits<double>::infinity(), strict_levels, 1);
     expect_power([&] {
-        const auto spread = stats::spread_of(stats::moments_of(test::normal_sample(trials, engine)));
+        const auto spread = stats::mean_square_of(stats::moments_of(test::normal_sample(trials, engine)));
         return judge(measure_spread(*spread, 1, band, strict_levels), band) == Verdict::pass;
     });
 }
@@ -81,8 +81,8 @@ TEST(NeededTrials, LetARatioToABaselinePassWithTheStatedPower) {
     constexpr std::size_t stored = 800;
     const auto trials = *trials_for_ratio(band, 0, stored - 1, strict_levels, 1);
     expect_power([&] {
-        const auto then = stats::spread_of(stats::moments_of(test::normal_sample(stored, engine)));
-        const auto now = stats::spread_of(stats::moments_of(test::normal_sample(trials, engine)));
+        const auto then = stats::mean_square_of(stats::moments_of(test::normal_sample(stored, engine)));
+        const auto now = stats::mean_square_of(stats::moments_of(test::normal_sample(trials, engine)));
         return judge(measure_spread(*now, *then, band, strict_levels), band) == Verdict::pass;
     });
 }

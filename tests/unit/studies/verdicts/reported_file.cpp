@@ -10,7 +10,7 @@ namespace {
 
 using testing::HasSubstr;
 
-ReportedFile parse(std::string_view text, Errors errors = Errors::required) {
+ReportedFile parse(std::string_view text, StandardErrors errors = StandardErrors::required) {
     return parse_reported(text, "new.csv", errors);
 }
 
@@ -33,7 +33,7 @@ TEST(ParseReported, ReadsColumnsInAnyOrderAndSortsBinsAsNumbers) {
 }
 
 TEST(ParseReported, TakesExactValuesWhereErrorsAreOptional) {
-    EXPECT_FALSE(parse("quantity,mean\na,1\n", Errors::optional).has_errors);
+    EXPECT_FALSE(parse("quantity,mean\na,1\n", StandardErrors::optional).has_errors);
     EXPECT_THAT(refusal_of_reported_file("quantity,mean\na,1\n"),
                 HasSubstr("new.csv:1:1: column 'standard_error' is missing"));
 }

@@ -29,7 +29,7 @@ ReportedFile file_of_bins(std::size_t bins, std::size_t runs, std::uint64_t seed
             text += fmt::format("flux,{},{},{},{},1000\n", bin, run, 1 + reported_sigma * (bias + normal(engine)),
                                 factor * reported_sigma);
     }
-    return parse_reported(text, "file.csv", Errors::required);
+    return parse_reported(text, "file.csv", StandardErrors::required);
 }
 
 Gate reported_gate(GateKind kind, Band band) {
@@ -162,7 +162,7 @@ struct Correlated {
         gate.reference = 1;
         gate.combine = Combination::chi_squared;
         gate.covariance = file;
-        return judged(gate, parse_reported(text, "file.csv", Errors::required));
+        return judged(gate, parse_reported(text, "file.csv", StandardErrors::required));
     }
 };
 
@@ -194,9 +194,9 @@ TEST(JudgeReported, RefusesImpossibleCovariances) {
 }
 
 TEST(JudgeReported, NeverPassesWithEmptyBins) {
-    const auto file =
-        parse_reported("quantity,bin,mean,standard_error\nflux,0,1,0.001\nflux,1,0,0\n", "a.csv", Errors::required);
-    const auto old = parse_reported("quantity,bin,mean\nflux,0,1\nflux,1,1\n", "b.csv", Errors::optional);
+    const auto file = parse_reported("quantity,bin,mean,standard_error\nflux,0,1,0.001\nflux,1,0,0\n", "a.csv",
+                                     StandardErrors::required);
+    const auto old = parse_reported("quantity,bin,mean\nflux,0,1\nflux,1,1\n", "b.csv", StandardErrors::optional);
     const auto result = judged(reported_gate(GateKind::bias, {-0.1, 0.1}), file, &old);
     EXPECT_EQ(result.verdict, Verdict::inconclusive);
     EXPECT_THAT(result.note, HasSubstr("1 bin that no sample fell into is not judged"));
@@ -212,7 +212,7 @@ ReportedFile file_of_hits(std::size_t bins, std::size_t runs, std::uint64_t tria
         for (std::size_t bin = 0; bin < bins; ++bin)
             text += fmt::format("flux,{},{},{},{}\n", bin, run, together * hits(engine), trials);
     }
-    return parse_reported(text, "hits.csv", Errors::required);
+    return parse_reported(text, "hits.csv", StandardErrors::required);
 }
 
 Gate share_gate(double reference, double band) {
@@ -259,13 +259,14 @@ TEST(JudgeShares, AreInconclusiveWhereHitsComeInBursts) {
 TEST(JudgeShares, RefuseInvalidShares) {
     const auto refusal = [](const char* rows) {
         return test::message_of<UserError>(
-            [&] { parse_reported(std::string("quantity,hits,n\n") + rows, "f.csv", Errors::required); });
+            [&] { parse_reported(std::string("quantity,hits,n\n") + rows, "f.csv", StandardErrors::required); });
     };
     EXPECT_THAT(refusal("a,3,2\n"), HasSubstr("more hits than the 2 trials"));
     EXPECT_THAT(refusal("a,0.5,2\n"), HasSubstr("not a whole number"));
     EXPECT_THAT(refusal("a,1,2.5\n"), HasSubstr("not a whole number up to 2^53"));
-    EXPECT_THAT(test::message_of<UserError>([] { parse_reported("quantity,hits\na,1\n", "f.csv", Errors::required); }),
-                HasSubstr("column 'n' is missing"));
+    EXPECT_THAT(
+        test::message_of<UserError>([] { parse_reported("quantity,hits\na,1\n", "f.csv", StandardErrors::required); }),
+        HasSubstr("column 'n' is missing"));
 }
 
 TEST(PlanReported, SaysHowManyRunsAreNeeded) {
@@ -320,7 +321,7 @@ TEST(IndependentBins, AreNotJudgedWhenCorrelated) {
             text += fmt::format("flux,{},{},{},{}\n", bin, run, 1 + reported_sigma * (common + 0.7 * normal(engine)),
                                 reported_sigma);
     }
-    const auto result = judged(independent_gate(1e-9), parse_reported(text, "file.csv", Errors::required));
+    const auto result = judged(independent_gate(1e-9), parse_reported(text, "file.csv", StandardErrors::required));
     EXPECT_EQ(result.verdict, Verdict::inconclusive);
     EXPECT_THAT(result.note, HasSubstr("vary together from run to run"));
 }
