@@ -16,11 +16,11 @@ using namespace ff;
 
 void form_factors(benchmark::State& state, const char* name, double tolerance) {
     const Scene scene = built_in_scene(name);
-    studies::FormFactorRequest request;
+    studies::form_factors::Request request;
     request.tolerance = tolerance;
-    studies::FormFactorMatrix matrix;
+    studies::form_factors::Matrix matrix;
     for (auto _ : state) {
-        matrix = studies::find_form_factors(scene, request);
+        matrix = studies::form_factors::find_matrix(scene, request);
         benchmark::DoNotOptimize(matrix.exchanges.data());
         ++request.seed.value;
     }
@@ -35,13 +35,13 @@ BENCHMARK_CAPTURE(form_factors, coaxial_discs, "coaxial_discs_equal", 1e-4)->Uni
 
 void a_point(benchmark::State& state, const char* name) {
     const Scene scene = built_in_scene(name);
-    const studies::FacePairs geometry = studies::examine_pairs(scene, {});
+    const studies::form_factors::FacePairs geometry = studies::form_factors::examine_pairs(scene, {});
     const auto pair =
         std::find_if(geometry.pairs.begin(), geometry.pairs.end(), [](const auto& p) { return p.by_points; });
-    const studies::PointSampling sampling(scene, pair->sampled.front(), 1e-4);
+    const studies::form_factors::PointSampling sampling(scene, pair->sampled.front(), 1e-4);
     constexpr std::uint64_t points = 4096;
     std::uint32_t randomisation = 0;
-    studies::PointSums sum;
+    studies::form_factors::PointSums sum;
     for (auto _ : state) {
         sampling.run({}, randomisation++, points, nullptr, {&sum, 1});
         benchmark::DoNotOptimize(sum);
@@ -57,10 +57,10 @@ BENCHMARK_CAPTURE(a_point, nested_cubes, "nested_cubes");
 
 void a_ray(benchmark::State& state, const char* name) {
     const Scene scene = built_in_scene(name);
-    const studies::FacePairs geometry = studies::examine_pairs(scene, {});
+    const studies::form_factors::FacePairs geometry = studies::form_factors::examine_pairs(scene, {});
     const auto pair =
         std::find_if(geometry.pairs.begin(), geometry.pairs.end(), [](const auto& p) { return p.is_sampled(); });
-    const studies::RaySampling sampling(scene, geometry, pair->from, {pair->to});
+    const studies::form_factors::RaySampling sampling(scene, geometry, pair->from, {pair->to});
     const auto tracer = make_tracer(scene, TracerChoice::automatic);
     constexpr std::uint64_t rays = 65536;
     std::uint32_t randomisation = 0;

@@ -57,11 +57,11 @@ struct EnclosureCommand {
 
 /// Options of `ffstudy form_factors`.
 struct FormFactorsCommand {
-    std::string scene;                   ///< built-in name, or a file; empty: load a matrix
-    std::filesystem::path load;          ///< folder or store of an earlier run; empty: none
-    std::string faces = "group";         ///< or "polygon", "material": what makes a face of an OBJ file or a mesh
-    bool closed = false;                 ///< treat an OBJ file or a mesh as closed
-    studies::FormFactorRequest request;  ///< except seed, threads and the meaning of level
+    std::string scene;                       ///< built-in name, or a file; empty: load a matrix
+    std::filesystem::path load;              ///< folder or store of an earlier run; empty: none
+    std::string faces = "group";             ///< or "polygon", "material": what makes a face of an OBJ file or a mesh
+    bool closed = false;                     ///< treat an OBJ file or a mesh as closed
+    studies::form_factors::Request request;  ///< except seed, threads and the meaning of level
     std::uint64_t seed = 1;
     std::optional<unsigned> threads;
     std::optional<std::string> max_time;

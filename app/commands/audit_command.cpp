@@ -15,7 +15,7 @@ ExitCode audit(const AuditCommand& command) {
     const auto tables = studies::read_published_tables(command.tables);
     const auto found = [&] {
         try {
-            return studies::audit(tables);
+            return studies::audit::examine(tables);
         } catch (const UserError& error) {
             throw UserError(fmt::format("{}: {}", command.tables.string(), error.what()));
         }

@@ -33,20 +33,20 @@
 namespace ff::app {
 namespace {
 
-using studies::Against;
-using studies::GatePlan;
-using studies::GatePurpose;
-using studies::GatesSpec;
+using studies::gates::Against;
+using studies::gates::GatePurpose;
+using studies::gates::Plan;
+using studies::gates::Spec;
 using Clock = std::chrono::steady_clock;
 
 /// What all ways of running gates need.
 struct Check {
     const CheckCommand& command;
-    GatesSpec spec;
-    std::optional<studies::Baseline> baseline;
-    studies::GateRunOptions options;
+    Spec spec;
+    std::optional<studies::gates::Baseline> baseline;
+    studies::gates::GateRunOptions options;
 
-    [[nodiscard]] const studies::Baseline* baseline_or_null() const { return baseline ? &*baseline : nullptr; }
+    [[nodiscard]] const studies::gates::Baseline* baseline_or_null() const { return baseline ? &*baseline : nullptr; }
     [[nodiscard]] CheckSession session(PrepareGates prepare_gates) const {
         const auto line = fmt::format("ffstudy check {} --seed {}", command.bands.string(), spec.seed.value);
         return {command, spec, describe_run(line, options.threads, 0), std::move(prepare_gates)};
@@ -59,38 +59,38 @@ double seconds_since(Clock::time_point start) {
 
 Check begin(const CheckCommand& command, const OutsideOptions& outside) {
     admit_code_of(command.bands, studies::FileKind::bands, outside);
-    Check check{command, studies::load_bands(command.bands, studies::read_experiment), std::nullopt, {}};
+    Check check{command, studies::gates::load_bands(command.bands, studies::gates::read_experiment), std::nullopt, {}};
     if (command.seed) check.spec.seed = checked_seed(*command.seed);
     if (command.fresh_seed) check.spec.seed = fresh_seed();
     if (!command.baseline.empty())
-        check.baseline = studies::parse_baseline(studies::read_text_file(command.baseline, studies::FileKind::baseline),
-                                                 command.baseline.string());
+        check.baseline = studies::gates::parse_baseline(
+            studies::read_text_file(command.baseline, studies::FileKind::baseline), command.baseline.string());
     check.options.threads = thread_count(command.threads);
     return check;
 }
 
 /// All gates, so that what is wrong with one is found before any is run.
-std::vector<GatePlan> prepare(const Check& check, GatePurpose purpose) {
-    std::vector<GatePlan> plans;
+std::vector<Plan> prepare(const Check& check, GatePurpose purpose) {
+    std::vector<Plan> plans;
     for (std::size_t gate = 0; gate < check.spec.gates.size(); ++gate) {
         if (check.spec.gates[gate].from_estimates()) continue;
         const bool stored = check.spec.gates[gate].against == Against::baseline;
         if (purpose == GatePurpose::save_baseline && !stored) continue;
-        plans.push_back(studies::at_gate(
+        plans.push_back(studies::gates::at_gate(
             check.spec.gates[gate], [&] { return prepare_gate(check.spec, gate, purpose, check.baseline_or_null()); }));
     }
     return plans;
 }
 
 // Signals end the program at once: verdicts are written after every gate. So these go on to their end.
-std::uint64_t plan(const Check& check, GatePlan& gate) {
-    return studies::at_gate(check.spec.gates[gate.gate],
-                            [&] { return plan_trials(check.spec, gate, check.options).value(); });
+std::uint64_t plan(const Check& check, Plan& gate) {
+    return studies::gates::at_gate(check.spec.gates[gate.gate],
+                                   [&] { return plan_trials(check.spec, gate, check.options).value(); });
 }
 
-studies::GateResult run_planned(const Check& check, const GatePlan& gate, std::uint64_t pilot) {
-    studies::GateResult result = studies::at_gate(check.spec.gates[gate.gate],
-                                                  [&] { return run_gate(check.spec, gate, check.options).value(); });
+studies::gates::GateResult run_planned(const Check& check, const Plan& gate, std::uint64_t pilot) {
+    studies::gates::GateResult result = studies::gates::at_gate(
+        check.spec.gates[gate.gate], [&] { return run_gate(check.spec, gate, check.options).value(); });
     result.evaluations += pilot;
     return result;
 }
@@ -100,7 +100,7 @@ double seconds_per_trial(double seconds, unsigned threads, std::uint64_t trials)
 }
 
 /// Speed beside the baseline's: it depends on the machine, so it is told and not judged.
-std::string speed_note(const GatePlan& gate, double seconds, unsigned threads, std::uint64_t looks) {
+std::string speed_note(const Plan& gate, double seconds, unsigned threads, std::uint64_t looks) {
     if (gate.stored_seconds_per_trial == 0) return {};
     const std::uint64_t trials = looks * std::accumulate(gate.trials.begin(), gate.trials.end(), std::uint64_t{0});
     return fmt::format("{:.3g} s a trial and core; the baseline took {:.3g} s",
@@ -110,7 +110,7 @@ std::string speed_note(const GatePlan& gate, double seconds, unsigned threads, s
 ExitCode show_plan(Check& check) {
     auto plans = prepare(check, check.command.save_baseline.empty() ? GatePurpose::check : GatePurpose::save_baseline);
     const auto files = plan_file(check.command, check.spec);
-    for (GatePlan& gate : plans) plan(check, gate);
+    for (Plan& gate : plans) plan(check, gate);
     fmt::print("{}", reports::gates_plan(check.spec, files, plans, check.options.threads));
     return ExitCode::passed;
 }
@@ -122,8 +122,8 @@ ExitCode save_baseline(Check& check, const CheckSession& session) {
             fmt::format("{}: no gate compares with a baseline (there is nothing to save). Add reference = "
                         "\"baseline\" to a gate, or one of kind \"efficiency\".",
                         check.command.bands.string()));
-    studies::Baseline baseline;
-    for (GatePlan& gate : plans) {
+    studies::gates::Baseline baseline;
+    for (Plan& gate : plans) {
         plan(check, gate);
         const auto start = Clock::now();
         auto stored = run_to_store(check.spec, gate, check.options).value();
@@ -144,7 +144,7 @@ ExitCode save_baseline(Check& check, const CheckSession& session) {
 RunGates prepare_to_run(const Check& check) {
     auto plans = prepare(check, GatePurpose::check);
     std::vector<std::uint64_t> pilots;
-    for (GatePlan& gate : plans) pilots.push_back(plan(check, gate));
+    for (Plan& gate : plans) pilots.push_back(plan(check, gate));
     return [check, plans = std::move(plans), pilots = std::move(pilots)](const Tell& tell) {
         for (std::size_t i = 0; i < plans.size(); ++i) {
             const auto begun = Clock::now();
@@ -157,10 +157,10 @@ RunGates prepare_to_run(const Check& check) {
 }
 
 /// Verdicts of all gates.
-std::vector<studies::Verdict> verdicts_with_seed(Check check, std::uint64_t seed) {
+std::vector<studies::gates::Verdict> verdicts_with_seed(Check check, std::uint64_t seed) {
     check.spec.seed = checked_seed(seed);
-    std::vector<studies::Verdict> verdicts;
-    for (GatePlan& gate : prepare(check, GatePurpose::check))
+    std::vector<studies::gates::Verdict> verdicts;
+    for (Plan& gate : prepare(check, GatePurpose::check))
         verdicts.push_back(run_planned(check, gate, plan(check, gate)).verdict);
     return verdicts;
 }
@@ -176,11 +176,11 @@ ExitCode sweep(Check& check, const CheckSession& session) {
     OutputFolder folder = open_folder(out, {"seed_sweep.csv"});
     const std::uint64_t first = check.spec.seed.value;
     const unsigned threads = std::exchange(check.options.threads, 1u);
-    std::vector<studies::SeedSweep> sweeps;
-    for (const studies::Gate& gate : check.spec.gates) sweeps.push_back({gate.name, 0, 0, 0});
+    std::vector<studies::gates::SeedSweep> sweeps;
+    for (const studies::gates::Gate& gate : check.spec.gates) sweeps.push_back({gate.name, 0, 0, 0});
     session.print(reports::gates_heading(check.spec));
     for (std::uint64_t done = 0; done < seeds;) {
-        std::vector<std::vector<studies::Verdict>> verdicts(std::min<std::uint64_t>(threads, seeds - done));
+        std::vector<std::vector<studies::gates::Verdict>> verdicts(std::min<std::uint64_t>(threads, seeds - done));
         studies::for_each_index(verdicts.size(), static_cast<unsigned>(verdicts.size()),
                                 [&](std::uint64_t i) { verdicts[i] = verdicts_with_seed(check, first + done + i); });
         done += verdicts.size();
@@ -194,10 +194,10 @@ ExitCode sweep(Check& check, const CheckSession& session) {
     session.print(fmt::format("\nResults: {}\n", (out / "seed_sweep.csv").string()));
     const auto any = [&](auto rate) {
         return std::any_of(sweeps.begin(), sweeps.end(),
-                           [&](const studies::SeedSweep& s) { return rate(s, check.spec).exceeded; });
+                           [&](const studies::gates::SeedSweep& s) { return rate(s, check.spec).exceeded; });
     };
-    if (any(studies::failure_rate)) return ExitCode::failed;
-    return any(studies::inconclusive_rate) ? ExitCode::inconclusive : ExitCode::passed;
+    if (any(studies::gates::failure_rate)) return ExitCode::failed;
+    return any(studies::gates::inconclusive_rate) ? ExitCode::inconclusive : ExitCode::passed;
 }
 
 }  // namespace
@@ -209,7 +209,7 @@ ExitCode check(const CheckCommand& command, const OutsideOptions& outside) {
         save_means(command);
         return ExitCode::passed;
     }
-    const CheckSession session = check.session([check](const GatesSpec& spec) {
+    const CheckSession session = check.session([check](const Spec& spec) {
         Check of_look = check;
         of_look.spec = spec;
         return prepare_to_run(of_look);

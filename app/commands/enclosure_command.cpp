@@ -15,8 +15,8 @@
 namespace ff::app {
 namespace {
 
-void write_enclosure_files(const std::filesystem::path& folder, const studies::EnclosureRequest& request,
-                           const studies::EnclosureResults& results, const std::string& text) {
+void write_enclosure_files(const std::filesystem::path& folder, const studies::radiosity::EnclosureRequest& request,
+                           const studies::radiosity::EnclosureResults& results, const std::string& text) {
     OutputFolder out(folder, "enclosure");
     out.write("enclosure.md", text);
     for (const auto& [file, matrix] :
@@ -31,14 +31,14 @@ void write_enclosure_files(const std::filesystem::path& folder, const studies::E
 }  // namespace
 
 ExitCode enclosure(const EnclosureCommand& command) {
-    studies::EnclosureRequest request;
+    studies::radiosity::EnclosureRequest request;
     request.name = command.name;
     request.mirror = command.mirror;
     set_light(request.light, command.light);
     request.rays = command.rays;
     request.trials = command.trials;
     request.seed = checked_seed(command.seed);
-    const studies::EnclosureResults results = studies::study_enclosure(request);
+    const studies::radiosity::EnclosureResults results = studies::radiosity::study_enclosure(request);
     const std::string text = reports::enclosure_text(request, results);
     if (!command.out.empty()) write_enclosure_files(command.out, request, results, text);
     if (!command.quiet) fmt::print("{}", text);

@@ -94,31 +94,32 @@ void write_matrix(OutputFolder& folder, const std::string& file, const Eigen::Ma
 }
 
 /// Writes a sparse matrix. Files that store zeros as well are left out where there are very many faces.
-void write_matrix(OutputFolder& folder, const std::string& file, const studies::FormFactorMatrix::Sparse& matrix,
+void write_matrix(OutputFolder& folder, const std::string& file, const studies::form_factors::Matrix::Sparse& matrix,
                   const std::string& comment) {
     folder.write(file + ".npz", [&](std::ostream& out) { reports::write_sparse_npz(out, matrix); });
-    if (matrix.rows() <= static_cast<Eigen::Index>(studies::most_dense_faces))
+    if (matrix.rows() <= static_cast<Eigen::Index>(studies::form_factors::most_dense_faces))
         write_matrix(folder, file, Eigen::MatrixXd(matrix), comment);
 }
 
 /// Writes files for other programs, and the intervals of the values in them.
-void hand_on_files(OutputFolder& folder, const studies::KeptFormFactors& kept,
+void hand_on_files(OutputFolder& folder, const studies::form_factors::KeptMatrix& kept,
                    const std::vector<std::string>& formats) {
     if (formats.empty()) return;
     const auto said = studies::make_scene_with_materials(kept.source).materials;
     std::vector<std::optional<double>> emissivities;
-    for (std::size_t face = 0; face < said.size(); ++face) emissivities.push_back(studies::said_emissivity(said, face));
+    for (std::size_t face = 0; face < said.size(); ++face)
+        emissivities.push_back(studies::heat::said_emissivity(said, face));
     const auto handed = reports::hand_on(kept.scene, kept.matrix, std::move(emissivities));
     for (const reports::ProgramFile& file : reports::files_of_formats(formats, kept.scene))
         folder.write(std::string(file.name), [&](std::ostream& out) { file.write(out, handed); });
     folder.write("intervals.csv", [&](std::ostream& out) { reports::write_intervals(out, handed); });
 }
 
-void write_matrix_files(OutputFolder& folder, const studies::KeptFormFactors& kept) {
-    folder.replace(matrix_store_file, [&](const auto& file) { studies::save_form_factors(file, kept); });
+void write_matrix_files(OutputFolder& folder, const studies::form_factors::KeptMatrix& kept) {
+    folder.replace(matrix_store_file, [&](const auto& file) { studies::form_factors::save_matrix(file, kept); });
     const reports::FormFactorReport report{kept.scene, kept.request, kept.matrix};
     const auto& [scene, request, matrix] = report;
-    if (matrix.faces() <= studies::most_dense_faces)
+    if (matrix.faces() <= studies::form_factors::most_dense_faces)
         folder.write("matrix.csv", [&](std::ostream& out) { reports::write_form_factors_csv(out, report); });
     write_matrix(folder, "form_factors", matrix.factors(), scene.name);
     write_matrix(folder, "half_widths", matrix.half_widths(), scene.name);
@@ -126,7 +127,7 @@ void write_matrix_files(OutputFolder& folder, const studies::KeptFormFactors& ke
                  Eigen::Map<const Eigen::VectorXd>(matrix.areas.data(), static_cast<Eigen::Index>(matrix.areas.size())),
                  scene.name);
     if (matrix.repaired && matrix.repaired->possible)
-        write_matrix(folder, "repaired", studies::FormFactorMatrix::Sparse(matrix.repaired->factors.sparseView()),
+        write_matrix(folder, "repaired", studies::form_factors::Matrix::Sparse(matrix.repaired->factors.sparseView()),
                      scene.name);
     folder.write("form_factors.json", reports::form_factors_json(report));
     folder.write("context.json", reports::context_json(kept.context));
@@ -134,11 +135,11 @@ void write_matrix_files(OutputFolder& folder, const studies::KeptFormFactors& ke
                                                     reports::program_label(kept.context), find_templates({})));
 }
 
-studies::FormFactorRequest request_of(const FormFactorsCommand& command) {
-    studies::FormFactorRequest request = command.request;
+studies::form_factors::Request request_of(const FormFactorsCommand& command) {
+    studies::form_factors::Request request = command.request;
     request.seed = checked_seed(command.seed);
     request.threads = thread_count(command.threads);
-    if (command.whole_matrix) request.level_of = studies::LevelOf::matrix;
+    if (command.whole_matrix) request.level_of = studies::form_factors::LevelOf::matrix;
     request.stop = &stop_flag();
     return request;
 }
@@ -155,7 +156,7 @@ std::string in_words(const FormFactorsCommand& command) {
 }
 
 /// Prints and writes what was found or loaded.
-void show(studies::KeptFormFactors& kept, const FormFactorsCommand& command, OutputFolder* out) {
+void show(studies::form_factors::KeptMatrix& kept, const FormFactorsCommand& command, OutputFolder* out) {
     const reports::FormFactorReport report{kept.scene, kept.request, kept.matrix};
     kept.warnings = reports::form_factor_warnings(report);
     for (const std::string& warning : kept.warnings) say("warning: {}\n", warning);
@@ -175,19 +176,19 @@ std::unique_ptr<OutputFolder> open_matrix_folder(const FormFactorsCommand& comma
     return std::make_unique<OutputFolder>(command.out, "matrix", names);
 }
 
-ExitCode exit_code_of(const studies::KeptFormFactors& kept) {
-    const bool trusted = studies::is_trusted(kept.scene, kept.matrix, kept.request.tolerance);
+ExitCode exit_code_of(const studies::form_factors::KeptMatrix& kept) {
+    const bool trusted = studies::form_factors::is_trusted(kept.scene, kept.matrix, kept.request.tolerance);
     return kept.matrix.missed() == 0 && trusted ? ExitCode::passed : ExitCode::inconclusive;
 }
 
 ExitCode load(const FormFactorsCommand& command) {
-    studies::KeptFormFactors kept = load_kept_form_factors(command);
+    studies::form_factors::KeptMatrix kept = load_kept_form_factors(command);
     if (command.request.repair) expect_nothing_dropped(kept, "--repair");
     if (!command.formats.empty()) expect_nothing_dropped(kept, "--format");
     if (command.request.repair && !kept.matrix.repaired) {
-        studies::expect_repairable(kept.scene);
+        studies::form_factors::expect_repairable(kept.scene);
         kept.request.repair = true;
-        kept.matrix.repaired = studies::repair(kept.matrix);
+        kept.matrix.repaired = studies::form_factors::repair(kept.matrix);
     }
     auto out = open_matrix_folder(command, kept.scene);
     show(kept, command, out.get());
@@ -196,30 +197,30 @@ ExitCode load(const FormFactorsCommand& command) {
 
 }  // namespace
 
-studies::KeptFormFactors prepare_form_factors(const FormFactorsCommand& command) {
-    studies::KeptFormFactors kept;
+studies::form_factors::KeptMatrix prepare_form_factors(const FormFactorsCommand& command) {
+    studies::form_factors::KeptMatrix kept;
     kept.request = request_of(command);
     kept.source = read_source(command);
     kept.scene = scene_without_mirrors(kept.source);
     return kept;
 }
 
-studies::KeptFormFactors load_kept_form_factors(const FormFactorsCommand& command) {
+studies::form_factors::KeptMatrix load_kept_form_factors(const FormFactorsCommand& command) {
     const bool is_folder = std::filesystem::is_directory(command.load);
     const auto file = is_folder ? command.load / matrix_store_file : command.load;
-    studies::KeptFormFactors kept = studies::load_form_factors(file);
+    studies::form_factors::KeptMatrix kept = studies::form_factors::load_matrix(file);
     if (!kept.was_checked) note_unchecked(file);
     kept.matrix.faults = studies::examine_scene(kept.scene).faults;
     return kept;
 }
 
-void expect_nothing_dropped(const studies::KeptFormFactors& kept, std::string_view what) {
+void expect_nothing_dropped(const studies::form_factors::KeptMatrix& kept, std::string_view what) {
     if (kept.request.drop == 0) return;
     throw UserError(fmt::format("{}: the matrix was made with --drop {} ({} needs all pairs). Make it without.", what,
                                 kept.request.drop, what));
 }
 
-bool compute_form_factors(const FormFactorsCommand& command, studies::KeptFormFactors& kept,
+bool compute_form_factors(const FormFactorsCommand& command, studies::form_factors::KeptMatrix& kept,
                           const FindFormFactors& find) {
     std::optional<std::chrono::duration<double>> max_time;
     if (command.max_time) max_time = parse_duration(*command.max_time);
@@ -238,7 +239,7 @@ bool compute_form_factors(const FormFactorsCommand& command, studies::KeptFormFa
     std::optional<MemoryLimit> memory(max_memory);
     FormFactorDisplay display(kept.request.tolerance);
     if (!command.quiet && FormFactorDisplay::is_seen()) {
-        kept.request.report = [&](const studies::FormFactorProgress& progress) { display.show(progress); };
+        kept.request.report = [&](const studies::form_factors::Progress& progress) { display.show(progress); };
     }
     kept.matrix = find(kept.scene, kept.request);
     kept.matrix.faults = std::move(doubts.faults);
@@ -275,9 +276,10 @@ ExitCode form_factors(const FormFactorsCommand& command) {
 }
 
 ExitCode merge_form_factors(const MergeCommand& command) {
-    studies::KeptFormFactors kept;
+    studies::form_factors::KeptMatrix kept;
     FormFactorsCommand as_asked;
-    std::tie(kept.source, kept.request) = studies::matrix_of_kept_rows(rows_of(command.sources.front()).value());
+    std::tie(kept.source, kept.request) =
+        studies::form_factors::matrix_of_kept_rows(rows_of(command.sources.front()).value());
     kept.scene = scene_without_mirrors(kept.source);
     kept.request.threads = thread_count(std::nullopt);
     kept.request.finished.assign(kept.scene.faces.size(), true);  // nothing is sampled here
@@ -285,7 +287,7 @@ ExitCode merge_form_factors(const MergeCommand& command) {
     as_asked.request = kept.request;
     as_asked.scene = kept.source.title();
     as_asked.seed = kept.request.seed.value;
-    as_asked.whole_matrix = kept.request.level_of == studies::LevelOf::matrix;
+    as_asked.whole_matrix = kept.request.level_of == studies::form_factors::LevelOf::matrix;
     as_asked.quiet = command.quiet;
     as_asked.out = command.out;
     for (const auto& source : command.sources) {

@@ -28,12 +28,12 @@ namespace ff::app {
 namespace {
 
 /// Form factors of an earlier run. @throws UserError also where their intervals hold one by one only
-studies::KeptFormFactors load_of_all_at_once(const FormFactorsCommand& command) {
+studies::form_factors::KeptMatrix load_of_all_at_once(const FormFactorsCommand& command) {
     auto kept = load_kept_form_factors(command);
     expect_nothing_dropped(kept, "ffstudy heat");
     const bool sampled = std::any_of(kept.matrix.exchanges.begin(), kept.matrix.exchanges.end(),
                                      [](const auto& exchange) { return exchange.is_sampled(); });
-    if (sampled && kept.request.level_of != studies::LevelOf::matrix)
+    if (sampled && kept.request.level_of != studies::form_factors::LevelOf::matrix)
         throw UserError(
             fmt::format("--load {}: the level of its intervals is that of each by itself (flows need all at "
                         "once). Run 'ffstudy form_factors' again with --simultaneous.",
@@ -42,7 +42,7 @@ studies::KeptFormFactors load_of_all_at_once(const FormFactorsCommand& command) 
 }
 
 /// Either option, or what it is by default.
-studies::FlowTolerance flow_tolerance_of(const HeatCommand& command, const studies::Materials& materials) {
+studies::heat::FlowTolerance flow_tolerance_of(const HeatCommand& command, const studies::heat::Materials& materials) {
     const bool samples_flows = command.tolerance_of == "flux";
     if (samples_flows && command.flow_tolerance)
         throw UserError(
@@ -51,7 +51,7 @@ studies::FlowTolerance flow_tolerance_of(const HeatCommand& command, const studi
                         *command.flow_tolerance));
     const std::string_view option = samples_flows ? "--tolerance" : "--flow-tolerance";
     const auto& text = samples_flows ? command.tolerance : command.flow_tolerance;
-    const auto tolerance = text ? studies::read_flow_tolerance(option, *text) : studies::FlowTolerance{};
+    const auto tolerance = text ? studies::heat::read_flow_tolerance(option, *text) : studies::heat::FlowTolerance{};
     if (tolerance.is_power && materials.are_light())
         throw UserError(
             fmt::format("{} {} (light is in the units of its emission). Write a share, such as 0.1%.", option, *text));
@@ -77,18 +77,18 @@ ExitCode heat(const HeatCommand& command) {
     if (!is_loaded && command.factors.scene.empty()) throw UserError("SCENE is missing. See 'ffstudy heat --help'.");
     auto kept = is_loaded ? load_of_all_at_once(command.factors) : prepare_form_factors(command.factors);
     const auto said = studies::make_scene_with_materials(kept.source).materials;
-    const auto materials = studies::load_materials(command.materials, {kept.scene.faces, said});
+    const auto materials = studies::heat::load_materials(command.materials, {kept.scene.faces, said});
     const bool samples_flows = !is_loaded && command.tolerance_of == "flux";
-    const studies::FlowTolerance tolerance = flow_tolerance_of(command, materials);
+    const studies::heat::FlowTolerance tolerance = flow_tolerance_of(command, materials);
     if (!samples_flows && !is_loaded) kept.request.tolerance = factor_tolerance_of(command);
     std::optional<OutputFolder> out;
     if (!command.factors.out.empty())
         out.emplace(command.factors.out, "heat", std::vector<std::string>{"heat.csv", "gebhart.csv", "report.html"});
     for (const std::string& warning : materials.warnings) say("warning: {}\n", warning);
-    std::optional<studies::SampledFlows> sampled;
-    const auto find = [&](const Scene& scene, const studies::FormFactorRequest& request) {
-        if (!samples_flows) return studies::find_form_factors(scene, request);
-        sampled = studies::sample_flows(scene, request, materials, command.scale, tolerance);
+    std::optional<studies::heat::SampledFlows> sampled;
+    const auto find = [&](const Scene& scene, const studies::form_factors::Request& request) {
+        if (!samples_flows) return studies::form_factors::find_matrix(scene, request);
+        sampled = studies::heat::sample_flows(scene, request, materials, command.scale, tolerance);
         return std::move(sampled->matrix);
     };
     const bool by_signal = !is_loaded && compute_form_factors(command.factors, kept, find);
@@ -98,19 +98,19 @@ ExitCode heat(const HeatCommand& command) {
     for (const std::string& warning : warnings) say("warning: {}\n", warning);
     warnings.insert(warnings.begin(), materials.warnings.begin(), materials.warnings.end());
     const auto flows = sampled ? std::move(sampled->flows)
-                               : studies::find_heat_flows(kept.scene, kept.matrix, materials, command.scale);
+                               : studies::heat::find_flows(kept.scene, kept.matrix, materials, command.scale);
     const reports::HeatReport report{kept.scene, kept.request, materials, flows, sampled ? &*sampled : nullptr};
     if (!command.factors.quiet) fmt::print("{}", reports::heat_text(report, style_of_stdout()));
     if (out) out->write("heat.csv", [&](std::ostream& file) { reports::write_heat_csv(file, report); });
     if (out && command.gebhart) {
-        const auto gebhart = studies::find_gebhart_factors(kept.scene, kept.matrix, materials);
+        const auto gebhart = studies::heat::find_gebhart_factors(kept.scene, kept.matrix, materials);
         out->write("gebhart.csv", [&](std::ostream& file) { reports::write_gebhart_csv(file, kept.scene, gebhart); });
     }
     if (out)
         out->write("report.html", reports::scene_html(factors, warnings, &report, reports::program_label(kept.context),
                                                       find_templates({})));
     if (by_signal) return ExitCode::interrupted;
-    const bool trusted = studies::is_trusted(kept.scene, kept.matrix, kept.request.tolerance);
+    const bool trusted = studies::form_factors::is_trusted(kept.scene, kept.matrix, kept.request.tolerance);
     return trusted && flows.within(tolerance) ? ExitCode::passed : ExitCode::inconclusive;
 }
 

@@ -7,7 +7,8 @@
 
 namespace ff::app {
 
-void write_verdicts(OutputFolder& folder, const studies::CheckResults& check, const reports::JunitContext& context) {
+void write_verdicts(OutputFolder& folder, const studies::gates::CheckResults& check,
+                    const reports::JunitContext& context) {
     folder.write("verdicts.csv", [&](std::ostream& out) { reports::write_verdicts_csv(out, check); });
     folder.write("verdicts.json", reports::verdicts_json(check));
     folder.write("junit.xml", reports::junit_xml(check, context));

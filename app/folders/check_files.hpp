@@ -10,6 +10,7 @@ namespace ff::app {
 /// Writes verdicts.csv, verdicts.json, junit.xml, summary.md and summary.html of the finished gates, each completely or
 /// not at all.
 /// @throws IoError
-void write_verdicts(OutputFolder& folder, const studies::CheckResults& check, const reports::JunitContext& context);
+void write_verdicts(OutputFolder& folder, const studies::gates::CheckResults& check,
+                    const reports::JunitContext& context);
 
 }  // namespace ff::app

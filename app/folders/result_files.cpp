@@ -228,7 +228,7 @@ Evaluated evaluate_until_stopped(const studies::Store& store) {
     Evaluated evaluated{studies::evaluate(store, &stop_flag())};
     end_on_signals(evaluated_again);
     if (!evaluated.results.radiosity) return evaluated;
-    const auto trials = studies::patch_trials(plan, *evaluated.results.radiosity);
+    const auto trials = studies::radiosity::patch_trials(plan, *evaluated.results.radiosity);
     evaluated.to_the_end = trials.complete();
     if (!evaluated.to_the_end) {
         say("stopped with {} of {} trials put into systems between patches. All trials are saved: 'ffstudy report' on "

@@ -91,12 +91,12 @@ bool FormFactorDisplay::is_seen() {
     return ::isatty(STDERR_FILENO) == 1;
 }
 
-void FormFactorDisplay::show(const studies::FormFactorProgress& progress) {
+void FormFactorDisplay::show(const studies::form_factors::Progress& progress) {
     const auto now = Clock::now();
     if (now - last_ < pause_on_terminal) return;
     last_ = now;
     shown_ = true;
-    using Stage = studies::FormFactorProgress::Stage;
+    using Stage = studies::form_factors::Progress::Stage;
     const std::string stage = progress.stage == Stage::looking  ? "looking at pairs"
                               : progress.stage == Stage::pilots ? "pilot samples"
                                                                 : fmt::format("round {}", progress.round);

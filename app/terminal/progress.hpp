@@ -60,7 +60,7 @@ class FormFactorDisplay {
 
     /// Whether stderr is a terminal.
     [[nodiscard]] static bool is_seen();
-    void show(const studies::FormFactorProgress& progress);
+    void show(const studies::form_factors::Progress& progress);
     void finish() const;
 
   private:

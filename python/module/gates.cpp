@@ -32,14 +32,14 @@ struct Verdicts {
 /// @param bands  text of a bands file, which `origin` names in messages
 Verdicts judge(const std::string& bands, const std::string& origin, const std::filesystem::path& estimates,
                const std::filesystem::path& against) {
-    const auto spec = studies::parse_bands(bands, origin, nullptr);
+    const auto spec = studies::gates::parse_bands(bands, origin, nullptr);
     app::CheckCommand command;
     command.estimates = estimates;
     command.against = against;
-    const studies::CheckResults check{spec, app::judge_file(command, spec)};
+    const studies::gates::CheckResults check{spec, app::judge_file(command, spec)};
     Verdicts found;
     found.verdict = name(check.verdict());
-    for (const studies::GateResult& result : check.results) {
+    for (const studies::gates::GateResult& result : check.results) {
         std::string words = result.comparisons.empty() ? result.note : reports::gate_in_words(result);
         found.gates.emplace_back(result.gate, name(result.kind), name(result.verdict), std::move(words));
     }

@@ -44,7 +44,7 @@ Scene scene_of(const std::string& name, const std::optional<std::string>& text) 
 /// Matrices of more faces are sparse in Python: most pairs of large scenes do not see each other.
 constexpr Eigen::Index most_dense = 2048;
 
-using Sparse = studies::FormFactorMatrix::Sparse;
+using Sparse = studies::form_factors::Matrix::Sparse;
 
 /// NumPy's array, or SciPy's CSR where the matrix is large.
 py::object as_array(const Sparse& matrix) {
@@ -70,23 +70,23 @@ Factors form_factors(const std::string& name, const std::optional<std::string>& 
         const Scene scene = scene_of(name, text);
         if (!mirrors(scene).empty())
             throw UserError(fmt::format("scene '{}': mirrors (pairs are computed one by one). Leave them out.", name));
-        studies::FormFactorRequest request;
+        studies::form_factors::Request request;
         request.tolerance = tolerance;
         request.level = level;
-        if (simultaneous) request.level_of = studies::LevelOf::matrix;
+        if (simultaneous) request.level_of = studies::form_factors::LevelOf::matrix;
         request.seed = Seed{seed};
         request.threads = threads;
         request.max_samples = max_samples;
         request.stop = &stop;
         auto doubts = studies::examine_scene(scene);
-        auto matrix = studies::find_form_factors(scene, request);
+        auto matrix = studies::form_factors::find_matrix(scene, request);
         matrix.faults = doubts.faults;
         found.factors = matrix.factors();
         found.half_widths = matrix.half_widths();
         found.areas = matrix.areas;
         found.names = scene.faces;
         found.missed = matrix.missed();
-        found.trusted = studies::is_trusted(scene, matrix, tolerance);
+        found.trusted = studies::form_factors::is_trusted(scene, matrix, tolerance);
         found.samples = matrix.samples;
         found.faults = std::move(doubts.faults);
         found.notes = std::move(doubts.notes);

@@ -28,11 +28,11 @@ std::string columns_of(std::string_view name) {
 template <class Row>
 void for_each_setting(const studies::StudyResults& results, const Row& row) {
     const StudyPlan& plan = results.findings.plan;
-    for (const studies::Consequences& found : results.radiosity->consequences) {
-        for (const studies::SettingStatistics& at : found.settings) {
+    for (const studies::radiosity::Consequences& found : results.radiosity->consequences) {
+        for (const studies::radiosity::SettingStatistics& at : found.settings) {
             row(in_cell(plan, found.cell,
-                        {{"between", studies::name(found.between)},
-                         {"treatment", studies::name(found.treatment)},
+                        {{"between", studies::radiosity::name(found.between)},
+                         {"treatment", studies::radiosity::name(found.treatment)},
                          {"reflectance", plan.spec.radiosity->reflectance[at.setting]},
                          {"trials", at.trials}}),
                 found, at);
@@ -44,16 +44,17 @@ void for_each_setting(const studies::StudyResults& results, const Row& row) {
 template <class Row>
 void for_each_solver(const studies::StudyResults& results, const Row& row) {
     const StudyPlan& plan = results.findings.plan;
-    const auto add = [&](Json record, const std::vector<studies::SolverStatistics>& solvers) {
+    const auto add = [&](Json record, const std::vector<studies::radiosity::SolverStatistics>& solvers) {
         for (const auto& found : solvers) {
             record.update(solver_json(found));
             row(record, found);
         }
     };
-    for (const studies::ExactSystem& system : results.radiosity->exact) {
+    for (const studies::radiosity::ExactSystem& system : results.radiosity->exact) {
         Json record = exact_json(plan, system);
         record.update({{"study", plan.spec.name}, {"method", nullptr}, {"samples_per_patch", nullptr}});
-        record["between"] = studies::name(system.m == 0 ? studies::Between::faces : studies::Between::patches);
+        record["between"] = studies::radiosity::name(system.m == 0 ? studies::radiosity::Between::faces
+                                                                   : studies::radiosity::Between::patches);
         add(std::move(record), system.solvers);
     }
     for_each_setting(results, [&](const Json& record, const auto&, const auto& at) { add(record, at.solvers); });
@@ -74,7 +75,7 @@ void write_matrices_csv(std::ostream& out, const studies::StudyResults& results)
                          columns_of("closure_defect"), columns_of("reciprocity_defect"), columns_of("correction"),
                          columns_of("factor_error"), columns_of("dominant_below"), columns_of("convergent_below")));
     const StudyPlan& plan = results.findings.plan;
-    for (const studies::Consequences& found : results.radiosity->consequences)
+    for (const studies::radiosity::Consequences& found : results.radiosity->consequences)
         csv.add(in_cell(plan, found.cell, consequences_json(plan, found)));
 }
 
@@ -96,7 +97,7 @@ void write_exitance_csv(std::ostream& out, const studies::StudyResults& results)
                                     "median,q975",
                                     system_columns));
     for_each_setting(results, [&](Json record, const auto& found, const auto& at) {
-        for (const studies::ExitanceStatistics& element : at.exitance) {
+        for (const studies::radiosity::ExitanceStatistics& element : at.exitance) {
             record.update(exitance_json(results.findings.plan, found, element));
             csv.add(record);
         }
@@ -111,7 +112,7 @@ void write_solvers_csv(std::ostream& out, const studies::StudyResults& results) 
 
 void write_residuals_csv(std::ostream& out, const studies::StudyResults& results) {
     CsvRecords csv(out, fmt::format("{},reflectance,solver,iteration,residual", system_columns));
-    for_each_solver(results, [&](Json record, const studies::SolverStatistics& found) {
+    for_each_solver(results, [&](Json record, const studies::radiosity::SolverStatistics& found) {
         for (std::size_t i = 0; i < found.residuals.size(); ++i) {
             if (!is_written(i, found.residuals.size() - 1)) continue;
             record["iteration"] = i;

@@ -11,7 +11,7 @@
 
 namespace ff::reports {
 
-using studies::FaceExchange;
+using studies::form_factors::FaceExchange;
 
 namespace {
 
@@ -29,7 +29,7 @@ void write_row(std::ostream& out, const FormFactorReport& report, std::size_t fr
 
 void write_form_factors_csv(std::ostream& out, const FormFactorReport& report) {
     out << "from,to,factor,low,high,half_width,method,reason,samples,clipped,within\n";
-    const auto rows = studies::by_face(report.matrix.exchanges, report.matrix.faces());
+    const auto rows = studies::form_factors::by_face(report.matrix.exchanges, report.matrix.faces());
     for (std::size_t from = 0; from < rows.size(); ++from) {
         for (const std::uint32_t index : rows[from]) {
             const FaceExchange& exchange = report.matrix.exchanges[index];

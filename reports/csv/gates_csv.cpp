@@ -8,13 +8,13 @@
 #include <fmt/format.h>
 
 namespace ff::reports {
-void write_verdicts_csv(std::ostream& out, const studies::CheckResults& check) {
+void write_verdicts_csv(std::ostream& out, const studies::gates::CheckResults& check) {
     CsvRecords csv(out,
                    "gate,scene,method,patches_per_face,samples_per_patch,from_face,to_face,quantity,value,"
                    "ci_low=passing_interval/low,ci_high=passing_interval/high,band_low=band/low,band_high=band/high,"
                    "verdict,minimum_detectable,alpha,power");
-    for (const studies::GateResult& result : check.results) {
-        for (const studies::Comparison& comparison : result.comparisons) {
+    for (const studies::gates::GateResult& result : check.results) {
+        for (const studies::gates::Comparison& comparison : result.comparisons) {
             Json record = comparison_json(comparison);
             record["gate"] = result.gate;
             csv.add(record);
@@ -22,11 +22,11 @@ void write_verdicts_csv(std::ostream& out, const studies::CheckResults& check) {
     }
 }
 
-void write_seed_sweep_csv(std::ostream& out, const studies::GatesSpec& spec,
-                          std::span<const studies::SeedSweep> sweeps) {
+void write_seed_sweep_csv(std::ostream& out, const studies::gates::Spec& spec,
+                          std::span<const studies::gates::SeedSweep> sweeps) {
     out << "gate,seeds,fails,fail_rate,fail_ci_low,fail_ci_high,alpha,inconclusive,inconclusive_rate,"
            "inconclusive_ci_low,inconclusive_ci_high,inconclusive_allowed\n";
-    for (const studies::SeedSweep& sweep : sweeps) {
+    for (const studies::gates::SeedSweep& sweep : sweeps) {
         const auto failed = failure_rate(sweep, spec);
         const auto undecided = inconclusive_rate(sweep, spec);
         out << fmt::format("{},{},{},{},{},{},{},{},{},{},{},{}\n", csv_field(sweep.gate), sweep.seeds, sweep.fails,

@@ -17,9 +17,9 @@ void write_heat_csv(std::ostream& out, const HeatReport& report) {
     }
     out << '\n';
     for (std::size_t i = 0; i < report.scene.faces.size(); ++i) {
-        const studies::FaceFlow& flow = report.flows.faces[i];
+        const studies::heat::FaceFlow& flow = report.flows.faces[i];
         out << fmt::format("{},{}", csv_field(report.scene.faces[i]), exact(flow.area));
-        for (const studies::Bounds* bounds :
+        for (const studies::heat::Bounds* bounds :
              {&flow.radiosity, &flow.irradiation, &flow.net, &flow.power, &flow.temperature}) {
             if (!light || bounds != &flow.temperature)
                 out << fmt::format(",{},{}", exact(bounds->low), exact(bounds->high));
@@ -28,7 +28,8 @@ void write_heat_csv(std::ostream& out, const HeatReport& report) {
     }
 }
 
-void write_gebhart_csv(std::ostream& out, const Scene& scene, const std::vector<studies::GebhartFactor>& factors) {
+void write_gebhart_csv(std::ostream& out, const Scene& scene,
+                       const std::vector<studies::heat::GebhartFactor>& factors) {
     out << "from,to,gebhart_low,gebhart_high,script_f_low,script_f_high\n";
     for (const auto& [from, to, gebhart, script_f] : factors) {
         out << fmt::format("{},{},{},{},{},{}\n", csv_field(scene.faces[from]),

@@ -10,6 +10,6 @@ namespace ff::reports {
 void write_heat_csv(std::ostream& out, const HeatReport& report);
 
 /// A row for each ordered pair; an empty `to` stands for the surroundings.
-void write_gebhart_csv(std::ostream& out, const Scene& scene, const std::vector<studies::GebhartFactor>& factors);
+void write_gebhart_csv(std::ostream& out, const Scene& scene, const std::vector<studies::heat::GebhartFactor>& factors);
 
 }  // namespace ff::reports

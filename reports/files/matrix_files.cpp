@@ -32,7 +32,7 @@ void add_system(Files& files, const std::string& folder, const std::string& labe
                 std::size_t scene, const Eigen::MatrixXd& factors) {
     add(files, folder + "form_factors", factors, fmt::format("form factors, {}", label));
     if (!plan.spec.radiosity) return;
-    const studies::Lighting lighting = studies::light_faces(plan, scene);
+    const studies::radiosity::Lighting lighting = studies::radiosity::light_faces(plan, scene);
     for (std::size_t setting = 0; setting < plan.spec.radiosity->reflectance.size(); ++setting) {
         const RadiositySystem system = lighting.system(setting, factors);
         const std::string words = studies::in_words(plan.spec.radiosity->reflectance[setting]);
@@ -47,12 +47,12 @@ void add_system(Files& files, const std::string& folder, const std::string& labe
 void add_patches(Files& files, const std::string& folder, const std::string& label, const studies::StudyPlan& plan,
                  std::size_t index, std::uint64_t trial) {
     const studies::Cell& cell = plan.cells[index];
-    add(files, folder + "patch_form_factors", studies::trace_patch_factors(plan, index, trial),
+    add(files, folder + "patch_form_factors", studies::radiosity::trace_patch_factors(plan, index, trial),
         fmt::format("between patches, direct, {}", label));
     add(files, folder + "patch_areas", patch_areas(plan.scenes[cell.scene], cell.subdivision),
         fmt::format("areas of the patches, {}", label));
     if (!plan.spec.radiosity) return;
-    const studies::PatchLight light = studies::patch_light(plan, cell.scene, cell.subdivision);
+    const studies::radiosity::PatchLight light = studies::radiosity::patch_light(plan, cell.scene, cell.subdivision);
     add(files, folder + "patch_emission", light.emission, fmt::format("emitted exitance of the patches, {}", label));
     for (std::size_t setting = 0; setting < light.reflectance.size(); ++setting) {
         add(files, fmt::format("{}patch_reflectance_{}", folder, setting), light.reflectance[setting],
@@ -129,9 +129,10 @@ void patch_systems(const studies::Store& store, const TakeMatrix& take) {
         const std::string folder = fmt::format("cell_{}/", index);
         const std::string label =
             fmt::format("{}: {}, trial {}", plan.scenes[cell.scene].name, cell_label(plan, cell), trials.front());
-        const Eigen::MatrixXd matrix = studies::trace_patch_factors(plan, index, trials.front());
+        const Eigen::MatrixXd matrix = studies::radiosity::trace_patch_factors(plan, index, trials.front());
         take(folder + "patch_form_factors", matrix, fmt::format("between patches, direct, {}", label));
-        const studies::PatchLight light = studies::patch_light(plan, cell.scene, cell.subdivision);
+        const studies::radiosity::PatchLight light =
+            studies::radiosity::patch_light(plan, cell.scene, cell.subdivision);
         for (std::size_t setting = 0; setting < light.reflectance.size(); ++setting) {
             const Eigen::MatrixXd system = Eigen::MatrixXd::Identity(matrix.rows(), matrix.cols()) -
                                            light.reflectance[setting].asDiagonal() * matrix;
@@ -156,18 +157,18 @@ std::map<std::string, std::string> matrix_files(const studies::Store& store) {
     }
     for (std::size_t index = 0; index < plan.cells.size(); ++index) {
         const studies::Cell& cell = plan.cells[index];
-        const auto trials = studies::load_matrices(store, index);
+        const auto trials = studies::radiosity::load_matrices(store, index);
         if (trials.direct.empty()) continue;
-        const auto treatment = studies::treatment_of(plan.spec.methods[cell.method].completion);
+        const auto treatment = studies::radiosity::treatment_of(plan.spec.methods[cell.method].completion);
         const std::string folder = fmt::format("cell_{}/", index);
         const std::string label = fmt::format("{}: {}, trial {}", plan.scenes[cell.scene].name, cell_label(plan, cell),
                                               trials.numbers.front());
-        studies::Elements faces;
-        faces.areas = studies::face_areas(plan.scenes[cell.scene]);
-        faces.sight = studies::face_sight(plan.scenes[cell.scene]);
+        studies::radiosity::Elements faces;
+        faces.areas = studies::radiosity::face_areas(plan.scenes[cell.scene]);
+        faces.sight = studies::radiosity::face_sight(plan.scenes[cell.scene]);
         add(files, folder + "areas", faces.areas, fmt::format("areas of the faces, {}", label));
         add_system(files, folder, label, plan, cell.scene,
-                   studies::treat(faces, trials.rays, trials.direct.front(), treatment));
+                   studies::radiosity::treat(faces, trials.rays, trials.direct.front(), treatment));
         if (radiating_patches(plan.scenes[cell.scene], cell.subdivision) <= most_patches &&
             studies::tells_patches_apart(plan, index))
             add_patches(files, folder, label, plan, index, trials.numbers.front());

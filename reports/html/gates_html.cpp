@@ -55,8 +55,8 @@ struct Scale {
     }
 };
 
-Scale scale_of(const studies::Comparison& row) {
-    const studies::Measurement& m = *row.measurement;
+Scale scale_of(const studies::gates::Comparison& row) {
+    const studies::gates::Measurement& m = *row.measurement;
     double low = m.value;
     double high = m.value;
     for (const double value :
@@ -79,12 +79,12 @@ void add_bar(pugi::xml_node svg, double from, double to, double thickness, const
 }
 
 /// The band in grey; on it the failing interval thin, the passing one thick, the value as a line.
-void add_band_picture(pugi::xml_node cell, const studies::Comparison& row) {
+void add_band_picture(pugi::xml_node cell, const studies::gates::Comparison& row) {
     if (!row.measurement) {
         cell.text().set("–");
         return;
     }
-    const studies::Measurement& m = *row.measurement;
+    const studies::gates::Measurement& m = *row.measurement;
     const Scale scale = scale_of(row);
     pugi::xml_node svg = cell.append_child("svg");
     set_attribute(svg, "width", fmt::format("{:g}", band_width));
@@ -101,8 +101,8 @@ void add_band_picture(pugi::xml_node cell, const studies::Comparison& row) {
 
 }  // namespace
 
-std::string gates_html(const studies::CheckResults& check) {
-    using studies::Verdict;
+std::string gates_html(const studies::gates::CheckResults& check) {
+    using studies::gates::Verdict;
     const std::string title = "Gates of " + check.spec.name;
     pugi::xml_document document;
     pugi::xml_node html = begin_page(document, title);
@@ -118,7 +118,7 @@ std::string gates_html(const studies::CheckResults& check) {
     pugi::xml_node titles = table.append_child("tr");
     for (const char* text : {"verdict", "gate", "interval and band", "found"}) add_element(titles, "th", text);
     for (const Verdict verdict : {Verdict::fail, Verdict::inconclusive, Verdict::pass}) {
-        for (const studies::GateResult& result : check.results) {
+        for (const studies::gates::GateResult& result : check.results) {
             if (result.verdict != verdict) continue;
             pugi::xml_node row = table.append_child("tr");
             set_attribute(add_element(row, "td", std::string(name(verdict))), "class", std::string(name(verdict)));

@@ -75,7 +75,7 @@ Json quantity_json(std::string_view name, std::string_view unit, std::size_t fac
     Json values = Json::array();
     Json errors = Json::array();
     for (std::size_t face = 0; face < faces; ++face) {
-        const studies::Bounds bounds = value_of(face);
+        const studies::heat::Bounds bounds = value_of(face);
         values.push_back(short_number(bounds.middle(), digits));
         errors.push_back(short_number(bounds.half_width(), 2));
     }
@@ -87,18 +87,19 @@ Json quantities_json(const FormFactorReport& report, const HeatReport* heat) {
     Json quantities = Json::array();
     if (heat != nullptr) {
         const bool light = heat->materials.are_light();
-        const auto add = [&](std::string_view name, std::string_view unit, studies::Bounds studies::FaceFlow::*member) {
+        const auto add = [&](std::string_view name, std::string_view unit,
+                             studies::heat::Bounds studies::heat::FaceFlow::*member) {
             quantities.push_back(quantity_json(name, light ? "" : unit, faces,
                                                [&](std::size_t face) { return heat->flows.faces[face].*member; }));
         };
-        add("net flux", "W/m²", &studies::FaceFlow::net);
-        add(light ? "exitance" : "radiosity", "W/m²", &studies::FaceFlow::radiosity);
-        add(light ? "incident light" : "irradiation", "W/m²", &studies::FaceFlow::irradiation);
-        add("power", "W", &studies::FaceFlow::power);
-        if (!light) add("temperature", "K", &studies::FaceFlow::temperature);
+        add("net flux", "W/m²", &studies::heat::FaceFlow::net);
+        add(light ? "exitance" : "radiosity", "W/m²", &studies::heat::FaceFlow::radiosity);
+        add(light ? "incident light" : "irradiation", "W/m²", &studies::heat::FaceFlow::irradiation);
+        add("power", "W", &studies::heat::FaceFlow::power);
+        if (!light) add("temperature", "K", &studies::heat::FaceFlow::temperature);
     }
     quantities.push_back(quantity_json("sum of the row", "", faces, [&](std::size_t face) {
-        return studies::Bounds{report.matrix.rows[face].low, report.matrix.rows[face].high};
+        return studies::heat::Bounds{report.matrix.rows[face].low, report.matrix.rows[face].high};
     }));
     return quantities;
 }
@@ -107,12 +108,12 @@ Json matrix_json(const FormFactorReport& report) {
     const std::size_t faces = report.scene.faces.size();
     const std::size_t step = (faces + most_matrix_rows - 1) / most_matrix_rows;
     std::vector<std::map<std::size_t, std::pair<double, double>>> rows((faces + step - 1) / step);
-    const auto add = [&](std::size_t from, std::size_t to, const studies::FaceExchange& exchange) {
+    const auto add = [&](std::size_t from, std::size_t to, const studies::form_factors::FaceExchange& exchange) {
         const double area = report.matrix.areas[from];
         auto& entry = rows[from / step][to / step];
         entry = std::max(entry, {exchange.value / area, half_width(exchange) / area});
     };
-    for (const studies::FaceExchange& exchange : report.matrix.exchanges) {
+    for (const studies::form_factors::FaceExchange& exchange : report.matrix.exchanges) {
         if (exchange.high <= 0) continue;
         add(exchange.from, exchange.to, exchange);
         if (exchange.from != exchange.to) add(exchange.to, exchange.from, exchange);

@@ -31,7 +31,7 @@ Table faces_table(const FormFactorReport& report) {
     const bool drops = report.request.drop > 0;
     if (drops) table.columns.push_back({"dropped of it", true, {}});
     for (std::size_t face = 0; face < std::min(most_listed_faces, report.scene.faces.size()); ++face) {
-        const studies::RowSum& sum = report.matrix.rows[face];
+        const studies::form_factors::RowSum& sum = report.matrix.rows[face];
         const double width = std::max(sum.high - sum.value, sum.value - sum.low);
         table.rows.push_back(
             {plain_cell(report.scene.faces[face]), plain_cell(brief(report.matrix.areas[face], 6)),
@@ -74,10 +74,11 @@ std::string scene_html(const FormFactorReport& report, const std::vector<std::st
         {"warnings", texts_view(warnings)},
         {"verdict", heat == nullptr ? form_factors_verdict(report) : heat_verdict(*heat)},
         {"balance", heat == nullptr ? std::string() : heat_balance(*heat)},
-        {"asked", fmt::format("{}, {}; tolerance {}, level {} {}, seed {}.{}{}", counted(scene.faces.size(), "face"),
-                              counted(scene.surfaces.size(), "surface"), tolerance, brief(request.level, 10),
-                              request.level_of == studies::LevelOf::entry ? "of each entry" : "of all at once",
-                              request.seed.value, effort.empty() ? "" : " ", effort)},
+        {"asked",
+         fmt::format("{}, {}; tolerance {}, level {} {}, seed {}.{}{}", counted(scene.faces.size(), "face"),
+                     counted(scene.surfaces.size(), "surface"), tolerance, brief(request.level, 10),
+                     request.level_of == studies::form_factors::LevelOf::entry ? "of each entry" : "of all at once",
+                     request.seed.value, effort.empty() ? "" : " ", effort)},
         {"listing", table_view(heat == nullptr ? faces_table(report) : flows_table(*heat))},
         {"program", program},
         {"data", scene_data(report, heat)}};

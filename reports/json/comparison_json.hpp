@@ -6,6 +6,6 @@
 namespace ff::reports {
 
 /// A record of verdicts.json and of verdicts.csv (docs/gates.md).
-Json comparison_json(const studies::Comparison& c);
+Json comparison_json(const studies::gates::Comparison& c);
 
 }  // namespace ff::reports

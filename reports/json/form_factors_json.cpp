@@ -11,12 +11,12 @@
 namespace ff::reports {
 namespace {
 
-using studies::FaceExchange;
+using studies::form_factors::FaceExchange;
 
 Json faces_json(const FormFactorReport& report) {
     Json faces = Json::array();
     for (std::size_t i = 0; i < report.scene.faces.size(); ++i) {
-        const studies::RowSum& sum = report.matrix.rows[i];
+        const studies::form_factors::RowSum& sum = report.matrix.rows[i];
         Json face = {{"face", report.scene.faces[i]},
                      {"area", report.matrix.areas[i]},
                      {"row_sum", sum.value},
@@ -25,7 +25,7 @@ Json faces_json(const FormFactorReport& report) {
         if (!report.scene.closed && !report.scene.empty_box)
             face.update({{"leaves", 1 - sum.value}, {"leaves_low", 1 - sum.high}, {"leaves_high", 1 - sum.low}});
         if (report.request.drop > 0) {
-            const studies::DroppedExchange& dropped = sum.dropped;
+            const studies::form_factors::DroppedExchange& dropped = sum.dropped;
             face.update({{"dropped_pairs", dropped.pairs},
                          {"dropped", dropped.value},
                          {"dropped_low", dropped.low},
@@ -51,13 +51,13 @@ Json repair_json(const FormFactorReport& report) {
 }  // namespace
 
 std::string form_factors_json(const FormFactorReport& report) {
-    const studies::FormFactorMatrix& matrix = report.matrix;
+    const studies::form_factors::Matrix& matrix = report.matrix;
     double worst = 0;
     for (const FaceExchange& exchange : matrix.exchanges) worst = std::max(worst, worst_half_width(matrix, exchange));
     Json json = {{"scene", report.scene.name},
                  {"tolerance", report.request.tolerance},
                  {"level", report.request.level},
-                 {"coverage", report.request.level_of == studies::LevelOf::entry ? "entry" : "matrix"},
+                 {"coverage", report.request.level_of == studies::form_factors::LevelOf::entry ? "entry" : "matrix"},
                  {"entry_level", matrix.entry_level},
                  {"seed", report.request.seed.value},
                  {"pairs", matrix.pairs()},

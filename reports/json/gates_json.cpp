@@ -4,7 +4,7 @@
 
 namespace ff::reports {
 
-Json comparison_json(const studies::Comparison& c) {
+Json comparison_json(const studies::gates::Comparison& c) {
     const auto& measurement = c.measurement;
     return {{"scene", c.scene},
             {"method", c.method},
@@ -26,11 +26,11 @@ Json comparison_json(const studies::Comparison& c) {
             {"note", c.note}};
 }
 
-std::string verdicts_json(const studies::CheckResults& check) {
+std::string verdicts_json(const studies::gates::CheckResults& check) {
     Json gates = Json::array();
-    for (const studies::GateResult& result : check.results) {
+    for (const studies::gates::GateResult& result : check.results) {
         Json comparisons = Json::array();
-        for (const studies::Comparison& comparison : result.comparisons)
+        for (const studies::gates::Comparison& comparison : result.comparisons)
             comparisons.push_back(comparison_json(comparison));
         gates.push_back({{"gate", result.gate},
                          {"kind", name(result.kind)},

@@ -7,6 +7,6 @@
 namespace ff::reports {
 
 /// verdicts.json, schema "ffstudy.verdicts/1" (docs/gates.md).
-std::string verdicts_json(const studies::CheckResults& check);
+std::string verdicts_json(const studies::gates::CheckResults& check);
 
 }  // namespace ff::reports

@@ -26,7 +26,7 @@ void add_problem(pugi::xml_node test, const char* element, const char* type, con
 
 }  // namespace
 
-std::string junit_xml(const studies::CheckResults& check, const JunitContext& context) {
+std::string junit_xml(const studies::gates::CheckResults& check, const JunitContext& context) {
     FF_EXPECT(context.seconds.size() == check.results.size() && context.notes.size() == check.results.size());
     const std::size_t missing = check.spec.gates.size() - check.results.size();
     const double total = std::accumulate(context.seconds.begin(), context.seconds.end(), 0.0);
@@ -41,8 +41,8 @@ std::string junit_xml(const studies::CheckResults& check, const JunitContext& co
     set(suite, "timestamp", context.timestamp);
     set(suite, "hostname", context.hostname);
     set(suite, "tests", std::to_string(check.spec.gates.size()));
-    set(suite, "failures", std::to_string(check.count(studies::Verdict::fail)));
-    set(suite, "errors", std::to_string(check.count(studies::Verdict::inconclusive) + missing));
+    set(suite, "failures", std::to_string(check.count(studies::gates::Verdict::fail)));
+    set(suite, "errors", std::to_string(check.count(studies::gates::Verdict::inconclusive) + missing));
     set(suite, "time", fmt::format("{:.3f}", total));
     pugi::xml_node properties = suite.append_child("properties");
     for (const auto& [key, value] : {std::pair("seed", fmt::format("{}", check.spec.seed.value)),
@@ -53,9 +53,10 @@ std::string junit_xml(const studies::CheckResults& check, const JunitContext& co
         set(property, "value", value);
     }
     std::string console;  // of the whole suite: Ant's schema lets no test case have an output of its own
-    for (const studies::Gate& gate : check.spec.gates) {
-        const auto found = std::find_if(check.results.begin(), check.results.end(),
-                                        [&](const studies::GateResult& result) { return result.gate == gate.name; });
+    for (const studies::gates::Gate& gate : check.spec.gates) {
+        const auto found =
+            std::find_if(check.results.begin(), check.results.end(),
+                         [&](const studies::gates::GateResult& result) { return result.gate == gate.name; });
         const bool done = found != check.results.end();
         const auto index = static_cast<std::size_t>(found - check.results.begin());
         pugi::xml_node test = suite.append_child("testcase");
@@ -66,8 +67,9 @@ std::string junit_xml(const studies::CheckResults& check, const JunitContext& co
             add_problem(test, "error", "not run", "not run yet, or stopped before");
             continue;
         }
-        if (found->verdict == studies::Verdict::fail) add_problem(test, "failure", "fail", gate_in_words(*found));
-        if (found->verdict == studies::Verdict::inconclusive)
+        if (found->verdict == studies::gates::Verdict::fail)
+            add_problem(test, "failure", "fail", gate_in_words(*found));
+        if (found->verdict == studies::gates::Verdict::inconclusive)
             add_problem(test, "error", "inconclusive", gate_in_words(*found));
         console += gate_line(*found, Colour::none);
         if (!context.notes[index].empty()) console += fmt::format("{:<12}  {}\n", "", context.notes[index]);

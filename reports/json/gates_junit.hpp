@@ -18,6 +18,6 @@ struct JunitContext {
 /// One test case per gate, in the common format of build servers. Unfinished gates are errors, so that the file of a
 /// killed run is never green; so are inconclusive ones.
 /// @pre as many seconds and notes as results
-std::string junit_xml(const studies::CheckResults& check, const JunitContext& context);
+std::string junit_xml(const studies::gates::CheckResults& check, const JunitContext& context);
 
 }  // namespace ff::reports

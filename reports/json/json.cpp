@@ -113,13 +113,13 @@ Json published_json(const studies::PublishedResults& published) {
                           {"evidence", claim.evidence}});
     }
     Json findings = Json::array();
-    for (const studies::Finding& finding : published.audit.findings) {
-        const bool contradiction = finding.severity == studies::Severity::contradiction;
+    for (const studies::audit::Finding& finding : published.audit.findings) {
+        const bool contradiction = finding.severity == studies::audit::Severity::contradiction;
         Json figures = Json::array();
         for (const std::size_t figure : finding.figures) figures.push_back(studies::describe(published.tables, figure));
         findings.push_back({{"id", finding.id},
                             {"severity", contradiction ? "contradiction" : "note"},
-                            {"relation", studies::name(finding.relation)},
+                            {"relation", studies::audit::name(finding.relation)},
                             {"statement", finding.statement},
                             {"blamed", std::move(figures)}});
     }

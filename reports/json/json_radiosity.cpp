@@ -15,22 +15,22 @@ Json number(double value) {
     return std::isfinite(value) ? Json(value) : Json(nullptr);
 }
 
-Json range_json(const studies::OverTrials& range) {
+Json range_json(const studies::radiosity::OverTrials& range) {
     return {{"least", number(range.least)}, {"median", number(range.median)}, {"largest", number(range.largest)}};
 }
 
-Json solvers_json(const std::vector<studies::SolverStatistics>& solvers) {
+Json solvers_json(const std::vector<studies::radiosity::SolverStatistics>& solvers) {
     Json list = Json::array();
-    for (const studies::SolverStatistics& found : solvers) list.push_back(solver_json(found));
+    for (const studies::radiosity::SolverStatistics& found : solvers) list.push_back(solver_json(found));
     return list;
 }
 
 /// Exitance of all faces together and of each face. Between patches, only that of all together and of the worst patch
 /// is given: the rest is in exitance.csv.
-Json exitances_json(const studies::StudyPlan& plan, const studies::Consequences& of,
-                    const studies::SettingStatistics& at) {
+Json exitances_json(const studies::StudyPlan& plan, const studies::radiosity::Consequences& of,
+                    const studies::radiosity::SettingStatistics& at) {
     Json list = Json::array();
-    if (of.between == studies::Between::faces) {
+    if (of.between == studies::radiosity::Between::faces) {
         for (const auto& found : at.exitance) list.push_back(exitance_json(plan, of, found));
     } else if (!at.exitance.empty()) {
         list.push_back(exitance_json(plan, of, at.exitance.front()));
@@ -39,13 +39,13 @@ Json exitances_json(const studies::StudyPlan& plan, const studies::Consequences&
     return list;
 }
 
-Json order_json(const studies::StudyPlan& plan, const studies::BiasOrder& order) {
+Json order_json(const studies::StudyPlan& plan, const studies::radiosity::BiasOrder& order) {
     Json points = Json::array();
     for (const auto& point : order.points)
         points.push_back({{"evaluations", point.evaluations}, {"bias", point.bias}, {"error", point.error}});
     return {{"scene", plan.scenes[order.scene].name},
             {"label", order.label},
-            {"treatment", studies::name(order.treatment)},
+            {"treatment", studies::radiosity::name(order.treatment)},
             {"reflectance", plan.spec.radiosity->reflectance[order.setting]},
             {"points", std::move(points)},
             {"slope", optional_json(order.slope)},
@@ -54,7 +54,7 @@ Json order_json(const studies::StudyPlan& plan, const studies::BiasOrder& order)
 
 }  // namespace
 
-Json solver_json(const studies::SolverStatistics& found) {
+Json solver_json(const studies::radiosity::SolverStatistics& found) {
     return {{"solver", ff::name(found.solver)},
             {"runs", found.runs},
             {"converged", found.converged},
@@ -65,8 +65,8 @@ Json solver_json(const studies::SolverStatistics& found) {
             {"flops", optional_json(found.flops)}};
 }
 
-Json exitance_json(const studies::StudyPlan& plan, const studies::Consequences& of,
-                   const studies::ExitanceStatistics& found) {
+Json exitance_json(const studies::StudyPlan& plan, const studies::radiosity::Consequences& of,
+                   const studies::radiosity::ExitanceStatistics& found) {
     const studies::Cell& cell = plan.cells[of.cell];
     const Place place = found.element == 0
                             ? Place{"all"}
@@ -85,8 +85,8 @@ Json exitance_json(const studies::StudyPlan& plan, const studies::Consequences& 
             {"q975", found.q975}};
 }
 
-Json setting_json(const studies::StudyPlan& plan, const studies::Consequences& of,
-                  const studies::SettingStatistics& at) {
+Json setting_json(const studies::StudyPlan& plan, const studies::radiosity::Consequences& of,
+                  const studies::radiosity::SettingStatistics& at) {
     return {{"reflectance", plan.spec.radiosity->reflectance[at.setting]},
             {"dominant", at.dominant},
             {"convergent", at.convergent},
@@ -102,15 +102,15 @@ Json setting_json(const studies::StudyPlan& plan, const studies::Consequences& o
             {"solvers", solvers_json(at.solvers)}};
 }
 
-Json consequences_json(const studies::StudyPlan& plan, const studies::Consequences& found) {
-    const auto some = [&](const studies::OverTrials& range) {
+Json consequences_json(const studies::StudyPlan& plan, const studies::radiosity::Consequences& found) {
+    const auto some = [&](const studies::radiosity::OverTrials& range) {
         return found.trials > 0 ? range_json(range) : Json(nullptr);
     };
     Json settings = Json::array();
     for (const auto& at : found.settings) settings.push_back(setting_json(plan, found, at));
     return {{"cell", cell_label(plan, plan.cells[found.cell])},
-            {"between", studies::name(found.between)},
-            {"treatment", studies::name(found.treatment)},
+            {"between", studies::radiosity::name(found.between)},
+            {"treatment", studies::radiosity::name(found.treatment)},
             {"trials", found.trials},
             {"not_balanced", found.not_balanced},
             {"closure_defect", some(found.closure_defect)},
@@ -122,7 +122,7 @@ Json consequences_json(const studies::StudyPlan& plan, const studies::Consequenc
             {"settings", std::move(settings)}};
 }
 
-Json exact_json(const studies::StudyPlan& plan, const studies::ExactSystem& system) {
+Json exact_json(const studies::StudyPlan& plan, const studies::radiosity::ExactSystem& system) {
     const std::vector<double> exitance(system.exitance.begin(), system.exitance.end());
     return {{"scene", plan.scenes[system.scene].name},
             {"patches_per_face", system.m == 0 ? Json(nullptr) : Json(system.m * system.m)},

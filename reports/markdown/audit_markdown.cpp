@@ -14,10 +14,10 @@
 namespace ff::reports {
 namespace {
 
-using studies::AuditReport;
-using studies::Finding;
-using studies::HitRange;
 using studies::PublishedTables;
+using studies::audit::Finding;
+using studies::audit::HitRange;
+using studies::audit::Report;
 
 using Out = std::back_insert_iterator<std::string>;
 
@@ -28,7 +28,8 @@ std::string hits_in_words(const std::optional<HitRange>& hits) {
 
 /// "table6, 1 - 2, PDM r.e. (%) and 11 more"
 std::string blame_in_words(const PublishedTables& tables, const Finding& finding) {
-    if (finding.figures.empty()) return finding.relation == studies::Relation::closure ? "the method" : "the text";
+    if (finding.figures.empty())
+        return finding.relation == studies::audit::Relation::closure ? "the method" : "the text";
     std::string text = describe(tables, finding.figures.front());
     if (finding.figures.size() > 1) text += fmt::format(" and {} more", finding.figures.size() - 1);
     return text;
@@ -37,11 +38,11 @@ std::string blame_in_words(const PublishedTables& tables, const Finding& finding
 template <typename Value>
 std::string list_corrections(const Finding& finding, Value value) {
     std::vector<std::string> parts;
-    for (const studies::Correction& correction : finding.corrections) parts.push_back(value(correction));
+    for (const studies::audit::Correction& correction : finding.corrections) parts.push_back(value(correction));
     return fmt::format("{}", fmt::join(parts, ", "));
 }
 
-void write_overview(Out out, const PublishedTables& tables, const AuditReport& report) {
+void write_overview(Out out, const PublishedTables& tables, const Report& report) {
     if (report.findings.empty()) return;
     fmt::format_to(out,
                    "| # | relation | blamed | printed | should be | off by, in last digits |\n"
@@ -51,15 +52,17 @@ void write_overview(Out out, const PublishedTables& tables, const AuditReport& r
         fmt::format_to(
             out, "| {} | {} | {} | {} | {} | {} |\n", ++number, name(f.relation),
             markdown_cell(blame_in_words(tables, f)),
-            list_corrections(f, [](const studies::Correction& c) { return c.printed; }),
-            list_corrections(
-                f, [](const studies::Correction& c) { return c.certain ? c.meant : fmt::format("about {}", c.meant); }),
-            list_corrections(f, [](const studies::Correction& c) { return fmt::format("{:.3g}", c.units); }));
+            list_corrections(f, [](const studies::audit::Correction& c) { return c.printed; }),
+            list_corrections(f,
+                             [](const studies::audit::Correction& c) {
+                                 return c.certain ? c.meant : fmt::format("about {}", c.meant);
+                             }),
+            list_corrections(f, [](const studies::audit::Correction& c) { return fmt::format("{:.3g}", c.units); }));
     }
     fmt::format_to(out, "\n");
 }
 
-void write_findings(Out out, const PublishedTables& tables, const AuditReport& report) {
+void write_findings(Out out, const PublishedTables& tables, const Report& report) {
     if (report.findings.empty()) return;
     fmt::format_to(out,
                    "## Findings\n\nBlamed are the fewest causes whose correction removes all contradictions; between "
@@ -67,8 +70,8 @@ void write_findings(Out out, const PublishedTables& tables, const AuditReport& r
     std::size_t number = 0;
     for (const Finding& f : report.findings) {
         fmt::format_to(out, "{}. **{}**{}\n", ++number, markdown_text(f.statement),
-                       f.severity == studies::Severity::note ? " (a note, not a contradiction)" : "");
-        for (const studies::Evidence& e : f.evidence) {
+                       f.severity == studies::audit::Severity::note ? " (a note, not a contradiction)" : "");
+        for (const studies::audit::Evidence& e : f.evidence) {
             fmt::format_to(out, "   - {}: {}", name(e.relation), markdown_text(e.text));
             if (!e.figures.empty()) {
                 std::vector<std::string> names;
@@ -83,14 +86,14 @@ void write_findings(Out out, const PublishedTables& tables, const AuditReport& r
     fmt::format_to(out, "\n");
 }
 
-void write_formats(Out out, const AuditReport& report) {
+void write_formats(Out out, const Report& report) {
     fmt::format_to(out, "## How figures are printed\n\n");
-    for (const studies::InferredFormat& f : report.formats) {
+    for (const studies::audit::InferredFormat& f : report.formats) {
         fmt::format_to(
             out, "- {}: {}{}\n", markdown_text(f.method), describe(f.format),
             f.evidence.empty() ? ", or the other way: its figures cannot tell rounding from truncation." : ".");
     }
-    for (const studies::InferredFormat& f : report.formats) {
+    for (const studies::audit::InferredFormat& f : report.formats) {
         if (f.evidence.empty()) continue;
         fmt::format_to(
             out,
@@ -99,21 +102,21 @@ void write_formats(Out out, const AuditReport& report) {
             "| printed | figures that can fail | whole hits | expected by chance | p of as many | "
             "log10 odds against the best |\n|---|--:|--:|--:|--:|--:|\n",
             markdown_text(f.method));
-        for (const studies::FormatEvidence& e : f.evidence) {
+        for (const studies::audit::FormatEvidence& e : f.evidence) {
             fmt::format_to(out, "| {} | {} | {} | {:.1f} | {:.2g} | {:.1f} |\n", describe(e.format), e.figures, e.whole,
                            e.expected, e.chance,
                            (f.evidence.front().log_likelihood - e.log_likelihood) / std::log(10.0));
         }
     }
-    const studies::ReferenceInference& r = report.references;
+    const studies::audit::ReferenceInference& r = report.references;
     if (r.rows > 0) {
         fmt::format_to(out,
                        "\nRelative errors are {}: of {} different rows, rounding explains {} and truncation {}.\n\n"
                        "| table | pairs | stated reference | explains | reference used | explains | rows |\n"
                        "|---|---|---|--:|---|--:|--:|\n",
-                       r.rounding == studies::Rounding::rounded ? "rounded" : "truncated", r.rows, r.explained_rounded,
-                       r.explained_truncated);
-        for (const studies::InferredReference& i : r.references) {
+                       r.rounding == studies::audit::Rounding::rounded ? "rounded" : "truncated", r.rows,
+                       r.explained_rounded, r.explained_truncated);
+        for (const studies::audit::InferredReference& i : r.references) {
             fmt::format_to(out, "| {} | {} | {} | {} | {} | {} | {} |\n", markdown_cell(i.table), i.pair_class,
                            i.stated, i.explained_by_stated, i.text, i.explained, i.rows);
         }
@@ -121,13 +124,13 @@ void write_formats(Out out, const AuditReport& report) {
     fmt::format_to(out, "\n");
 }
 
-void write_readings(Out out, const AuditReport& report) {
+void write_readings(Out out, const Report& report) {
     if (report.readings.empty()) return;
     fmt::format_to(out,
                    "## What columns mean\n\n"
                    "| table | reading | stated in | rays per face | whole hits | expected | chi-squared (p as far, "
                    "p as close) by column | log10 odds | verdict |\n|---|---|---|---|--:|--:|---|--:|---|\n");
-    for (const studies::ReadingEvidence& r : report.readings) {
+    for (const studies::audit::ReadingEvidence& r : report.readings) {
         std::vector<std::string> spreads;
         for (const auto& s : r.spread) {
             spreads.push_back(s ? fmt::format("{:.3g} on {} ({:.2g}, {:.2g})", s->chi_squared.statistic,
@@ -142,7 +145,7 @@ void write_readings(Out out, const AuditReport& report) {
     fmt::format_to(out, "\n");
 }
 
-void write_spreads(Out out, const AuditReport& report) {
+void write_spreads(Out out, const Report& report) {
     if (report.spreads.empty()) return;
     fmt::format_to(out,
                    "## Monte Carlo plausibility\n\nAgainst the exact covariance of the method, misprints corrected. A "
@@ -150,7 +153,7 @@ void write_spreads(Out out, const AuditReport& report) {
                    "chi-squared tests below, correct tables raise a false alarm with probability {:.1g} at most.\n\n"
                    "| experiment | chi-squared | degrees of freedom | p as far | p as close |\n|---|--:|--:|--:|--:|\n",
                    report.z_limit, report.plausibility_tests, report.alpha);
-    for (const studies::ExperimentSpread& s : report.spreads) {
+    for (const studies::audit::ExperimentSpread& s : report.spreads) {
         fmt::format_to(out, "| {} | {:.3g} | {} | {:.2g} | {:.2g} |\n", markdown_cell(s.experiment),
                        s.spread.chi_squared.statistic, s.spread.chi_squared.freedom, s.spread.too_far,
                        s.spread.too_close);
@@ -158,12 +161,12 @@ void write_spreads(Out out, const AuditReport& report) {
     fmt::format_to(out, "\n");
 }
 
-void write_hits(Out out, const PublishedTables& tables, const AuditReport& report) {
+void write_hits(Out out, const PublishedTables& tables, const Report& report) {
     if (report.hits.empty()) return;
     fmt::format_to(out,
                    "## Recovered hits\n\n| figure | printed | rays | hits by the print alone | hits by all figures "
                    "|\n|---|---|--:|--:|--:|\n");
-    for (const studies::RecoveredHits& h : report.hits) {
+    for (const studies::audit::RecoveredHits& h : report.hits) {
         fmt::format_to(out, "| {} | {} | {} | {} | {} |\n", markdown_cell(describe(tables, h.figure)),
                        tables.figures[h.figure].printed, h.rays, hits_in_words(h.printed), hits_in_words(h.consistent));
     }
@@ -171,7 +174,7 @@ void write_hits(Out out, const PublishedTables& tables, const AuditReport& repor
 
 }  // namespace
 
-std::string audit_markdown(const PublishedTables& tables, const AuditReport& report) {
+std::string audit_markdown(const PublishedTables& tables, const Report& report) {
     std::string text;
     const Out out = std::back_inserter(text);
     fmt::format_to(out, "# Audit of published tables\n\n{}\n\n**{}**\n\n", markdown_text(report.source),

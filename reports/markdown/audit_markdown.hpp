@@ -8,6 +8,6 @@
 namespace ff::reports {
 
 /// The audit as a document to read: verdict, findings, and what they rest on.
-std::string audit_markdown(const studies::PublishedTables& tables, const studies::AuditReport& report);
+std::string audit_markdown(const studies::PublishedTables& tables, const studies::audit::Report& report);
 
 }  // namespace ff::reports

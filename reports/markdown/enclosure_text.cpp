@@ -9,9 +9,9 @@
 namespace ff::reports {
 namespace {
 
-using studies::Consequences;
-using studies::EnclosureRequest;
-using studies::EnclosureResults;
+using studies::radiosity::Consequences;
+using studies::radiosity::EnclosureRequest;
+using studies::radiosity::EnclosureResults;
 
 std::vector<TableCell> cells(std::vector<std::string> texts) {
     std::vector<TableCell> row;
@@ -45,7 +45,7 @@ Table solutions_table(const EnclosureRequest& request, const EnclosureResults& r
         table.columns.push_back({"exitance of " + surface, true, {}});
     for (const char* title : {"spectral radius", "dominance", "Jacobi iterations"})
         table.columns.push_back({title, true, {}});
-    for (const studies::ExactSystem& system : results.exact) {
+    for (const studies::radiosity::ExactSystem& system : results.exact) {
         std::vector<std::string> row{reflectance(request, system.setting)};
         for (const double value : system.exitance) row.push_back(brief(value, 8));
         row.push_back(brief(system.properties.spectral_radius.middle(), 6));
@@ -73,10 +73,10 @@ Table trials_table(const EnclosureRequest& request, const EnclosureResults& resu
     for (std::size_t setting = 0; setting < results.exact.size(); ++setting) {
         for (const Consequences& found : results.consequences) {
             if (found.settings.empty()) continue;
-            const studies::SettingStatistics& at = found.settings[setting];
+            const studies::radiosity::SettingStatistics& at = found.settings[setting];
             const auto* worst = worst_element(at);
             table.rows.push_back(cells(
-                {reflectance(request, setting), std::string(studies::name(found.treatment)),
+                {reflectance(request, setting), std::string(studies::radiosity::name(found.treatment)),
                  fmt::format("{} of {}", at.dominant, at.trials), over_trials_text(at.spectral_radius, at.trials, 5),
                  at.exitance.empty() ? "no mean" : bias_text(at.exitance.front()),
                  at.light_error ? percent(*at.light_error) : "–",
@@ -89,7 +89,7 @@ Table trials_table(const EnclosureRequest& request, const EnclosureResults& resu
     for (const Consequences& found : results.consequences) {
         if (found.not_balanced == 0) continue;
         table.remarks.push_back(fmt::format("{}: {} of {} trials have no closed reciprocal matrix near.",
-                                            studies::name(found.treatment), found.not_balanced,
+                                            studies::radiosity::name(found.treatment), found.not_balanced,
                                             found.not_balanced + found.trials));
     }
     return table;

@@ -7,6 +7,7 @@
 namespace ff::reports {
 
 /// What `ffstudy enclosure` prints, in Markdown: exact factors, exact solutions, and the effect of rays on them.
-std::string enclosure_text(const studies::EnclosureRequest& request, const studies::EnclosureResults& results);
+std::string enclosure_text(const studies::radiosity::EnclosureRequest& request,
+                           const studies::radiosity::EnclosureResults& results);
 
 }  // namespace ff::reports

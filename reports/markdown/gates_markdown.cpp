@@ -8,8 +8,8 @@
 
 namespace ff::reports {
 
-std::string gates_markdown(const studies::CheckResults& check) {
-    using studies::Verdict;
+std::string gates_markdown(const studies::gates::CheckResults& check) {
+    using studies::gates::Verdict;
     const std::size_t missing = check.spec.gates.size() - check.results.size();
     std::string text =
         fmt::format("### Gates of {}: {} passed, {} failed, {} inconclusive{}\n\n", markdown_text(check.spec.name),
@@ -19,7 +19,7 @@ std::string gates_markdown(const studies::CheckResults& check) {
                         brief(check.spec.alpha), brief(check.spec.power));
     text += "| verdict | gate | kind | found |\n|---|---|---|---|\n";
     for (const Verdict verdict : {Verdict::fail, Verdict::inconclusive, Verdict::pass}) {
-        for (const studies::GateResult& result : check.results) {
+        for (const studies::gates::GateResult& result : check.results) {
             if (result.verdict != verdict) continue;
             const std::string shown(name(verdict));
             text += fmt::format("| {} | {} | {} | {} |\n", verdict == Verdict::pass ? shown : "**" + shown + "**",

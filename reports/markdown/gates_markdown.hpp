@@ -7,6 +7,6 @@
 namespace ff::reports {
 
 /// summary.md: a comment for a pull request. One row per gate, those that did not pass first.
-std::string gates_markdown(const studies::CheckResults& check);
+std::string gates_markdown(const studies::gates::CheckResults& check);
 
 }  // namespace ff::reports

@@ -112,8 +112,8 @@ std::string audit_section(const studies::StudyResults& results) {
         "## The audit\n\nFrom the printed figures alone: **{} contradictions**; details in [audit.md](audit.md).\n\n",
         published.audit.contradictions());
     std::size_t number = 0;
-    for (const studies::Finding& finding : published.audit.findings) {
-        const bool note = finding.severity == studies::Severity::note;
+    for (const studies::audit::Finding& finding : published.audit.findings) {
+        const bool note = finding.severity == studies::audit::Severity::note;
         out += fmt::format("{}. {}{}\n", ++number, note ? "(note) " : "", markdown_text(finding.statement));
     }
     return out + "\n";

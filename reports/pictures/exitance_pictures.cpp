@@ -17,8 +17,8 @@
 namespace ff::reports {
 namespace {
 
-using studies::Consequences;
 using studies::StudyPlan;
+using studies::radiosity::Consequences;
 
 /// A quantity of every patch, for a reader to choose among others.
 struct Choice {
@@ -69,7 +69,7 @@ class FlatPicture {
 };
 
 /// Each patch gathers from the faces, whose exitance is that of the system between faces.
-std::vector<double> gather(const studies::Lighting& lighting, const studies::ExactSystem& solved,
+std::vector<double> gather(const studies::radiosity::Lighting& lighting, const studies::radiosity::ExactSystem& solved,
                            const Eigen::MatrixXd& to_faces, const Scene& scene, Subdivision subdivision) {
     const Eigen::VectorXd irradiance = to_faces * solved.exitance;
     std::vector<double> exitance;
@@ -100,9 +100,9 @@ std::optional<Picture> gathered_picture(const studies::StudyResults& results, st
     const auto to_faces = exact_patch_to_face(scene, subdivision);
     if (!to_faces) return std::nullopt;
     FlatPicture flat(scene, subdivision, std::move(*box));
-    const studies::Lighting lighting = studies::light_faces(plan, scene_index);
+    const studies::radiosity::Lighting lighting = studies::radiosity::light_faces(plan, scene_index);
     std::string finding;
-    for (const studies::ExactSystem& solved : results.radiosity->exact) {
+    for (const studies::radiosity::ExactSystem& solved : results.radiosity->exact) {
         if (solved.scene != scene_index || solved.m != 0) continue;
         Choice choice{fmt::format("exact factors, reflectance {}", setting_text(plan, solved.setting)),
                       gather(lighting, solved, *to_faces, scene, subdivision)};
@@ -121,20 +121,20 @@ std::optional<Picture> gathered_picture(const studies::StudyResults& results, st
 }
 
 /// One treatment of one cell between patches, at a setting where it has what is shown.
-using Visit = std::function<void(const std::string& label, const studies::SettingStatistics&)>;
+using Visit = std::function<void(const std::string& label, const studies::radiosity::SettingStatistics&)>;
 
-void for_each_lit(const StudyPlan& plan, const studies::RadiosityResults& radiosity,
+void for_each_lit(const StudyPlan& plan, const studies::radiosity::Results& radiosity,
                   const std::vector<std::size_t>& cells, const Visit& visit) {
     for (std::size_t setting = 0; setting < plan.spec.radiosity->reflectance.size(); ++setting) {
         for (const std::size_t cell : cells) {
-            const auto own = studies::treatment_of(plan.spec.methods[plan.cells[cell].method].completion);
-            for (const studies::Treatment treatment : {own, studies::Treatment::balanced}) {
-                const Consequences* found = radiosity.find(cell, treatment, studies::Between::patches);
+            const auto own = studies::radiosity::treatment_of(plan.spec.methods[plan.cells[cell].method].completion);
+            for (const studies::radiosity::Treatment treatment : {own, studies::radiosity::Treatment::balanced}) {
+                const Consequences* found = radiosity.find(cell, treatment, studies::radiosity::Between::patches);
                 if (found == nullptr || found->settings.empty()) continue;
-                const studies::SettingStatistics& at = found->settings[setting];
+                const studies::radiosity::SettingStatistics& at = found->settings[setting];
                 if (!at.light_error) continue;
                 visit(fmt::format("{}, {}, {}, reflectance {}", plan.spec.methods[plan.cells[cell].method].name,
-                                  size_label(plan, plan.cells[cell]), studies::name(treatment),
+                                  size_label(plan, plan.cells[cell]), studies::radiosity::name(treatment),
                                   setting_text(plan, setting)),
                       at);
             }
@@ -149,11 +149,11 @@ std::vector<Picture> patch_pictures(const studies::StudyResults& results, std::s
     const Subdivision subdivision = plan.cells[cells.front()].subdivision;
     const auto box = unfold_box(scene, subdivision);
     if (!box) return {};
-    const double unit = 1 / studies::light_faces(plan, scene_index).emission.maxCoeff();
+    const double unit = 1 / studies::radiosity::light_faces(plan, scene_index).emission.maxCoeff();
     FlatPicture light(scene, subdivision, *box);
     FlatPicture errors(scene, subdivision, *box);
     std::string finding;
-    for (const studies::ExactSystem& solved : results.radiosity->exact) {
+    for (const studies::radiosity::ExactSystem& solved : results.radiosity->exact) {
         if (solved.scene != scene_index || solved.m != subdivision.m) continue;
         Choice choice{fmt::format("exact factors, reflectance {}", setting_text(plan, solved.setting)),
                       {solved.exitance.begin(), solved.exitance.end()}};
@@ -167,7 +167,7 @@ std::vector<Picture> patch_pictures(const studies::StudyResults& results, std::s
         Choice means{label, {}};
         Choice misses{label, {}};
         for (std::size_t i = 1; i < at.exitance.size(); ++i) {
-            const studies::ExitanceStatistics& patch = at.exitance[i];
+            const studies::radiosity::ExitanceStatistics& patch = at.exitance[i];
             means.values.push_back(*patch.mean * unit);
             misses.values.push_back(relative_error(patch));
         }
@@ -205,8 +205,8 @@ std::vector<Picture> exitance_pictures(const studies::StudyResults& results, std
     const StudyPlan& plan = results.findings.plan;
     std::vector<std::size_t> cells;
     for (const std::size_t cell : lit_cells(plan, scene)) {
-        const bool has =
-            results.radiosity->find(cell, studies::Treatment::direct, studies::Between::patches) != nullptr;
+        const bool has = results.radiosity->find(cell, studies::radiosity::Treatment::direct,
+                                                 studies::radiosity::Between::patches) != nullptr;
         if (has && (cells.empty() || plan.cells[cell].subdivision.m == plan.cells[cells.front()].subdivision.m))
             cells.push_back(cell);
     }

@@ -15,18 +15,18 @@
 namespace ff::reports {
 namespace {
 
-using studies::Consequences;
 using studies::StudyPlan;
+using studies::radiosity::Consequences;
 
 struct Shown {
     std::string method;
     std::string size;
-    studies::Treatment treatment;
+    studies::radiosity::Treatment treatment;
     bool own = true;  ///< whether the method itself completes the matrix so
     const Consequences* found;
 
     [[nodiscard]] std::string label() const {
-        return fmt::format("{}, {}, {}", method, size, studies::name(treatment));
+        return fmt::format("{}, {}, {}", method, size, studies::radiosity::name(treatment));
     }
 };
 
@@ -35,12 +35,12 @@ std::vector<Shown> shown_of(const studies::StudyResults& results, std::size_t sc
     const StudyPlan& plan = results.findings.plan;
     std::vector<Shown> shown;
     for (const std::size_t cell : lit_cells(plan, scene)) {
-        for (const studies::Treatment treatment : studies::all_treatments) {
+        for (const studies::radiosity::Treatment treatment : studies::radiosity::all_treatments) {
             const Consequences* found = results.radiosity->find(cell, treatment);
             const studies::Method& method = plan.spec.methods[plan.cells[cell].method];
-            const bool own = treatment == studies::treatment_of(method.completion);
+            const bool own = treatment == studies::radiosity::treatment_of(method.completion);
             if (found->settings.empty()) continue;
-            if (!own && treatment != studies::Treatment::balanced) continue;
+            if (!own && treatment != studies::radiosity::Treatment::balanced) continue;
             shown.push_back({method.name, size_label(plan, plan.cells[cell]), treatment, own, found});
         }
     }
@@ -92,12 +92,12 @@ std::optional<Picture> errors_picture(const studies::StudyResults& results, std:
     std::string where;
     for (const Shown& each : shown) {
         std::optional<double> last;
-        for (const studies::SettingStatistics& at : each.found->settings) {
+        for (const studies::radiosity::SettingStatistics& at : each.found->settings) {
             const auto reflectance = same_everywhere(plan, at.setting);
             if (!reflectance || at.exitance.empty()) continue;
             const double rmse = at.light_error.value_or(0);
             if (rmse < 1e-11) continue;  // rounding, or no mean
-            values.add({each.method, each.size, studies::name(each.treatment), each.own, drawn(reflectance),
+            values.add({each.method, each.size, studies::radiosity::name(each.treatment), each.own, drawn(reflectance),
                         drawn(1 - *reflectance), drawn(rmse),
                         drawn(*at.exitance.front().bias / at.exitance.front().exact), at.negative});
             lines.make_room(rmse);
@@ -132,11 +132,11 @@ std::optional<Picture> radius_picture(const studies::StudyResults& results, std:
     double limit = 1;
     for (const Shown& each : shown) {
         std::optional<double> last;
-        for (const studies::SettingStatistics& at : each.found->settings) {
+        for (const studies::radiosity::SettingStatistics& at : each.found->settings) {
             const auto reflectance = same_everywhere(plan, at.setting);
             if (!reflectance) continue;
             const auto& radius = at.spectral_radius;
-            values.add({each.method, each.size, studies::name(each.treatment), each.own, drawn(reflectance),
+            values.add({each.method, each.size, studies::radiosity::name(each.treatment), each.own, drawn(reflectance),
                         drawn(radius.median, 8), drawn(radius.least, 8), drawn(radius.largest, 8)});
             for (const double value : {radius.median, radius.least, radius.largest}) lines.make_room(value);
             last = radius.median;
@@ -174,10 +174,10 @@ std::optional<Picture> residuals_picture(const studies::StudyResults& results, s
     PictureValues values({"system", "solver", "iteration", "residual"});
     auto systems = nlohmann::ordered_json::array();
     std::set<std::string> failed;
-    const auto add = [&](const std::string& label, const std::vector<studies::SolverStatistics>& solvers) {
+    const auto add = [&](const std::string& label, const std::vector<studies::radiosity::SolverStatistics>& solvers) {
         if (solvers.empty()) return;
         systems.push_back(label);
-        for (const studies::SolverStatistics& found : solvers) {
+        for (const studies::radiosity::SolverStatistics& found : solvers) {
             if (found.solver == Solver::lu) continue;
             if (found.diverged > 0) failed.insert(label);
             for (std::size_t i = 0; i < found.residuals.size(); ++i) {
@@ -186,14 +186,14 @@ std::optional<Picture> residuals_picture(const studies::StudyResults& results, s
             }
         }
     };
-    for (const studies::ExactSystem& system : results.radiosity->exact) {
+    for (const studies::radiosity::ExactSystem& system : results.radiosity->exact) {
         if (system.scene == scene && system.m == 0)
             add(fmt::format("exact factors, reflectance {}", setting_text(plan, system.setting)), system.solvers);
     }
     for (const std::size_t cell : lit_cells(plan, scene)) {
-        const auto own = studies::treatment_of(plan.spec.methods[plan.cells[cell].method].completion);
+        const auto own = studies::radiosity::treatment_of(plan.spec.methods[plan.cells[cell].method].completion);
         const Consequences* found = results.radiosity->find(cell, own);
-        for (const studies::SettingStatistics& at : found->settings) {
+        for (const studies::radiosity::SettingStatistics& at : found->settings) {
             add(fmt::format("{}, reflectance {}", cell_label(plan, plan.cells[cell]), setting_text(plan, at.setting)),
                 at.solvers);
         }

@@ -39,11 +39,11 @@ std::vector<std::string_view> names_of_formats() {
 
 }  // namespace
 
-HandedOn hand_on(const Scene& scene, const studies::FormFactorMatrix& matrix,
+HandedOn hand_on(const Scene& scene, const studies::form_factors::Matrix& matrix,
                  std::vector<std::optional<double>> emissivities) {
     const bool repaired = matrix.repaired && matrix.repaired->possible;
     return {scene, matrix,
-            repaired ? studies::FormFactorMatrix::Sparse(matrix.repaired->factors.sparseView()) : matrix.factors(),
+            repaired ? studies::form_factors::Matrix::Sparse(matrix.repaired->factors.sparseView()) : matrix.factors(),
             std::move(emissivities)};
 }
 
@@ -70,10 +70,10 @@ std::vector<ProgramFile> files_of_formats(const std::vector<std::string>& format
 void write_intervals(std::ostream& out, const HandedOn& handed) {
     out << "row,column,from,to,factor,low,high\n";
     const auto& [scene, matrix, factors, emissivities] = handed;
-    const auto rows = studies::by_face(matrix.exchanges, matrix.faces());
+    const auto rows = studies::form_factors::by_face(matrix.exchanges, matrix.faces());
     for (std::size_t from = 0; from < rows.size(); ++from) {
         for (const std::uint32_t index : rows[from]) {
-            const studies::FaceExchange& exchange = matrix.exchanges[index];
+            const studies::form_factors::FaceExchange& exchange = matrix.exchanges[index];
             if (exchange.high <= 0) continue;
             const std::size_t to = exchange.from == from ? exchange.to : exchange.from;
             const double factor = factors.coeff(static_cast<Eigen::Index>(from), static_cast<Eigen::Index>(to));
@@ -85,11 +85,11 @@ void write_intervals(std::ostream& out, const HandedOn& handed) {
 }
 
 void expect_few_faces(const Scene& scene, std::string_view format) {
-    if (scene.faces.size() <= studies::most_dense_faces) return;
+    if (scene.faces.size() <= studies::form_factors::most_dense_faces) return;
     throw UserError(
         fmt::format("--format {}: scene '{}' has {} faces (the format takes all zeros of the matrix; at "
                     "most {} are written). Put surfaces into groups.",
-                    format, scene.name, scene.faces.size(), studies::most_dense_faces));
+                    format, scene.name, scene.faces.size(), studies::form_factors::most_dense_faces));
 }
 
 Eigen::VectorXd whole_row(const HandedOn& handed, Eigen::Index row) {

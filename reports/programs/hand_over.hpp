@@ -13,12 +13,12 @@ namespace ff::reports {
 /// Form factors handed to another program, row by row.
 struct HandedOn {
     const Scene& scene;
-    const studies::FormFactorMatrix& matrix;
-    studies::FormFactorMatrix::Sparse factors;        ///< repaired where requested and possible, otherwise estimates
+    const studies::form_factors::Matrix& matrix;
+    studies::form_factors::Matrix::Sparse factors;    ///< repaired where requested and possible, otherwise estimates
     std::vector<std::optional<double>> emissivities;  ///< given by the scene file; empty: none
 };
 
-HandedOn hand_on(const Scene& scene, const studies::FormFactorMatrix& matrix,
+HandedOn hand_on(const Scene& scene, const studies::form_factors::Matrix& matrix,
                  std::vector<std::optional<double>> emissivities);
 
 /// A file in the format of another program. docs/form-factors.md has the formats, with their sources.

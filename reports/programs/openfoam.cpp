@@ -7,7 +7,7 @@ namespace {
 
 // For each face, of those that it sees: their factors (F), and their numbers from 0 (globalFaceFaces). @see [openfoam]
 
-using Row = studies::FormFactorMatrix::Sparse::InnerIterator;
+using Row = studies::form_factors::Matrix::Sparse::InnerIterator;
 
 template <class Entry>
 void write_lists(std::ostream& out, const HandedOn& handed, std::string_view type, std::string_view object,

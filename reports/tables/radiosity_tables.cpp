@@ -12,7 +12,7 @@
 namespace ff::reports {
 namespace {
 
-using studies::Consequences;
+using studies::radiosity::Consequences;
 
 /// The cells that name a row: method and size.
 std::vector<TableCell> row_of(const studies::StudyPlan& plan, std::size_t index) {
@@ -21,7 +21,7 @@ std::vector<TableCell> row_of(const studies::StudyPlan& plan, std::size_t index)
     return {{scene + plan.spec.methods[cell.method].name, Mark::none}, {size_label(plan, cell), Mark::none}};
 }
 
-using studies::Between;
+using studies::radiosity::Between;
 
 /// Tables of systems between patches have titles and ids of their own.
 std::string title_of(Between between, const std::string& title) {
@@ -56,7 +56,7 @@ Table matrices_table(const studies::StudyResults& results, Between between) {
         if (found.between != between) continue;
         if (found.trials == 0) continue;
         auto row = row_of(plan, found.cell);
-        row.push_back({std::string(studies::name(found.treatment)), Mark::none});
+        row.push_back({std::string(studies::radiosity::name(found.treatment)), Mark::none});
         for (const auto* range :
              {&found.closure_defect, &found.reciprocity_defect, &found.correction, &found.factor_error})
             row.push_back({over_trials_text(*range, found.trials, 2), Mark::none});
@@ -87,7 +87,7 @@ Table exitance_table(const studies::StudyResults& results, Between between) {
                     "the mean exact exitance; at the worst: relative to its own. Negative light: trials "
                     "with a negative exitance. Where some of several trials are not convergent, the "
                     "exitance passes a pole and has no mean.",
-                    studies::name(between), 100 * plan.spec.level),
+                    studies::radiosity::name(between), 100 * plan.spec.level),
         {{"method", false, ""},
          {"size (patches per face)", false, ""},
          {"treatment", false, ""},
@@ -104,9 +104,9 @@ Table exitance_table(const studies::StudyResults& results, Between between) {
         {}};
     for (const Consequences& found : results.radiosity->consequences) {
         if (found.between != between) continue;
-        for (const studies::SettingStatistics& at : found.settings) {
+        for (const studies::radiosity::SettingStatistics& at : found.settings) {
             auto row = row_of(plan, found.cell);
-            row.push_back({std::string(studies::name(found.treatment)), Mark::none});
+            row.push_back({std::string(studies::radiosity::name(found.treatment)), Mark::none});
             row.push_back({setting_text(plan, at.setting), Mark::none});
             row.push_back(
                 {fmt::format("{} of {}", at.dominant, at.trials), at.dominant < at.trials ? Mark::bad : Mark::good});
@@ -138,7 +138,7 @@ Table exitance_table(const studies::StudyResults& results, Between between) {
     return table;
 }
 
-TableCell solver_cell(const studies::SolverStatistics& found) {
+TableCell solver_cell(const studies::radiosity::SolverStatistics& found) {
     return {iterations_text(found), found.converged == found.runs ? Mark::none : Mark::bad};
 }
 
@@ -149,7 +149,7 @@ Table solvers_table(const studies::StudyResults& results, Between between) {
                 title_of(between, "How many iterations solvers take"),
                 fmt::format("Until the largest |e − G m| is {:g} of the largest emission, from m = e: sweeps over all "
                             "{}, or n shots; {}, as each method is completed. Flops: solvers.csv.",
-                            plan.spec.radiosity->tolerance, studies::name(between),
+                            plan.spec.radiosity->tolerance, studies::radiosity::name(between),
                             between == Between::patches
                                 ? std::string("the first trial")
                                 : fmt::format("median and range over the first {} trials at most", trials)),
@@ -160,15 +160,15 @@ Table solvers_table(const studies::StudyResults& results, Between between) {
         if (solver != Solver::lu) table.columns.push_back({std::string(ff::name(solver)), true, "iterations"});
     }
     const auto add = [&](std::vector<TableCell> row, std::size_t setting,
-                         const std::vector<studies::SolverStatistics>& solvers) {
+                         const std::vector<studies::radiosity::SolverStatistics>& solvers) {
         if (solvers.empty()) return;
         row.push_back({setting_text(plan, setting), Mark::none});
-        for (const studies::SolverStatistics& found : solvers) {
+        for (const studies::radiosity::SolverStatistics& found : solvers) {
             if (found.solver != Solver::lu) row.push_back(solver_cell(found));
         }
         table.rows.push_back(std::move(row));
     };
-    for (const studies::ExactSystem& system : results.radiosity->exact) {
+    for (const studies::radiosity::ExactSystem& system : results.radiosity->exact) {
         if ((system.m != 0) != (between == Between::patches)) continue;
         const std::string scene = plan.scenes.size() == 1 ? std::string() : plan.scenes[system.scene].name + ": ";
         const std::string size = system.m == 0 ? "–" : std::to_string(system.m * system.m);
@@ -176,7 +176,7 @@ Table solvers_table(const studies::StudyResults& results, Between between) {
     }
     for (const Consequences& found : results.radiosity->consequences) {
         if (found.between != between) continue;
-        for (const studies::SettingStatistics& at : found.settings)
+        for (const studies::radiosity::SettingStatistics& at : found.settings)
             add(row_of(plan, found.cell), at.setting, at.solvers);
     }
     return table;
@@ -199,7 +199,7 @@ Table bias_order_table(const studies::StudyResults& results) {
                  {"slope", true, ""}},
                 {},
                 {}};
-    for (const studies::BiasOrder& order : results.bias_orders) {
+    for (const studies::radiosity::BiasOrder& order : results.bias_orders) {
         const std::string scene = plan.scenes.size() == 1 ? std::string() : plan.scenes[order.scene].name + ": ";
         std::vector<std::string> sizes, biases, products;
         for (const auto& point : order.points) {
@@ -211,7 +211,7 @@ Table bias_order_table(const studies::StudyResults& results) {
                                                             order.interval->low, order.interval->high)
                                               : "–";
         table.rows.push_back({{scene + order.label, Mark::none},
-                              {std::string(studies::name(order.treatment)), Mark::none},
+                              {std::string(studies::radiosity::name(order.treatment)), Mark::none},
                               {setting_text(plan, order.setting), Mark::none},
                               {fmt::format("{}", fmt::join(sizes, "; ")), Mark::none},
                               {fmt::format("{}", fmt::join(biases, "; ")), Mark::none},

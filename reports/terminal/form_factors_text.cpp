@@ -13,7 +13,7 @@
 namespace ff::reports {
 namespace {
 
-using studies::FaceExchange;
+using studies::form_factors::FaceExchange;
 
 /// For scenes with more faces, the matrix is only in the files.
 constexpr std::size_t most_faces_of_matrix = 8;
@@ -34,7 +34,7 @@ std::string methods(const FormFactorReport& report, const TextStyle& style) {
     }
     const std::size_t listed = report.matrix.exchanges.size() + report.matrix.dropped;
     if (const std::size_t unseen = report.matrix.pairs() - listed; unseen > 0) {
-        const FaceExchange nothing = studies::no_exchange(0, 0);
+        const FaceExchange nothing = studies::form_factors::no_exchange(0, 0);
         rows[{method_of(nothing), reason_of(nothing)}].pairs = unseen;
     }
     Table table{"methods", "",
@@ -57,7 +57,7 @@ std::string dropped_text(const FormFactorReport& report) {
     const auto& rows = report.matrix.rows;
     const auto most = std::max_element(rows.begin(), rows.end(),
                                        [](const auto& a, const auto& b) { return a.dropped.value < b.dropped.value; });
-    const studies::DroppedExchange& sum = most->dropped;
+    const studies::form_factors::DroppedExchange& sum = most->dropped;
     const double width = std::max(sum.high - sum.value, sum.value - sum.low);
     return fmt::format("Dropped of a row is at most {} [{}, {}] (face {}, {})\n", to_error(sum.value, width),
                        to_error(sum.low, width), to_error(sum.high, width),
@@ -73,7 +73,7 @@ std::string factors(const FormFactorReport& report, const TextStyle& style) {
     table.columns.push_back({"sum", true, {}});
     table.columns.push_back({"interval of the sum", false, {}});
     for (Eigen::Index i = 0; i < n; ++i) {
-        const studies::RowSum& sum = report.matrix.rows[static_cast<std::size_t>(i)];
+        const studies::form_factors::RowSum& sum = report.matrix.rows[static_cast<std::size_t>(i)];
         std::vector<TableCell> row{plain_cell(report.scene.faces[static_cast<std::size_t>(i)])};
         for (Eigen::Index j = 0; j < n; ++j) {
             row.push_back(
@@ -100,7 +100,7 @@ std::string many_row_sums(const FormFactorReport& report) {
     return fmt::format("Row sums from {} to {}\n", words(least), words(most));
 }
 
-std::string tolerance_of(const studies::FormFactorRequest& request) {
+std::string tolerance_of(const studies::form_factors::Request& request) {
     const std::string absolute = brief(request.tolerance);
     return request.relative > 0 ? fmt::format("{} or {} % of the factor", absolute, brief(100 * request.relative))
                                 : absolute;
@@ -109,7 +109,7 @@ std::string tolerance_of(const studies::FormFactorRequest& request) {
 }  // namespace
 
 std::string form_factors_verdict(const FormFactorReport& report) {
-    const studies::FormFactorMatrix& matrix = report.matrix;
+    const studies::form_factors::Matrix& matrix = report.matrix;
     const std::size_t missed = matrix.missed();
     const std::size_t all = matrix.pairs() - matrix.dropped;
     const std::string tolerance = tolerance_of(report.request);
@@ -117,7 +117,7 @@ std::string form_factors_verdict(const FormFactorReport& report) {
     std::string text;
     if (missed > 0) {
         text = fmt::format("{} of {} {} NOT within {}:", missed, pairs, missed == 1 ? "is" : "are", tolerance);
-    } else if (!studies::is_trusted(report.scene, matrix, report.request.tolerance)) {
+    } else if (!studies::form_factors::is_trusted(report.scene, matrix, report.request.tolerance)) {
         text = fmt::format("NOT to be trusted (see the warnings), though as the scene is read {} {} within {}.", pairs,
                            all == 1 ? "is" : "are", tolerance);
     } else {
@@ -160,7 +160,8 @@ std::string form_factors_text(const FormFactorReport& report, const TextStyle& s
     std::string text = fmt::format(
         "{}: {} of {}{}\ntolerance {}, level {} {}, seed {}\n\n", scene.name, counted(scene.faces.size(), "face"),
         counted(scene.surfaces.size(), "surface"), joined, tolerance_of(request), brief(request.level, 10),
-        request.level_of == studies::LevelOf::entry ? "of each entry" : "of the whole matrix", request.seed.value);
+        request.level_of == studies::form_factors::LevelOf::entry ? "of each entry" : "of the whole matrix",
+        request.seed.value);
     text += methods(report, style) + "\n";
     text += scene.faces.size() <= most_faces_of_matrix ? factors(report, style) : many_row_sums(report);
     text += dropped_text(report) + "\n" + form_factors_verdict(report) + "\n";

@@ -10,7 +10,7 @@
 namespace ff::reports {
 namespace {
 
-std::string trials_in_words(const studies::GatePlan& plan) {
+std::string trials_in_words(const studies::gates::Plan& plan) {
     const auto [least, most] = std::minmax_element(plan.trials.begin(), plan.trials.end());
     const std::string text = *least == *most ? fmt::format("{}", *most) : fmt::format("{}-{}", *least, *most);
     return plan.wanted_trials > 0 ? text + "!" : text;
@@ -18,15 +18,15 @@ std::string trials_in_words(const studies::GatePlan& plan) {
 
 }  // namespace
 
-std::string gates_plan(const studies::GatesSpec& spec, std::span<const studies::EstimatesPlan> files,
-                       std::span<const studies::GatePlan> plans, unsigned threads) {
+std::string gates_plan(const studies::gates::Spec& spec, std::span<const studies::gates::EstimatesPlan> files,
+                       std::span<const studies::gates::Plan> plans, unsigned threads) {
     std::string out = estimates_plan(spec, files);
     const std::size_t width = name_width(spec);
     double total = 0;
     double most = 0;
     bool capped = false;
-    for (const studies::GatePlan& plan : plans) {
-        const studies::Gate& gate = spec.gates[plan.gate];
+    for (const studies::gates::Plan& plan : plans) {
+        const studies::gates::Gate& gate = spec.gates[plan.gate];
         const double seconds = expected_seconds(plan);
         const double looks = plan.deterministic ? 1 : static_cast<double>(spec.looks);
         total += seconds;

@@ -9,7 +9,7 @@
 namespace ff::reports {
 
 /// Trials and time of each gate, and in total; for gates on a file of estimates, trials needed and available.
-std::string gates_plan(const studies::GatesSpec& spec, std::span<const studies::EstimatesPlan> files,
-                       std::span<const studies::GatePlan> plans, unsigned threads);
+std::string gates_plan(const studies::gates::Spec& spec, std::span<const studies::gates::EstimatesPlan> files,
+                       std::span<const studies::gates::Plan> plans, unsigned threads);
 
 }  // namespace ff::reports

@@ -16,7 +16,7 @@
 namespace ff::reports {
 namespace {
 
-using studies::Bounds;
+using studies::heat::Bounds;
 
 /// @param is_rounding  what is left of 0
 std::string with_error(const Bounds& bounds, bool is_rounding = false) {
@@ -30,7 +30,7 @@ std::string with_error(const Bounds& bounds, bool is_rounding = false) {
 constexpr std::size_t most_flows_shown = 40;
 
 /// All faces; of many those of the largest powers.
-std::vector<std::size_t> shown_faces(const studies::HeatFlows& flows, std::size_t most) {
+std::vector<std::size_t> shown_faces(const studies::heat::Flows& flows, std::size_t most) {
     std::vector<std::size_t> faces(flows.faces.size());
     std::iota(faces.begin(), faces.end(), std::size_t{0});
     if (faces.size() <= most) return faces;
@@ -49,7 +49,7 @@ std::string_view unit_of_power(const HeatReport& report) {
 
 Table heat_table(const HeatReport& report, std::size_t most) {
     const Scene& scene = report.scene;
-    const studies::HeatFlows& flows = report.flows;
+    const studies::heat::Flows& flows = report.flows;
     const bool light = report.materials.are_light();
     const bool at_rest = flows.are_at_rest();
     Table table{"flows",
@@ -65,7 +65,7 @@ Table heat_table(const HeatReport& report, std::size_t most) {
                 {}};
     if (!light) table.columns.push_back({"temperature", true, "K"});
     for (const std::size_t i : shown_faces(flows, most)) {
-        const studies::FaceFlow& flow = flows.faces[i];
+        const studies::heat::FaceFlow& flow = flows.faces[i];
         table.rows.push_back({plain_cell(scene.faces[i]), plain_cell(brief(flow.area, 6)),
                               plain_cell(with_error(flow.radiosity)), plain_cell(with_error(flow.irradiation)),
                               plain_cell(with_error(flow.net, at_rest)), plain_cell(with_error(flow.power, at_rest))});
@@ -78,7 +78,7 @@ Table heat_table(const HeatReport& report, std::size_t most) {
 }
 
 std::string heat_verdict(const HeatReport& report) {
-    const studies::HeatFlows& flows = report.flows;
+    const studies::heat::Flows& flows = report.flows;
     if (flows.are_at_rest())
         return fmt::format("Nothing is exchanged: every power is 0 within {}{} (the faces emit {}{}).",
                            brief(flows.worst, 2), unit_of_power(report), brief(flows.emitted, 4),
@@ -90,7 +90,7 @@ std::string heat_verdict(const HeatReport& report) {
 
 std::string heat_effort(const HeatReport& report) {
     if (report.sampled == nullptr || report.sampled->samples == 0) return {};
-    const studies::SampledFlows& sampled = *report.sampled;
+    const studies::heat::SampledFlows& sampled = *report.sampled;
     if (!sampled.even_samples) return fmt::format("{} samples.", thousands_apart(sampled.samples));
     return fmt::format("{} samples; with one tolerance for all form factors about {} (estimated).",
                        thousands_apart(sampled.samples), brief(*sampled.even_samples, 2));

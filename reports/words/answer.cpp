@@ -50,7 +50,7 @@ Answer answer(const StudyResults& results) {
     }
     if (std::string text = sentence(out.finding.clauses); !text.empty()) sentences.push_back(std::move(text));
     if (results.published) {
-        const studies::AuditReport& audit = results.published->audit;
+        const studies::audit::Report& audit = results.published->audit;
         if (audit.figures > 0)
             sentences.push_back(fmt::format("The publication's {} printed figures contain {} contradiction{}.",
                                             audit.figures, audit.contradictions(),

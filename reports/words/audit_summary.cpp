@@ -6,17 +6,17 @@
 
 namespace ff::reports {
 
-using studies::AuditReport;
-using studies::Finding;
 using studies::PublishedTables;
+using studies::audit::Finding;
+using studies::audit::Report;
 
-std::string audit_verdict(const AuditReport& report) {
+std::string audit_verdict(const Report& report) {
     const std::size_t n = report.contradictions();
     if (n == 0) return fmt::format("The {} printed figures contain no contradiction.", report.figures);
     return fmt::format("The {} printed figures contain {} contradiction{}.", report.figures, n, n == 1 ? "" : "s");
 }
 
-std::string audit_summary(const PublishedTables& tables, const AuditReport& report) {
+std::string audit_summary(const PublishedTables& tables, const Report& report) {
     std::string text = audit_verdict(report) + "\n";
     std::size_t number = 0;
     for (const Finding& f : report.findings) {

@@ -8,7 +8,7 @@
 
 namespace ff::reports {
 
-using studies::FaceExchange;
+using studies::form_factors::FaceExchange;
 
 namespace {
 
@@ -44,7 +44,7 @@ std::string row_warning(const FormFactorReport& report, const std::vector<std::s
 }  // namespace
 
 std::vector<std::string> form_factor_warnings(const FormFactorReport& report) {
-    const studies::FormFactorMatrix& matrix = report.matrix;
+    const studies::form_factors::Matrix& matrix = report.matrix;
     std::vector<std::string> warnings = matrix.faults;
     const bool closed = report.scene.closed || report.scene.empty_box;
     std::vector<std::size_t> rows;

@@ -14,8 +14,8 @@ namespace ff::reports {
 /// A matrix of form factors with its scene. docs/form-factors.md describes what is written of it.
 struct FormFactorReport {
     const Scene& scene;
-    const studies::FormFactorRequest& request;
-    const studies::FormFactorMatrix& matrix;
+    const studies::form_factors::Request& request;
+    const studies::form_factors::Matrix& matrix;
 };
 
 /// Sentences about suspicious findings: row sums of closed scenes that exclude 1, lost rays, contradictions.

@@ -84,8 +84,8 @@ KeyNumber bias_number(const studies::Analysis& findings) {
 std::vector<std::string> wrong_in_print(const studies::PublishedResults& published) {
     std::vector<std::string> lines;
     for (const bool corrected : {true, false}) {
-        for (const studies::Finding& finding : published.audit.findings) {
-            if (finding.severity == studies::Severity::contradiction && finding.corrections.empty() != corrected)
+        for (const studies::audit::Finding& finding : published.audit.findings) {
+            if (finding.severity == studies::audit::Severity::contradiction && finding.corrections.empty() != corrected)
                 lines.push_back(finding.statement);
         }
     }
@@ -110,7 +110,7 @@ Headline headline(const studies::StudyResults& results) {
     }
     if (KeyNumber bias = bias_number(results.findings); !bias.value.empty()) out.numbers.push_back(std::move(bias));
     if (results.published && results.published->audit.figures > 0) {
-        const studies::AuditReport& audit = results.published->audit;
+        const studies::audit::Report& audit = results.published->audit;
         out.published = wrong_in_print(*results.published);
         out.unlikely = published_in_brief(*results.published, 1 - results.findings.plan.spec.level).front();
         out.numbers.push_back({std::to_string(audit.contradictions()), "contradictions in print",

@@ -48,10 +48,10 @@ bool is_surprising(const FigureComparison& c, double alpha) {
     return c.ours && c.adjusted_p && *c.adjusted_p < alpha;
 }
 
-std::set<std::size_t> blamed_figures(const studies::AuditReport& audit) {
+std::set<std::size_t> blamed_figures(const studies::audit::Report& audit) {
     std::set<std::size_t> blamed;
-    for (const studies::Finding& finding : audit.findings) {
-        if (finding.severity == studies::Severity::contradiction)
+    for (const studies::audit::Finding& finding : audit.findings) {
+        if (finding.severity == studies::audit::Severity::contradiction)
             blamed.insert(finding.figures.begin(), finding.figures.end());
     }
     return blamed;

@@ -19,6 +19,6 @@ std::string place_text(const studies::FigureComparison& comparison, const std::s
 bool is_surprising(const studies::FigureComparison& comparison, double alpha);
 
 /// The figures that the audit blames for a contradiction.
-std::set<std::size_t> blamed_figures(const studies::AuditReport& audit);
+std::set<std::size_t> blamed_figures(const studies::audit::Report& audit);
 
 }  // namespace ff::reports

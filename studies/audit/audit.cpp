@@ -11,7 +11,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace ff::studies {
+namespace ff::studies::audit {
 namespace {
 
 bool is_value(const Figure& figure) {
@@ -21,14 +21,14 @@ bool is_value(const Figure& figure) {
 /// The steps of an audit, in the order in which they build on each other.
 class Auditor {
   public:
-    Auditor(const PublishedTables& tables, const AuditOptions& options, DistributionCache& cache)
+    Auditor(const PublishedTables& tables, const ExamineOptions& options, DistributionCache& cache)
         : tables_(tables), cache_(cache), facts_(scene_facts(tables)), experiments_(collect_experiments(tables)) {
         report_.source = tables.source;
         report_.figures = tables.figures.size();
         report_.alpha = options.alpha;
     }
 
-    AuditReport run() {
+    Report run() {
         judge_formats();
         judge_references();
         judge_readings();
@@ -320,23 +320,23 @@ class Auditor {
     DistributionCache& cache_;
     SceneFacts facts_;
     std::vector<Experiment> experiments_;
-    AuditReport report_;
+    Report report_;
 };
 
 }  // namespace
 
-std::size_t AuditReport::contradictions() const {
+std::size_t Report::contradictions() const {
     return static_cast<std::size_t>(std::count_if(
         findings.begin(), findings.end(), [](const Finding& f) { return f.severity == Severity::contradiction; }));
 }
 
-AuditReport audit(const PublishedTables& tables, const AuditOptions& options, DistributionCache& cache) {
+Report examine(const PublishedTables& tables, const ExamineOptions& options, DistributionCache& cache) {
     return Auditor(tables, options, cache).run();
 }
 
-AuditReport audit(const PublishedTables& tables, const AuditOptions& options) {
+Report examine(const PublishedTables& tables, const ExamineOptions& options) {
     DistributionCache cache;
-    return audit(tables, options, cache);
+    return examine(tables, options, cache);
 }
 
-}  // namespace ff::studies
+}  // namespace ff::studies::audit

@@ -16,7 +16,7 @@
 #include <string>
 #include <vector>
 
-namespace ff::studies {
+namespace ff::studies::audit {
 
 enum class Severity {
     contradiction,  ///< the printed figures cannot all be right
@@ -58,7 +58,7 @@ struct ExperimentSpread {
 };
 
 /// All findings of an audit. All indices are into the tables' `figures`.
-struct AuditReport {
+struct Report {
     std::string source;
     std::size_t figures = 0;
     std::vector<Finding> findings;  ///< contradictions first, in the order of the tables
@@ -74,7 +74,7 @@ struct AuditReport {
     [[nodiscard]] std::size_t contradictions() const;
 };
 
-struct AuditOptions {
+struct ExamineOptions {
     /// Probability that the audit of correct tables reports a contradiction by chance alone: half for single Monte
     /// Carlo values, half for chi-squared tests of experiments.
     double alpha = 1e-4;
@@ -84,9 +84,9 @@ struct AuditOptions {
 /// whose correction removes all contradictions, and among these the closest to a slip of the pen. Pure; the same tables
 /// give the same report.
 /// @throws UserError where the scene is unknown or a figure names a face that it does not have
-AuditReport audit(const PublishedTables& tables, const AuditOptions& options = {});
+Report examine(const PublishedTables& tables, const ExamineOptions& options = {});
 
 /// The same, for many audits of tables of one scene.
-AuditReport audit(const PublishedTables& tables, const AuditOptions& options, DistributionCache& cache);
+Report examine(const PublishedTables& tables, const ExamineOptions& options, DistributionCache& cache);
 
-}  // namespace ff::studies
+}  // namespace ff::studies::audit

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace ff::studies {
+namespace ff::studies::audit {
 namespace {
 
 /// What a blamed figure should print: the range of its constraint's left side.
@@ -86,4 +86,4 @@ std::vector<JudgedDiagnosis> judge_diagnoses(const PublishedTables& tables, cons
     return judged;
 }
 
-}  // namespace ff::studies
+}  // namespace ff::studies::audit

@@ -9,7 +9,7 @@
 #include <optional>
 #include <vector>
 
-namespace ff::studies {
+namespace ff::studies::audit {
 
 /// A diagnosis with the corrections that it asks for.
 struct JudgedDiagnosis {
@@ -30,4 +30,4 @@ const Constraint& constraint_of(const ExperimentModel& model, std::size_t suspec
 /// Rays behind a constraint that prints one sampled quantity; empty for all others.
 std::optional<std::uint64_t> rays_of(const ExperimentModel& model, const Constraint& constraint);
 
-}  // namespace ff::studies
+}  // namespace ff::studies::audit

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-namespace ff::studies {
+namespace ff::studies::audit {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -125,4 +125,4 @@ std::optional<std::vector<Range>> propagate(const ConstraintSystem& system, cons
     return ranges;
 }
 
-}  // namespace ff::studies
+}  // namespace ff::studies::audit

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-namespace ff::studies {
+namespace ff::studies::audit {
 
 /// What ties printed figures to each other and to the truth.
 enum class Relation {
@@ -86,4 +86,4 @@ Range project(const Constraint& constraint, const ConstraintSystem& system, cons
 ///         certain contradiction; ranges may still hide contradictions that they cannot show.
 std::optional<std::vector<Range>> propagate(const ConstraintSystem& system, const Blame& blame);
 
-}  // namespace ff::studies
+}  // namespace ff::studies::audit

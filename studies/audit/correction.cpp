@@ -5,7 +5,7 @@
 #include <functional>
 #include <set>
 
-namespace ff::studies {
+namespace ff::studies::audit {
 namespace {
 
 /// Trailing zeros behind the point say nothing.
@@ -117,4 +117,4 @@ Correction correct(std::string_view printed, Range values, NumberFormat format, 
     return result;
 }
 
-}  // namespace ff::studies
+}  // namespace ff::studies::audit

@@ -10,7 +10,7 @@
 #include <string>
 #include <string_view>
 
-namespace ff::studies {
+namespace ff::studies::audit {
 
 /// What a misprinted figure should have been.
 struct Correction {
@@ -31,4 +31,4 @@ struct Correction {
 Correction correct(std::string_view printed, Range values, NumberFormat format, std::optional<std::uint64_t> rays,
                    const std::function<bool(Range)>& is_consistent);
 
-}  // namespace ff::studies
+}  // namespace ff::studies::audit

@@ -13,7 +13,7 @@
 #include <set>
 #include <span>
 
-namespace ff::studies {
+namespace ff::studies::audit {
 namespace {
 
 using Conflict = std::vector<std::size_t>;
@@ -200,4 +200,4 @@ std::vector<Diagnosis> diagnose(const ConstraintSystem& system) {
     return found;
 }
 
-}  // namespace ff::studies
+}  // namespace ff::studies::audit

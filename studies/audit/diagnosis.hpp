@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace ff::studies {
+namespace ff::studies::audit {
 
 /// Suspects whose blame removes every contradiction.
 struct Diagnosis {
@@ -29,4 +29,4 @@ std::vector<Diagnosis> diagnose(const ConstraintSystem& system);
 /// contradicts itself without any suspect is a bug.
 std::vector<std::size_t> find_conflict(const ConstraintSystem& system, const Blame& blame);
 
-}  // namespace ff::studies
+}  // namespace ff::studies::audit

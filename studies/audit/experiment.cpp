@@ -9,7 +9,7 @@
 #include <tuple>
 #include <utility>
 
-namespace ff::studies {
+namespace ff::studies::audit {
 namespace {
 
 bool contains(const std::vector<std::string>& list, const std::string& item) {
@@ -347,4 +347,4 @@ std::optional<Expectation> expectation(const SceneFacts& facts, const SrDistribu
     return std::nullopt;
 }
 
-}  // namespace ff::studies
+}  // namespace ff::studies::audit

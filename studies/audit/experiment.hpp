@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace ff::studies {
+namespace ff::studies::audit {
 
 /// One method at one size: all figures about it, in whichever table, concern the same unknown quantities.
 struct Experiment {
@@ -77,4 +77,4 @@ struct Expectation {
 std::optional<Expectation> expectation(const SceneFacts& facts, const SrDistribution& distribution,
                                        const Figure& figure);
 
-}  // namespace ff::studies
+}  // namespace ff::studies::audit

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <iterator>
 
-namespace ff::studies {
+namespace ff::studies::audit {
 namespace {
 
 /// "0.19902" or "0.19902 to 0.19903".
@@ -302,4 +302,4 @@ std::vector<Finding> explain_diagnosis(const PublishedTables& tables, const Scen
     return Explainer(tables, facts, experiment, model, interpretation, diagnoses).explain();
 }
 
-}  // namespace ff::studies
+}  // namespace ff::studies::audit

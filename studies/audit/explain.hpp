@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace ff::studies {
+namespace ff::studies::audit {
 
 /// The findings of the first diagnosis; other diagnoses become alternatives. Blamed figures about the same quantity
 /// make one finding.
@@ -19,4 +19,4 @@ std::vector<Finding> explain_diagnosis(const PublishedTables& tables, const Scen
 /// A figure's place and digits, e.g. `table4, Σ of face 3, SR ("0.97264")`.
 std::string quote(const PublishedTables& tables, std::size_t figure);
 
-}  // namespace ff::studies
+}  // namespace ff::studies::audit

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace ff::studies {
+namespace ff::studies::audit {
 namespace {
 
 /// P(at least `successes`) of independent events.
@@ -68,4 +68,4 @@ std::vector<FormatEvidence> weigh_formats(std::span<const SampledFigure> figures
     return all;
 }
 
-}  // namespace ff::studies
+}  // namespace ff::studies::audit

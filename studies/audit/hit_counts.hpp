@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-namespace ff::studies {
+namespace ff::studies::audit {
 
 /// Share of the published figures that are taken to be misprinted.
 inline constexpr double misprint_share = 0.02;
@@ -46,4 +46,4 @@ FormatEvidence weigh_format(std::span<const SampledFigure> figures, NumberFormat
 /// Rounded and truncated, each to `digits` decimals and to `digits` significant digits; the likeliest first.
 std::vector<FormatEvidence> weigh_formats(std::span<const SampledFigure> figures, int digits);
 
-}  // namespace ff::studies
+}  // namespace ff::studies::audit

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <vector>
 
-namespace ff::studies {
+namespace ff::studies::audit {
 namespace {
 
 double power_of_ten(int exponent) {
@@ -106,4 +106,4 @@ int misprint_distance(std::string_view printed, std::string_view meant) {
     return at(printed.size(), meant.size());
 }
 
-}  // namespace ff::studies
+}  // namespace ff::studies::audit

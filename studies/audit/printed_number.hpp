@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-namespace ff::studies {
+namespace ff::studies::audit {
 
 /// A closed range of real numbers.
 struct Range {
@@ -61,4 +61,4 @@ std::string print(double value, NumberFormat format);
 /// other.
 int misprint_distance(std::string_view printed, std::string_view meant);
 
-}  // namespace ff::studies
+}  // namespace ff::studies::audit

@@ -11,7 +11,7 @@
 #include <tuple>
 #include <utility>
 
-namespace ff::studies {
+namespace ff::studies::audit {
 namespace {
 
 struct Row {
@@ -218,4 +218,4 @@ ReferenceInference infer_references(const PublishedTables& tables, const SceneFa
     return result;
 }
 
-}  // namespace ff::studies
+}  // namespace ff::studies::audit

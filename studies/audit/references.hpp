@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace ff::studies {
+namespace ff::studies::audit {
 
 enum class ReferenceSource {
     printed,    ///< as the publication prints it
@@ -50,4 +50,4 @@ ReferenceInference infer_references(const PublishedTables& tables, const SceneFa
 /// Whether a printed error can belong to a printed value. Exact where a range is a point.
 bool error_fits(Range value, Range percent, double reference);
 
-}  // namespace ff::studies
+}  // namespace ff::studies::audit

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace ff::studies {
+namespace ff::studies::audit {
 namespace {
 
 constexpr double alike = 1e-9;
@@ -88,4 +88,4 @@ const std::optional<SrDistribution>& DistributionCache::at(const SceneFacts& fac
     return distributions_.emplace(key, std::move(distribution)).first->second;
 }
 
-}  // namespace ff::studies
+}  // namespace ff::studies::audit

@@ -15,7 +15,7 @@
 #include <tuple>
 #include <vector>
 
-namespace ff::studies {
+namespace ff::studies::audit {
 
 /// Exact facts about the scene of published tables.
 struct SceneFacts {
@@ -44,4 +44,4 @@ class DistributionCache {
     std::map<std::tuple<std::uint32_t, std::uint64_t, Completion>, std::optional<SrDistribution>> distributions_;
 };
 
-}  // namespace ff::studies
+}  // namespace ff::studies::audit

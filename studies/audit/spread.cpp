@@ -9,7 +9,7 @@
 #include <map>
 #include <numbers>
 
-namespace ff::studies {
+namespace ff::studies::audit {
 namespace {
 
 using Index = Eigen::Index;
@@ -139,4 +139,4 @@ std::vector<ReadingEvidence> weigh_readings(const PublishedTables& tables, const
     return all;
 }
 
-}  // namespace ff::studies
+}  // namespace ff::studies::audit

@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace ff::studies {
+namespace ff::studies::audit {
 
 /// A published value of a sampling method with its quantity.
 struct SampledValue {
@@ -51,4 +51,4 @@ inline constexpr double refuting_odds = 1e4;
 std::vector<ReadingEvidence> weigh_readings(const PublishedTables& tables, const SceneFacts& facts, NumberFormat format,
                                             DistributionCache& cache);
 
-}  // namespace ff::studies
+}  // namespace ff::studies::audit

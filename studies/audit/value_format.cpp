@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace ff::studies {
+namespace ff::studies::audit {
 namespace {
 
 bool is_value_of(const Figure& figure, const std::string& method) {
@@ -55,4 +55,4 @@ InferredFormat infer_format(const PublishedTables& tables, const std::string& me
     return sampled ? sampled_format(tables, method) : deterministic_format(tables, method);
 }
 
-}  // namespace ff::studies
+}  // namespace ff::studies::audit

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace ff::studies {
+namespace ff::studies::audit {
 
 /// The number format of a method's form factors and row sums.
 struct InferredFormat {
@@ -21,4 +21,4 @@ struct InferredFormat {
 /// @pre the method has figures in the tables
 InferredFormat infer_format(const PublishedTables& tables, const std::string& method);
 
-}  // namespace ff::studies
+}  // namespace ff::studies::audit

@@ -6,7 +6,7 @@
 #include <map>
 #include <utility>
 
-namespace ff::studies {
+namespace ff::studies::form_factors {
 namespace {
 
 /// A pilot does not decide on a round that is larger by more than this; a larger pilot does.
@@ -174,4 +174,4 @@ std::vector<Work> choose_methods(const Scene& scene, const Aim& aim, std::vector
     return chosen;
 }
 
-}  // namespace ff::studies
+}  // namespace ff::studies::form_factors

@@ -6,7 +6,7 @@
 #include <map>
 #include <vector>
 
-namespace ff::studies {
+namespace ff::studies::form_factors {
 
 /// Places in FacePairs::pairs, by the face that owns the pairs.
 using PairsOfRows = std::map<std::size_t, std::vector<std::size_t>>;
@@ -20,7 +20,7 @@ PairsOfRows pairs_to_sample(const FacePairs& geometry);
 /// How far sampling has to go.
 struct Aim {
     const FacePairs& geometry;
-    const FormFactorRequest& request;
+    const Request& request;
     double level = 0;  ///< confidence level of the interval after a first round
     /// Exchange area that is expected of each pair, from the samples so far. It decides on numbers of samples, not on
     /// intervals.
@@ -57,4 +57,4 @@ void set_next(Work& work, const std::vector<double>& wanted, double level);
 /// as long as that saves anything.
 std::vector<Work> choose_methods(const Scene& scene, const Aim& aim, std::vector<Work> candidates);
 
-}  // namespace ff::studies
+}  // namespace ff::studies::form_factors

@@ -16,7 +16,7 @@
 #include <optional>
 #include <utility>
 
-namespace ff::studies {
+namespace ff::studies::form_factors {
 namespace {
 
 /// All pairs of this many faces are looked at within an hour.
@@ -189,7 +189,7 @@ std::vector<std::vector<std::size_t>> wall_parts(const Scene& scene, const Scene
 }
 
 /// Looks at each pair of surfaces. @return by the first, of those that exchange anything
-std::vector<Partners> look_at_pairs(const Scene& scene, const FacePairs& known, const FormFactorRequest& request) {
+std::vector<Partners> look_at_pairs(const Scene& scene, const FacePairs& known, const Request& request) {
     const std::size_t n = scene.surfaces.size();
     const double smallest = *std::min_element(known.areas.begin(), known.areas.end());
     // Errors of all pairs of surfaces add up.
@@ -211,7 +211,7 @@ std::vector<Partners> look_at_pairs(const Scene& scene, const FacePairs& known, 
         const std::lock_guard lock(reporting);
         looked_at += looked_at_here;
         const double share = static_cast<double>(looked_at) / (0.5 * static_cast<double>(n * (n + 1)));
-        request.report({FormFactorProgress::Stage::looking, 0, share, 0, 0, pairs_of(known.faces())});
+        request.report({Progress::Stage::looking, 0, share, 0, 0, pairs_of(known.faces())});
     });
     return rows;
 }
@@ -272,7 +272,7 @@ std::size_t pairs_of(std::size_t faces) {
     return faces * (faces + 1) / 2;
 }
 
-FacePairs examine_pairs(const Scene& scene, const FormFactorRequest& request) {
+FacePairs examine_pairs(const Scene& scene, const Request& request) {
     expect_few_faces(scene);
     FacePairs result;
     result.areas.assign(scene.faces.size(), 0);
@@ -320,4 +320,4 @@ void allow_for_rounding(double rounding, const Scene& scene, FacePairs& pairs) {
     }
 }
 
-}  // namespace ff::studies
+}  // namespace ff::studies::form_factors

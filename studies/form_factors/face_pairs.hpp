@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace ff::studies {
+namespace ff::studies::form_factors {
 
 /// For larger matrices, geometric zeros are not written, and nothing takes memory quadratic in the number of faces.
 inline constexpr std::size_t most_dense_faces = 4096;
@@ -87,9 +87,9 @@ struct FacePairs {
 /// Sharper methods are used where an error would show beside the request's tolerance. Pairs not yet examined when the
 /// request is stopped are left to be sampled.
 /// @throws UserError for more faces than a matrix may have
-FacePairs examine_pairs(const Scene& scene, const FormFactorRequest& request);
+FacePairs examine_pairs(const Scene& scene, const Request& request);
 
 /// Widens what is known of each pair by what coordinates that may be off by so much can change of it.
 void allow_for_rounding(double rounding, const Scene& scene, FacePairs& pairs);
 
-}  // namespace ff::studies
+}  // namespace ff::studies::form_factors

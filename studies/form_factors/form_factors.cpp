@@ -15,7 +15,7 @@
 #include <limits>
 #include <utility>
 
-namespace ff::studies {
+namespace ff::studies::form_factors {
 namespace {
 
 /// Rays are traced in single precision, and meet surfaces a little beside where they are.
@@ -23,7 +23,7 @@ constexpr double least_tolerance_of_rays = 1e-6;
 /// The rounding of computations in double precision.
 constexpr double least_tolerance = 1e-13;
 
-void expect_sense(const FormFactorRequest& request) {
+void expect_sense(const Request& request) {
     if (!(request.tolerance >= least_tolerance && request.tolerance < 0.5)) {
         throw UserError(fmt::format("--tolerance {:g} (from {:g}, the rounding of double precision, to 0.5). Try 1e-5.",
                                     request.tolerance, least_tolerance));
@@ -39,7 +39,7 @@ void expect_sense(const FormFactorRequest& request) {
     }
 }
 
-void expect_possible(const Scene& scene, const FacePairs& geometry, const FormFactorRequest& request) {
+void expect_possible(const Scene& scene, const FacePairs& geometry, const Request& request) {
     const bool needs_rays = std::any_of(geometry.pairs.begin(), geometry.pairs.end(),
                                         [](const FacePair& pair) { return pair.is_sampled() && !pair.by_points; });
     if (needs_rays && request.tolerance < least_tolerance_of_rays) {
@@ -107,7 +107,7 @@ struct RowTerms {
 
 /// @param row     places of its pairs
 /// @param before  what was dropped of it before anything was sampled
-RowTerms row_terms(const FormFactorMatrix& matrix, const FacePairs& geometry, const PairEstimates& estimates,
+RowTerms row_terms(const Matrix& matrix, const FacePairs& geometry, const PairEstimates& estimates,
                    const std::vector<std::uint32_t>& row, const DroppedExchange& before) {
     RowTerms terms;
     terms.value = terms.sum.offset = before.value;
@@ -135,8 +135,8 @@ RowTerms row_terms(const FormFactorMatrix& matrix, const FacePairs& geometry, co
 }
 
 /// A row's sum: independent randomisations add up, bounds do.
-RowSum row_sum(const FormFactorMatrix& matrix, const FacePairs& geometry, const PairEstimates& estimates,
-               std::size_t row, const std::vector<std::uint32_t>& pairs, double level, double farthest) {
+RowSum row_sum(const Matrix& matrix, const FacePairs& geometry, const PairEstimates& estimates, std::size_t row,
+               const std::vector<std::uint32_t>& pairs, double level, double farthest) {
     const RowTerms terms = row_terms(matrix, geometry, estimates, pairs, geometry.dropped[row]);
     const double area = matrix.areas[row];
     const auto ends = [&](double at) {
@@ -155,7 +155,7 @@ RowSum row_sum(const FormFactorMatrix& matrix, const FacePairs& geometry, const 
 }
 
 /// Drops the pairs that are known to exchange little, now that they have been sampled.
-void drop(FormFactorMatrix& matrix, std::vector<DroppedExchange> dropped, double below) {
+void drop(Matrix& matrix, std::vector<DroppedExchange> dropped, double below) {
     std::erase_if(matrix.exchanges, [&](const FaceExchange& exchange) {
         if (exchange.from == exchange.to ||
             exchange.high >= below * std::min(matrix.areas[exchange.from], matrix.areas[exchange.to]))
@@ -174,7 +174,7 @@ void drop(FormFactorMatrix& matrix, std::vector<DroppedExchange> dropped, double
 }
 
 /// Scales areas from the unit of the computation to that of the scene.
-void scale_areas(FormFactorMatrix& matrix, double unit) {
+void scale_areas(Matrix& matrix, double unit) {
     for (double& area : matrix.areas) area *= unit;
     for (FaceExchange& exchange : matrix.exchanges) {
         for (double* value : {&exchange.value, &exchange.low, &exchange.high}) *value *= unit;
@@ -182,7 +182,7 @@ void scale_areas(FormFactorMatrix& matrix, double unit) {
 }
 
 /// Whether an entry is as accurate as requested.
-bool is_within(const FormFactorMatrix& matrix, const FaceExchange& exchange, const FormFactorRequest& request) {
+bool is_within(const Matrix& matrix, const FaceExchange& exchange, const Request& request) {
     const double factor = exchange.value / std::min(matrix.areas[exchange.from], matrix.areas[exchange.to]);
     return !exchange.contradicted &&
            worst_half_width(matrix, exchange) <=
@@ -204,7 +204,7 @@ double half_width(const FaceExchange& exchange) {
     return std::max(exchange.high - exchange.value, exchange.value - exchange.low);
 }
 
-FaceExchange FormFactorMatrix::exchange(std::size_t a, std::size_t b) const {
+FaceExchange Matrix::exchange(std::size_t a, std::size_t b) const {
     const auto [from, to] = std::minmax(a, b);
     const auto place = [](const FaceExchange& exchange) {
         return std::pair<std::size_t, std::size_t>(exchange.from, exchange.to);
@@ -219,7 +219,7 @@ namespace {
 
 /// A matrix with a value for both directions of each exchange that is listed. @param value  of an exchange area
 template <class Value>
-FormFactorMatrix::Sparse both_ways(const FormFactorMatrix& matrix, Value value) {
+Matrix::Sparse both_ways(const Matrix& matrix, Value value) {
     std::vector<Eigen::Triplet<double>> entries;
     for (const FaceExchange& exchange : matrix.exchanges) {
         const auto i = static_cast<int>(exchange.from);
@@ -228,48 +228,48 @@ FormFactorMatrix::Sparse both_ways(const FormFactorMatrix& matrix, Value value) 
         if (i != j) entries.emplace_back(j, i, value(exchange) / matrix.areas[exchange.to]);
     }
     const auto n = static_cast<Eigen::Index>(matrix.faces());
-    FormFactorMatrix::Sparse result(n, n);
+    Matrix::Sparse result(n, n);
     result.setFromTriplets(entries.begin(), entries.end());
     return result;
 }
 
 }  // namespace
 
-FormFactorMatrix::Sparse FormFactorMatrix::factors() const {
+Matrix::Sparse Matrix::factors() const {
     return both_ways(*this, [](const FaceExchange& exchange) { return exchange.value; });
 }
 
-FormFactorMatrix::Sparse FormFactorMatrix::half_widths() const {
+Matrix::Sparse Matrix::half_widths() const {
     return both_ways(*this, &half_width);
 }
 
-std::size_t FormFactorMatrix::missed() const {
+std::size_t Matrix::missed() const {
     return static_cast<std::size_t>(std::count_if(exchanges.begin(), exchanges.end(),
                                                   [](const FaceExchange& exchange) { return !exchange.within; }));
 }
 
-bool is_trusted(const Scene& scene, const FormFactorMatrix& matrix, double tolerance) {
+bool is_trusted(const Scene& scene, const Matrix& matrix, double tolerance) {
     if (!matrix.faults.empty()) return false;
     if (!scene.closed && !scene.empty_box) return true;
     return !leaks(matrix, tolerance) &&
            std::none_of(matrix.rows.begin(), matrix.rows.end(), [](const RowSum& row) { return row.excludes_one; });
 }
 
-bool leaks(const FormFactorMatrix& matrix, double tolerance) {
+bool leaks(const Matrix& matrix, double tolerance) {
     constexpr double share_of_tolerance = 0.01;
     return static_cast<double>(matrix.lost_rays) > share_of_tolerance * tolerance * static_cast<double>(matrix.rays);
 }
 
-double worst_half_width(const FormFactorMatrix& matrix, const FaceExchange& exchange) {
+double worst_half_width(const Matrix& matrix, const FaceExchange& exchange) {
     return half_width(exchange) / std::min(matrix.areas[exchange.from], matrix.areas[exchange.to]);
 }
 
-FormFactorMatrix find_form_factors(const Scene& whole_scene, const FormFactorRequest& request) {
+Matrix find_matrix(const Scene& whole_scene, const Request& request) {
     expect_sense(request);
     if (request.repair) expect_repairable(whole_scene);
     const Placement placement = placement_of(whole_scene);
     const Scene scene = with_joined_surfaces(placed(whole_scene, placement));
-    FormFactorMatrix matrix;
+    Matrix matrix;
     matrix.surfaces = scene.surfaces.size();
     FacePairs examined = examine_pairs(scene, request);
     allow_for_rounding(rounding_of_far_coordinates(whole_scene, placement) / placement.unit, scene, examined);
@@ -312,4 +312,4 @@ FormFactorMatrix find_form_factors(const Scene& whole_scene, const FormFactorReq
     return matrix;
 }
 
-}  // namespace ff::studies
+}  // namespace ff::studies::form_factors

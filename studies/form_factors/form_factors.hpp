@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace ff::studies {
+namespace ff::studies::form_factors {
 
 /// The exchange area of two faces, with an interval.
 struct FaceExchange {
@@ -58,7 +58,7 @@ FaceExchange no_exchange(std::size_t from, std::size_t to);
 double half_width(const FaceExchange& exchange);
 
 /// Form factors between the faces of a scene. Reciprocal by construction: both directions share one exchange area.
-struct FormFactorMatrix {
+struct Matrix {
     std::vector<double> areas;  ///< area of each face, in squared units of length
     std::size_t surfaces = 0;   ///< that were left when level ones had been joined
     /// (0,0), (0,1), .., (1,1), .. without the pairs that cannot see each other, which exchange exactly nothing, and
@@ -90,17 +90,17 @@ struct FormFactorMatrix {
 
 /// Whether the matrix as a whole is plausible: the scene has no fault, and a closed one has no leak and no row that
 /// cannot add up to 1.
-bool is_trusted(const Scene& scene, const FormFactorMatrix& matrix, double tolerance);
+bool is_trusted(const Scene& scene, const Matrix& matrix, double tolerance);
 
 /// Whether the share of lost rays exceeds a hundredth of the tolerance.
-bool leaks(const FormFactorMatrix& matrix, double tolerance);
+bool leaks(const Matrix& matrix, double tolerance);
 
 /// The larger half of a pair's interval, as a form factor of its smaller face.
-double worst_half_width(const FormFactorMatrix& matrix, const FaceExchange& exchange);
+double worst_half_width(const Matrix& matrix, const FaceExchange& exchange);
 
 /// Computes the matrix: exactly where geometry allows it, by sampling elsewhere (docs/form-factors.md). Surfaces of a
 /// face are joined first where possible (core/geometry/joined_surfaces.hpp).
 /// @throws UserError
-FormFactorMatrix find_form_factors(const Scene& scene, const FormFactorRequest& request);
+Matrix find_matrix(const Scene& scene, const Request& request);
 
-}  // namespace ff::studies
+}  // namespace ff::studies::form_factors

@@ -5,7 +5,7 @@
 #include <functional>
 #include <span>
 
-namespace ff::studies {
+namespace ff::studies::form_factors {
 namespace {
 
 /// Points of the first round: half as many as an exchange area has tolerances, in all randomisations, but of a large
@@ -72,7 +72,7 @@ Job::Job(const Scene& scene, const FacePairs& pairs, std::size_t pair, double wa
 Job::Job(const Scene& scene, const FacePairs& pairs, std::size_t from, std::vector<std::size_t> row)
     : geometry_(&pairs),
       pairs_(std::move(row)),
-      cost_of_ray_(ff::studies::cost_of_ray(scene)),
+      cost_of_ray_(cost_of_ray(scene)),
       sizes_{least_rays},
       least_sizes_{least_rays},
       ray_hits_(randomisations) {
@@ -220,4 +220,4 @@ std::uint64_t Job::lost() const {
     return sum;
 }
 
-}  // namespace ff::studies
+}  // namespace ff::studies::form_factors

@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-namespace ff::studies {
+namespace ff::studies::form_factors {
 
 /// Fewest rays of a randomisation.
 inline constexpr std::uint64_t least_rays = 4096;
@@ -74,4 +74,4 @@ class Job {
 /// Points of a randomisation for which the half width falls from `now` to `wanted`.
 std::uint64_t size_for(std::uint64_t points, double now, double wanted, double rate);
 
-}  // namespace ff::studies
+}  // namespace ff::studies::form_factors

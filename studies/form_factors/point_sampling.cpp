@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <memory>
 
-namespace ff::studies {
+namespace ff::studies::form_factors {
 void expect_more_time(const std::atomic<bool>* stop) {
     if (stop != nullptr && *stop) throw Stopped();
 }
@@ -90,4 +90,4 @@ void PointSampling::run(StreamKey key, std::uint32_t first, std::uint64_t points
     });
 }
 
-}  // namespace ff::studies
+}  // namespace ff::studies::form_factors

@@ -7,7 +7,7 @@
 #include <limits>
 #include <memory>
 
-namespace ff::studies {
+namespace ff::studies::form_factors {
 namespace {
 
 constexpr std::uint32_t not_wanted = std::numeric_limits<std::uint32_t>::max();
@@ -112,4 +112,4 @@ RaySampling::Hits RaySampling::run(const Tracer& tracer, StreamKey key, std::uin
     return result;
 }
 
-}  // namespace ff::studies
+}  // namespace ff::studies::form_factors

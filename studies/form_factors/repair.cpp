@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace ff::studies {
+namespace ff::studies::form_factors {
 namespace {
 
 /// A width of 0 would be an infinite weight; what is known better than this moves no less than it.
@@ -29,7 +29,7 @@ void expect_dense(const Scene& scene, std::string_view what) {
 
 }  // namespace
 
-RepairedFactors repair(const FormFactorMatrix& matrix) {
+RepairedFactors repair(const Matrix& matrix) {
     const Eigen::MatrixXd factors = matrix.factors();
     const Eigen::MatrixXd widths = matrix.half_widths();
     const double floor = std::max(least_relative_width * widths.maxCoeff(), 1e-16);
@@ -47,7 +47,7 @@ RepairedFactors repair(const FormFactorMatrix& matrix) {
     return compare_repaired(matrix, std::move(balanced.factors), balanced.balanced);
 }
 
-RepairedFactors compare_repaired(const FormFactorMatrix& matrix, Eigen::MatrixXd repaired, bool possible) {
+RepairedFactors compare_repaired(const Matrix& matrix, Eigen::MatrixXd repaired, bool possible) {
     const Eigen::MatrixXd factors = matrix.factors();
     const Eigen::MatrixXd widths = matrix.half_widths();
     RepairedFactors result;
@@ -77,4 +77,4 @@ void expect_repairable(const Scene& scene) {
                     scene.name));
 }
 
-}  // namespace ff::studies
+}  // namespace ff::studies::form_factors

@@ -4,16 +4,16 @@
 
 #include <string_view>
 
-namespace ff::studies {
+namespace ff::studies::form_factors {
 
 /// The factors nearest to the estimates, by the widths of their intervals, that are reciprocal, sum to 1 in every row
 /// and are nowhere negative (core/radiosity/repair.hpp).
-RepairedFactors repair(const FormFactorMatrix& matrix);
+RepairedFactors repair(const Matrix& matrix);
 
 /// How repaired factors compare with those of the matrix.
-RepairedFactors compare_repaired(const FormFactorMatrix& matrix, Eigen::MatrixXd repaired, bool possible);
+RepairedFactors compare_repaired(const Matrix& matrix, Eigen::MatrixXd repaired, bool possible);
 
 /// @throws UserError for a scene that is not closed, whose row sums are unknown; for too many faces
 void expect_repairable(const Scene& scene);
 
-}  // namespace ff::studies
+}  // namespace ff::studies::form_factors

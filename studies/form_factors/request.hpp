@@ -12,7 +12,7 @@
 #include <memory>
 #include <vector>
 
-namespace ff::studies {
+namespace ff::studies::form_factors {
 
 /// What the level of intervals refers to.
 enum class LevelOf {
@@ -21,7 +21,7 @@ enum class LevelOf {
 };
 
 /// The progress of a matrix.
-struct FormFactorProgress {
+struct Progress {
     enum class Stage {
         looking,  ///< finding what geometry tells about pairs of surfaces
         pilots,   ///< samples that choose methods and sizes
@@ -36,7 +36,7 @@ struct FormFactorProgress {
 };
 
 /// A request to `ffstudy form_factors`.
-struct FormFactorRequest {
+struct Request {
     double tolerance = 1e-5;  ///< most that the longer half of an entry's interval may measure
     double relative = 0;      ///< or this share of the entry, where that is more
     double drop = 0;          ///< pairs whose factors are both known to be below are not kept one by one
@@ -51,7 +51,7 @@ struct FormFactorRequest {
     unsigned threads = 1;
     const std::atomic<bool>* stop = nullptr;  ///< set by another thread: returns what is known by then
     std::function<std::unique_ptr<Tracer>(const Scene&)> tracer;  ///< makes what traces its rays; empty: make_tracer
-    std::function<void(const FormFactorProgress&)> report;        ///< called by any thread, one call at a time
+    std::function<void(const Progress&)> report;                  ///< called by any thread, one call at a time
 
     using Receive = std::function<void(SampledRow)>;
     Shard shard;                                  ///< rows that are sampled; the others are left out
@@ -66,4 +66,4 @@ struct FormFactorRequest {
     }
 };
 
-}  // namespace ff::studies
+}  // namespace ff::studies::form_factors

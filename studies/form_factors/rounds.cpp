@@ -10,7 +10,7 @@
 #include <limits>
 #include <utility>
 
-namespace ff::studies {
+namespace ff::studies::form_factors {
 namespace {
 
 /// Rate at which sound estimates are said to contradict each other, over all pairs.
@@ -28,7 +28,7 @@ double round_level(double alpha, std::size_t round) {
     return 1 - alpha * (round == 0 ? 0.9 : 0.1 / (most_rounds - 1));
 }
 
-Rounds::Rounds(const Scene& scene, const FacePairs& geometry, const FormFactorRequest& request, double alpha,
+Rounds::Rounds(const Scene& scene, const FacePairs& geometry, const Request& request, double alpha,
                bool rays_are_exact_enough, const PairsOfRows& rows)
     : scene_(scene),
       request_(request),
@@ -115,7 +115,7 @@ void Rounds::expect_budget() {
 
 void Rounds::begin_reporting() {
     const bool counts = std::any_of(work_.begin(), work_.end(), [](const Work& work) { return !work.pilot; });
-    progress_.stage = counts ? FormFactorProgress::Stage::rounds : FormFactorProgress::Stage::pilots;
+    progress_.stage = counts ? Progress::Stage::rounds : Progress::Stage::pilots;
     if (counts) ++progress_.round;
 }
 
@@ -297,4 +297,4 @@ void Rounds::compare() {
     }
 }
 
-}  // namespace ff::studies
+}  // namespace ff::studies::form_factors

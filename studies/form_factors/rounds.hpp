@@ -10,7 +10,7 @@
 #include <mutex>
 #include <vector>
 
-namespace ff::studies {
+namespace ff::studies::form_factors {
 
 /// Most rounds of a pair whose interval may be reported.
 inline constexpr std::size_t most_rounds = 3;
@@ -26,7 +26,7 @@ double round_level(double alpha, std::size_t round);
 class Rounds {
   public:
     /// All are kept by reference. @param alpha  1 - level of a pair's interval @param rows  all that there are
-    Rounds(const Scene& scene, const FacePairs& geometry, const FormFactorRequest& request, double alpha,
+    Rounds(const Scene& scene, const FacePairs& geometry, const Request& request, double alpha,
            bool rays_are_exact_enough, const PairsOfRows& rows);
 
     /// @param budget  samples, at most
@@ -56,7 +56,7 @@ class Rounds {
     };
 
     const Scene& scene_;
-    const FormFactorRequest& request_;
+    const Request& request_;
     double alpha_;
     bool rays_are_exact_enough_;
     std::size_t sampled_ = 0;  ///< pairs of all rows
@@ -71,7 +71,7 @@ class Rounds {
     bool last_ = false;          ///< the budget ends with this round
     std::uint64_t left_ = 0;     ///< samples of the budget
     std::uint64_t samples_ = 0;  ///< in all calls
-    FormFactorProgress progress_;
+    Progress progress_;
     std::mutex reporting_;
 
     [[nodiscard]] double level(std::size_t rounds_done) const { return round_level(alpha_, rounds_done); }
@@ -91,4 +91,4 @@ class Rounds {
     void compare();
 };
 
-}  // namespace ff::studies
+}  // namespace ff::studies::form_factors

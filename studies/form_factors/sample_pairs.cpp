@@ -9,7 +9,7 @@
 #include <thread>
 #include <utility>
 
-namespace ff::studies {
+namespace ff::studies::form_factors {
 namespace {
 
 /// Rows whose jobs are in memory at a time, with at least so many pairs or all there are.
@@ -26,7 +26,7 @@ PairsOfRows next_batch(PairsOfRows& rows) {
 
 class RowSampling {
   public:
-    RowSampling(const Scene& scene, const FacePairs& geometry, const FormFactorRequest& request, double alpha,
+    RowSampling(const Scene& scene, const FacePairs& geometry, const Request& request, double alpha,
                 bool rays_are_exact_enough)
         : request_(request),
           rows_(pairs_to_sample(geometry)),
@@ -58,7 +58,7 @@ class RowSampling {
     }
 
   private:
-    const FormFactorRequest& request_;
+    const Request& request_;
     const PairsOfRows rows_;
     Rounds rounds_;
     SamplingOutcome outcome_;
@@ -132,9 +132,9 @@ PairEstimates::PairEstimates(const FacePairs& geometry) {
     estimates_.resize(sampled + 1);
 }
 
-SamplingOutcome sample_pairs(const Scene& scene, const FacePairs& geometry, const FormFactorRequest& request,
-                             double alpha, bool rays_are_exact_enough) {
+SamplingOutcome sample_pairs(const Scene& scene, const FacePairs& geometry, const Request& request, double alpha,
+                             bool rays_are_exact_enough) {
     return RowSampling(scene, geometry, request, alpha, rays_are_exact_enough).run();
 }
 
-}  // namespace ff::studies
+}  // namespace ff::studies::form_factors

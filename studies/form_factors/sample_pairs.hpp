@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace ff::studies {
+namespace ff::studies::form_factors {
 
 /// Estimates of the pairs that are sampled; most are not, and take no room.
 class PairEstimates {
@@ -36,7 +36,7 @@ struct SamplingOutcome {
 /// are by others, are taken as they are.
 /// @param alpha  1 - level of a pair's interval
 /// @throws UserError where a row is of another matrix
-SamplingOutcome sample_pairs(const Scene& scene, const FacePairs& geometry, const FormFactorRequest& request,
-                             double alpha, bool rays_are_exact_enough);
+SamplingOutcome sample_pairs(const Scene& scene, const FacePairs& geometry, const Request& request, double alpha,
+                             bool rays_are_exact_enough);
 
-}  // namespace ff::studies
+}  // namespace ff::studies::form_factors

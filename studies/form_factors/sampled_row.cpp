@@ -5,7 +5,7 @@
 #include <bit>
 #include <concepts>
 
-namespace ff::studies {
+namespace ff::studies::form_factors {
 namespace {
 
 /// The order of members, said once for both directions.
@@ -114,4 +114,4 @@ std::optional<SampledRow> sampled_row(std::span<const std::uint64_t> words) {
     return row;
 }
 
-}  // namespace ff::studies
+}  // namespace ff::studies::form_factors

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-namespace ff::studies {
+namespace ff::studies::form_factors {
 
 /// What sampling found for a pair of faces.
 struct PairEstimate {
@@ -36,4 +36,4 @@ std::vector<std::uint64_t> to_words(const SampledRow& row);
 /// What `to_words` made these of; empty where it has not.
 std::optional<SampledRow> sampled_row(std::span<const std::uint64_t> words);
 
-}  // namespace ff::studies
+}  // namespace ff::studies::form_factors

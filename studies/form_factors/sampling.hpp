@@ -11,7 +11,7 @@
 #include <span>
 #include <vector>
 
-namespace ff::studies {
+namespace ff::studies::form_factors {
 
 /// Thrown to end a randomisation that is no longer wanted.
 struct Stopped {};
@@ -97,4 +97,4 @@ class RaySampling {
     [[nodiscard]] bool is_shot(std::uint32_t from, std::uint32_t to) const;
 };
 
-}  // namespace ff::studies
+}  // namespace ff::studies::form_factors

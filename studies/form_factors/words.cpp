@@ -2,7 +2,7 @@
 
 #include <array>
 
-namespace ff::studies {
+namespace ff::studies::form_factors {
 namespace {
 
 constexpr std::string_view no_time = "no time to sample it";
@@ -43,4 +43,4 @@ bool set_method(FaceExchange& exchange, std::string_view method, std::string_vie
     return false;
 }
 
-}  // namespace ff::studies
+}  // namespace ff::studies::form_factors

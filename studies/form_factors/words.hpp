@@ -4,7 +4,7 @@
 
 #include <string_view>
 
-namespace ff::studies {
+namespace ff::studies::form_factors {
 
 /// The most expensive method that a pair of faces took; "bounds" where there was no time for one.
 std::string_view method_of(const FaceExchange& exchange);
@@ -15,4 +15,4 @@ std::string_view reason_of(const FaceExchange& exchange);
 /// The inverse: sets the method and the reason of an exchange from these words. @return false for unknown words
 bool set_method(FaceExchange& exchange, std::string_view method, std::string_view reason);
 
-}  // namespace ff::studies
+}  // namespace ff::studies::form_factors

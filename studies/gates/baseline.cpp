@@ -8,7 +8,7 @@
 
 #include <algorithm>
 
-namespace ff::studies {
+namespace ff::studies::gates {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -134,4 +134,4 @@ Baseline parse_baseline(std::string_view text, std::string_view origin) {
     }
 }
 
-}  // namespace ff::studies
+}  // namespace ff::studies::gates

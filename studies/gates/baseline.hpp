@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-namespace ff::studies {
+namespace ff::studies::gates {
 
 /// The saved numbers of one quantity of one cell: enough for every comparison by a later run.
 struct StoredQuantity {
@@ -49,4 +49,4 @@ std::string baseline_json(const Baseline& baseline);
 /// @throws UserError with line and column where it is not such a file
 Baseline parse_baseline(std::string_view text, std::string_view origin);
 
-}  // namespace ff::studies
+}  // namespace ff::studies::gates

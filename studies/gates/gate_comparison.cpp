@@ -12,7 +12,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace ff::studies {
+namespace ff::studies::gates {
 namespace {
 
 /// Hits of all trials together below which a t interval is too narrow in the tails.
@@ -59,7 +59,7 @@ stats::KnownLimits limits_of(const Gate& gate, const StudyPlan& plan, const Effe
 }
 
 /// Bias, closure and reciprocity.
-void compare_means(const Gate& gate, const GatePlan& plan, const Effect& effect,
+void compare_means(const Gate& gate, const Plan& plan, const Effect& effect,
                    const std::optional<StoredQuantity>& stored, const CellEstimates& estimates,
                    std::span<const double> values, Comparison& row) {
     const MeanReference reference = mean_reference(gate, effect, stored);
@@ -82,7 +82,7 @@ void compare_means(const Gate& gate, const GatePlan& plan, const Effect& effect,
     row.note = fmt::format("fewer than {:g} hits or misses in all trials together", least_hits);
 }
 
-void compare_spreads(const Gate& gate, const GatePlan& plan, const Effect& effect,
+void compare_spreads(const Gate& gate, const Plan& plan, const Effect& effect,
                      const std::optional<StoredQuantity>& stored, std::span<const double> values, Comparison& row) {
     const bool about_truth = gate.kind == GateKind::rmse;
     const auto spread = about_truth ? stats::mean_square_about(values, effect.truth.value_or(0))
@@ -119,7 +119,7 @@ void compare_spreads(const Gate& gate, const GatePlan& plan, const Effect& effec
     judge_into(row);
 }
 
-void compare_losses(const Gate& gate, const GatePlan& plan, const CellEstimates& estimates, std::uint64_t rays,
+void compare_losses(const Gate& gate, const Plan& plan, const CellEstimates& estimates, std::uint64_t rays,
                     Comparison& row) {
     row.measurement = measure_proportion({.hits = estimates.lost_rays, .trials = rays}, row.band, plan.levels);
     if (row.band.high > 0) return judge_into(row);
@@ -153,7 +153,7 @@ std::optional<stats::Interval> interval_of(const Gate& gate, std::span<const dou
     return stats::wald_interval(counts, level);
 }
 
-void compare_coverage(const Gate& gate, const GatePlan& plan, const Effect& effect, std::span<const double> values,
+void compare_coverage(const Gate& gate, const Plan& plan, const Effect& effect, std::span<const double> values,
                       std::uint64_t rays, Comparison& row) {
     stats::Proportion covered;
     for (std::size_t first = 0; first + gate.replicates <= values.size(); first += gate.replicates) {
@@ -172,8 +172,7 @@ void compare_coverage(const Gate& gate, const GatePlan& plan, const Effect& effe
     judge_into(row);
 }
 
-void compare_slope(const GatePlan& plan, const Effect& effect, std::span<const CellEstimates> estimates,
-                   Comparison& row) {
+void compare_slope(const Plan& plan, const Effect& effect, std::span<const CellEstimates> estimates, Comparison& row) {
     std::vector<stats::Rung> ladder;
     for (const std::size_t cell : effect.cells) {
         stats::Rung rung{static_cast<double>(estimates[cell].evaluations_per_face), {}};
@@ -186,7 +185,7 @@ void compare_slope(const GatePlan& plan, const Effect& effect, std::span<const C
 }
 
 /// Trials that repeat each other are no replicates, whatever their mean.
-void expect_replicates(const GatePlan& plan, std::span<const double> values, Comparison& row) {
+void expect_replicates(const Plan& plan, std::span<const double> values, Comparison& row) {
     if (plan.deterministic || are_equal(values)) return;
     const auto period = stats::find_period(values, plan.levels.fail_alpha);
     if (!period) return;
@@ -195,7 +194,7 @@ void expect_replicates(const GatePlan& plan, std::span<const double> values, Com
 }
 
 /// One quantity may take one value by chance, where hits are few; not all of a gate.
-void expect_some_spread(const GatePlan& plan, std::span<const CellEstimates> estimates, std::vector<Comparison>& rows) {
+void expect_some_spread(const Plan& plan, std::span<const CellEstimates> estimates, std::vector<Comparison>& rows) {
     constexpr std::size_t enough = 8;
     if (plan.deterministic) return;
     for (const CellEstimates& cell : estimates) {
@@ -212,7 +211,7 @@ void expect_some_spread(const GatePlan& plan, std::span<const CellEstimates> est
 
 }  // namespace
 
-std::vector<Comparison> compare(const Gate& gate, const GatePlan& plan, std::span<const CellEstimates> estimates) {
+std::vector<Comparison> compare(const Gate& gate, const Plan& plan, std::span<const CellEstimates> estimates) {
     std::vector<Comparison> rows;
     for (std::size_t i = 0; i < plan.effects.size(); ++i) {
         const Effect& effect = plan.effects[i];
@@ -257,4 +256,4 @@ std::vector<Comparison> compare(const Gate& gate, const GatePlan& plan, std::spa
     return rows;
 }
 
-}  // namespace ff::studies
+}  // namespace ff::studies::gates

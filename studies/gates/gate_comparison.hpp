@@ -6,10 +6,10 @@
 #include <span>
 #include <vector>
 
-namespace ff::studies {
+namespace ff::studies::gates {
 
 /// Every effect of a gate judged on the trials so far. Pure.
 /// @param estimates  of the plan's cells, in their order
-std::vector<Comparison> compare(const Gate& gate, const GatePlan& plan, std::span<const CellEstimates> estimates);
+std::vector<Comparison> compare(const Gate& gate, const Plan& plan, std::span<const CellEstimates> estimates);
 
-}  // namespace ff::studies
+}  // namespace ff::studies::gates

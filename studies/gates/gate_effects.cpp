@@ -15,7 +15,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace ff::studies {
+namespace ff::studies::gates {
 namespace {
 
 [[noreturn]] void refuse(const std::string& place, const std::string& problem) {
@@ -213,4 +213,4 @@ std::string identity(const StudyPlan& plan, std::size_t cell) {
                        name(plan.spec.methods[plan.cells[cell].method].completion));
 }
 
-}  // namespace ff::studies
+}  // namespace ff::studies::gates

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace ff::studies {
+namespace ff::studies::gates {
 
 /// The quantity that one comparison of a gate measures.
 struct Effect {
@@ -33,4 +33,4 @@ Comparison labelled(const Gate& gate, const Effect& effect, const StudyPlan& pla
 /// Identifies what was run, for baselines: equal texts mean equal studies, except for the code.
 std::string identity(const StudyPlan& plan, std::size_t cell);
 
-}  // namespace ff::studies
+}  // namespace ff::studies::gates

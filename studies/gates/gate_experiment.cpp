@@ -8,7 +8,7 @@
 #include <memory>
 #include <utility>
 
-namespace ff::studies {
+namespace ff::studies::gates {
 namespace {
 
 /// Keys of a gate beside those of a method.
@@ -55,4 +55,4 @@ void read_experiment(const TomlReader& reader, Gate& gate) {
     gate.experiment = std::make_shared<const GateExperiment>(std::move(experiment));
 }
 
-}  // namespace ff::studies
+}  // namespace ff::studies::gates

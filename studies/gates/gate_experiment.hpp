@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-namespace ff::studies {
+namespace ff::studies::gates {
 
 /// The experiment of a gate that ffstudy runs itself.
 struct GateExperiment {
@@ -23,4 +23,4 @@ const GateExperiment& experiment_of(const Gate& gate);
 /// @throws UserError for keys that are unknown or wrong
 void read_experiment(const TomlReader& reader, Gate& gate);
 
-}  // namespace ff::studies
+}  // namespace ff::studies::gates

@@ -11,7 +11,7 @@
 #include <cmath>
 #include <limits>
 
-namespace ff::studies {
+namespace ff::studies::gates {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -22,16 +22,16 @@ constexpr double pilot_confidence = 0.9;
 /// Trials are kept in memory, a value for each pair of faces: 2 GB.
 constexpr double most_values = 2.5e8;
 
-const Gate& gate_of(const GatesSpec& spec, const GatePlan& plan) {
+const Gate& gate_of(const Spec& spec, const Plan& plan) {
     return spec.gates[plan.gate];
 }
 
 /// Gives the cells random numbers that nothing else uses.
-void reseed(const GatesSpec& spec, std::string_view use, StudyPlan& study) {
+void reseed(const Spec& spec, std::string_view use, StudyPlan& study) {
     for (Cell& cell : study.cells) cell.key = derive_key(spec.seed, fmt::format("{}|{}", cell.canonical, use));
 }
 
-void attach_baseline(const Gate& gate, const Baseline* baseline, GatePlan& plan) {
+void attach_baseline(const Gate& gate, const Baseline* baseline, Plan& plan) {
     plan.stored.resize(plan.effects.size());
     if (gate.against != Against::baseline || plan.purpose == GatePurpose::save_baseline) return;
     if (baseline == nullptr)
@@ -93,7 +93,7 @@ Noise noise_of_hits(const Effect& effect, const Cell& cell) {
 }
 
 /// @param estimates  of the pilot, by cell; empty where there was none
-std::vector<Noise> noise_of_all(const Gate& gate, const GatePlan& plan, const std::vector<CellEstimates>& estimates) {
+std::vector<Noise> noise_of_all(const Gate& gate, const Plan& plan, const std::vector<CellEstimates>& estimates) {
     std::vector<Noise> all;
     double kurtosis = 0;
     for (const Effect& effect : plan.effects) {
@@ -113,7 +113,7 @@ std::vector<Noise> noise_of_all(const Gate& gate, const GatePlan& plan, const st
     return all;
 }
 
-bool needs_pilot(const Gate& gate, const GatePlan& plan) {
+bool needs_pilot(const Gate& gate, const Plan& plan) {
     if (plan.deterministic || gate.trials || gate.kind == GateKind::lost_rays || gate.kind == GateKind::coverage)
         return false;
     if (gate.kind == GateKind::slope) return true;
@@ -121,7 +121,7 @@ bool needs_pilot(const Gate& gate, const GatePlan& plan) {
                         [](const Effect& effect) { return effect.sigma.has_value(); });
 }
 
-std::optional<std::uint64_t> trials_against_loss(const Gate& gate, const GatePlan& plan, const Cell& cell) {
+std::optional<std::uint64_t> trials_against_loss(const Gate& gate, const Plan& plan, const Cell& cell) {
     const auto rays = static_cast<double>(evaluations_per_trial(plan.study, cell));
     const double needed = gate.band.high > 0 ? 4 * std::log(plan.levels.pass_alpha) / std::log1p(-gate.band.high)
                                              : rays_for_loss(gate.detects, plan.levels);
@@ -130,7 +130,7 @@ std::optional<std::uint64_t> trials_against_loss(const Gate& gate, const GatePla
 }
 
 /// Trials of one look that this effect needs; empty where no number is enough.
-std::optional<std::uint64_t> needed(const Gate& gate, const GatePlan& plan, std::size_t index, const Noise& noise) {
+std::optional<std::uint64_t> needed(const Gate& gate, const Plan& plan, std::size_t index, const Noise& noise) {
     const Effect& effect = plan.effects[index];
     const std::size_t comparisons = plan.effects.size();
     const auto& stored = plan.stored[index];
@@ -178,7 +178,7 @@ std::optional<std::uint64_t> needed(const Gate& gate, const GatePlan& plan, std:
     return trials_for_slope(gate.band, sizes, 1 + std::max(0.0, noise.excess_kurtosis) / 2, plan.levels, comparisons);
 }
 
-void expect_to_fit(const GatesSpec& spec, const GatePlan& plan) {
+void expect_to_fit(const Spec& spec, const Plan& plan) {
     double values = 0;
     for (std::size_t cell = 0; cell < plan.trials.size(); ++cell) {
         const auto faces = static_cast<double>(plan.study.scenes[plan.study.cells[cell].scene].faces.size());
@@ -193,7 +193,7 @@ void expect_to_fit(const GatesSpec& spec, const GatePlan& plan) {
 
 }  // namespace
 
-GatePlan prepare_gate(const GatesSpec& spec, std::size_t index, GatePurpose purpose, const Baseline* baseline) {
+Plan prepare_gate(const Spec& spec, std::size_t index, GatePurpose purpose, const Baseline* baseline) {
     const Gate& gate = spec.gates[index];
     FF_EXPECT(!gate.from_estimates());
     StudySpec study;
@@ -202,7 +202,7 @@ GatePlan prepare_gate(const GatesSpec& spec, std::size_t index, GatePurpose purp
     study.trials = 2;
     study.seed = spec.seed;
     study.methods = {experiment_of(gate).method};
-    GatePlan plan;
+    Plan plan;
     plan.gate = index;
     plan.purpose = purpose;
     try {
@@ -218,7 +218,7 @@ GatePlan prepare_gate(const GatesSpec& spec, std::size_t index, GatePurpose purp
     return plan;
 }
 
-std::optional<std::uint64_t> plan_trials(const GatesSpec& spec, GatePlan& plan, const GateRunOptions& options) {
+std::optional<std::uint64_t> plan_trials(const Spec& spec, Plan& plan, const GateRunOptions& options) {
     const Gate& gate = gate_of(spec, plan);
     const std::size_t cells = plan.study.cells.size();
     plan.trials.assign(cells, plan.deterministic ? 1 : gate.trials.value_or(0));
@@ -229,7 +229,7 @@ std::optional<std::uint64_t> plan_trials(const GatesSpec& spec, GatePlan& plan, 
 
     StudyPlan study = plan.study;
     reseed(spec, "pilot", study);
-    GateTrials pilot(study);
+    Trials pilot(study);
     const bool piloted = needs_pilot(gate, plan);
     if (piloted && !pilot.extend(std::vector<std::uint64_t>(cells, pilot_trials), options)) return std::nullopt;
     std::vector<CellEstimates> estimates;
@@ -255,7 +255,7 @@ std::optional<std::uint64_t> plan_trials(const GatesSpec& spec, GatePlan& plan, 
     return pilot.evaluations();
 }
 
-double expected_seconds(const GatePlan& plan) {
+double expected_seconds(const Plan& plan) {
     double seconds = 0;
     for (std::size_t cell = 0; cell < plan.trials.size(); ++cell)
         seconds +=
@@ -263,4 +263,4 @@ double expected_seconds(const GatePlan& plan) {
     return seconds;
 }
 
-}  // namespace ff::studies
+}  // namespace ff::studies::gates

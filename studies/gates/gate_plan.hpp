@@ -10,15 +10,15 @@
 #include <optional>
 #include <vector>
 
-namespace ff::studies {
+namespace ff::studies::gates {
 
 /// The purpose of a run. Trials saved as a baseline have their own random numbers, so that they are independent of any
 /// check with the same seed.
 enum class GatePurpose { check, save_baseline };
 
 /// A gate that is ready to run, except for the number of trials.
-struct GatePlan {
-    std::size_t gate = 0;  ///< index into GatesSpec::gates
+struct Plan {
+    std::size_t gate = 0;  ///< index into Spec::gates
     GatePurpose purpose = GatePurpose::check;
     StudyPlan study;  ///< its cells
     std::vector<Effect> effects;
@@ -37,15 +37,15 @@ inline constexpr std::uint64_t pilot_trials = 64;
 /// Finds everything that can be wrong with a gate, before any is run.
 /// @param index  into spec.gates    @param baseline  null where none is given
 /// @throws UserError at the gate's place
-GatePlan prepare_gate(const GatesSpec& spec, std::size_t index, GatePurpose purpose, const Baseline* baseline);
+Plan prepare_gate(const Spec& spec, std::size_t index, GatePurpose purpose, const Baseline* baseline);
 
 /// Finds the number of trials of one look, from exact variances where known, otherwise from a pilot with its own random
 /// numbers.
 /// @return rays and kernel values of the pilot; empty where it was stopped
 /// @throws UserError where no number of trials can decide
-std::optional<std::uint64_t> plan_trials(const GatesSpec& spec, GatePlan& plan, const GateRunOptions& options);
+std::optional<std::uint64_t> plan_trials(const Spec& spec, Plan& plan, const GateRunOptions& options);
 
 /// Seconds of one look on one core, by the cost table.
-double expected_seconds(const GatePlan& plan);
+double expected_seconds(const Plan& plan);
 
-}  // namespace ff::studies
+}  // namespace ff::studies::gates

@@ -5,16 +5,16 @@
 
 #include <fmt/format.h>
 
-namespace ff::studies {
+namespace ff::studies::gates {
 namespace {
 
-std::vector<CellEstimates> all_estimates(const GateTrials& trials, const GatePlan& plan) {
+std::vector<CellEstimates> all_estimates(const Trials& trials, const Plan& plan) {
     std::vector<CellEstimates> estimates;
     for (std::size_t cell = 0; cell < plan.study.cells.size(); ++cell) estimates.push_back(trials.estimates(cell));
     return estimates;
 }
 
-std::string note_of(const GatesSpec& spec, const GatePlan& plan, const GateResult& result) {
+std::string note_of(const Spec& spec, const Plan& plan, const GateResult& result) {
     const std::string& decisive_note = decisive(result.comparisons).note;
     if (result.verdict != Verdict::inconclusive || !decisive_note.empty()) return decisive_note;
     if (plan.wanted_trials > 0)
@@ -24,13 +24,13 @@ std::string note_of(const GatesSpec& spec, const GatePlan& plan, const GateResul
 
 }  // namespace
 
-std::optional<GateResult> run_gate(const GatesSpec& spec, const GatePlan& plan, const GateRunOptions& options) {
+std::optional<GateResult> run_gate(const Spec& spec, const Plan& plan, const GateRunOptions& options) {
     FF_EXPECT(plan.trials.size() == plan.study.cells.size());
     const Gate& gate = spec.gates[plan.gate];
     GateResult result;
     result.gate = gate.name;
     result.kind = gate.kind;
-    GateTrials trials(plan.study);
+    Trials trials(plan.study);
     const std::uint64_t looks = plan.deterministic ? 1 : spec.looks;
     for (result.looks = 1;; ++result.looks) {
         std::vector<std::uint64_t> wanted = plan.trials;
@@ -45,10 +45,10 @@ std::optional<GateResult> run_gate(const GatesSpec& spec, const GatePlan& plan, 
     return result;
 }
 
-std::optional<StoredGate> run_to_store(const GatesSpec& spec, const GatePlan& plan, const GateRunOptions& options) {
+std::optional<StoredGate> run_to_store(const Spec& spec, const Plan& plan, const GateRunOptions& options) {
     FF_EXPECT(plan.purpose == GatePurpose::save_baseline);
     const Gate& gate = spec.gates[plan.gate];
-    GateTrials trials(plan.study);
+    Trials trials(plan.study);
     if (!trials.extend(plan.trials, options)) return std::nullopt;
     const auto estimates = all_estimates(trials, plan);
     StoredGate stored;
@@ -62,4 +62,4 @@ std::optional<StoredGate> run_to_store(const GatesSpec& spec, const GatePlan& pl
     return stored;
 }
 
-}  // namespace ff::studies
+}  // namespace ff::studies::gates

@@ -5,15 +5,15 @@
 
 #include <optional>
 
-namespace ff::studies {
+namespace ff::studies::gates {
 
 /// Runs a gate whose trials are planned, look by look until it is decided, at most as often as the file says.
 /// The result depends on the file and the seed alone.
 /// @return empty where it was stopped
-std::optional<GateResult> run_gate(const GatesSpec& spec, const GatePlan& plan, const GateRunOptions& options);
+std::optional<GateResult> run_gate(const Spec& spec, const Plan& plan, const GateRunOptions& options);
 
 /// Runs one look of a gate and keeps its numbers for later comparisons.
 /// @pre the plan was prepared to save a baseline
-std::optional<StoredGate> run_to_store(const GatesSpec& spec, const GatePlan& plan, const GateRunOptions& options);
+std::optional<StoredGate> run_to_store(const Spec& spec, const Plan& plan, const GateRunOptions& options);
 
-}  // namespace ff::studies
+}  // namespace ff::studies::gates

@@ -3,16 +3,16 @@
 #include "core/support/contract.hpp"
 #include "studies/run/run.hpp"
 
-namespace ff::studies {
+namespace ff::studies::gates {
 
-GateTrials::GateTrials(const StudyPlan& plan) : plan_(&plan), cells_(plan.cells.size()) {
+Trials::Trials(const StudyPlan& plan) : plan_(&plan), cells_(plan.cells.size()) {
     for (std::size_t cell = 0; cell < cells_.size(); ++cell) {
         const std::size_t faces = plan.scenes[plan.cells[cell].scene].faces.size();
         cells_[cell].values.resize(faces * faces);
     }
 }
 
-bool GateTrials::extend(std::span<const std::uint64_t> trials, const GateRunOptions& options) {
+bool Trials::extend(std::span<const std::uint64_t> trials, const GateRunOptions& options) {
     FF_EXPECT(trials.size() == cells_.size());
     std::vector<WorkUnit> units;
     for (std::size_t cell = 0; cell < cells_.size(); ++cell) {
@@ -39,7 +39,7 @@ bool GateTrials::extend(std::span<const std::uint64_t> trials, const GateRunOpti
     return done == part.units.size();
 }
 
-void GateTrials::keep(const UnitRecord& record, std::size_t cell) {
+void Trials::keep(const UnitRecord& record, std::size_t cell) {
     DirectEstimates& direct = cells_[cell];
     const auto faces = static_cast<int>(plan_->scenes[plan_->cells[cell].scene].faces.size());
     for (const Observation& seen : record.observations) {
@@ -51,16 +51,16 @@ void GateTrials::keep(const UnitRecord& record, std::size_t cell) {
     }
 }
 
-CellEstimates GateTrials::estimates(std::size_t cell) const {
+CellEstimates Trials::estimates(std::size_t cell) const {
     const Method& method = plan_->spec.methods[plan_->cells[cell].method];
     return complete(*plan_, cell, method.completion, cells_[cell]);
 }
 
-std::uint64_t GateTrials::evaluations() const {
+std::uint64_t Trials::evaluations() const {
     std::uint64_t sum = 0;
     for (std::size_t cell = 0; cell < cells_.size(); ++cell)
         sum += cells_[cell].trials() * evaluations_per_trial(*plan_, plan_->cells[cell]);
     return sum;
 }
 
-}  // namespace ff::studies
+}  // namespace ff::studies::gates

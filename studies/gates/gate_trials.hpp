@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-namespace ff::studies {
+namespace ff::studies::gates {
 
 /// How trials are executed; verdicts do not depend on it.
 struct GateRunOptions {
@@ -18,10 +18,10 @@ struct GateRunOptions {
 
 /// Trials of the cells of a plan, kept in memory and extended as a gate needs them. Trial t of a cell is the same as in
 /// a study with this cell and seed.
-class GateTrials {
+class Trials {
   public:
     /// @pre the plan outlives this
-    explicit GateTrials(const StudyPlan& plan);
+    explicit Trials(const StudyPlan& plan);
 
     /// Runs missing trials until cell c has `trials[c]` trials.
     /// @return false where it was stopped; the trials are then incomplete
@@ -39,4 +39,4 @@ class GateTrials {
     std::vector<DirectEstimates> cells_;
 };
 
-}  // namespace ff::studies
+}  // namespace ff::studies::gates

@@ -9,12 +9,12 @@
 #include <numeric>
 #include <utility>
 
-namespace ff::studies {
+namespace ff::studies::heat {
 namespace {
 
 using Eigen::Index;
 using Eigen::VectorXd;
-using Sparse = FormFactorMatrix::Sparse;
+using Sparse = form_factors::Matrix::Sparse;
 
 VectorXd solve(const Sparse& system, const VectorXd& right) {
     Eigen::BiCGSTAB<Sparse> solver;
@@ -27,7 +27,7 @@ VectorXd solve(const Sparse& system, const VectorXd& right) {
 /// How powers change with exchange areas, near the mean factors of a matrix.
 class Sensitivity {
   public:
-    Sensitivity(const Scene& scene, const FormFactorMatrix& matrix, const Materials& materials, double scale)
+    Sensitivity(const Scene& scene, const form_factors::Matrix& matrix, const Materials& materials, double scale)
         : matrix_(matrix), laws_(laws_of(materials)) {
         const auto n = static_cast<Index>(matrix.faces());
         Sparse factors = matrix.factors();
@@ -79,7 +79,7 @@ class Sensitivity {
     }
 
   private:
-    const FormFactorMatrix& matrix_;
+    const form_factors::Matrix& matrix_;
     FaceLaws laws_;
     Sparse system_;
     Sparse adjoint_;
@@ -98,11 +98,11 @@ class Sensitivity {
     [[nodiscard]] double median(const std::vector<std::uint32_t>& row, std::size_t face, bool sees_out) const {
         std::vector<std::pair<double, double>> values;
         for (const std::uint32_t p : row) {
-            const FaceExchange& pair = matrix_.exchanges[p];
+            const form_factors::FaceExchange& pair = matrix_.exchanges[p];
             const std::size_t other = pair.from == face ? pair.to : pair.from;
-            values.emplace_back(radiosity_[static_cast<Index>(other)], half_width(pair));
+            values.emplace_back(radiosity_[static_cast<Index>(other)], form_factors::half_width(pair));
         }
-        const RowSum& sum = matrix_.rows[face];
+        const form_factors::RowSum& sum = matrix_.rows[face];
         if (sees_out) values.emplace_back(laws_.surroundings, (sum.high - sum.low) / 2 * matrix_.areas[face]);
         std::sort(values.begin(), values.end());
         double all = 0;
@@ -117,12 +117,12 @@ class Sensitivity {
 
     void find_contrasts(bool sees_out) {
         if (!is_known()) return;
-        const auto rows = by_face(matrix_.exchanges, matrix_.faces());
+        const auto rows = form_factors::by_face(matrix_.exchanges, matrix_.faces());
         contrasts_.resize(matrix_.exchanges.size());
         for (std::size_t face = 0; face < rows.size(); ++face) {
             const double middle = median(rows[face], face, sees_out);
             for (const std::uint32_t p : rows[face]) {
-                const FaceExchange& pair = matrix_.exchanges[p];
+                const form_factors::FaceExchange& pair = matrix_.exchanges[p];
                 const auto contrast_to = [&](std::uint32_t other) {
                     return std::abs(radiosity_[other] - middle) / matrix_.areas[face];
                 };
@@ -133,11 +133,11 @@ class Sensitivity {
     }
 };
 
-bool has_choice(const FaceExchange& pair) {
+bool has_choice(const form_factors::FaceExchange& pair) {
     return pair.is_sampled() || pair.method == ExchangeMethod::bounds;
 }
 
-double smaller_area(const FormFactorMatrix& matrix, const FaceExchange& pair) {
+double smaller_area(const form_factors::Matrix& matrix, const form_factors::FaceExchange& pair) {
     return std::min(matrix.areas[pair.from], matrix.areas[pair.to]);
 }
 
@@ -154,11 +154,11 @@ struct Groups {
     }
 };
 
-Groups groups_of(const FormFactorMatrix& matrix) {
+Groups groups_of(const form_factors::Matrix& matrix) {
     constexpr double least = 1024;  // of pairs that were not sampled yet
     Groups groups;
     std::map<std::uint32_t, std::size_t> by_rays;
-    for (const FaceExchange& pair : matrix.exchanges) {
+    for (const form_factors::FaceExchange& pair : matrix.exchanges) {
         const std::uint32_t smaller = matrix.areas[pair.to] < matrix.areas[pair.from] ? pair.to : pair.from;
         std::size_t group = groups.samples.size();
         if (pair.method == ExchangeMethod::rays) group = by_rays.try_emplace(smaller, group).first->second;
@@ -172,7 +172,7 @@ Groups groups_of(const FormFactorMatrix& matrix) {
 
 /// Samples grow by this power of 1 / half width, found with one tolerance after the other: of points in the room with a
 /// block of docs/scenes.md, of rays in an annulus.
-double growth(const FaceExchange& pair) {
+double growth(const form_factors::FaceExchange& pair) {
     constexpr double of_points = 0.66;
     constexpr double of_rays = 1.33;
     return pair.method == ExchangeMethod::rays ? of_rays : of_points;
@@ -207,7 +207,7 @@ std::vector<double> scaled(const Sensitivity& sensitivity, const Allocation& all
 
 }  // namespace
 
-std::optional<std::vector<double>> plan_flows(const Scene& scene, const FormFactorMatrix& matrix,
+std::optional<std::vector<double>> plan_flows(const Scene& scene, const form_factors::Matrix& matrix,
                                               const Materials& materials, double scale, const FlowTolerance& tolerance,
                                               double floor) {
     const Sensitivity sensitivity(scene, matrix, materials, scale);
@@ -217,9 +217,9 @@ std::optional<std::vector<double>> plan_flows(const Scene& scene, const FormFact
     const std::size_t pairs = matrix.exchanges.size();
     Allocation allocation{std::vector<double>(pairs), std::vector<double>(pairs), std::vector<double>(pairs)};
     for (std::size_t p = 0; p < pairs; ++p) {
-        const FaceExchange& pair = matrix.exchanges[p];
+        const form_factors::FaceExchange& pair = matrix.exchanges[p];
         if (!has_choice(pair)) continue;
-        allocation.most[p] = half_width(pair);
+        allocation.most[p] = form_factors::half_width(pair);
         allocation.least[p] = floor * smaller_area(matrix, pair);
     }
     VectorXd weights = VectorXd::Ones(sensitivity.absorbing().size());
@@ -260,15 +260,15 @@ std::optional<std::vector<double>> plan_flows(const Scene& scene, const FormFact
     return best;
 }
 
-std::optional<double> even_samples(const Scene& scene, const FormFactorMatrix& matrix, const FormFactorMatrix& first,
-                                   const Materials& materials, double scale) {
+std::optional<double> even_samples(const Scene& scene, const form_factors::Matrix& matrix,
+                                   const form_factors::Matrix& first, const Materials& materials, double scale) {
     const Sensitivity sensitivity(scene, matrix, materials, scale);
     if (!sensitivity.is_known()) return std::nullopt;
     std::vector<double> now;
     std::vector<double> even;  // with a tolerance of 1
-    for (const FaceExchange& pair : matrix.exchanges) {
+    for (const form_factors::FaceExchange& pair : matrix.exchanges) {
         if (pair.by_rays_of_row) return std::nullopt;  // points take over where more is wanted
-        now.push_back(has_choice(pair) ? half_width(pair) : 0);
+        now.push_back(has_choice(pair) ? form_factors::half_width(pair) : 0);
         even.push_back(has_choice(pair) ? smaller_area(matrix, pair) : 0);
     }
     const double tolerance = sensitivity.widths(now).maxCoeff() / sensitivity.widths(even).maxCoeff();
@@ -293,4 +293,4 @@ std::optional<double> even_samples(const Scene& scene, const FormFactorMatrix& m
     return static_cast<double>(matrix.samples) * needed / spent;
 }
 
-}  // namespace ff::studies
+}  // namespace ff::studies::heat

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-namespace ff::studies {
+namespace ff::studies::heat {
 
 /// Chooses half widths that cost least among those for which the half width of every power is about a tolerance.
 ///
@@ -18,7 +18,7 @@ namespace ff::studies {
 /// @param floor  of the half widths
 /// @return for each exchange of the matrix, as a form factor of its smaller face, 0 for those that are exact; empty
 ///   where the mean factors determine no flows
-std::optional<std::vector<double>> plan_flows(const Scene& scene, const FormFactorMatrix& matrix,
+std::optional<std::vector<double>> plan_flows(const Scene& scene, const form_factors::Matrix& matrix,
                                               const Materials& materials, double scale, const FlowTolerance& tolerance,
                                               double floor);
 
@@ -26,7 +26,7 @@ std::optional<std::vector<double>> plan_flows(const Scene& scene, const FormFact
 /// matrix. @param matrix  has been sampled by a plan @param first  an earlier one: no pair takes fewer samples than
 /// there
 /// @return empty where nothing is sampled, or so little that rays of a row serve pairs that points can do
-std::optional<double> even_samples(const Scene& scene, const FormFactorMatrix& matrix, const FormFactorMatrix& first,
-                                   const Materials& materials, double scale);
+std::optional<double> even_samples(const Scene& scene, const form_factors::Matrix& matrix,
+                                   const form_factors::Matrix& first, const Materials& materials, double scale);
 
-}  // namespace ff::studies
+}  // namespace ff::studies::heat

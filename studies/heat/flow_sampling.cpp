@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-namespace ff::studies {
+namespace ff::studies::heat {
 namespace {
 
 constexpr std::size_t most_matrices = 4;
@@ -28,7 +28,8 @@ Seed seed_of(Seed seed, std::size_t matrix) {
 }
 
 /// The tolerances of a plan, for the next matrix.
-void set_tolerances(FormFactorRequest& request, const FormFactorMatrix& matrix, std::vector<double> tolerances) {
+void set_tolerances(form_factors::Request& request, const form_factors::Matrix& matrix,
+                    std::vector<double> tolerances) {
     std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
     double least = request.tolerance;
     for (std::size_t p = 0; p < matrix.exchanges.size(); ++p) {
@@ -56,7 +57,7 @@ double pilot_tolerance(const FlowTolerance& tolerance) {
 
 class FlowSampling {
   public:
-    FlowSampling(const Scene& scene, const FormFactorRequest& asked, const Materials& materials, double scale,
+    FlowSampling(const Scene& scene, const form_factors::Request& asked, const Materials& materials, double scale,
                  const FlowTolerance& tolerance)
         : scene_(scene),
           asked_(asked),
@@ -86,13 +87,13 @@ class FlowSampling {
     static constexpr double least_tolerance = 1e-6;  ///< rays are traced in single precision
 
     const Scene& scene_;
-    const FormFactorRequest& asked_;
+    const form_factors::Request& asked_;
     const Materials& materials_;
     double scale_;
     FlowTolerance tolerance_;
     FlowTolerance aim_;
-    FormFactorRequest request_;
-    FormFactorMatrix pilot_;
+    form_factors::Request request_;
+    form_factors::Matrix pilot_;
     std::optional<SampledFlows> best_;
     std::exception_ptr unresolved_;  ///< why there is none
     std::size_t matrices_ = 0;
@@ -104,7 +105,7 @@ class FlowSampling {
         request_.seed = seed_of(asked_.seed, matrices_);
         request_.max_samples = asked_.max_samples - samples_;
         try {
-            FormFactorMatrix matrix = find_form_factors(scene_, request_);
+            form_factors::Matrix matrix = form_factors::find_matrix(scene_, request_);
             samples_ += matrix.samples;
             if (matrices_++ == 0) pilot_ = matrix;
             const bool goes_on = !matrix.interrupted && !keep(matrix);
@@ -118,9 +119,9 @@ class FlowSampling {
     }
 
     /// @return whether its flows are known well enough
-    bool keep(const FormFactorMatrix& matrix) {
+    bool keep(const form_factors::Matrix& matrix) {
         try {
-            HeatFlows flows = find_heat_flows(scene_, matrix, materials_, scale_);
+            Flows flows = find_flows(scene_, matrix, materials_, scale_);
             const double worst = flows.worst;
             const double wanted = tolerance_.power(flows.throughput);
             const bool enough = flows.within(tolerance_);
@@ -134,7 +135,7 @@ class FlowSampling {
         }
     }
 
-    void plan(const FormFactorMatrix& matrix) {
+    void plan(const form_factors::Matrix& matrix) {
         auto plan = plan_flows(scene_, matrix, materials_, scale_, aim_, least_tolerance);
         if (plan) {
             set_tolerances(request_, matrix, std::move(*plan));
@@ -147,9 +148,9 @@ class FlowSampling {
 
 }  // namespace
 
-SampledFlows sample_flows(const Scene& scene, const FormFactorRequest& request, const Materials& materials,
+SampledFlows sample_flows(const Scene& scene, const form_factors::Request& request, const Materials& materials,
                           double scale, const FlowTolerance& tolerance) {
     return FlowSampling(scene, request, materials, scale, tolerance).find();
 }
 
-}  // namespace ff::studies
+}  // namespace ff::studies::heat

@@ -6,12 +6,12 @@
 #include <cstdint>
 #include <optional>
 
-namespace ff::studies {
+namespace ff::studies::heat {
 
 /// Flows that have been sampled until they were known well enough.
 struct SampledFlows {
-    FormFactorMatrix matrix;  ///< that the flows are from
-    HeatFlows flows;
+    form_factors::Matrix matrix;  ///< that the flows are from
+    Flows flows;
     FlowTolerance tolerance;
     double factor_tolerance = 0;  ///< the smallest of its form factors
     bool is_planned = false;      ///< it is not the pilot
@@ -24,8 +24,8 @@ struct SampledFlows {
 /// Samples the form factors on which flows depend until every power is within its tolerance: a coarse matrix first,
 /// then matrices by plan_flows, most_matrices in all, each with random numbers of its own. They share the error rate,
 /// so that it does not matter which of them is reported: the one whose powers are known best.
-/// @param request  with LevelOf::matrix; its tolerance is not used @throws UserError as find_heat_flows
-SampledFlows sample_flows(const Scene& scene, const FormFactorRequest& request, const Materials& materials,
+/// @param request  with LevelOf::matrix; its tolerance is not used @throws UserError as find_flows
+SampledFlows sample_flows(const Scene& scene, const form_factors::Request& request, const Materials& materials,
                           double scale, const FlowTolerance& tolerance);
 
-}  // namespace ff::studies
+}  // namespace ff::studies::heat

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <system_error>
 
-namespace ff::studies {
+namespace ff::studies::heat {
 
 FlowTolerance read_flow_tolerance(std::string_view place, std::string_view text) {
     FlowTolerance tolerance;
@@ -30,4 +30,4 @@ std::string in_words(const FlowTolerance& tolerance) {
     return tolerance.is_power ? fmt::format("{:g}W", tolerance.amount) : fmt::format("{:g}%", 100 * tolerance.amount);
 }
 
-}  // namespace ff::studies
+}  // namespace ff::studies::heat

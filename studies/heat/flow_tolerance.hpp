@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-namespace ff::studies {
+namespace ff::studies::heat {
 
 /// How well every power is to be known.
 struct FlowTolerance {
@@ -20,4 +20,4 @@ FlowTolerance read_flow_tolerance(std::string_view place, std::string_view text)
 /// As the reader takes it: "0.1%", "40W".
 std::string in_words(const FlowTolerance& tolerance);
 
-}  // namespace ff::studies
+}  // namespace ff::studies::heat

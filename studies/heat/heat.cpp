@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace ff::studies {
+namespace ff::studies::heat {
 namespace {
 
 using Eigen::Index;
@@ -23,7 +23,7 @@ double temperature_of_black_body(double power) {
 
 /// Intervals of the factors, and of what they leave. Every row of a closed scene whose surfaces all belong to faces
 /// adds up to 1; otherwise what is left is seen through openings, or lies on surfaces of no face.
-FactorBounds factor_bounds(const Scene& scene, const FormFactorMatrix& matrix) {
+FactorBounds factor_bounds(const Scene& scene, const form_factors::Matrix& matrix) {
     const auto n = static_cast<Index>(matrix.faces());
     std::vector<Eigen::Triplet<double>> low;
     std::vector<Eigen::Triplet<double>> high;
@@ -31,7 +31,7 @@ FactorBounds factor_bounds(const Scene& scene, const FormFactorMatrix& matrix) {
         low.emplace_back(i, j, std::clamp(least, 0.0, 1.0));
         high.emplace_back(i, j, std::clamp(most, 0.0, 1.0));
     };
-    for (const FaceExchange& exchange : matrix.exchanges) {
+    for (const form_factors::FaceExchange& exchange : matrix.exchanges) {
         const auto set_from = [&](Index i, Index j, double area) {
             set(i, j, exchange.low / area, exchange.high / area);
         };
@@ -40,7 +40,7 @@ FactorBounds factor_bounds(const Scene& scene, const FormFactorMatrix& matrix) {
     }
     for (Index i = 0; i < n; ++i) {
         if (!may_see_out(scene)) break;
-        const RowSum& row = matrix.rows[static_cast<std::size_t>(i)];
+        const form_factors::RowSum& row = matrix.rows[static_cast<std::size_t>(i)];
         set(i, n, 1 - row.high, 1 - row.low);
     }
     FactorBounds bounds{FactorBounds::Sparse(n, n + 1), FactorBounds::Sparse(n, n + 1)};
@@ -143,7 +143,7 @@ bool may_see_out(const Scene& scene) {
                                         [](const Surface& surface) { return surface.face == no_face; });
 }
 
-bool HeatFlows::are_at_rest() const {
+bool Flows::are_at_rest() const {
     constexpr double rounding = 1e-9;
     return std::all_of(faces.begin(), faces.end(), [&](const FaceFlow& face) {
         const auto [low, high] = face.power;
@@ -151,13 +151,12 @@ bool HeatFlows::are_at_rest() const {
     });
 }
 
-HeatFlows find_heat_flows(const Scene& scene, const FormFactorMatrix& matrix, const Materials& materials,
-                          double scale) {
+Flows find_flows(const Scene& scene, const form_factors::Matrix& matrix, const Materials& materials, double scale) {
     const FactorBounds factors = factor_bounds(scene, matrix);
     const FaceLaws laws = laws_of(materials);
     expect_solvable(scene, factors, laws, materials);
     const IrradiationBounds irradiation = bound_irradiation(factors, laws);
-    HeatFlows found;
+    Flows found;
     Bounds sum;
     for (std::size_t i = 0; i < matrix.faces(); ++i) {
         const auto row = static_cast<Index>(i);
@@ -176,7 +175,7 @@ HeatFlows find_heat_flows(const Scene& scene, const FormFactorMatrix& matrix, co
     return found;
 }
 
-std::vector<GebhartFactor> find_gebhart_factors(const Scene& scene, const FormFactorMatrix& matrix,
+std::vector<GebhartFactor> find_gebhart_factors(const Scene& scene, const form_factors::Matrix& matrix,
                                                 const Materials& materials) {
     const FactorBounds factors = factor_bounds(scene, matrix);
     const auto n = static_cast<Index>(matrix.faces());
@@ -206,4 +205,4 @@ std::vector<GebhartFactor> find_gebhart_factors(const Scene& scene, const FormFa
     return found;
 }
 
-}  // namespace ff::studies
+}  // namespace ff::studies::heat

@@ -11,7 +11,7 @@
 #include <optional>
 #include <vector>
 
-namespace ff::studies {
+namespace ff::studies::heat {
 
 /// W/(m² K⁴), exact in the SI. @see [codata2018]
 inline constexpr double stefan_boltzmann = 5.670374419e-8;
@@ -36,7 +36,7 @@ struct FaceFlow {
     bool given = false;  ///< the temperature was given, and the flux follows; otherwise the reverse
 };
 
-struct HeatFlows {
+struct Flows {
     std::vector<FaceFlow> faces;
     Bounds balance;                ///< W: all powers together
     bool reaches_outside = false;  ///< what the balance leaves is for the surroundings; otherwise it is 0
@@ -68,7 +68,7 @@ bool may_see_out(const Scene& scene);
 /// @param scale metres per unit of length of the scene
 /// @throws UserError where a face's radiosity is not determined, the surroundings are needed and not given, the rows of
 ///   a closed scene cannot add up to 1, or a flux leaves a face without a temperature
-HeatFlows find_heat_flows(const Scene& scene, const FormFactorMatrix& matrix, const Materials& materials, double scale);
+Flows find_flows(const Scene& scene, const form_factors::Matrix& matrix, const Materials& materials, double scale);
 
 /// Where the emission of a face is finally absorbed.
 struct GebhartFactor {
@@ -80,8 +80,8 @@ struct GebhartFactor {
 
 /// All Gebhart factors, row by row, with limits that hold for all form factors within their intervals. A face's
 /// absorptance is its emissivity, whether a temperature or a flux is given; for light it is 1 - reflectance. One pair
-/// of solutions for each face. @throws UserError as find_heat_flows @see [howell]
-std::vector<GebhartFactor> find_gebhart_factors(const Scene& scene, const FormFactorMatrix& matrix,
+/// of solutions for each face. @throws UserError as find_flows @see [howell]
+std::vector<GebhartFactor> find_gebhart_factors(const Scene& scene, const form_factors::Matrix& matrix,
                                                 const Materials& materials);
 
-}  // namespace ff::studies
+}  // namespace ff::studies::heat

@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace ff::studies {
+namespace ff::studies::heat {
 namespace {
 
 constexpr double coldest_expected = 150;  // K: below that, degrees Celsius are likely
@@ -219,4 +219,4 @@ Materials load_materials(const std::filesystem::path& file, const NamedFaces& fa
     return read_materials(read_text_file(file, FileKind::materials), file.string(), faces);
 }
 
-}  // namespace ff::studies
+}  // namespace ff::studies::heat

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-namespace ff::studies {
+namespace ff::studies::heat {
 
 /// Properties of a grey diffuse face. Heat: `emissivity` with `temperature` or `flux`. Light: `reflectance` with
 /// `emission`.
@@ -48,4 +48,4 @@ Materials read_materials(std::string_view toml, std::string_view origin, const N
 
 Materials load_materials(const std::filesystem::path& file, const NamedFaces& faces);
 
-}  // namespace ff::studies
+}  // namespace ff::studies::heat

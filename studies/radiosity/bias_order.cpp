@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace ff::studies {
+namespace ff::studies::radiosity {
 namespace {
 
 constexpr double certain = 3;      // standard errors
@@ -28,7 +28,7 @@ void fit(BiasOrder& order, double level) {
 
 }  // namespace
 
-std::vector<BiasOrder> bias_orders(const StudyPlan& plan, const RadiosityResults& results) {
+std::vector<BiasOrder> bias_orders(const StudyPlan& plan, const Results& results) {
     std::vector<BiasOrder> orders;
     for (const Ladder& ladder : find_ladders(plan)) {
         if (ladder.growth != Growth::samples || plan.cells[ladder.cells.front()].deterministic) continue;
@@ -56,4 +56,4 @@ std::vector<BiasOrder> bias_orders(const StudyPlan& plan, const RadiosityResults
     return orders;
 }
 
-}  // namespace ff::studies
+}  // namespace ff::studies::radiosity

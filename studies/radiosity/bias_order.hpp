@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace ff::studies {
+namespace ff::studies::radiosity {
 
 /// How the bias of the exitance, all faces together by area, falls along a ladder of sizes. Exitance is not linear in
 /// the form factors: unbiased factors with errors of variance 1/N give it a bias of order 1/N.
@@ -33,6 +33,6 @@ struct BiasOrder {
 
 /// For ladders of sampled methods with growing numbers of samples: one result per treatment and setting, where the
 /// exitance has a mean and varies by more than rounding at every size.
-std::vector<BiasOrder> bias_orders(const StudyPlan& plan, const RadiosityResults& results);
+std::vector<BiasOrder> bias_orders(const StudyPlan& plan, const Results& results);
 
-}  // namespace ff::studies
+}  // namespace ff::studies::radiosity

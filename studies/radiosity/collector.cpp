@@ -8,7 +8,7 @@
 #include <cmath>
 #include <utility>
 
-namespace ff::studies {
+namespace ff::studies::radiosity {
 namespace {
 
 ExitanceStatistics summarise_exitance(std::size_t element, double exact, const std::vector<double>& values) {
@@ -134,4 +134,4 @@ Consequences ConsequencesCollector::finish(std::size_t cell, double level) {
     return std::move(found_);
 }
 
-}  // namespace ff::studies
+}  // namespace ff::studies::radiosity

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-namespace ff::studies {
+namespace ff::studies::radiosity {
 
 /// Collects the trials of one setting.
 class SettingCollector {
@@ -46,4 +46,4 @@ class ConsequencesCollector {
     std::vector<SettingCollector> settings_;
 };
 
-}  // namespace ff::studies
+}  // namespace ff::studies::radiosity

@@ -12,7 +12,7 @@
 #include <map>
 #include <utility>
 
-namespace ff::studies {
+namespace ff::studies::radiosity {
 namespace {
 
 /// The systems of a scene with exact factors. @return their exitances, by setting
@@ -48,7 +48,7 @@ std::vector<ConsequencesCollector> make_collectors(const StudyPlan& plan, std::s
     return collectors;
 }
 
-void evaluate_between_faces(const Store& store, RadiosityResults& results) {
+void evaluate_between_faces(const Store& store, Results& results) {
     const StudyPlan& plan = store.plan();
     for (std::size_t scene = 0; scene < plan.scenes.size(); ++scene) {
         const Lighting lighting = light_faces(plan, scene);
@@ -79,7 +79,7 @@ void add_trials_between_patches(const StudyPlan& plan, std::size_t cell, std::ui
     }
 }
 
-void evaluate_between_patches(const Store& store, RadiosityResults& results, const std::atomic<bool>* stop) {
+void evaluate_between_patches(const Store& store, Results& results, const std::atomic<bool>* stop) {
     const StudyPlan& plan = store.plan();
     const auto stopped = [stop] { return stop != nullptr && stop->load(); };
     std::map<std::pair<std::size_t, std::uint32_t>, std::vector<std::size_t>> by_patches;
@@ -114,20 +114,20 @@ std::string_view name(Between between) {
     return between == Between::faces ? "faces" : "patches";
 }
 
-const ExactSystem& RadiosityResults::exact_system(std::size_t scene, std::size_t setting, std::uint32_t m) const {
+const ExactSystem& Results::exact_system(std::size_t scene, std::size_t setting, std::uint32_t m) const {
     return *std::find_if(exact.begin(), exact.end(), [&](const ExactSystem& system) {
         return system.scene == scene && system.setting == setting && system.m == m;
     });
 }
 
-const Consequences* RadiosityResults::find(std::size_t cell, Treatment treatment, Between between) const {
+const Consequences* Results::find(std::size_t cell, Treatment treatment, Between between) const {
     const auto found = std::find_if(consequences.begin(), consequences.end(), [&](const Consequences& c) {
         return c.cell == cell && c.treatment == treatment && c.between == between;
     });
     return found == consequences.end() ? nullptr : &*found;
 }
 
-PatchTrials patch_trials(const StudyPlan& plan, const RadiosityResults& results) {
+PatchTrials patch_trials(const StudyPlan& plan, const Results& results) {
     PatchTrials trials;
     for (std::size_t cell = 0; cell < plan.cells.size(); ++cell) {
         if (!has_patch_systems(plan, cell)) continue;
@@ -138,8 +138,8 @@ PatchTrials patch_trials(const StudyPlan& plan, const RadiosityResults& results)
     return trials;
 }
 
-RadiosityResults evaluate_radiosity(const Store& store, const std::atomic<bool>* stop) {
-    RadiosityResults results;
+Results find_consequences(const Store& store, const std::atomic<bool>* stop) {
+    Results results;
     evaluate_between_faces(store, results);
     evaluate_between_patches(store, results, stop);
     // By cell, whichever subdivision was lit first.
@@ -150,4 +150,4 @@ RadiosityResults evaluate_radiosity(const Store& store, const std::atomic<bool>*
     return results;
 }
 
-}  // namespace ff::studies
+}  // namespace ff::studies::radiosity

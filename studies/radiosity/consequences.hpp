@@ -12,7 +12,7 @@
 #include <string_view>
 #include <vector>
 
-namespace ff::studies {
+namespace ff::studies::radiosity {
 
 /// The elements that the rows of a system stand for.
 enum class Between { faces, patches };
@@ -97,7 +97,7 @@ struct ExactSystem {
     std::vector<SolverStatistics> solvers;
 };
 
-struct RadiosityResults {
+struct Results {
     std::vector<ExactSystem> exact;          ///< between faces by scene and setting, then between patches by m too
     std::vector<Consequences> consequences;  ///< between faces by cell and treatment, then between patches
 
@@ -110,7 +110,7 @@ struct RadiosityResults {
 
 /// Solves the radiosity systems of every trial. @pre the plan has a request; every estimate is finite
 /// @param stop  once true, no further system between patches is begun; null: never
-RadiosityResults evaluate_radiosity(const Store& store, const std::atomic<bool>* stop = nullptr);
+Results find_consequences(const Store& store, const std::atomic<bool>* stop = nullptr);
 
 /// Trials whose systems between patches have been evaluated, and those that should be.
 struct PatchTrials {
@@ -120,6 +120,6 @@ struct PatchTrials {
     [[nodiscard]] bool complete() const { return done == wanted; }
 };
 
-PatchTrials patch_trials(const StudyPlan& plan, const RadiosityResults& results);
+PatchTrials patch_trials(const StudyPlan& plan, const Results& results);
 
-}  // namespace ff::studies
+}  // namespace ff::studies::radiosity

@@ -9,7 +9,7 @@
 #include <set>
 #include <utility>
 
-namespace ff::studies {
+namespace ff::studies::radiosity {
 namespace {
 
 /// Matrices between patches at a time: exact factors, estimates, treated ones, and what balancing or elimination needs.
@@ -57,7 +57,7 @@ bool runs_solvers(const StudyPlan& plan, double patches, std::size_t setting) {
            seconds_of_solvers(request, patches, request.reflectance[setting]) <= most_seconds_of_solvers;
 }
 
-std::uint64_t memory_of_radiosity(const StudyPlan& plan) {
+std::uint64_t memory_needed(const StudyPlan& plan) {
     if (!plan.spec.radiosity) return 0;
     const std::uint64_t settings = plan.spec.radiosity->reflectance.size();
     std::uint64_t largest = 0;
@@ -80,7 +80,7 @@ std::uint64_t memory_of_radiosity(const StudyPlan& plan) {
     return largest;
 }
 
-double seconds_of_radiosity(const StudyPlan& plan) {
+double seconds_needed(const StudyPlan& plan) {
     if (!plan.spec.radiosity) return 0;
     const RadiosityRequest& request = *plan.spec.radiosity;
     const auto settings = static_cast<double>(request.reflectance.size());
@@ -104,4 +104,4 @@ double seconds_of_radiosity(const StudyPlan& plan) {
     return seconds;
 }
 
-}  // namespace ff::studies
+}  // namespace ff::studies::radiosity

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace ff::studies {
+namespace ff::studies::radiosity {
 
 /// Limit of the total cost of all solvers on one system between patches: near reflectance 1 they need thousands of
 /// iterations.
@@ -16,10 +16,10 @@ bool runs_solvers(const StudyPlan& plan, double patches, std::size_t setting);
 
 /// Peak bytes of systems, beyond the program: the matrices of all trials of a cell between faces, or about nine
 /// matrices between patches. 0 without [radiosity].
-std::uint64_t memory_of_radiosity(const StudyPlan& plan);
+std::uint64_t memory_needed(const StudyPlan& plan);
 
 /// Their seconds on one core, by floating-point operations. Right within about a factor of two: the number of
 /// iterations is known for exact factors only.
-double seconds_of_radiosity(const StudyPlan& plan);
+double seconds_needed(const StudyPlan& plan);
 
-}  // namespace ff::studies
+}  // namespace ff::studies::radiosity

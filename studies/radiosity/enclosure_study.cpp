@@ -15,7 +15,7 @@
 #include <numbers>
 #include <utility>
 
-namespace ff::studies {
+namespace ff::studies::radiosity {
 namespace {
 
 using std::numbers::pi;
@@ -154,4 +154,4 @@ EnclosureResults study_enclosure(const EnclosureRequest& request) {
     return results;
 }
 
-}  // namespace ff::studies
+}  // namespace ff::studies::radiosity

@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-namespace ff::studies {
+namespace ff::studies::radiosity {
 
 /// An enclosure with self-viewing surfaces, given by its exact factors.
 struct NamedEnclosure {
@@ -46,4 +46,4 @@ struct EnclosureResults {
 /// these. @throws UserError
 EnclosureResults study_enclosure(const EnclosureRequest& request);
 
-}  // namespace ff::studies
+}  // namespace ff::studies::radiosity

@@ -8,7 +8,7 @@
 
 #include <utility>
 
-namespace ff::studies {
+namespace ff::studies::radiosity {
 namespace {
 
 const RadiosityRequest& request_of(const StudyPlan& plan) {
@@ -83,4 +83,4 @@ SolverOptions solver_options(const StudyPlan& plan) {
     return {.tolerance = request_of(plan).tolerance};
 }
 
-}  // namespace ff::studies
+}  // namespace ff::studies::radiosity

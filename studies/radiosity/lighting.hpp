@@ -8,7 +8,7 @@
 
 #include <vector>
 
-namespace ff::studies {
+namespace ff::studies::radiosity {
 
 /// The systems of a scene, between its faces or its patches, without the factors of a trial.
 struct Lighting {
@@ -39,4 +39,4 @@ Lighting light_patches(const StudyPlan& plan, std::size_t scene, Subdivision sub
 
 SolverOptions solver_options(const StudyPlan& plan);
 
-}  // namespace ff::studies
+}  // namespace ff::studies::radiosity

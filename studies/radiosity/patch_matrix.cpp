@@ -11,7 +11,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace ff::studies {
+namespace ff::studies::radiosity {
 
 Eigen::MatrixXd trace_patch_factors(const StudyPlan& plan, std::size_t index, std::uint64_t trial,
                                     const std::atomic<bool>* stop) {
@@ -28,4 +28,4 @@ Eigen::MatrixXd trace_patch_factors(const StudyPlan& plan, std::size_t index, st
                                method.allocation, cell.key, number);
 }
 
-}  // namespace ff::studies
+}  // namespace ff::studies::radiosity

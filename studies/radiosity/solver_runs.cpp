@@ -4,7 +4,7 @@
 
 #include <utility>
 
-namespace ff::studies {
+namespace ff::studies::radiosity {
 
 OverTrials over_trials(std::span<const double> values) {
     const auto ascending = stats::sorted(values);
@@ -42,4 +42,4 @@ std::vector<SolverStatistics> SolverRuns::finish() {
     return statistics;
 }
 
-}  // namespace ff::studies
+}  // namespace ff::studies::radiosity

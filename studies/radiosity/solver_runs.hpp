@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-namespace ff::studies {
+namespace ff::studies::radiosity {
 
 /// @pre values not empty
 OverTrials over_trials(std::span<const double> values);
@@ -25,4 +25,4 @@ class SolverRuns {
     std::vector<OfSolver> solvers_;
 };
 
-}  // namespace ff::studies
+}  // namespace ff::studies::radiosity

@@ -2,7 +2,7 @@
 
 #include "core/patches/face_averages.hpp"
 
-namespace ff::studies {
+namespace ff::studies::radiosity {
 namespace {
 
 Eigen::MatrixXd by_reciprocity(const Eigen::MatrixXd& direct, const Eigen::VectorXd& areas) {
@@ -67,4 +67,4 @@ Eigen::MatrixXd treat(const Elements& elements, const Eigen::VectorXd& rays, con
     return balanced(elements, rays, direct);
 }
 
-}  // namespace ff::studies
+}  // namespace ff::studies::radiosity

@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-namespace ff::studies {
+namespace ff::studies::radiosity {
 
 /// What is done to the direct estimates of a trial before the system is solved.
 enum class Treatment {
@@ -48,4 +48,4 @@ TrialMatrices load_matrices(const Store& store, std::size_t cell);
 Eigen::MatrixXd treat(const Elements& elements, const Eigen::VectorXd& rays, const Eigen::MatrixXd& direct,
                       Treatment treatment);
 
-}  // namespace ff::studies
+}  // namespace ff::studies::radiosity

@@ -80,7 +80,7 @@ std::uint64_t memory_of_analysis(const StudyPlan& plan) {
             estimates += plan.cells[cell].trials * sizeof(double) * observations_per_trial(plan, plan.cells[cell]);
         largest = std::max(largest, 4 * estimates);
     }
-    return std::max(plan.spec.published ? largest + all : largest, memory_of_radiosity(plan));
+    return std::max(plan.spec.published ? largest + all : largest, radiosity::memory_needed(plan));
 }
 
 double seconds_of_slopes(const StudyPlan& plan) {
@@ -178,7 +178,7 @@ double expected_seconds_of_results(const StudyPlan& plan) {
     for (const Cell& cell : plan.cells)
         observations += static_cast<double>(cell.trials * observations_per_trial(plan, cell));
     return observations * seconds_of_a_row + seconds_of_slopes(plan) + seconds_of_coverage(plan) +
-           seconds_of_patches(plan) + seconds_of_radiosity(plan) + seconds_of_scenes(plan) +
+           seconds_of_patches(plan) + radiosity::seconds_needed(plan) + seconds_of_scenes(plan) +
            static_cast<double>(plan.cells.size()) * seconds_of_a_cell;
 }
 

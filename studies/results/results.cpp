@@ -33,8 +33,8 @@ StudyResults evaluate(const Store& store, const std::atomic<bool>* stop) {
             return claimed.promised < 1 && results.findings.cells[claimed.cell].repeated_trials > 0;
         });
         if (results.findings.plan.spec.radiosity) {
-            results.radiosity = evaluate_radiosity(store, stop);
-            results.bias_orders = bias_orders(results.findings.plan, *results.radiosity);
+            results.radiosity = radiosity::find_consequences(store, stop);
+            results.bias_orders = radiosity::bias_orders(results.findings.plan, *results.radiosity);
         }
     }
     results.variance_checks = check_variances(results.findings);
@@ -44,7 +44,7 @@ StudyResults evaluate(const Store& store, const std::atomic<bool>* stop) {
         compared.tables = parse_published_tables(published->text, published->file);
         compared.comparisons = compare_with_published(store, results.findings, compared.tables);
         compared.claims = judge_claims(store, results.findings, compared.tables);
-        compared.audit = audit(compared.tables);
+        compared.audit = audit::examine(compared.tables);
     }
     results.error_laws = fit_error_laws(results.findings, results.published ? &results.published->tables : nullptr);
     results.rivals = find_rivals(results.findings,

@@ -31,7 +31,7 @@ struct PublishedResults {
     PublishedTables tables;
     std::vector<TableComparison> comparisons;
     std::vector<JudgedClaim> claims;
-    AuditReport audit;
+    audit::Report audit;
 };
 
 /// Everything that reports show, computed from a store alone. Context (host, dates) is kept apart.
@@ -49,9 +49,10 @@ struct StudyResults {
     std::vector<Rivalry> rivals;
     std::vector<Contest> contests;
     std::vector<ClaimedErrors> claimed_errors;
-    std::optional<RadiosityResults> radiosity;  ///< empty too where a study is not complete, or a trial gave no number
-    std::vector<BiasOrder> bias_orders;         ///< how the bias of the exitance falls, for each ladder
-    std::optional<PublishedResults> published;  ///< empty too where a trial gave no number
+    std::optional<radiosity::Results>
+        radiosity;  ///< empty too where a study is not complete, or a trial gave no number
+    std::vector<radiosity::BiasOrder> bias_orders;  ///< how the bias of the exitance falls, for each ladder
+    std::optional<PublishedResults> published;      ///< empty too where a trial gave no number
     Context context;
 };
 

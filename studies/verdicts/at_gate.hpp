@@ -10,7 +10,7 @@
 #include <string_view>
 #include <system_error>
 
-namespace ff::studies {
+namespace ff::studies::gates {
 
 /// @throws UserError at the gate's place in its file
 [[noreturn]] inline void refuse_gate(const Gate& gate, const std::string& problem) {
@@ -51,4 +51,4 @@ auto at_gate(const Gate& gate, const Task& task) {
     }
 }
 
-}  // namespace ff::studies
+}  // namespace ff::studies::gates

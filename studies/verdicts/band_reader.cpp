@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-namespace ff::studies {
+namespace ff::studies::gates {
 
 void expect_magnitude(const TomlReader& reader, std::string_view key, double number) {
     const double size = std::abs(number);
@@ -114,4 +114,4 @@ Band read_band(const TomlReader& reader, const Gate& gate) {
     return band;
 }
 
-}  // namespace ff::studies
+}  // namespace ff::studies::gates

@@ -5,7 +5,7 @@
 
 #include <string_view>
 
-namespace ff::studies {
+namespace ff::studies::gates {
 
 /// @throws UserError for a number whose powers leave the range of doubles: beyond 1e75, or nearer to 0 than 1e-75
 void expect_magnitude(const TomlReader& reader, std::string_view key, double number);
@@ -14,4 +14,4 @@ void expect_magnitude(const TomlReader& reader, std::string_view key, double num
 /// @throws UserError for a band of no width, or one that no number of trials can decide
 Band read_band(const TomlReader& reader, const Gate& gate);
 
-}  // namespace ff::studies
+}  // namespace ff::studies::gates

@@ -13,7 +13,7 @@
 #include <string_view>
 #include <utility>
 
-namespace ff::studies {
+namespace ff::studies::gates {
 namespace {
 
 /// Keys that only some kinds take.
@@ -174,7 +174,7 @@ Gate read_gate(const TomlReader& reader, const ReadExperiment& read_experiment) 
     return gate;
 }
 
-void read_options(const TomlReader& reader, GatesSpec& spec) {
+void read_options(const TomlReader& reader, Spec& spec) {
     reader.expect_only({"alpha", "power", "seed", "looks", "spending", "max_trials", "plugins"});
     spec.alpha = reader.optional_number("alpha").value_or(spec.alpha);
     if (spec.alpha < smallest_alpha || spec.alpha >= 0.5)
@@ -194,11 +194,11 @@ void read_options(const TomlReader& reader, GatesSpec& spec) {
 
 }  // namespace
 
-GatesSpec parse_bands(std::string_view text, std::string_view origin, const ReadExperiment& read_experiment) {
+Spec parse_bands(std::string_view text, std::string_view origin, const ReadExperiment& read_experiment) {
     const toml::table root = parse_toml(text, origin);
     const TomlReader file(root, origin);
     file.expect_only({"gates", "gate"});
-    GatesSpec spec;
+    Spec spec;
     spec.name = std::filesystem::path(origin).stem().string();
     if (const auto options = file.optional_table("gates")) read_options(*options, spec);
     std::set<std::string> names;
@@ -212,8 +212,8 @@ GatesSpec parse_bands(std::string_view text, std::string_view origin, const Read
     return spec;
 }
 
-GatesSpec load_bands(const std::filesystem::path& file, const ReadExperiment& read_experiment) {
+Spec load_bands(const std::filesystem::path& file, const ReadExperiment& read_experiment) {
     return parse_bands(read_text_file(file, FileKind::bands), file.string(), read_experiment);
 }
 
-}  // namespace ff::studies
+}  // namespace ff::studies::gates

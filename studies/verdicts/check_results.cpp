@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace ff::studies {
+namespace ff::studies::gates {
 
 std::size_t CheckResults::count(Verdict verdict) const {
     return static_cast<std::size_t>(std::count_if(results.begin(), results.end(),
@@ -15,4 +15,4 @@ Verdict CheckResults::verdict() const {
     return verdict;
 }
 
-}  // namespace ff::studies
+}  // namespace ff::studies::gates

@@ -5,11 +5,11 @@
 #include <cstddef>
 #include <vector>
 
-namespace ff::studies {
+namespace ff::studies::gates {
 
 /// The finished gates of a file; every report is made from it.
 struct CheckResults {
-    GatesSpec spec;
+    Spec spec;
     std::vector<GateResult> results;  ///< in the order of completion; found by name
 
     [[nodiscard]] bool complete() const { return results.size() == spec.gates.size(); }
@@ -18,4 +18,4 @@ struct CheckResults {
     [[nodiscard]] Verdict verdict() const;
 };
 
-}  // namespace ff::studies
+}  // namespace ff::studies::gates

@@ -8,9 +8,9 @@
 
 #include <algorithm>
 
-namespace ff::studies {
+namespace ff::studies::gates {
 
-Levels levels_of(const GatesSpec& spec, std::size_t comparisons) {
+Levels levels_of(const Spec& spec, std::size_t comparisons) {
     FF_EXPECT(comparisons >= 1 && spec.looks >= 1);
     const std::size_t questions = std::max<std::size_t>(1, spec.gates.size()) * spec.looks * comparisons;
     const double shared = stats::bonferroni_level(spec.alpha, questions);
@@ -26,4 +26,4 @@ bool is_binomial(IntervalMethod method) {
            method == IntervalMethod::wald;
 }
 
-}  // namespace ff::studies
+}  // namespace ff::studies::gates

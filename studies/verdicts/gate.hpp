@@ -13,7 +13,9 @@
 #include <string_view>
 #include <vector>
 
-namespace ff::studies {
+namespace ff::studies::gates {
+
+using studies::name;  // of enumerations that have names in files
 
 /// Numbers of bands, references and estimates: their fourth powers are doubles.
 inline constexpr double largest_magnitude = 1e75;
@@ -41,15 +43,6 @@ enum class GateKind {
     distribution,  ///< distance between distributions: Kolmogorov's of values, Cohen's w of counts
 };
 
-template <>
-inline constexpr auto names_of<GateKind> = [] {
-    using enum GateKind;
-    return name_table(Named{bias, "bias"}, Named{std, "std"}, Named{rmse, "rmse"}, Named{closure, "closure"},
-                      Named{reciprocity, "reciprocity"}, Named{lost_rays, "lost_rays"}, Named{coverage, "coverage"},
-                      Named{slope, "slope"}, Named{efficiency, "efficiency"}, Named{equal, "equal"},
-                      Named{std_error, "std_error"}, Named{distribution, "distribution"});
-}();
-
 /// How the bins of an array share one alpha.
 enum class Combination {
     holm,         ///< each bin at its share: names the bins
@@ -58,21 +51,12 @@ enum class Combination {
     chi_squared,  ///< all together, by a known covariance, or independent
 };
 
-template <>
-inline constexpr auto names_of<Combination> = name_table(Named{Combination::holm, "holm"},
-                                                         Named{Combination::simes, "simes"},
-                                                         Named{Combination::cauchy, "cauchy"},
-                                                         Named{Combination::chi_squared, "chi_squared"});
-
 /// The assumption about the values of a gate that may be judged after every value.
 enum class Anytime {
     no,       ///< it may not be judged so
     normal,   ///< independent and normal, e.g. means of many samples
     bounded,  ///< between two bounds, each with the same mean whatever came before
 };
-template <>
-inline constexpr auto names_of<Anytime> = name_table(Named{Anytime::normal, "normal"},
-                                                     Named{Anytime::bounded, "bounded"});
 
 /// How looks at a commit share alpha. Nothing is assumed about the dependence of their data.
 enum class Spending {
@@ -80,10 +64,6 @@ enum class Spending {
     pocock,          ///< `looks` of them, with about as much each [lan1983]
     obrien_fleming,  ///< `looks` of them, with little for the first and most for the last [lan1983]
 };
-template <>
-inline constexpr auto names_of<Spending> = name_table(Named{Spending::halving, "halving"},
-                                                      Named{Spending::pocock, "pocock"},
-                                                      Named{Spending::obrien_fleming, "obrien_fleming"});
 
 /// The reference of the effect.
 enum class Against {
@@ -95,14 +75,6 @@ enum class Against {
 
 /// Intervals whose coverage can be gated.
 enum class IntervalMethod { student_t, normal, percentile_bootstrap, wilson, clopper_pearson, wald };
-
-template <>
-inline constexpr auto names_of<IntervalMethod> = [] {
-    using enum IntervalMethod;
-    return name_table(Named{student_t, "student_t"}, Named{normal, "normal"},
-                      Named{percentile_bootstrap, "percentile_bootstrap"}, Named{wilson, "wilson"},
-                      Named{clopper_pearson, "clopper_pearson"}, Named{wald, "wald"});
-}();
 
 /// Counts hits within one trial, instead of taking the mean of several.
 bool is_binomial(IntervalMethod method);
@@ -144,7 +116,7 @@ struct Gate {
 };
 
 /// What a bands file says.
-struct GatesSpec {
+struct Spec {
     std::string name;     ///< name of the file, without folder and extension
     double alpha = 1e-4;  ///< family-wise risk of a failure anywhere in the file where all effects are in their bands
     double pass_alpha = 0.05;  ///< risk of a pass, for each gate whose effect is at an end of its band or beyond
@@ -161,6 +133,42 @@ struct GatesSpec {
 /// have to pass (intersection-union).
 /// @param comparisons  of this gate; at least 1
 /// @throws UserError where alpha is shared among so many that each would be below smallest_shared_alpha
-Levels levels_of(const GatesSpec& spec, std::size_t comparisons);
+Levels levels_of(const Spec& spec, std::size_t comparisons);
+
+}  // namespace ff::studies::gates
+
+namespace ff::studies {
+
+template <>
+inline constexpr auto names_of<gates::GateKind> = [] {
+    using enum gates::GateKind;
+    return name_table(Named{bias, "bias"}, Named{std, "std"}, Named{rmse, "rmse"}, Named{closure, "closure"},
+                      Named{reciprocity, "reciprocity"}, Named{lost_rays, "lost_rays"}, Named{coverage, "coverage"},
+                      Named{slope, "slope"}, Named{efficiency, "efficiency"}, Named{equal, "equal"},
+                      Named{std_error, "std_error"}, Named{distribution, "distribution"});
+}();
+
+template <>
+inline constexpr auto names_of<gates::Combination> = name_table(Named{gates::Combination::holm, "holm"},
+                                                                Named{gates::Combination::simes, "simes"},
+                                                                Named{gates::Combination::cauchy, "cauchy"},
+                                                                Named{gates::Combination::chi_squared, "chi_squared"});
+
+template <>
+inline constexpr auto names_of<gates::Anytime> = name_table(Named{gates::Anytime::normal, "normal"},
+                                                            Named{gates::Anytime::bounded, "bounded"});
+
+template <>
+inline constexpr auto names_of<gates::Spending> = name_table(Named{gates::Spending::halving, "halving"},
+                                                             Named{gates::Spending::pocock, "pocock"},
+                                                             Named{gates::Spending::obrien_fleming, "obrien_fleming"});
+
+template <>
+inline constexpr auto names_of<gates::IntervalMethod> = [] {
+    using enum gates::IntervalMethod;
+    return name_table(Named{student_t, "student_t"}, Named{normal, "normal"},
+                      Named{percentile_bootstrap, "percentile_bootstrap"}, Named{wilson, "wilson"},
+                      Named{clopper_pearson, "clopper_pearson"}, Named{wald, "wald"});
+}();
 
 }  // namespace ff::studies

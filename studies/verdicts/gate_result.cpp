@@ -7,7 +7,7 @@
 #include <limits>
 #include <tuple>
 
-namespace ff::studies {
+namespace ff::studies::gates {
 namespace {
 
 int severity(Verdict verdict) {
@@ -42,4 +42,4 @@ const Comparison& decisive(const std::vector<Comparison>& comparisons) {
     });
 }
 
-}  // namespace ff::studies
+}  // namespace ff::studies::gates

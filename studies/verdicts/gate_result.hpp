@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace ff::studies {
+namespace ff::studies::gates {
 
 /// One effect of a gate: a row of verdicts.csv. Labels that do not apply are empty.
 struct Comparison {
@@ -49,4 +49,4 @@ Verdict verdict_of(const std::vector<Comparison>& comparisons);
 /// @pre not empty
 const Comparison& decisive(const std::vector<Comparison>& comparisons);
 
-}  // namespace ff::studies
+}  // namespace ff::studies::gates

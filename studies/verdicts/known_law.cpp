@@ -12,7 +12,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace ff::studies {
+namespace ff::studies::gates {
 namespace {
 
 constexpr std::array<std::string_view, 3> families{"uniform", "normal", "exponential"};
@@ -72,4 +72,4 @@ std::optional<KnownLaw> parse_law(std::string_view text, std::string& problem) {
     return law;
 }
 
-}  // namespace ff::studies
+}  // namespace ff::studies::gates

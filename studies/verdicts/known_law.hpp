@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-namespace ff::studies {
+namespace ff::studies::gates {
 
 /// A continuous distribution with given parameters.
 struct KnownLaw {
@@ -21,4 +21,4 @@ double cumulative(const KnownLaw& law, double x);
 /// change.
 std::optional<KnownLaw> parse_law(std::string_view text, std::string& problem);
 
-}  // namespace ff::studies
+}  // namespace ff::studies::gates

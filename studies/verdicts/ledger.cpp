@@ -12,7 +12,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace ff::studies {
+namespace ff::studies::gates {
 namespace {
 
 constexpr std::string_view ledger_header = "commit,bands,data,verdict";
@@ -63,7 +63,7 @@ NextLook next_look(const Ledger& ledger, const LedgerLook& look) {
     return next;
 }
 
-double share_of_look(const GatesSpec& spec, std::size_t number) {
+double share_of_look(const Spec& spec, std::size_t number) {
     FF_EXPECT(number >= 1 && (spec.spending == Spending::halving || number <= spec.looks));
     constexpr double rounding = 1e-6;
     const auto spent = [&](std::size_t looks) {
@@ -80,7 +80,7 @@ double share_of_look(const GatesSpec& spec, std::size_t number) {
     return spent(number) - spent(number - 1);
 }
 
-GatesSpec at_look(GatesSpec spec, std::size_t number) {
+Spec at_look(Spec spec, std::size_t number) {
     if (spec.spending != Spending::halving && number > spec.looks)
         throw UserError(
             fmt::format("--again (look {} of {}: all of alpha is spent). The commit stays undecided; look at another "
@@ -97,4 +97,4 @@ GatesSpec at_look(GatesSpec spec, std::size_t number) {
     return spec;
 }
 
-}  // namespace ff::studies
+}  // namespace ff::studies::gates

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-namespace ff::studies {
+namespace ff::studies::gates {
 
 /// One look at a commit: a line of a ledger.
 struct LedgerLook {
@@ -37,10 +37,10 @@ NextLook next_look(const Ledger& ledger, const LedgerLook& look);
 /// A look's share of both alphas, by the file's `spending`: shares of all looks add up to at most 1, so that the risk
 /// of a false alarm at any of them is at most alpha, whatever the data of the looks.
 /// @param number  from 1 on    @pre no more than `looks`, unless alpha is halved
-double share_of_look(const GatesSpec& spec, std::size_t number);
+double share_of_look(const Spec& spec, std::size_t number);
 
 /// The file at a look, with shares of alpha and pass_alpha.
 /// @throws UserError where all looks are used up, or the share is too small
-GatesSpec at_look(GatesSpec spec, std::size_t number);
+Spec at_look(Spec spec, std::size_t number);
 
-}  // namespace ff::studies
+}  // namespace ff::studies::gates

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace ff::studies {
+namespace ff::studies::gates {
 namespace {
 
 double passing_level(const Levels& levels) {
@@ -135,4 +135,4 @@ Measurement measure_exactly(double value, const Band& band) {
             .minimum_detectable = std::isfinite(band.high) ? band.high : band.low};
 }
 
-}  // namespace ff::studies
+}  // namespace ff::studies::gates

@@ -11,7 +11,7 @@
 #include <optional>
 #include <span>
 
-namespace ff::studies {
+namespace ff::studies::gates {
 
 /// How each kind of effect is measured. Numbers in, numbers out: nothing here knows where the values come from. Empty
 /// where the values do not support an interval (too few, or all equal).
@@ -46,4 +46,4 @@ std::optional<Measurement> measure_slope(std::span<const stats::Rung> ladder, co
 /// A deterministic value: one evaluation decides.
 Measurement measure_exactly(double value, const Band& band);
 
-}  // namespace ff::studies
+}  // namespace ff::studies::gates

@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace ff::studies {
+namespace ff::studies::gates {
 namespace {
 
 /// Below, normal approximations and a kurtosis mean little, and the far quantiles of t are very far.
@@ -126,4 +126,4 @@ double rays_for_loss(double rate, const Levels& levels) {
     return std::ceil(std::log1p(-levels.power) / std::log1p(-rate));
 }
 
-}  // namespace ff::studies
+}  // namespace ff::studies::gates

@@ -6,7 +6,7 @@
 #include <optional>
 #include <span>
 
-namespace ff::studies {
+namespace ff::studies::gates {
 
 /// Trials per look with which a gate without effect passes all its comparisons together with the power of `levels`:
 /// each may fail with probability (1 - power) / comparisons. Empty where no number of trials is enough.
@@ -44,4 +44,4 @@ std::optional<std::uint64_t> trials_for_slope(const Band& band, std::span<const 
 /// Number of rays of which, with the given power, at least one is lost if a share `rate` is.
 double rays_for_loss(double rate, const Levels& levels);
 
-}  // namespace ff::studies
+}  // namespace ff::studies::gates

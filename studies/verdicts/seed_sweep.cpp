@@ -3,7 +3,7 @@
 #include "core/support/contract.hpp"
 #include "stats/basics/binomial.hpp"
 
-namespace ff::studies {
+namespace ff::studies::gates {
 namespace {
 
 SweepRate rate_of(std::uint64_t count, std::uint64_t seeds, double allowed) {
@@ -24,12 +24,12 @@ void add_verdict(SeedSweep& sweep, Verdict verdict) {
     if (verdict == Verdict::inconclusive) ++sweep.inconclusive;
 }
 
-SweepRate failure_rate(const SeedSweep& sweep, const GatesSpec& spec) {
+SweepRate failure_rate(const SeedSweep& sweep, const Spec& spec) {
     return rate_of(sweep.fails, sweep.seeds, spec.alpha / static_cast<double>(spec.gates.size()));
 }
 
-SweepRate inconclusive_rate(const SeedSweep& sweep, const GatesSpec& spec) {
+SweepRate inconclusive_rate(const SeedSweep& sweep, const Spec& spec) {
     return rate_of(sweep.inconclusive, sweep.seeds, 1 - spec.power);
 }
 
-}  // namespace ff::studies
+}  // namespace ff::studies::gates

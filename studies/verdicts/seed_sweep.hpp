@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace ff::studies {
+namespace ff::studies::gates {
 
 /// Verdicts of one gate over many seeds. Each seed is an independent check: nothing is repeated until it passes.
 struct SeedSweep {
@@ -29,9 +29,9 @@ struct SweepRate {
 void add_verdict(SeedSweep& sweep, Verdict verdict);
 
 /// Failures against the gate's share of alpha, which is allowed where all effects lie inside their bands.
-SweepRate failure_rate(const SeedSweep& sweep, const GatesSpec& spec);
+SweepRate failure_rate(const SeedSweep& sweep, const Spec& spec);
 
 /// Undecided runs against 1 - power, which is allowed where there is no effect.
-SweepRate inconclusive_rate(const SeedSweep& sweep, const GatesSpec& spec);
+SweepRate inconclusive_rate(const SeedSweep& sweep, const Spec& spec);
 
-}  // namespace ff::studies
+}  // namespace ff::studies::gates

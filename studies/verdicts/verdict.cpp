@@ -1,6 +1,6 @@
 #include "studies/verdicts/verdict.hpp"
 
-namespace ff::studies {
+namespace ff::studies::gates {
 
 Verdict judge(const std::optional<Measurement>& measurement, const Band& band) {
     return measurement ? gate::judge(measurement->passing, measurement->failing, band) : Verdict::inconclusive;
@@ -11,4 +11,4 @@ Verdict together(Verdict a, Verdict b) {
     return a == Verdict::pass && b == Verdict::pass ? Verdict::pass : Verdict::inconclusive;
 }
 
-}  // namespace ff::studies
+}  // namespace ff::studies::gates

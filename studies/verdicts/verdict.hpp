@@ -5,7 +5,7 @@
 
 #include <optional>
 
-namespace ff::studies {
+namespace ff::studies::gates {
 
 using gate::Verdict;
 
@@ -41,4 +41,4 @@ Verdict judge(const std::optional<Measurement>& measurement, const Band& band);
 /// One verdict for several comparisons: fail if one fails, pass if all pass.
 Verdict together(Verdict a, Verdict b);
 
-}  // namespace ff::studies
+}  // namespace ff::studies::gates

@@ -17,17 +17,17 @@ namespace {
 using namespace ff::studies;
 
 /// Gates whose pilot or trials take longer than a fuzzer has are planned only.
-void check_to_the_end(GatesSpec spec, std::size_t gate) {
+void check_to_the_end(gates::Spec spec, std::size_t gate) {
     constexpr double patience = 0.02;  // seconds
-    GatePlan plan = prepare_gate(spec, gate, GatePurpose::check, nullptr);
-    plan.trials.assign(plan.study.cells.size(), pilot_trials);
-    if (expected_seconds(plan) > patience) return;
-    spec.max_trials = std::min(spec.max_trials, pilot_trials);
-    if (spec.gates[gate].trials.value_or(0) > pilot_trials) return;
-    static_cast<void>(plan_trials(spec, plan, {}));
-    if (expected_seconds(plan) > patience) return;
-    const auto result = run_gate(spec, plan, {});
-    for (const Comparison& row : result->comparisons) {
+    gates::Plan plan = gates::prepare_gate(spec, gate, gates::GatePurpose::check, nullptr);
+    plan.trials.assign(plan.study.cells.size(), gates::pilot_trials);
+    if (gates::expected_seconds(plan) > patience) return;
+    spec.max_trials = std::min(spec.max_trials, gates::pilot_trials);
+    if (spec.gates[gate].trials.value_or(0) > gates::pilot_trials) return;
+    static_cast<void>(gates::plan_trials(spec, plan, {}));
+    if (gates::expected_seconds(plan) > patience) return;
+    const auto result = gates::run_gate(spec, plan, {});
+    for (const gates::Comparison& row : result->comparisons) {
         if (row.measurement && !(row.measurement->failing.low <= row.measurement->failing.high)) std::abort();
     }
 }
@@ -36,7 +36,8 @@ void check_to_the_end(GatesSpec spec, std::size_t gate) {
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     try {
-        const GatesSpec spec = parse_bands({reinterpret_cast<const char*>(data), size}, "bands.toml", read_experiment);
+        const gates::Spec spec =
+            gates::parse_bands({reinterpret_cast<const char*>(data), size}, "bands.toml", gates::read_experiment);
         for (std::size_t gate = 0; gate < spec.gates.size(); ++gate) {
             if (!(spec.gates[gate].band.low <= spec.gates[gate].band.high)) std::abort();
             if (!spec.gates[gate].from_estimates()) check_to_the_end(spec, gate);

@@ -61,15 +61,16 @@ band = 0.5
 }  // namespace
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-    static const GatesSpec spec = parse_bands(bands, "bands.toml", read_experiment);
+    static const gates::Spec spec = gates::parse_bands(bands, "bands.toml", gates::read_experiment);
     try {
-        const Baseline baseline = parse_baseline({reinterpret_cast<const char*>(data), size}, "base.json");
-        CheckResults check{spec, {}};
+        const gates::Baseline baseline =
+            gates::parse_baseline({reinterpret_cast<const char*>(data), size}, "base.json");
+        gates::CheckResults check{spec, {}};
         for (std::size_t gate = 0; gate < spec.gates.size(); ++gate) {
             try {
-                GatePlan plan = prepare_gate(spec, gate, GatePurpose::check, &baseline);
-                static_cast<void>(plan_trials(spec, plan, {}));
-                check.results.push_back(run_gate(spec, plan, {}).value());
+                gates::Plan plan = gates::prepare_gate(spec, gate, gates::GatePurpose::check, &baseline);
+                static_cast<void>(gates::plan_trials(spec, plan, {}));
+                check.results.push_back(gates::run_gate(spec, plan, {}).value());
             } catch (const ff::UserError&) {
             }
         }

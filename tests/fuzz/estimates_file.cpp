@@ -18,23 +18,23 @@ namespace {
 
 using namespace ff::studies;
 
-Gate gate_on(const std::string& quantity, GateKind kind) {
-    Gate gate;
+gates::Gate gate_on(const std::string& quantity, gates::GateKind kind) {
+    gates::Gate gate;
     gate.name = quantity;
     gate.kind = kind;
     gate.quantity = quantity;
-    gate.against = Against::number;
+    gate.against = gates::Against::number;
     gate.reference = 0.2;
-    gate.band = kind == GateKind::bias ? Band{-0.01, 0.01} : Band{0.5, 2};
+    gate.band = kind == gates::GateKind::bias ? gates::Band{-0.01, 0.01} : gates::Band{0.5, 2};
     return gate;
 }
 
 /// @throws UserError where the trials repeat
-void judge_all(const EstimatesFile& file) {
-    CheckResults check;
-    for (const EstimateSeries& series : file.series) {
-        for (const GateKind kind : {GateKind::bias, GateKind::std})
-            check.results.push_back(judge_estimates(check.spec, gate_on(series.quantity, kind), file));
+void judge_all(const gates::EstimatesFile& file) {
+    gates::CheckResults check;
+    for (const gates::EstimateSeries& series : file.series) {
+        for (const gates::GateKind kind : {gates::GateKind::bias, gates::GateKind::std})
+            check.results.push_back(gates::judge_estimates(check.spec, gate_on(series.quantity, kind), file));
     }
     std::ostringstream csv;
     ff::reports::write_verdicts_csv(csv, check);
@@ -45,7 +45,7 @@ void judge_all(const EstimatesFile& file) {
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     try {
-        judge_all(parse_estimates({reinterpret_cast<const char*>(data), size}, "estimates.csv"));
+        judge_all(gates::parse_estimates({reinterpret_cast<const char*>(data), size}, "estimates.csv"));
     } catch (const ff::UserError&) {
     }
     return 0;

@@ -42,13 +42,13 @@ void set_value(const Database& database, std::uint8_t which, double value) {
 }
 
 void save_cube(const std::filesystem::path& path) {
-    KeptFormFactors kept;
+    form_factors::KeptMatrix kept;
     kept.source.name = "cube";
     kept.scene = make_scene(kept.source);
     kept.request.repair = true;
-    kept.matrix = find_form_factors(kept.scene, kept.request);
+    kept.matrix = form_factors::find_matrix(kept.scene, kept.request);
     kept.warnings = {"first"};
-    save_form_factors(path, kept);
+    form_factors::save_matrix(path, kept);
     // With a checksum nothing that is changed would come any further.
     Database(path, Database::Mode::create_or_open).execute(ff::test::form_factors_as_version_1);
 }
@@ -59,8 +59,8 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     static const DamagedFile file(save_cube);
     try {
         file.damage(data, size, set_value);
-        KeptFormFactors kept = load_form_factors(file.path());
-        kept.matrix.repaired = repair(kept.matrix);
+        form_factors::KeptMatrix kept = form_factors::load_matrix(file.path());
+        kept.matrix.repaired = form_factors::repair(kept.matrix);
         const ff::reports::FormFactorReport report{kept.scene, kept.request, kept.matrix};
         std::ostringstream csv;
         ff::reports::write_form_factors_csv(csv, report);

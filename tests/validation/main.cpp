@@ -93,15 +93,15 @@ void read_last(Options& given, WhatOptions& options) {
     given.expect_none_left();
 }
 
-SelftestOptions gate_options(Options given) {
-    SelftestOptions options;
+gates::SelftestOptions gate_options(Options given) {
+    gates::SelftestOptions options;
     given.read<std::uint64_t>("--repetitions", options.repetitions, 1, 1'000'000'000);
     read_last(given, options);
     return options;
 }
 
-FormFactorCoverageOptions coverage_options(Options given) {
-    FormFactorCoverageOptions options;
+form_factors::FormFactorCoverageOptions coverage_options(Options given) {
+    form_factors::FormFactorCoverageOptions options;
     given.read("--tolerance", options.tolerance, 1e-15, 1.0);
     std::istringstream scenes(given.text("--scene"));
     for (std::string scene; std::getline(scenes, scene, ',');) options.scenes.push_back(scene);
@@ -130,11 +130,12 @@ int validate(const std::string& what, Options given) {
     std::filesystem::path file = given.text("--out");
     if (!file.empty()) file /= what + ".md";
     if (what == "gates") {
-        const auto controls = load_bands(FF_BUILT_IN_STUDIES "/gates/controls.toml", read_experiment);
-        return conclude(run_selftest(controls, gate_options(given)), file);
+        const auto controls = gates::load_bands(FF_BUILT_IN_STUDIES "/gates/controls.toml", gates::read_experiment);
+        return conclude(gates::run_selftest(controls, gate_options(given)), file);
     }
-    if (what == "form_factors") return conclude(measure_form_factor_coverage(coverage_options(given)), file);
-    if (what == "heat") return conclude(measure_flow_coverage(coverage_options(given)), file);
+    if (what == "form_factors")
+        return conclude(form_factors::measure_form_factor_coverage(coverage_options(given)), file);
+    if (what == "heat") return conclude(heat::measure_flow_coverage(coverage_options(given)), file);
     throw UserError(fmt::format("{} (only gates, form_factors and heat are validated). See --help.", what));
 }
 

@@ -66,26 +66,26 @@ void add_table(const RateTable& table, double level, Pages& pages) {
                                  claims - table.contradictions(level), nearest.what, rate_cells(nearest, level));
 }
 
-void add_p_values(const Selftest& selftest, Pages& pages) {
-    const std::vector<PValues>& all = selftest.calibration.p_values;
+void add_p_values(const gates::Selftest& selftest, Pages& pages) {
+    const std::vector<gates::PValues>& all = selftest.calibration.p_values;
     pages.tables +=
         "### p-values\n\nOne-sided p-values of gates whose effect lies exactly at the end of the band, against uniform "
         "ones (Kolmogorov and Smirnov).\n\n| what | values | distance | p | holds |\n|---|--:|--:|--:|---|\n";
-    const auto holds = [&](const PValues& values) { return values.p >= 1 - selftest.level; };
-    for (const PValues& values : all) {
+    const auto holds = [&](const gates::PValues& values) { return values.p >= 1 - selftest.level; };
+    for (const gates::PValues& values : all) {
         pages.tables += fmt::format("| {} | {} | {} | {} | {} |\n", values.what, values.n, brief(values.distance),
                                     reports::p_value(values.p), holds_text(holds(values)));
     }
     pages.tables += "\n";
-    const PValues& nearest = *std::ranges::min_element(all, {}, &PValues::p);
+    const gates::PValues& nearest = *std::ranges::min_element(all, {}, &gates::PValues::p);
     pages.summary += fmt::format("| p-values | {} | {} | {} | p = {} | – | uniform |\n", all.size(),
                                  std::ranges::count_if(all, holds), nearest.what, reports::p_value(nearest.p));
 }
 
 }  // namespace
 
-Pages markdown(const Selftest& selftest) {
-    const SelftestOptions& options = selftest.options;
+Pages markdown(const gates::Selftest& selftest) {
+    const gates::SelftestOptions& options = selftest.options;
     Pages result = begin_pages(
         fmt::format("`ffstudy-validate gates --seed {} --seeds {} --repetitions {}` printed what follows. Intervals "
                     "are those of Clopper and Pearson at level {:.5f}, so that with probability 0.99 all rows hold "
@@ -103,8 +103,8 @@ Pages markdown(const Selftest& selftest) {
     return result;
 }
 
-Pages markdown(const FormFactorCoverage& coverage) {
-    const FormFactorCoverageOptions& options = coverage.options;
+Pages markdown(const form_factors::FormFactorCoverage& coverage) {
+    const form_factors::FormFactorCoverageOptions& options = coverage.options;
     Pages result = begin_pages(
         fmt::format("`ffstudy-validate form_factors --seed {} --seeds {} --tolerance {}` printed what follows. "
                     "Intervals are those of Clopper and Pearson at level {:.5f} (Šidák), so that all rows hold "
@@ -117,8 +117,8 @@ Pages markdown(const FormFactorCoverage& coverage) {
     return result;
 }
 
-Pages markdown(const FlowCoverage& coverage) {
-    const FormFactorCoverageOptions& options = coverage.options;
+Pages markdown(const heat::FlowCoverage& coverage) {
+    const form_factors::FormFactorCoverageOptions& options = coverage.options;
     Pages result = begin_pages(
         fmt::format("`ffstudy-validate heat --seed {} --seeds {} --tolerance {}` printed what follows. Intervals are "
                     "those of Clopper and Pearson at level {:.5f} (Šidák), so that all rows hold together with "

@@ -14,8 +14,8 @@ struct Pages {
     std::string tables;   ///< every rate, with what it is about
 };
 
-Pages markdown(const Selftest& selftest);
-Pages markdown(const FormFactorCoverage& coverage);
-Pages markdown(const FlowCoverage& coverage);
+Pages markdown(const gates::Selftest& selftest);
+Pages markdown(const form_factors::FormFactorCoverage& coverage);
+Pages markdown(const heat::FlowCoverage& coverage);
 
 }  // namespace ff::studies

@@ -23,7 +23,7 @@ double processor_time() {
 }
 
 /// Rough size of the files, in bytes, from what each pair and each entry takes.
-std::uint64_t expected_size(const studies::FormFactorMatrix& matrix) {
+std::uint64_t expected_size(const studies::form_factors::Matrix& matrix) {
     constexpr std::uint64_t store = 100;  // of a pair
     constexpr std::uint64_t sparse = 2;   // of an entry, two files with indices and values, packed
     constexpr std::uint64_t text = 170;   // of an entry of matrix.csv and two .mtx
@@ -31,23 +31,23 @@ std::uint64_t expected_size(const studies::FormFactorMatrix& matrix) {
     const std::uint64_t pairs = matrix.exchanges.size();
     const std::uint64_t faces = matrix.faces();
     std::uint64_t size = pairs * (store + 32 * sparse);
-    if (faces <= studies::most_dense_faces) size += 2 * pairs * text + faces * faces * dense;
+    if (faces <= studies::form_factors::most_dense_faces) size += 2 * pairs * text + faces * faces * dense;
     return size;
 }
 
 }  // namespace
 
-ExitCode predict_form_factors(const studies::KeptFormFactors& kept) {
-    studies::FormFactorRequest request = kept.request;
+ExitCode predict_form_factors(const studies::form_factors::KeptMatrix& kept) {
+    studies::form_factors::Request request = kept.request;
     const std::size_t faces = kept.scene.faces.size();
     const std::size_t step = std::max<std::size_t>(1, faces / rows_tried);
     request.shard = {1, step};
     double looking = processor_time();
     double begin = 0;  // of sampling
     double end = 0;
-    request.report = [&](const studies::FormFactorProgress& progress) {
+    request.report = [&](const studies::form_factors::Progress& progress) {
         const double now = processor_time();
-        if (progress.stage == studies::FormFactorProgress::Stage::looking)
+        if (progress.stage == studies::form_factors::Progress::Stage::looking)
             looking = now;
         else if (begin == 0)
             begin = now;
@@ -55,11 +55,11 @@ ExitCode predict_form_factors(const studies::KeptFormFactors& kept) {
             end = now;
     };
     stop_in_order_on_signals();
-    const auto matrix = studies::find_form_factors(kept.scene, request);
+    const auto matrix = studies::form_factors::find_matrix(kept.scene, request);
     if (matrix.interrupted) return ExitCode::interrupted;
     std::size_t to_sample = 0;
     std::size_t sampled = 0;
-    for (const studies::FaceExchange& pair : matrix.exchanges) {
+    for (const studies::form_factors::FaceExchange& pair : matrix.exchanges) {
         if (pair.is_sampled()) ++to_sample;
         if (pair.samples > 0) ++sampled;
     }

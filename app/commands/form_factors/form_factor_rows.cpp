@@ -29,9 +29,9 @@ studies::Shard rows_to_sample(const FormFactorsCommand& command, const Processes
     return {shard.index + shard.count * (part.index - 1), shard.count * part.count};
 }
 
-RowsInFolder::RowsInFolder(OutputFolder* out, studies::KeptFormFactors& kept, const Processes& processes)
+RowsInFolder::RowsInFolder(OutputFolder* out, studies::form_factors::KeptMatrix& kept, const Processes& processes)
     : out_(out), kept_(kept) {
-    studies::FormFactorRequest& request = kept.request;
+    studies::form_factors::Request& request = kept.request;
     std::vector<bool> finished(kept.scene.faces.size(), false);
     if (out != nullptr) {
         if (std::filesystem::exists(out->path() / rows_file)) {
@@ -40,13 +40,13 @@ RowsInFolder::RowsInFolder(OutputFolder* out, studies::KeptFormFactors& kept, co
         request.earlier = [this](const auto& receive) {
             if (rows_) rows_->read(receive);
         };
-        request.keep = [this](const studies::SampledRow& row) { keep(row); };
+        request.keep = [this](const studies::form_factors::SampledRow& row) { keep(row); };
     }
     if (processes.alone()) return;
     processes.share_finished(std::move(finished));
     request.others = [this, &processes](const auto& receive) {
         processes.receive([&](std::span<const std::uint64_t> words) {
-            const auto row = studies::sampled_row(words);
+            const auto row = studies::form_factors::sampled_row(words);
             if (!row) throw IoError("mpirun: a message was damaged. Begin again; rows that were kept are sound.");
             if (out_ != nullptr) keep(*row);
             receive(*row);
@@ -55,16 +55,17 @@ RowsInFolder::RowsInFolder(OutputFolder* out, studies::KeptFormFactors& kept, co
     };
 }
 
-studies::KeptRows& RowsInFolder::opened() {
+studies::form_factors::KeptRows& RowsInFolder::opened() {
     if (rows_) return *rows_;
     const auto file = out_->path() / rows_file;
     out_->expect_own({rows_file});
     if (!std::filesystem::exists(file))
-        out_->replace(rows_file, [&](const auto& made) { studies::KeptRows(made, kept_.source, kept_.request); });
+        out_->replace(rows_file,
+                      [&](const auto& made) { studies::form_factors::KeptRows(made, kept_.source, kept_.request); });
     return rows_.emplace(file, kept_.source, kept_.request);
 }
 
-void RowsInFolder::keep(const studies::SampledRow& row) {
+void RowsInFolder::keep(const studies::form_factors::SampledRow& row) {
     const std::lock_guard lock(keeping_);
     opened().keep(row);
 }
@@ -80,15 +81,15 @@ void RowsInFolder::remove() {
 }
 
 ExitCode assist_form_factors(const Processes& processes, const FormFactorsCommand& command,
-                             studies::KeptFormFactors& kept) {
+                             studies::form_factors::KeptMatrix& kept) {
     if (command.dry_run) return ExitCode::passed;
     kept.request.finished = processes.share_finished({});
-    kept.request.keep = [&](const studies::SampledRow& row) { processes.send(studies::to_words(row)); };
+    kept.request.keep = [&](const studies::form_factors::SampledRow& row) { processes.send(studies::to_words(row)); };
     // Its end would be that of the first process, which saves and writes the matrix.
     never_end_on_signals();
     const TimeLimit time(command.max_time ? std::optional(parse_duration(*command.max_time)) : std::nullopt);
     const MemoryLimit memory(command.max_memory ? std::optional(parse_size(*command.max_memory)) : std::nullopt);
-    processes.assist([&] { kept.matrix = studies::find_form_factors(kept.scene, kept.request); });
+    processes.assist([&] { kept.matrix = studies::form_factors::find_matrix(kept.scene, kept.request); });
     return ExitCode::passed;
 }
 

@@ -29,7 +29,7 @@ class RowsInFolder {
   public:
     /// Sets what the request does with rows. All are kept by reference. @param out  null: rows are not kept
     /// @throws UserError where the folder holds rows of another matrix; IoError
-    RowsInFolder(OutputFolder* out, studies::KeptFormFactors& kept, const Processes& processes);
+    RowsInFolder(OutputFolder* out, studies::form_factors::KeptMatrix& kept, const Processes& processes);
 
     /// Takes in the rows of another file.
     void take(const std::filesystem::path& file);
@@ -40,17 +40,17 @@ class RowsInFolder {
 
   private:
     OutputFolder* out_;
-    const studies::KeptFormFactors& kept_;
-    std::optional<studies::KeptRows> rows_;
+    const studies::form_factors::KeptMatrix& kept_;
+    std::optional<studies::form_factors::KeptRows> rows_;
     std::mutex keeping_;  ///< rows of other processes come on a thread of their own
 
     /// The file is made when there is something to keep.
-    studies::KeptRows& opened();
-    void keep(const studies::SampledRow& row);
+    studies::form_factors::KeptRows& opened();
+    void keep(const studies::form_factors::SampledRow& row);
 };
 
 /// The part of a process beside the first one: samples its rows and sends them.
 ExitCode assist_form_factors(const Processes& processes, const FormFactorsCommand& command,
-                             studies::KeptFormFactors& kept);
+                             studies::form_factors::KeptMatrix& kept);
 
 }  // namespace ff::app

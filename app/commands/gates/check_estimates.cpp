@@ -14,24 +14,25 @@
 namespace ff::app {
 namespace {
 
-using studies::GatesSpec;
+using studies::gates::Spec;
 
 /// What `make` makes of each gate on what another program gave; nothing is run for them.
 template <class Make>
-auto each_on_estimates(const GatesSpec& spec, const Make& make) {
+auto each_on_estimates(const Spec& spec, const Make& make) {
     std::vector<decltype(make(spec.gates.front()))> results;
-    for (const studies::Gate& gate : spec.gates) {
-        if (gate.from_estimates()) results.push_back(studies::at_gate(gate, [&] { return make(gate); }));
+    for (const studies::gates::Gate& gate : spec.gates) {
+        if (gate.from_estimates()) results.push_back(studies::gates::at_gate(gate, [&] { return make(gate); }));
     }
     return results;
 }
 
 /// @throws UserError where a gate needs means with their errors, and trials are given
-void expect_gates_on_trials(const CheckCommand& command, const GatesSpec& spec) {
+void expect_gates_on_trials(const CheckCommand& command, const Spec& spec) {
     bool two_files = false;
-    for (const studies::Gate& gate : spec.gates) {
-        const bool of_trials = gate.kind == studies::GateKind::bias || gate.kind == studies::GateKind::std;
-        const bool of_distributions = gate.kind == studies::GateKind::distribution;
+    for (const studies::gates::Gate& gate : spec.gates) {
+        const bool of_trials =
+            gate.kind == studies::gates::GateKind::bias || gate.kind == studies::gates::GateKind::std;
+        const bool of_distributions = gate.kind == studies::gates::GateKind::distribution;
         two_files = two_files || (of_distributions && !gate.law);
         if (!gate.from_estimates() || (of_trials && gate.reference)) continue;
         if (of_distributions && (gate.law || !command.against.empty())) continue;
@@ -50,9 +51,9 @@ void expect_gates_on_trials(const CheckCommand& command, const GatesSpec& spec) 
 }
 
 /// The second file of trials; empty where there is none.
-std::optional<studies::EstimatesFile> trials_against(const CheckCommand& command) {
+std::optional<studies::gates::EstimatesFile> trials_against(const CheckCommand& command) {
     if (command.against.empty()) return std::nullopt;
-    return studies::load_estimates_file(command.against);
+    return studies::gates::load_estimates_file(command.against);
 }
 
 template <class File>
@@ -63,28 +64,29 @@ const File* pointer_to(const std::optional<File>& file) {
 /// What one of two functions makes of each gate, the file and the one that it is compared with: `of_trials`, or
 /// `of_reports` where the header is that of means or shares.
 template <class OfTrials, class OfReports>
-auto on_estimates(const CheckCommand& command, const GatesSpec& spec, const OfTrials& of_trials,
+auto on_estimates(const CheckCommand& command, const Spec& spec, const OfTrials& of_trials,
                   const OfReports& of_reports) {
     const std::string origin = command.estimates.string();
     std::string text = studies::read_text_file(command.estimates, studies::FileKind::estimates);
-    if (!studies::reports_means(text)) {
+    if (!studies::gates::reports_means(text)) {
         expect_gates_on_trials(command, spec);
-        const auto file = studies::parse_estimates(text, origin);
+        const auto file = studies::gates::parse_estimates(text, origin);
         const auto against = trials_against(command);
         return each_on_estimates(
-            spec, [&](const studies::Gate& gate) { return of_trials(spec, gate, file, pointer_to(against)); });
+            spec, [&](const studies::gates::Gate& gate) { return of_trials(spec, gate, file, pointer_to(against)); });
     }
-    const auto file = studies::parse_reported(text, origin, studies::StandardErrors::required);
+    const auto file = studies::gates::parse_reported(text, origin, studies::gates::StandardErrors::required);
     text = {};  // a hundred megabytes, with a million bins
-    std::optional<studies::ReportedFile> against;
-    if (!command.against.empty()) against = studies::load_reported(command.against, studies::StandardErrors::optional);
+    std::optional<studies::gates::ReportedFile> against;
+    if (!command.against.empty())
+        against = studies::gates::load_reported(command.against, studies::gates::StandardErrors::optional);
     return each_on_estimates(
-        spec, [&](const studies::Gate& gate) { return of_reports(spec, gate, file, pointer_to(against)); });
+        spec, [&](const studies::gates::Gate& gate) { return of_reports(spec, gate, file, pointer_to(against)); });
 }
 
 }  // namespace
 
-void expect_estimates(const CheckCommand& command, const GatesSpec& spec) {
+void expect_estimates(const CheckCommand& command, const Spec& spec) {
     const auto& gates = spec.gates;
     const auto wanting =
         std::find_if(gates.begin(), gates.end(), [](const auto& gate) { return gate.from_estimates(); });
@@ -104,7 +106,7 @@ void expect_estimates(const CheckCommand& command, const GatesSpec& spec) {
     if (given && command.seed_sweep > 0)
         throw UserError(
             "--estimates (the file has one set of random numbers; --seed-sweep runs new ones). Leave one of them out.");
-    const auto of_ours = [](const studies::Gate& gate) { return !gate.from_estimates(); };
+    const auto of_ours = [](const studies::gates::Gate& gate) { return !gate.from_estimates(); };
     if (given && !command.save_baseline.empty() && std::any_of(gates.begin(), gates.end(), of_ours))
         throw UserError(
             fmt::format("--save-baseline ({} has gates on estimates and gates that are run; a baseline is of "
@@ -112,14 +114,14 @@ void expect_estimates(const CheckCommand& command, const GatesSpec& spec) {
                         command.bands.string()));
 }
 
-std::vector<studies::GateResult> judge_file(const CheckCommand& command, const GatesSpec& spec) {
+std::vector<studies::gates::GateResult> judge_file(const CheckCommand& command, const Spec& spec) {
     if (command.estimates.empty()) return {};
-    return on_estimates(command, spec, studies::judge_estimates, studies::judge_reported);
+    return on_estimates(command, spec, studies::gates::judge_estimates, studies::gates::judge_reported);
 }
 
-std::vector<studies::EstimatesPlan> plan_file(const CheckCommand& command, const GatesSpec& spec) {
+std::vector<studies::gates::EstimatesPlan> plan_file(const CheckCommand& command, const Spec& spec) {
     if (command.estimates.empty()) return {};
-    return on_estimates(command, spec, studies::plan_estimates, studies::plan_reported);
+    return on_estimates(command, spec, studies::gates::plan_estimates, studies::gates::plan_reported);
 }
 
 }  // namespace ff::app

@@ -24,13 +24,13 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-ExitCode exit_code(studies::Verdict verdict) {
+ExitCode exit_code(studies::gates::Verdict verdict) {
     switch (verdict) {
-        case studies::Verdict::pass:
+        case studies::gates::Verdict::pass:
             return ExitCode::passed;
-        case studies::Verdict::fail:
+        case studies::gates::Verdict::fail:
             return ExitCode::failed;
-        case studies::Verdict::inconclusive:
+        case studies::gates::Verdict::inconclusive:
             break;
     }
     return ExitCode::inconclusive;
@@ -45,20 +45,20 @@ ExitCode judge_once(const CheckSession& session) {
         open_folder(out, {"verdicts.csv", "verdicts.json", "junit.xml", "summary.md", "summary.html", "context.json"});
     auto context = session.context;
     reports::JunitContext junit{context["date_utc"].substr(0, 19), context["host"], {}, {}};
-    studies::CheckResults results{session.spec, {}};
+    studies::gates::CheckResults results{session.spec, {}};
     write_verdicts(folder, results, junit);
     session.print(reports::gates_heading(session.spec));
-    const auto add = [&](studies::GateResult result, double seconds, const std::string& note) {
+    const auto add = [&](studies::gates::GateResult result, double seconds, const std::string& note) {
         results.results.push_back(std::move(result));
         junit.seconds.push_back(seconds);
         junit.notes.push_back(note);
         session.print(reports::gate_line(results.results.back(), style_of_stdout().colour));
         if (!note.empty()) session.print(fmt::format("{:<12}  {}\n", "", note));
     };
-    for (studies::GateResult& result : judged) add(std::move(result), 0, {});
+    for (studies::gates::GateResult& result : judged) add(std::move(result), 0, {});
     if (!judged.empty()) write_verdicts(folder, results, junit);
     if (run_others) {
-        run_others([&](studies::GateResult result, double seconds, const std::string& note) {
+        run_others([&](studies::gates::GateResult result, double seconds, const std::string& note) {
             add(std::move(result), seconds, note);
             write_verdicts(folder, results, junit);
         });
@@ -71,10 +71,10 @@ ExitCode judge_once(const CheckSession& session) {
     return exit_code(results.verdict());
 }
 
-studies::Verdict verdict_of(ExitCode code) {
-    return code == ExitCode::passed   ? studies::Verdict::pass
-           : code == ExitCode::failed ? studies::Verdict::fail
-                                      : studies::Verdict::inconclusive;
+studies::gates::Verdict verdict_of(ExitCode code) {
+    return code == ExitCode::passed   ? studies::gates::Verdict::pass
+           : code == ExitCode::failed ? studies::gates::Verdict::fail
+                                      : studies::gates::Verdict::inconclusive;
 }
 
 /// One more look at a commit, with what earlier ones have left of alpha.
@@ -93,7 +93,7 @@ ExitCode judge_again(CheckSession& session) {
         return exit_code(next.earlier);
     }
     const double alpha = session.spec.alpha;
-    session.spec = studies::at_look(session.spec, next.number);
+    session.spec = studies::gates::at_look(session.spec, next.number);
     session.print(
         fmt::format("look {} at {}: alpha {:.3g} of {:.3g}\n", next.number, look.commit, session.spec.alpha, alpha));
     try {

@@ -17,18 +17,18 @@ namespace ff::app {
 
 /// Shows the verdict of a finished gate, and writes those of all finished ones.
 /// @param note  shown beside the verdict, not judged; may be empty
-using Tell = std::function<void(studies::GateResult result, double seconds, const std::string& note)>;
+using Tell = std::function<void(studies::gates::GateResult result, double seconds, const std::string& note)>;
 
 /// Runs gates, one after the other.
 using RunGates = std::function<void(const Tell&)>;
 
 /// Validates the gates that have to be run, before any is.
-using PrepareGates = std::function<RunGates(const studies::GatesSpec&)>;
+using PrepareGates = std::function<RunGates(const studies::gates::Spec&)>;
 
 /// One `ffstudy check`: gates on files are judged, others are run.
 struct CheckSession {
     const CheckCommand& command;
-    studies::GatesSpec spec;
+    studies::gates::Spec spec;
     std::map<std::string, std::string> context;  ///< for context.json
     PrepareGates prepare;                        ///< null where no gate has to be run
 

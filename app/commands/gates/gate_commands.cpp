@@ -38,7 +38,7 @@ CommandDefinition& add_check_of_files(ProgramDefinition& program, CheckCommand& 
 }
 
 ExitCode check_files(const CheckCommand& command) {
-    auto spec = studies::load_bands(command.bands, nullptr);
+    auto spec = studies::gates::load_bands(command.bands, nullptr);
     expect_estimates(command, spec);
     if (!command.save_baseline.empty()) {
         save_means(command);

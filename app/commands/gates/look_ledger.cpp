@@ -17,17 +17,18 @@ namespace {
 template <class Change>
 auto change_ledger(const std::filesystem::path& file, const Change& change) {
     const OutputFolder lock(reports::folder_of(file), "ledger");
-    studies::Ledger ledger;
+    studies::gates::Ledger ledger;
     if (std::filesystem::exists(file))
-        ledger = studies::parse_ledger(studies::read_text_file(file, studies::FileKind::estimates), file.string());
+        ledger =
+            studies::gates::parse_ledger(studies::read_text_file(file, studies::FileKind::estimates), file.string());
     const auto result = change(ledger);
-    reports::write_file(file, studies::ledger_csv(ledger));
+    reports::write_file(file, studies::gates::ledger_csv(ledger));
     return result;
 }
 
 }  // namespace
 
-studies::LedgerLook describe_look(const CheckCommand& command, std::uint64_t seed) {
+studies::gates::LedgerLook describe_look(const CheckCommand& command, std::uint64_t seed) {
     const std::string_view allowed = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789._/-";
     if (command.again.size() > 100 || command.again.find_first_not_of(allowed) != std::string::npos)
         throw UserError("--again (letters, digits and ._/-, at most 100: the name of a commit). Give its hash.");
@@ -41,7 +42,7 @@ studies::LedgerLook describe_look(const CheckCommand& command, std::uint64_t see
     }
     studies::Digest bands;
     bands.add(studies::read_text_file(command.bands, studies::FileKind::bands));
-    return {command.again, in_hexadecimal(bands), in_hexadecimal(data), studies::Verdict::inconclusive};
+    return {command.again, in_hexadecimal(bands), in_hexadecimal(data), studies::gates::Verdict::inconclusive};
 }
 
 std::filesystem::path ledger_file(const CheckCommand& command) {
@@ -49,21 +50,21 @@ std::filesystem::path ledger_file(const CheckCommand& command) {
     return std::filesystem::path(command.bands).replace_extension("ledger.csv");
 }
 
-studies::NextLook begin_look(const std::filesystem::path& file, const studies::LedgerLook& look,
-                             const studies::GatesSpec& spec) {
-    return change_ledger(file, [&](studies::Ledger& ledger) {
+studies::gates::NextLook begin_look(const std::filesystem::path& file, const studies::gates::LedgerLook& look,
+                                    const studies::gates::Spec& spec) {
+    return change_ledger(file, [&](studies::gates::Ledger& ledger) {
         const auto next = next_look(ledger, look);
         if (next.failed || next.repeated) return next;
-        static_cast<void>(studies::at_look(spec, next.number));
+        static_cast<void>(studies::gates::at_look(spec, next.number));
         ledger.push_back(look);
         return next;
     });
 }
 
-void end_look(const std::filesystem::path& file, const studies::LedgerLook& look,
-              std::optional<studies::Verdict> verdict) {
-    change_ledger(file, [&](studies::Ledger& ledger) {
-        const auto ours = std::find_if(ledger.begin(), ledger.end(), [&](const studies::LedgerLook& other) {
+void end_look(const std::filesystem::path& file, const studies::gates::LedgerLook& look,
+              std::optional<studies::gates::Verdict> verdict) {
+    change_ledger(file, [&](studies::gates::Ledger& ledger) {
+        const auto ours = std::find_if(ledger.begin(), ledger.end(), [&](const studies::gates::LedgerLook& other) {
             return other.commit == look.commit && other.bands == look.bands && other.data == look.data;
         });
         if (ours == ledger.end()) return false;

@@ -19,12 +19,12 @@ void save_means(const CheckCommand& command) {
     const auto text = studies::read_text_file(command.estimates, studies::FileKind::estimates);
     const std::string origin = command.estimates.string();
     std::string means = text;
-    if (studies::reports_means(text)) {
-        static_cast<void>(studies::parse_reported(text, origin, studies::StandardErrors::optional));
+    if (studies::gates::reports_means(text)) {
+        static_cast<void>(studies::gates::parse_reported(text, origin, studies::gates::StandardErrors::optional));
     } else {
         means = "quantity,mean,standard_error,n\n";
-        const auto file = studies::parse_estimates(text, origin);
-        for (const studies::EstimateSeries& series : file.series) {
+        const auto file = studies::gates::parse_estimates(text, origin);
+        for (const studies::gates::EstimateSeries& series : file.series) {
             const double first = series.values.front();
             const auto moments = stats::moments_of(series.values, first);
             const double error = *moments.standard_error();

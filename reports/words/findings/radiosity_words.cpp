@@ -16,8 +16,8 @@
 namespace ff::reports {
 namespace {
 
-using studies::Consequences;
-using studies::Treatment;
+using studies::radiosity::Consequences;
+using studies::radiosity::Treatment;
 
 /// Row sums that are 1 but for rounding.
 constexpr double rounding = 1e-12;
@@ -25,7 +25,7 @@ constexpr double rounding = 1e-12;
 constexpr double least_percents = 1e-9;
 
 Treatment own_treatment(const studies::StudyPlan& plan, std::size_t cell) {
-    return studies::treatment_of(plan.spec.methods[plan.cells[cell].method].completion);
+    return studies::radiosity::treatment_of(plan.spec.methods[plan.cells[cell].method].completion);
 }
 
 std::string dominance_text(const Consequences& found) {
@@ -42,14 +42,14 @@ std::string dominance_text(const Consequences& found) {
 }
 
 /// With ± half the width of its interval, if it has one.
-std::string light_error_text(const studies::SettingStatistics& at) {
+std::string light_error_text(const studies::radiosity::SettingStatistics& at) {
     return at.light_interval ? percent_with_half_width(*at.light_error, at.light_interval->width() / 2)
                              : percent(*at.light_error);
 }
 
 /// What becomes of the exitance at one setting.
 std::string light_text(const studies::StudyPlan& plan, const Consequences& found, std::size_t setting) {
-    const studies::SettingStatistics& at = found.settings[setting];
+    const studies::radiosity::SettingStatistics& at = found.settings[setting];
     const std::string where = setting_text(plan, setting);
     const std::size_t impossible = at.negative + at.singular;
     if (found.trials == 1 && impossible > 0) return fmt::format("at {} the exitance is negative or undefined", where);
@@ -73,9 +73,9 @@ std::vector<std::string> lines_of_scene(const studies::StudyResults& results, st
     for (const std::size_t cell : lit_cells(plan, scene)) {
         const Consequences* found = results.radiosity->find(cell, own_treatment(plan, cell));
         if (found->settings.empty()) continue;
-        std::string line =
-            fmt::format("{}, {}: I − P F {}; {}", cell_label(plan, plan.cells[cell]), studies::name(found->treatment),
-                        dominance_text(*found), light_text(plan, *found, told));
+        std::string line = fmt::format("{}, {}: I − P F {}; {}", cell_label(plan, plan.cells[cell]),
+                                       studies::radiosity::name(found->treatment), dominance_text(*found),
+                                       light_text(plan, *found, told));
         if (last != told) line += fmt::format(", {}", light_text(plan, *found, last));
         lines.push_back(line + ".");
     }
@@ -90,11 +90,11 @@ std::string repair_line(const studies::StudyResults& results) {
     for (std::size_t scene = 0; scene < plan.scenes.size(); ++scene) {
         for (const std::size_t cell : lit_cells(plan, scene)) {
             std::vector<std::string> errors;
-            for (const Treatment treatment : studies::all_treatments) {
+            for (const Treatment treatment : studies::radiosity::all_treatments) {
                 const Consequences* found = results.radiosity->find(cell, treatment);
                 if (found->settings.empty() || !found->settings[told].light_error) continue;
-                errors.push_back(
-                    fmt::format("{} {}", studies::name(treatment), percent(*found->settings[told].light_error)));
+                errors.push_back(fmt::format("{} {}", studies::radiosity::name(treatment),
+                                             percent(*found->settings[told].light_error)));
             }
             if (!errors.empty())
                 parts.push_back(fmt::format("{}: {}", cell_label(plan, plan.cells[cell]), fmt::join(errors, ", ")));
@@ -114,13 +114,14 @@ std::vector<std::string> patch_lines(const studies::StudyResults& results) {
         for (const std::size_t cell : lit_cells(plan, scene)) {
             std::vector<std::string> errors;
             const Treatment own = own_treatment(plan, cell);
-            for (const Treatment treatment : studies::all_treatments) {
+            for (const Treatment treatment : studies::radiosity::all_treatments) {
                 if (treatment == Treatment::normalised || (treatment == Treatment::reciprocal && treatment != own))
                     continue;
-                const Consequences* found = results.radiosity->find(cell, treatment, studies::Between::patches);
+                const Consequences* found =
+                    results.radiosity->find(cell, treatment, studies::radiosity::Between::patches);
                 if (found == nullptr || found->settings.empty() || !found->settings[told].light_error) continue;
                 const auto& worst = *worst_element(found->settings[told]);
-                errors.push_back(fmt::format("{} {}, on the worst patch {} ({})", studies::name(treatment),
+                errors.push_back(fmt::format("{} {}, on the worst patch {} ({})", studies::radiosity::name(treatment),
                                              percent(*found->settings[told].light_error),
                                              percent(relative_error(worst)),
                                              element_text(plan, *found, worst.element)));
@@ -137,11 +138,12 @@ std::vector<std::string> patch_lines(const studies::StudyResults& results) {
 
 std::string bias_order_line(const studies::StudyResults& results) {
     std::vector<std::string> fitted;
-    for (const studies::BiasOrder& order : results.bias_orders) {
+    for (const studies::radiosity::BiasOrder& order : results.bias_orders) {
         if (!order.slope) continue;
-        fitted.push_back(fmt::format(
-            "{:.2f} [{:.2f}, {:.2f}] ({}, {}, reflectance {})", *order.slope, order.interval->low, order.interval->high,
-            order.label, studies::name(order.treatment), setting_text(results.findings.plan, order.setting)));
+        fitted.push_back(fmt::format("{:.2f} [{:.2f}, {:.2f}] ({}, {}, reflectance {})", *order.slope,
+                                     order.interval->low, order.interval->high, order.label,
+                                     studies::radiosity::name(order.treatment),
+                                     setting_text(results.findings.plan, order.setting)));
     }
     if (fitted.empty()) return {};
     return fmt::format(
@@ -180,19 +182,19 @@ std::string percent_with_half_width(double share, double half) {
     return 100 * half < least_percents ? percent(share) : with_half_width(100 * share, 100 * half) + " %";
 }
 
-std::string over_trials_text(const studies::OverTrials& range, std::size_t trials, int digits) {
+std::string over_trials_text(const studies::radiosity::OverTrials& range, std::size_t trials, int digits) {
     if (trials == 1) return brief(range.median, digits);
     return fmt::format("{} [{}, {}]", brief(range.median, digits), brief(range.least, digits),
                        brief(range.largest, digits));
 }
 
-std::string bias_text(const studies::ExitanceStatistics& found) {
+std::string bias_text(const studies::radiosity::ExitanceStatistics& found) {
     if (!found.bias) return "no mean";
     if (!found.bias_interval) return percent(*found.bias / found.exact);
     return percent_with_half_width(*found.bias / found.exact, found.bias_interval->width() / 2 / found.exact);
 }
 
-std::string iterations_text(const studies::SolverStatistics& found) {
+std::string iterations_text(const studies::radiosity::SolverStatistics& found) {
     if (found.converged == found.runs) return over_trials_text(*found.iterations, found.runs, 6);
     std::vector<std::string> parts;
     for (const auto& [count, word] : {std::pair{found.converged, "converged"}, std::pair{found.diverged, "diverged"},
@@ -202,25 +204,26 @@ std::string iterations_text(const studies::SolverStatistics& found) {
     return fmt::format("{}", fmt::join(parts, ", "));
 }
 
-double relative_error(const studies::ExitanceStatistics& found) {
+double relative_error(const studies::radiosity::ExitanceStatistics& found) {
     return found.exact > 0 ? *found.rmse / found.exact : 0;
 }
 
-const studies::ExitanceStatistics* worst_element(const studies::SettingStatistics& at) {
+const studies::radiosity::ExitanceStatistics* worst_element(const studies::radiosity::SettingStatistics& at) {
     if (!at.light_error) return nullptr;
     return &*std::max_element(at.exitance.begin() + 1, at.exitance.end(),
                               [](const auto& a, const auto& b) { return relative_error(a) < relative_error(b); });
 }
 
-Place place_of(const Scene& scene, Subdivision subdivision, studies::Between between, std::size_t element) {
-    if (between == studies::Between::faces) return {scene.faces[element - 1]};
+Place place_of(const Scene& scene, Subdivision subdivision, studies::radiosity::Between between, std::size_t element) {
+    if (between == studies::radiosity::Between::faces) return {scene.faces[element - 1]};
     const PatchOrder order(scene, subdivision, Numbered::of_faces);
     const PatchPlace place = order.place(static_cast<std::uint32_t>(element - 1));
     const int face = scene.surfaces[place.surface].face;
     return {scene.faces[static_cast<std::size_t>(face)], place.row + std::size_t{1}, place.column + std::size_t{1}};
 }
 
-std::string element_text(const studies::StudyPlan& plan, const studies::Consequences& found, std::size_t element) {
+std::string element_text(const studies::StudyPlan& plan, const studies::radiosity::Consequences& found,
+                         std::size_t element) {
     const studies::Cell& cell = plan.cells[found.cell];
     const Place place = place_of(plan.scenes[cell.scene], cell.subdivision, found.between, element);
     if (place.row == 0) return fmt::format("face {}", place.face);
@@ -235,12 +238,12 @@ std::optional<LightInBrief> light_in_brief(const studies::StudyResults& results)
     if (!results.radiosity) return std::nullopt;
     const studies::StudyPlan& plan = results.findings.plan;
     const std::size_t told = told_setting(plan);
-    std::map<std::size_t, const studies::SettingStatistics*> errors;  // of a method the largest
+    std::map<std::size_t, const studies::radiosity::SettingStatistics*> errors;  // of a method the largest
     for (std::size_t scene = 0; scene < plan.scenes.size(); ++scene) {
         for (const std::size_t cell : lit_cells(plan, scene)) {
             const Consequences* found = results.radiosity->find(cell, own_treatment(plan, cell));
             if (found->settings.empty() || !found->settings[told].light_error) continue;
-            const studies::SettingStatistics*& largest = errors[plan.cells[cell].method];
+            const studies::radiosity::SettingStatistics*& largest = errors[plan.cells[cell].method];
             if (largest == nullptr || *largest->light_error < *found->settings[told].light_error)
                 largest = &found->settings[told];
         }
@@ -269,7 +272,7 @@ std::vector<std::string> radiosity_in_brief(const studies::StudyResults& results
         for (std::string& line : lines_of_scene(results, scene)) lines.push_back(std::move(line));
     }
     if (std::string line = repair_line(results); !line.empty()) lines.push_back(std::move(line));
-    const auto trials = studies::patch_trials(results.findings.plan, *results.radiosity);
+    const auto trials = studies::radiosity::patch_trials(results.findings.plan, *results.radiosity);
     if (!trials.complete()) {
         lines.push_back(fmt::format("Stopped early: systems between patches are evaluated for {} of {} trials.",
                                     trials.done, trials.wanted));

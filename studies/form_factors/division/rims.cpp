@@ -8,7 +8,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace ff::studies {
+namespace ff::studies::form_factors {
 
 using Eigen::Vector3d;
 using std::numbers::pi;
@@ -114,4 +114,4 @@ double Rims::slope(const PartExtent& part, std::span<const std::uint32_t> blocke
     return slope;
 }
 
-}  // namespace ff::studies
+}  // namespace ff::studies::form_factors

@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-namespace ff::studies {
+namespace ff::studies::form_factors {
 
 /// Edges of a target and of the obstacles before it. The rims of the visible and of the hidden part consist of these,
 /// and how fast they move bounds how fast form factors change. Places are relative to an origin near the source.
@@ -41,4 +41,4 @@ class Rims {
     [[nodiscard]] double widest_angle(const PartExtent& part) const;
 };
 
-}  // namespace ff::studies
+}  // namespace ff::studies::form_factors

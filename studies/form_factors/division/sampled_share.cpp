@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace ff::studies {
+namespace ff::studies::form_factors {
 namespace {
 
 /// Student's half width; 0 for equal means.
@@ -42,4 +42,4 @@ EstimatedSum estimate_of(const SampledSum& sum, double level) {
     return result;
 }
 
-}  // namespace ff::studies
+}  // namespace ff::studies::form_factors

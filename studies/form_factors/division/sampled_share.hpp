@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace ff::studies {
+namespace ff::studies::form_factors {
 
 /// Randomisations of every estimate: enough that Student's interval with 15 degrees of freedom is hardly wider than
 /// with many, and its coverage hardly suffers from skewed means.
@@ -59,4 +59,4 @@ double none_of(std::uint64_t points, double level);
 /// @pre all terms have the same number of randomisations
 EstimatedSum estimate_of(const SampledSum& sum, double level);
 
-}  // namespace ff::studies
+}  // namespace ff::studies::form_factors

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace ff::studies {
+namespace ff::studies::form_factors {
 
 double power_of_unmet(bool curved) {
     return curved ? 1.25 : 1.5;
@@ -47,4 +47,4 @@ UnmetBound unmet(const SourceCells& cells, bool hidden) {
     return result;
 }
 
-}  // namespace ff::studies
+}  // namespace ff::studies::form_factors

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace ff::studies {
+namespace ff::studies::form_factors {
 
 /// A part of a surface, in the coordinates of core/geometry/surface_map.hpp.
 struct SourceRange {
@@ -65,4 +65,4 @@ double smooth_unmet(const SourceCell& cell, double share, bool curved);
 /// @param hidden  whether the hidden part is sampled instead of the visible one
 UnmetBound unmet(const SourceCells& cells, bool hidden);
 
-}  // namespace ff::studies
+}  // namespace ff::studies::form_factors

@@ -14,7 +14,7 @@
 #include <optional>
 #include <utility>
 
-namespace ff::studies {
+namespace ff::studies::form_factors {
 namespace {
 
 using Eigen::Vector3d;
@@ -312,4 +312,4 @@ SourceCells divide(const Surface& source, const Surface& target, const std::vect
     return Division(source, target, blockers, whole, wanted).run();
 }
 
-}  // namespace ff::studies
+}  // namespace ff::studies::form_factors

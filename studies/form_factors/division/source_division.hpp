@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-namespace ff::studies {
+namespace ff::studies::form_factors {
 
 /// Divides a surface by what its parts see of another.
 /// @param source    any surface; nothing is proved about parts of a curved one
@@ -17,4 +17,4 @@ namespace ff::studies {
 SourceCells divide(const Surface& source, const Surface& target, const std::vector<const Surface*>& blockers,
                    const std::optional<BoundedValue<double>>& whole, double wanted);
 
-}  // namespace ff::studies
+}  // namespace ff::studies::form_factors

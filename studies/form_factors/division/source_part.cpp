@@ -9,7 +9,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace ff::studies {
+namespace ff::studies::form_factors {
 
 using Eigen::Vector3d;
 using std::numbers::pi;
@@ -63,4 +63,4 @@ double ball_factor(double area, double distance, double height) {
     return std::min(1.0, area / (pi * distance * distance) * std::min(1.0, height / distance));
 }
 
-}  // namespace ff::studies
+}  // namespace ff::studies::form_factors

@@ -8,7 +8,7 @@
 
 #include <vector>
 
-namespace ff::studies {
+namespace ff::studies::form_factors {
 
 /// Bounds of a part of a surface. Places are relative to an origin near it.
 struct PartExtent {
@@ -29,4 +29,4 @@ PartExtent extent_of(const Surface& source, const SurfaceMap& map, const Eigen::
 /// @param height    its largest height above the horizon; infinite without a horizon
 double ball_factor(double area, double distance, double height);
 
-}  // namespace ff::studies
+}  // namespace ff::studies::form_factors

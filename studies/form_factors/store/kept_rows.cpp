@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-namespace ff::studies {
+namespace ff::studies::form_factors {
 namespace {
 
 constexpr const char* kept_rows_schema = R"(
@@ -23,7 +23,7 @@ std::string checksum_of_row(std::span<const std::uint64_t> words) {
 }
 
 void expect_same(const Database& database, const std::filesystem::path& file, const SceneSource& source,
-                 const FormFactorRequest& request) {
+                 const Request& request) {
     Database wanted(":memory:", Database::Mode::create_or_open);
     wanted.execute(kept_rows_schema);
     write_request(wanted, kept_rows_format, source, request);
@@ -44,7 +44,7 @@ void expect_same(const Database& database, const std::filesystem::path& file, co
 
 }  // namespace
 
-KeptRows::KeptRows(const std::filesystem::path& file, const SceneSource& source, const FormFactorRequest& request)
+KeptRows::KeptRows(const std::filesystem::path& file, const SceneSource& source, const Request& request)
     : file_(file), database_(file, Database::Mode::create_or_open) {
     // Safe whatever happens to the process; if the machine fails, checksums tell.
     database_.execute("PRAGMA synchronous = OFF; BEGIN IMMEDIATE");
@@ -89,9 +89,9 @@ std::vector<std::uint32_t> KeptRows::faces() const {
     return faces;
 }
 
-std::pair<SceneSource, FormFactorRequest> matrix_of_kept_rows(const std::filesystem::path& file) {
+std::pair<SceneSource, Request> matrix_of_kept_rows(const std::filesystem::path& file) {
     const auto database = open_store(file, kept_rows_format);
     return read_request(StoredKeys(*database, kept_rows_format, file));
 }
 
-}  // namespace ff::studies
+}  // namespace ff::studies::form_factors

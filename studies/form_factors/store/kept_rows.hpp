@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-namespace ff::studies {
+namespace ff::studies::form_factors {
 
 /// Version of the file's tables.
 inline constexpr int kept_rows_schema_version = 1;
@@ -22,7 +22,7 @@ class KeptRows {
   public:
     /// Makes the file, or opens one of the same scene and request.
     /// @throws UserError where it is of another matrix, or no such file; IoError
-    KeptRows(const std::filesystem::path& file, const SceneSource& source, const FormFactorRequest& request);
+    KeptRows(const std::filesystem::path& file, const SceneSource& source, const Request& request);
 
     /// A row that is there already stays as it is.
     void keep(const SampledRow& row) const;
@@ -39,6 +39,6 @@ class KeptRows {
 };
 
 /// What such a file is of: source of the scene, and request. @throws UserError, IoError
-std::pair<SceneSource, FormFactorRequest> matrix_of_kept_rows(const std::filesystem::path& file);
+std::pair<SceneSource, Request> matrix_of_kept_rows(const std::filesystem::path& file);
 
-}  // namespace ff::studies
+}  // namespace ff::studies::form_factors

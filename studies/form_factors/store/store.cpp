@@ -19,7 +19,7 @@
 #include <tuple>
 #include <utility>
 
-namespace ff::studies {
+namespace ff::studies::form_factors {
 namespace {
 
 /// Faces count from 1. The view has the columns of matrix.csv, in both directions.
@@ -46,7 +46,7 @@ CREATE VIEW form_factors AS
 
 constexpr int without_checksum = 1;
 constexpr StoreFormat form_factor_format{FileKind::form_factor_store, "matrix of form factors", "about",
-                                         form_factor_schema_version,  without_checksum,         form_factor_schema,
+                                         matrix_schema_version,       without_checksum,         form_factor_schema,
                                          "DROP TABLE dropped"};
 
 std::int64_t integer(std::uint64_t value) {
@@ -66,9 +66,9 @@ std::string checksum_of_matrix(const Database& database) {
     return in_hexadecimal(digest);
 }
 
-void write_about(const Database& database, const KeptFormFactors& kept) {
+void write_about(const Database& database, const KeptMatrix& kept) {
     write_request(database, form_factor_format, kept.source, kept.request);
-    const FormFactorMatrix& matrix = kept.matrix;
+    const Matrix& matrix = kept.matrix;
     Statement insert(database.handle(), "INSERT INTO about VALUES(?, ?)");
     const auto write = [&](std::string_view key, auto value) { insert.bind(0, key).bind(1, value).run(); };
     write("entry_level", matrix.entry_level);
@@ -80,7 +80,7 @@ void write_about(const Database& database, const KeptFormFactors& kept) {
     if (matrix.repaired) write("repair_possible", integer(matrix.repaired->possible ? 1 : 0));
 }
 
-void write_faces(const Database& database, const KeptFormFactors& kept) {
+void write_faces(const Database& database, const KeptMatrix& kept) {
     const Scene& scene = kept.scene;
     Statement insert(database.handle(), "INSERT INTO faces VALUES(?, ?, ?, ?, ?, ?, ?)");
     for (std::size_t i = 0; i < scene.faces.size(); ++i) {
@@ -96,7 +96,7 @@ void write_faces(const Database& database, const KeptFormFactors& kept) {
     }
 }
 
-void write_dropped(const Database& database, const FormFactorMatrix& matrix) {
+void write_dropped(const Database& database, const Matrix& matrix) {
     Statement insert(database.handle(), "INSERT INTO dropped VALUES(?, ?, ?, ?, ?)");
     for (std::size_t face = 0; face < matrix.faces(); ++face) {
         const DroppedExchange& sum = matrix.rows[face].dropped;
@@ -110,7 +110,7 @@ void write_dropped(const Database& database, const FormFactorMatrix& matrix) {
     }
 }
 
-void write_pairs(const Database& database, const FormFactorMatrix& matrix) {
+void write_pairs(const Database& database, const Matrix& matrix) {
     Statement insert(database.handle(), "INSERT INTO pairs VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
     for (const FaceExchange& pair : matrix.exchanges) {
         insert.bind(0, integer(pair.from + 1))
@@ -151,8 +151,8 @@ class MatrixReader {
     explicit MatrixReader(const std::filesystem::path& file)
         : file_(file), database_(open_store(file, form_factor_format)) {}
 
-    KeptFormFactors read() const {
-        KeptFormFactors kept;
+    KeptMatrix read() const {
+        KeptMatrix kept;
         kept.was_checked =
             stored_value(*database_, form_factor_format, "schema_version") != std::to_string(without_checksum);
         if (kept.was_checked) expect_checksums();
@@ -176,7 +176,7 @@ class MatrixReader {
         expect_sound_context(*database_, file_);
     }
 
-    void read_matrix(FormFactorMatrix& matrix) const {
+    void read_matrix(Matrix& matrix) const {
         matrix.entry_level = about_.real("entry_level");
         matrix.surfaces = about_.count("surfaces");
         matrix.samples = about_.count("samples");
@@ -185,7 +185,7 @@ class MatrixReader {
         matrix.interrupted = about_.count("interrupted") != 0;
     }
 
-    void read_faces(FormFactorMatrix& matrix, const Scene& scene) const {
+    void read_faces(Matrix& matrix, const Scene& scene) const {
         Statement query(database_->handle(),
                         "SELECT face, name, area, row_sum, row_sum_low, row_sum_high, excludes_one FROM faces "
                         "ORDER BY face");
@@ -209,7 +209,7 @@ class MatrixReader {
 
     static std::pair<std::size_t, std::size_t> place(const FaceExchange& pair) { return {pair.from, pair.to}; }
 
-    void read_pairs(FormFactorMatrix& matrix) const {
+    void read_pairs(Matrix& matrix) const {
         Statement query(database_->handle(),
                         "SELECT from_face, to_face, exchange_area, low, high, samples, clipped, within, contradicted, "
                         "method, reason FROM pairs ORDER BY from_face, to_face");
@@ -232,7 +232,7 @@ class MatrixReader {
         }
     }
 
-    void read_dropped(FormFactorMatrix& matrix) const {
+    void read_dropped(Matrix& matrix) const {
         Statement query(database_->handle(), "SELECT face, pairs, factor, low, high FROM dropped ORDER BY face");
         while (query.step()) {
             DroppedExchange& sum = matrix.rows[face(query, 0, matrix.faces())].dropped;
@@ -246,7 +246,7 @@ class MatrixReader {
         matrix.dropped /= 2;
     }
 
-    void read_repaired(KeptFormFactors& kept) const {
+    void read_repaired(KeptMatrix& kept) const {
         if (!stored_value(*database_, form_factor_format, "repair_possible")) return;
         kept.request.repair = true;
         const auto n = static_cast<Eigen::Index>(kept.matrix.faces());
@@ -263,7 +263,7 @@ class MatrixReader {
 
 }  // namespace
 
-void save_form_factors(const std::filesystem::path& file, const KeptFormFactors& kept) {
+void save_matrix(const std::filesystem::path& file, const KeptMatrix& kept) {
     FF_EXPECT(!std::filesystem::exists(file) || std::filesystem::is_empty(file));
     Database database(file, Database::Mode::create_or_open);
     database.execute("PRAGMA journal_mode = OFF; BEGIN IMMEDIATE");  // a file that is not finished is of no use
@@ -282,8 +282,8 @@ void save_form_factors(const std::filesystem::path& file, const KeptFormFactors&
     database.execute("COMMIT");
 }
 
-KeptFormFactors load_form_factors(const std::filesystem::path& file) {
+KeptMatrix load_matrix(const std::filesystem::path& file) {
     return MatrixReader(file).read();
 }
 
-}  // namespace ff::studies
+}  // namespace ff::studies::form_factors

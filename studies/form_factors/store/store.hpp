@@ -8,28 +8,28 @@
 #include <string>
 #include <vector>
 
-namespace ff::studies {
+namespace ff::studies::form_factors {
 
 /// Version of the tables; docs/form-factors.md describes them.
-inline constexpr int form_factor_schema_version = 3;
+inline constexpr int matrix_schema_version = 3;
 
 /// A matrix with its scene and request.
-struct KeptFormFactors {
+struct KeptMatrix {
     /// Where the scene is from: a built-in name, or name and text of a file (studies/scene_files/scene_file.hpp).
     SceneSource source;
-    Scene scene;                ///< built from `source`
-    FormFactorRequest request;  ///< only fields that the result depends on are kept
-    FormFactorMatrix matrix;
+    Scene scene;      ///< built from `source`
+    Request request;  ///< only fields that the result depends on are kept
+    Matrix matrix;
     std::vector<std::string> warnings;
     Context context;
     bool was_checked = true;  ///< false for a file of an earlier version: damage may have gone unnoticed
 };
 
 /// Writes an SQLite file. @pre there is none of that name, or an empty one @throws IoError
-void save_form_factors(const std::filesystem::path& file, const KeptFormFactors& kept);
+void save_matrix(const std::filesystem::path& file, const KeptMatrix& kept);
 
 /// Reads it. @throws UserError for a file that is something else or of another version; IoError where it is damaged or
 /// cannot be read
-KeptFormFactors load_form_factors(const std::filesystem::path& file);
+KeptMatrix load_matrix(const std::filesystem::path& file);
 
-}  // namespace ff::studies
+}  // namespace ff::studies::form_factors

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-namespace ff::studies {
+namespace ff::studies::form_factors {
 namespace {
 
 /// A statement at its only row. @throws IoError where there is none
@@ -44,7 +44,7 @@ std::uint64_t StoredKeys::count(std::string_view key) const {
 }
 
 void write_request(const Database& database, const StoreFormat& format, const SceneSource& source,
-                   const FormFactorRequest& request) {
+                   const Request& request) {
     Statement insert(database.handle(), fmt::format("INSERT INTO {} VALUES(?, ?)", format.keys));
     const auto write = [&](std::string_view key, auto value) { insert.bind(0, key).bind(1, value).run(); };
     write("schema_version", std::int64_t{format.version});
@@ -59,10 +59,10 @@ void write_request(const Database& database, const StoreFormat& format, const Sc
     write("max_samples", static_cast<std::int64_t>(request.max_samples));
 }
 
-std::pair<SceneSource, FormFactorRequest> read_request(const StoredKeys& keys) {
+std::pair<SceneSource, Request> read_request(const StoredKeys& keys) {
     SceneSource source = scene_source(keys.text("scene"));
     if (keys.has("scene_text")) source.text = keys.text("scene_text");
-    FormFactorRequest request;
+    Request request;
     request.tolerance = keys.real("tolerance");
     if (keys.has("relative")) request.relative = keys.real("relative");
     if (keys.has("drop")) request.drop = keys.real("drop");
@@ -77,4 +77,4 @@ std::pair<SceneSource, FormFactorRequest> read_request(const StoredKeys& keys) {
     return {std::move(source), std::move(request)};
 }
 
-}  // namespace ff::studies
+}  // namespace ff::studies::form_factors

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <utility>
 
-namespace ff::studies {
+namespace ff::studies::form_factors {
 
 /// The table of keys and values of a file, in which every number has to make sense.
 class StoredKeys {
@@ -35,9 +35,9 @@ class StoredKeys {
 
 /// Scene and request of a matrix, as far as the result depends on them, in a table of keys and values.
 void write_request(const Database& database, const StoreFormat& format, const SceneSource& source,
-                   const FormFactorRequest& request);
+                   const Request& request);
 
 /// What it has written: source and request.
-std::pair<SceneSource, FormFactorRequest> read_request(const StoredKeys& keys);
+std::pair<SceneSource, Request> read_request(const StoredKeys& keys);
 
-}  // namespace ff::studies
+}  // namespace ff::studies::form_factors

@@ -17,7 +17,7 @@
 #include <string_view>
 #include <unordered_map>
 
-namespace ff::studies {
+namespace ff::studies::gates {
 namespace {
 
 constexpr std::array<std::string_view, 3> covariance_columns{"bin", "other_bin", "covariance"};
@@ -132,4 +132,4 @@ double p_by_covariance(const Gate& gate, const Bins& bins, const std::vector<Bin
     return stats::fisher_tail(*squared * shrink / of_bins, of_bins, below);
 }
 
-}  // namespace ff::studies
+}  // namespace ff::studies::gates

@@ -3,7 +3,7 @@
 #include "studies/verdicts/reported/reported_bins.hpp"
 #include "studies/verdicts/reported/reported_quantity.hpp"
 
-namespace ff::studies {
+namespace ff::studies::gates {
 
 /// The p-value of "every effect lies in its band", of all bins together, by Hotelling's T² with the covariance that the
 /// gate's file has: columns bin, other_bin and covariance, each pair once. Holds for normal means. With errors from n
@@ -13,4 +13,4 @@ namespace ff::studies {
 ///   a possible covariance of that many bins
 double p_by_covariance(const Gate& gate, const Bins& bins, const std::vector<BinEffect>& effects);
 
-}  // namespace ff::studies
+}  // namespace ff::studies::gates

@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-namespace ff::studies {
+namespace ff::studies::gates {
 namespace {
 
 /// The largest distance up to `found` at which "no further than this" is rejected at `alpha`; 0 where none is.
@@ -135,7 +135,7 @@ std::uint64_t values_for_distance(double band, const Levels& levels, std::size_t
     return static_cast<std::uint64_t>(std::ceil(reach * reach / (band * band)));
 }
 
-GateResult judge_counts(const GatesSpec& spec, const Gate& gate, const Bins& bins, const Bins& against) {
+GateResult judge_counts(const Spec& spec, const Gate& gate, const Bins& bins, const Bins& against) {
     const bool are_shares = against.file->holds == Holds::shares;
     const auto counts = numbers_of_bins(gate, bins);
     auto others = numbers_of_bins(gate, against);
@@ -151,7 +151,7 @@ GateResult judge_counts(const GatesSpec& spec, const Gate& gate, const Bins& bin
                 gate.place, gate.quantity, against.file->origin, whole));
         for (double& share : others) share /= whole;
     }
-    GatesSpec one_look = spec;  // nothing can be added to a file
+    Spec one_look = spec;  // nothing can be added to a file
     one_look.looks = 1;
     Comparison row;
     row.quantity = gate.quantity;
@@ -183,4 +183,4 @@ GateResult judge_counts(const GatesSpec& spec, const Gate& gate, const Bins& bin
             .note = row.note};
 }
 
-}  // namespace ff::studies
+}  // namespace ff::studies::gates

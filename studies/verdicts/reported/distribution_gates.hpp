@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <span>
 
-namespace ff::studies {
+namespace ff::studies::gates {
 
 /// Fewest values per sample for which Anderson and Darling's two-sample statistic has its limiting distribution.
 inline constexpr std::size_t fewest_of_two = 20;
@@ -27,6 +27,6 @@ std::uint64_t values_for_distance(double band, const Levels& levels, std::size_t
 /// Counts in bins against shares or against the counts of a second file, by Cohen's w
 /// (stats/shares/count_distance.hpp).
 /// @throws UserError where there are no counts, or several runs
-GateResult judge_counts(const GatesSpec& spec, const Gate& gate, const Bins& bins, const Bins& against);
+GateResult judge_counts(const Spec& spec, const Gate& gate, const Bins& bins, const Bins& against);
 
-}  // namespace ff::studies
+}  // namespace ff::studies::gates

@@ -19,7 +19,7 @@
 #include <cmath>
 #include <limits>
 
-namespace ff::studies {
+namespace ff::studies::gates {
 namespace {
 
 constexpr double repeat_alpha = 1e-6;
@@ -199,14 +199,13 @@ std::uint64_t trials_for_distribution(const Gate& gate, const ExaminedSeries& ex
     return values_for_distance(gate.band.high, examined.levels, examined.other ? 2 : 1);
 }
 
-ExaminedSeries examine(const GatesSpec& spec, const Gate& gate, const EstimatesFile& file,
-                       const EstimatesFile* against) {
+ExaminedSeries examine(const Spec& spec, const Gate& gate, const EstimatesFile& file, const EstimatesFile* against) {
     FF_EXPECT(gate.from_estimates() && (gate.reference || gate.law || against != nullptr));
     ExaminedSeries examined;
     examined.series = find_series(file, gate.quantity, gate.place);
     if (gate.anytime == Anytime::bounded) expect_bounded(gate, examined.series, file.origin);
     examined.independence = examine_independence(examined.series, file.origin);
-    GatesSpec one_look = spec;  // nothing can be added to a file
+    Spec one_look = spec;  // nothing can be added to a file
     one_look.looks = 1;
     examined.levels = levels_of(one_look, 1);
     if (gate.kind == GateKind::distribution) {
@@ -239,7 +238,7 @@ Independence examine_independence(const EstimateSeries& series, const std::strin
     return found;
 }
 
-EstimatesPlan plan_estimates(const GatesSpec& spec, const Gate& gate, const EstimatesFile& file,
+EstimatesPlan plan_estimates(const Spec& spec, const Gate& gate, const EstimatesFile& file,
                              const EstimatesFile* against) {
     const ExaminedSeries examined = examine(spec, gate, file, against);
     EstimatesPlan plan{.gate = gate.name, .kind = gate.kind, .at_hand = examined.series.values.size()};
@@ -255,7 +254,7 @@ EstimatesPlan plan_estimates(const GatesSpec& spec, const Gate& gate, const Esti
     return plan;
 }
 
-GateResult judge_estimates(const GatesSpec& spec, const Gate& gate, const EstimatesFile& file,
+GateResult judge_estimates(const Spec& spec, const Gate& gate, const EstimatesFile& file,
                            const EstimatesFile* against) {
     const ExaminedSeries examined = examine(spec, gate, file, against);
     Comparison row;
@@ -284,4 +283,4 @@ GateResult judge_estimates(const GatesSpec& spec, const Gate& gate, const Estima
             .note = row.note};
 }
 
-}  // namespace ff::studies
+}  // namespace ff::studies::gates

@@ -10,7 +10,7 @@
 #include <optional>
 #include <string>
 
-namespace ff::studies {
+namespace ff::studies::gates {
 
 /// The dependence of trials, and its consequence for their mean.
 struct Independence {
@@ -38,7 +38,7 @@ struct EstimatesPlan {
 /// @param against  a second file of trials to compare distributions with; null: none
 /// @pre gate.from_estimates()
 /// @throws UserError where the file has no such quantity, its trials repeat, or no number of trials can decide
-EstimatesPlan plan_estimates(const GatesSpec& spec, const Gate& gate, const EstimatesFile& file,
+EstimatesPlan plan_estimates(const Spec& spec, const Gate& gate, const EstimatesFile& file,
                              const EstimatesFile* against = nullptr);
 
 /// Judges a gate on a quantity that another program estimated, by the rules for our own. Skewness and serial
@@ -46,7 +46,7 @@ EstimatesPlan plan_estimates(const GatesSpec& spec, const Gate& gate, const Esti
 /// variance or a few of them dominate the mean (detectable from 50 values on), where they are too skewed for their
 /// number, and, if they are correlated, where they are worth too few independent ones or their spread is to be judged.
 /// @pre, @throws as plan_estimates
-GateResult judge_estimates(const GatesSpec& spec, const Gate& gate, const EstimatesFile& file,
+GateResult judge_estimates(const Spec& spec, const Gate& gate, const EstimatesFile& file,
                            const EstimatesFile* against = nullptr);
 
-}  // namespace ff::studies
+}  // namespace ff::studies::gates

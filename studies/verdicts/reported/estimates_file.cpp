@@ -16,7 +16,7 @@
 #include <map>
 #include <tuple>
 
-namespace ff::studies {
+namespace ff::studies::gates {
 namespace {
 
 /// Places in `estimate_columns`, with names too short for the whole namespace.
@@ -144,4 +144,4 @@ const EstimateSeries& find_series(const EstimatesFile& file, std::string_view wa
     fail_without(wanted, "estimates", file.origin, names, place);
 }
 
-}  // namespace ff::studies
+}  // namespace ff::studies::gates

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-namespace ff::studies {
+namespace ff::studies::gates {
 
 /// All estimates of one quantity, in the order of their trials.
 struct EstimateSeries {
@@ -36,4 +36,4 @@ EstimatesFile load_estimates_file(const std::filesystem::path& file);
 /// @throws UserError at `place` where the file has no such quantity, with the nearest one
 const EstimateSeries& find_series(const EstimatesFile& file, std::string_view wanted, std::string_view place);
 
-}  // namespace ff::studies
+}  // namespace ff::studies::gates

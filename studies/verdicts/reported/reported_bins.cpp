@@ -9,7 +9,7 @@
 #include <limits>
 #include <numeric>
 
-namespace ff::studies {
+namespace ff::studies::gates {
 namespace {
 
 /// Student's t differs from here on from the normal distribution by less than 4e-4 of any p-value above 1e-10.
@@ -213,4 +213,4 @@ double rms_score(const std::vector<BinEffect>& bins) {
     return std::sqrt(sum / static_cast<double>(bins.size()));
 }
 
-}  // namespace ff::studies
+}  // namespace ff::studies::gates

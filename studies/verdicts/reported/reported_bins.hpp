@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace ff::studies {
+namespace ff::studies::gates {
 
 /// The effect in one bin of another program's report. A million of them are judged per second, so intervals are
 /// computed only for the worst.
@@ -74,4 +74,4 @@ std::vector<std::uint64_t> count_scores(const std::vector<BinEffect>& bins);
 /// Root mean square of the standardised differences: 1 where errors are right and nothing differs.
 double rms_score(const std::vector<BinEffect>& bins);
 
-}  // namespace ff::studies
+}  // namespace ff::studies::gates

@@ -16,7 +16,7 @@
 #include <utility>
 #include <vector>
 
-namespace ff::studies {
+namespace ff::studies::gates {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -332,4 +332,4 @@ BinComparison effects_of(const Gate& gate, const Bins& bins, const Bins* against
     return comparing;
 }
 
-}  // namespace ff::studies
+}  // namespace ff::studies::gates

@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-namespace ff::studies {
+namespace ff::studies::gates {
 
 /// Everything that the text of a verdict is made from.
 struct BinComparison {
@@ -38,4 +38,4 @@ void add_note(std::string& note, std::string_view text);
 /// @throws UserError where the file lacks what the kind needs
 BinComparison effects_of(const Gate& gate, const Bins& bins, const Bins* against);
 
-}  // namespace ff::studies
+}  // namespace ff::studies::gates

@@ -18,7 +18,7 @@
 #include <tuple>
 #include <unordered_map>
 
-namespace ff::studies {
+namespace ff::studies::gates {
 namespace {
 
 /// Places in `reported_columns`, with names too short for the whole namespace.
@@ -284,4 +284,4 @@ std::span<const ReportedRow> find_rows(const ReportedFile& file, std::string_vie
     fail_without(wanted, "quantity", file.origin, {file.quantities.begin(), file.quantities.end()}, place);
 }
 
-}  // namespace ff::studies
+}  // namespace ff::studies::gates

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-namespace ff::studies {
+namespace ff::studies::gates {
 
 /// The meaning of the column of values.
 enum class Holds {
@@ -71,4 +71,4 @@ ReportedFile load_reported(const std::filesystem::path& file, StandardErrors err
 /// one
 std::span<const ReportedRow> find_rows(const ReportedFile& file, std::string_view wanted, std::string_view place);
 
-}  // namespace ff::studies
+}  // namespace ff::studies::gates

@@ -15,7 +15,7 @@
 #include <optional>
 #include <utility>
 
-namespace ff::studies {
+namespace ff::studies::gates {
 namespace {
 
 std::string label(const BinComparison& comparing, std::size_t bin) {
@@ -62,13 +62,13 @@ void add_words(BinComparison& comparing, const BinsVerdict& verdict, GateResult&
     result.note = words;
 }
 
-GateResult judge_effects(const GatesSpec& spec, BinComparison& comparing) {
+GateResult judge_effects(const Spec& spec, BinComparison& comparing) {
     const auto& bins = comparing.effects.bins;
     if (bins.empty())
         refuse_gate(comparing.gate,
                     fmt::format("no bin of '{}' in {} holds anything (nothing would be compared). Run longer.",
                                 comparing.gate.quantity, comparing.bins.file->origin));
-    GatesSpec one_look = spec;  // nothing can be added to a file
+    Spec one_look = spec;  // nothing can be added to a file
     one_look.looks = 1;
     const Levels of_gate = levels_of(one_look, 1);
     Levels of_bin = levels_of(one_look, bins.size());
@@ -182,8 +182,7 @@ std::optional<std::uint64_t> runs_for_bin(const BinComparison& comparing, const 
 
 }  // namespace
 
-GateResult judge_reported(const GatesSpec& spec, const Gate& gate, const ReportedFile& file,
-                          const ReportedFile* against) {
+GateResult judge_reported(const Spec& spec, const Gate& gate, const ReportedFile& file, const ReportedFile* against) {
     const Bins bins = bins_of(gate, file);
     if (are_trials(gate, bins)) return judge_estimates(spec, gate, as_trials(gate, bins));
     const auto other = bins_beside(gate, bins, against);
@@ -192,8 +191,7 @@ GateResult judge_reported(const GatesSpec& spec, const Gate& gate, const Reporte
     return judge_effects(spec, comparing);
 }
 
-EstimatesPlan plan_reported(const GatesSpec& spec, const Gate& gate, const ReportedFile& file,
-                            const ReportedFile* against) {
+EstimatesPlan plan_reported(const Spec& spec, const Gate& gate, const ReportedFile& file, const ReportedFile* against) {
     const Bins bins = bins_of(gate, file);
     if (are_trials(gate, bins)) return plan_estimates(spec, gate, as_trials(gate, bins));
     const auto other = bins_beside(gate, bins, against);
@@ -204,7 +202,7 @@ EstimatesPlan plan_reported(const GatesSpec& spec, const Gate& gate, const Repor
                                 name(gate.kind), file.origin));
     const Bins* const beside = other ? &*other : nullptr;
     const BinComparison comparing = effects_of(gate, bins, beside);
-    GatesSpec one_look = spec;
+    Spec one_look = spec;
     one_look.looks = 1;
     const Levels levels = levels_of(one_look, 1);
     EstimatesPlan plan{.gate = gate.name,
@@ -224,4 +222,4 @@ EstimatesPlan plan_reported(const GatesSpec& spec, const Gate& gate, const Repor
     return plan;
 }
 
-}  // namespace ff::studies
+}  // namespace ff::studies::gates

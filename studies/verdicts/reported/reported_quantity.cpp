@@ -9,7 +9,7 @@
 #include <numbers>
 #include <vector>
 
-namespace ff::studies {
+namespace ff::studies::gates {
 namespace {
 
 bool same_numbers(const ReportedRow& a, const ReportedRow& b) {
@@ -102,4 +102,4 @@ void expect_comparable(const Gate& gate, const Bins& ours, const Bins& theirs) {
     refuse_equal_files(gate, ours, theirs);
 }
 
-}  // namespace ff::studies
+}  // namespace ff::studies::gates

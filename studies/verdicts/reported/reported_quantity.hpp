@@ -7,7 +7,7 @@
 #include <span>
 #include <string_view>
 
-namespace ff::studies {
+namespace ff::studies::gates {
 
 using Rows = std::span<const ReportedRow>;
 
@@ -29,4 +29,4 @@ Bins bins_of(const Gate& gate, const ReportedFile& file);
 /// @throws UserError where the two have different bins, or hold the same numbers
 void expect_comparable(const Gate& gate, const Bins& ours, const Bins& theirs);
 
-}  // namespace ff::studies
+}  // namespace ff::studies::gates

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <vector>
 
-namespace ff::studies {
+namespace ff::studies::gates {
 namespace {
 
 double estimate(const stats::Proportion& counts) {
@@ -115,4 +115,4 @@ std::optional<std::uint64_t> runs_for_share(const SharePair& pair, const Band& b
     return static_cast<std::uint64_t>(std::ceil(static_cast<double>(*trials) / of_run));
 }
 
-}  // namespace ff::studies
+}  // namespace ff::studies::gates

@@ -2,7 +2,7 @@
 
 #include "studies/verdicts/reported/reported_effects.hpp"
 
-namespace ff::studies {
+namespace ff::studies::gates {
 
 /// The hits of all runs of a bin, of all their trials.
 stats::Proportion pooled(Rows runs);
@@ -17,4 +17,4 @@ void compare_shares(BinComparison& comparing, const Bins* against);
 std::optional<std::uint64_t> runs_for_share(const SharePair& pair, const Band& band, std::size_t runs,
                                             const Levels& levels, std::size_t comparisons);
 
-}  // namespace ff::studies
+}  // namespace ff::studies::gates

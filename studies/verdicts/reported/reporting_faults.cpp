@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace ff::studies {
+namespace ff::studies::gates {
 namespace {
 
 /// Far from what chance makes of a hundred runs, near enough to name one factor and no other.
@@ -79,4 +79,4 @@ std::string fault_between_errors(std::span<const ReportedRow> rows, std::span<co
     return {};
 }
 
-}  // namespace ff::studies
+}  // namespace ff::studies::gates

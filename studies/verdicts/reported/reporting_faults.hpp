@@ -5,7 +5,7 @@
 #include <span>
 #include <string>
 
-namespace ff::studies {
+namespace ff::studies::gates {
 
 /// Common mistakes of codes in reporting a mean and its error, recognised by the size of the discrepancy. Hints, never
 /// verdicts: a sentence with a full stop, empty where nothing fits.
@@ -21,4 +21,4 @@ std::string fault_of_means(std::span<const ReportedRow> rows, std::span<const Re
 /// Variances instead of standard errors in one of two files.
 std::string fault_between_errors(std::span<const ReportedRow> rows, std::span<const ReportedRow> against);
 
-}  // namespace ff::studies
+}  // namespace ff::studies::gates

@@ -16,12 +16,12 @@
 namespace ff::reports {
 namespace {
 
-using studies::Verdict;
+using studies::gates::Verdict;
 using testing::HasSubstr;
 using testing::Not;
 
-studies::Measurement measured(double value) {
-    studies::Measurement measurement;
+studies::gates::Measurement measured(double value) {
+    studies::gates::Measurement measurement;
     measurement.value = value;
     measurement.passing = {.low = value - 0.25, .high = value + 0.25, .level = 0.9, .method = "student_t", .n = 8};
     measurement.failing = {.low = value - 0.5, .high = value + 0.5, .level = 0.99, .method = "student_t", .n = 8};
@@ -30,12 +30,12 @@ studies::Measurement measured(double value) {
 }
 
 /// Two of three gates are done: one passed, with a name that every format has to escape; one failed.
-studies::CheckResults two_of_three() {
-    studies::CheckResults check;
+studies::gates::CheckResults two_of_three() {
+    studies::gates::CheckResults check;
     check.spec.name = "push";
     for (const char* name : {"a \"quoted\", <tagged> & named", "wrong", "waiting"})
         check.spec.gates.emplace_back().name = name;
-    studies::Comparison row;
+    studies::gates::Comparison row;
     row.scene = "cube";
     row.method = "random ray_shooting";
     row.patches_per_face = 4;
@@ -48,17 +48,19 @@ studies::CheckResults two_of_three() {
     row.verdict = Verdict::pass;
     row.levels = {.fail_alpha = 0.01, .pass_alpha = 0.05, .power = 0.9};
     row.trials = 8;
-    studies::GateResult passed{check.spec.gates[0].name, studies::GateKind::bias, Verdict::pass, {row}, 1, 100, ""};
+    studies::gates::GateResult passed{
+        check.spec.gates[0].name, studies::gates::GateKind::bias, Verdict::pass, {row}, 1, 100, ""};
     row.to_face = "sum";
     row.patches_per_face.reset();
     row.band = {0.8, std::numeric_limits<double>::infinity()};
     row.measurement = measured(0.125);
     row.verdict = Verdict::fail;
-    studies::Comparison silent = row;
+    studies::gates::Comparison silent = row;
     silent.measurement.reset();
     silent.verdict = Verdict::inconclusive;
     silent.note = "too few";
-    check.results = {passed, {"wrong", studies::GateKind::closure, Verdict::fail, {silent, row}, 2, 200, "a note"}};
+    check.results = {passed,
+                     {"wrong", studies::gates::GateKind::closure, Verdict::fail, {silent, row}, 2, 200, "a note"}};
     return check;
 }
 

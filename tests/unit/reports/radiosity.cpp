@@ -22,8 +22,8 @@
 namespace ff::reports {
 namespace {
 
-using studies::Between;
-using studies::Treatment;
+using studies::radiosity::Between;
+using studies::radiosity::Treatment;
 using testing::HasSubstr;
 using testing::Not;
 
@@ -58,7 +58,7 @@ std::string all_of(const std::vector<std::string>& lines) {
 // PDM.
 TEST(RadiosityWords, SayWhereDominanceIsLost) {
     const auto& plan = lit().findings.plan;
-    const studies::Consequences& pdm = *lit().radiosity->find(1, Treatment::direct);
+    const studies::radiosity::Consequences& pdm = *lit().radiosity->find(1, Treatment::direct);
     const std::string limit = brief(1 / (1 + pdm.closure_defect.median), 4);
     const std::string said = all_of(radiosity_in_brief(lit()));
     EXPECT_THAT(said, HasSubstr(fmt::format("PDM, 4 × 5²·5² nodes, direct: I − P F loses diagonal dominance from "
@@ -75,11 +75,11 @@ TEST(RadiosityWords, SayWhereDominanceIsLost) {
 
 TEST(RadiosityWords, NameThePatchThatErrsMost) {
     const auto& plan = lit().findings.plan;
-    studies::Consequences found = *lit().radiosity->find(0, Treatment::direct, Between::patches);
+    studies::radiosity::Consequences found = *lit().radiosity->find(0, Treatment::direct, Between::patches);
     EXPECT_EQ(element_text(plan, found, 1), "face 1, row 1, column 1");
     EXPECT_EQ(element_text(plan, found, 24), "face 6, row 2, column 2");
     EXPECT_EQ(element_text(plan, *lit().radiosity->find(0, Treatment::direct), 3), "face 3");
-    studies::SettingStatistics& at = found.settings.front();
+    studies::radiosity::SettingStatistics& at = found.settings.front();
     at.exitance[7].rmse = 100 * at.exitance[7].exact;
     EXPECT_EQ(worst_element(at)->element, 7u);
     EXPECT_THAT(at.exitance, testing::SizeIs(25));

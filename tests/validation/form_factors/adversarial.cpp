@@ -16,7 +16,7 @@
 #include <utility>
 #include <vector>
 
-namespace ff::studies {
+namespace ff::studies::form_factors {
 namespace {
 
 using Eigen::Vector3d;
@@ -347,4 +347,4 @@ AdversarialScene draw_adversarial(Trap trap, Draws& draws) {
     return std::move(*drawn);
 }
 
-}  // namespace ff::studies
+}  // namespace ff::studies::form_factors

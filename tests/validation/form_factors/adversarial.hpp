@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-namespace ff::studies {
+namespace ff::studies::form_factors {
 
 /// The kinds of adversarial scenes.
 enum class Trap : std::uint8_t {
@@ -38,4 +38,4 @@ struct AdversarialScene {
 /// to a million of their sizes from the origin.
 AdversarialScene draw_adversarial(Trap trap, stats::Draws& draws);
 
-}  // namespace ff::studies
+}  // namespace ff::studies::form_factors

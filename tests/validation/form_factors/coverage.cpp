@@ -16,7 +16,7 @@
 #include <cmath>
 #include <numeric>
 
-namespace ff::studies {
+namespace ff::studies::form_factors {
 namespace {
 
 constexpr double family_level = 0.95;
@@ -61,13 +61,13 @@ struct Outcome {
 
 Outcome run_seed(const Scene& scene, const std::vector<KnownPair>& known, const FormFactorCoverageOptions& options,
                  std::uint64_t seed) {
-    FormFactorRequest request;
+    Request request;
     request.tolerance = options.tolerance;
     request.level = options.level;
     request.seed = Seed{options.seed.value + seed};
-    const FormFactorMatrix by_entry = find_form_factors(scene, request);
+    const Matrix by_entry = find_matrix(scene, request);
     request.level_of = LevelOf::matrix;
-    const FormFactorMatrix at_once = find_form_factors(scene, request);
+    const Matrix at_once = find_matrix(scene, request);
     Outcome outcome;
     outcome.within = by_entry.missed() == 0 && at_once.missed() == 0;
     for (const KnownPair& pair : known) {
@@ -83,7 +83,7 @@ Outcome run_seed(const Scene& scene, const std::vector<KnownPair>& known, const 
 void add_scene(const std::string& name, FormFactorCoverage& coverage) {
     const FormFactorCoverageOptions& options = coverage.options;
     const Scene scene = built_in_scene(name);
-    FormFactorRequest request;
+    Request request;
     request.tolerance = options.tolerance;
     request.threads = options.threads;
     const FacePairs geometry = examine_pairs(scene, request);
@@ -130,8 +130,8 @@ double claimed_of(Trap trap, double level) {
 }
 
 /// How many of the known entries of a scene are held.
-stats::Proportion held_in(const AdversarialScene& drawn, const FormFactorRequest& request, double shrink) {
-    const FormFactorMatrix matrix = find_form_factors(drawn.scene, request);
+stats::Proportion held_in(const AdversarialScene& drawn, const Request& request, double shrink) {
+    const Matrix matrix = find_matrix(drawn.scene, request);
     stats::Proportion held;
     for (const KnownExchange& known : drawn.known) {
         const FaceExchange found = matrix.exchange(known.from, known.to);
@@ -145,8 +145,8 @@ stats::Proportion held_in(const AdversarialScene& drawn, const FormFactorRequest
 }
 
 /// What is asked of a scene: a budget ends most of it.
-FormFactorRequest draw_request(Trap trap, const FormFactorCoverageOptions& options, stats::Draws& draws) {
-    FormFactorRequest request;
+Request draw_request(Trap trap, const FormFactorCoverageOptions& options, stats::Draws& draws) {
+    Request request;
     // Pilots by rays take longest: most tolerances are below what rays can meet. Spheres and many faces need them.
     const bool may_take_rays = trap != Trap::near_disc && draws.below(16) == 0;
     const bool by_rays = trap == Trap::many_faces || trap == Trap::room || trap == Trap::ball || may_take_rays;
@@ -176,7 +176,7 @@ void add_adversarial(FormFactorCoverage& coverage) {
         const std::uint64_t scenes = scenes_of(trap, options.adversarial);
         const auto counts = repetitions.count(scenes, name(trap), [&](stats::Draws& draws) {
             const AdversarialScene drawn = draw_adversarial(trap, draws);
-            const FormFactorRequest request = draw_request(trap, options, draws);
+            const Request request = draw_request(trap, options, draws);
             const stats::Proportion held = held_in(drawn, request, options.shrink);
             return draws.uniform() * static_cast<double>(held.trials) < static_cast<double>(held.hits);
         });
@@ -207,12 +207,12 @@ void add_adversarial(FormFactorCoverage& coverage) {
 /// The share of entries across random tiled walls that their intervals hold: of the sampled ones, or of all at once.
 double held_across_walls(const FormFactorCoverageOptions& options, LevelOf level_of, stats::Draws& draws) {
     const TiledWalls walls = draw_tiled_walls(3 + draws.below(3), draws);
-    FormFactorRequest request;
+    Request request;
     request.tolerance = std::pow(10, -3 - 2 * draws.uniform());
     request.level = options.level;
     request.level_of = level_of;
     request.seed = Seed{draws.below(std::size_t{1} << 31)};
-    const FormFactorMatrix matrix = find_form_factors(walls.scene, request);
+    const Matrix matrix = find_matrix(walls.scene, request);
     stats::Proportion held;
     for (const KnownExchange& known : walls.across) {
         const FaceExchange found = matrix.exchange(known.from, known.to);
@@ -301,4 +301,4 @@ FormFactorCoverage measure_form_factor_coverage(const FormFactorCoverageOptions&
     return coverage;
 }
 
-}  // namespace ff::studies
+}  // namespace ff::studies::form_factors

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace ff::studies {
+namespace ff::studies::form_factors {
 
 struct FormFactorCoverageOptions {
     Seed seed{1};  ///< the first seed
@@ -21,7 +21,7 @@ struct FormFactorCoverageOptions {
     std::uint64_t walls = 0;          ///< random scenes of two tiled walls (tiled_walls.hpp), at each kind of level
 };
 
-/// How often the intervals of `find_form_factors` contain known values.
+/// How often the intervals of `find_matrix` contain known values.
 struct FormFactorCoverage {
     FormFactorCoverageOptions options;
     RateTable entries;                 ///< of each sampled pair of faces of the catalogue
@@ -41,4 +41,4 @@ struct FormFactorCoverage {
 /// Computes the matrix of each scene of the catalogue with many seeds, for each entry and for the whole matrix.
 FormFactorCoverage measure_form_factor_coverage(const FormFactorCoverageOptions& options);
 
-}  // namespace ff::studies
+}  // namespace ff::studies::form_factors

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace ff::studies {
+namespace ff::studies::form_factors {
 
 using Eigen::Vector3d;
 
@@ -62,4 +62,4 @@ double ball_exchange(const SphereZone& ball, const Surface& far) {
     return sum * ball.radius * ball.radius * area(far.shape);
 }
 
-}  // namespace ff::studies
+}  // namespace ff::studies::form_factors

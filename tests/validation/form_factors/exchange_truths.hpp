@@ -3,7 +3,7 @@
 #include "core/formulas/polygon_exchange.hpp"
 #include "core/geometry/scene.hpp"
 
-namespace ff::studies {
+namespace ff::studies::form_factors {
 
 /// Exchange areas of surfaces with nothing in between, computed in other ways than form factors are, to check those.
 
@@ -18,4 +18,4 @@ double disc_exchange(const Surface& disc, const Surface& far);
 /// the integral of r²/d² times the cosine over the rectangle, by Gauss's rule.
 double ball_exchange(const SphereZone& ball, const Surface& far);
 
-}  // namespace ff::studies
+}  // namespace ff::studies::form_factors

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace ff::studies {
+namespace ff::studies::form_factors {
 namespace {
 
 struct Range {
@@ -124,4 +124,4 @@ TiledWalls draw_tiled_walls(std::size_t n, stats::Draws& draws) {
     return walls;
 }
 
-}  // namespace ff::studies
+}  // namespace ff::studies::form_factors

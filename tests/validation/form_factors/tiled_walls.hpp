@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace ff::studies {
+namespace ff::studies::form_factors {
 
 /// An entry whose exchange area is known.
 struct KnownExchange {
@@ -31,4 +31,4 @@ struct TiledWalls {
 /// @param n  tiles along an edge of a wall
 TiledWalls draw_tiled_walls(std::size_t n, stats::Draws& draws);
 
-}  // namespace ff::studies
+}  // namespace ff::studies::form_factors

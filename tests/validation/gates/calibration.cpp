@@ -12,7 +12,7 @@
 
 #include <cmath>
 
-namespace ff::studies {
+namespace ff::studies::gates {
 namespace {
 
 /// Standard deviation of a trial, so that effects are in units of it.
@@ -131,4 +131,4 @@ Calibration measure_calibration(const Repetitions& repetitions, std::uint64_t ti
     return calibration;
 }
 
-}  // namespace ff::studies
+}  // namespace ff::studies::gates

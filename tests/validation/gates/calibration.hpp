@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace ff::studies {
+namespace ff::studies::gates {
 
 /// p-values of a gate whose effect lies exactly at the end of its band.
 struct PValues {
@@ -27,4 +27,4 @@ struct Calibration {
 /// @param times  repetitions of each row
 Calibration measure_calibration(const Repetitions& repetitions, std::uint64_t times);
 
-}  // namespace ff::studies
+}  // namespace ff::studies::gates

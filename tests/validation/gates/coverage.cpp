@@ -19,7 +19,7 @@
 #include <functional>
 #include <optional>
 
-namespace ff::studies {
+namespace ff::studies::gates {
 namespace {
 
 constexpr double nominal_level = 0.95;
@@ -258,4 +258,4 @@ RateTable measure_coverage(const Repetitions& repetitions, std::uint64_t times) 
     return table.take();
 }
 
-}  // namespace ff::studies
+}  // namespace ff::studies::gates

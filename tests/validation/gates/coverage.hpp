@@ -5,10 +5,10 @@
 
 #include <cstdint>
 
-namespace ff::studies {
+namespace ff::studies::gates {
 
 /// How often each interval method contains the true value, for data that it is designed for and for others.
 /// @param times  repetitions of each row; the slow ones (bootstraps) are repeated a tenth as often
 RateTable measure_coverage(const Repetitions& repetitions, std::uint64_t times);
 
-}  // namespace ff::studies
+}  // namespace ff::studies::gates

@@ -17,13 +17,13 @@
 #include <tuple>
 #include <utility>
 
-namespace ff::studies {
+namespace ff::studies::gates {
 namespace {
 
 /// The verdict of one gate of a file with one seed.
-Verdict verdict_with_seed(GatesSpec spec, std::size_t gate, std::uint64_t seed) {
+Verdict verdict_with_seed(Spec spec, std::size_t gate, std::uint64_t seed) {
     spec.seed = Seed{seed};
-    GatePlan plan = prepare_gate(spec, gate, GatePurpose::check, nullptr);
+    Plan plan = prepare_gate(spec, gate, GatePurpose::check, nullptr);
     plan_trials(spec, plan, {});
     return run_gate(spec, plan, {})->verdict;
 }
@@ -33,7 +33,7 @@ struct Laboratory {
     std::uint64_t seeds;
 
     /// Verdicts of one gate, by seed.
-    [[nodiscard]] std::vector<Verdict> verdicts(const GatesSpec& spec, std::size_t gate) const {
+    [[nodiscard]] std::vector<Verdict> verdicts(const Spec& spec, std::size_t gate) const {
         std::vector<Verdict> found(seeds);
         for_each_index(seeds, repetitions.threads,
                        [&](std::uint64_t i) { found[i] = verdict_with_seed(spec, gate, repetitions.seed.value + i); });
@@ -53,7 +53,7 @@ Method mend(Method method) {
     return method;
 }
 
-void measure_controls(const Laboratory& laboratory, const GatesSpec& controls, Detection& detection) {
+void measure_controls(const Laboratory& laboratory, const Spec& controls, Detection& detection) {
     detection.caught.title = "Controls";
     detection.caught.text = fmt::format(
         "Every gate of studies/built_in/gates/controls.toml with {} seeds in a row: how often the control fails. The "
@@ -68,7 +68,7 @@ void measure_controls(const Laboratory& laboratory, const GatesSpec& controls, D
         const auto broken = laboratory.verdicts(controls, i);
         detection.caught.rates.push_back(
             {what, laboratory.count(broken, Verdict::fail), RateClaim::at_least, controls.power});
-        GatesSpec mended = controls;
+        Spec mended = controls;
         GateExperiment experiment = experiment_of(gate);
         experiment.method = mend(experiment.method);
         mended.gates[i].experiment = std::make_shared<const GateExperiment>(std::move(experiment));
@@ -81,8 +81,8 @@ void measure_controls(const Laboratory& laboratory, const GatesSpec& controls, D
 }
 
 /// Random rays on one pair of faces; bias is exactly `bias`, since the reference is moved by it.
-GatesSpec edge_gate(double alpha, double bias, double band, std::string estimator = "ray_shooting") {
-    GatesSpec spec;
+Spec edge_gate(double alpha, double bias, double band, std::string estimator = "ray_shooting") {
+    Spec spec;
     spec.alpha = alpha;
     spec.looks = 1;
     GateExperiment experiment{.scenes = {"cube"}, .method = {}};
@@ -121,14 +121,14 @@ void measure_edges(const Repetitions& repetitions, std::uint64_t seeds, Detectio
                                             laboratory.count(verdicts, Verdict::fail), RateClaim::equal, rate});
         }
     }
-    GatesSpec family = edge_gate(0.05, 0, narrowest_band);
+    Spec family = edge_gate(0.05, 0, narrowest_band);
     family.looks = 3;
     family.gates.front().against = Against::exact;
     family.gates.front().pairs = {"all"};
     detection.edge.rates.push_back({"fails at point null in 3 looks, 30 pairs, α = 0.05",
                                     laboratory.count(laboratory.verdicts(family, 0), Verdict::fail), RateClaim::at_most,
                                     family.alpha});
-    GatesSpec patient = edge_gate(1e-4, wide, wide);
+    Spec patient = edge_gate(1e-4, wide, wide);
     patient.looks = 3;
     detection.edge.rates.push_back({"passes at bias = +band in 3 looks, α = 0.0001",
                                     laboratory.count(laboratory.verdicts(patient, 0), Verdict::pass),
@@ -136,7 +136,7 @@ void measure_edges(const Repetitions& repetitions, std::uint64_t seeds, Detectio
 }
 
 void measure_refusals(Detection& detection) {
-    GatesSpec spec = edge_gate(0.05, 0, 1e-3, "area_kernel");
+    Spec spec = edge_gate(0.05, 0, 1e-3, "area_kernel");
     Gate& gate = spec.gates.front();
     gate.name = gate.place = "adjacent_kernel";
     gate.against = Against::exact;
@@ -150,7 +150,7 @@ void measure_refusals(Detection& detection) {
 
 }  // namespace
 
-Detection measure_detection(const GatesSpec& controls, const Repetitions& repetitions, std::uint64_t seeds) {
+Detection measure_detection(const Spec& controls, const Repetitions& repetitions, std::uint64_t seeds) {
     Detection detection;
     measure_controls(Laboratory{repetitions, seeds}, controls, detection);
     measure_edges(repetitions, seeds, detection);
@@ -158,4 +158,4 @@ Detection measure_detection(const GatesSpec& controls, const Repetitions& repeti
     return detection;
 }
 
-}  // namespace ff::studies
+}  // namespace ff::studies::gates

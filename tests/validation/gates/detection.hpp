@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace ff::studies {
+namespace ff::studies::gates {
 
 /// Whether controls are caught and sound methods are not.
 struct Detection {
@@ -19,6 +19,6 @@ struct Detection {
 };
 
 /// Runs every gate of `controls` (studies/built_in/gates/controls.toml), one per control, with `seeds` seeds.
-Detection measure_detection(const GatesSpec& controls, const Repetitions& repetitions, std::uint64_t seeds);
+Detection measure_detection(const Spec& controls, const Repetitions& repetitions, std::uint64_t seeds);
 
-}  // namespace ff::studies
+}  // namespace ff::studies::gates

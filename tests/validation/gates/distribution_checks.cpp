@@ -11,7 +11,7 @@
 #include <numeric>
 #include <optional>
 
-namespace ff::studies {
+namespace ff::studies::gates {
 namespace {
 
 constexpr double band_of_counts = 0.1;
@@ -89,7 +89,7 @@ ReportedFile draw_counts(const Shares& shares, std::size_t n, stats::Draws& draw
 }
 
 Comparison judge_histogram(const ReportedFile& file, const ReportedFile& against, double width) {
-    GatesSpec spec;
+    Spec spec;
     spec.alpha = usual_alpha;
     Gate gate;
     gate.name = gate.quantity = "x";
@@ -228,4 +228,4 @@ std::vector<RateTable> measure_distribution_checks(const Repetitions& repetition
     return {measure_counts(repetitions, fewer), measure_values(repetitions, fewer)};
 }
 
-}  // namespace ff::studies
+}  // namespace ff::studies::gates

@@ -6,10 +6,10 @@
 #include <cstdint>
 #include <vector>
 
-namespace ff::studies {
+namespace ff::studies::gates {
 
 /// Gates of kind `distribution` on counts and on values: false alarms without a difference and at the end of the band,
 /// power, wrong passes, and how often intervals contain the distance.
 std::vector<RateTable> measure_distribution_checks(const Repetitions& repetitions, std::uint64_t times);
 
-}  // namespace ff::studies
+}  // namespace ff::studies::gates

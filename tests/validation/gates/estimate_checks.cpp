@@ -14,7 +14,7 @@
 #include <cmath>
 #include <optional>
 
-namespace ff::studies {
+namespace ff::studies::gates {
 namespace {
 
 /// A band that every interval lies in.
@@ -22,7 +22,7 @@ constexpr double widest_band = 1e9;
 
 /// Verdict of a file on a gate for its mean; empty where it is refused.
 std::optional<Verdict> judge_file(std::vector<double> values, double truth, const Band& band, double alpha) {
-    GatesSpec spec;
+    Spec spec;
     spec.alpha = alpha;
     Gate gate;
     gate.name = gate.quantity = "x";
@@ -227,4 +227,4 @@ std::vector<RateTable> measure_estimate_checks(const Repetitions& repetitions, s
             measure_constants(repetitions, share(40))};
 }
 
-}  // namespace ff::studies
+}  // namespace ff::studies::gates

@@ -14,7 +14,7 @@
 #include <optional>
 #include <span>
 
-namespace ff::studies {
+namespace ff::studies::gates {
 namespace {
 
 /// How often a value is looked at, and on what.
@@ -39,7 +39,7 @@ ReportedFile one_value(double mean, double error) {
 
 /// Looks at data until a verdict comes. Each look's data have an error of 1.
 Verdict look_until_decided(const Looking& how, double bias, double band, stats::Draws& draws) {
-    GatesSpec spec;
+    Spec spec;
     spec.alpha = usual_alpha;
     spec.looks = how.looks;
     spec.spending = how.spending.value_or(Spending::halving);
@@ -55,7 +55,7 @@ Verdict look_until_decided(const Looking& how, double bias, double band, stats::
         sum += value;
         const auto n = static_cast<double>(look);
         const auto file = how.with_earlier_data ? one_value(sum / n, 1 / std::sqrt(n)) : one_value(value, 1);
-        const GatesSpec share = how.spending ? at_look(spec, look) : spec;
+        const Spec share = how.spending ? at_look(spec, look) : spec;
         const Verdict verdict = judge_reported(share, gate, file, nullptr).verdict;
         if (verdict != Verdict::inconclusive) return verdict;
     }
@@ -171,4 +171,4 @@ std::vector<RateTable> measure_looking_checks(const Repetitions& repetitions, st
     return {measure_ledger(repetitions, share(2)), measure_sequences(repetitions, share(10))};
 }
 
-}  // namespace ff::studies
+}  // namespace ff::studies::gates

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace ff::studies {
+namespace ff::studies::gates {
 namespace {
 
 /// Gaps of a Poisson process, counted up to `mean`.
@@ -92,4 +92,4 @@ std::vector<double> draw_chain(double correlation, std::size_t n, double mean, s
     return values;
 }
 
-}  // namespace ff::studies
+}  // namespace ff::studies::gates

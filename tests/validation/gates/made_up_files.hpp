@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace ff::studies {
+namespace ff::studies::gates {
 
 /// A distribution that files of estimates are drawn from.
 struct Law {
@@ -39,4 +39,4 @@ std::vector<double> draw_file(const Law& law, std::size_t n, stats::Draws& draws
 /// Normal and serially correlated; correlation 1 is a random walk that begins at 0.
 std::vector<double> draw_chain(double correlation, std::size_t n, double mean, stats::Draws& draws);
 
-}  // namespace ff::studies
+}  // namespace ff::studies::gates

@@ -12,7 +12,7 @@
 #include <cmath>
 #include <limits>
 
-namespace ff::studies {
+namespace ff::studies::gates {
 namespace {
 
 /// How means of bins are made up, all in true standard errors.
@@ -64,7 +64,7 @@ ReportedFile draw_array(const Array& array, stats::Draws& draws) {
 /// @param against  a second file; the reference is a number where there is none
 GateResult judge_files(const ReportedFile& file, const ReportedFile* against, GateKind kind, double reference,
                        const Band& band, double alpha, Combination combine = Combination::holm) {
-    GatesSpec spec;
+    Spec spec;
     spec.alpha = alpha;
     Gate gate;
     gate.name = gate.quantity = "x";
@@ -321,4 +321,4 @@ std::vector<RateTable> measure_reported_checks(const Repetitions& repetitions, s
             measure_rules(repetitions, times),     measure_pixels(repetitions, share(40))};
 }
 
-}  // namespace ff::studies
+}  // namespace ff::studies::gates

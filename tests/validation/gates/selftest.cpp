@@ -10,7 +10,7 @@
 
 #include <algorithm>
 
-namespace ff::studies {
+namespace ff::studies::gates {
 namespace {
 
 constexpr double family_alpha = 0.01;
@@ -33,7 +33,7 @@ std::size_t Selftest::contradictions() const {
            static_cast<std::size_t>(std::count_if(calibration.p_values.begin(), calibration.p_values.end(), rejected));
 }
 
-Selftest run_selftest(const GatesSpec& controls, const SelftestOptions& options) {
+Selftest run_selftest(const Spec& controls, const SelftestOptions& options) {
     const Repetitions repetitions{options.seed, options.threads};
     Selftest selftest;
     selftest.options = options;
@@ -52,4 +52,4 @@ Selftest run_selftest(const GatesSpec& controls, const SelftestOptions& options)
     return selftest;
 }
 
-}  // namespace ff::studies
+}  // namespace ff::studies::gates

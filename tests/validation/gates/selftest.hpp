@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace ff::studies {
+namespace ff::studies::gates {
 
 struct SelftestOptions {
     Seed seed{1};
@@ -31,6 +31,6 @@ struct Selftest {
 };
 
 /// @param controls  bands file of the controls (studies/built_in/gates/controls.toml)
-Selftest run_selftest(const GatesSpec& controls, const SelftestOptions& options);
+Selftest run_selftest(const Spec& controls, const SelftestOptions& options);
 
-}  // namespace ff::studies
+}  // namespace ff::studies::gates

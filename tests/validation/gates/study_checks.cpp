@@ -11,7 +11,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace ff::studies {
+namespace ff::studies::gates {
 namespace {
 
 constexpr std::size_t means = 30;
@@ -118,4 +118,4 @@ std::vector<RateTable> measure_study_checks(const Repetitions& repetitions, std:
             measure_power_of_studies(repetitions, std::max<std::uint64_t>(times / 4, 1))};
 }
 
-}  // namespace ff::studies
+}  // namespace ff::studies::gates

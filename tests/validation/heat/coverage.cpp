@@ -18,7 +18,7 @@
 #include <string>
 #include <vector>
 
-namespace ff::studies {
+namespace ff::studies::heat {
 namespace {
 
 constexpr double family_level = 0.95;
@@ -44,9 +44,9 @@ Materials test_materials(std::size_t faces) {
 using KnownFactor = std::function<std::optional<double>(int from, int to)>;
 
 /// The matrix with exact factors in place of intervals; empty where some are not known.
-std::optional<FormFactorMatrix> exact_matrix(const KnownFactor& known, FormFactorMatrix matrix) {
+std::optional<form_factors::Matrix> exact_matrix(const KnownFactor& known, form_factors::Matrix matrix) {
     std::vector<double> sums(matrix.faces());
-    for (FaceExchange& exchange : matrix.exchanges) {
+    for (form_factors::FaceExchange& exchange : matrix.exchanges) {
         const auto factor = known(static_cast<int>(exchange.from), static_cast<int>(exchange.to));
         if (!factor) return std::nullopt;
         const double area = *factor * matrix.areas[exchange.from];
@@ -56,7 +56,7 @@ std::optional<FormFactorMatrix> exact_matrix(const KnownFactor& known, FormFacto
     }
     // Exact factors are rounded: in a closed scene the last digits have to leave room for rows of exactly 1.
     constexpr double digits = 1e-13;
-    for (FaceExchange& exchange : matrix.exchanges) {
+    for (form_factors::FaceExchange& exchange : matrix.exchanges) {
         exchange.low *= 1 - digits;
         exchange.high *= 1 + digits;
     }
@@ -72,7 +72,7 @@ bool holds(const Bounds& found, const Bounds& exact, double share) {
            exact.middle() <= found.middle() + share * found.half_width() + room;
 }
 
-bool all_hold(const HeatFlows& found, const HeatFlows& exact, double share) {
+bool all_hold(const Flows& found, const Flows& exact, double share) {
     for (std::size_t i = 0; i < found.faces.size(); ++i) {
         if (!holds(found.faces[i].power, exact.faces[i].power, share) ||
             !holds(found.faces[i].temperature, exact.faces[i].temperature, share))
@@ -82,27 +82,28 @@ bool all_hold(const HeatFlows& found, const HeatFlows& exact, double share) {
 }
 
 /// Empty where intervals of factors have missed them so that no rows add up to 1: the program says so then.
-std::optional<HeatFlows> flows_of(const Scene& scene, const FormFactorMatrix& matrix, const Materials& materials) {
+std::optional<Flows> flows_of(const Scene& scene, const form_factors::Matrix& matrix, const Materials& materials) {
     try {
-        return find_heat_flows(scene, matrix, materials, 1);
+        return find_flows(scene, matrix, materials, 1);
     } catch (const UserError&) {
         return std::nullopt;
     }
 }
 
-FormFactorMatrix sampled_matrix(const Scene& scene, const FormFactorCoverageOptions& options, std::uint64_t seed) {
-    FormFactorRequest request;
+form_factors::Matrix sampled_matrix(const Scene& scene, const form_factors::FormFactorCoverageOptions& options,
+                                    std::uint64_t seed) {
+    form_factors::Request request;
     request.tolerance = options.tolerance;
     request.level = options.level;
-    request.level_of = LevelOf::matrix;
+    request.level_of = form_factors::LevelOf::matrix;
     request.seed = Seed{options.seed.value + seed};
-    return find_form_factors(scene, request);
+    return form_factors::find_matrix(scene, request);
 }
 
 /// A row of each table. @param holds  whether flows, with this share of their widths, hold what is known
 void add_rates(const std::string& name, const Scene& scene, const Materials& materials, FlowCoverage& coverage,
-               const std::function<bool(const HeatFlows&, double share)>& holds) {
-    const FormFactorCoverageOptions& options = coverage.options;
+               const std::function<bool(const Flows&, double share)>& holds) {
+    const form_factors::FormFactorCoverageOptions& options = coverage.options;
     std::vector<std::array<bool, shares.size()>> held(options.seeds);
     for_each_index(held.size(), options.threads, [&](std::uint64_t i) {
         const auto found = flows_of(scene, sampled_matrix(scene, options, i), materials);
@@ -122,17 +123,17 @@ void add_scene(const std::string& name, const Scene& scene, const KnownFactor& k
     const Materials materials = test_materials(scene.faces.size());
     const auto matrix = exact_matrix(known, sampled_matrix(scene, coverage.options, 0));
     if (!matrix) return;
-    const HeatFlows exact = find_heat_flows(scene, *matrix, materials, 1);
+    const Flows exact = find_flows(scene, *matrix, materials, 1);
     add_rates(name, scene, materials, coverage,
-              [&](const HeatFlows& found, double share) { return all_hold(found, exact, share); });
+              [&](const Flows& found, double share) { return all_hold(found, exact, share); });
 }
 
 /// Adds a scene of the catalogue, if some of its factors are sampled.
 void add_scene_of_catalogue(const std::string& name, FlowCoverage& coverage) {
     const Scene scene = built_in_scene(name);
-    const FormFactorMatrix matrix = sampled_matrix(scene, coverage.options, 0);
+    const form_factors::Matrix matrix = sampled_matrix(scene, coverage.options, 0);
     if (std::none_of(matrix.exchanges.begin(), matrix.exchanges.end(),
-                     [](const FaceExchange& exchange) { return exchange.is_sampled(); }))
+                     [](const form_factors::FaceExchange& exchange) { return exchange.is_sampled(); }))
         return;
     add_scene(
         name, scene, [&](int from, int to) { return known_form_factor(scene, from, to); }, coverage);
@@ -146,7 +147,7 @@ void add_furnace(FlowCoverage& coverage) {
         static_cast<std::size_t>(std::find(scene.faces.begin(), scene.faces.end(), "block") - scene.faces.begin());
     const auto roof =
         static_cast<std::size_t>(std::find(scene.faces.begin(), scene.faces.end(), "roof") - scene.faces.begin());
-    add_rates("furnace", scene, furnace_materials(), coverage, [&](const HeatFlows& found, double share) {
+    add_rates("furnace", scene, furnace_materials(), coverage, [&](const Flows& found, double share) {
         const auto holds_all = [&](const Bounds& power, double sign) {
             const double middle = sign * power.middle();
             const double half = share * power.half_width();
@@ -174,7 +175,7 @@ std::size_t FlowCoverage::contradictions() const {
     return flows.contradictions(level);
 }
 
-FlowCoverage measure_flow_coverage(const FormFactorCoverageOptions& options) {
+FlowCoverage measure_flow_coverage(const form_factors::FormFactorCoverageOptions& options) {
     FlowCoverage coverage;
     coverage.options = options;
     coverage.flows.title = "Limits of flows";
@@ -195,4 +196,4 @@ FlowCoverage measure_flow_coverage(const FormFactorCoverageOptions& options) {
     return coverage;
 }
 
-}  // namespace ff::studies
+}  // namespace ff::studies::heat

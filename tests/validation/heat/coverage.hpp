@@ -5,11 +5,11 @@
 
 #include <cstddef>
 
-namespace ff::studies {
+namespace ff::studies::heat {
 
-/// How often the limits of `find_heat_flows` contain known flows.
+/// How often the limits of `find_flows` contain known flows.
 struct FlowCoverage {
-    FormFactorCoverageOptions options;
+    form_factors::FormFactorCoverageOptions options;
     RateTable flows;     ///< all powers and temperatures of a scene at once
     RateTable narrower;  ///< the same with a tenth of the width, for comparison
     double level = 0;    ///< of the interval of one rate, such that all hold together with 0.95 (Sidak)
@@ -21,6 +21,6 @@ struct FlowCoverage {
 /// sampled, with many seeds, and those of the cube, an annulus and a furnace (known_flows.hpp). Faces have different
 /// emissivities and temperatures; every third is adiabatic. Exact flows are those of the exact form factors; of the
 /// furnace limits have to hold the interval of its reference.
-FlowCoverage measure_flow_coverage(const FormFactorCoverageOptions& options);
+FlowCoverage measure_flow_coverage(const form_factors::FormFactorCoverageOptions& options);
 
-}  // namespace ff::studies
+}  // namespace ff::studies::heat

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace ff::studies {
+namespace ff::studies::heat {
 namespace {
 
 constexpr std::string_view annulus = R"(closed = true
@@ -142,4 +142,4 @@ Bounds furnace_power() {
     return {area * emissivity * difference * share.low, area * emissivity * difference * share.high};
 }
 
-}  // namespace ff::studies
+}  // namespace ff::studies::heat

@@ -5,7 +5,7 @@
 #include "studies/heat/heat.hpp"
 #include "studies/heat/materials.hpp"
 
-namespace ff::studies {
+namespace ff::studies::heat {
 
 /// Scenes beside the catalogue whose flows are known.
 
@@ -30,4 +30,4 @@ Bounds furnace_power();
 /// The walks that it is from, and those of them that end on the roof: seeds 1 to 4, 250 000 000 each.
 stats::Proportion furnace_walks();
 
-}  // namespace ff::studies
+}  // namespace ff::studies::heat

@@ -162,13 +162,13 @@ TEST(StudiesOfGrids, RefuseMorePatchesThanCanBeNumbered) {
 // Every patch emits what it absorbs, so that exact factors make all of them as bright as one that absorbs all.
 TEST(StudiesOfGrids, SendLightBetweenPatches) {
     const std::string light = "[radiosity]\nreflectance = [0.5]\nemission = 0.5\npatch_trials = 3\n";
-    const RadiosityResults results =
-        evaluate_radiosity(test::run(grid_plan(room, ray_method(1, "completion = \"reciprocal\"") + light)));
-    const ExactSystem& between_patches = results.exact_system(0, 0, 1);
+    const radiosity::Results results =
+        radiosity::find_consequences(test::run(grid_plan(room, ray_method(1, "completion = \"reciprocal\"") + light)));
+    const radiosity::ExactSystem& between_patches = results.exact_system(0, 0, 1);
     ASSERT_EQ(between_patches.exitance.size(), 21);
     EXPECT_LT((between_patches.exitance.array() - 1).abs().maxCoeff(), 1e-9);
-    for (const Treatment treatment : {Treatment::direct, Treatment::balanced}) {
-        const Consequences* found = results.find(0, treatment, Between::patches);
+    for (const radiosity::Treatment treatment : {radiosity::Treatment::direct, radiosity::Treatment::balanced}) {
+        const radiosity::Consequences* found = results.find(0, treatment, radiosity::Between::patches);
         ASSERT_NE(found, nullptr);
         EXPECT_EQ(found->trials, 3u);
         EXPECT_LT(found->closure_defect.largest, 1e-12);

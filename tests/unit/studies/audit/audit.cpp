@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <string>
 
-namespace ff::studies {
+namespace ff::studies::audit {
 namespace {
 
 using testing::HasSubstr;
@@ -16,14 +16,14 @@ using testing::HasSubstr;
 /// The audit of the paper's tables, made once.
 struct Paper {
     PublishedTables tables = read_published_tables(test::paper_tables_file());
-    AuditReport report = audit(tables);
+    Report report = examine(tables);
 };
 const Paper& paper() {
     static const Paper once;
     return once;
 }
 
-const Finding* find(const AuditReport& report, const std::string& id) {
+const Finding* find(const Report& report, const std::string& id) {
     const auto found =
         std::find_if(report.findings.begin(), report.findings.end(), [&](const Finding& f) { return f.id == id; });
     return found == report.findings.end() ? nullptr : &*found;
@@ -117,7 +117,7 @@ TEST(AuditOfThePaper, RecoversEveryHitCountOfTables4To6) {
 }
 
 TEST(AuditOfThePaper, IsRepeatable) {
-    const AuditReport again = audit(paper().tables);
+    const Report again = examine(paper().tables);
     ASSERT_EQ(again.findings.size(), paper().report.findings.size());
     for (std::size_t k = 0; k < again.findings.size(); ++k) {
         EXPECT_EQ(again.findings[k].id, paper().report.findings[k].id);
@@ -129,14 +129,14 @@ TEST(AuditOfThePaper, IsRepeatable) {
 TEST(Audit, ChecksStatedReferencesAgainstExactValues) {
     PublishedTables tables = test::simulate_tables(1);
     tables.reference_parallel = "0.199852";  // digits swapped
-    const AuditReport report = audit(tables);
+    const Report report = examine(tables);
     EXPECT_NE(find(report, "stated reference: parallel"), nullptr);
 }
 
 TEST(Audit, AcceptsTablesWithoutFigures) {
     PublishedTables tables;
     tables.scene = "cube";
-    EXPECT_EQ(audit(tables).contradictions(), 0u);
+    EXPECT_EQ(examine(tables).contradictions(), 0u);
 }
 
 TEST(Audit, FindsDigitsThatTheFormatCannotPrint) {
@@ -147,11 +147,11 @@ TEST(Audit, FindsDigitsThatTheFormatCannotPrint) {
     ASSERT_NE(sum, tables.figures.end());
     sum->printed = "1.0012345";
     const auto index = static_cast<std::size_t>(sum - tables.figures.begin());
-    const AuditReport report = audit(tables);
+    const Report report = examine(tables);
     ASSERT_EQ(report.contradictions(), 1u);
     EXPECT_EQ(report.findings.front().relation, Relation::printing);
     EXPECT_EQ(report.findings.front().figures.front(), index);
 }
 
 }  // namespace
-}  // namespace ff::studies
+}  // namespace ff::studies::audit

@@ -5,7 +5,7 @@
 
 #include <random>
 
-namespace ff::studies {
+namespace ff::studies::audit {
 namespace {
 
 // The audit's family-wise alpha is 1e-4 a file, from its statistical tests; all other relations hold exactly. So 200
@@ -14,7 +14,7 @@ namespace {
 TEST(AuditOfConsistentTables, RaisesNoFalseAlarm) {
     DistributionCache cache;
     for (std::uint64_t seed = 0; seed < 200; ++seed) {
-        const AuditReport report = audit(test::simulate_tables(seed), {}, cache);
+        const Report report = examine(test::simulate_tables(seed), {}, cache);
         EXPECT_EQ(report.contradictions(), 0u) << "seed " << seed << ": " << report.findings.front().statement;
     }
 }
@@ -34,7 +34,7 @@ TEST(AuditOfConsistentTables, BlamesAPlantedMisprintAndRestoresIt) {
         std::size_t position = random() % right.size();
         if (right[position] == '.') position = 0;
         const std::string wrong = test::with_other_digit(right, position, random);
-        const AuditReport report = audit(test::with_print(tables, index, wrong), {}, cache);
+        const Report report = examine(test::with_print(tables, index, wrong), {}, cache);
         for (const Finding& finding : report.findings) {
             if (finding.figures.empty() || finding.figures.front() != index) continue;
             ++blamed;
@@ -49,4 +49,4 @@ TEST(AuditOfConsistentTables, BlamesAPlantedMisprintAndRestoresIt) {
 }
 
 }  // namespace
-}  // namespace ff::studies
+}  // namespace ff::studies::audit

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace ff::studies {
+namespace ff::studies::audit {
 namespace {
 
 Constraint sum_is(const std::vector<std::size_t>& variables, Range values) {
@@ -71,4 +71,4 @@ TEST(Propagate, LeavesOutBlamedSuspects) {
 }
 
 }  // namespace
-}  // namespace ff::studies
+}  // namespace ff::studies::audit

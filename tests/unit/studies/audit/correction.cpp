@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace ff::studies {
+namespace ff::studies::audit {
 namespace {
 
 using test::rounded_digits;
@@ -41,4 +41,4 @@ TEST(Correct, ChecksCandidatesAgainstTheRest) {
 }
 
 }  // namespace
-}  // namespace ff::studies
+}  // namespace ff::studies::audit

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace ff::studies {
+namespace ff::studies::audit {
 namespace {
 
 using testing::ElementsAre;
@@ -67,4 +67,4 @@ TEST(FindConflict, IsMinimal) {
 }
 
 }  // namespace
-}  // namespace ff::studies
+}  // namespace ff::studies::audit

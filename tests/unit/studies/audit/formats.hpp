@@ -5,7 +5,7 @@
 namespace ff::test {
 
 /// Rounded to six significant digits.
-inline constexpr studies::NumberFormat rounded_digits{studies::Rounding::rounded, studies::Layout::significant_digits,
-                                                      6};
+inline constexpr studies::audit::NumberFormat rounded_digits{studies::audit::Rounding::rounded,
+                                                             studies::audit::Layout::significant_digits, 6};
 
 }  // namespace ff::test

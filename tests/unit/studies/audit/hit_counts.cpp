@@ -7,7 +7,7 @@
 #include <cmath>
 #include <vector>
 
-namespace ff::studies {
+namespace ff::studies::audit {
 namespace {
 
 using test::rounded_digits;
@@ -73,4 +73,4 @@ TEST(WeighFormat, LeavesOutFiguresThatCannotFail) {
 }
 
 }  // namespace
-}  // namespace ff::studies
+}  // namespace ff::studies::audit

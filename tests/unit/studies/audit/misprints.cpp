@@ -12,7 +12,7 @@
 #include <set>
 #include <string>
 
-namespace ff::studies {
+namespace ff::studies::audit {
 namespace {
 
 struct NoticedShare {
@@ -35,7 +35,7 @@ std::string kind_of(const Figure& figure) {
     return {};
 }
 
-std::set<std::string> statements(const AuditReport& report) {
+std::set<std::string> statements(const Report& report) {
     std::set<std::string> all;
     for (const Finding& finding : report.findings) all.insert(finding.id + finding.statement);
     return all;
@@ -48,7 +48,7 @@ bool contains(const std::vector<std::size_t>& figures, std::size_t figure) {
 /// Alters one digit of every figure (another position for each) and counts what the audit notices.
 std::map<std::string, NoticedShare> alter_every_figure(const PublishedTables& tables) {
     DistributionCache cache;
-    const std::set<std::string> known = statements(audit(tables, {}, cache));
+    const std::set<std::string> known = statements(examine(tables, {}, cache));
     std::mt19937_64 random(20261120);
     std::map<std::string, NoticedShare> shares;
     for (std::size_t f = 0; f < tables.figures.size(); ++f) {
@@ -56,7 +56,7 @@ std::map<std::string, NoticedShare> alter_every_figure(const PublishedTables& ta
         std::size_t position = f % right.size();
         if (right[position] == '.') ++position;
         const std::string wrong = test::with_other_digit(right, position, random);
-        const AuditReport report = audit(test::with_print(tables, f, wrong), {}, cache);
+        const Report report = examine(test::with_print(tables, f, wrong), {}, cache);
         NoticedShare& share = shares[kind_of(tables.figures[f])];
         ++share.altered;
         bool found = false;
@@ -95,4 +95,4 @@ TEST(AuditOfThePaper, NoticesEveryKindOfAlteredDigit) {
 }
 
 }  // namespace
-}  // namespace ff::studies
+}  // namespace ff::studies::audit

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace ff::studies {
+namespace ff::studies::audit {
 namespace {
 
 using test::rounded_digits;
@@ -88,4 +88,4 @@ TEST(NumberFormat, IsDescribedInWords) {
 }
 
 }  // namespace
-}  // namespace ff::studies
+}  // namespace ff::studies::audit

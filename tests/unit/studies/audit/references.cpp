@@ -7,7 +7,7 @@
 #include <cmath>
 #include <vector>
 
-namespace ff::studies {
+namespace ff::studies::audit {
 namespace {
 
 constexpr NumberFormat six_decimals{Rounding::rounded, Layout::fixed_decimals, 6};
@@ -55,4 +55,4 @@ TEST(ErrorFits, ComparesRanges) {
 }
 
 }  // namespace
-}  // namespace ff::studies
+}  // namespace ff::studies::audit

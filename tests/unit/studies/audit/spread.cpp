@@ -6,7 +6,7 @@
 
 #include <vector>
 
-namespace ff::studies {
+namespace ff::studies::audit {
 namespace {
 
 /// The row sums of "MC" in the simulated tables, their deviations from 1 multiplied by `factor`.
@@ -59,4 +59,4 @@ TEST(WeighReadings, RefutesTheWrongNumberOfRays) {
 }
 
 }  // namespace
-}  // namespace ff::studies
+}  // namespace ff::studies::audit

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <string>
 
-namespace ff::studies {
+namespace ff::studies::form_factors {
 namespace {
 
 /// Two walls of four by four tiles, a plate between them; every tile a face of its own, or two in one face.
@@ -31,11 +31,11 @@ Scene tiled_walls(bool in_pairs) {
     return scene;
 }
 
-FormFactorMatrix matrix_dropping(const Scene& scene, double drop) {
-    FormFactorRequest request;
+Matrix matrix_dropping(const Scene& scene, double drop) {
+    Request request;
     request.tolerance = 1e-4;
     request.drop = drop;
-    return find_form_factors(scene, request);
+    return find_matrix(scene, request);
 }
 
 class DroppedPairs : public testing::TestWithParam<bool> {};
@@ -43,8 +43,8 @@ class DroppedPairs : public testing::TestWithParam<bool> {};
 TEST_P(DroppedPairs, AreSmallAndCountedInTheirRowSums) {
     const Scene scene = tiled_walls(GetParam());
     constexpr double least = 0.012;
-    const FormFactorMatrix whole = matrix_dropping(scene, 0);
-    const FormFactorMatrix part = matrix_dropping(scene, least);
+    const Matrix whole = matrix_dropping(scene, 0);
+    const Matrix part = matrix_dropping(scene, least);
     EXPECT_EQ(whole.dropped, 0u);
     ASSERT_GT(part.dropped, 10u);
     ASSERT_GT(part.exchanges.size(), 20u);
@@ -81,4 +81,4 @@ TEST(PairsThatAreDroppedByGeometry, NeedNoSamples) {
 }
 
 }  // namespace
-}  // namespace ff::studies
+}  // namespace ff::studies::form_factors

@@ -8,7 +8,7 @@
 #include <atomic>
 #include <memory>
 
-namespace ff::studies {
+namespace ff::studies::form_factors {
 namespace {
 
 /// A tracer that is broken on purpose: what meets the first `hole` of a surface is lost, once so many rays are shot.
@@ -52,12 +52,12 @@ Outcome outcome(std::string_view scene_name, float hole, std::uint64_t sound_ray
     const double exact = *known_form_factor(scene, 0, 1);
     Outcome outcome;
     for (std::uint64_t seed = 1; seed <= contradiction_runs; ++seed) {
-        FormFactorRequest request;
+        Request request;
         request.tolerance = 2e-3;
         request.seed = Seed{seed};
         request.threads = 2;
         request.tracer = [&](const Scene& joined) { return std::make_unique<HoleyTracer>(joined, hole, sound_rays); };
-        const FormFactorMatrix matrix = find_form_factors(scene, request);
+        const Matrix matrix = find_matrix(scene, request);
         const FaceExchange& pair = matrix.exchange(0, 1);
         if (!pair.contradicted) continue;
         EXPECT_FALSE(pair.within) << "a contradicted entry counts as missed";
@@ -100,4 +100,4 @@ TEST(FormFactorContradictions, AreNotFoundWhereLittleIsLost) {
 }
 
 }  // namespace
-}  // namespace ff::studies
+}  // namespace ff::studies::form_factors

@@ -20,7 +20,7 @@
 #include <utility>
 #include <vector>
 
-namespace ff::studies {
+namespace ff::studies::form_factors {
 namespace {
 
 using Eigen::Vector3d;
@@ -71,12 +71,12 @@ Scene furnished_room() {
     return scene;
 }
 
-FormFactorMatrix matrix_with_seed(const Scene& scene, std::uint64_t seed) {
-    FormFactorRequest request;
+Matrix matrix_with_seed(const Scene& scene, std::uint64_t seed) {
+    Request request;
     request.tolerance = place_tolerance;
     request.level = place_level;
     request.seed = Seed{seed};
-    return find_form_factors(scene, request);
+    return find_matrix(scene, request);
 }
 
 /// Somewhere up to 10^7 sizes away, some size and some direction.
@@ -115,7 +115,7 @@ TEST(FormFactorPlaces, DoNotMatterForACylinder) {
     Moves random(16);
     for (std::uint64_t seed = 1; seed <= move_count; ++seed) {
         const Scene scene = random.next().of(can());
-        const FormFactorMatrix matrix = matrix_with_seed(scene, seed);
+        const Matrix matrix = matrix_with_seed(scene, seed);
         // Corners 10^7 sizes away are rounded by 10^-9 of a size.
         const double area = matrix.areas[1];
         const FaceExchange& pair = matrix.exchange(1, 2);
@@ -130,11 +130,11 @@ TEST(FormFactorPlaces, DoNotMatterForACylinder) {
 
 TEST(FormFactorPlaces, DoNotMatterForAFurnishedRoom) {
     const Scene room = furnished_room();
-    const FormFactorMatrix here = matrix_with_seed(room, 1);
+    const Matrix here = matrix_with_seed(room, 1);
     Moves random(3);
     for (std::uint64_t seed = 1; seed <= move_count; ++seed) {
         const Scene scene = random.next().of(room);
-        const FormFactorMatrix there = matrix_with_seed(scene, seed);
+        const Matrix there = matrix_with_seed(scene, seed);
         const double unit = there.areas[0] / here.areas[0];
         for (std::size_t from = 0; from < here.faces(); ++from) {
             for (std::size_t to = from; to < here.faces(); ++to) {
@@ -187,7 +187,7 @@ Scene read_room(const Plan& plan, double unit, double far, int decimals) {
 TEST(FormFactorPlaces, DoNotMatterForRoomsOfFewDigits) {
     for (const Plan& plan : {box_plan, l_plan}) {
         for (const auto& [unit, decimals] : {std::pair(1.0, 0), {0.25, 2}, {0.1, 1}, {0.013, 3}}) {
-            const FormFactorMatrix here = matrix_with_seed(read_room(plan, unit, 0, decimals), 1);
+            const Matrix here = matrix_with_seed(read_room(plan, unit, 0, decimals), 1);
             for (const double far : {1e3, 1e5, 1e7, 1e9}) {
                 SCOPED_TRACE(fmt::format("{} corners, unit {}, at {}", plan.outline.size(), unit, far));
                 const Scene scene = read_room(plan, unit, far, decimals);
@@ -196,7 +196,7 @@ TEST(FormFactorPlaces, DoNotMatterForRoomsOfFewDigits) {
                 EXPECT_THAT(doubts.faults, testing::IsEmpty());
                 EXPECT_TRUE(is_rounded || doubts.notes.empty());
                 EXPECT_TRUE(!is_rounded || far < 1e7 || !doubts.notes.empty());
-                const FormFactorMatrix there = matrix_with_seed(scene, 1);
+                const Matrix there = matrix_with_seed(scene, 1);
                 EXPECT_EQ(there.missed(), 0u);
                 EXPECT_TRUE(is_trusted(scene, there, place_tolerance));
                 for (std::size_t from = 0; from < here.faces(); ++from) {
@@ -232,7 +232,7 @@ TEST(FormFactors, NoticeAnOccluderHoweverMuchLargerThanThePair) {
         scene.faces = {"a", "b"};
         scene.surfaces = {plate(0, 1e-5, 0, 1, 0), plate(0, 1e-5, 1e-5, -1, 1),
                           plate(-half, 2 * half, 5e-6, 1, no_face)};
-        const FormFactorMatrix matrix = find_form_factors(scene, {});
+        const Matrix matrix = find_matrix(scene, {});
         const FaceExchange pair = matrix.exchange(0, 1);
         EXPECT_EQ(pair.low, 0) << half;
         EXPECT_LT(pair.value / matrix.areas[0], 0.01) << half;
@@ -241,4 +241,4 @@ TEST(FormFactors, NoticeAnOccluderHoweverMuchLargerThanThePair) {
 }
 
 }  // namespace
-}  // namespace ff::studies
+}  // namespace ff::studies::form_factors

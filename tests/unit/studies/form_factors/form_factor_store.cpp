@@ -18,7 +18,7 @@
 #include <tuple>
 #include <utility>
 
-namespace ff::studies {
+namespace ff::studies::form_factors {
 namespace {
 
 using test::message_of;
@@ -43,8 +43,8 @@ g between
 f 7 8 9
 )";
 
-KeptFormFactors found(SceneSource source, bool repaired, double drop = 0) {
-    KeptFormFactors kept;
+KeptMatrix found(SceneSource source, bool repaired, double drop = 0) {
+    KeptMatrix kept;
     kept.source = std::move(source);
     kept.scene = make_scene(kept.source);
     kept.request.tolerance = 0.01;
@@ -53,7 +53,7 @@ KeptFormFactors found(SceneSource source, bool repaired, double drop = 0) {
     kept.request.seed = Seed{7};
     kept.request.repair = repaired;
     kept.request.drop = drop;
-    kept.matrix = find_form_factors(kept.scene, kept.request);
+    kept.matrix = find_matrix(kept.scene, kept.request);
     kept.warnings = {"first", "second"};
     kept.context = {{"host", "here"}};
     return kept;
@@ -68,7 +68,7 @@ void expect_equal(const FaceExchange& a, const FaceExchange& b) {
               std::tuple(b.samples, b.clipped, b.within, b.contradicted));
 }
 
-void expect_equal(const FormFactorMatrix& a, const FormFactorMatrix& b) {
+void expect_equal(const Matrix& a, const Matrix& b) {
     EXPECT_EQ(a.areas, b.areas);
     EXPECT_EQ(std::tuple(a.surfaces, a.samples, a.rays, a.lost_rays, a.interrupted, a.entry_level, a.dropped),
               std::tuple(b.surfaces, b.samples, b.rays, b.lost_rays, b.interrupted, b.entry_level, b.dropped));
@@ -93,13 +93,13 @@ void expect_equal(const FormFactorMatrix& a, const FormFactorMatrix& b) {
 class FormFactorStore : public testing::Test {
   protected:
     std::filesystem::path file() const { return folder.path() / "form_factors.sqlite"; }
-    void save(const KeptFormFactors& what) const {
+    void save(const KeptMatrix& what) const {
         std::filesystem::remove(file());
-        save_form_factors(file(), what);
+        save_matrix(file(), what);
     }
     template <typename Error>
     std::string refusal() const {
-        return message_of<Error>([&] { load_form_factors(file()); });
+        return message_of<Error>([&] { load_matrix(file()); });
     }
     /// What is said of the file when this has been done to it.
     std::string refusal_after(const std::string& sql) const {
@@ -110,16 +110,16 @@ class FormFactorStore : public testing::Test {
         return refusal<IoError>();
     }
     test::TemporaryFolder folder;
-    KeptFormFactors kept = found(scene_source("squares_blocked"), false);
+    KeptMatrix kept = found(scene_source("squares_blocked"), false);
 };
 
 TEST_F(FormFactorStore, RestoresWhatWasSaved) {
     for (const auto& [source, repaired] :
          {std::pair(scene_source("squares_blocked"), false), std::pair(scene_source("nested_cubes"), true),
           std::pair(source_of_file("room.obj", triangles_obj), false)}) {
-        const KeptFormFactors saved = found(source, repaired);
+        const KeptMatrix saved = found(source, repaired);
         save(saved);
-        const KeptFormFactors read = load_form_factors(file());
+        const KeptMatrix read = load_matrix(file());
         EXPECT_EQ(read.source, source);
         EXPECT_EQ(read.scene.faces, saved.scene.faces);
         EXPECT_EQ(read.request.tolerance, 0.01);
@@ -143,23 +143,23 @@ TEST_F(FormFactorStore, KeepsEveryMethodAndReason) {
             pair.reason = static_cast<ExchangeReason>(reason);
             pair.contradicted = pair.clipped = reason % 2 == 0;
             save(kept);
-            expect_equal(load_form_factors(file()).matrix, kept.matrix);
+            expect_equal(load_matrix(file()).matrix, kept.matrix);
         }
     }
     kept.matrix.exchanges.front().by_rays_of_row = true;
     save(kept);
-    expect_equal(load_form_factors(file()).matrix, kept.matrix);
+    expect_equal(load_matrix(file()).matrix, kept.matrix);
     kept.matrix.exchanges.front().method.reset();
     kept.matrix.interrupted = true;
     save(kept);
-    expect_equal(load_form_factors(file()).matrix, kept.matrix);
+    expect_equal(load_matrix(file()).matrix, kept.matrix);
 }
 
 TEST_F(FormFactorStore, IsReadFromAnEarlierVersion) {
     save(kept);
-    EXPECT_TRUE(load_form_factors(file()).was_checked);
+    EXPECT_TRUE(load_matrix(file()).was_checked);
     Database(file(), Database::Mode::create_or_open).execute(test::form_factors_as_version_1);
-    const KeptFormFactors read = load_form_factors(file());
+    const KeptMatrix read = load_matrix(file());
     EXPECT_FALSE(read.was_checked);
     expect_equal(read.matrix, kept.matrix);
 }
@@ -167,7 +167,7 @@ TEST_F(FormFactorStore, IsReadFromAnEarlierVersion) {
 /// All that a file says, as text; empty where it is refused.
 std::string read_or_refused(const std::filesystem::path& file) {
     try {
-        const KeptFormFactors kept = load_form_factors(file);
+        const KeptMatrix kept = load_matrix(file);
         std::string words = kept.source.written() + kept.context.at("host") + kept.warnings.at(0) + kept.warnings.at(1);
         const auto add = [&](double value) { words += fmt::format("{} ", value); };
         for (const FaceExchange& pair : kept.matrix.exchanges) {
@@ -205,10 +205,10 @@ TEST_F(FormFactorStore, IsRefusedOrUnchangedAfterABitFlip) {
 }
 
 TEST_F(FormFactorStore, RestoresDroppedPairs) {
-    const KeptFormFactors saved = found(scene_source("nested_cubes"), false, 0.2);
+    const KeptMatrix saved = found(scene_source("nested_cubes"), false, 0.2);
     ASSERT_GT(saved.matrix.dropped, 0u);
     save(saved);
-    const KeptFormFactors read = load_form_factors(file());
+    const KeptMatrix read = load_matrix(file());
     EXPECT_EQ(read.request.drop, 0.2);
     expect_equal(read.matrix, saved.matrix);
 }
@@ -218,13 +218,13 @@ TEST_F(FormFactorStore, IsReadWithoutATableOfDroppedPairs) {
     Database database(file(), Database::Mode::create_or_open);
     database.execute("DROP TABLE dropped");
     database.execute(test::form_factors_as_version_1);
-    expect_equal(load_form_factors(file()).matrix, kept.matrix);
+    expect_equal(load_matrix(file()).matrix, kept.matrix);
 }
 
 TEST_F(FormFactorStore, IsRepairedLaterExactlyAsDuringTheRun) {
-    KeptFormFactors plain = found(scene_source("nested_cubes"), false);
+    KeptMatrix plain = found(scene_source("nested_cubes"), false);
     save(plain);
-    EXPECT_EQ(repair(load_form_factors(file()).matrix).factors,
+    EXPECT_EQ(repair(load_matrix(file()).matrix).factors,
               found(scene_source("nested_cubes"), true).matrix.repaired->factors);
 }
 
@@ -272,4 +272,4 @@ TEST_F(FormFactorStore, IsRefusedIfDamaged) {
 }
 
 }  // namespace
-}  // namespace ff::studies
+}  // namespace ff::studies::form_factors

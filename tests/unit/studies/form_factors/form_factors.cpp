@@ -16,11 +16,11 @@
 #include <cmath>
 #include <vector>
 
-namespace ff::studies {
+namespace ff::studies::form_factors {
 namespace {
 
-FormFactorRequest request_within(double tolerance, std::uint64_t seed = 1) {
-    FormFactorRequest request;
+Request request_within(double tolerance, std::uint64_t seed = 1) {
+    Request request;
     request.tolerance = tolerance;
     request.seed = Seed{seed};
     request.threads = 2;
@@ -28,24 +28,24 @@ FormFactorRequest request_within(double tolerance, std::uint64_t seed = 1) {
 }
 
 /// The matrix of two squares with something in between, stopped when this stage tells of itself for the first time.
-FormFactorMatrix stopped_in(FormFactorProgress::Stage stage, FormFactorRequest request) {
+Matrix stopped_in(Progress::Stage stage, Request request) {
     std::atomic<bool> stop = false;
     request.stop = &stop;
-    request.report = [&](const FormFactorProgress& progress) { stop = stop || progress.stage == stage; };
-    return find_form_factors(built_in_scene("squares_blocked"), request);
+    request.report = [&](const Progress& progress) { stop = stop || progress.stage == stage; };
+    return find_matrix(built_in_scene("squares_blocked"), request);
 }
 
-Eigen::MatrixXd dense(const FormFactorMatrix::Sparse& matrix) {
+Eigen::MatrixXd dense(const Matrix::Sparse& matrix) {
     return matrix;
 }
 
-double factor(const FormFactorMatrix& matrix, std::size_t from, std::size_t to) {
+double factor(const Matrix& matrix, std::size_t from, std::size_t to) {
     return matrix.exchange(from, to).value / matrix.areas[from];
 }
 
 TEST(FormFactors, AreExactWhereGeometryAllowsIt) {
     const Scene box = make_box(3, 2, 1);
-    const FormFactorMatrix matrix = find_form_factors(box, request_within(1e-12));
+    const Matrix matrix = find_matrix(box, request_within(1e-12));
     EXPECT_LT((dense(matrix.factors()) - *exact_form_factors(box)).cwiseAbs().maxCoeff(), 1e-14);
     EXPECT_EQ(matrix.samples, 0u);
     EXPECT_EQ(matrix.missed(), 0u);
@@ -65,58 +65,58 @@ TEST(FormFactors, AddUpSurfacesOfAFace) {
     for (std::uint32_t p = 1; p < 4; ++p) {
         pieces.surfaces.push_back({patch(floor, {2, 2}, p), whole.surfaces[0].normal, 0});
     }
-    const FormFactorMatrix matrix = find_form_factors(pieces, request_within(1e-12));
+    const Matrix matrix = find_matrix(pieces, request_within(1e-12));
     EXPECT_LT((dense(matrix.factors()) - *exact_form_factors(whole)).cwiseAbs().maxCoeff(), 1e-13);
 }
 
 TEST(FormFactors, DoNotDependOnThreads) {
     for (const char* name : {"squares_blocked", "cylinder_wall"}) {
         const Scene scene = built_in_scene(name);
-        FormFactorRequest request = request_within(2e-3);
-        const FormFactorMatrix two = find_form_factors(scene, request);
+        Request request = request_within(2e-3);
+        const Matrix two = find_matrix(scene, request);
         request.threads = 1;
-        const FormFactorMatrix one = find_form_factors(scene, request);
+        const Matrix one = find_matrix(scene, request);
         EXPECT_EQ(dense(two.factors()), dense(one.factors()));
         EXPECT_EQ(dense(two.half_widths()), dense(one.half_widths()));
         request.seed = Seed{2};
-        EXPECT_NE(dense(find_form_factors(scene, request).factors()), dense(one.factors()));
+        EXPECT_NE(dense(find_matrix(scene, request).factors()), dense(one.factors()));
     }
 }
 
 TEST(FormFactors, ReportWhatABudgetLeavesOut) {
     const Scene scene = built_in_scene("coaxial_discs_equal");
-    FormFactorRequest request = request_within(1e-5);
+    Request request = request_within(1e-5);
     request.max_samples = 2'000'000;
-    const FormFactorMatrix matrix = find_form_factors(scene, request);
+    const Matrix matrix = find_matrix(scene, request);
     EXPECT_EQ(matrix.missed(), 1u);
     EXPECT_LE(matrix.samples, request.max_samples);
     EXPECT_GT(matrix.samples, request.max_samples / 4);
     const FaceExchange& exchange = matrix.exchange(0, 1);
     EXPECT_GT(exchange.high - exchange.low, 2e-5 * matrix.areas[0]);
     request.max_samples = 1000;
-    EXPECT_THROW(find_form_factors(scene, request), UserError);
+    EXPECT_THROW(find_matrix(scene, request), UserError);
 }
 
 TEST(FormFactors, MeetARelativeToleranceWhereItIsLarger) {
-    FormFactorRequest request = request_within(1e-7);
+    Request request = request_within(1e-7);
     const Scene scene = built_in_scene("squares_blocked");
     request.relative = 0.01;
-    const FormFactorMatrix coarse = find_form_factors(scene, request);
+    const Matrix coarse = find_matrix(scene, request);
     const FaceExchange& exchange = coarse.exchange(0, 1);
     EXPECT_EQ(coarse.missed(), 0u);
     EXPECT_LE(worst_half_width(coarse, exchange), 0.01 * factor(coarse, 0, 1));
     EXPECT_NEAR(factor(coarse, 0, 1), *known_form_factor(scene, 0, 1), worst_half_width(coarse, exchange));
     request.relative = 0.001;
-    const FormFactorMatrix fine = find_form_factors(scene, request);
+    const Matrix fine = find_matrix(scene, request);
     EXPECT_EQ(fine.missed(), 0u);
     EXPECT_LE(worst_half_width(fine, fine.exchange(0, 1)), 0.001 * factor(fine, 0, 1));
     EXPECT_GT(worst_half_width(fine, fine.exchange(0, 1)), 1e-6) << "what is not asked for is not paid for";
     request.relative = 1;
-    EXPECT_THROW(find_form_factors(scene, request), UserError);
+    EXPECT_THROW(find_matrix(scene, request), UserError);
 }
 
 TEST(FormFactors, AreBoundedByGeometryWhereThereWasNoTime) {
-    const FormFactorMatrix matrix = stopped_in(FormFactorProgress::Stage::pilots, request_within(1e-4));
+    const Matrix matrix = stopped_in(Progress::Stage::pilots, request_within(1e-4));
     EXPECT_TRUE(matrix.interrupted);
     EXPECT_EQ(matrix.missed(), 1u);
     const FaceExchange& exchange = matrix.exchange(0, 1);
@@ -124,9 +124,9 @@ TEST(FormFactors, AreBoundedByGeometryWhereThereWasNoTime) {
     EXPECT_EQ(exchange.low, 0);
     EXPECT_NEAR(exchange.high, 0.199824895698387, 1e-14) << "as if nothing stood in between";
     const std::atomic<bool> stop = true;
-    FormFactorRequest request = request_within(1e-4);
+    Request request = request_within(1e-4);
     request.stop = &stop;
-    const FormFactorMatrix unknown = find_form_factors(built_in_scene("squares_blocked"), request);
+    const Matrix unknown = find_matrix(built_in_scene("squares_blocked"), request);
     EXPECT_TRUE(unknown.interrupted);
     EXPECT_EQ(method_of(unknown.exchange(0, 1)), "bounds");
     EXPECT_EQ(unknown.exchange(0, 1).low, 0);
@@ -140,7 +140,7 @@ TEST(FormFactors, HaveValidIntervalsWhenStopped) {
     std::uint64_t held = 0;
     std::uint64_t held_by_halves = 0;
     for (std::uint64_t seed = 1; seed <= 200; ++seed) {
-        const FormFactorMatrix matrix = stopped_in(FormFactorProgress::Stage::rounds, request_within(1e-4, seed));
+        const Matrix matrix = stopped_in(Progress::Stage::rounds, request_within(1e-4, seed));
         ASSERT_TRUE(matrix.interrupted);
         const FaceExchange& pair = matrix.exchange(0, 1);
         ASSERT_NE(method_of(pair), "bounds");
@@ -153,12 +153,12 @@ TEST(FormFactors, HaveValidIntervalsWhenStopped) {
 }
 
 TEST(FormFactors, ReportTheirProgress) {
-    using Stage = FormFactorProgress::Stage;
-    FormFactorRequest request = request_within(1e-3);
-    std::vector<FormFactorProgress> told;
-    request.report = [&](const FormFactorProgress& progress) { told.push_back(progress); };
+    using Stage = Progress::Stage;
+    Request request = request_within(1e-3);
+    std::vector<Progress> told;
+    request.report = [&](const Progress& progress) { told.push_back(progress); };
     const Scene scene = built_in_scene("nested_cubes");
-    const FormFactorMatrix matrix = find_form_factors(scene, request);
+    const Matrix matrix = find_matrix(scene, request);
     ASSERT_FALSE(told.empty());
     EXPECT_EQ(told.front().stage, Stage::looking);
     EXPECT_EQ(told.back().stage, Stage::rounds);
@@ -176,49 +176,49 @@ TEST(FormFactors, StayBelowTheUnoccludedValue) {
     Scene scene = built_in_scene("squares_blocked");
     Parallelogram& blocker = parallelogram(scene.surfaces[2]);
     blocker = {{-1, -1, 0.5}, {3, 0, 0}, {0, 3, 0}};
-    const FormFactorMatrix proved = find_form_factors(scene, request_within(1e-3));
+    const Matrix proved = find_matrix(scene, request_within(1e-3));
     EXPECT_LT(proved.exchange(0, 1).high, 1e-13);
     // Two do so together: no point sees anything, which is no proof.
     Scene two = scene;
     two.surfaces.push_back(two.surfaces[2]);
     parallelogram(two.surfaces[2]).edge_u *= 0.51;
     parallelogram(two.surfaces[3]) = {{0.49, -1, 0.51}, {1.51, 0, 0}, {0, 3, 0}};
-    const FaceExchange exchange = find_form_factors(two, request_within(1e-3)).exchange(0, 1);
+    const FaceExchange exchange = find_matrix(two, request_within(1e-3)).exchange(0, 1);
     EXPECT_LT(exchange.value, 1e-13);
     EXPECT_EQ(exchange.low, 0);
     EXPECT_GT(exchange.high, 1e-8) << "no hits are no proof";
     EXPECT_LE(exchange.high, 1e-3);
     // A blocker beside the line of sight hides nothing: the value is that of nothing in between, and clipped there.
     blocker = {{0.4, 1.2, 0.5}, {0.1, 0.1, 0}, {0.1, -0.1, 0.2}};
-    const FormFactorMatrix clear = find_form_factors(scene, request_within(1e-3));
+    const Matrix clear = find_matrix(scene, request_within(1e-3));
     EXPECT_NEAR(factor(clear, 0, 1), 0.199824895698387, 1e-14);
     EXPECT_LE(clear.exchange(0, 1).high, 0.199824895698387 + 1e-14);
 }
 
 TEST(FormFactors, AreRepairedToCloseWithinTheirIntervals) {
-    FormFactorRequest request = request_within(1e-3);
+    Request request = request_within(1e-3);
     request.repair = true;
     const Scene scene = built_in_scene("nested_cubes");
-    const FormFactorMatrix matrix = find_form_factors(scene, request);
+    const Matrix matrix = find_matrix(scene, request);
     ASSERT_TRUE(matrix.repaired && matrix.repaired->possible);
     EXPECT_GT(matrix.repaired->closure_before, 1e-7);
     EXPECT_LT(matrix.repaired->closure_after, 1e-12);
     EXPECT_LT(matrix.repaired->largest_change, 1e-3);
     const double exact = *known_form_factor(scene, 0, 2);
     EXPECT_LT(std::abs(matrix.repaired->factors(0, 2) - exact), std::abs(factor(matrix, 0, 2) - exact) + 1e-3);
-    EXPECT_THROW(find_form_factors(built_in_scene("squares_blocked"), request), UserError) << "it is open";
+    EXPECT_THROW(find_matrix(built_in_scene("squares_blocked"), request), UserError) << "it is open";
 }
 
 TEST(FormFactors, RefuseUnattainableTolerances) {
     const Scene round = built_in_scene("coaxial_discs_equal");
     for (const double tolerance : {0.0, -1.0, 1e-15, 0.5, std::numeric_limits<double>::quiet_NaN()}) {
-        EXPECT_THROW(find_form_factors(round, request_within(tolerance)), UserError) << tolerance;
+        EXPECT_THROW(find_matrix(round, request_within(tolerance)), UserError) << tolerance;
     }
-    EXPECT_THROW(find_form_factors(round, request_within(1e-7)), UserError) << "rays are in single precision";
-    FormFactorRequest request = request_within(1e-3);
+    EXPECT_THROW(find_matrix(round, request_within(1e-7)), UserError) << "rays are in single precision";
+    Request request = request_within(1e-3);
     request.level = 1;
-    EXPECT_THROW(find_form_factors(round, request), UserError);
+    EXPECT_THROW(find_matrix(round, request), UserError);
 }
 
 }  // namespace
-}  // namespace ff::studies
+}  // namespace ff::studies::form_factors

@@ -12,7 +12,7 @@
 #include <random>
 #include <vector>
 
-namespace ff::studies {
+namespace ff::studies::form_factors {
 namespace {
 
 using Eigen::Vector3d;
@@ -77,4 +77,4 @@ TEST(Rims, BoundFailsWithoutEdgesOfObstacles) {
 }
 
 }  // namespace
-}  // namespace ff::studies
+}  // namespace ff::studies::form_factors

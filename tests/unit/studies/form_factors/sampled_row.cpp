@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <random>
 
-namespace ff::studies {
+namespace ff::studies::form_factors {
 namespace {
 
 SampledRow row_of_two() {
@@ -58,4 +58,4 @@ TEST(SampledRow, IsEmptyForTooFewTooManyOrRandomWords) {
 }
 
 }  // namespace
-}  // namespace ff::studies
+}  // namespace ff::studies::form_factors

@@ -10,7 +10,7 @@
 #include <random>
 #include <vector>
 
-namespace ff::studies {
+namespace ff::studies::form_factors {
 namespace {
 
 SampledShare hits(const std::vector<std::uint64_t>& counts, std::uint64_t rays) {
@@ -87,4 +87,4 @@ TEST(SampledShare, CoversTheTruthHoweverFewHitsAreExpected) {
 }
 
 }  // namespace
-}  // namespace ff::studies
+}  // namespace ff::studies::form_factors

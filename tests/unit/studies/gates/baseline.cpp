@@ -9,7 +9,7 @@
 
 #include <string>
 
-namespace ff::studies {
+namespace ff::studies::gates {
 namespace {
 
 using testing::HasSubstr;
@@ -44,4 +44,4 @@ TEST(ParseBaseline, NamesTheGateTheQuantityAndTheImpossibleNumber) {
 }
 
 }  // namespace
-}  // namespace ff::studies
+}  // namespace ff::studies::gates

@@ -12,33 +12,33 @@
 
 #include <string>
 
-namespace ff::studies {
+namespace ff::studies::gates {
 namespace {
 
 using testing::HasSubstr;
 
 /// A bands file of one gate on rays in the cube.
-GatesSpec one_gate(std::string_view kind, std::string_view lines, std::string_view method = "",
-                   std::string_view options = "") {
+Spec one_gate(std::string_view kind, std::string_view lines, std::string_view method = "",
+              std::string_view options = "") {
     constexpr std::string_view rays = "sampler = \"random\"\nestimator = \"ray_shooting\"\nsamples_per_patch = 256\n";
     return parse_bands(fmt::format("[gates]\n{}\n[[gate]]\nname = \"g\"\nkind = \"{}\"\nscene = \"cube\"\n{}{}\n",
                                    options, kind, method.empty() ? rays : method, lines),
                        "bands.toml", read_experiment);
 }
 
-GateResult check(const GatesSpec& spec, const Baseline* baseline = nullptr, unsigned threads = 1) {
-    GatePlan plan = prepare_gate(spec, 0, GatePurpose::check, baseline);
+GateResult check(const Spec& spec, const Baseline* baseline = nullptr, unsigned threads = 1) {
+    Plan plan = prepare_gate(spec, 0, GatePurpose::check, baseline);
     static_cast<void>(plan_trials(spec, plan, {.threads = threads}));
     return *run_gate(spec, plan, {.threads = threads});
 }
 
-Baseline save(const GatesSpec& spec) {
-    GatePlan plan = prepare_gate(spec, 0, GatePurpose::save_baseline, nullptr);
+Baseline save(const Spec& spec) {
+    Plan plan = prepare_gate(spec, 0, GatePurpose::save_baseline, nullptr);
     static_cast<void>(plan_trials(spec, plan, {}));
     return {"base.json", {*run_to_store(spec, plan, {})}};
 }
 
-std::string refusal_of_gate(const GatesSpec& spec, const Baseline* baseline = nullptr) {
+std::string refusal_of_gate(const Spec& spec, const Baseline* baseline = nullptr) {
     return test::message_of<UserError>([&] { static_cast<void>(check(spec, baseline)); });
 }
 
@@ -58,7 +58,7 @@ constexpr std::string_view ladder_method =
     "sampler = \"random\"\nestimator = \"ray_shooting\"\nsamples_per_patch = [64, 256, 1024]\n";
 
 TEST(GateRun, PassesWhatIsRight) {
-    for (const GatesSpec& spec :
+    for (const Spec& spec :
          {one_gate("bias", "band = 0.005"), one_gate("bias", "band = 0.005", sobol_method),
           one_gate("std", "band = 0.2"), one_gate("rmse", "band = 0.2"), one_gate("closure", "band = 1e-9"),
           one_gate("closure", "band = 0.005\ncompletion = \"reciprocal\""), one_gate("reciprocity", "band = 0.005"),
@@ -75,7 +75,7 @@ TEST(GateRun, PassesWhatIsRight) {
 }
 
 TEST(GateRun, FailsWhatIsWrong) {
-    for (const GatesSpec& spec :
+    for (const Spec& spec :
          {one_gate("bias", "band = 0.005", centres_method), one_gate("bias", "band = 0.005", same_seed_method),
           one_gate("lost_rays", "band = 0", leaky_method), one_gate("closure", "band = 1e-6", leaky_method),
           one_gate("std", "reference = 0.01\nband = 0.2"),
@@ -129,23 +129,23 @@ TEST(GateRun, DoesNotTestTooFewHits) {
 }
 
 TEST(GateRun, DependsOnSeedAndFileAlone) {
-    const GatesSpec spec = one_gate("bias", "band = 0.005", sobol_method);
+    const Spec spec = one_gate("bias", "band = 0.005", sobol_method);
     const auto value = [](const GateResult& result) { return result.comparisons.at(7).measurement->value; };
     EXPECT_EQ(value(check(spec)), value(check(spec, nullptr, 3)));
-    GatesSpec other = spec;
+    Spec other = spec;
     other.seed = Seed{2};
     EXPECT_NE(value(check(spec)), value(check(other)));
 }
 
 TEST(GateRun, GivesTrialsThatAStudyWithThisSeedWouldGive) {
-    GatesSpec spec = one_gate("bias", "band = 0.5\ntrials = 5\npairs = \"1-6\"", "", "looks = 1\nseed = 3");
+    Spec spec = one_gate("bias", "band = 0.5\ntrials = 5\npairs = \"1-6\"", "", "looks = 1\nseed = 3");
     StudyPlan plan =
         test::plan_of(test::study_text("trials = 5",
                                        "[[method]]\nname = \"m\"\nsampler = \"random\"\nestimator = \"ray_shooting\"\n"
                                        "samples_per_patch = 256"));
     spec.seed = plan.spec.seed;
     const auto studied = load_estimates(test::run(plan), 0);
-    GateTrials trials(plan);
+    Trials trials(plan);
     ASSERT_TRUE(trials.extend(std::vector<std::uint64_t>{2}, {}));
     ASSERT_TRUE(trials.extend(std::vector<std::uint64_t>{5}, {.threads = 2}));
     EXPECT_EQ(trials.estimates(0).factors, studied.factors);
@@ -156,9 +156,9 @@ TEST(GateRun, GivesTrialsThatAStudyWithThisSeedWouldGive) {
 }
 
 TEST(GateRun, StopsWhenAsked) {
-    const GatesSpec spec = one_gate("bias", "band = 0.005");
+    const Spec spec = one_gate("bias", "band = 0.005");
     const std::atomic<bool> stop{true};
-    GatePlan plan = prepare_gate(spec, 0, GatePurpose::check, nullptr);
+    Plan plan = prepare_gate(spec, 0, GatePurpose::check, nullptr);
     ASSERT_TRUE(plan_trials(spec, plan, {}));
     EXPECT_FALSE(run_gate(spec, plan, {.threads = 1, .stop = &stop}));
 }
@@ -206,7 +206,7 @@ constexpr std::string_view baseline_lines = "reference = \"baseline\"\n";
 TEST(BaselineRun, ComparesEveryKindWithTheSavedBaseline) {
     for (const auto& [kind, band] : {std::pair("bias", "band = 0.005"), std::pair("std", "band = 0.3"),
                                      std::pair("rmse", "band = 0.3"), std::pair("efficiency", "band = 0.6")}) {
-        const GatesSpec spec = one_gate(kind, fmt::format("{}\n{}", band, baseline_lines), sobol_method);
+        const Spec spec = one_gate(kind, fmt::format("{}\n{}", band, baseline_lines), sobol_method);
         const Baseline read = parse_baseline(baseline_json(save(spec)), "base.json");
         const GateResult result = check(spec, &read);
         EXPECT_EQ(result.verdict, Verdict::pass) << kind << ": " << result.note;
@@ -217,7 +217,7 @@ TEST(BaselineRun, CatchesAMethodThatBecameWorse) {
     // The baseline's spread is halved, its mean moved: as if the code had become noisier, biased and less efficient.
     for (const auto& [kind, band] :
          {std::pair("bias", "band = 0.005"), std::pair("std", "band = 0.3"), std::pair("efficiency", "band = 0.6")}) {
-        const GatesSpec spec = one_gate(kind, fmt::format("{}\n{}", band, baseline_lines), sobol_method);
+        const Spec spec = one_gate(kind, fmt::format("{}\n{}", band, baseline_lines), sobol_method);
         Baseline baseline = save(spec);
         for (StoredQuantity& stored : baseline.gates[0].quantities) {
             stored.mean += 0.01;
@@ -228,7 +228,7 @@ TEST(BaselineRun, CatchesAMethodThatBecameWorse) {
 }
 
 TEST(BaselineRun, UsesDifferentRandomNumbersFromTheCheck) {
-    const GatesSpec spec = one_gate("bias", "band = 0.005\nreference = \"baseline\"\ntrials = 100");
+    const Spec spec = one_gate("bias", "band = 0.005\nreference = \"baseline\"\ntrials = 100");
     const Baseline baseline = save(spec);
     EXPECT_NE(check(spec, &baseline).comparisons.front().measurement->value, 0);
 }
@@ -261,7 +261,7 @@ TEST(BaselineRun, RefusesFilesThatAreNotBaselines) {
 }
 
 TEST(SeedSweep, ComparesFailuresWithAlphaAndUndecidedRunsWithThePower) {
-    GatesSpec spec = one_gate("bias", "band = 1", "", "alpha = 0.05");
+    Spec spec = one_gate("bias", "band = 1", "", "alpha = 0.05");
     SeedSweep sweep{"g", 0, 0, 0};
     for (int i = 0; i < 100; ++i)
         add_verdict(sweep, i < 5 ? Verdict::fail : i < 15 ? Verdict::inconclusive : Verdict::pass);
@@ -275,4 +275,4 @@ TEST(SeedSweep, ComparesFailuresWithAlphaAndUndecidedRunsWithThePower) {
 }
 
 }  // namespace
-}  // namespace ff::studies
+}  // namespace ff::studies::gates

@@ -12,12 +12,12 @@
 #include <algorithm>
 #include <string>
 
-namespace ff::studies {
+namespace ff::studies::heat {
 namespace {
 
-FormFactorRequest flow_request(std::uint64_t seed = 1) {
-    FormFactorRequest request;
-    request.level_of = LevelOf::matrix;
+form_factors::Request flow_request(std::uint64_t seed = 1) {
+    form_factors::Request request;
+    request.level_of = form_factors::LevelOf::matrix;
     request.seed = Seed{seed};
     return request;
 }
@@ -46,10 +46,10 @@ TEST(FlowSampling, EstimatesTheCostOfOneToleranceForAll) {
     const Scene scene = furnace_scene();
     const Materials materials = furnace_materials();
     const SampledFlows found = sample_flows(scene, flow_request(), materials, 1, {1e-4});
-    FormFactorRequest request = flow_request();
+    form_factors::Request request = flow_request();
     request.tolerance = 1e-4;
-    const FormFactorMatrix even = find_form_factors(scene, request);
-    const double worst = find_heat_flows(scene, even, materials, 1).worst;
+    const form_factors::Matrix even = form_factors::find_matrix(scene, request);
+    const double worst = find_flows(scene, even, materials, 1).worst;
     ASSERT_TRUE(found.even_samples);
     ASSERT_GT(found.flows.worst, worst / 2);
     ASSERT_LT(found.flows.worst, worst * 2);
@@ -71,7 +71,7 @@ TEST(FlowSampling, TakesNoSamplesWhereAllFactorsAreExact) {
 }
 
 TEST(FlowSampling, ReportsTheBestThatItsBudgetAllows) {
-    FormFactorRequest request = flow_request();
+    form_factors::Request request = flow_request();
     request.max_samples = 1'500'000;
     const SampledFlows found = sample_flows(furnace_scene(), request, furnace_materials(), 1, {1e-6});
     EXPECT_FALSE(found.flows.within({1e-6}));
@@ -83,16 +83,17 @@ TEST(FlowSampling, ReportsTheBestThatItsBudgetAllows) {
 
 TEST(FlowPlan, SpendsLeastOnPairsOfSimilarTemperature) {
     const Scene scene = furnace_scene();
-    FormFactorRequest request = flow_request();
+    form_factors::Request request = flow_request();
     request.tolerance = 1e-3;
-    const FormFactorMatrix matrix = find_form_factors(scene, request);
+    const form_factors::Matrix matrix = form_factors::find_matrix(scene, request);
     const auto plan = plan_flows(scene, matrix, furnace_materials(), 1, {1e-5}, 0);
     ASSERT_TRUE(plan);
     const auto tolerance = [&](const std::string& a, const std::string& b) {
         const auto [from, to] = std::minmax({face_of(scene, a), face_of(scene, b)});
-        const auto found = std::find_if(
-            matrix.exchanges.begin(), matrix.exchanges.end(),
-            [&, from = from, to = to](const FaceExchange& pair) { return pair.from == from && pair.to == to; });
+        const auto found = std::find_if(matrix.exchanges.begin(), matrix.exchanges.end(),
+                                        [&, from = from, to = to](const form_factors::FaceExchange& pair) {
+                                            return pair.from == from && pair.to == to;
+                                        });
         return (*plan)[static_cast<std::size_t>(found - matrix.exchanges.begin())];
     };
     // Both adiabatic, at about one temperature, and the roof that they send it to.
@@ -115,4 +116,4 @@ TEST(FlowTolerance, IsAShareAPercentageOrAPower) {
 }
 
 }  // namespace
-}  // namespace ff::studies
+}  // namespace ff::studies::heat

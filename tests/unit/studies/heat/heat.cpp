@@ -12,21 +12,21 @@
 #include <numbers>
 #include <string>
 
-namespace ff::studies {
+namespace ff::studies::heat {
 namespace {
 
-FormFactorMatrix factors_of(const Scene& scene, double tolerance = 1e-5, std::uint64_t seed = 1) {
-    FormFactorRequest request;
+form_factors::Matrix factors_of(const Scene& scene, double tolerance = 1e-5, std::uint64_t seed = 1) {
+    form_factors::Request request;
     request.tolerance = tolerance;
-    request.level_of = LevelOf::matrix;
+    request.level_of = form_factors::LevelOf::matrix;
     request.seed = Seed{seed};
-    return find_form_factors(scene, request);
+    return form_factors::find_matrix(scene, request);
 }
 
-HeatFlows flows_of(const Scene& scene, std::string_view materials, double tolerance = 1e-5, double scale = 1,
-                   std::uint64_t seed = 1) {
-    return find_heat_flows(scene, factors_of(scene, tolerance, seed),
-                           read_materials(materials, "m.toml", {scene.faces, {}}), scale);
+Flows flows_of(const Scene& scene, std::string_view materials, double tolerance = 1e-5, double scale = 1,
+               std::uint64_t seed = 1) {
+    return find_flows(scene, factors_of(scene, tolerance, seed), read_materials(materials, "m.toml", {scene.faces, {}}),
+                      scale);
 }
 
 void expect_within(const Bounds& bounds, double value) {
@@ -215,4 +215,4 @@ TEST(HeatFlows, AreRefusedForAnAdiabaticEnclosure) {
 }
 
 }  // namespace
-}  // namespace ff::studies
+}  // namespace ff::studies::heat

@@ -6,7 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace ff::studies {
+namespace ff::studies::heat {
 namespace {
 
 using testing::HasSubstr;
@@ -170,4 +170,4 @@ TEST(Materials, WarnAboutDegreesCelsius) {
 }
 
 }  // namespace
-}  // namespace ff::studies
+}  // namespace ff::studies::heat

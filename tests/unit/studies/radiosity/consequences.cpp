@@ -14,7 +14,7 @@
 #include <cmath>
 #include <tuple>
 
-namespace ff::studies {
+namespace ff::studies::radiosity {
 namespace {
 
 constexpr std::string_view reciprocal_rays = R"([[method]]
@@ -39,8 +39,8 @@ StudyPlan lit_plan(std::string_view trials, std::string_view methods, std::strin
     return test::plan_of(test::study_text(trials, std::string(methods) + "[radiosity]\n" + std::string(light)));
 }
 
-const RadiosityResults& small_results() {
-    static const RadiosityResults made = evaluate_radiosity(
+const Results& small_results() {
+    static const Results made = find_consequences(
         test::run(lit_plan("trials = 100", std::string(reciprocal_rays) + std::string(pdm_and_exact))));
     return made;
 }
@@ -116,8 +116,8 @@ TEST(Treatments, RemoveTheDefectsThatTheyPromiseToRemove) {
     EXPECT_LT(of(1, Treatment::balanced).factor_error.median, of(1, Treatment::direct).factor_error.median);
 }
 
-const RadiosityResults& between_patches() {
-    static const RadiosityResults made = evaluate_radiosity(test::run(lit_plan("trials = 8", R"([[method]]
+const Results& between_patches() {
+    static const Results made = find_consequences(test::run(lit_plan("trials = 8", R"([[method]]
 name = "SR"
 sampler = "random"
 estimator = "ray_shooting"
@@ -137,12 +137,12 @@ estimator = "point_to_polygon"
 patches_per_face = 4
 samples_per_patch = 16
 )",
-                                                                               "patch_trials = 5\n")));
+                                                                     "patch_trials = 5\n")));
     return made;
 }
 
 TEST(PatchConsequences, CoverDividedFacesAndTheRequestedTrials) {
-    const RadiosityResults& results = between_patches();
+    const Results& results = between_patches();
     for (const auto& [cell, patches, trials] :
          {std::tuple{std::size_t{1}, 24u, 5u}, {std::size_t{2}, 24u, 1u}, {std::size_t{3}, 96u, 1u}}) {
         const Consequences* found = results.find(cell, Treatment::direct, Between::patches);
@@ -224,18 +224,18 @@ TEST(RadiosityCost, GrowsWithTheSquareOfThePatches) {
                                     patches),
                         fmt::format("patch_trials = {}\n", trials));
     };
-    const std::uint64_t of_400 = memory_of_radiosity(plan(400, 1));
+    const std::uint64_t of_400 = memory_needed(plan(400, 1));
     EXPECT_GT(of_400, 2400ULL * 2400 * 8 * 4) << "exact factors, estimates, system, elimination";
-    EXPECT_NEAR(static_cast<double>(memory_of_radiosity(plan(1600, 1))) / static_cast<double>(of_400), 16, 0.1);
-    EXPECT_LT(memory_of_radiosity(plan(400, 0)), 100'000u);
-    EXPECT_GT(seconds_of_radiosity(plan(1600, 1)), 16 * seconds_of_radiosity(plan(400, 1))) << "elimination: n^3";
-    EXPECT_LT(seconds_of_radiosity(plan(1600, 0)), 0.01);
-    EXPECT_EQ(memory_of_radiosity(test::plan_of(test::study_text("trials = 4", reciprocal_rays))), 0u);
+    EXPECT_NEAR(static_cast<double>(memory_needed(plan(1600, 1))) / static_cast<double>(of_400), 16, 0.1);
+    EXPECT_LT(memory_needed(plan(400, 0)), 100'000u);
+    EXPECT_GT(seconds_needed(plan(1600, 1)), 16 * seconds_needed(plan(400, 1))) << "elimination: n^3";
+    EXPECT_LT(seconds_needed(plan(1600, 0)), 0.01);
+    EXPECT_EQ(memory_needed(test::plan_of(test::study_text("trials = 4", reciprocal_rays))), 0u);
 }
 
 // Uniform light in a uniform box hides all errors of rows that sum to 1: e / (1 - rho) in every trial.
 TEST(Consequences, VanishForAFurnace) {
-    const auto results = evaluate_radiosity(
+    const auto results = find_consequences(
         test::run(lit_plan("trials = 20", reciprocal_rays, "reflectance = [0.5, 0.99]\nemission = 2\n")));
     for (const SettingStatistics& at : results.find(0, Treatment::direct)->settings) {
         const double expected = 2 / (1 - (at.setting == 0 ? 0.5 : 0.99));
@@ -270,7 +270,7 @@ estimator = "ray_shooting"
 samples_per_patch = [100, 200, 400]
 )",
                                     "reflectance = 0.8\n");
-    const auto results = evaluate_radiosity(test::run(plan));
+    const auto results = find_consequences(test::run(plan));
     const auto orders = bias_orders(plan, results);
     // Where rows and columns both sum to 1 the mean exitance of a cube is what it is: nothing varies when balanced.
     ASSERT_EQ(orders.size(), 3u);
@@ -314,4 +314,4 @@ TEST(RadiosityRequest, NeedsAClosedScene) {
 }
 
 }  // namespace
-}  // namespace ff::studies
+}  // namespace ff::studies::radiosity

@@ -8,7 +8,7 @@
 
 #include <cmath>
 
-namespace ff::studies {
+namespace ff::studies::radiosity {
 namespace {
 
 EnclosureRequest request(const std::string& name, std::uint64_t trials = 0) {
@@ -124,4 +124,4 @@ TEST(EnclosureStudy, RefusesMismatchedSurfaceCountsAndZeroRays) {
 }
 
 }  // namespace
-}  // namespace ff::studies
+}  // namespace ff::studies::radiosity

@@ -12,7 +12,7 @@
 #include <cmath>
 #include <string>
 
-namespace ff::studies {
+namespace ff::studies::radiosity {
 namespace {
 
 StudyPlan lit_ray_plan(std::string_view light, std::string_view patches = "1") {
@@ -30,7 +30,7 @@ TEST(Bias, ComesFromErrorsWithinARowForDirectRows) {
     const double rho = 0.9;
     const double rays_of_a_face = 16;
     const double trials = 120000;
-    const auto results = evaluate_radiosity(test::run(test::plan_of(R"([study]
+    const auto results = find_consequences(test::run(test::plan_of(R"([study]
 name = "flat"
 scene = "box:4x4x0.5"
 trials = 120000
@@ -68,14 +68,14 @@ TEST(Evaluation, CanBeStoppedOnlyInThePartBetweenPatches) {
     const StudyPlan plan = lit_ray_plan("patch_trials = 3\n", "4");
     const Store store = test::run(plan);
     const std::atomic<bool> at_once = true;
-    const auto stopped = evaluate_radiosity(store, &at_once);
+    const auto stopped = find_consequences(store, &at_once);
     EXPECT_NE(stopped.find(0, Treatment::direct), nullptr);
     EXPECT_EQ(stopped.find(0, Treatment::direct, Between::patches), nullptr);
     EXPECT_EQ(patch_trials(plan, stopped).done, 0u);
     EXPECT_EQ(patch_trials(plan, stopped).wanted, 3u);
     EXPECT_FALSE(patch_trials(plan, stopped).complete());
     const std::atomic<bool> never = false;
-    EXPECT_TRUE(patch_trials(plan, evaluate_radiosity(store, &never)).complete());
+    EXPECT_TRUE(patch_trials(plan, find_consequences(store, &never)).complete());
 }
 
 TEST(SolverRuns, AreLimitedByTheirCostBetweenPatches) {
@@ -92,4 +92,4 @@ TEST(StudyResults, HaveRadiosityOnlyWhereItIsAskedFor) {
 }
 
 }  // namespace
-}  // namespace ff::studies
+}  // namespace ff::studies::radiosity

@@ -157,13 +157,13 @@ TEST(FormFactors, AreNotTrustedWhereRowsCannotAddUpToOne) {
     std::string text = room_obj(true, {});
     text = text.substr(0, text.find("g west"));
     const Scene scene = read_obj(text);
-    const FormFactorMatrix matrix = find_form_factors(scene, {});
-    EXPECT_FALSE(is_trusted(scene, matrix, 1e-5));
+    const form_factors::Matrix matrix = form_factors::find_matrix(scene, {});
+    EXPECT_FALSE(form_factors::is_trusted(scene, matrix, 1e-5));
     const Scene sound = read_obj(room_obj(true, {}));
-    EXPECT_TRUE(is_trusted(sound, find_form_factors(sound, {}), 1e-5));
-    FormFactorMatrix faulty = find_form_factors(sound, {});
+    EXPECT_TRUE(form_factors::is_trusted(sound, form_factors::find_matrix(sound, {}), 1e-5));
+    form_factors::Matrix faulty = form_factors::find_matrix(sound, {});
     faulty.faults = {"something"};
-    EXPECT_FALSE(is_trusted(sound, faulty, 1e-5));
+    EXPECT_FALSE(form_factors::is_trusted(sound, faulty, 1e-5));
 }
 
 TEST(FormFactors, HoldEveryPrintedSumInItsInterval) {
@@ -175,9 +175,9 @@ TEST(FormFactors, HoldEveryPrintedSumInItsInterval) {
         scene.faces.emplace_back("twice");
         twice.face = 6;
         scene.surfaces.push_back(twice);
-        const FormFactorMatrix matrix = find_form_factors(scene, {});
-        EXPECT_FALSE(is_trusted(scene, matrix, 1e-5));
-        for (const RowSum& row : matrix.rows) {
+        const form_factors::Matrix matrix = form_factors::find_matrix(scene, {});
+        EXPECT_FALSE(form_factors::is_trusted(scene, matrix, 1e-5));
+        for (const form_factors::RowSum& row : matrix.rows) {
             EXPECT_LE(row.low, row.value);
             EXPECT_GE(row.high, row.value);
         }

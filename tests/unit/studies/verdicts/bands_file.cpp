@@ -11,7 +11,7 @@
 #include <limits>
 #include <string>
 
-namespace ff::studies {
+namespace ff::studies::gates {
 namespace {
 
 using testing::HasSubstr;
@@ -32,7 +32,7 @@ std::string refusal_of_bands(std::string_view text) {
 }
 
 TEST(BandsFile, ReadsTheExampleOfTheDocumentation) {
-    const GatesSpec spec = parse_bands(R"([gates]
+    const Spec spec = parse_bands(R"([gates]
 alpha = 1e-3
 power = 0.8
 seed = 7
@@ -58,7 +58,7 @@ reference = 0.19982489569838738
 reference_se = 1e-9
 band = 1e-3
 )",
-                                       "folder/push.toml", read_experiment);
+                                  "folder/push.toml", read_experiment);
     EXPECT_EQ(spec.name, "push");
     EXPECT_EQ(spec.alpha, 1e-3);
     EXPECT_EQ(spec.power, 0.8);
@@ -248,4 +248,4 @@ TEST(BandsFile, ReadsDistributionsAndAnytimeGates) {
 }
 
 }  // namespace
-}  // namespace ff::studies
+}  // namespace ff::studies::gates

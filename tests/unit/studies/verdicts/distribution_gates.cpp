@@ -12,7 +12,7 @@
 #include <random>
 #include <string>
 
-namespace ff::studies {
+namespace ff::studies::gates {
 namespace {
 
 using testing::HasSubstr;
@@ -28,8 +28,8 @@ Gate distribution_gate(double band) {
     return gate;
 }
 
-GatesSpec spec_of(const Gate& gate) {
-    GatesSpec spec;
+Spec spec_of(const Gate& gate) {
+    Spec spec;
     spec.gates = {gate};
     return spec;
 }
@@ -126,4 +126,4 @@ TEST(KnownLaw, HasTheStatedDistribution) {
 }
 
 }  // namespace
-}  // namespace ff::studies
+}  // namespace ff::studies::gates

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <random>
 
-namespace ff::studies {
+namespace ff::studies::gates {
 namespace {
 
 using testing::HasSubstr;
@@ -45,7 +45,7 @@ Gate bias_gate(double band) {
 }
 
 GateResult judge_file(const Gate& gate, const EstimatesFile& file) {
-    GatesSpec spec;
+    Spec spec;
     spec.gates = {gate};
     return judge_estimates(spec, gate, file);
 }
@@ -178,7 +178,7 @@ TEST(JudgeEstimates, RefusesSpreadsWhosePowersOverflow) {
 }
 
 TEST(PlanEstimates, SaysHowManyTrialsAreNeeded) {
-    GatesSpec spec;
+    Spec spec;
     const auto needed = [&](double band) {
         return plan_estimates(spec, bias_gate(band), file_of_estimates(estimates(400, 0))).needed;
     };
@@ -220,4 +220,4 @@ TEST(ExamineIndependence, RefusesTrialsThatShareSeeds) {
 }
 
 }  // namespace
-}  // namespace ff::studies
+}  // namespace ff::studies::gates

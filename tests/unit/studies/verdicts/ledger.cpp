@@ -4,7 +4,7 @@
 
 #include <gmock/gmock.h>
 
-namespace ff::studies {
+namespace ff::studies::gates {
 namespace {
 
 using testing::HasSubstr;
@@ -40,7 +40,7 @@ TEST(NextLook, CountsLooksAtTheSameCommitAndBands) {
 }
 
 TEST(AtLook, SpendsNoMoreThanAllOfAlpha) {
-    GatesSpec spec;
+    Spec spec;
     double alpha = 0;
     double pass_alpha = 0;
     for (std::size_t look = 1; look <= 20; ++look) {
@@ -56,7 +56,7 @@ TEST(AtLook, SpendsNoMoreThanAllOfAlpha) {
 // t = 1/4 and 1 of the spending functions; R: log(1 + (exp(1) - 1) / 4) is 0.3573740, and
 // 2 * (1 - pnorm(qnorm(1 - 0.05 / 2) / sqrt(1 / 4))) / 0.05 is 0.0017715.
 TEST(ShareOfLook, FollowsTheSpendingFunctions) {
-    GatesSpec spec;
+    Spec spec;
     spec.alpha = 0.05;
     spec.looks = 4;
     spec.spending = Spending::pocock;
@@ -68,7 +68,7 @@ TEST(ShareOfLook, FollowsTheSpendingFunctions) {
 TEST(ShareOfLook, AddsUpToOneOverAllPlannedLooks) {
     for (const Spending spending : {Spending::pocock, Spending::obrien_fleming}) {
         for (const double alpha : {0.05, 1e-4, 1e-9}) {
-            GatesSpec spec;
+            Spec spec;
             spec.alpha = alpha;
             spec.looks = 10;
             spec.spending = spending;
@@ -82,4 +82,4 @@ TEST(ShareOfLook, AddsUpToOneOverAllPlannedLooks) {
 }
 
 }  // namespace
-}  // namespace ff::studies
+}  // namespace ff::studies::gates

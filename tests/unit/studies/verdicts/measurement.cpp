@@ -10,7 +10,7 @@
 #include <cmath>
 #include <limits>
 
-namespace ff::studies {
+namespace ff::studies::gates {
 namespace {
 
 using test::eight_values;
@@ -137,4 +137,4 @@ TEST(MeasureExact, DecidesWithOneEvaluation) {
 }
 
 }  // namespace
-}  // namespace ff::studies
+}  // namespace ff::studies::gates

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <limits>
 
-namespace ff::studies {
+namespace ff::studies::gates {
 namespace {
 
 constexpr Levels strict_levels{.fail_alpha = 1e-5, .pass_alpha = 0.05 / 3, .power = 0.9};
@@ -117,4 +117,4 @@ TEST(RaysForLoss, SufficeToSeeOneLostRayWithTheStatedPower) {
 }
 
 }  // namespace
-}  // namespace ff::studies
+}  // namespace ff::studies::gates

@@ -5,7 +5,7 @@
 
 #include <gmock/gmock.h>
 
-namespace ff::studies {
+namespace ff::studies::gates {
 namespace {
 
 using testing::HasSubstr;
@@ -72,4 +72,4 @@ TEST(ParseReported, RefusesAnEmptyComparison) {
 }
 
 }  // namespace
-}  // namespace ff::studies
+}  // namespace ff::studies::gates

@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace ff::studies {
+namespace ff::studies::gates {
 namespace {
 
 using testing::HasSubstr;
@@ -44,7 +44,7 @@ Gate reported_gate(GateKind kind, Band band) {
 }
 
 GateResult judged(const Gate& gate, const ReportedFile& file, const ReportedFile* against = nullptr) {
-    GatesSpec spec;
+    Spec spec;
     spec.gates = {gate};
     return judge_reported(spec, gate, file, against);
 }
@@ -240,7 +240,7 @@ TEST(JudgeShares, FailNoMoreOftenThanStatedWhereHitsAreRare) {
     // where the rate is 5 %. An interval by the normal distribution fails every one of them, for bins without a hit.
     int failed = 0;
     for (std::uint64_t seed = 0; seed < 500; ++seed) {
-        GatesSpec spec;
+        Spec spec;
         spec.alpha = 0.05;
         spec.gates = {share_gate(3e-4, 1e-9)};
         const auto file = file_of_hits(50, 1, 1000, 3e-4, seed);
@@ -270,7 +270,7 @@ TEST(JudgeShares, RefuseInvalidShares) {
 }
 
 TEST(PlanReported, SaysHowManyRunsAreNeeded) {
-    GatesSpec spec;
+    Spec spec;
     const auto shares = plan_reported(spec, share_gate(0.3, 0.01), file_of_hits(20, 1, 1000, 0.3, 1), nullptr);
     EXPECT_EQ(shares.comparisons, 20u);
     EXPECT_EQ(shares.at_hand, 1u);
@@ -327,4 +327,4 @@ TEST(IndependentBins, AreNotJudgedWhenCorrelated) {
 }
 
 }  // namespace
-}  // namespace ff::studies
+}  // namespace ff::studies::gates

@@ -7,7 +7,7 @@
 
 #include <limits>
 
-namespace ff::studies {
+namespace ff::studies::gates {
 namespace {
 
 constexpr Band unit_band{-1, 1};
@@ -58,7 +58,7 @@ TEST(VerdictOf, IsTheWorstOfAll) {
 }
 
 TEST(LevelsOf, SplitAlphaAmongAllTestsAndPassingAlphaAmongLooks) {
-    GatesSpec spec;
+    Spec spec;
     spec.alpha = 0.12;
     spec.looks = 2;
     spec.gates.resize(3);
@@ -69,4 +69,4 @@ TEST(LevelsOf, SplitAlphaAmongAllTestsAndPassingAlphaAmongLooks) {
 }
 
 }  // namespace
-}  // namespace ff::studies
+}  // namespace ff::studies::gates

@@ -9,7 +9,7 @@
 
 #include <algorithm>
 
-namespace ff::studies {
+namespace ff::studies::form_factors {
 namespace {
 
 RateTable measured(std::uint64_t scenes, double shrink) {
@@ -46,12 +46,12 @@ TEST(AdversarialScenes, StateTheirExchangeCorrectly) {
         for (std::uint32_t replicate = 0; replicate < (trap == Trap::many_faces ? 1 : 3); ++replicate) {
             stats::Draws draws({}, stats::Resampling::simulation, replicate);
             const AdversarialScene drawn = draw_adversarial(trap, draws);
-            FormFactorRequest request;
+            Request request;
             request.tolerance = trap == Trap::many_faces || trap == Trap::ball ? 1e-5 : 5e-7;
             request.level = 0.999999;
             request.max_samples = trap == Trap::many_faces ? 20'000'000 : 1'000'000;
             request.threads = 2;
-            const FormFactorMatrix matrix = find_form_factors(drawn.scene, request);
+            const Matrix matrix = find_matrix(drawn.scene, request);
             for (const KnownExchange& known : drawn.known) {
                 const FaceExchange found = matrix.exchange(known.from, known.to);
                 EXPECT_LE(found.low - drawn.error, known.area) << name(trap) << replicate << ": " << known.to;
@@ -65,4 +65,4 @@ TEST(AdversarialScenes, StateTheirExchangeCorrectly) {
 }
 
 }  // namespace
-}  // namespace ff::studies
+}  // namespace ff::studies::form_factors

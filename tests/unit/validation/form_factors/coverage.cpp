@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace ff::studies {
+namespace ff::studies::form_factors {
 namespace {
 
 /// 100 seeds on three scenes of points and rays, level 0.95 of each entry and of the matrix.
@@ -35,4 +35,4 @@ TEST(FormFactorCoverage, FallsShortWhereIntervalsAreTooNarrow) {
 }
 
 }  // namespace
-}  // namespace ff::studies
+}  // namespace ff::studies::form_factors

@@ -8,7 +8,7 @@
 
 #include <cmath>
 
-namespace ff::studies {
+namespace ff::studies::gates {
 namespace {
 
 constexpr double level = 0.999;
@@ -69,4 +69,4 @@ TEST(Selftest, CountsClaimsThatDoNotHold) {
 }
 
 }  // namespace
-}  // namespace ff::studies
+}  // namespace ff::studies::gates

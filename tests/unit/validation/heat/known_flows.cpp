@@ -11,7 +11,7 @@
 #include <numbers>
 #include <vector>
 
-namespace ff::studies {
+namespace ff::studies::heat {
 namespace {
 
 template <class Factor>
@@ -36,11 +36,11 @@ TEST(KnownFlows, ComeFromClosedAndReciprocalFactors) {
 
 TEST(KnownFlows, AgreeWithRaysInAnAnnulus) {
     const Scene scene = annulus_scene();
-    FormFactorRequest request;
+    form_factors::Request request;
     request.tolerance = 1e-3;
     request.level = 1 - 1e-6;
-    request.level_of = LevelOf::matrix;
-    for (const FaceExchange& pair : find_form_factors(scene, request).exchanges) {
+    request.level_of = form_factors::LevelOf::matrix;
+    for (const form_factors::FaceExchange& pair : form_factors::find_matrix(scene, request).exchanges) {
         const double known = annulus_factor(static_cast<int>(pair.from), static_cast<int>(pair.to));
         const double area = std::array<double, 4>{4, 8, 3, 3}.at(pair.from) * std::numbers::pi;
         EXPECT_LE(pair.low, known * area + 1e-12) << pair.from << " " << pair.to;
@@ -60,11 +60,11 @@ TEST(KnownFlows, AgreeWithRandomWalksInTheFurnace) {
 }
 
 TEST(KnownFlows, AgreeWithTheFactorsOfTheFurnace) {
-    FormFactorRequest request;
+    form_factors::Request request;
     request.tolerance = 1e-4;
-    request.level_of = LevelOf::matrix;
+    request.level_of = form_factors::LevelOf::matrix;
     const Scene scene = furnace_scene();
-    const auto flows = find_heat_flows(scene, find_form_factors(scene, request), furnace_materials(), 1);
+    const auto flows = find_flows(scene, form_factors::find_matrix(scene, request), furnace_materials(), 1);
     const auto block = std::find(scene.faces.begin(), scene.faces.end(), "block") - scene.faces.begin();
     const Bounds power = flows.faces[static_cast<std::size_t>(block)].power;
     EXPECT_LE(power.low, furnace_power().high);
@@ -72,4 +72,4 @@ TEST(KnownFlows, AgreeWithTheFactorsOfTheFurnace) {
 }
 
 }  // namespace
-}  // namespace ff::studies
+}  // namespace ff::studies::heat
