@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# docs/results.schema.json describes what the program writes, and tells other files apart.
+# docs/results.schema.json describes what the program writes, and tells other files apart; docs/results.md lists all columns
+# of tables, and no others.
 # Needs jsonschema.
 here=$(cd "$(dirname "$0")/.." && pwd)
 source "$(dirname "$0")/../harness.sh"
@@ -59,6 +60,16 @@ for scene in cube room.toml; do
         expect_valid "lit_$scene$patch_trials/results.json"
     done
 done
+# Columns of all tables.
+{ small_study 64 && printf '[coverage]\nreplicates = [4, 16]\n'; } >covered.toml
+ffstudy run covered.toml --out covered
+expect_status 0
+columns_are_listed() { /usr/bin/python3 "$here/validate_columns" "$@" >"$folder/stdout" 2>"$folder/stderr"; }
+columns_are_listed small other covered lit_cube2 || fail "expected docs/results.md to list all columns"
+mkdir renamed
+sed '1s/,bias_se,/,bias_error,/' small/summary.csv >renamed/summary.csv
+! columns_are_listed other covered lit_cube2 renamed || fail "expected a column to be missed in docs/results.md"
+! columns_are_listed small other lit_cube2 || fail "expected columns of docs/results.md to be missed in files"
 # A shard that lacks whole cells.
 ffstudy run "$folder/study.toml" --shard 1/7 --out part
 ffstudy report part
