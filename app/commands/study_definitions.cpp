@@ -58,7 +58,7 @@ void add_convergence(ProgramDefinition& program, studies::ConvergenceRequest& re
                {.type = "ESTIMATOR", .shows_default = true});
     sub.option("--scene", request.scenes, "Scenes, separated by commas",
                {.type = "SCENE", .delimiter = ',', .shows_default = true});
-    sub.option("--samples", request.samples, "Sizes: a range, or numbers separated by commas",
+    sub.option("--samples", request.samples_per_patch, "Sizes: a range, or numbers separated by commas",
                {.type = "SIZES", .shows_default = true});
     sub.option("--patches", request.patches_per_face, "Patches of a face", {.shows_default = true});
     sub.option("--allocation", request.allocation, "Whose points they are: " + names_in_words("allocations"),

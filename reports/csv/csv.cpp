@@ -53,7 +53,8 @@ void write_trials_csv(std::ostream& out, const studies::Store& store) {
         const studies::Cell& cell = plan.cells[index];
         const Scene& scene = plan.scenes[cell.scene];
         const auto estimates = studies::load_estimates(store, index, studies::Completion::direct);
-        const std::string samples = cell.samples == 0 ? std::string() : std::to_string(cell.samples);
+        const std::string samples =
+            cell.samples_per_patch == 0 ? std::string() : std::to_string(cell.samples_per_patch);
         const std::string prefix =
             fmt::format("{},{},{},{},{}", csv_field(plan.spec.name), csv_field(scene.name),
                         csv_field(plan.spec.methods[cell.method].name), cell.subdivision.per_part(), samples);

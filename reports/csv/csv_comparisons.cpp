@@ -42,8 +42,8 @@ void write_claimed_errors_csv(std::ostream& out, const studies::StudyResults& re
         const studies::ClaimedErrors& row = results.claimed_errors[i];
         const Scene& scene = plan.scenes[plan.cells[row.cell].scene];
         Json record = in_cell(plan, row.cell, rows[i]);
-        record["worst_from"] = from_label(scene, row.worst);
-        record["worst_to"] = to_label(scene, row.worst);
+        record["worst_from"] = from_label(scene, row.worst_pair);
+        record["worst_to"] = to_label(scene, row.worst_pair);
         csv.add(record);
     }
 }

@@ -36,11 +36,11 @@ Json bias_json(const studies::StudyPlan& plan, const studies::CellAnalysis& foun
     return {{"finding", name(found.bias_finding)},
             {"pairs", family.pairs},
             {"untestable", family.untestable},
-            {"infinite_variance", family.infinite},
-            {"no_exact_value", family.unknown},
-            {"too_few_hits", family.sparse},
-            {"too_skewed", family.skewed},
-            {"not_finite", family.undefined},
+            {"infinite_variance", family.infinite_variance},
+            {"no_exact_value", family.no_exact_value},
+            {"too_few_hits", family.too_few_hits},
+            {"too_skewed", family.too_skewed},
+            {"not_finite", family.not_finite},
             {"constant_and_wrong", family.constant_and_wrong},
             {"largest_t", family.largest_t},
             {"largest_pair", family.largest_t > 0 ? Json(quantity_label(scene, family.largest_pair)) : Json(nullptr)},
@@ -116,7 +116,7 @@ Json published_json(const studies::PublishedResults& published) {
     for (const studies::audit::Finding& finding : published.audit.findings) {
         const bool contradiction = finding.severity == studies::audit::Severity::contradiction;
         Json figures = Json::array();
-        for (const std::size_t figure : finding.figures) figures.push_back(studies::describe(published.tables, figure));
+        for (const std::size_t figure : finding.blamed) figures.push_back(studies::describe(published.tables, figure));
         findings.push_back({{"id", finding.id},
                             {"severity", contradiction ? "contradiction" : "note"},
                             {"relation", studies::audit::name(finding.relation)},
@@ -178,7 +178,7 @@ Json cell_json(const studies::StudyPlan& plan, const studies::CellAnalysis& foun
             {"map", estimator.has_map ? Json(studies::name(method.map)) : Json(nullptr)},
             {"nodes", nodes_json(method)},
             {"patches_per_face", cell.subdivision.per_part()},
-            {"samples_per_patch", cell.samples == 0 ? Json(nullptr) : Json(cell.samples)},
+            {"samples_per_patch", cell.samples_per_patch == 0 ? Json(nullptr) : Json(cell.samples_per_patch)},
             {"deterministic", cell.deterministic},
             {"trials", found.trials},
             {"trials_planned", found.trials_planned},
@@ -192,7 +192,7 @@ Json in_cell(const studies::StudyPlan& plan, std::size_t cell, const Json& recor
              {"scene", plan.scenes[of.scene].name},
              {"method", plan.spec.methods[of.method].name},
              {"patches_per_face", of.subdivision.per_part()},
-             {"samples_per_patch", of.samples == 0 ? Json(nullptr) : Json(of.samples)},
+             {"samples_per_patch", of.samples_per_patch == 0 ? Json(nullptr) : Json(of.samples_per_patch)},
              {"level", plan.spec.level}};
     all.update(record);
     return all;

@@ -53,13 +53,13 @@ Json coverage_json(const studies::StudyResults& results) {
     for (const studies::Coverage& row : results.coverage) {
         rows.push_back({{"cell", cell_label(plan, plan.cells[row.cell])},
                         {"pair_class", ff::name(row.pair_class)},
-                        {"interval_method", studies::name(row.rule)},
+                        {"interval_method", studies::name(row.interval_method)},
                         {"replicates", row.replicates},
                         {"mean_trials", row.mean_trials},
                         {"intervals", row.intervals},
                         {"covered", row.covered},
                         {"coverage", row.share()},
-                        {"coverage_interval", interval_json(row.actual)},
+                        {"coverage_interval", interval_json(row.coverage_interval)},
                         {"short_of_nominal", row.short_of_nominal}});
     }
     return rows;
@@ -86,12 +86,13 @@ Json contests_json(const studies::StudyResults& results, Timed timed) {
         Json entrants = Json::array();
         for (const studies::Entrant& entrant : contest.entrants) {
             const studies::Cell& cell = plan.cells[entrant.cell];
-            entrants.push_back({{"method", plan.spec.methods[cell.method].name},
-                                {"patches_per_face", cell.subdivision.per_part()},
-                                {"samples_per_patch", cell.samples == 0 ? Json(nullptr) : Json(cell.samples)},
-                                {"repeats", entrant.repeats},
-                                {"value", entrant.value},
-                                {"group", entrant.group + 1}});
+            entrants.push_back(
+                {{"method", plan.spec.methods[cell.method].name},
+                 {"patches_per_face", cell.subdivision.per_part()},
+                 {"samples_per_patch", cell.samples_per_patch == 0 ? Json(nullptr) : Json(cell.samples_per_patch)},
+                 {"repeats", entrant.repeats},
+                 {"value", entrant.value},
+                 {"group", entrant.group + 1}});
         }
         Json ratios = Json::array();
         for (const studies::Handicap& handicap : contest.handicaps) {
@@ -122,9 +123,9 @@ Json claimed_errors_json(const studies::StudyResults& results) {
                         {"promised", row.promised},
                         {"claims", row.claims},
                         {"held", row.held},
-                        {"worst_pair", quantity_label(plan.scenes[cell.scene], row.worst)},
+                        {"worst_pair", quantity_label(plan.scenes[cell.scene], row.worst_pair)},
                         {"worst_held", row.worst_held},
-                        {"worst_share_interval", interval_json(row.worst_share)},
+                        {"worst_share_interval", interval_json(row.worst_share_interval)},
                         // Ratios are infinite where the claimed error is 0.
                         {"median_ratio", finite_json(row.median_ratio)},
                         {"largest_ratio", finite_json(row.largest_ratio)},

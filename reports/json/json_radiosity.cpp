@@ -94,7 +94,7 @@ Json setting_json(const studies::StudyPlan& plan, const studies::radiosity::Cons
             {"singular", at.singular},
             {"negative", at.negative},
             {"spectral_radius", range_json(at.spectral_radius)},
-            {"spectral_radius_uncertainty", at.radius_uncertainty},
+            {"spectral_radius_uncertainty", at.spectral_radius_uncertainty},
             {"condition", range_json(at.condition)},
             {"energy_defect", at.energy_defect ? range_json(*at.energy_defect) : Json(nullptr)},
             {"light_error", optional_json(at.light_error)},

@@ -28,10 +28,10 @@ std::string hits_in_words(const std::optional<HitRange>& hits) {
 
 /// "table6, 1 - 2, PDM r.e. (%) and 11 more"
 std::string blame_in_words(const PublishedTables& tables, const Finding& finding) {
-    if (finding.figures.empty())
+    if (finding.blamed.empty())
         return finding.relation == studies::audit::Relation::closure ? "the method" : "the text";
-    std::string text = describe(tables, finding.figures.front());
-    if (finding.figures.size() > 1) text += fmt::format(" and {} more", finding.figures.size() - 1);
+    std::string text = describe(tables, finding.blamed.front());
+    if (finding.blamed.size() > 1) text += fmt::format(" and {} more", finding.blamed.size() - 1);
     return text;
 }
 

@@ -43,7 +43,7 @@ std::optional<Picture> claims_picture(const studies::StudyResults& results) {
                       .method = cell.method,
                       .size = size_label(plan, cell),
                       .value = share,
-                      .interval = each.worst_share,
+                      .interval = each.worst_share_interval,
                       .expected = each.promised,
                       .group = fails(each) ? "fails" : ""});
         }

@@ -83,7 +83,7 @@ Table claimed_errors_table(const studies::StudyResults& results, Claims claims) 
                               {std::string(in_words(row.claimant))},
                               {trials == 1 ? std::string("–")
                                            : fmt::format("{} of {} [{:.3f}, {:.3f}]", row.worst_held, trials,
-                                                         row.worst_share.low, row.worst_share.high)},
+                                                         row.worst_share_interval.low, row.worst_share_interval.high)},
                               {times_claimed(row.median_ratio) + ", " + times_claimed(row.largest_ratio)}});
     }
     return without_idle_columns(std::move(table));

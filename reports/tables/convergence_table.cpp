@@ -73,7 +73,7 @@ Table convergence_table(const studies::StudyResults& results) {
                                   {finding_in_words(found), mark_of_speed(found)},
                                   {slope(found.rmse)},
                                   {interval_text(found.rmse.interval)},
-                                  {interval_text(found.rmse.from_fit)},
+                                  {interval_text(found.rmse.interval_from_fit)},
                                   {found.rmse.lack_of_fit_p ? p_value(*found.rmse.lack_of_fit_p) : "–"},
                                   {slope(found.median)},
                                   {interval_text(found.median.interval)},

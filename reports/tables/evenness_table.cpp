@@ -38,7 +38,7 @@ Table evenness_table(const studies::StudyResults& results) {
         const auto& [tau, interval] = found.correlation;
         table.rows.push_back(
             {{fmt::format("{}, {}", plan.scenes[cell.scene].name, plan.spec.methods[cell.method].estimator)},
-             {fmt::format("{}", cell.samples)},
+             {fmt::format("{}", cell.samples_per_patch)},
              {std::string(name(found.pair_class))},
              {std::string(found.measure)},
              {fmt::format("{}", found.methods)},

@@ -116,9 +116,10 @@ Table coverage_table(const studies::StudyResults& results) {
         const bool infinite = results.findings.cells[row.cell].has_infinite_variance(row.pair_class);
         table.rows.push_back({{method_label(plan, cell)},
                               {std::string(name(row.pair_class))},
-                              {std::string(rule_in_words(row.rule))},
+                              {std::string(rule_in_words(row.interval_method))},
                               {std::to_string(row.replicates)},
-                              {fmt::format("{:.4f} [{:.4f}, {:.4f}]", row.share(), row.actual.low, row.actual.high),
+                              {fmt::format("{:.4f} [{:.4f}, {:.4f}]", row.share(), row.coverage_interval.low,
+                                           row.coverage_interval.high),
                                row.short_of_nominal ? Mark::bad : Mark::none},
                               {infinite ? "infinite variance" : ""},
                               {fmt::format("{:.1f}", row.mean_trials)},

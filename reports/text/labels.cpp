@@ -43,11 +43,11 @@ std::string size_label(const studies::StudyPlan& plan, const studies::Cell& cell
         return fmt::format("{} × {}²·{}² nodes", patches, source, target);
     }
     const EstimatorInfo& estimator = estimator_info(method);
-    if (cell.samples == 0) return estimator.exact ? "exact" : "one size";
+    if (cell.samples_per_patch == 0) return estimator.exact ? "exact" : "one size";
     const std::string_view counted = estimator.observes == Observes::hits ? "rays"
                                      : estimator.own_points               ? estimator.evaluations
                                                                           : "points";
-    return fmt::format("{} × {} {}", patches, cell.samples, counted);
+    return fmt::format("{} × {} {}", patches, cell.samples_per_patch, counted);
 }
 
 std::string cell_label(const studies::StudyPlan& plan, const studies::Cell& cell) {

@@ -21,7 +21,7 @@ std::string audit_summary(const PublishedTables& tables, const Report& report) {
     std::size_t number = 0;
     for (const Finding& f : report.findings) {
         const std::string line =
-            f.figures.empty() ? std::string{} : fmt::format(" (line {})", tables.figures[f.figures.front()].line);
+            f.blamed.empty() ? std::string{} : fmt::format(" (line {})", tables.figures[f.blamed.front()].line);
         text += fmt::format("{:3}. {}{}\n", ++number, f.statement, line);
     }
     return text;

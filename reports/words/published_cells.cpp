@@ -52,7 +52,7 @@ std::set<std::size_t> blamed_figures(const studies::audit::Report& audit) {
     std::set<std::size_t> blamed;
     for (const studies::audit::Finding& finding : audit.findings) {
         if (finding.severity == studies::audit::Severity::contradiction)
-            blamed.insert(finding.figures.begin(), finding.figures.end());
+            blamed.insert(finding.blamed.begin(), finding.blamed.end());
     }
     return blamed;
 }

@@ -216,7 +216,8 @@ std::string repeats_in_words(const StudyPlan& plan, const CellAnalysis& found) {
         "method '{}' in scene '{}'{}: {} of {} trials repeat earlier ones bit for bit (real numbers never do "
         "by chance). They are no independent trials, and nothing is tested: let all bits of the seed count.",
         plan.spec.methods[cell.method].name, plan.scenes[cell.scene].name,
-        cell.samples > 0 ? fmt::format(" at {} samples", cell.samples) : "", found.repeated_trials, found.trials);
+        cell.samples_per_patch > 0 ? fmt::format(" at {} samples", cell.samples_per_patch) : "", found.repeated_trials,
+        found.trials);
 }
 
 }  // namespace ff::studies

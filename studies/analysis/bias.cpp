@@ -236,12 +236,12 @@ BiasFamily judge_bias(const StudyPlan& plan, const CellEstimates& estimates, std
         if (!test) {
             ++family.untestable;
             if (!summary.reference) {
-                ++family.unknown;
+                ++family.no_exact_value;
                 continue;
             }
-            if (summary.variance == VarianceStatus::infinite) ++family.infinite;
-            if (summary.variance == VarianceStatus::sparse) ++family.sparse;
-            if (summary.variance == VarianceStatus::undefined) ++family.undefined;
+            if (summary.variance == VarianceStatus::infinite) ++family.infinite_variance;
+            if (summary.variance == VarianceStatus::sparse) ++family.too_few_hits;
+            if (summary.variance == VarianceStatus::undefined) ++family.not_finite;
             const bool varies = summary.std && *summary.std > 0;
             if (summary.variance != VarianceStatus::finite || varies || !summary.bias || estimates.trials() < 2)
                 continue;
@@ -249,7 +249,7 @@ BiasFamily judge_bias(const StudyPlan& plan, const CellEstimates& estimates, std
             const double p = p_of_constant(*summary.bias, estimates.lattice(pairs[i]), estimates.trials());
             if (p == 1) continue;
             if (tester.may_be_unmet(summary)) {
-                ++family.skewed;
+                ++family.too_skewed;
                 continue;
             }
             constants.push_back(p_values.size());
@@ -275,7 +275,7 @@ BiasFamily judge_bias(const StudyPlan& plan, const CellEstimates& estimates, std
                 std::max(family.minimum_detectable_bias, summary.minimum_detectable_bias.value_or(1.0));
         } else {
             ++family.untestable;
-            ++family.skewed;
+            ++family.too_skewed;
         }
         const stats::Interval& interval = test->equivalence;
         family.shown_below = std::max({family.shown_below, std::abs(interval.low), std::abs(interval.high)});

@@ -14,17 +14,17 @@ namespace ff::studies {
 /// The evidence on bias from the trials, on all distinct pairs of a cell together. The family-wise error rate is that
 /// of the whole study: each of its sampled cells gets an equal (Sidak) share of it.
 struct BiasFamily {
-    std::size_t pairs = 0;            ///< 30 in a box, or 15 under reciprocal completion
-    std::size_t untestable = 0;       ///< pairs among them without a variance or an exact value
-    std::size_t unknown = 0;          ///< untestable because there is no exact value
-    std::size_t infinite = 0;         ///< untestable because the variance is infinite
-    std::size_t sparse = 0;           ///< untestable because there are too few hits
-    std::size_t skewed = 0;           ///< untestable because so few trials, so skewed, show no bias of any size
-    std::size_t undefined = 0;        ///< untestable because some trial gave no number
-    bool few_trials = false;          ///< nothing is tested: too few trials, or no possible bias is detectable
-    bool constant_and_wrong = false;  ///< some pair has the same wrong value in every trial, beyond chance
-    bool constant = false;            ///< the same where the law of the values is known well enough, or not
-    double largest_t = 0;             ///< largest |t|, t = bias / standard error
+    std::size_t pairs = 0;              ///< 30 in a box, or 15 under reciprocal completion
+    std::size_t untestable = 0;         ///< pairs among them without a variance or an exact value
+    std::size_t no_exact_value = 0;     ///< untestable because there is no exact value
+    std::size_t infinite_variance = 0;  ///< untestable because the variance is infinite
+    std::size_t too_few_hits = 0;       ///< untestable because there are too few hits
+    std::size_t too_skewed = 0;         ///< untestable because so few trials, so skewed, show no bias of any size
+    std::size_t not_finite = 0;         ///< untestable because some trial gave no number
+    bool few_trials = false;            ///< nothing is tested: too few trials, or no possible bias is detectable
+    bool constant_and_wrong = false;    ///< some pair has the same wrong value in every trial, beyond chance
+    bool constant = false;              ///< the same where the law of the values is known well enough, or not
+    double largest_t = 0;               ///< largest |t|, t = bias / standard error
     Quantity largest_pair;
     double adjusted_p = 1;  ///< smallest p-value, adjusted for pairs (Holm) and cells (Sidak): the family-wise verdict
     double student_p = 1;   ///< the same if no value were skewed

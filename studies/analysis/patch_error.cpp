@@ -22,7 +22,7 @@ struct PatchTotals {
 PatchTotals patch_totals(const Store& store, std::size_t cell) {
     const Cell& planned = store.plan().cells.at(cell);
     const bool counted = estimator_info(store.plan().spec.methods[planned.method]).observes == Observes::hits;
-    const auto rays = static_cast<double>(planned.samples);
+    const auto rays = static_cast<double>(planned.samples_per_patch);
     PatchTotals totals;
     Statement query(store.database().handle(),
                     "SELECT trials, patch_hits, patch_hits_squared FROM units WHERE cell = ? ORDER BY unit");

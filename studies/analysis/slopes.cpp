@@ -62,23 +62,23 @@ std::optional<double> p_of_expected(const Slope& slope, double standard_error) {
 
 void fit(std::span<const stats::Rung> rungs, double level, const stats::LadderDraws& draws, Slope& slope) {
     slope.points = rungs.size();
-    if (slope.expected && slope.expected->of_median && slope.error == ErrorSize::rmse) slope.expected.reset();
+    if (slope.expected && slope.expected->of_median && slope.statistic == ErrorSize::rmse) slope.expected.reset();
     if (slope.expected)
         slope.slowest_expected = slope.expected->slowest(std::sqrt(rungs.front().size * rungs.back().size));
     if (slope.variance == VarianceStatus::none) {
-        slope.slope = deterministic_slope(rungs, slope.error);
+        slope.slope = deterministic_slope(rungs, slope.statistic);
         return;
     }
-    if (slope.variance == VarianceStatus::infinite && slope.error == ErrorSize::rmse) return;
-    const auto rate = slope.error == ErrorSize::rmse ? stats::fit_rmse_rate(rungs, level, draws)
-                                                     : stats::fit_median_rate(rungs, level, draws);
+    if (slope.variance == VarianceStatus::infinite && slope.statistic == ErrorSize::rmse) return;
+    const auto rate = slope.statistic == ErrorSize::rmse ? stats::fit_rmse_rate(rungs, level, draws)
+                                                         : stats::fit_median_rate(rungs, level, draws);
     if (!rate) return;
     slope.slope = rate->rate;
     const auto few = [](const stats::Rung& rung) { return rung.replicates() < stats::fewest_replicates; };
     slope.few_trials = slope.few_trials || std::any_of(rungs.begin(), rungs.end(), few);
     if (slope.few_trials) return;
     slope.interval = rate->bootstrap;
-    if (slope.error == ErrorSize::rmse) slope.from_fit = rate->interval;
+    if (slope.statistic == ErrorSize::rmse) slope.interval_from_fit = rate->interval;
     slope.lack_of_fit_p = rate->lack_of_fit_p;
     slope.misfit = rate->misfit;
     if (slope.expected) slope.p = p_of_expected(slope, rate->standard_error);
@@ -153,7 +153,7 @@ class LadderFit {
         Slope slope;
         slope.pair = pair;
         slope.pair_class = class_of(pairs.front());
-        slope.error = error;
+        slope.statistic = error;
         slope.variance = variance_of(pairs.front());
         slope.few_trials = std::any_of(ladder_.cells.begin(), ladder_.cells.end(),
                                        [&](std::size_t cell) { return findings_.cells[cell].repeated_trials > 0; });

@@ -22,14 +22,14 @@ std::string_view name(ErrorSize size);
 struct Slope {
     std::optional<Quantity> pair;  ///< empty for all pairs of a class together
     PairClass pair_class = PairClass::other;
-    ErrorSize error = ErrorSize::rmse;
+    ErrorSize statistic = ErrorSize::rmse;
     VarianceStatus variance = VarianceStatus::finite;
     std::size_t points = 0;                   ///< sizes in the fit
     std::optional<double> slope;              ///< empty without variance (rmse), or where the error is rounding
     std::optional<stats::Interval> interval;  ///< bootstrap over whole trials; empty for deterministic methods
-    std::optional<stats::Interval> from_fit;  ///< from the weights of the fit; rmse only
-    std::optional<double> lack_of_fit_p;      ///< p-value of a straight line; rmse only
-    double misfit = 1;                        ///< sqrt(chi-squared / degrees of freedom) of a straight line, at least 1
+    std::optional<stats::Interval> interval_from_fit;  ///< from the weights of the fit; rmse only
+    std::optional<double> lack_of_fit_p;               ///< p-value of a straight line; rmse only
+    double misfit = 1;  ///< sqrt(chi-squared / degrees of freedom) of a straight line, at least 1
     std::optional<ExpectedRate> expected;
     double slowest_expected = 0;  ///< ExpectedRate::slowest at the middle of the ladder
     std::optional<double> p;      ///< p-value of the slope being as expected

@@ -41,7 +41,7 @@ class Auditor {
 
   private:
     void add(Finding finding) {
-        if (finding.involved.empty()) finding.involved = finding.figures;
+        if (finding.involved.empty()) finding.involved = finding.blamed;
         report_.findings.push_back(std::move(finding));
     }
 
@@ -103,7 +103,7 @@ class Auditor {
             f.relation = Relation::reference;
             f.statement = fmt::format("The relative errors of {} ({} pairs) are relative to {}, not to the stated {}.",
                                       r.table, r.pair_class, r.text, r.stated);
-            f.figures = r.unexplained_by_stated;
+            f.blamed = r.unexplained_by_stated;
             f.evidence.push_back({Relation::relative_error,
                                   fmt::format("{} explains {} of {} different rows, {} explains {}.", r.text,
                                               r.explained, r.rows, r.stated, r.explained_by_stated),
@@ -309,7 +309,7 @@ class Auditor {
     }
 
     void sort_findings() {
-        const auto place = [](const Finding& f) { return f.figures.empty() ? std::size_t{0} : f.figures.front() + 1; };
+        const auto place = [](const Finding& f) { return f.blamed.empty() ? std::size_t{0} : f.blamed.front() + 1; };
         std::stable_sort(report_.findings.begin(), report_.findings.end(), [&](const Finding& a, const Finding& b) {
             if (a.severity != b.severity) return a.severity < b.severity;
             return place(a) < place(b);

@@ -36,7 +36,7 @@ struct Finding {
     Severity severity = Severity::contradiction;
     Relation relation = Relation::print;  ///< relation that the first evidence is about
     std::string statement;                ///< a sentence
-    std::vector<std::size_t> figures;     ///< blamed figures; may be empty where a verbal statement is wrong
+    std::vector<std::size_t> blamed;      ///< figures; may be empty where a verbal statement is wrong
     std::vector<Correction> corrections;  ///< what blamed figures should say, equal corrections once
     std::vector<Evidence> evidence;
     std::vector<std::string> alternatives;  ///< other possible culprits, a sentence each

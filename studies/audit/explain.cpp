@@ -86,7 +86,7 @@ class Explainer {
 
     Finding explain_group(const std::vector<std::size_t>& group) {
         Finding finding;
-        finding.figures = figures_of(model_.system, group);
+        finding.blamed = figures_of(model_.system, group);
         std::vector<std::string> sentences;
         for (const std::size_t s : group) {
             if (const Correction* correction = correction_of(s)) {
@@ -100,14 +100,14 @@ class Explainer {
         finding.statement = fmt::format("{}", fmt::join(sentences, " "));
         if (!finding.evidence.empty()) finding.relation = finding.evidence.front().relation;
         add_alternatives(group, finding);
-        if (finding.figures.empty()) {
+        if (finding.blamed.empty()) {
             finding.id = fmt::format("not so: {}", model_.system.suspects[group.front()].assumption);
         } else {
-            const Figure& figure = tables_.figures[finding.figures.front()];
+            const Figure& figure = tables_.figures[finding.blamed.front()];
             finding.id = fmt::format("{}.{}.{}", figure.table, figure.row + 1, figure.column + 1);
-            if (finding.figures.size() > 1) finding.id += fmt::format("+{}", finding.figures.size() - 1);
+            if (finding.blamed.size() > 1) finding.id += fmt::format("+{}", finding.blamed.size() - 1);
         }
-        finding.involved.insert(finding.involved.end(), finding.figures.begin(), finding.figures.end());
+        finding.involved.insert(finding.involved.end(), finding.blamed.begin(), finding.blamed.end());
         for (const Evidence& evidence : finding.evidence) {
             finding.involved.insert(finding.involved.end(), evidence.figures.begin(), evidence.figures.end());
         }

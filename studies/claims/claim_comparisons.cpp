@@ -74,7 +74,7 @@ std::vector<std::size_t> contending_cells(const ClaimEvidence& evidence, const P
         const Method& method = findings.plan.spec.methods[cell.method];
         if (cell.scene != evidence.scene()) continue;
         const bool same_size = names(claim.patches_per_face, cell.subdivision.per_part()) &&
-                               (cell.deterministic || names(claim.samples_per_patch, cell.samples));
+                               (cell.deterministic || names(claim.samples_per_patch, cell.samples_per_patch));
         if (!same_size || estimator_info(method).exact || findings.cells[i].trials == 0) continue;
         result.push_back(i);
     }

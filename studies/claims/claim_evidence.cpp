@@ -19,12 +19,12 @@ std::vector<std::size_t> ClaimEvidence::cells(const PublishedClaim& claim, std::
         if (findings_.cells[i].trials == 0 || findings_.plan.spec.methods[cell.method].name != claim.methods[method])
             continue;
         if (!names(claim.patches_per_face, cell.subdivision.per_part())) continue;
-        if (cell.deterministic || names(claim.samples_per_patch, cell.samples)) found.push_back(i);
+        if (cell.deterministic || names(claim.samples_per_patch, cell.samples_per_patch)) found.push_back(i);
     }
     std::sort(found.begin(), found.end(), [&](std::size_t a, std::size_t b) {
         const Cell& x = findings_.plan.cells[a];
         const Cell& y = findings_.plan.cells[b];
-        return std::pair(x.subdivision.m, x.samples) < std::pair(y.subdivision.m, y.samples);
+        return std::pair(x.subdivision.m, x.samples_per_patch) < std::pair(y.subdivision.m, y.samples_per_patch);
     });
     return found;
 }

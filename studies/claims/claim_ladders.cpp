@@ -30,7 +30,7 @@ std::string ladder(const ClaimEvidence& evidence, const std::vector<std::size_t>
     std::vector<std::string> rungs;
     for (std::size_t i = 0; i < cells.size(); ++i) {
         const Cell& cell = evidence.findings().plan.cells[cells[i]];
-        const std::string samples = cell.deterministic ? "" : fmt::format(" × {} rays", cell.samples);
+        const std::string samples = cell.deterministic ? "" : fmt::format(" × {} rays", cell.samples_per_patch);
         rungs.push_back(
             fmt::format("{} at {} patches per face{}", percent(errors[i]), cell.subdivision.per_part(), samples));
     }

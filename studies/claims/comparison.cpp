@@ -176,7 +176,7 @@ std::optional<std::size_t> find_cell(const StudyPlan& plan, std::size_t scene, s
         const Cell& cell = plan.cells[i];
         if (cell.scene != scene) continue;
         if (plan.spec.methods[cell.method].name != method || cell.subdivision.per_part() != patches_per_face) continue;
-        if (!samples_per_patch || cell.samples == *samples_per_patch) return i;
+        if (!samples_per_patch || cell.samples_per_patch == *samples_per_patch) return i;
     }
     return std::nullopt;
 }

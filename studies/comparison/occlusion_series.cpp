@@ -48,7 +48,7 @@ std::optional<Slope> slope_of(const std::vector<LadderSlopes>& slopes, std::size
     for (const LadderSlopes& ladder : slopes) {
         if (ladder.ladder.scene != scene || ladder.ladder.method != method) continue;
         for (const Slope& slope : ladder.pairs) {
-            if (slope.pair == pair && slope.error == size) return slope;
+            if (slope.pair == pair && slope.statistic == size) return slope;
         }
     }
     return std::nullopt;

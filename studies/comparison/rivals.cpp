@@ -41,7 +41,7 @@ std::vector<std::size_t> comparable_cells(const Analysis& findings, std::size_t 
     std::map<std::pair<std::uint32_t, std::uint64_t>, std::set<std::size_t>> methods_of_size;
     for (const Cell& cell : plan.cells) {
         if (cell.scene == scene && !cell.deterministic)
-            methods_of_size[{cell.subdivision.m, cell.samples}].insert(cell.method);
+            methods_of_size[{cell.subdivision.m, cell.samples_per_patch}].insert(cell.method);
     }
     std::pair<std::uint32_t, std::uint64_t> size{0, 0};
     std::tuple<std::size_t, std::uint64_t> best{0, 0};
@@ -54,8 +54,8 @@ std::vector<std::size_t> comparable_cells(const Analysis& findings, std::size_t 
         const Cell& cell = plan.cells[i];
         if (cell.scene != scene || estimator_info(plan.spec.methods[cell.method]).exact) continue;
         if (may_be_luck(plan, cell)) continue;
-        const bool fits =
-            cell.deterministic ? cell.subdivision.m == size.first : std::pair(cell.subdivision.m, cell.samples) == size;
+        const bool fits = cell.deterministic ? cell.subdivision.m == size.first
+                                             : std::pair(cell.subdivision.m, cell.samples_per_patch) == size;
         const bool any_size = cell.deterministic || is_exact_to_rounding(findings.cells[i]);
         if (fits || (any_size && !chosen.contains(cell.method))) chosen.insert_or_assign(cell.method, i);
     }

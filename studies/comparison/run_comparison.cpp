@@ -59,7 +59,7 @@ std::optional<std::size_t> counterpart(const StudyPlan& plan, const Scene& scene
         const Scene& there = plan.scenes[cell.scene];
         if (there.name == scene.name && difference_of_faces(there, scene).empty() &&
             plan.spec.methods[cell.method].name == method && cell.subdivision.m == size.subdivision.m &&
-            cell.samples == size.samples)
+            cell.samples_per_patch == size.samples_per_patch)
             return i;
     }
     return std::nullopt;

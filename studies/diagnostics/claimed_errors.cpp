@@ -101,14 +101,15 @@ std::optional<ClaimedErrors> judge(const Store& store, const CellEstimates& esti
         ratios.insert(ratios.end(), of_pair.ratios.begin(), of_pair.ratios.end());
         if (of_pair.held >= fewest) continue;
         fewest = of_pair.held;
-        found.worst = pair;
+        found.worst_pair = pair;
     }
     found.worst_held = fewest;
-    found.worst_share = stats::clopper_pearson_interval({fewest, estimates.trials()},
-                                                        1 - (1 - level) / static_cast<double>(pairs.size()));
+    found.worst_share_interval = stats::clopper_pearson_interval({fewest, estimates.trials()},
+                                                                 1 - (1 - level) / static_cast<double>(pairs.size()));
     found.median_ratio = *stats::median_absolute_error(ratios, 0);
     found.largest_ratio = *std::max_element(ratios.begin(), ratios.end());
-    const bool wrong = found.promised < 1 ? found.worst_share.high < found.promised : found.held < found.claims;
+    const bool wrong =
+        found.promised < 1 ? found.worst_share_interval.high < found.promised : found.held < found.claims;
     found.finding = wrong ? ClaimedErrorFinding::fails : ClaimedErrorFinding::holds;
     return found;
 }

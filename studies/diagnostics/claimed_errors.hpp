@@ -33,10 +33,11 @@ struct ClaimedErrors {
     double promised = 1;       ///< share of claims that has to hold
     std::uint64_t claims = 0;  ///< pairs times trials
     std::uint64_t held = 0;
-    Quantity worst;  ///< the pair with the fewest claims that hold
+    Quantity worst_pair;  ///< the pair with the fewest claims that hold
     std::uint64_t worst_held = 0;
-    stats::Interval worst_share;  ///< on that pair, all runs: Clopper-Pearson, corrected for the pairs of the class
-    double median_ratio = 0;      ///< median of |error| / claim
+    stats::Interval
+        worst_share_interval;  ///< on that pair, all runs: Clopper-Pearson, corrected for the pairs of the class
+    double median_ratio = 0;   ///< median of |error| / claim
     double largest_ratio = 0;
     ClaimedErrorFinding finding = ClaimedErrorFinding::holds;
 

@@ -116,12 +116,12 @@ class CellTrials {
         Coverage row;
         row.cell = cell_;
         row.pair_class = wanted;
-        row.rule = rule;
+        row.interval_method = rule;
         row.replicates = replicates;
         for (const Quantity pair : independent_pairs(wanted)) count(pair, row);
         if (row.intervals == 0) return row;
         row.mean_trials /= static_cast<double>(row.intervals);
-        row.actual = stats::clopper_pearson_interval({row.covered, row.intervals}, plan_.spec.level);
+        row.coverage_interval = stats::clopper_pearson_interval({row.covered, row.intervals}, plan_.spec.level);
         return row;
     }
 
@@ -144,7 +144,7 @@ class CellTrials {
         std::span<const double> left = estimates_.values(pair);
         for (std::size_t group = 0;; ++group) {
             const StreamKey key = derive_key(plan_.spec.seed, fmt::format("{}|{}", text, group));
-            const auto taken = take(row.rule, left, task, key);
+            const auto taken = take(row.interval_method, left, task, key);
             if (!taken) return;
             left = left.subspan(taken->trials);
             row.mean_trials += static_cast<double>(taken->trials);

@@ -26,13 +26,13 @@ std::string_view name(IntervalRule rule);
 struct Coverage {
     std::size_t cell = 0;
     PairClass pair_class = PairClass::other;
-    IntervalRule rule = IntervalRule::student_t;
+    IntervalRule interval_method = IntervalRule::student_t;
     std::uint64_t replicates = 0;  ///< R: trials per group, or in its first stage
     std::uint64_t intervals = 0;
     std::uint64_t covered = 0;
-    double mean_trials = 0;         ///< per group
-    stats::Interval actual;         ///< Clopper-Pearson, of the coverage, at the study's level
-    bool short_of_nominal = false;  ///< significantly, at the study's level over all rows together (Sidak)
+    double mean_trials = 0;             ///< per group
+    stats::Interval coverage_interval;  ///< Clopper-Pearson, of the coverage, at the study's level
+    bool short_of_nominal = false;      ///< significantly, at the study's level over all rows together (Sidak)
 
     [[nodiscard]] double share() const { return static_cast<double>(covered) / static_cast<double>(intervals); }
 };

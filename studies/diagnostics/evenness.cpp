@@ -57,9 +57,9 @@ std::map<Setting, std::map<std::uint64_t, std::vector<std::size_t>>> groups_of(c
     for (std::size_t i = 0; i < plan.cells.size(); ++i) {
         const Method& method = plan.spec.methods[plan.cells[i].method];
         if (method.sampler.empty() || method.nodes || method.allocation != Allocation::patch ||
-            plan.cells[i].samples > most_points)
+            plan.cells[i].samples_per_patch > most_points)
             continue;
-        auto& cells = groups[setting_of(plan, plan.cells[i])][plan.cells[i].samples];
+        auto& cells = groups[setting_of(plan, plan.cells[i])][plan.cells[i].samples_per_patch];
         const bool is_new = std::none_of(cells.begin(), cells.end(), [&](std::size_t other) {
             return plan.spec.methods[plan.cells[other].method].sampler == method.sampler;
         });
@@ -94,9 +94,9 @@ class Comparison {
     const std::optional<Measures>& measures_of_cell(std::size_t index) {
         const Cell& cell = findings_.plan.cells[index];
         const Method& method = findings_.plan.spec.methods[cell.method];
-        const std::tuple key{method.sampler, cell.samples, estimator_info(method).dimension};
+        const std::tuple key{method.sampler, cell.samples_per_patch, estimator_info(method).dimension};
         const auto [at, is_new] = measures_.try_emplace(key);
-        if (is_new) at->second = measures_of(method.sampler, cell.samples, std::get<2>(key));
+        if (is_new) at->second = measures_of(method.sampler, cell.samples_per_patch, std::get<2>(key));
         return at->second;
     }
 

@@ -29,7 +29,8 @@ std::optional<VarianceCheck> check_cell(const Analysis& findings, std::size_t ce
         estimator_info(method).observes == Observes::hits && samplers::find(method.sampler).info.independent();
     if (!known || found.trials < 2) return std::nullopt;
     const Scene& scene = findings.plan.scenes[cell.scene];
-    const auto exact = sr_distribution(scene, cell.subdivision, static_cast<double>(cell.samples), method.completion);
+    const auto exact =
+        sr_distribution(scene, cell.subdivision, static_cast<double>(cell.samples_per_patch), method.completion);
     if (!exact) return std::nullopt;
 
     VarianceCheck check;

@@ -15,7 +15,7 @@ std::optional<std::size_t> counterpart(const StudyPlan& plan, const Cell& cell) 
         const Method& candidate = plan.spec.methods[other.method];
         return candidate.sampler == samplers::yardstick().name && other.scene == cell.scene &&
                candidate.estimator == method.estimator && candidate.completion == method.completion &&
-               other.subdivision.m == cell.subdivision.m && other.samples == cell.samples;
+               other.subdivision.m == cell.subdivision.m && other.samples_per_patch == cell.samples_per_patch;
     });
     if (method.sampler == samplers::yardstick().name || found == plan.cells.end()) return std::nullopt;
     return static_cast<std::size_t>(found - plan.cells.begin());

@@ -121,7 +121,7 @@ std::optional<SrDistribution> known_distribution(const Gate& gate, const Scene& 
     const bool known = estimator_info(method).observes == Observes::hits && scene.empty_box &&
                        method.tracer != TracerChoice::leaky && samplers::find(method.sampler).info.independent();
     if (!known) return std::nullopt;
-    return sr_distribution(scene, cell.subdivision, static_cast<double>(cell.samples), method.completion);
+    return sr_distribution(scene, cell.subdivision, static_cast<double>(cell.samples_per_patch), method.completion);
 }
 
 void expect_references(const Gate& gate, const Effect& effect) {
@@ -197,7 +197,8 @@ Comparison labelled(const Gate& gate, const Effect& effect, const StudyPlan& pla
                            [&](std::size_t other) { return value_of(plan.cells[other]) == value_of(cell); });
     };
     if (same([](const Cell& c) { return c.subdivision.m; })) row.patches_per_face = cell.subdivision.per_part();
-    if (same([](const Cell& c) { return c.samples; }) && cell.samples > 0) row.samples_per_patch = cell.samples;
+    if (same([](const Cell& c) { return c.samples_per_patch; }) && cell.samples_per_patch > 0)
+        row.samples_per_patch = cell.samples_per_patch;
     const auto label = [&](int face) {
         return face == 0 ? std::string() : scene.faces[static_cast<std::size_t>(face - 1)];
     };

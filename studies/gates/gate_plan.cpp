@@ -85,7 +85,7 @@ Noise noise_of(std::span<const double> values) {
 
 /// Noise of counted hits, whose skewness and kurtosis are nearly those of a binomial distribution.
 Noise noise_of_hits(const Effect& effect, const Cell& cell) {
-    const double rays = static_cast<double>(cell.samples) * cell.subdivision.per_part();
+    const double rays = static_cast<double>(cell.samples_per_patch) * cell.subdivision.per_part();
     const double p = effect.truth.value_or(0.5);
     const double variance = rays * p * (1 - p);
     if (!(variance > 0)) return {*effect.sigma, 0, 0};
@@ -173,7 +173,7 @@ std::optional<std::uint64_t> needed(const Gate& gate, const Plan& plan, std::siz
     }
     std::vector<double> sizes;
     for (const std::size_t cell : effect.cells)
-        sizes.push_back(static_cast<double>(plan.study.cells[cell].samples) *
+        sizes.push_back(static_cast<double>(plan.study.cells[cell].samples_per_patch) *
                         plan.study.cells[cell].subdivision.per_part());
     return trials_for_slope(gate.band, sizes, 1 + std::max(0.0, noise.excess_kurtosis) / 2, plan.levels, comparisons);
 }

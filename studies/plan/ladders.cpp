@@ -17,7 +17,7 @@ std::vector<Ladder> ladders_of(const StudyPlan& plan, std::size_t scene, std::si
     for (std::size_t i = 0; i < plan.cells.size(); ++i) {
         const Cell& cell = plan.cells[i];
         if (cell.scene != scene || cell.method != method) continue;
-        by_fixed[growth == Growth::samples ? cell.subdivision.per_part() : cell.samples].push_back(i);
+        by_fixed[growth == Growth::samples ? cell.subdivision.per_part() : cell.samples_per_patch].push_back(i);
     }
     std::vector<Ladder> ladders;
     const std::string& name = plan.spec.methods[method].name;

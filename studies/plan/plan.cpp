@@ -42,7 +42,7 @@ std::uint64_t sample_count(const Method& method, const Size& size) {
 
 std::string canonical_text(const Scene& scene, const Method& method, const Cell& cell) {
     std::string text = fmt::format("{}|{}|{}|m={}|n={}", scene.canonical, method.sampler, method.estimator,
-                                   cell.subdivision.m, cell.samples);
+                                   cell.subdivision.m, cell.samples_per_patch);
     if (method.nodes) text += fmt::format("|nodes={},{}", method.nodes->source, method.nodes->target);
     if (estimator_info(method).has_allocation()) text += fmt::format("|allocation={}", name(method.allocation));
     if (method.map != PointMap::uniform) text += fmt::format("|map={}", name(method.map));
@@ -68,7 +68,7 @@ class Warnings {
     void add_size(const Method& method, const Cell& cell) {
         if (method.sampler.empty() || method.nodes) return;
         const auto problem = samplers::check_size(samplers::find(method.sampler).info,
-                                                  points_per_sequence(method, cell.subdivision, cell.samples),
+                                                  points_per_sequence(method, cell.subdivision, cell.samples_per_patch),
                                                   estimator_info(method).dimension);
         if (problem.message.empty()) return;
         add(fmt::format("method '{}': {}", method.name, problem.message));
@@ -117,7 +117,8 @@ void expect_feasible(const Method& method, const Scene& scene, const Cell& cell)
             "coarser grids.",
             method.name, patches, scene.name, most_patches));
     }
-    const double evaluations = evaluated_patches(method, scene, cell.subdivision) * static_cast<double>(cell.samples);
+    const double evaluations =
+        evaluated_patches(method, scene, cell.subdivision) * static_cast<double>(cell.samples_per_patch);
     if (evaluations <= most_evaluations) return;
     throw UserError(fmt::format(
         "method '{}': one trial takes {:.1g} evaluations (more than {:g}). Take fewer patches, samples or nodes.",
@@ -189,7 +190,7 @@ std::uint64_t points_per_sequence(const Method& method, Subdivision subdivision,
 std::uint64_t evaluations_per_trial(const StudyPlan& plan, const Cell& cell) {
     const Method& method = plan.spec.methods[cell.method];
     const double patches = evaluated_patches(method, plan.scenes[cell.scene], cell.subdivision);
-    return static_cast<std::uint64_t>(patches) * cell.samples;
+    return static_cast<std::uint64_t>(patches) * cell.samples_per_patch;
 }
 
 double expected_seconds_per_trial(const StudyPlan& plan, const Cell& cell) {
@@ -230,7 +231,7 @@ StudyPlan plan_study(StudySpec spec) {
                 cell.scene = scene;
                 cell.method = m;
                 cell.subdivision.m = static_cast<std::uint32_t>(std::lround(std::sqrt(size.patches_per_face)));
-                cell.samples = sample_count(method, size);
+                cell.samples_per_patch = sample_count(method, size);
                 cell.deterministic = !is_randomised(method);
                 expect_feasible(method, plan.scenes[scene], cell);
                 cell.trials = cell.deterministic ? 1 : size.trials.value_or(plan.spec.trials);

@@ -15,8 +15,9 @@ struct Cell {
     std::size_t scene = 0;   ///< index into StudyPlan::scenes
     std::size_t method = 0;  ///< index into StudySpec::methods
     Subdivision subdivision;
-    std::uint64_t samples = 0;  ///< rays or points per patch, or points per ordered patch pair; 0 for closed_form
-    std::uint64_t trials = 0;   ///< 1 for a deterministic method
+    std::uint64_t samples_per_patch =
+        0;                     ///< rays or points per patch, or points per ordered patch pair; 0 for closed_form
+    std::uint64_t trials = 0;  ///< 1 for a deterministic method
     bool deterministic = false;
     std::string canonical;  ///< identifies scene, sampler, estimator and size, never their order or the completion
     StreamKey key;          ///< key of its random numbers, from `canonical` and the seed

@@ -43,9 +43,9 @@ std::vector<BiasOrder> bias_orders(const StudyPlan& plan, const Results& results
                         continue;
                     const ExitanceStatistics& all = exitance.front();
                     const Cell& planned = plan.cells[cell];
-                    order.points.push_back({cell, static_cast<double>(planned.samples * planned.subdivision.per_part()),
-                                            *all.bias / all.exact,
-                                            *all.std / std::sqrt(static_cast<double>(found->trials)) / all.exact});
+                    order.points.push_back(
+                        {cell, static_cast<double>(planned.samples_per_patch * planned.subdivision.per_part()),
+                         *all.bias / all.exact, *all.std / std::sqrt(static_cast<double>(found->trials)) / all.exact});
                 }
                 if (order.points.size() != ladder.cells.size()) continue;
                 fit(order, plan.spec.level);

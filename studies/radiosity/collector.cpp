@@ -46,8 +46,8 @@ void SettingCollector::add(const RadiositySystem& system) {
     statistics_.convergent += properties.spectral_radius.high < 1;
     statistics_.divergent += properties.spectral_radius.low >= 1;
     radius_.push_back(properties.spectral_radius.middle());
-    statistics_.radius_uncertainty =
-        std::max(statistics_.radius_uncertainty, properties.spectral_radius.high - properties.spectral_radius.low);
+    statistics_.spectral_radius_uncertainty = std::max(
+        statistics_.spectral_radius_uncertainty, properties.spectral_radius.high - properties.spectral_radius.low);
     condition_.push_back(properties.condition);
     if (!exitance) {
         ++statistics_.singular;

@@ -97,7 +97,8 @@ void evaluate_between_patches(const Store& store, Results& results, const std::a
             const bool counted = estimator_info(plan.spec.methods[plan.cells[cell].method]).observes == Observes::hits;
             Eigen::VectorXd rays;
             if (counted)
-                rays.setConstant(lighting.elements.areas.size(), static_cast<double>(plan.cells[cell].samples));
+                rays.setConstant(lighting.elements.areas.size(),
+                                 static_cast<double>(plan.cells[cell].samples_per_patch));
             auto collectors = make_collectors(plan, cell, lighting, exitance, Between::patches);
             add_trials_between_patches(plan, cell, patch_trials(plan, cell), rays, collectors, stop);
             for (ConsequencesCollector& collector : collectors) {

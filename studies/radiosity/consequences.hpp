@@ -60,7 +60,7 @@ struct SettingStatistics {
     std::size_t singular = 0;    ///< G singular to working precision: without exitance
     std::size_t negative = 0;    ///< with a solution that is negative somewhere: no exitance
     OverTrials spectral_radius;
-    double radius_uncertainty = 0;  ///< largest width of its bounds
+    double spectral_radius_uncertainty = 0;  ///< largest width of its bounds
     OverTrials condition;
     std::optional<OverTrials> energy_defect;   ///< share of the emitted power that is lost; empty if all are singular
     std::vector<ExitanceStatistics> exitance;  ///< all together, then each; empty if some trial is singular

@@ -24,8 +24,8 @@ Eigen::MatrixXd trace_patch_factors(const StudyPlan& plan, std::size_t index, st
     if (stop != nullptr) points = interruptible(std::move(points), *stop);
     if (estimator_info(method).patch_factors == PatchFactors::kernels)
         return kernel_patch_factors(scene, cell.subdivision, *points, method.map, cell.key, number);
-    return shoot_patch_factors(scene, cell.subdivision, *make_tracer(scene, method.tracer), *points, cell.samples,
-                               method.allocation, cell.key, number);
+    return shoot_patch_factors(scene, cell.subdivision, *make_tracer(scene, method.tracer), *points,
+                               cell.samples_per_patch, method.allocation, cell.key, number);
 }
 
 }  // namespace ff::studies::radiosity

@@ -48,7 +48,7 @@ std::string MeasuredCosts::in_words() const {
     for (std::size_t i = 0; i < of_cells_.size(); ++i) {
         const Cell& cell = plan_.cells[i];
         const bool is_known = find_added_estimator(plan_.spec.methods[cell.method].estimator) == nullptr;
-        if (!is_known && of_cells_[i].trials > 0) add_to(sums[{cell.method, cell.samples}], of_cells_[i]);
+        if (!is_known && of_cells_[i].trials > 0) add_to(sums[{cell.method, cell.samples_per_patch}], of_cells_[i]);
     }
     std::vector<std::string> costs;
     for (const auto& [of, sum] : sums)

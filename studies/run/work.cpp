@@ -78,7 +78,7 @@ PatchTotals begun_totals(UnitRecord& record, PatchFactors patch_factors) {
 std::unique_ptr<PointSource> make_points(const Method& method, const Cell& cell) {
     if (method.sampler.empty()) return nullptr;
     const Nodes nodes = method.nodes.value_or(Nodes{});
-    const std::uint64_t points = points_per_sequence(method, cell.subdivision, cell.samples);
+    const std::uint64_t points = points_per_sequence(method, cell.subdivision, cell.samples_per_patch);
     return samplers::find(method.sampler)
         .make({points, estimator_info(method).dimension, nodes.source, nodes.target, cell.key});
 }
@@ -125,7 +125,7 @@ UnitRecord Worker::carry_out(const WorkUnit& unit, BegunUnit begun) const {
     Outcome outcome;
     EstimatorTask task{.subdivision = cell.subdivision,
                        .points = tools.points.get(),
-                       .samples = cell.samples,
+                       .samples = cell.samples_per_patch,
                        .options = estimator_options(*tools.method),
                        .key = cell.key};
     std::vector<double> times;

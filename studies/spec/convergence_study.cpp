@@ -40,7 +40,7 @@ std::string study_text(const ConvergenceRequest& request) {
         if (request.completion) out += fmt::format("completion = {}\n", toml_text(*request.completion));
         if (request.map) out += fmt::format("map = {}\n", toml_text(*request.map));
         out += fmt::format("patches_per_face = {}\nsamples_per_patch = {}\n", request.patches_per_face,
-                           toml_text(request.samples));
+                           toml_text(request.samples_per_patch));
     }
     return out;
 }
@@ -66,7 +66,7 @@ std::string convergence_command(const ConvergenceRequest& request) {
     std::string out =
         fmt::format("ffstudy convergence --scene {} --sampler {} --estimator {} --samples {} --patches {}",
                     fmt::join(request.scenes, ","), fmt::join(request.samplers, ","), request.estimator,
-                    request.samples, request.patches_per_face);
+                    request.samples_per_patch, request.patches_per_face);
     if (request.allocation) out += fmt::format(" --allocation {}", *request.allocation);
     if (request.completion) out += fmt::format(" --completion {}", *request.completion);
     if (request.map) out += fmt::format(" --map {}", *request.map);

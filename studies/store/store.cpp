@@ -80,7 +80,7 @@ void write_cells(const Database& database, const StudyPlan& plan) {
             .bind(3, std::string_view(method.sampler))
             .bind(4, method.estimator)
             .bind(5, static_cast<std::int64_t>(cell.subdivision.per_part()))
-            .bind(6, static_cast<std::int64_t>(cell.samples))
+            .bind(6, static_cast<std::int64_t>(cell.samples_per_patch))
             .bind(7, static_cast<std::int64_t>(cell.trials))
             .run();
     }

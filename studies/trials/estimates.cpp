@@ -134,7 +134,7 @@ CellEstimates complete(const StudyPlan& plan, std::size_t cell_index, Completion
     estimates.faces = scene.faces.size();
     estimates.trial_numbers = std::move(direct.trial_numbers);
     estimates.factors = std::move(direct.values);
-    estimates.evaluations_per_face = cell.samples;
+    estimates.evaluations_per_face = cell.samples_per_patch;
     const PointsServe points = estimator_info(method).points;
     if (points != PointsServe::scene) estimates.evaluations_per_face *= cell.subdivision.per_part();
     if (points == PointsServe::pairs) estimates.evaluations_per_face *= cell.subdivision.per_part();

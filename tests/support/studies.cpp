@@ -26,7 +26,7 @@ void add_estimate(const StudyPlan& plan, const Cell& cell, int from, int to, std
         record.observations.push_back({studies::observable::estimate, from, to, trial, value});
         return;
     }
-    const auto rays = static_cast<double>(cell.samples * cell.subdivision.per_part());
+    const auto rays = static_cast<double>(cell.samples_per_patch * cell.subdivision.per_part());
     record.observations.push_back(
         {studies::observable::hits, from, to, trial, static_cast<std::int64_t>(std::llround(value * rays))});
 }

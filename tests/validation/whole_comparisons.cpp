@@ -77,7 +77,7 @@ std::map<std::string, bool> statements(const Equals& equals, std::uint64_t trial
     std::normal_distribution<double> draw;
     const KnownFactors known = known_factors(plan.scenes.front());
     const Store store = test::fill(plan, [&](std::size_t cell, std::uint64_t, int from, int to) {
-        const double size = static_cast<double>(plan.cells[cell].samples);
+        const double size = static_cast<double>(plan.cells[cell].samples_per_patch);
         const std::size_t method = plan.cells[cell].method;
         const double scale = method == 0 ? better * std::pow(size, better - 1) : 1;
         return known.at(from - 1, to - 1).value_or(0) +

@@ -107,9 +107,9 @@ std::vector<StudySpec> smallest_cells(const StudySpec& spec) {
         for (std::size_t method = 0; method < plan.spec.methods.size(); ++method) {
             const Cell* smallest = nullptr;
             for (const Cell& cell : plan.cells) {
-                const std::uint64_t evaluations = cell.samples * cell.subdivision.per_part();
+                const std::uint64_t evaluations = cell.samples_per_patch * cell.subdivision.per_part();
                 if (cell.scene != scene || cell.method != method || cell.deterministic || evaluations > 4096) continue;
-                if (smallest == nullptr || cell.samples < smallest->samples) smallest = &cell;
+                if (smallest == nullptr || cell.samples_per_patch < smallest->samples_per_patch) smallest = &cell;
             }
             if (smallest == nullptr) continue;
             StudySpec alone;
@@ -117,7 +117,7 @@ std::vector<StudySpec> smallest_cells(const StudySpec& spec) {
             alone.scenes = {plan.spec.scenes[scene]};
             alone.seed = plan.spec.seed;
             alone.methods = {plan.spec.methods[method]};
-            alone.methods.front().sizes = {Size{smallest->subdivision.m, smallest->samples, {}}};
+            alone.methods.front().sizes = {Size{smallest->subdivision.m, smallest->samples_per_patch, {}}};
             cells.push_back(std::move(alone));
         }
     }

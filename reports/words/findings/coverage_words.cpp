@@ -43,7 +43,7 @@ Range range_of(const studies::StudyResults& results, IntervalRule rule, std::opt
                bool finite = true) {
     Range range;
     for (const Coverage& row : results.coverage) {
-        if (row.rule != rule || (replicates && row.replicates != *replicates)) continue;
+        if (row.interval_method != rule || (replicates && row.replicates != *replicates)) continue;
         if (results.findings.cells[row.cell].has_infinite_variance(row.pair_class) == finite) continue;
         range.rows.push_back(&row);
         range.short_of += row.short_of_nominal ? 1 : 0;
@@ -80,15 +80,15 @@ std::vector<Ranking> least_coverage(const studies::StudyResults& results) {
     std::vector<Ranking> rankings;
     std::set<IntervalRule> seen;
     for (const Coverage& first : results.coverage) {
-        if (!seen.insert(first.rule).second) continue;
-        Ranking& ranking = rankings.emplace_back(Ranking{.heading = std::string(rule_in_words(first.rule))});
+        if (!seen.insert(first.interval_method).second) continue;
+        Ranking& ranking = rankings.emplace_back(Ranking{.heading = std::string(rule_in_words(first.interval_method))});
         for (const std::uint64_t replicates : plan.spec.coverage) {
-            const Range range = range_of(results, first.rule, replicates);
+            const Range range = range_of(results, first.interval_method, replicates);
             if (range.rows.empty()) continue;
             const Coverage& least = *range.rows.front();
             const studies::Cell& cell = plan.cells[least.cell];
             ranking.methods.push_back({fmt::format("R = {}", replicates), cell.method, size_label(plan, cell),
-                                       least.share(), least.actual, plan.spec.level,
+                                       least.share(), least.coverage_interval, plan.spec.level,
                                        least.short_of_nominal ? "short" : ""});
         }
     }

@@ -50,7 +50,7 @@ std::string finding_in_words(const studies::ClassSlopes& found) {
 std::string sizes_text(const studies::StudyPlan& plan, const studies::Ladder& ladder) {
     const bool patches = ladder.growth == studies::Growth::patches;
     const auto size = [&](std::size_t cell) {
-        return patches ? plan.cells[cell].subdivision.per_part() : plan.cells[cell].samples;
+        return patches ? plan.cells[cell].subdivision.per_part() : plan.cells[cell].samples_per_patch;
     };
     return fmt::format("{} … {} ({}){}", size(ladder.cells.front()), size(ladder.cells.back()), ladder.cells.size(),
                        patches ? " patches" : "");

@@ -19,12 +19,12 @@ std::string why_untested(const studies::CellAnalysis& found) {
     if (found.repeated_trials > 0)
         return fmt::format("trials repeat each other ({} of {})", found.repeated_trials, found.trials);
     if (family.few_trials) return "too few trials";
-    if (family.undefined > 0) return "infinity or no number in some trials";
+    if (family.not_finite > 0) return "infinity or no number in some trials";
     std::vector<std::string_view> reasons;
-    if (family.unknown > 0) reasons.emplace_back("no exact value");
-    if (family.infinite > 0) reasons.emplace_back("infinite variance");
-    if (reasons.empty() && family.sparse > 0) reasons.emplace_back("too few hits");
-    if (reasons.empty() && family.skewed > 0) reasons.emplace_back("too few trials to rule out skewness");
+    if (family.no_exact_value > 0) reasons.emplace_back("no exact value");
+    if (family.infinite_variance > 0) reasons.emplace_back("infinite variance");
+    if (reasons.empty() && family.too_few_hits > 0) reasons.emplace_back("too few hits");
+    if (reasons.empty() && family.too_skewed > 0) reasons.emplace_back("too few trials to rule out skewness");
     return reasons.empty() ? "no spread" : fmt::format("{}", fmt::join(reasons, " or "));
 }
 
@@ -38,7 +38,7 @@ bool has_exact_value(const studies::CellAnalysis& found) {
 constexpr std::size_t enough_trials = 30;
 
 std::string_view undefined_in_words(const studies::BiasFamily& family) {
-    return family.undefined > 0 ? "; infinity or no number in some trials of other pairs" : "";
+    return family.not_finite > 0 ? "; infinity or no number in some trials of other pairs" : "";
 }
 
 /// "BIASED (t up to ±9.1, p = ...), unless a value of 4.2 occurs less often than once in 64 trials"

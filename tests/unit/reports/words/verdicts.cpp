@@ -42,9 +42,9 @@ TEST(BiasInWords, SaysWhyThereIsNoTest) {
     EXPECT_EQ(bias_in_words(found), "no test: no exact value");
     found.summaries.emplace_back().reference = 0.2;
     EXPECT_EQ(bias_in_words(found), "no test: no spread");
-    found.bias->sparse = 30;
+    found.bias->too_few_hits = 30;
     EXPECT_EQ(bias_in_words(found), "no test: too few hits");
-    found.bias->infinite = 24;
+    found.bias->infinite_variance = 24;
     EXPECT_EQ(bias_in_words(found), "no test: infinite variance");
     found.repeated_trials = found.trials - 8;
     EXPECT_EQ(bias_in_words(found),
@@ -68,7 +68,7 @@ TEST(BiasInWords, SaysThatTrialsAreTooFew) {
     auto found = sampled(BiasFinding::untestable, 30);
     found.summaries.emplace_back().reference = 0.2;
     found.bias->few_trials = true;
-    found.bias->infinite = 24;
+    found.bias->infinite_variance = 24;
     EXPECT_EQ(bias_in_words(found), "no test: too few trials");
     EXPECT_EQ(bias_mark(found), Mark::open);
 }

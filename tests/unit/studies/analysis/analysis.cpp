@@ -153,7 +153,7 @@ TEST(InfiniteVariance, LeavesAdjacentPairsWithoutIntervalAndTest) {
     }
     EXPECT_EQ(found.bias->pairs, 30u);
     EXPECT_EQ(found.bias->untestable, 24u);
-    EXPECT_EQ(found.bias->infinite, 24u);
+    EXPECT_EQ(found.bias->infinite_variance, 24u);
     EXPECT_EQ(found.equivalence, EquivalenceFinding::inconclusive);
 }
 
@@ -167,7 +167,7 @@ TEST(InfiniteVariance, IsRemovedByTheGradedMap) {
         EXPECT_EQ(s.variance, VarianceStatus::finite);
         EXPECT_EQ(s.bias_interval.has_value(), s.reference.has_value());
     }
-    EXPECT_EQ(found.bias->infinite, 0u);
+    EXPECT_EQ(found.bias->infinite_variance, 0u);
 }
 
 TEST(Bias, IsFoundWhereAllTrialsGiveOneWrongValue) {
@@ -246,7 +246,7 @@ TEST(Bias, IsTestedByCountsWhereHitsAreFew) {
                                      "patches_per_face = 4\nsamples_per_patch = 1")));
     const CellAnalysis found = analyse_cell(store, 0);
     EXPECT_EQ(found.bias_finding, BiasFinding::no_bias_found);
-    EXPECT_EQ(found.bias->sparse, 0u);
+    EXPECT_EQ(found.bias->too_few_hits, 0u);
     EXPECT_EQ(found.summary({pair, 1, 2}).bias_interval->method, "clopper_pearson");
     EXPECT_EQ(found.summary({pair, 1, 2}).variance, VarianceStatus::sparse);
 }
@@ -320,8 +320,8 @@ TEST(Analysis, UsesTheAvailableExactFactors) {
     EXPECT_EQ(found.summary({QuantityKind::row_sum, 2, 0}).reference, 1.0);
     ASSERT_TRUE(found.bias);
     EXPECT_EQ(found.bias->pairs, 90u);
-    EXPECT_GT(found.bias->unknown, 0u);
-    EXPECT_LT(found.bias->unknown, found.bias->untestable);  // faces that cannot see each other have no spread
+    EXPECT_GT(found.bias->no_exact_value, 0u);
+    EXPECT_LT(found.bias->no_exact_value, found.bias->untestable);  // faces that cannot see each other have no spread
     // A false alarm has a chance of 1e-6.
     EXPECT_GT(found.bias->adjusted_p, 1e-6);
     const ClassError* parallel = found.class_error(PairClass::parallel);

@@ -39,7 +39,7 @@ Store store_with_rate(const StudyPlan& plan, double rate, double shared) {
             std::mt19937_64 engine(seed);
             return std::normal_distribution<double>()(engine);
         };
-        const double size = std::pow(static_cast<double>(plan.cells[cell].samples), rate);
+        const double size = std::pow(static_cast<double>(plan.cells[cell].samples_per_patch), rate);
         return exact(from - 1, to - 1) + 0.1 * size * (shared * normal(0, 0) + (1 - shared) * normal(from, to));
     });
 }
@@ -62,7 +62,7 @@ TEST(Slopes, MatchTheRateOfTheErrors) {
     EXPECT_EQ(parallel.pair_class, PairClass::parallel);
     EXPECT_EQ(parallel.pairs, 6u);
     EXPECT_TRUE(parallel.rmse.interval->contains(-1));
-    EXPECT_TRUE(parallel.rmse.from_fit->contains(-1));
+    EXPECT_TRUE(parallel.rmse.interval_from_fit->contains(-1));
     EXPECT_TRUE(parallel.median.interval->contains(-1));
     EXPECT_EQ(parallel.finding, RateFinding::as_expected);
 }
@@ -75,10 +75,10 @@ TEST(Slopes, AllowForCorrelatedPairsOfAClass) {
     const Slope& class_slope = together.front().classes.front().rmse;
     const auto& pairs = together.front().pairs;
     const Slope& pair_slope = *std::find_if(pairs.begin(), pairs.end(), [](const Slope& slope) {
-        return slope.pair_class == PairClass::parallel && slope.error == ErrorSize::rmse;
+        return slope.pair_class == PairClass::parallel && slope.statistic == ErrorSize::rmse;
     });
     EXPECT_NEAR(class_slope.interval->width() / pair_slope.interval->width(), 1, 1e-6);
-    EXPECT_NEAR(class_slope.from_fit->width() / pair_slope.from_fit->width(), 1, 0.1);
+    EXPECT_NEAR(class_slope.interval_from_fit->width() / pair_slope.interval_from_fit->width(), 1, 0.1);
     EXPECT_LT(apart.front().classes.front().rmse.interval->width(), 0.7 * class_slope.interval->width());
 }
 

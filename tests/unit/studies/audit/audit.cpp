@@ -150,7 +150,7 @@ TEST(Audit, FindsDigitsThatTheFormatCannotPrint) {
     const Report report = examine(tables);
     ASSERT_EQ(report.contradictions(), 1u);
     EXPECT_EQ(report.findings.front().relation, Relation::printing);
-    EXPECT_EQ(report.findings.front().figures.front(), index);
+    EXPECT_EQ(report.findings.front().blamed.front(), index);
 }
 
 }  // namespace

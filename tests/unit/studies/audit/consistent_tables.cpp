@@ -36,7 +36,7 @@ TEST(AuditOfConsistentTables, BlamesAPlantedMisprintAndRestoresIt) {
         const std::string wrong = test::with_other_digit(right, position, random);
         const Report report = examine(test::with_print(tables, index, wrong), {}, cache);
         for (const Finding& finding : report.findings) {
-            if (finding.figures.empty() || finding.figures.front() != index) continue;
+            if (finding.blamed.empty() || finding.blamed.front() != index) continue;
             ++blamed;
             const double meant = parse_printed(finding.corrections.front().meant)->value();
             restored += meant == parse_printed(right)->value() ? 1 : 0;

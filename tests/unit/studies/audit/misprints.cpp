@@ -64,7 +64,7 @@ std::map<std::string, NoticedShare> alter_every_figure(const PublishedTables& ta
         for (const Finding& finding : report.findings) {
             if (known.count(finding.id + finding.statement) > 0) continue;
             found = found || contains(finding.involved, f);
-            blamed = blamed || contains(finding.figures, f);
+            blamed = blamed || contains(finding.blamed, f);
         }
         share.found += found ? 1 : 0;
         share.blamed += blamed ? 1 : 0;

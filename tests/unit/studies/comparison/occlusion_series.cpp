@@ -39,7 +39,7 @@ std::vector<OcclusionSeries> series_of(const StudyPlan& plan, Rule rule) {
         const Scene& scene = plan.scenes[cell.scene];
         const KnownFactors known = known_factors(scene);
         const double patches = cell.subdivision.per_part();
-        const double n = static_cast<double>(cell.samples) * patches * patches;
+        const double n = static_cast<double>(cell.samples_per_patch) * patches * patches;
         const double hidden = hidden_share(scene, known, from - 1, to - 1).value();
         return known.at(from - 1, to - 1).value() +
                (cell.deterministic ? rule(hidden) * std::pow(n, -0.25) : point_sigma / std::sqrt(n) * normal(bits));

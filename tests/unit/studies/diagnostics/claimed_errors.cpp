@@ -88,7 +88,7 @@ claimed_error = 0.01
     }));
     ASSERT_EQ(found.size(), 2u);
     EXPECT_EQ(found[0].held, 230u);  // of 6 pairs of parallel faces one has face 1 first: 10 of its 40 do not hold
-    EXPECT_EQ(found[0].worst, (Quantity{QuantityKind::form_factor, 1, 6}));
+    EXPECT_EQ(found[0].worst_pair, (Quantity{QuantityKind::form_factor, 1, 6}));
     EXPECT_EQ(found[0].worst_held, 30u);
     EXPECT_NEAR(found[0].largest_ratio, 2, 0.01);
     EXPECT_NEAR(found[0].median_ratio, 0.5, 0.01);

@@ -38,7 +38,7 @@ replicates = [5]
 }
 
 const Coverage& row(const std::vector<Coverage>& rows, IntervalRule rule) {
-    return *std::find_if(rows.begin(), rows.end(), [&](const Coverage& r) { return r.rule == rule; });
+    return *std::find_if(rows.begin(), rows.end(), [&](const Coverage& r) { return r.interval_method == rule; });
 }
 
 // 300 groups of 5 from each of 6 faces. Risks: 1e-6; .90 is noticed with power .99.
@@ -57,7 +57,7 @@ TEST(Coverage, IsNominalOnNormalTrialsForStudentAndTwoStageOnly) {
     EXPECT_TRUE(row(rows, IntervalRule::normal).short_of_nominal);
     EXPECT_FALSE(row(rows, IntervalRule::student_t).short_of_nominal);
     EXPECT_NEAR(row(rows, IntervalRule::two_stage).mean_trials, 20, 2);
-    EXPECT_TRUE(row(rows, IntervalRule::normal).actual.contains(row(rows, IntervalRule::normal).share()));
+    EXPECT_TRUE(row(rows, IntervalRule::normal).coverage_interval.contains(row(rows, IntervalRule::normal).share()));
 }
 
 TEST(Coverage, FallsShortWhereThereIsABias) {

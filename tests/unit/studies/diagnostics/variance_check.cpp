@@ -48,7 +48,7 @@ TEST(VarianceCheck, AgreesForIndependentRays) {
 TEST(VarianceCheck, CatchesAWrongNumberOfRays) {
     Analysis findings = analyse(test::run(plan_of_rays("random")));
     for (const std::uint64_t claimed : {32u, 128u}) {  // true: 64; standard deviations wrong by sqrt(2)
-        findings.plan.cells[0].samples = claimed;
+        findings.plan.cells[0].samples_per_patch = claimed;
         const auto check = only_check(findings);
         ASSERT_TRUE(check);
         EXPECT_LT(check->adjusted_p, alarm_level);

@@ -145,7 +145,7 @@ TEST(Plan, RunsADeterministicMethodOnce) {
     const StudyPlan plan = plan_of(study_text("trials = 1000", pdm_method));
     EXPECT_TRUE(plan.cells.at(0).deterministic);
     EXPECT_EQ(plan.cells.at(0).trials, 1u);
-    EXPECT_EQ(plan.cells.at(0).samples, 900u);  // 5^2 times 6^2 points per pair
+    EXPECT_EQ(plan.cells.at(0).samples_per_patch, 900u);  // 5^2 times 6^2 points per pair
 }
 
 TEST(Plan, RunsEveryMethodOnEveryScene) {
@@ -212,7 +212,7 @@ TEST(Plan, CountsPointsSharedByAllTargetsOnce) {
     const StudyPlan plan = plan_of(study_text("trials = 9",
                                               "[[method]]\nname = \"p\"\nsampler = \"gauss_legendre\"\n"
                                               "estimator = \"point_to_polygon\"\nnodes = 5\npatches_per_face = 4"));
-    EXPECT_EQ(plan.cells.at(0).samples, 25u);
+    EXPECT_EQ(plan.cells.at(0).samples_per_patch, 25u);
     EXPECT_EQ(evaluations_per_trial(plan, plan.cells[0]), 24u * 25);
 }
 
