@@ -37,11 +37,11 @@ std::optional<double> median_absolute_error(std::span<const double> values, doub
     return quantile(sorted(errors), 0.5);
 }
 
-std::optional<Range> central_range(std::span<const double> values, double share) {
+std::optional<CentralRange> central_range(std::span<const double> values, double share) {
     FF_EXPECT(0 < share && share < 1);
     if (values.empty()) return std::nullopt;
     const std::vector<double> ascending = sorted(values);
-    return Range{.low = quantile(ascending, (1 - share) / 2), .high = quantile(ascending, (1 + share) / 2)};
+    return CentralRange{.low = quantile(ascending, (1 - share) / 2), .high = quantile(ascending, (1 + share) / 2)};
 }
 
 std::optional<Rank> rank_among(std::span<const double> values, double value, double level, double tolerance) {

@@ -23,11 +23,11 @@ std::vector<double> quantiles(std::span<const double> values, std::span<const do
 std::optional<double> median_absolute_error(std::span<const double> values, double reference);
 
 /// The central range with this `share` of the values, e.g. 0.95: what a single run may give.
-struct Range {
+struct CentralRange {
     double low = 0;
     double high = 0;
 };
-std::optional<Range> central_range(std::span<const double> values, double share);
+std::optional<CentralRange> central_range(std::span<const double> values, double share);
 
 /// Where a value falls among simulated ones.
 struct Rank {
