@@ -1,5 +1,6 @@
 #pragma once
 
+#include <compare>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -22,7 +23,7 @@ struct SceneSource {
     /// What studies in stores say: the title and, after a line break, the text.
     [[nodiscard]] std::string written() const;
 
-    bool operator==(const SceneSource&) const = default;
+    auto operator<=>(const SceneSource&) const = default;
 };
 
 /// The source that is written so.

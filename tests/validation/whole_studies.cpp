@@ -135,7 +135,7 @@ TEST(WholeStudies, SeldomCallCellsOfBuiltInStudiesBiased) {
         if (!nightly && file.path().stem() != "coverage") continue;
         for (StudySpec& cell : smallest_cells(load_study(file.path()))) {
             const std::string name =
-                fmt::format("{}: {} in {}", cell.name, cell.methods.front().name, cell.scenes.front());
+                fmt::format("{}: {} in {}", cell.name, cell.methods.front().name, cell.scenes.front().title());
             cell.name = cell.methods.front().name = "s";
             if (!seen.insert(cell).second) continue;
             for (const std::uint64_t trials : {10u, 60u}) {

@@ -84,7 +84,9 @@ ExitCode assist_form_factors(const Processes& processes, const FormFactorsComman
                              studies::form_factors::KeptMatrix& kept) {
     if (command.dry_run) return ExitCode::passed;
     kept.request.finished = processes.share_finished({});
-    kept.request.keep = [&](const studies::form_factors::SampledRow& row) { processes.send(studies::to_words(row)); };
+    kept.request.keep = [&](const studies::form_factors::SampledRow& row) {
+        processes.send(studies::form_factors::to_words(row));
+    };
     // Its end would be that of the first process, which saves and writes the matrix.
     never_end_on_signals();
     const TimeLimit time(command.max_time ? std::optional(parse_duration(*command.max_time)) : std::nullopt);

@@ -27,7 +27,8 @@ struct Range {
 
     /// Whether so few intervals were made that not one row tells its coverage to a half.
     [[nodiscard]] bool tells_nothing() const {
-        return std::all_of(rows.begin(), rows.end(), [](const Coverage* row) { return row->actual.width() > 0.5; });
+        return std::all_of(rows.begin(), rows.end(),
+                           [](const Coverage* row) { return row->coverage_interval.width() > 0.5; });
     }
     [[nodiscard]] std::string in_words() const {
         if (tells_nothing()) return "too few trials to tell the coverage";

@@ -179,7 +179,7 @@ Scene read_room(const Plan& plan, double unit, double far, int decimals) {
         }
         text += "g floor\nf" + below + "\ng ceiling\nf" + above + "\n";
     }
-    return make_scene(with_scene_text("room.obj", text));
+    return make_scene(source_of_file("room.obj", text));
 }
 
 // Whole numbers, and decimals, keep their few digits however far off a room is. Where double precision rounds them, the
