@@ -85,7 +85,7 @@ Spec edge_gate(double alpha, double bias, double band, std::string estimator = "
     Spec spec;
     spec.alpha = alpha;
     spec.looks = 1;
-    GateExperiment experiment{.scenes = {"cube"}, .method = {}};
+    GateExperiment experiment{.scenes = {scene_source("cube")}, .method = {}};
     experiment.method.name = "edge";
     experiment.method.sampler = samplers::yardstick().name;
     experiment.method.estimator = std::move(estimator);

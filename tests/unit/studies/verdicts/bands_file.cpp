@@ -70,7 +70,7 @@ band = 1e-3
     EXPECT_EQ(first.name, "SR is unbiased");
     EXPECT_EQ(first.kind, GateKind::bias);
     EXPECT_EQ(first.against, Against::exact);
-    EXPECT_EQ(experiment_of(first).scenes, std::vector<std::string>{"cube"});
+    EXPECT_EQ(experiment_of(first).scenes, std::vector{scene_source("cube")});
     EXPECT_EQ(experiment_of(first).method.sampler, "random");
     EXPECT_EQ(experiment_of(first).method.sizes.front().patches_per_face, 169u);
     EXPECT_EQ(first.pairs, std::vector<std::string>{"parallel"});
