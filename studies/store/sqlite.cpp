@@ -143,7 +143,8 @@ std::string sqlite_name(const std::filesystem::path& file) {
 }
 
 Database::Database(const std::filesystem::path& file, Mode mode) {
-    // Where one only reads, one thread does at a time; a lock for each value would take a fifth of the time of a report.
+    // Where one only reads, one thread does at a time; a lock for each value would take a fifth of the time of a
+    // report.
     const int flags = mode == Mode::read_only ? SQLITE_OPEN_READONLY | SQLITE_OPEN_NOMUTEX
                                               : SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE | SQLITE_OPEN_FULLMUTEX;
     if (sqlite3_open_v2(sqlite_name(file).c_str(), &handle_, flags, nullptr) != SQLITE_OK) {
