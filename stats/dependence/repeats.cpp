@@ -142,11 +142,20 @@ bool differences_repeat(const std::vector<double>& distinct, double grain) {
 /// Values printed with ten digits or more; with fewer, ratios and sums of counts cannot be told from real numbers.
 constexpr double finest_printed = 1.001e-9;
 
-/// Whether ascending distinct values are real numbers, which chance never makes equal.
+/// Whether ascending distinct values, of n in all, lie on a lattice. Values that occur four times each fill theirs: a
+/// lattice with many more sites is none, but what chance makes of a few gaps.
+bool lie_on_lattice(const std::vector<double>& distinct, std::size_t n) {
+    const double spacing = find_spacing(distinct);
+    if (spacing == 0) return false;
+    const auto most_sites = 4 * static_cast<double>(distinct.size());
+    return n < 4 * distinct.size() || distinct.back() - distinct.front() <= most_sites * spacing;
+}
+
+/// Whether ascending distinct values, of n in all, are real numbers, which chance never makes equal.
 /// @param coarsest  the largest relative_grain that they may have
-bool are_real(const std::vector<double>& distinct, double coarsest) {
+bool are_real(const std::vector<double>& distinct, std::size_t n, double coarsest) {
     const double grain = relative_grain(distinct);
-    if (distinct.size() < 3 || find_spacing(distinct) > 0 || grain > coarsest) return false;
+    if (distinct.size() < 3 || grain > coarsest || lie_on_lattice(distinct, n)) return false;
     const double rounding = std::max(0x1p-50, grain);
     const auto ratios = static_cast<std::size_t>(
         std::count_if(distinct.begin(), distinct.end(), [&](double value) { return is_ratio(value, rounding); }));
@@ -188,7 +197,7 @@ std::optional<Repeats> find_repeats(std::span<const double> values) {
     }
     const auto n = static_cast<double>(values.size());
     if (found.repeats == 0) return std::nullopt;
-    found.certain = repeating > 1 && are_real(distinct, finest_printed);
+    found.certain = repeating > 1 && are_real(distinct, values.size(), finest_printed);
     const double grain = relative_grain(distinct);
     const double normal =
         distinct.size() > 1 ? expected_repeats(n, n * spacing / *moments_of(values).standard_deviation()) : 0;
@@ -235,7 +244,8 @@ std::size_t repeated_trials(std::span<const std::span<const double>> series) {
             const double value = values[trial.second];
             return value != distinct.front() && value != distinct.back() && value != 0;
         };
-        if (are_real(distinct, 0) && std::any_of(std::next(repeating.begin()), repeating.end(), counts)) return repeats;
+        if (are_real(distinct, values.size(), 0) && std::any_of(std::next(repeating.begin()), repeating.end(), counts))
+            return repeats;
         are_few = are_few && are_few_reals(distinct);
     }
     return are_few ? repeats : 0;
