@@ -67,7 +67,7 @@ run_test() {
     fi
     for program in $(find "$copy/build/dev/tests" -name '*_tests' -type f -perm -u+x); do
         local code=0
-        "$source_tree/tests/support/run_tests" --filter "$1*" "$program" >"$copy/test.log" 2>&1 || code=$?
+        "$source_tree/tests/support/run_tests" --filter "$1*:*/$1*" "$program" >"$copy/test.log" 2>&1 || code=$?
         [ $code -le 2 ] || { cat "$copy/test.log" >&2 && exit 2; }
         [ $code = 2 ] || found=yes
         [ $code != 1 ] || { status=1 && grep '^FAILED: ' "$copy/test.log"; }
