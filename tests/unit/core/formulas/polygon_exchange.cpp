@@ -6,6 +6,7 @@
 
 #include "core/exact/exact.hpp"
 #include "core/geometry/aligned_rectangle.hpp"
+#include "core/geometry/convex_polygon.hpp"
 #include "tests/unit/core/geometry/random_rectangles.hpp"
 #include "tests/unit/core/geometry/rectangles.hpp"
 
