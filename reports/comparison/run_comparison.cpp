@@ -179,7 +179,8 @@ std::string answer(const RunComparison& comparison) {
     };
     if (!lead.decided) {
         return fmt::format("Neither run is better: the RMSE of {} is {} times that of {}{}. ", second,
-                           range(*lead.ratios), first, lead.compared == 1 ? "" : " in every comparison");
+                           range(*lead.ratios), first,
+                           lead.compared == 1 ? "" : fmt::format(" in each of {} comparisons", lead.compared));
     }
     if (lead.first > 0 && lead.second > 0) {
         return fmt::format("Neither run is better throughout: of {} RMSEs {} are smaller in {}, and {} in {}. ",

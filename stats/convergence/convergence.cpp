@@ -224,6 +224,39 @@ std::optional<ConvergenceRate> fit_median_rate(std::span<const Rung> ladder, dou
     return fit_median_rate(ladder, level, draw(ladder, plan));
 }
 
+std::optional<Measured> measured_rmse_rate(std::span<const Rung> ladder, std::span<const Unmet> unmet) {
+    FF_EXPECT(unmet.size() == ladder.size());
+    if (ladder.size() < 2) return std::nullopt;
+    double weights = 0;
+    double middle = 0;
+    for (const Rung& rung : ladder) {
+        const double weight = 1 / log_chi_squared_variance(static_cast<double>(rung.replicates()));
+        weights += weight;
+        middle += weight * std::log(rung.size);
+    }
+    middle /= weights;
+    double squares = 0;
+    for (const Rung& rung : ladder)
+        squares += std::pow(std::log(rung.size) - middle, 2) /
+                   log_chi_squared_variance(static_cast<double>(rung.replicates()));
+    Measured rate;
+    for (std::size_t i = 0; i < ladder.size(); ++i) {
+        const Rung& rung = ladder[i];
+        std::vector<double> mean_squares(rung.replicates());
+        for (std::size_t k = 0; k < rung.errors.size(); ++k)
+            mean_squares[k / rung.width] += rung.errors[k] * rung.errors[k] / static_cast<double>(rung.width);
+        auto mean = mean_evidence(mean_squares, 0);
+        if (!mean || mean->difference <= 0) return std::nullopt;
+        mean->unmet = unmet[i];
+        const double weight = (std::log(rung.size) - middle) /
+                              log_chi_squared_variance(static_cast<double>(rung.replicates())) / squares / 2;
+        if (weight == 0) continue;  // the middle of three
+        rate.value += weight * std::log(mean->difference);
+        rate.parts.push_back({.mean = *mean, .weight = weight, .logarithm = true});
+    }
+    return rate;
+}
+
 double log_chi_squared_variance(double freedom) {
     FF_EXPECT(freedom > 0);
     return boost::math::trigamma(freedom / 2);

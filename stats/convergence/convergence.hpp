@@ -3,6 +3,7 @@
 #include "stats/basics/interval.hpp"
 #include "stats/convergence/ladder_draws.hpp"
 #include "stats/convergence/line_fit.hpp"
+#include "stats/means/measured.hpp"
 
 #include <cstddef>
 #include <optional>
@@ -47,6 +48,12 @@ std::optional<ConvergenceRate> fit_median_rate(std::span<const Rung> ladder, dou
 /// The same with its own draws.
 std::optional<ConvergenceRate> fit_rmse_rate(std::span<const Rung> ladder, double level, const ResamplingPlan& plan);
 std::optional<ConvergenceRate> fit_median_rate(std::span<const Rung> ladder, double level, const ResamplingPlan& plan);
+
+/// The rate of the RMSE as what it is made of: half the logarithms of the mean squares, by the weights of the line. Its
+/// reaches allow for skewed squares, and for what all evaluations of a size may have missed.
+/// @param unmet  of the mean square of each size
+/// Empty below two sizes, and where a size has too few replicates or no error.
+std::optional<Measured> measured_rmse_rate(std::span<const Rung> ladder, std::span<const Unmet> unmet);
 
 /// Variance of the logarithm of a mean of squares of `freedom` independent standard normals: trigamma(freedom / 2).
 double log_chi_squared_variance(double freedom);

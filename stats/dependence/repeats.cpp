@@ -151,22 +151,38 @@ bool lie_on_lattice(const std::vector<double>& distinct, std::size_t n) {
     return n < 4 * distinct.size() || distinct.back() - distinct.front() <= most_sites * spacing;
 }
 
+/// So few different values that each counts, also the least and the largest.
+constexpr std::size_t most_few = 4;
+
 /// Whether ascending distinct values, of n in all, are real numbers, which chance never makes equal.
 /// @param coarsest  the largest relative_grain that they may have
 bool are_real(const std::vector<double>& distinct, std::size_t n, double coarsest) {
     const double grain = relative_grain(distinct);
     if (distinct.size() < 3 || grain > coarsest || lie_on_lattice(distinct, n)) return false;
+    std::vector<double> squares;  // of roots of counts, as standard errors are
+    for (const double value : distinct) squares.push_back(value * std::abs(value));
+    if (lie_on_lattice(squares, n)) return false;
     const double rounding = std::max(0x1p-50, grain);
     const auto ratios = static_cast<std::size_t>(
         std::count_if(distinct.begin(), distinct.end(), [&](double value) { return is_ratio(value, rounding); }));
     return 4 * ratios < distinct.size() && !differences_repeat(distinct, grain);
 }
 
-/// The same of no more than four values: none is 0, short, or a ratio of whole numbers.
+/// The same of two to four values: none is 0 or short, nor are they, their differences or the ratios of these ratios of
+/// whole numbers, as those of shifted or weighted counts are.
 bool are_few_reals(const std::vector<double>& distinct) {
-    const auto is_real = [](double value) { return value != 0 && !is_ratio(value, 0x1p-50); };
-    return distinct.size() > 1 && relative_grain(distinct) == 0 &&
-           std::all_of(distinct.begin(), distinct.end(), is_real);
+    if (distinct.size() < 2 || distinct.size() > most_few || relative_grain(distinct) > 0) return false;
+    constexpr double exact = 0x1p-50;
+    for (std::size_t i = 0; i < distinct.size(); ++i) {
+        if (distinct[i] == 0 || is_ratio(distinct[i], exact)) return false;
+        for (std::size_t j = 0; j < i; ++j) {
+            const double gap = distinct[i] - distinct[j];
+            const double rounding = std::abs(distinct[i]) / gap * exact;
+            if (is_ratio(distinct[j] / distinct[i], 2 * exact) || is_ratio(gap, rounding)) return false;
+            if (i > 1 && is_ratio(gap / (distinct[1] - distinct[0]), 4 * rounding)) return false;
+        }
+    }
+    return true;
 }
 
 }  // namespace
@@ -180,10 +196,20 @@ std::optional<Repeats> find_repeats(std::span<const double> values) {
     }
     std::vector<double> distinct;
     for (const auto& [value, here] : seen) distinct.push_back(value);
+    Repeats found;
+    found.in_all = values.size() - distinct.size();
     const double spacing = find_spacing(distinct);
+    if (are_few_reals(distinct) && found.in_all > distinct.size()) {
+        found.repeats = found.in_all;
+        const auto later = std::min_element(seen.begin(), seen.end(), [](const auto& a, const auto& b) {
+            return std::pair(a.second.count < 2, a.second.second) < std::pair(b.second.count < 2, b.second.second);
+        });
+        found.earlier = later->second.first;
+        found.later = later->second.second;
+        return found;
+    }
     if (is_coarse(distinct, spacing)) return std::nullopt;
 
-    Repeats found;
     std::map<double, Occurrences> inner;
     std::size_t repeating = 0;  // values that do
     for (const auto& [value, here] : seen) {
@@ -235,7 +261,7 @@ std::size_t repeated_trials(std::span<const std::span<const double>> series) {
     }
     if (repeating.size() < 2) return 0;
     std::iter_swap(repeating.begin(), std::max_element(repeating.begin(), repeating.end()));
-    bool are_few = different <= 4;
+    bool are_few = different <= most_few;
     for (const auto values : series) {
         std::vector<double> distinct(values.begin(), values.end());
         std::sort(distinct.begin(), distinct.end());

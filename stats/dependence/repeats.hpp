@@ -8,7 +8,8 @@ namespace ff::stats {
 
 /// Values of a series that occurred earlier, bit for bit.
 struct Repeats {
-    std::size_t repeats = 0;  ///< values that are equal to an earlier one
+    std::size_t in_all = 0;   ///< values that are equal to an earlier one
+    std::size_t repeats = 0;  ///< those of them that count
     double expected = 0;      ///< how many are expected by chance among independent values on the same lattice
     double p = 0;             ///< P(at least as many by chance), where every site of the lattice may be taken
     bool certain = false;     ///< several values do that are real numbers with most of their digits
@@ -21,7 +22,8 @@ struct Repeats {
 /// coincide now and then; of two models of chance, the better explanation decides: a normal distribution on the
 /// lattice, whose spacing is the greatest common divisor of the gaps, and the neighbours, since where values crowd, the
 /// sites beside them fill too. Where the sites are few enough to be filled, repeats tell nothing. Values without a
-/// lattice never coincide by chance. Empty without a repeat, and where repeats tell nothing.
+/// lattice never coincide by chance. Empty without a repeat, and where repeats tell nothing. Of two to four different
+/// real values all repeats count.
 ///
 /// Printed shares of few trials, and sums of several, take few values, which need not be neighbours; and an estimator
 /// may give one value often, where nothing happens. So p can be small among honest ones: only where `certain` can one

@@ -52,18 +52,6 @@ std::optional<stats::Interval> positive_interval(const stats::MeanEvidence& mean
     return interval.low > 0 && interval.is_finite() ? std::optional(interval) : std::nullopt;
 }
 
-/// What the mean square of a trial's error has of values that no evaluation has met: an evaluation of n moves the trial
-/// by its value / n, and n of them may do so.
-stats::Unmet unmet_squares(const std::vector<stats::Unmet>& pairs, std::uint64_t evaluations) {
-    stats::Unmet mean;
-    for (const stats::Unmet& pair : pairs) {
-        if (pair.largest == 0 || !std::isfinite(pair.largest)) continue;
-        mean.largest += pair.largest * pair.largest / static_cast<double>(evaluations * pairs.size());
-        mean.evaluations = pair.evaluations;
-    }
-    return mean;
-}
-
 void add_variance(std::span<const double> errors, double level, const stats::Unmet& unmet, ClassError& found) {
     const auto deviations = trial_means(squared_deviations(errors, pair_means(errors, found.pairs)), found.pairs);
     const auto squares = stats::moments_of(deviations);
@@ -105,6 +93,16 @@ void add_efficiency(std::span<const double> squares, double level, const stats::
 }
 
 }  // namespace
+
+stats::Unmet unmet_squares(const std::vector<stats::Unmet>& pairs, std::uint64_t evaluations) {
+    stats::Unmet mean;
+    for (const stats::Unmet& pair : pairs) {
+        if (pair.largest == 0 || !std::isfinite(pair.largest)) continue;
+        mean.largest += pair.largest * pair.largest / static_cast<double>(evaluations * pairs.size());
+        mean.evaluations = pair.evaluations;
+    }
+    return mean;
+}
 
 std::optional<ClassError> class_error(const CellEstimates& estimates, const Scene& scene, const KnownFactors& known,
                                       std::span<const Quantity> pairs, PairClass pair_class, VarianceStatus status,

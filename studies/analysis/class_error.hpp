@@ -56,6 +56,10 @@ std::optional<ClassError> class_error(const CellEstimates& estimates, const Scen
 ClassError class_error_of(std::span<const double> errors, std::size_t pairs, std::uint64_t evaluations,
                           VarianceStatus status, double level, const std::vector<stats::Unmet>& unmet = {});
 
+/// What the mean square of a trial's error, over these pairs, has of values that no evaluation has met: an evaluation
+/// of n moves the trial by its value / n, and n of them may do so.
+stats::Unmet unmet_squares(const std::vector<stats::Unmet>& pairs, std::uint64_t evaluations);
+
 /// Estimate - exact value, [trial * pairs + pair]. @pre all pairs have one
 std::vector<double> errors_of(const CellEstimates& estimates, std::span<const Quantity> pairs,
                               const KnownFactors& known);

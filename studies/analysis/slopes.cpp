@@ -158,8 +158,31 @@ class LadderFit {
         slope.few_trials = std::any_of(ladder_.cells.begin(), ladder_.cells.end(),
                                        [&](std::size_t cell) { return findings_.cells[cell].repeated_trials > 0; });
         if (ladder_.growth == Growth::samples) slope.expected = expected_rate(method, slope.pair_class, hiding(pairs));
-        fit(rungs(pairs), plan_.spec.level, draws_, slope);
+        const auto sizes = rungs(pairs);
+        fit(sizes, plan_.spec.level, draws_, slope);
+        if (slope.p && slope.statistic == ErrorSize::rmse) allow_for_skewness(sizes, pairs, slope);
         return slope;
+    }
+
+    /// Whether a slope is as expected also rests on the rule for means: squares of errors are skewed.
+    void allow_for_skewness(std::span<const stats::Rung> sizes, std::span<const Quantity> pairs, Slope& slope) const {
+        std::vector<stats::Unmet> unmet;
+        for (const CellEstimates& estimates : estimates_) {
+            const Cell& cell = plan_.cells[estimates.cell];
+            std::vector<stats::Unmet> of_pairs;
+            for (const Quantity pair : pairs) {
+                of_pairs.push_back(known_limits(plan_.spec.methods[ladder_.method], plan_.scenes[ladder_.scene],
+                                                cell.subdivision, pair, estimates.evaluations_per_face,
+                                                estimates.trials())
+                                       .unmet);
+            }
+            unmet.push_back(unmet_squares(of_pairs, estimates.evaluations_per_face));
+        }
+        const auto rate = stats::measured_rmse_rate(sizes, unmet);
+        const stats::Measured nearest{
+            .value = *slope.slope > slope.slowest_expected ? slope.slowest_expected : slope.expected->rate,
+            .parts = {}};
+        slope.p = rate ? std::max(*slope.p, stats::p_of_equal(nearest, *rate)) : 1;
     }
 
     /// Sparse hits make no test of a mean, but their spread is one all the same.

@@ -1,4 +1,6 @@
 #include "studies/gates/gate_comparison.hpp"
+#include "stats/means/measured.hpp"
+#include "studies/analysis/class_error.hpp"
 
 #include "stats/dependence/repeats.hpp"
 #include "stats/means/mean_interval.hpp"
@@ -58,6 +60,18 @@ stats::KnownLimits limits_of(const Gate& gate, const StudyPlan& plan, const Effe
                       .evaluations = std::max(there.evaluations, back.evaluations)}};
 }
 
+/// Whether so few rays hit, or miss, in all trials together that their number is no test of anything.
+bool has_few_hits(const CellEstimates& estimates, Quantity quantity, double share) {
+    const auto lattice = estimates.lattice(quantity);
+    if (!lattice) return false;
+    return static_cast<double>(estimates.trials()) / *lattice * std::min(share, 1 - share) < least_hits;
+}
+
+void leave_few_hits_undecided(Comparison& row) {
+    row.verdict = Verdict::inconclusive;
+    row.note = fmt::format("fewer than {:g} hits or misses in all trials together", least_hits);
+}
+
 /// Bias, closure and reciprocity.
 void compare_means(const Gate& gate, const Plan& plan, const Effect& effect,
                    const std::optional<StoredQuantity>& stored, const CellEstimates& estimates,
@@ -74,40 +88,30 @@ void compare_means(const Gate& gate, const Plan& plan, const Effect& effect,
         measure_mean(values, reference, row.band, plan.levels, limits_of(gate, plan.study, effect, estimates));
     judge_into(row);
     if (!row.measurement) row.note = "every trial gave the same value";
-    const auto lattice = gate.kind == GateKind::bias ? estimates.lattice(effect.quantity) : std::nullopt;
-    if (!lattice) return;
-    const double rays = static_cast<double>(values.size()) / *lattice;
-    if (rays * std::min(reference.value, 1 - reference.value) >= least_hits) return;
-    row.verdict = Verdict::inconclusive;
-    row.note = fmt::format("fewer than {:g} hits or misses in all trials together", least_hits);
+    if (gate.kind == GateKind::bias && has_few_hits(estimates, effect.quantity, reference.value))
+        leave_few_hits_undecided(row);
 }
 
-void compare_spreads(const Gate& gate, const Plan& plan, const Effect& effect,
-                     const std::optional<StoredQuantity>& stored, std::span<const double> values, Comparison& row) {
-    const bool about_truth = gate.kind == GateKind::rmse;
-    const auto spread = about_truth ? stats::mean_square_about(values, effect.truth.value_or(0))
-                                    : stats::mean_square_of(stats::moments_of(values, values.front()));
-    if (!spread) {
-        row.note = "fewer than four trials, or all alike";
-        return;
-    }
-    if (!stored) {
-        row.measurement =
-            measure_spread(*spread, gate.reference ? *gate.reference : *effect.sigma, row.band, plan.levels);
-        return judge_into(row);
-    }
-    const auto& reference = about_truth ? stored->mean_square_error : stored->variance;
-    if (!reference) {
-        row.note = "the baseline has no spread";
-        return;
-    }
-    if (gate.kind != GateKind::efficiency) {
-        row.measurement = measure_spread(*spread, *reference, row.band, plan.levels);
-        return judge_into(row);
-    }
-    // The number of evaluations is the same, so efficiencies are as one over the variances.
-    const Band roots{std::sqrt(row.band.low), std::sqrt(row.band.high)};
-    Measurement measurement = measure_spread(*reference, *spread, roots, plan.levels);
+/// Half the logarithm of the mean square about a centre, by the rule for means; empty where there is none.
+std::optional<stats::Measured> logarithm_of_spread(std::span<const double> values, double centre,
+                                                   const stats::Unmet& unmet, std::uint64_t evaluations) {
+    std::vector<double> squares;
+    for (const double value : values) squares.push_back((value - centre) * (value - centre));
+    auto mean = stats::mean_evidence(squares, 0);
+    if (!mean || mean->difference <= 0) return std::nullopt;
+    mean->unmet = unmet_squares({unmet}, evaluations);
+    return stats::Measured{.value = std::log(mean->difference) / 2,
+                           .parts = {{.mean = *mean, .weight = 0.5, .logarithm = true}}};
+}
+
+/// The number of evaluations is the same, so efficiencies are as one over the variances.
+/// @param ratio  logarithm of the ratio of the standard deviations
+Measurement measure_efficiency(const stats::MeanSquare& spread, const stats::MeanSquare& reference,
+                               stats::Measured ratio, const Band& band, const Levels& levels) {
+    Measurement measurement = measure_spread(reference, spread, {std::sqrt(band.low), std::sqrt(band.high)}, levels);
+    ratio.value *= -1;
+    for (stats::Measured::Part& part : ratio.parts) part.weight *= -1;
+    allow_for_skewness(measurement, ratio, true, levels);
     const auto square = [](double x) { return x * x; };
     for (stats::Interval* interval : {&measurement.passing, &measurement.failing}) {
         interval->low = square(interval->low);
@@ -115,8 +119,54 @@ void compare_spreads(const Gate& gate, const Plan& plan, const Effect& effect,
     }
     measurement.value = square(measurement.value);
     measurement.minimum_detectable = square(measurement.minimum_detectable);
+    return measurement;
+}
+
+void compare_spreads(const Gate& gate, const Plan& plan, const Effect& effect,
+                     const std::optional<StoredQuantity>& stored, const CellEstimates& estimates,
+                     std::span<const double> values, Comparison& row) {
+    const bool about_truth = gate.kind == GateKind::rmse;
+    const auto moments = stats::moments_of(values, values.front());
+    const double centre = about_truth ? effect.truth.value_or(0) : *moments.mean();
+    const auto spread = about_truth ? stats::mean_square_about(values, centre) : stats::mean_square_of(moments);
+    const auto logarithm = logarithm_of_spread(values, centre, limits_of(gate, plan.study, effect, estimates).unmet,
+                                               estimates.evaluations_per_face);
+    if (!spread || !logarithm) {
+        row.note = "fewer than four trials, or all alike";
+        return;
+    }
+    stats::Measured ratio = *logarithm;  // half the logarithm of the mean square, less that of the reference
+    Measurement measurement;
+    if (!stored) {
+        const double reference = gate.reference ? *gate.reference : *effect.sigma;
+        measurement = measure_spread(*spread, reference, row.band, plan.levels);
+        ratio.value -= std::log(reference);
+        allow_for_skewness(measurement, ratio, true, plan.levels);
+    } else {
+        const auto& reference = about_truth ? stored->mean_square_error : stored->variance;
+        if (!reference) {
+            row.note = "the baseline has no spread";
+            return;
+        }
+        // Of the baseline's trials no more than this is known. What ours may have missed they may have missed too.
+        const auto before =
+            stats::with_error(std::log(reference->mean_square) / 2, 1 / std::sqrt(2 * reference->freedom),
+                              std::max<std::size_t>(2, stored->trials));
+        ratio.value -= before.value;
+        ratio.parts.push_back(before.parts.front());
+        if (logarithm->parts.front().mean.unmet.largest > 0) {
+            ratio.parts.push_back(logarithm->parts.front());
+            ratio.parts.back().weight *= -1;
+        }
+        measurement = gate.kind == GateKind::efficiency
+                          ? measure_efficiency(*spread, *reference, ratio, row.band, plan.levels)
+                          : measure_spread(*spread, *reference, row.band, plan.levels);
+        if (gate.kind != GateKind::efficiency) allow_for_skewness(measurement, ratio, true, plan.levels);
+    }
     row.measurement = measurement;
     judge_into(row);
+    const double share = effect.truth.value_or(*moments.mean());
+    if (has_few_hits(estimates, effect.quantity, share)) leave_few_hits_undecided(row);
 }
 
 void compare_losses(const Gate& gate, const Plan& plan, const CellEstimates& estimates, std::uint64_t rays,
@@ -172,16 +222,32 @@ void compare_coverage(const Gate& gate, const Plan& plan, const Effect& effect, 
     judge_into(row);
 }
 
-void compare_slope(const Plan& plan, const Effect& effect, std::span<const CellEstimates> estimates, Comparison& row) {
+void compare_slope(const Gate& gate, const Plan& plan, const Effect& effect, std::span<const CellEstimates> estimates,
+                   Comparison& row) {
     std::vector<stats::Rung> ladder;
+    std::vector<stats::Unmet> unmet;
     for (const std::size_t cell : effect.cells) {
-        stats::Rung rung{static_cast<double>(estimates[cell].evaluations_per_face), {}};
-        for (const double value : estimates[cell].values(effect.quantity)) rung.errors.push_back(value - *effect.truth);
+        const CellEstimates& here = estimates[cell];
+        stats::Rung rung{static_cast<double>(here.evaluations_per_face), {}};
+        for (const double value : here.values(effect.quantity)) rung.errors.push_back(value - *effect.truth);
         ladder.push_back(std::move(rung));
+        Effect at_size = effect;
+        at_size.cells = {cell};
+        unmet.push_back(unmet_squares({limits_of(gate, plan.study, at_size, here).unmet}, here.evaluations_per_face));
     }
     row.measurement = measure_slope(ladder, row.band, plan.levels);
-    if (!row.measurement) row.note = "no error at some size";
+    const auto rate = stats::measured_rmse_rate(ladder, unmet);
+    if (!row.measurement || !rate) {
+        row.measurement.reset();
+        row.note = "no error at some size";
+    } else {
+        allow_for_skewness(*row.measurement, *rate, false, plan.levels);
+    }
     judge_into(row);
+    const auto is_sparse = [&](std::size_t cell) {
+        return has_few_hits(estimates[cell], effect.quantity, *effect.truth);
+    };
+    if (std::any_of(effect.cells.begin(), effect.cells.end(), is_sparse)) leave_few_hits_undecided(row);
 }
 
 /// Trials that repeat each other are no replicates, whatever their mean.
@@ -235,13 +301,13 @@ std::vector<Comparison> compare(const Gate& gate, const Plan& plan, std::span<co
             case GateKind::std:
             case GateKind::rmse:
             case GateKind::efficiency:
-                compare_spreads(gate, plan, effect, plan.stored[i], values, row);
+                compare_spreads(gate, plan, effect, plan.stored[i], first, values, row);
                 break;
             case GateKind::coverage:
                 compare_coverage(gate, plan, effect, values, first.evaluations_per_face, row);
                 break;
             case GateKind::slope:
-                compare_slope(plan, effect, estimates, row);
+                compare_slope(gate, plan, effect, estimates, row);
                 break;
             case GateKind::lost_rays:
             case GateKind::equal:

@@ -51,9 +51,7 @@ ExpectedRate root_of_size(std::string_view source, std::string_view because) {
 }  // namespace
 
 double ExpectedRate::slowest(double size) const {
-    // Sums approach a stable law at the rate of its own error [hall1981]: the error is N^rate (1 - b N^rate + ...). On
-    // the adjacent faces of a cube b is about 0.45; 1 is allowed for.
-    if (of_median) return rate - rate * std::pow(size, rate);
+    if (of_median) return 0;
     return rate + log_power / std::log(size);
 }
 

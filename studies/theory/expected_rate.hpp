@@ -18,7 +18,8 @@ struct ExpectedRate {
     std::string_view because;  ///< in a few words
 
     /// The slowest expected slope of a straight line through sizes about `size`: that of N^rate (ln N)^log_power
-    /// there, and of N^rate (1 - N^rate) for medians, whose law is a limit.
+    /// there. Rates of medians are limits [hall1981], and how soon they are approached depends on the scene: any slope
+    /// from 0 on may precede them.
     [[nodiscard]] double slowest(double size) const;
 };
 

@@ -127,6 +127,18 @@ std::optional<Measurement> measure_slope(std::span<const stats::Rung> ladder, co
     return measurement;
 }
 
+void allow_for_skewness(Measurement& measurement, const stats::Measured& number, bool is_logarithm,
+                        const Levels& levels) {
+    const auto widen = [&](stats::Interval& interval, double level) {
+        const double low = number.value - number.reach(-1, (1 - level) / 2);
+        const double high = number.value + number.reach(1, (1 - level) / 2);
+        interval.low = std::min(interval.low, is_logarithm ? std::exp(low) : low);
+        interval.high = std::max(interval.high, is_logarithm ? std::exp(high) : high);
+    };
+    widen(measurement.passing, passing_level(levels));
+    widen(measurement.failing, failing_level(levels));
+}
+
 Measurement measure_exactly(double value, const Band& band) {
     const stats::Interval point{.low = value, .high = value, .level = 1, .method = "exact", .n = 1};
     return {.value = value,

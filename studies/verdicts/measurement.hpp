@@ -4,6 +4,7 @@
 #include "stats/convergence/convergence.hpp"
 #include "stats/dependence/serial_correlation.hpp"
 #include "stats/means/mean_test.hpp"
+#include "stats/means/measured.hpp"
 #include "stats/variances/spread.hpp"
 #include "studies/verdicts/verdict.hpp"
 
@@ -42,6 +43,11 @@ Measurement measure_proportion(const stats::Proportion& counts, const Band& band
 
 /// Rate of the RMSE along a ladder.
 std::optional<Measurement> measure_slope(std::span<const stats::Rung> ladder, const Band& band, const Levels& levels);
+
+/// Widens both intervals to what the rule for means says of the number, or of its logarithm: the others rest on
+/// variances of squares that few trials may not show.
+void allow_for_skewness(Measurement& measurement, const stats::Measured& number, bool is_logarithm,
+                        const Levels& levels);
 
 /// A deterministic value: one evaluation decides.
 Measurement measure_exactly(double value, const Band& band);

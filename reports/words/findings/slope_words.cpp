@@ -1,5 +1,6 @@
 #include "reports/words/findings/slope_words.hpp"
 
+#include "reports/text/labels.hpp"
 #include "reports/text/numbers.hpp"
 #include "reports/words/findings/standing.hpp"
 
@@ -76,8 +77,8 @@ std::string verdicts_in_words(const std::vector<studies::LadderSlopes>& ladders)
         }
     }
     if (judged == 0) return {};
-    return fmt::format("Of {} rates with a theory {} are as expected{}{}.", judged, expected,
-                       others.empty() ? "" : "; ", fmt::join(others, ", "));
+    return fmt::format("Of {} with a theory {} {} as expected{}{}.", counted(judged, "rate"), expected,
+                       expected == 1 ? "is" : "are", others.empty() ? "" : "; ", listed(others));
 }
 
 }  // namespace

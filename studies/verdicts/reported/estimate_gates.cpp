@@ -60,12 +60,13 @@ std::string examine_repeats(const EstimateSeries& series, const std::string& ori
             series, origin, repeats->later,
             fmt::format("repeat: this one is equal to that of line {}, and of {} trials {} repeat an earlier one, "
                         "where chance makes about {:.2g}. {}.",
-                        series.lines[repeats->earlier], values.size(), repeats->repeats, repeats->expected,
+                        series.lines[repeats->earlier], values.size(), repeats->in_all, repeats->expected,
                         how_it_happens));
     return fmt::format(
-        "{} of {} trials repeat an earlier value: no wonder if an estimate can take few values, as of few "
-        "rays or to few digits; otherwise seeds repeat, and the interval is too narrow",
-        repeats->repeats, values.size());
+        "{} of {} trials repeat an earlier value: estimates that take few values do, as of few rays or with few "
+        "digits; "
+        "otherwise seeds repeat, and the interval is too narrow",
+        repeats->in_all, values.size());
 }
 
 /// Why no interval of the mean can be believed, in words; empty where nothing speaks against one.

@@ -167,8 +167,8 @@ TEST(ExpectedRate, IsThatOfJumpsForAKernelThatMayBeOccluded) {
     method.map = PointMap::graded;
     EXPECT_TRUE(expected_rate(method, PairClass::adjacent, Hiding::possible)->of_median);
     EXPECT_FALSE(expected_rate(method, PairClass::adjacent, Hiding::none)->of_median);
-    // That rate is a limit: few points approach it slowly.
-    EXPECT_NEAR(expected_rate(method, PairClass::adjacent, Hiding::possible)->slowest(64), -0.25, 1e-12);
+    // That rate is a limit, which few points may not have come near to.
+    EXPECT_EQ(expected_rate(method, PairClass::adjacent, Hiding::possible)->slowest(64), 0);
 }
 
 }  // namespace

@@ -210,7 +210,7 @@ TEST(ExamineIndependence, OnlyNotesRepeatsOfEstimatesThatTakeFewValues) {
     std::vector<double> values(100);
     for (double& value : values) value = std::round(1000 * hits(engine) / 7.0) / 1000;
     EXPECT_THAT(judge_file(bias_gate(0.2), file_of_estimates(values)).note,
-                HasSubstr("repeat an earlier value: no wonder if an estimate can take few values"));
+                HasSubstr("repeat an earlier value: estimates that take few values do"));
 }
 
 TEST(ExamineIndependence, RefusesTrialsThatShareSeeds) {
