@@ -242,6 +242,35 @@ TEST(RepeatedTrials, AreNoneAmongSoundOnes) {
     EXPECT_EQ(repeated_of({std::vector<double>(100, 0.2)}), 0u);
 }
 
+TEST(RepeatedTrials, AreNoneAmongShiftedAndWeightedCounts) {
+    std::mt19937_64 engine(13);
+    for (int i = 0; i < 100; ++i) {
+        auto shifted = counted(30, 1000, 0.001, engine);
+        auto weighted = counted(12, 6, 0.4, engine);
+        auto roots = counted(100, 200, 0.4, engine);
+        for (double& value : shifted) value = std::sqrt(0.05) - value;
+        for (double& value : weighted) value *= std::sqrt(0.02);
+        for (double& value : roots) value = std::sqrt(value * (1 - value) / 200);
+        EXPECT_EQ(repeated_of({shifted}), 0u);
+        EXPECT_EQ(repeated_of({weighted}), 0u);
+        const auto found = find_repeats(roots);
+        EXPECT_FALSE(found && found->certain);
+    }
+}
+
+TEST(FindRepeats, CountsAllRepeatsOfTwoToFourRealValues) {
+    std::mt19937_64 engine(14);
+    for (const std::size_t seeds : {2u, 3u, 4u}) {
+        const auto different = test::normal_sample(seeds, engine);
+        std::vector<double> values(100);
+        for (std::size_t i = 0; i < values.size(); ++i) values[i] = different[i % seeds];
+        const auto found = find_repeats(values);
+        ASSERT_TRUE(found);
+        EXPECT_EQ(found->in_all, 100 - seeds);
+        EXPECT_EQ(found->later, seeds);
+    }
+}
+
 TEST(RepeatedTrials, AreNoneAmongTwoValuesOfWhichOneIsNothing) {
     std::mt19937_64 engine(12);
     std::bernoulli_distribution hit(0.4);
