@@ -23,15 +23,15 @@ namespace ff::stats {
 namespace {
 
 /// Spacing of the lattice that ascending distinct values lie on; 0 where they lie on none.
-double find_spacing(const std::vector<double>& distinct) {
+/// @param rounding  of the largest value, relative; that to single precision unless more is known
+double find_spacing(const std::vector<double>& distinct, double rounding = 0x1p-22) {
     std::vector<double> gaps;
     for (std::size_t i = 1; i < distinct.size(); ++i) gaps.push_back(distinct[i] - distinct[i - 1]);
     if (gaps.empty()) return 0;
     const double least = *std::min_element(gaps.begin(), gaps.end());
-    // Values of a lattice are dense enough that some are neighbours, or nearly so. Rounding, be it to single precision,
-    // is below this.
+    // Values of a lattice are dense enough that some are neighbours, or nearly so.
     const double largest = std::max(std::abs(distinct.front()), std::abs(distinct.back()));
-    const double none = std::min(least / 50, largest * 0x1p-22);
+    const double none = std::min(least / 50, largest * rounding);
     double spacing = least;
     for (double gap : gaps) {
         while (gap > none) {
@@ -151,6 +151,18 @@ bool lie_on_lattice(const std::vector<double>& distinct, std::size_t n) {
     return n < 4 * distinct.size() || distinct.back() - distinct.front() <= most_sites * spacing;
 }
 
+/// Whether ascending values are roots of counts, as standard errors are, or of products of counts.
+bool are_roots_of_counts(const std::vector<double>& distinct, double grain) {
+    const double rounding = std::max(0x1p-30, 64 * grain);
+    const double largest = std::pow(std::max(std::abs(distinct.front()), std::abs(distinct.back())), 2);
+    std::vector<double> squares;
+    for (const double value : distinct) {
+        const double square = value * std::abs(value);
+        if (squares.empty() || square - squares.back() > rounding * largest) squares.push_back(square);
+    }
+    return find_spacing(squares, rounding) > 1000 * rounding * largest;  // a finer one is made by chance
+}
+
 /// So few different values that each counts, also the least and the largest.
 constexpr std::size_t most_few = 4;
 
@@ -159,9 +171,7 @@ constexpr std::size_t most_few = 4;
 bool are_real(const std::vector<double>& distinct, std::size_t n, double coarsest) {
     const double grain = relative_grain(distinct);
     if (distinct.size() < 3 || grain > coarsest || lie_on_lattice(distinct, n)) return false;
-    std::vector<double> squares;  // of roots of counts, as standard errors are
-    for (const double value : distinct) squares.push_back(value * std::abs(value));
-    if (lie_on_lattice(squares, n)) return false;
+    if (are_roots_of_counts(distinct, grain)) return false;
     const double rounding = std::max(0x1p-50, grain);
     const auto ratios = static_cast<std::size_t>(
         std::count_if(distinct.begin(), distinct.end(), [&](double value) { return is_ratio(value, rounding); }));
