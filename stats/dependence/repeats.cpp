@@ -142,13 +142,15 @@ bool differences_repeat(const std::vector<double>& distinct, double grain) {
 /// Values printed with ten digits or more; with fewer, ratios and sums of counts cannot be told from real numbers.
 constexpr double finest_printed = 1.001e-9;
 
-/// Whether ascending distinct values, of n in all, lie on a lattice. Values that occur four times each fill theirs: a
-/// lattice with many more sites is none, but what chance makes of a few gaps.
+/// Whether ascending distinct values, of n in all, lie on a lattice. One with so many sites that n values hardly ever
+/// share one explains no repeats, and may be what chance makes of the gaps; values that occur four times each fill
+/// theirs.
 bool lie_on_lattice(const std::vector<double>& distinct, std::size_t n) {
     const double spacing = find_spacing(distinct);
-    if (spacing == 0) return false;
-    const auto most_sites = 4 * static_cast<double>(distinct.size());
-    return n < 4 * distinct.size() || distinct.back() - distinct.front() <= most_sites * spacing;
+    const auto all = static_cast<double>(n);
+    const auto different = static_cast<double>(distinct.size());
+    const double most_sites = all < 4 * different ? all * all / 4 : 4 * different;
+    return spacing > 0 && distinct.back() - distinct.front() <= most_sites * spacing;
 }
 
 /// Whether ascending values are roots of counts, as standard errors are, or of products of counts.
