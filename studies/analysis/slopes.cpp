@@ -164,7 +164,7 @@ class LadderFit {
         return slope;
     }
 
-    /// Whether a slope is as expected also rests on the rule for means: squares of errors are skewed.
+    /// Where few points may have missed something, whether a slope is as expected also rests on the rule for means.
     void allow_for_skewness(std::span<const stats::Rung> sizes, std::span<const Quantity> pairs, Slope& slope) const {
         std::vector<stats::Unmet> unmet;
         for (const CellEstimates& estimates : estimates_) {
@@ -178,6 +178,7 @@ class LadderFit {
             }
             unmet.push_back(unmet_squares(of_pairs, estimates.evaluations_per_face));
         }
+        if (std::all_of(unmet.begin(), unmet.end(), [](const stats::Unmet& size) { return size.largest == 0; })) return;
         const auto rate = stats::measured_rmse_rate(sizes, unmet);
         const stats::Measured nearest{
             .value = *slope.slope > slope.slowest_expected ? slope.slowest_expected : slope.expected->rate,
