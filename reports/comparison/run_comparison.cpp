@@ -53,6 +53,11 @@ std::string independent_in_words(const RunComparison& comparison, const CellComp
                        untested, brief(cell.detectable_difference, 2), brief(cell.detectable_ratio, 2));
 }
 
+std::string rmse_text(const studies::CellAnalysis& found, PairClass pair_class) {
+    const auto rmse = found.class_rmse(pair_class);
+    return rmse ? fmt::format("{:.2e}", *rmse) : "infinite";
+}
+
 std::string trials_text(const RunComparison& comparison, const CellComparison& cell) {
     const auto a = comparison.first.cells[cell.first].trials;
     const auto b = comparison.second.cells[cell.second].trials;
@@ -89,8 +94,8 @@ Table cells_table(const RunComparison& comparison) {
                                   std::exchange(size, {}),
                                   std::exchange(trials, {}),
                                   {std::string(name(ratio.pair_class)), Mark::none},
-                                  {fmt::format("{:.2e}", ratio.first), Mark::none},
-                                  {fmt::format("{:.2e}", ratio.second), Mark::none},
+                                  {rmse_text(comparison.first.cells[compared.first], ratio.pair_class), Mark::none},
+                                  {rmse_text(comparison.second.cells[compared.second], ratio.pair_class), Mark::none},
                                   std::exchange(verdict, {})});
         }
     }

@@ -17,9 +17,9 @@ std::string bias_line(const studies::Analysis& findings) {
     BiasTally tally = tally_of(findings);
     if (tally.sampled == 0) return {};
     const auto biased = tally.found[studies::BiasFinding::biased];
+    const std::string lost = tally.lost_rays ? fmt::format(" Lost rays: {}.", *tally.lost_rays) : std::string();
     if (tally.found[studies::BiasFinding::untestable] == tally.sampled)
-        return fmt::format("- Bias: not tested in any of {} sampled methods and sizes. Lost rays: {}.\n", tally.sampled,
-                           tally.lost_rays);
+        return fmt::format("- Bias: not tested in any of {} sampled methods and sizes.{}\n", tally.sampled, lost);
     std::string out = fmt::format(
         "- Bias: {}none found in {} of {} sampled methods and sizes ({:g} % over all of them)",
         biased > 0 ? fmt::format("found in {}, ", biased) : "", tally.found[studies::BiasFinding::no_bias_found],
@@ -27,7 +27,7 @@ std::string bias_line(const studies::Analysis& findings) {
     if (const auto margin = findings.plan.spec.equivalence_margin) {
         out += fmt::format("; a bias within ±{} is shown on every pair of {}", brief(*margin, 2), tally.shown);
     }
-    return out + fmt::format(". Lost rays: {}.\n", tally.lost_rays);
+    return out + fmt::format(".{}\n", lost);
 }
 
 }  // namespace

@@ -18,7 +18,7 @@ std::string interval_text(const std::optional<stats::Interval>& interval) {
 
 std::string with_interval(double value, const std::optional<stats::Interval>& interval) {
     if (!interval) return brief(value);
-    return fmt::format("{} [{}, {}]", brief(value), brief(interval->low), brief(interval->high));
+    return with_ends(value, interval->low, interval->high);
 }
 
 std::string size_rows(const studies::ClassSlopes& found) {

@@ -13,16 +13,17 @@ std::string rmse_text(const studies::CellAnalysis& found, PairClass pair_class) 
     const studies::ClassError* error = found.class_error(pair_class);
     if (found.has_infinite_variance(pair_class)) return "infinite";
     if (error == nullptr) return "–";
-    if (error->status == studies::VarianceStatus::infinite) return "infinite";
     if (!error->interval) return brief(error->rmse);
-    return with_half_width(error->rmse, error->interval->width() / 2);
+    const double half = error->interval->width() / 2;
+    if (half <= error->rmse / 2) return with_half_width(error->rmse, half);
+    return with_ends(error->rmse, error->interval->low, error->interval->high);
 }
 
 std::string sum_error_text(const studies::CellAnalysis& found) {
     for (const studies::Summary& summary : found.summaries) {
         if (summary.quantity.kind != studies::QuantityKind::sum_relative_error || !summary.mean) continue;
         if (!summary.q025 || summary.q025 == summary.q975) return brief(*summary.mean);
-        return fmt::format("{} [{}, {}]", brief(*summary.mean), brief(*summary.q025), brief(*summary.q975));
+        return with_ends(*summary.mean, *summary.q025, *summary.q975);
     }
     return "–";
 }
@@ -45,7 +46,8 @@ Table methods_table(const studies::StudyResults& results) {
         "Methods and sizes",
         fmt::format(
             "RMSE: of one run against the exact form factors, over trials and the pairs of a class; ± "
-            "half the width of its {:g} % interval (the rule for means, over trials). Σ r.e.: sum over faces of "
+            "half the width of its {:g} % interval, or [its ends] where that is over half the RMSE (the rule for "
+            "means, over trials). Σ r.e.: sum over faces of "
             "100 |row sum − 1|, mean and range of 95 % of single runs. Bias: all distinct pairs "
             "together (allowing for skewness, Holm over pairs, Šidák over methods and sizes, {:g} % over the whole "
             "study); in parentheses what is detected with power {:g}.",

@@ -38,6 +38,10 @@ std::string brief(double value, int digits) {
     return std::abs(shown) >= 1 && std::abs(shown) < large ? fmt::format("{}", shown) : text;
 }
 
+std::string with_ends(double value, double low, double high, int digits) {
+    return fmt::format("{} [{}, {}]", brief(value, digits), brief(low, digits), brief(high, digits));
+}
+
 std::string p_value(double p) {
     return p < 1e-10 ? "< 1e-10" : fmt::format("{:.2g}", p);
 }

@@ -22,6 +22,9 @@ std::string with_half_width(double value, double half);
 /// A few significant digits; values below 1e-4, and from a million on, have an exponent: "0.0123", "7.7e-05", "1930".
 std::string brief(double value, int digits = 3);
 
+/// A value and the ends of its interval or range, each brief: "0.11 [0.02, 0.31]".
+std::string with_ends(double value, double low, double high, int digits = 3);
+
 /// A p-value: two significant digits, "< 1e-10" below that.
 std::string p_value(double p);
 

@@ -76,7 +76,7 @@ KeyNumber bias_number(const studies::Analysis& findings) {
     number.detail += untestable == 0 ? "." : fmt::format("; {} cannot be tested.", untestable);
     if (const auto margin = findings.plan.spec.equivalence_margin)
         number.detail += fmt::format(" Within ±{} shown on every pair of {}.", brief(*margin, 2), tally.shown);
-    number.detail += fmt::format(" Lost rays: {}.", tally.lost_rays);
+    if (tally.lost_rays) number.detail += fmt::format(" Lost rays: {}.", *tally.lost_rays);
     return number;
 }
 

@@ -94,7 +94,7 @@ const Summary& CellAnalysis::summary(Quantity quantity) const {
 
 std::optional<double> CellAnalysis::class_rmse(PairClass pair_class) const {
     const ClassError* error = class_error(pair_class);
-    return error == nullptr || error->status == VarianceStatus::infinite ? std::nullopt : std::optional(error->rmse);
+    return error == nullptr || has_infinite_variance(pair_class) ? std::nullopt : std::optional(error->rmse);
 }
 
 const ClassError* CellAnalysis::class_error(PairClass pair_class) const {
@@ -104,6 +104,8 @@ const ClassError* CellAnalysis::class_error(PairClass pair_class) const {
 }
 
 bool CellAnalysis::has_infinite_variance(PairClass pair_class) const {
+    const ClassError* error = class_error(pair_class);
+    if (error != nullptr && error->status == VarianceStatus::infinite) return true;
     return std::any_of(summaries.begin(), summaries.end(), [&](const Summary& s) {
         return s.pair_class == pair_class && s.variance == VarianceStatus::infinite;
     });

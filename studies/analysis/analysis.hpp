@@ -38,7 +38,7 @@ struct CellAnalysis {
     std::size_t repeated_trials = 0;
 
     [[nodiscard]] const Summary& summary(Quantity quantity) const;
-    /// The efficiency of `class_error`; empty where that is missing or there is no variance.
+    /// The RMSE of `class_error`; empty where that is missing or the variance is infinite.
     [[nodiscard]] std::optional<double> class_rmse(PairClass pair_class) const;
     /// Null where the cell has no such pair or reference, or some trial of such a pair gave no number.
     [[nodiscard]] const ClassError* class_error(PairClass pair_class) const;

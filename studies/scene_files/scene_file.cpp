@@ -24,9 +24,7 @@ SceneWithMaterials scene_without_mirrors(const SceneSource& source) {
     if (!source.is_file()) return {built_in_scene(name), {}};
     if (!source.text) {
         throw UserError(
-            fmt::format("scene '{}' (a scene file is read with the study file that names it; here only cube and "
-                        "box:AxBxC will do).",
-                        name));
+            fmt::format("scene '{}' (scene files can be named by study files only). Take cube or box:AxBxC.", name));
     }
     if (name.ends_with(".obj")) return read_obj_scene(name, *source.text);
     if (names_mesh(name)) return read_obj_scene(fmt::format("{} as OBJ", name), *source.text);

@@ -184,8 +184,7 @@ std::string percent_with_half_width(double share, double half) {
 
 std::string over_trials_text(const studies::radiosity::OverTrials& range, std::size_t trials, int digits) {
     if (trials == 1) return brief(range.median, digits);
-    return fmt::format("{} [{}, {}]", brief(range.median, digits), brief(range.least, digits),
-                       brief(range.largest, digits));
+    return with_ends(range.median, range.least, range.largest, digits);
 }
 
 std::string bias_text(const studies::radiosity::ExitanceStatistics& found) {

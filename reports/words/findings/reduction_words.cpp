@@ -48,8 +48,7 @@ bool is_below_the_top(const studies::StudyResults& results, std::size_t cell) {
 }  // namespace
 
 std::string factor_text(const VarianceReduction& reduction) {
-    return fmt::format("{} [{}, {}]", brief(reduction.factor), brief(reduction.interval.low),
-                       brief(reduction.interval.high));
+    return with_ends(reduction.factor, reduction.interval.low, reduction.interval.high);
 }
 
 std::vector<std::string> reductions_in_brief(const studies::StudyResults& results) {

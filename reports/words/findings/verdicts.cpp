@@ -23,8 +23,8 @@ std::string why_untested(const studies::CellAnalysis& found) {
     std::vector<std::string_view> reasons;
     if (family.no_exact_value > 0) reasons.emplace_back("no exact value");
     if (family.infinite_variance > 0) reasons.emplace_back("infinite variance");
-    if (reasons.empty() && family.too_few_hits > 0) reasons.emplace_back("too few hits");
-    if (reasons.empty() && family.too_skewed > 0) reasons.emplace_back("too few trials to rule out skewness");
+    if (family.too_few_hits > 0) reasons.emplace_back("too few hits");
+    if (family.too_skewed > 0) reasons.emplace_back("too few trials to rule out skewness");
     return reasons.empty() ? "no spread" : fmt::format("{}", fmt::join(reasons, " or "));
 }
 
@@ -140,7 +140,9 @@ Mark equivalence_mark(studies::EquivalenceFinding finding) {
 BiasTally tally_of(const studies::Analysis& findings) {
     BiasTally tally;
     for (const studies::CellAnalysis& found : findings.cells) {
-        tally.lost_rays += found.lost_rays;
+        const studies::Method& method = findings.plan.spec.methods[findings.plan.cells[found.cell].method];
+        if (studies::estimator_info(method).observes == Observes::hits)
+            tally.lost_rays = tally.lost_rays.value_or(0) + found.lost_rays;
         if (!found.bias) continue;
         ++tally.sampled;
         ++tally.found[found.bias_finding];

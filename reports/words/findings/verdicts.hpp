@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 
 namespace ff::reports {
@@ -26,7 +27,7 @@ struct BiasTally {
     std::map<studies::BiasFinding, std::size_t> found;  ///< how many have each
     std::size_t shown = 0;                              ///< cells whose bias is shown to lie within the margin
     double detectable = 0;                              ///< the largest of their minimum detectable biases
-    std::uint64_t lost_rays = 0;                        ///< of all cells
+    std::optional<std::uint64_t> lost_rays;             ///< of all cells; empty where none shoots rays
 };
 BiasTally tally_of(const studies::Analysis& findings);
 
