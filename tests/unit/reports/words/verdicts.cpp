@@ -45,7 +45,7 @@ TEST(BiasInWords, SaysWhyThereIsNoTest) {
     found.bias->too_few_hits = 30;
     EXPECT_EQ(bias_in_words(found), "no test: too few hits");
     found.bias->infinite_variance = 24;
-    EXPECT_EQ(bias_in_words(found), "no test: infinite variance");
+    EXPECT_EQ(bias_in_words(found), "no test: infinite variance or too few hits");
     found.repeated_trials = found.trials - 8;
     EXPECT_EQ(bias_in_words(found),
               fmt::format("no test: trials repeat each other ({} of {})", found.trials - 8, found.trials));
