@@ -27,6 +27,9 @@ const errorsAt = (json, pairClass, evaluations) => json.slopes.flatMap(({label, 
   .filter(each => each.pair_class === pairClass).flatMap(({sizes}) => sizes
     .filter(size => size.evaluations === evaluations && size.efficiency !== null).map(({rmse}) => ({label, rmse}))));
 
+/** A number to two significant digits. */
+const inShort = number => String(Number(Number(number).toPrecision(2)));
+
 const tasks = [
   {study: 'ladders', asks: 'Which method is best for adjacent faces at 256 evaluations per face?',
    async reads(page) {
@@ -54,11 +57,12 @@ const tasks = [
    knows: json => json.published.claims.some(claim => claim.as_printed_only)},
   {study: 'light', asks: 'How wrong is the exitance by SR at reflectance 0.9?',
    async reads(page) {
-     return /reflectance 0\.9 .*?([\d.]+) % with SR/.exec(await page.$eval('.verdict', node => node.textContent))?.[1];
+     const verdict = await page.$eval('.verdict', node => node.textContent);
+     return inShort(/reflectance 0\.9 .*?([\d.]+)(?: ± [\d.]+)? % with SR/.exec(verdict)?.[1]);
    },
    knows: json => {
      const found = json.radiosity.consequences.find(each => each.cell.startsWith('SR') && each.treatment === 'reciprocal' && each.between === 'faces');
-     return String(Number((100 * found.settings[1].light_error).toPrecision(2)));
+     return inShort(100 * found.settings[1].light_error);
    }},
 ];
 
