@@ -4,6 +4,7 @@
 
 #include <boost/math/distributions/chi_squared.hpp>
 #include <boost/math/distributions/fisher_f.hpp>
+#include <boost/math/distributions/non_central_chi_squared.hpp>
 #include <boost/math/distributions/normal.hpp>
 #include <boost/math/distributions/students_t.hpp>
 
@@ -35,6 +36,16 @@ double cube_root_sigma(double freedom) {
 bool is_far(double x, double freedom) {
     constexpr double most_exponent = 750;
     return std::isinf(x) || (x - freedom - freedom * std::log(x / freedom)) / 2 > most_exponent;
+}
+
+/// Sankaran's standardised power of noncentral chi-squared.
+double sankaran_score(double x, double freedom, double lambda) {
+    const double mean = freedom + lambda;
+    const double h = 1 - 2 * mean * (freedom + 3 * lambda) / (3 * (freedom + 2 * lambda) * (freedom + 2 * lambda));
+    const double p = (freedom + 2 * lambda) / (mean * mean);
+    const double m = (h - 1) * (1 - 3 * h);
+    const double centre = 1 + h * p * (h - 1 - (2 - h) * m * p / 2);
+    return (std::pow(x / mean, h) - centre) / (h * std::sqrt(2 * p) * (1 + m * p / 2));
 }
 
 /// ln f lies within the range of doubles; halved until neighbours are left.
@@ -99,6 +110,21 @@ double chi_squared_tail(double x, double freedom) {
     if (freedom > most_freedom)
         return normal_tail((std::cbrt(x / freedom) - cube_root_mean(freedom)) / cube_root_sigma(freedom));
     return math::cdf(math::complement(math::chi_squared(freedom), x));
+}
+
+double noncentral_chi_squared_tail(double x, double freedom, double lambda, bool above) {
+    FF_EXPECT(x >= 0 && freedom > 0 && lambda >= 0);
+    if (x == 0) return above ? 1 : 0;
+    const double score = sankaran_score(x, freedom, lambda) * (above ? 1 : -1);
+    constexpr double normal_from = 1e4;
+    constexpr double far = 30;  // below 1e-190, where Boost's series do not end
+    if (freedom + lambda > normal_from || std::abs(score) > far) return normal_tail(score);
+    try {
+        const math::non_central_chi_squared law(freedom, lambda);
+        return above ? math::cdf(math::complement(law, x)) : math::cdf(law, x);
+    } catch (const std::exception&) {
+        return normal_tail(score);
+    }
 }
 
 double fisher_tail(double f, double freedom_above, double freedom_below) {

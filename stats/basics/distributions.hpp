@@ -23,6 +23,10 @@ double student_two_sided_p(double t, double freedom);
 double chi_squared_critical(double freedom, double tail);
 /// P(X > x). @pre x >= 0, freedom > 0
 double chi_squared_tail(double x, double freedom);
+/// P(X > x), or P(X < x) where not `above`, of noncentral chi-squared with a mean of freedom + lambda. From a mean of
+/// 1e4 on a power of it is taken for normal [sankaran1963]: tails of 1e-9 are less than 1 % too large then.
+/// @pre x >= 0, freedom > 0, lambda >= 0
+double noncentral_chi_squared_tail(double x, double freedom, double lambda, bool above);
 
 /// P(F > f). @pre f >= 0
 double fisher_tail(double f, double freedom_above, double freedom_below);

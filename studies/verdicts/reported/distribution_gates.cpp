@@ -76,7 +76,8 @@ double sum_of(const std::vector<double>& values) {
     return sum;
 }
 
-/// The bins that differ most, in standard errors; in words.
+/// The bins that differ most, in standard errors; in words. Bins that were pooled are left out: a single event may be
+/// many errors there. Empty where all were.
 std::string worst_bins(const Bins& bins, const std::vector<double>& counts, const std::vector<double>& others,
                        bool are_shares) {
     const double n = sum_of(counts);
@@ -86,7 +87,8 @@ std::string worst_bins(const Bins& bins, const std::vector<double>& counts, cons
         const double share = are_shares ? others[i] : (counts[i] + others[i]) / (n + m);
         const double variance = share * (1 - share) * (are_shares ? 1 / n : 1 / n + 1 / m);
         const double difference = counts[i] / n - others[i] / m;
-        if (variance > 0) scores.emplace_back(difference / std::sqrt(variance), i);
+        const double expected = share * (are_shares ? n : std::min(n, m));
+        if (variance > 0 && expected >= stats::least_expected) scores.emplace_back(difference / std::sqrt(variance), i);
     }
     constexpr std::size_t most = 3;
     const std::size_t shown = std::min(most, scores.size());
@@ -95,7 +97,7 @@ std::string worst_bins(const Bins& bins, const std::vector<double>& counts, cons
     std::vector<std::string> words;
     for (std::size_t i = 0; i < shown; ++i)
         words.push_back(fmt::format("{} ({:+.3g} errors)", bins.name(scores[i].second), scores[i].first));
-    return fmt::format("worst {}", fmt::join(words, ", "));
+    return words.empty() ? "" : fmt::format("worst {}; ", fmt::join(words, ", "));
 }
 
 Measurement measure_counts(const stats::CountDistance& found, const Band& band, const Levels& levels) {
@@ -160,16 +162,23 @@ GateResult judge_counts(const Spec& spec, const Gate& gate, const Bins& bins, co
     row.trials = static_cast<std::uint64_t>(sum_of(counts));
     const auto found =
         are_shares ? stats::count_distance(counts, others) : stats::count_distance_of_two(counts, others);
-    if (!found) {
-        row.note = "fewer than two cells in which 5 are expected: run longer";
-    } else if (found->impossible) {
+    // The interval fails by its lower end alone; the other half of the risk is left for single bins.
+    const auto refuting =
+        are_shares ? stats::refuting_bin(counts, others, row.band.high, row.levels.fail_alpha / 2) : std::nullopt;
+    if (refuting && others[*refuting] == 0) {
         row.verdict = Verdict::fail;
         row.note = "there are counts in bins whose share is 0";
+    } else if (refuting) {
+        row.verdict = Verdict::fail;
+        row.note = fmt::format("bin {} has a count of {:g} where {:.3g} are expected", bins.name(*refuting),
+                               counts[*refuting], others[*refuting] * sum_of(counts));
+    } else if (!found) {
+        row.note = "fewer than two cells in which 5 are expected: run longer";
     } else {
         row.measurement = measure_counts(*found, row.band, row.levels);
         row.verdict = judge(row.measurement, row.band);
         row.note = fmt::format(
-            "{} bins pooled to {:g} cells of 5 or more, G = {:.4g}, p = {:.2g} for no difference; {}; takes counts for "
+            "{} bins pooled to {:g} cells of 5 or more, G = {:.4g}, p = {:.2g} for no difference; {}takes counts for "
             "those of independent events",
             counts.size(), found->freedom + 1, found->statistic, stats::p_above(*found, 0),
             worst_bins(bins, counts, others, are_shares));

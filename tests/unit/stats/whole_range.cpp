@@ -108,6 +108,19 @@ RC_GTEST_PROP(WholeRange, TailsOfAnythingAreProbabilities, ()) {
     }
 }
 
+RC_GTEST_PROP(WholeRange, TailsOfNoncentralChiSquaredAreProbabilities, ()) {
+    const double freedom = std::ceil(*decades(0, 7));
+    const double lambda = *decades(-20, 17);
+    const double mean = freedom + lambda;
+    for (const double x : {0.0, *decades(-20, 17), mean, mean + 3 * std::sqrt(2 * mean), 2 * mean, mean / 3}) {
+        const double above = noncentral_chi_squared_tail(x, freedom, lambda, true);
+        const double below = noncentral_chi_squared_tail(x, freedom, lambda, false);
+        expect_p(above);
+        expect_p(below);
+        RC_ASSERT(std::abs(above + below - 1) <= 1e-8);
+    }
+}
+
 RC_GTEST_PROP(WholeRange, IntervalsOfSharesAreInOrder, ()) {
     const auto trials = static_cast<std::uint64_t>(*decades(0, 12));
     const auto hits = std::min(trials, static_cast<std::uint64_t>(static_cast<double>(trials) * *decades(-12, 0)));

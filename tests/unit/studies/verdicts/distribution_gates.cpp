@@ -63,6 +63,29 @@ TEST(DistributionGates, FailOnACountWhereTheShareIsZero) {
     EXPECT_THAT(result.note, HasSubstr("share is 0"));
 }
 
+TEST(DistributionGates, FailOnACountThatNoDistributionInTheBandExplains) {
+    const auto shares = counts("x,0,1e-300\nx,1,0.5\nx,2,0.5\n", "share");
+    const auto file = counts("x,0,1\nx,1,100\nx,2,90\n");
+    const Gate narrow = distribution_gate(0.01);
+    const auto failed = judge_reported(spec_of(narrow), narrow, file, &shares);
+    EXPECT_EQ(failed.verdict, Verdict::fail);
+    EXPECT_THAT(failed.note, HasSubstr("bin 0 has a count of 1 where 1.91e-298 are expected"));
+    const Gate wide = distribution_gate(0.5);
+    const auto passed = judge_reported(spec_of(wide), wide, file, &shares);
+    EXPECT_EQ(passed.verdict, Verdict::pass);
+    EXPECT_THAT(passed.note, HasSubstr("worst 2 (-0.796 errors), 1 (+0.651 errors); takes"));
+}
+
+TEST(DistributionGates, JudgeHugeCounts) {
+    const auto shares = counts("x,0,0.4\nx,1,0.3\nx,2,0.3\n", "share");
+    const Gate gate = distribution_gate(0.05);
+    const auto judged = [&](const std::string& rows) {
+        return judge_reported(spec_of(gate), gate, counts(rows), &shares).verdict;
+    };
+    EXPECT_EQ(judged("x,0,3602879701896396\nx,1,2702159776422297\nx,2,2702159776422297\n"), Verdict::pass);
+    EXPECT_EQ(judged("x,0,9007199254740992\nx,1,0\nx,2,0\n"), Verdict::fail);
+}
+
 TEST(DistributionGates, RefuseFilesThatCannotBeCompared) {
     const auto file = counts("x,0,500\nx,1,510\n");
     const auto short_of_one = counts("x,0,0.5\nx,1,0.4\n", "share");
