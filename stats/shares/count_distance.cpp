@@ -69,8 +69,10 @@ double more_variance(double e) {
 
 /// Adds the part of one sample to the statistic. Returns n times the variance of ln(p / q) under p: the part of the
 /// noncentral variance.
-double add_sample(CountDistance& found, const std::vector<double>& counts, const std::vector<double>& expected) {
-    double sum = 0;
+/// @param noise  share of the noise that is this sample's
+double add_sample(CountDistance& found, const std::vector<double>& counts, const std::vector<double>& expected,
+                  double noise) {
+    double sum = -noise * static_cast<double>(counts.size()) / 2;  // of o ln(o / e), by chance
     double squares = 0;
     for (std::size_t i = 0; i < counts.size(); ++i) {
         found.statistic += 2 * (deviance(counts[i], expected[i]) + less_bias(counts[i]));
@@ -94,7 +96,7 @@ void complete(CountDistance& found, const std::vector<double>& smallest, double 
     found.statistic = std::max(0.0, found.statistic + cells);
     found.variance += 2 * found.freedom;
     found.lattice = 2 / *std::min_element(smallest.begin(), smallest.end());
-    const double noncentral = std::max(0.0, found.statistic - found.freedom) + std::sqrt(found.variance);
+    const double noncentral = std::max(found.statistic - found.freedom, std::sqrt(found.variance));
     found.spread = 1 + std::max(0.0, variance_of_ratios - found.statistic) / noncentral;
 }
 
@@ -141,7 +143,7 @@ std::optional<CountDistance> count_distance(std::span<const double> counts, std:
     for (double& value : expected) value *= found.draws;
     const Cells cells = pool_neighbours(counts, expected, [](double, double e) { return e; });
     if (cells.first.size() < 2) return std::nullopt;
-    complete(found, cells.second, add_sample(found, cells.first, cells.second));
+    complete(found, cells.second, add_sample(found, cells.first, cells.second, 1));
     return found;
 }
 
@@ -164,7 +166,8 @@ std::optional<CountDistance> count_distance_of_two(std::span<const double> first
         found.statistic -= 2 * less_bias(together);
         found.variance -= more_variance(together);
     }
-    const double variance = add_sample(found, cells.first, of_first) + add_sample(found, cells.second, of_second);
+    const double variance =
+        add_sample(found, cells.first, of_first, m / (n + m)) + add_sample(found, cells.second, of_second, n / (n + m));
     complete(found, n < m ? of_first : of_second, variance);
     return found;
 }

@@ -66,7 +66,7 @@ TEST(DistributionGates, FailOnACountWhereTheShareIsZero) {
 TEST(DistributionGates, FailOnACountThatNoDistributionInTheBandExplains) {
     const auto shares = counts("x,0,1e-300\nx,1,0.5\nx,2,0.5\n", "share");
     const auto file = counts("x,0,1\nx,1,100\nx,2,90\n");
-    const Gate narrow = distribution_gate(0.01);
+    const Gate narrow = distribution_gate(1e-3);
     const auto failed = judge_reported(spec_of(narrow), narrow, file, &shares);
     EXPECT_EQ(failed.verdict, Verdict::fail);
     EXPECT_THAT(failed.note, HasSubstr("bin 0 has a count of 1 where 1.91e-298 are expected"));
