@@ -82,4 +82,14 @@ inline double skewed_reach(const MeanSkewness& skewness, int side, double t, dou
     return std::max({t, hall, first_order});
 }
 
+/// How far the logarithm of a positive mean may be off where the mean may be so by this share of it.
+/// @param side  1: the upper limit; -1: the lower limit
+inline double reach_of_logarithm(int side, double share) {
+    if (side > 0) return std::log1p(share);
+    // A lower limit of a positive mean below a fifth of it is too cautious, and below 0 of no use: large values that
+    // raise the mean raise its standard error as well. From there on the logarithm falls in proportion.
+    const double proportional = 2 * share;
+    return share < 1 ? std::min(-std::log1p(-share), proportional) : proportional;
+}
+
 }  // namespace ff::gate

@@ -20,13 +20,7 @@ double reach_of(const Measured::Part& part, int side, double tail) {
     const double reach =
         standard_errors * mean.standard_error + (of_mean > 0 ? mean.unmet.reach(mean.unmet.tail_of_unmet(tail)) : 0);
     const double weight = std::abs(part.weight);
-    if (!part.logarithm) return weight * reach;
-    const double relative = reach / mean.difference;
-    if (of_mean > 0) return weight * std::log1p(relative);
-    // A lower limit of a positive mean below a fifth of it is too cautious, and below 0 of no use: large values that
-    // raise the mean raise its standard error as well. From there on the logarithm falls in proportion.
-    const double proportional = 2 * relative;
-    return weight * (relative < 1 ? std::min(-std::log1p(-relative), proportional) : proportional);
+    return weight * (part.logarithm ? gate::reach_of_logarithm(of_mean, reach / mean.difference) : reach);
 }
 
 /// Both reaches as the sides of a triangle.

@@ -92,18 +92,6 @@ void compare_means(const Gate& gate, const Plan& plan, const Effect& effect,
         leave_few_hits_undecided(row);
 }
 
-/// Half the logarithm of the mean square about a centre, by the rule for means; empty where there is none.
-std::optional<stats::Measured> logarithm_of_spread(std::span<const double> values, double centre,
-                                                   const stats::Unmet& unmet, std::uint64_t evaluations) {
-    std::vector<double> squares;
-    for (const double value : values) squares.push_back((value - centre) * (value - centre));
-    auto mean = stats::mean_evidence(squares, 0);
-    if (!mean || mean->difference <= 0) return std::nullopt;
-    mean->unmet = unmet_squares({unmet}, evaluations);
-    return stats::Measured{.value = std::log(mean->difference) / 2,
-                           .parts = {{.mean = *mean, .weight = 0.5, .logarithm = true}}};
-}
-
 /// The number of evaluations is the same, so efficiencies are as one over the variances.
 /// @param ratio  logarithm of the ratio of the standard deviations
 Measurement measure_efficiency(const stats::MeanSquare& spread, const stats::MeanSquare& reference,
@@ -129,8 +117,9 @@ void compare_spreads(const Gate& gate, const Plan& plan, const Effect& effect,
     const auto moments = stats::moments_of(values, values.front());
     const double centre = about_truth ? effect.truth.value_or(0) : *moments.mean();
     const auto spread = about_truth ? stats::mean_square_about(values, centre) : stats::mean_square_of(moments);
-    const auto logarithm = logarithm_of_spread(values, centre, limits_of(gate, plan.study, effect, estimates).unmet,
-                                               estimates.evaluations_per_face);
+    const auto logarithm = logarithm_of_spread(
+        values, centre,
+        unmet_squares({limits_of(gate, plan.study, effect, estimates).unmet}, estimates.evaluations_per_face));
     if (!spread || !logarithm) {
         row.note = "fewer than four trials, or all alike";
         return;
@@ -138,10 +127,8 @@ void compare_spreads(const Gate& gate, const Plan& plan, const Effect& effect,
     stats::Measured ratio = *logarithm;  // half the logarithm of the mean square, less that of the reference
     Measurement measurement;
     if (!stored) {
-        const double reference = gate.reference ? *gate.reference : *effect.sigma;
-        measurement = measure_spread(*spread, reference, row.band, plan.levels);
-        ratio.value -= std::log(reference);
-        allow_for_skewness(measurement, ratio, true, plan.levels);
+        measurement = measure_spread(*spread, *logarithm, gate.reference ? *gate.reference : *effect.sigma, row.band,
+                                     plan.levels);
     } else {
         const auto& reference = about_truth ? stored->mean_square_error : stored->variance;
         if (!reference) {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace ff::studies::gates {
 namespace {
@@ -87,6 +88,28 @@ Measurement measure_spread(const stats::MeanSquare& spread, double reference, co
     };
     Measurement measurement = measured_at(std::sqrt(spread.mean_square) / reference, levels, interval_of);
     measurement.minimum_detectable = beyond_by_factor(band, std::sqrt(log_variance(spread)), levels);
+    return measurement;
+}
+
+std::optional<stats::Measured> logarithm_of_spread(std::span<const double> values, double centre,
+                                                   const stats::Unmet& unmet_squares) {
+    std::vector<double> squares;
+    for (const double value : values) squares.push_back((value - centre) * (value - centre));
+    auto mean = stats::mean_evidence(squares, 0);
+    if (!mean || mean->difference <= 0) return std::nullopt;
+    mean->unmet = unmet_squares;
+    return stats::Measured{.value = std::log(mean->difference) / 2,
+                           .parts = {{.mean = *mean, .weight = 0.5, .logarithm = true}}};
+}
+
+Measurement measure_spread(const stats::MeanSquare& spread, stats::Measured logarithm, double reference,
+                           const Band& band, const Levels& levels) {
+    Measurement measurement = measure_spread(spread, reference, band, levels);
+    logarithm.value -= std::log(reference);
+    allow_for_skewness(measurement, logarithm, true, levels);
+    const double to_be_noticed = measurement.value / measurement.failing.low *
+                                 std::exp(stats::normal_critical(1 - levels.power) * std::sqrt(log_variance(spread)));
+    measurement.minimum_detectable = std::max(measurement.minimum_detectable, band.high * to_be_noticed);
     return measurement;
 }
 

@@ -34,6 +34,16 @@ std::optional<Measurement> measure_mean(std::span<const double> values, const Me
 /// Root of a mean square (standard deviation or RMSE) over a known one, > 0.
 Measurement measure_spread(const stats::MeanSquare& spread, double reference, const Band& band, const Levels& levels);
 
+/// Half the logarithm of the mean square about a centre, by the rule for means; empty where there is none.
+/// @param unmet_squares  what no evaluation behind the values may have met of it
+std::optional<stats::Measured> logarithm_of_spread(std::span<const double> values, double centre,
+                                                   const stats::Unmet& unmet_squares = {});
+
+/// The same of trials, at least as long as the rule for means makes the interval of the mean square behind it.
+/// @param logarithm  of the same values
+Measurement measure_spread(const stats::MeanSquare& spread, stats::Measured logarithm, double reference,
+                           const Band& band, const Levels& levels);
+
 /// Root mean square over that of an independent sample.
 Measurement measure_spread(const stats::MeanSquare& spread, const stats::MeanSquare& reference, const Band& band,
                            const Levels& levels);

@@ -1,6 +1,7 @@
 #include "studies/verdicts/reported/estimate_gates.hpp"
 
 #include "core/support/error.hpp"
+#include "studies/verdicts/measurement.hpp"
 #include "tests/support/studies.hpp"
 
 #include <gmock/gmock.h>
@@ -95,6 +96,64 @@ TEST(JudgeEstimates, JudgesTheSpreadOfIndependentTrialsOnly) {
     EXPECT_EQ(judge_file(gate, file_of_estimates(estimates(400, 0, 0.9))).verdict, Verdict::inconclusive);
     gate.reference = 3 * estimate_sigma;
     EXPECT_EQ(judge_file(gate, file_of_estimates(estimates(400, 0))).verdict, Verdict::fail);
+    std::vector<double> large = estimates(400, 0);
+    for (double& value : large) value = 1e77 * (value - truth);  // fourth powers are 1e296
+    gate.reference = 1e77 * estimate_sigma;
+    EXPECT_EQ(judge_file(gate, file_of_estimates(large)).verdict, Verdict::pass);
+    const Measurement few = *judge_file(gate, file_of_estimates(estimates(40, 0))).comparisons[0].measurement;
+    EXPECT_GT(few.minimum_detectable, gate.band.high * few.value / few.failing.low);
+}
+
+/// How many of `files` files of log-normal trials have this verdict on their standard deviation. Their own is `factor`
+/// times the reference.
+int count_spreads(Verdict verdict, int files, std::size_t trials, double sigma, double factor, const Band& band) {
+    const double variance = sigma * sigma;
+    Gate gate = bias_gate(1);
+    gate.kind = GateKind::std;
+    gate.reference = std::sqrt(std::expm1(variance) * std::exp(variance)) / factor;
+    gate.band = band;
+    std::lognormal_distribution<double> law(0, sigma);
+    int count = 0;
+    for (int file = 0; file < files; ++file) {
+        std::mt19937_64 engine(static_cast<std::uint64_t>(file));
+        std::vector<double> values(trials);
+        for (double& value : values) value = law(engine);
+        count += judge_file(gate, file_of_estimates(std::move(values))).verdict == verdict ? 1 : 0;
+    }
+    return count;
+}
+
+// Of 300 sound files at α = 1e-4 more than 2 fail with probability 5e-6.
+TEST(JudgeEstimates, DoesNotFailTheSpreadOfSkewedTrials) {
+    for (const std::size_t trials : {30u, 60u, 100u})
+        EXPECT_LE(count_spreads(Verdict::fail, 300, trials, 1, 1, {1 / 1.1, 1.1}), 2) << trials;
+}
+
+// The rule without its allowance for skewness fails 7 of 100: fewer than 6 of 300 with probability 1e-4. The test above
+// would see that.
+TEST(JudgeEstimates, WouldFailTheSpreadOfSkewedTrialsByTheirKurtosisAlone) {
+    const double sigma = std::sqrt(std::expm1(1.0) * std::exp(1.0));
+    const Band band{1 / 1.1, 1.1};
+    std::lognormal_distribution<double> law;
+    int failed = 0;
+    for (std::uint64_t file = 0; file < 300; ++file) {
+        std::mt19937_64 engine(file);
+        stats::Moments moments;
+        for (int trial = 0; trial < 30; ++trial) moments.add(law(engine));
+        const auto plain = measure_spread(*stats::mean_square_of(moments), sigma, band, {1e-4, 0.05, 0.9});
+        failed += judge(plain, band) == Verdict::fail ? 1 : 0;
+    }
+    EXPECT_GE(failed, 6);
+}
+
+// At the end of the band, where 5 % may pass: of 300 files more than 30 do so with probability 1e-4.
+TEST(JudgeEstimates, PassesTheSpreadOfSkewedTrialsNoMoreOftenThanStated) {
+    for (const std::size_t trials : {100u, 400u}) {
+        EXPECT_LE(count_spreads(Verdict::pass, 300, trials, 0.7, 1.5, {1 / 1.5, 1.5}), 30) << trials;
+        EXPECT_LE(count_spreads(Verdict::pass, 300, trials, 1, 1.5, {1 / 1.5, 1.5}), 30) << trials;
+    }
+    // And a sound one passes still: fewer than 200 of 300 pass with probability 5e-4 where 3 of 4 should.
+    EXPECT_GE(count_spreads(Verdict::pass, 300, 400, 0.5, 1, {1 / 1.5, 1.5}), 200);
 }
 
 TEST(JudgeEstimates, PassesNothingOfInfiniteVariance) {
