@@ -30,7 +30,8 @@ const std::vector<OwnKey>& own_keys() {
                                           {"replicates", {coverage}},
                                           {"detects", {lost_rays}},
                                           {"reference", {bias, std, rmse, efficiency, distribution}},
-                                          {"reference_se", {bias}}};
+                                          {"reference_se", {bias}},
+                                          {"kurtosis", {std, efficiency}}};
     return keys;
 }
 
@@ -120,7 +121,7 @@ void read_covariance(const TomlReader& reader, Gate& gate) {
 /// What a gate on another program's quantity may have.
 void read_reported(const TomlReader& reader, Gate& gate) {
     reader.expect_only({"name", "kind", "quantity", "reference", "reference_se", "band", "combine", "relative",
-                        "anytime", "bounds", "tightest_at", "covariance"});
+                        "anytime", "bounds", "tightest_at", "covariance", "kurtosis"});
     static constexpr std::array kinds{GateKind::bias,      GateKind::std,        GateKind::equal,
                                       GateKind::std_error, GateKind::efficiency, GateKind::distribution};
     if (std::find(kinds.begin(), kinds.end(), gate.kind) == kinds.end())
@@ -136,6 +137,10 @@ void read_reported(const TomlReader& reader, Gate& gate) {
         if (!node->is_boolean()) reader.fail("relative", "(true or false). Write true.");
         gate.relative = node->value_or(false);
     }
+    gate.kurtosis = reader.optional_number("kurtosis");
+    if (gate.kurtosis && *gate.kurtosis < 1)
+        reader.fail("kurtosis", "(no distribution has one below 1; normal samples have 3). Write 3.");
+    if (gate.kurtosis) expect_magnitude(reader, "kurtosis", *gate.kurtosis);
     if (reader.has("combine") && gate.kind == GateKind::distribution)
         reader.fail("combine", "(all bins of a distribution are one comparison). Remove the key.");
     if (gate.relative && gate.kind != GateKind::bias && gate.kind != GateKind::equal)

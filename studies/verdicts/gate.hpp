@@ -107,6 +107,7 @@ struct Gate {
     Combination combine = Combination::holm;              ///< bins of a quantity
     std::filesystem::path covariance;                     ///< for Combination::chi_squared; empty: independent
     bool relative = false;                                ///< the band is a share of each bin's reference
+    std::optional<double> kurtosis;                       ///< largest of the samples behind a standard error
     Anytime anytime = Anytime::no;
     Band bounds;               ///< range of possible values, where one is assumed
     double tightest_at = 100;  ///< values at which an anytime gate on normal ones sees most

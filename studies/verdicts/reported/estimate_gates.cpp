@@ -219,6 +219,8 @@ ExaminedSeries examine(const Spec& spec, const Gate& gate, const EstimatesFile& 
     FF_EXPECT(gate.from_estimates() && (gate.reference || gate.law || against != nullptr));
     ExaminedSeries examined;
     examined.series = find_series(file, gate.quantity, gate.place);
+    if (gate.kurtosis)
+        refuse_gate(gate, "kurtosis is for means with standard errors (trials show theirs). Remove the key.");
     if (gate.anytime == Anytime::bounded) expect_bounded(gate, examined.series, file.origin);
     examined.independence = examine_independence(examined.series, file.origin);
     Spec one_look = spec;  // nothing can be added to a file

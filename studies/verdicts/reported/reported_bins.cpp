@@ -64,7 +64,7 @@ Reach reach_of(const BinEffects& effects, double tail) {
 bool is_inside(const BinEffects& effects, std::size_t index, double pass_alpha, const Reach& reach) {
     const BinEffect& bin = effects.bins[index];
     const EffectScale scale = effects.scale;
-    if (!(bin.band.low < bin.value && bin.value < bin.band.high)) return false;
+    if (!(bin.band.low < bin.value && bin.value < bin.band.high) || bin.freedom == 0) return false;
     if (scale == EffectScale::difference_of_shares) {
         const auto& [counts, reference] = effects.shares[index];
         const stats::Interval passing = stats::share_difference_interval(counts, reference, 1 - 2 * pass_alpha);
@@ -89,7 +89,7 @@ double errors_beyond_band(const BinEffect& bin) {
 
 double p_value(const BinEffects& effects, std::size_t index) {
     const BinEffect& bin = effects.bins[index];
-    if (bin.band.holds(bin.value)) return 1;
+    if (bin.band.holds(bin.value) || bin.freedom == 0) return 1;
     const bool above = bin.value > bin.band.high;
     double one_sided = 0;
     switch (effects.scale) {
@@ -109,7 +109,12 @@ double p_value(const BinEffects& effects, std::size_t index) {
 }
 
 Measurement measure_bin(const BinEffects& effects, std::size_t index, const Levels& levels) {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
     const BinEffect& bin = effects.bins[index];
+    if (bin.freedom == 0) {
+        const stats::Interval any{.low = 0, .high = infinity, .level = 1, .method = "unknown_kurtosis", .n = 0};
+        return {.value = bin.value, .passing = any, .failing = any, .minimum_detectable = infinity};
+    }
     const EffectScale scale = effects.scale;
     const auto n = static_cast<std::size_t>(std::isfinite(bin.freedom) ? bin.freedom + 1 : 0);
     const auto interval_at = [&](double level) {

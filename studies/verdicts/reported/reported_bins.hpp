@@ -17,7 +17,7 @@ namespace ff::studies::gates {
 struct BinEffect {
     double value = 0;          ///< a difference, or a ratio
     double error = 0;          ///< standard error of a difference, > 0; approximate for shares, 0 for ratios
-    double freedom = 0;        ///< degrees of freedom of `error`, or of a ratio's numerator; may be infinite
+    double freedom = 0;        ///< of `error`, or of a ratio's numerator; may be infinite; 0 where not known
     double freedom_below = 0;  ///< degrees of freedom of a ratio's denominator; may be infinite
     Band band;
     std::uint32_t name = 0;  ///< number of the bin, chosen by the caller

@@ -6,6 +6,7 @@
 #include "studies/verdicts/reported/covariance.hpp"
 #include "studies/verdicts/reported/reported_gates.hpp"
 #include "studies/verdicts/reported/reported_shares.hpp"
+#include "studies/verdicts/reported/reported_spreads.hpp"
 #include "studies/verdicts/reported/reporting_faults.hpp"
 
 #include <fmt/format.h>
@@ -13,7 +14,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <utility>
 #include <vector>
 
 namespace ff::studies::gates {
@@ -110,66 +110,6 @@ void compare_means(BinComparison& comparing, const Bins* against) {
                  "trusts the standard errors that are stated; several runs would show whether they are "
                  "right (kind = \"std_error\")");
     if (!fault.empty()) add_note(comparing.note, fault.substr(1));
-}
-
-void compare_spreads(BinComparison& comparing) {
-    if (!comparing.bins.file->has_n)
-        refuse_gate(comparing.gate,
-                    fmt::format("kind = \"std\" needs the column 'n' of {} (the error of a mean of how many "
-                                "values?). Add it.",
-                                comparing.bins.file->origin));
-    comparing.effects.scale = EffectScale::ratio_of_deviations;
-    for (std::size_t bin = 0; bin < comparing.bins.count(); ++bin) {
-        double squares = 0;
-        double freedom = 0;
-        for (const ReportedRow& run : comparing.bins.runs_of(bin)) {
-            squares += run.standard_error * run.standard_error * run.n * (run.n - 1);
-            freedom += run.n - 1;
-        }
-        if (squares == 0) {
-            ++comparing.empty;
-            continue;
-        }
-        comparing.effects.bins.push_back({.value = std::sqrt(squares / freedom) / *comparing.gate.reference,
-                                          .error = 0,
-                                          .freedom = freedom,
-                                          .freedom_below = infinity,
-                                          .band = comparing.gate.band,
-                                          .name = static_cast<std::uint32_t>(bin)});
-    }
-    add_note(comparing.note, "takes the n values behind each error for independent and normal");
-}
-
-void compare_efficiencies(BinComparison& comparing, const Bins& against) {
-    for (const Bins* bins : {&std::as_const(comparing).bins, &against}) {
-        if (!bins->file->has_n || bins->runs != 1)
-            refuse_gate(comparing.gate,
-                        fmt::format("kind = \"efficiency\" needs one run with the column 'n' in {} (an error of "
-                                    "how many values?). Add it.",
-                                    bins->file->origin));
-    }
-    const bool by_cost = comparing.bins.file->has_cost && against.file->has_cost;
-    comparing.effects.scale = EffectScale::ratio_of_variances;
-    const auto inverse = [&](const ReportedRow& row) {
-        return row.standard_error * row.standard_error * (by_cost ? row.cost : row.n);
-    };
-    for (std::size_t bin = 0; bin < comparing.bins.count(); ++bin) {
-        const ReportedRow& own = comparing.bins.rows[bin];
-        const ReportedRow& other = against.rows[bin];
-        if (own.standard_error == 0 || other.standard_error == 0) {
-            ++comparing.empty;
-            continue;
-        }
-        comparing.effects.bins.push_back({.value = inverse(other) / inverse(own),
-                                          .error = 0,
-                                          .freedom = other.n - 1,
-                                          .freedom_below = own.n - 1,
-                                          .band = comparing.gate.band,
-                                          .name = static_cast<std::uint32_t>(bin)});
-    }
-    add_note(comparing.note, by_cost ? "1 / (error² × cost), of the file over --against; seconds depend on the machine"
-                                     : "1 / (error² × n), of the file over --against");
-    add_note(comparing.note, "takes the n values behind each error for independent and normal");
 }
 
 /// How the runs of one bin lie about their mean, in the errors that they state.

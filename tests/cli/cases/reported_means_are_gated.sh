@@ -100,8 +100,12 @@ expect_stderr "needs at least 5 runs"
 # Spread behind the error, and efficiency.
 gate 'kind = "std"' 'reference = 0.0316' 'band = 0.5'
 ffstudy check bands.toml --estimates new.csv
+expect_status 4
+expect_stdout "add kurtosis = 3"
+gate 'kind = "std"' 'reference = 0.0316' 'band = 0.5' 'kurtosis = 3'
+ffstudy check bands.toml --estimates new.csv
 expect_status 0
-gate 'kind = "efficiency"' 'band = 0.5'
+gate 'kind = "efficiency"' 'band = 0.5' 'kurtosis = 3'
 ffstudy check bands.toml --estimates new.csv --against old.csv
 expect_status 0
 means 5 0 2 >worse.csv

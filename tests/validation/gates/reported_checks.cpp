@@ -73,6 +73,7 @@ GateResult judge_files(const ReportedFile& file, const ReportedFile* against, Ga
     gate.reference = reference;
     gate.band = band;
     gate.combine = combine;
+    if (kind == GateKind::std || kind == GateKind::efficiency) gate.kurtosis = 3;
     spec.gates = {gate};
     return judge_reported(spec, gate, file, against);
 }

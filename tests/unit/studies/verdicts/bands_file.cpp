@@ -197,6 +197,12 @@ TEST(BandsFile, AcceptsReportedQuantitiesWithTheirOwnKeysOnly) {
     };
     EXPECT_EQ(refusal_of_bands(foreign("kind = \"bias\"\nreference = 0.2\nband = 1e-3")), "nothing thrown");
     EXPECT_THAT(refusal_of_bands(foreign("kind = \"std\"\nband = 0.5")), HasSubstr("reference: missing"));
+    const auto with_kurtosis = [&](std::string_view kind, std::string_view kurtosis) {
+        return refusal_of_bands(foreign(fmt::format("kind = \"{}\"\nband = 0.5\nkurtosis = {}", kind, kurtosis)));
+    };
+    EXPECT_EQ(with_kurtosis("efficiency", "3"), "nothing thrown");
+    EXPECT_THAT(with_kurtosis("efficiency", "0.9"), HasSubstr("normal samples have 3"));
+    EXPECT_THAT(with_kurtosis("equal", "3"), HasSubstr("it is for std, efficiency"));
     EXPECT_EQ(refusal_of_bands(foreign("kind = \"equal\"\nband = 1e-3\ncombine = \"cauchy\"\nrelative = true")),
               "nothing thrown");
     EXPECT_THAT(refusal_of_bands(foreign("kind = \"equal\"\nband = 1e-3\ncombine = \"fisher\"")), HasSubstr("combine"));

@@ -102,6 +102,9 @@ TEST(JudgeEstimates, JudgesTheSpreadOfIndependentTrialsOnly) {
     EXPECT_EQ(judge_file(gate, file_of_estimates(large)).verdict, Verdict::pass);
     const Measurement few = *judge_file(gate, file_of_estimates(estimates(40, 0))).comparisons[0].measurement;
     EXPECT_GT(few.minimum_detectable, gate.band.high * few.value / few.failing.low);
+    gate.kurtosis = 3;
+    EXPECT_THAT([&] { judge_file(gate, file_of_estimates(estimates(400, 0))); },
+                testing::ThrowsMessage<UserError>(HasSubstr("trials show theirs")));
 }
 
 /// How many of `files` files of log-normal trials have this verdict on their standard deviation. Their own is `factor`

@@ -1,0 +1,96 @@
+#include "studies/verdicts/reported/reported_gates.hpp"
+
+#include "core/support/error.hpp"
+#include "tests/support/studies.hpp"
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <limits>
+#include <random>
+#include <string>
+#include <utility>
+
+namespace ff::studies::gates {
+namespace {
+
+using testing::HasSubstr;
+
+Gate gate_of_means(GateKind kind, Band band) {
+    Gate gate;
+    gate.name = "g";
+    gate.quantity = "flux";
+    gate.kind = kind;
+    gate.band = band;
+    gate.against = kind == GateKind::std ? Against::number : Against::file;
+    gate.reference = 1;
+    return gate;
+}
+
+GateResult judged_means(const Gate& gate, const ReportedFile& file, const ReportedFile* against = nullptr,
+                        double alpha = 1e-4) {
+    Spec spec;
+    spec.alpha = alpha;
+    spec.gates = {gate};
+    return judge_reported(spec, gate, file, against);
+}
+
+/// The mean of 1000 samples of a law, with its standard error times a factor.
+template <class Law>
+ReportedFile samples_of(std::uint64_t seed, Law law, double factor = 1) {
+    constexpr int samples = 1000;
+    std::mt19937_64 engine(seed);
+    double sum = 0;
+    double squares = 0;
+    for (int i = 0; i < samples; ++i) {
+        const double value = law(engine);
+        sum += value;
+        squares += value * value;
+    }
+    const double mean = sum / samples;
+    const double error = factor * std::sqrt((squares / samples - mean * mean) / (samples - 1));
+    return parse_reported(fmt::format("quantity,mean,standard_error,n\nflux,{},{},{}\n", mean, error, samples),
+                          "means.csv", StandardErrors::required);
+}
+
+TEST(GatesOnMeans, JudgeSpreadsByADeclaredKurtosisOnly) {
+    const auto old = samples_of(1, std::normal_distribution<double>(5, 1));
+    Gate spread = gate_of_means(GateKind::std, {1 / 1.5, 1.5});
+    Gate efficiency = gate_of_means(GateKind::efficiency, {1 / 1.5, std::numeric_limits<double>::infinity()});
+    const auto verdicts = [&](double factor) {
+        const auto file = samples_of(2, std::normal_distribution<double>(5, 1), factor);
+        return std::pair(judged_means(spread, file).verdict, judged_means(efficiency, file, &old).verdict);
+    };
+    EXPECT_EQ(verdicts(3), std::pair(Verdict::inconclusive, Verdict::inconclusive));
+    EXPECT_EQ(verdicts(1), std::pair(Verdict::inconclusive, Verdict::inconclusive));
+    const auto open = judged_means(spread, samples_of(2, std::normal_distribution<double>(5, 1), 3));
+    EXPECT_THAT(open.note, HasSubstr("add kurtosis = 3"));
+    EXPECT_NEAR(open.comparisons.at(0).measurement->value, 3, 0.3);
+    EXPECT_FALSE(open.comparisons.at(0).measurement->failing.is_finite());
+    spread.kurtosis = efficiency.kurtosis = 3;
+    EXPECT_EQ(verdicts(3), std::pair(Verdict::fail, Verdict::fail));
+    EXPECT_EQ(verdicts(1), std::pair(Verdict::pass, Verdict::pass));
+}
+
+// Exponential samples have kurtosis 9: of 2000 sound files at 1 %, more than 40 fail with probability 3e-5, and at the
+// end of a band, where 5 % may pass, more than 140 pass with probability 5e-5. Taken for normal, one in ten or more
+// fails: this shows that the test would see it.
+TEST(GatesOnMeans, SizeIntervalsOfSpreadsByTheKurtosis) {
+    const auto count = [](double kurtosis, double factor, double end, Verdict verdict) {
+        Gate gate = gate_of_means(GateKind::std, {1 / (1 + end), 1 + end});
+        gate.kurtosis = kurtosis;
+        int found = 0;
+        for (std::uint64_t seed = 0; seed < 2000; ++seed) {
+            const auto file = samples_of(seed, std::exponential_distribution<double>(1), factor);
+            found += judged_means(gate, file, nullptr, 0.01).verdict == verdict ? 1 : 0;
+        }
+        return found;
+    };
+    EXPECT_LE(count(9, 1, 1e-9, Verdict::fail), 40);
+    EXPECT_GE(count(3, 1, 1e-9, Verdict::fail), 200);
+    EXPECT_LE(count(9, 1.2, 0.2, Verdict::pass), 140);
+}
+
+}  // namespace
+}  // namespace ff::studies::gates
