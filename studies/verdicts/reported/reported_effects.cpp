@@ -80,15 +80,9 @@ void compare_means(BinComparison& comparing, const Bins* against) {
     const MeanReference number{gate.reference.value_or(0), gate.reference_se.value_or(0), infinity};
     comparing.effects.bins.reserve(comparing.bins.count());
     for (std::size_t bin = 0; bin < comparing.bins.count(); ++bin) {
-        const Rows runs = comparing.bins.runs_of(bin);
-        const MeanReference own = mean_of(runs);
+        const MeanReference own = mean_of(comparing.bins.runs_of(bin));
         const MeanReference reference = against != nullptr ? mean_of(against->runs_of(bin)) : number;
-        if (own.standard_error == 0) {
-            if (own.value != 0)
-                refuse_gate(gate,
-                            fmt::format("bin '{}' of {} has the same mean in every run (repeated runs are not runs). "
-                                        "Give every run a seed of its own.",
-                                        comparing.bins.name(bin), comparing.bins.file->origin));
+        if (is_empty(gate, comparing.bins, bin) || (against != nullptr && is_empty(gate, *against, bin))) {
             ++comparing.empty;
             continue;
         }
@@ -227,6 +221,17 @@ MeanReference mean_of(Rows runs) {
     mean.standard_error = std::sqrt(squares) / n;
     if (runs.front().n > 0) mean.freedom = n * (runs.front().n - 1);
     return mean;
+}
+
+bool is_empty(const Gate& gate, const Bins& bins, std::size_t bin) {
+    const MeanReference mean = mean_of(bins.runs_of(bin));
+    const bool is_exact = !bins.file->has_errors && bins.runs < enough_runs;
+    if (mean.standard_error > 0 || is_exact) return false;
+    if (mean.value != 0)
+        refuse_gate(gate, fmt::format("bin '{}' of {} has the same mean in every run (repeated runs are not runs). "
+                                      "Give every run a seed of its own.",
+                                      bins.name(bin), bins.file->origin));
+    return true;
 }
 
 Band band_beside(const BinComparison& comparing, std::size_t bin, double reference) {

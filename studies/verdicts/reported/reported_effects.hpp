@@ -27,6 +27,11 @@ inline constexpr double false_alarm_of_scatter = 1e-3;
 /// many. The error is 0 where none is stated.
 MeanReference mean_of(Rows runs);
 
+/// Whether no sample fell into a bin of means: it has neither mean nor error, where errors are stated or many runs show
+/// them. Values without errors are exact.
+/// @throws UserError where many runs have one mean, not 0
+bool is_empty(const Gate& gate, const Bins& bins, std::size_t bin);
+
 /// The gate's band in one bin, whose reference scales it where it is relative.
 Band band_beside(const BinComparison& comparing, std::size_t bin, double reference);
 

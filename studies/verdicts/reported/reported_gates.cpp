@@ -62,12 +62,13 @@ void add_words(BinComparison& comparing, const BinsVerdict& verdict, GateResult&
     result.note = words;
 }
 
-GateResult judge_effects(const Spec& spec, BinComparison& comparing) {
+GateResult judge_effects(const Spec& spec, BinComparison& comparing, const Bins* against) {
     const auto& bins = comparing.effects.bins;
     if (bins.empty())
         refuse_gate(comparing.gate,
-                    fmt::format("no bin of '{}' in {} holds anything (nothing would be compared). Run longer.",
-                                comparing.gate.quantity, comparing.bins.file->origin));
+                    fmt::format("no bin of '{}' in {} holds anything{} (nothing would be compared). Run longer.",
+                                comparing.gate.quantity, comparing.bins.file->origin,
+                                against != nullptr ? fmt::format(" that is also in {}", against->file->origin) : ""));
     Spec one_look = spec;  // nothing can be added to a file
     one_look.looks = 1;
     const Levels of_gate = levels_of(one_look, 1);
@@ -188,7 +189,7 @@ GateResult judge_reported(const Spec& spec, const Gate& gate, const ReportedFile
     const auto other = bins_beside(gate, bins, against);
     if (gate.kind == GateKind::distribution) return judge_counts(spec, gate, bins, *other);
     BinComparison comparing = effects_of(gate, bins, other ? &*other : nullptr);
-    return judge_effects(spec, comparing);
+    return judge_effects(spec, comparing, other ? &*other : nullptr);
 }
 
 EstimatesPlan plan_reported(const Spec& spec, const Gate& gate, const ReportedFile& file, const ReportedFile* against) {

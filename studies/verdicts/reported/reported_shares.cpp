@@ -77,7 +77,9 @@ void compare_shares(BinComparison& comparing, const Bins* against) {
     comparing.effects.scale = EffectScale::difference_of_shares;
     for (std::size_t bin = 0; bin < comparing.bins.count(); ++bin) {
         const SharePair pair{pooled(comparing.bins.runs_of(bin)), share_reference(gate, against, bin)};
-        if (pair.counts.trials == 0 || (pair.reference.counts && pair.reference.counts->trials == 0)) {
+        const bool beside_none = pair.reference.counts ? pair.reference.counts->trials == 0
+                                                       : against != nullptr && is_empty(gate, *against, bin);
+        if (pair.counts.trials == 0 || beside_none) {
             ++comparing.empty;
             continue;
         }

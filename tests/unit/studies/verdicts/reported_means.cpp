@@ -36,6 +36,34 @@ GateResult judged_means(const Gate& gate, const ReportedFile& file, const Report
     return judge_reported(spec, gate, file, against);
 }
 
+TEST(GatesOnMeans, TakeNoEmptyBinOfTheOtherFileForAnExactValue) {
+    const auto means = [](const char* rows, const char* origin) {
+        return parse_reported(std::string("quantity,bin,mean,standard_error,n\n") + rows, origin,
+                              StandardErrors::required);
+    };
+    const auto old = means("flux,0,0,0,10000\nflux,1,1,0.001,10000\n", "old.csv");
+    const auto rare = means("flux,0,2e-4,4.5e-5,100000\nflux,1,1.0002,0.001,100000\n", "new.csv");
+    const auto hits = parse_reported("quantity,bin,hits,n\nflux,0,20,100000\nflux,1,99990,100000\n", "hits.csv",
+                                     StandardErrors::required);
+    for (const GateKind kind : {GateKind::equal, GateKind::bias}) {
+        const Gate gate = gate_of_means(kind, {-1e-5, 1e-5});
+        for (const ReportedFile* file : {&rare, &hits}) {
+            const auto result = judged_means(gate, *file, &old);
+            EXPECT_EQ(result.verdict, Verdict::inconclusive) << file->origin;
+            EXPECT_EQ(result.compared, 1u) << file->origin;
+            EXPECT_THAT(result.note, HasSubstr("1 bin that no sample fell into")) << file->origin;
+        }
+    }
+    const auto exact = parse_reported("quantity,bin,mean\nflux,0,0\nflux,1,1\n", "exact.csv", StandardErrors::optional);
+    EXPECT_EQ(judged_means(gate_of_means(GateKind::bias, {-1e-5, 1e-5}), rare, &exact).verdict, Verdict::fail)
+        << "a reference of 0 without a standard error is exact";
+    const auto none = means("flux,0,0,0,10000\nflux,1,0,0,10000\n", "none.csv");
+    EXPECT_THAT(test::message_of<UserError>([&] {
+                    judged_means(gate_of_means(GateKind::equal, {-1, 1}), rare, &none);
+                }),
+                HasSubstr("no bin of 'flux' in new.csv holds anything that is also in none.csv"));
+}
+
 /// The mean of 1000 samples of a law, with its standard error times a factor.
 template <class Law>
 ReportedFile samples_of(std::uint64_t seed, Law law, double factor = 1) {
