@@ -82,7 +82,7 @@ std::string gate_in_words(const studies::gates::GateResult& result) {
         if (!exact_value && std::isfinite(e.minimum_detectable))
             text += fmt::format("; {} would fail", brief(e.minimum_detectable));
     }
-    text += fmt::format("; {} trial{}", c.trials, c.trials == 1 ? "" : "s");
+    text += fmt::format("; {} {}{}", c.trials, c.unit, c.trials == 1 ? "" : "s");
     if (result.looks > 1) text += fmt::format(" in {} looks", result.looks);
     const std::size_t compared = std::max(result.compared, result.comparisons.size());
     if (compared > 1) text += fmt::format(", worst of {}", compared);

@@ -48,7 +48,7 @@ std::size_t end_of_string(std::string_view text, std::size_t begin) {
 /// The parser makes a table of every part of a dotted key, and removes tables in tables by recursion; of values it
 /// counts the depth itself.
 /// @throws UserError at the first key that has too many parts
-void expect_short_keys(std::string_view text, std::string_view origin) {
+void expect_short_keys(std::string_view text, std::string_view origin, std::string_view manual) {
     constexpr std::size_t most_dots = 32;
     constexpr std::string_view around_keys = "=,[]{}\n";
     std::uint64_t line = 1;
@@ -60,10 +60,8 @@ void expect_short_keys(std::string_view text, std::string_view origin) {
         if (text[at] == '.') ++dots;
         if (around_keys.find(text[at]) != std::string_view::npos) dots = 0;
         if (dots > most_dots) {
-            throw UserError(
-                fmt::format("{}:{}: a key of more than {} parts (no table is so deep). See "
-                            "docs/study-files.md.",
-                            origin, line, most_dots + 1));
+            throw UserError(fmt::format("{}:{}: a key of more than {} parts (no table is so deep). See {}.", origin,
+                                        line, most_dots + 1, manual));
         }
         line += static_cast<std::uint64_t>(std::count(text.begin() + static_cast<std::ptrdiff_t>(at),
                                                       text.begin() + static_cast<std::ptrdiff_t>(end), '\n'));
@@ -73,13 +71,12 @@ void expect_short_keys(std::string_view text, std::string_view origin) {
 
 }  // namespace
 
-toml::table parse_toml(std::string_view text, std::string_view origin) {
-    expect_short_keys(text, origin);
+toml::table parse_toml(std::string_view text, std::string_view origin, std::string_view manual) {
+    expect_short_keys(text, origin, manual);
     try {
         return toml::parse(text);
     } catch (const toml::parse_error& error) {
-        throw UserError(
-            fmt::format("{}: {}. See docs/study-files.md.", place_in(origin, error.source()), error.description()));
+        throw UserError(fmt::format("{}: {}. See {}.", place_in(origin, error.source()), error.description(), manual));
     }
 }
 

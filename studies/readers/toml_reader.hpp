@@ -84,7 +84,8 @@ class TomlReader {
     std::string_view origin_;
 };
 
+/// @param manual  where the reader of a message may find what such a file looks like
 /// @throws UserError with the parser's own message and place
-toml::table parse_toml(std::string_view text, std::string_view origin);
+toml::table parse_toml(std::string_view text, std::string_view origin, std::string_view manual = "docs/study-files.md");
 
 }  // namespace ff::studies

@@ -200,7 +200,7 @@ void read_options(const TomlReader& reader, Spec& spec) {
 }  // namespace
 
 Spec parse_bands(std::string_view text, std::string_view origin, const ReadExperiment& read_experiment) {
-    const toml::table root = parse_toml(text, origin);
+    const toml::table root = parse_toml(text, origin, "docs/gates.md");
     const TomlReader file(root, origin);
     file.expect_only({"gates", "gate"});
     Spec spec;

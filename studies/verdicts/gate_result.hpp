@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace ff::studies::gates {
@@ -23,7 +24,8 @@ struct Comparison {
     std::optional<Measurement> measurement;  ///< empty where the trials cannot carry an interval; `note` says why
     Verdict verdict = Verdict::inconclusive;
     Levels levels;
-    std::uint64_t trials = 0;  ///< behind the measurement, over all looks
+    std::uint64_t trials = 0;         ///< behind the measurement, over all looks
+    std::string_view unit = "trial";  ///< what these are, for a sentence: "trial", "run" or "event"
     std::string note;
 };
 

@@ -160,6 +160,7 @@ GateResult judge_counts(const Spec& spec, const Gate& gate, const Bins& bins, co
     row.band = gate.band;
     row.levels = levels_of(one_look, 1);
     row.trials = static_cast<std::uint64_t>(sum_of(counts));
+    row.unit = "event";
     const auto found =
         are_shares ? stats::count_distance(counts, others) : stats::count_distance_of_two(counts, others);
     // The interval fails by its lower end alone, at half of alpha, which its approximations do not always keep; a tenth

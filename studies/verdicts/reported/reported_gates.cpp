@@ -53,11 +53,11 @@ void add_words(BinComparison& comparing, const BinsVerdict& verdict, GateResult&
         add_note(words, fmt::format("worst {}", fmt::join(worst, ", ")));
     }
     if (comparing.empty > 0)
-        add_note(
-            words,
-            fmt::format("{} bin{} that no sample fell into {} not judged: merge them, leave them out, or give shares "
-                        "by the columns hits and n",
-                        comparing.empty, comparing.empty == 1 ? "" : "s", comparing.empty == 1 ? "is" : "are"));
+        add_note(words, fmt::format(
+                            "{} not judged: merge {}, leave {} out, or give shares by the columns hits and n",
+                            comparing.empty == 1 ? "1 bin that no sample fell into is"
+                                                 : fmt::format("{} bins that no sample fell into are", comparing.empty),
+                            comparing.empty == 1 ? "it with another" : "them", comparing.empty == 1 ? "it" : "them"));
     add_note(words, comparing.note);
     result.note = words;
 }
@@ -88,6 +88,7 @@ GateResult judge_effects(const Spec& spec, BinComparison& comparing, const Bins*
         row.band = bin.band;
         row.levels = of_bin;
         row.trials = comparing.bins.runs;
+        row.unit = "run";
         row.measurement = measure_bin(comparing.effects, verdict.worst[rank], of_bin);
         row.verdict = rank < verdict.rejected ? Verdict::fail : judge(row.measurement, row.band);
         result.comparisons.push_back(std::move(row));

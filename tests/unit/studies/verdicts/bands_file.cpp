@@ -189,6 +189,7 @@ TEST(BandsFile, RefusesOptionsOutOfRange) {
     EXPECT_THAT(refusal_of_bands(""), HasSubstr("gate: missing"));
     EXPECT_THAT(refusal_of_bands(gate("bias", "band = 1") + gate("bias", "band = 1")), HasSubstr("used twice"));
     EXPECT_THAT(refusal_of_bands("[[gate]\n"), HasSubstr("bands.toml:1:"));
+    EXPECT_THAT(refusal_of_bands("[[gate]\n"), HasSubstr("See docs/gates.md."));
 }
 
 TEST(BandsFile, AcceptsReportedQuantitiesWithTheirOwnKeysOnly) {

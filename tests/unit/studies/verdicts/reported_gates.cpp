@@ -199,7 +199,7 @@ TEST(JudgeReported, NeverPassesWithEmptyBins) {
     const auto old = parse_reported("quantity,bin,mean\nflux,0,1\nflux,1,1\n", "b.csv", StandardErrors::optional);
     const auto result = judged(reported_gate(GateKind::bias, {-0.1, 0.1}), file, &old);
     EXPECT_EQ(result.verdict, Verdict::inconclusive);
-    EXPECT_THAT(result.note, HasSubstr("1 bin that no sample fell into is not judged"));
+    EXPECT_THAT(result.note, HasSubstr("1 bin that no sample fell into is not judged: merge it with another"));
 }
 
 /// Hits of `trials` in each of `bins` bins and runs, of this probability, which a burst of `together` trials share.

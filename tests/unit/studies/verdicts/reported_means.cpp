@@ -120,5 +120,18 @@ TEST(GatesOnMeans, SizeIntervalsOfSpreadsByTheKurtosis) {
     EXPECT_LE(count(9, 1.2, 0.2, Verdict::pass), 140);
 }
 
+TEST(GatesOnMeans, CountRunsAndEvents) {
+    const auto counted = [](const GateResult& result) { return result.comparisons.at(0).unit; };
+    const auto old = samples_of(1, std::normal_distribution<double>(1));
+    EXPECT_EQ(counted(judged_means(gate_of_means(GateKind::equal, {-1, 1}),
+                                   samples_of(2, std::normal_distribution<double>(1)), &old)),
+              "run");
+    const auto events =
+        parse_reported("quantity,bin,count\nflux,0,400\nflux,1,600\n", "a.csv", StandardErrors::required);
+    const auto shares =
+        parse_reported("quantity,bin,share\nflux,0,0.4\nflux,1,0.6\n", "b.csv", StandardErrors::optional);
+    EXPECT_EQ(counted(judged_means(gate_of_means(GateKind::distribution, {0, 0.5}), events, &shares)), "event");
+}
+
 }  // namespace
 }  // namespace ff::studies::gates
