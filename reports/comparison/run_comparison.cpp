@@ -1,5 +1,6 @@
 #include "reports/comparison/run_comparison.hpp"
 
+#include "reports/comparison/likeness_words.hpp"
 #include "reports/comparison/ratio_plot.hpp"
 #include "reports/html/html_view.hpp"
 #include "reports/html/security_policy.hpp"
@@ -15,42 +16,20 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
+#include <string_view>
 #include <vector>
 
 namespace ff::reports {
 namespace {
 
-using studies::Basis;
 using studies::CellComparison;
 using studies::Likeness;
 using studies::RunComparison;
 
-std::string independent_in_words(const RunComparison& comparison, const CellComparison& cell) {
-    const double alpha = 1 - comparison.level;
-    const Scene& scene = scene_of(comparison, cell);
-    std::vector<std::string> parts;
-    if (cell.mean && cell.mean->adjusted_p < alpha) {
-        parts.push_back(fmt::format("mean of {} by {}{} ({})", quantity_label(scene, cell.mean->pair),
-                                    cell.mean->size > 0 ? "+" : "", with_half_width(cell.mean->size, cell.mean->error),
-                                    p_text(cell.mean->adjusted_p)));
-    }
-    if (cell.spread && cell.spread->adjusted_p < alpha) {
-        parts.push_back(fmt::format("standard deviation of {} by a factor {} ({})",
-                                    quantity_label(scene, cell.spread->pair), brief(std::sqrt(cell.spread->size), 2),
-                                    p_text(cell.spread->adjusted_p)));
-    }
-    for (const studies::RmseRatio& ratio : cell.ratios) {
-        if (ratio.adjusted_p >= alpha) continue;
-        parts.push_back(fmt::format("RMSE on {} pairs by a factor {} ({})", name(ratio.pair_class),
-                                    brief(ratio.second / ratio.first), p_text(ratio.adjusted_p)));
-    }
-    if (!parts.empty()) return fmt::format("DIFFERENT: {}", fmt::join(parts, "; "));
-    const std::string untested = cell.untestable == 0
-                                     ? std::string()
-                                     : fmt::format(" on {} of {} pairs", cell.pairs - cell.untestable, cell.pairs);
-    return fmt::format("no difference found{} (would detect {} in a mean, a factor {} in a standard deviation)",
-                       untested, brief(cell.detectable_difference, 2), brief(cell.detectable_ratio, 2));
+/// "186 tests, 5 % together", or what there is instead.
+std::string tests_in_words(const RunComparison& comparison) {
+    if (comparison.tests == 0) return "no tests";
+    return fmt::format("{}, {:g} % together", counted(comparison.tests, "test"), 100 * (1 - comparison.level));
 }
 
 std::string rmse_text(const studies::CellAnalysis& found, PairClass pair_class) {
@@ -69,11 +48,13 @@ Table cells_table(const RunComparison& comparison) {
     Table table{
         "runs",
         "Method by method",
-        fmt::format(
-            "RMSE of a run against the exact form factors. Verdicts: means by Welch's t, variances by "
-            "Brown and Forsythe, on every distinct pair, RMSEs by intervals of the logarithm of their ratio; {} tests, "
-            "{:g} % together (Holm); in parentheses what is found with power {:g}.",
-            comparison.tests, 100 * (1 - comparison.level), comparison.power),
+        "RMSE of a run against the exact form factors." +
+            (comparison.tests == 0
+                 ? std::string()
+                 : fmt::format(" Verdicts: means by Welch's t, standard deviations by intervals of the logarithm of "
+                               "their ratio, on every distinct pair, RMSEs likewise; {} (Holm); in parentheses what is "
+                               "found with power {:g}.",
+                               tests_in_words(comparison), comparison.power)),
         {{"method", false, ""},
          {"size", false, ""},
          {"trials", true, ""},
@@ -202,40 +183,17 @@ std::string answer(const RunComparison& comparison) {
 std::string verdict(const RunComparison& comparison) {
     const std::size_t untestable = comparison.count(Likeness::untestable);
     const std::size_t different = comparison.count(Likeness::different);
-    return fmt::format("{}Of {} in both runs {} {}{}.", answer(comparison),
-                       comparison.cells.size() == 1 ? "1 method and size"
-                                                    : fmt::format("{} methods and sizes", comparison.cells.size()),
+    if (comparison.cells.size() == 1)
+        return fmt::format("{}The only method and size in both runs {}.", answer(comparison),
+                           different == 1    ? "differs"
+                           : untestable == 1 ? "cannot be tested"
+                                             : "shows no difference");
+    return fmt::format("{}Of {} methods and sizes in both runs {} {}{}.", answer(comparison), comparison.cells.size(),
                        different, different == 1 ? "differs" : "differ",
                        untestable == 0 ? "" : fmt::format("; {} cannot be tested", untestable));
 }
 
 }  // namespace
-
-TableCell likeness_in_words(const RunComparison& comparison, const CellComparison& cell) {
-    const Mark mark = cell.likeness == Likeness::alike       ? Mark::good
-                      : cell.likeness == Likeness::different ? Mark::bad
-                                                             : Mark::open;
-    switch (cell.basis) {
-        case Basis::independent:
-            if (cell.likeness == Likeness::untestable) return {"no test: no variance, or too few trials or hits", mark};
-            return {independent_in_words(comparison, cell), mark};
-        case Basis::same_random_numbers:
-            if (cell.likeness == Likeness::untestable) return {"same random numbers, no trial in both", mark};
-            if (cell.differing == 0)
-                return {fmt::format("the same random numbers, equal in all {} trials", cell.trials), mark};
-            return {fmt::format("DIFFERENT: {} of {} trials with the same random numbers", cell.differing, cell.trials),
-                    mark};
-        case Basis::deterministic:
-            if (cell.likeness == Likeness::untestable) return {"not run yet", mark};
-            if (cell.likeness == Likeness::alike) return {"equal", mark};
-            return {fmt::format("DIFFERENT: {} by {:+.2e}",
-                                quantity_label(scene_of(comparison, cell), cell.largest_pair), cell.largest_difference),
-                    mark};
-        case Basis::mixed:
-            break;
-    }
-    return {"no test: only one of them is random", mark};
-}
 
 std::string comparison_text(const RunComparison& comparison, const TextStyle& style) {
     std::string out =
@@ -248,8 +206,8 @@ std::string comparison_text(const RunComparison& comparison, const TextStyle& st
     }
     const auto lines = remarks(comparison);
     if (!lines.empty()) out += fmt::format("\n{}\n", fmt::join(lines, "\n"));
-    return out + fmt::format("\n{} tests, {:g} % together; intervals hold together too\n", comparison.tests,
-                             100 * (1 - comparison.level));
+    return out + fmt::format("\n{}{}\n", tests_in_words(comparison),
+                             comparison.tests == 0 ? "" : "; intervals hold together too");
 }
 
 std::string comparison_markdown(const RunComparison& comparison) {

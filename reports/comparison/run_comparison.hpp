@@ -1,7 +1,6 @@
 #pragma once
 
 #include "reports/templates/templates.hpp"
-#include "reports/text/table.hpp"
 #include "reports/text/text_style.hpp"
 #include "studies/comparison/run_comparison.hpp"
 
@@ -23,8 +22,5 @@ std::string comparison_html(const studies::RunComparison& comparison, const Temp
 
 /// The content of comparison_text, for programs.
 std::string comparison_json(const studies::RunComparison& comparison);
-
-/// The verdict on one method and size in words.
-TableCell likeness_in_words(const studies::RunComparison& comparison, const studies::CellComparison& cell);
 
 }  // namespace ff::reports

@@ -5,24 +5,18 @@
 #include "stats/basics/distributions.hpp"
 #include "stats/error_rates/multiplicity.hpp"
 #include "stats/means/mean_test.hpp"
-#include "stats/variances/spread.hpp"
-#include "stats/variances/variance_test.hpp"
 #include "studies/comparison/face_difference.hpp"
+#include "studies/comparison/pair_spreads.hpp"
 #include "studies/comparison/rivals.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 namespace ff::studies {
 namespace {
-
-/// Brown-Forsythe needs this many times the trials of the best test, for normal values: (pi - 2) of mean absolute
-/// deviations against 1 of standard deviations.
-constexpr double brown_forsythe_cost = 1.1415926535897931;
 
 enum class Tested { mean, spread, rmse };
 
@@ -32,8 +26,8 @@ struct Test {
     Tested tested = Tested::mean;
     Contrast contrast;
     double p = 1;
-    double log_error = 0;   ///< standard error of ln(ratio of standard deviations); 0 where there is none
-    std::size_t ratio = 0;  ///< index into the cell's ratios, for a test of RMSEs
+    std::size_t ratio = 0;                                  ///< index into the cell's ratios, for a test of RMSEs
+    std::optional<std::array<stats::Measured, 2>> spreads;  ///< ln(variance) of both, for a test of these
 };
 
 Basis basis_of(const Cell& first, const Cell& second) {
@@ -106,45 +100,49 @@ void widen(std::optional<stats::Interval>& all, double low, double high, double 
     all->high = std::max(all->high, high);
 }
 
+std::optional<Untested> obstacle(const CellAnalysis& first, const CellAnalysis& second, Quantity pair) {
+    if (std::min(first.trials, second.trials) < stats::fewest_replicates) return Untested::few_trials;
+    if (first.repeated_trials + second.repeated_trials > 0) return Untested::repeated_trials;
+    const std::array found{first.summary(pair).variance, second.summary(pair).variance};
+    for (const auto& [status, reason] : {std::pair(VarianceStatus::undefined, Untested::not_finite),
+                                         std::pair(VarianceStatus::infinite, Untested::infinite_variance),
+                                         std::pair(VarianceStatus::sparse, Untested::too_few_hits)}) {
+        if (std::find(found.begin(), found.end(), status) != found.end()) return reason;
+    }
+    return std::nullopt;
+}
+
 /// Both tests of every pair that has them.
 void test_pairs(const CellEstimates& a, const CellEstimates& b, const Analysis& first, const Analysis& second,
                 const std::vector<Quantity>& pairs, std::size_t index, CellComparison& cell, std::vector<Test>& tests) {
-    const bool independent =
-        first.cells[cell.first].repeated_trials == 0 && second.cells[cell.second].repeated_trials == 0;
-    for (const Quantity pair : pairs) {
-        const Summary& of_a = first.cells[cell.first].summary(pair);
-        const Summary& of_b = second.cells[cell.second].summary(pair);
-        const auto& x = a.values(pair);
-        const auto& y = b.values(pair);
-        const bool finite =
-            independent && of_a.variance == VarianceStatus::finite && of_b.variance == VarianceStatus::finite;
-        const double centre = finite && !x.empty() ? x.front() : 0;
-        const auto in_a = stats::moments_of(finite ? std::span<const double>(x) : std::span<const double>(), centre);
-        const auto in_b = stats::moments_of(finite ? std::span<const double>(y) : std::span<const double>(), centre);
-        const auto means = finite ? stats::difference_of_means(x, y) : std::nullopt;
-        if (!means || std::min(in_a.count(), in_b.count()) < stats::fewest_replicates) {
+    const CellAnalysis& in_first = first.cells[cell.first];
+    const CellAnalysis& in_second = second.cells[cell.second];
+    const PairSpreads of_first = spreads_of(first.plan, in_first, a, pairs);
+    const PairSpreads of_second = spreads_of(second.plan, in_second, b, pairs);
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+        auto untested = obstacle(in_first, in_second, pairs[i]);
+        const auto means = untested ? std::nullopt : stats::difference_of_means(a.values(pairs[i]), b.values(pairs[i]));
+        if (!means) {
             ++cell.untestable;
+            cell.obstacles.insert(untested.value_or(Untested::no_spread));
             continue;
         }
         tests.push_back({index,
                          Tested::mean,
-                         {pair, means->difference, means->standard_error, 1},
+                         {pairs[i], means->difference, means->standard_error, 1},
                          stats::test_mean(*means).p,
                          0,
-                         0});
-        // A sample that never varies cannot stand below; then the ratio is 1 / 0.
-        const bool inverse = *in_a.variance() == 0;
-        const auto spread =
-            inverse ? stats::test_variances_brown_forsythe(x, y) : stats::test_variances_brown_forsythe(y, x);
-        if (!spread) continue;
-        const double ratio = inverse ? std::numeric_limits<double>::infinity() : spread->ratio;
-        const auto spread_a = stats::mean_square_of(in_a);
-        const auto spread_b = stats::mean_square_of(in_b);
-        const double error =
-            spread_a && spread_b
-                ? std::sqrt(brown_forsythe_cost * (1 / (2 * spread_a->freedom) + 1 / (2 * spread_b->freedom)))
-                : 0;
-        tests.push_back({index, Tested::spread, {pair, ratio, 0, 1}, spread->p, error, 0});
+                         {}});
+        // Trials that never vary may have missed what would make them vary: they show no ratio.
+        const auto spreads = compared_spreads(of_first, of_second, i);
+        if (!spreads) continue;
+        const auto& [x, y] = *spreads;
+        tests.push_back({index,
+                         Tested::spread,
+                         {pairs[i], std::exp((y.value - x.value) / 2), 0, 1},
+                         stats::p_of_equal(x, y),
+                         0,
+                         spreads});
     }
 }
 
@@ -153,7 +151,7 @@ void test_classes(std::size_t index, const CellComparison& cell, std::vector<Tes
     for (std::size_t i = 0; i < cell.ratios.size(); ++i) {
         const auto& logarithms = cell.ratios[i].logarithms;
         if (logarithms.empty()) continue;
-        tests.push_back({index, Tested::rmse, {}, stats::p_of_equal(logarithms[0], logarithms[1]), 0, i});
+        tests.push_back({index, Tested::rmse, {}, stats::p_of_equal(logarithms[0], logarithms[1]), i, {}});
     }
 }
 
@@ -198,8 +196,8 @@ void judge_cells(const std::vector<Test>& tests, RunComparison& comparison) {
     for (const Test& test : tests) p.push_back(test.p);
     const auto adjusted = stats::holm(p);
     const double alpha = 1 - comparison.level;
-    const double reach = stats::normal_critical(stats::bonferroni_level(alpha, tests.size()) / 2) +
-                         stats::normal_critical(1 - comparison.power);
+    const double shared = stats::bonferroni_level(alpha, tests.size());
+    const double reach = stats::normal_critical(shared / 2) + stats::normal_critical(1 - comparison.power);
     for (std::size_t i = 0; i < tests.size(); ++i) {
         const Test& test = tests[i];
         CellComparison& cell = comparison.cells[test.cell];
@@ -212,12 +210,16 @@ void judge_cells(const std::vector<Test>& tests, RunComparison& comparison) {
                 break;
             case Tested::spread:
                 keep_smaller(cell.spread, contrast);
+                if (const double ratio = detectable_ratio(*test.spreads, 1 - shared, comparison.power);
+                    std::isfinite(ratio)) {
+                    ++cell.spreads;
+                    cell.detectable_ratio = std::max(cell.detectable_ratio, ratio);
+                }
                 break;
             case Tested::rmse:
                 cell.ratios[test.ratio].adjusted_p = adjusted[i];
                 break;
         }
-        cell.detectable_ratio = std::max(cell.detectable_ratio, std::exp(reach * test.log_error));
         if (cell.likeness == Likeness::untestable) cell.likeness = Likeness::alike;
         if (adjusted[i] < alpha) cell.likeness = Likeness::different;
     }

@@ -8,6 +8,7 @@
 #include <array>
 #include <cstddef>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -35,12 +36,15 @@ struct RmseRatio {
 /// The pair on which two independent runs differ most.
 struct Contrast {
     Quantity pair;
-    double size = 0;        ///< difference of means, second - first; or ratio of variances, second / first
+    double size = 0;        ///< difference of means, second - first; or ratio of standard deviations, second / first
     double error = 0;       ///< standard error of the difference; 0 for the ratio
     double adjusted_p = 1;  ///< Holm over all tests of the comparison
 };
 
 enum class Likeness { alike, different, untestable };
+
+/// Why a pair of two independent runs is not tested.
+enum class Untested { few_trials, repeated_trials, not_finite, infinite_variance, too_few_hits, no_spread };
 
 /// One scene, method and size that both runs have.
 struct CellComparison {
@@ -50,12 +54,14 @@ struct CellComparison {
     Likeness likeness = Likeness::untestable;
     std::vector<RmseRatio> ratios;
     std::size_t pairs = 0;
-    std::size_t untestable = 0;      ///< pairs without a test: no variance, too few hits, fewer than three trials
+    std::size_t untestable = 0;      ///< pairs without a test
+    std::set<Untested> obstacles;    ///< why they have none
     std::optional<Contrast> mean;    ///< independent runs: Welch
-    std::optional<Contrast> spread;  ///< independent runs: Brown-Forsythe
+    std::optional<Contrast> spread;  ///< independent runs: the rule for means, for squared deviations
     /// Difference of means that would be detected on the worst pair, at the level of the smallest p and with the power.
     double detectable_difference = 0;
-    double detectable_ratio = 1;    ///< the same for the ratio of standard deviations; approximate
+    double detectable_ratio = 1;    ///< the same for the ratio of standard deviations, on the pairs that would show one
+    std::size_t spreads = 0;        ///< number of these pairs
     std::size_t trials = 0;         ///< trials that both have; same random numbers only
     std::size_t differing = 0;      ///< trials in which the value of some pair differs
     double largest_difference = 0;  ///< deterministic only, on `largest_pair`

@@ -83,6 +83,7 @@ expect_stdout "new/run: study s, seed 2"
 ffstudy compare a:rays broken:rays
 expect_status 1
 expect_stdout "RMSE of broken:rays"
+expect_stdout "The only method and size in both runs differs."
 sed 's/name = "PDM"/name = "other rays"/; s/"gauss_legendre"/"sobol"/; s/nodes = 3/samples_per_patch = 256/; s/area_kernel/ray_shooting/' a.toml >two.toml
 ffstudy run two.toml --quiet --out two
 ffstudy compare two:rays "two:other rays"

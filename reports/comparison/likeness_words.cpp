@@ -1,0 +1,111 @@
+#include "reports/comparison/likeness_words.hpp"
+
+#include "reports/comparison/ratio_plot.hpp"
+#include "reports/text/labels.hpp"
+#include "reports/text/numbers.hpp"
+
+#include <fmt/format.h>
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace ff::reports {
+
+using studies::Basis;
+using studies::CellComparison;
+using studies::Likeness;
+using studies::RunComparison;
+
+namespace {
+
+std::string_view in_words(studies::Untested reason) {
+    switch (reason) {
+        case studies::Untested::few_trials:
+            return "fewer than five trials";
+        case studies::Untested::repeated_trials:
+            return "trials repeat each other";
+        case studies::Untested::not_finite:
+            return "infinity or no number in some trials";
+        case studies::Untested::infinite_variance:
+            return "infinite variance";
+        case studies::Untested::too_few_hits:
+            return "too few hits";
+        case studies::Untested::no_spread:
+            break;
+    }
+    return "no spread";
+}
+
+/// Why some pairs, or all, are not tested.
+std::string why_untested(const CellComparison& cell) {
+    std::vector<std::string_view> reasons;
+    for (const studies::Untested reason : cell.obstacles) reasons.push_back(in_words(reason));
+    return reasons.empty() ? "no trials yet" : fmt::format("{}", fmt::join(reasons, " or "));
+}
+
+/// What the tests would have detected in a standard deviation, and where.
+std::string detectable_spread_in_words(const CellComparison& cell) {
+    if (cell.spreads == 0) return "no factor";
+    std::string words = "a factor " + brief(cell.detectable_ratio, 2);
+    const bool everywhere = cell.spreads == cell.pairs - cell.untestable;
+    return everywhere ? words : words + fmt::format(" on {} of them", counted(cell.spreads, "pair"));
+}
+
+std::string independent_in_words(const RunComparison& comparison, const CellComparison& cell) {
+    const double alpha = 1 - comparison.level;
+    const Scene& scene = scene_of(comparison, cell);
+    std::vector<std::string> parts;
+    if (cell.mean && cell.mean->adjusted_p < alpha) {
+        parts.push_back(fmt::format("mean of {} by {}{} ({})", quantity_label(scene, cell.mean->pair),
+                                    cell.mean->size > 0 ? "+" : "", with_half_width(cell.mean->size, cell.mean->error),
+                                    p_text(cell.mean->adjusted_p)));
+    }
+    if (cell.spread && cell.spread->adjusted_p < alpha) {
+        parts.push_back(fmt::format("standard deviation of {} by a factor {} ({})",
+                                    quantity_label(scene, cell.spread->pair), brief(cell.spread->size, 2),
+                                    p_text(cell.spread->adjusted_p)));
+    }
+    for (const studies::RmseRatio& ratio : cell.ratios) {
+        if (ratio.adjusted_p >= alpha) continue;
+        parts.push_back(fmt::format("RMSE on {} pairs by a factor {} ({})", name(ratio.pair_class),
+                                    brief(ratio.second / ratio.first), p_text(ratio.adjusted_p)));
+    }
+    if (!parts.empty()) return fmt::format("DIFFERENT: {}", fmt::join(parts, "; "));
+    const std::string untested = cell.untestable == 0
+                                     ? std::string()
+                                     : fmt::format(" on {} of {} pairs, {} on the others", cell.pairs - cell.untestable,
+                                                   cell.pairs, why_untested(cell));
+    return fmt::format("no difference found{} (would detect {} in a mean, {} in a standard deviation)", untested,
+                       brief(cell.detectable_difference, 2), detectable_spread_in_words(cell));
+}
+
+}  // namespace
+
+TableCell likeness_in_words(const RunComparison& comparison, const CellComparison& cell) {
+    const Mark mark = cell.likeness == Likeness::alike       ? Mark::good
+                      : cell.likeness == Likeness::different ? Mark::bad
+                                                             : Mark::open;
+    switch (cell.basis) {
+        case Basis::independent:
+            if (cell.likeness == Likeness::untestable) return {"no test: " + why_untested(cell), mark};
+            return {independent_in_words(comparison, cell), mark};
+        case Basis::same_random_numbers:
+            if (cell.likeness == Likeness::untestable) return {"same random numbers, no trial in both", mark};
+            if (cell.differing == 0)
+                return {fmt::format("the same random numbers, equal in all {} trials", cell.trials), mark};
+            return {fmt::format("DIFFERENT: {} of {} trials with the same random numbers", cell.differing, cell.trials),
+                    mark};
+        case Basis::deterministic:
+            if (cell.likeness == Likeness::untestable) return {"not run yet", mark};
+            if (cell.likeness == Likeness::alike) return {"equal", mark};
+            return {fmt::format("DIFFERENT: {} by {:+.2e}",
+                                quantity_label(scene_of(comparison, cell), cell.largest_pair), cell.largest_difference),
+                    mark};
+        case Basis::mixed:
+            break;
+    }
+    return {"no test: only one of them is random", mark};
+}
+
+}  // namespace ff::reports

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "stats/means/measured.hpp"
+#include "studies/analysis/analysis.hpp"
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace ff::studies {
+
+/// The variances of the trials of a cell's pairs, by the rule for means applied to squared deviations.
+struct PairSpreads {
+    /// ln(variance), one for each pair; empty where there is no finite variance, where trials are few, and where they,
+    /// or their squared deviations, do not vary.
+    std::vector<std::optional<stats::Measured>> logarithms;
+    double skewness = 0;  ///< median over pairs, of the mean squared deviation
+};
+PairSpreads spreads_of(std::vector<std::optional<stats::Measured>> logarithms);
+PairSpreads spreads_of(const StudyPlan& plan, const CellAnalysis& found, const CellEstimates& estimates,
+                       std::span<const Quantity> pairs);
+
+/// The two logarithms of a pair, as they are compared: the smaller variance may have missed a long tail, so that it is
+/// taken to be no less skewed than those of the cell's other pairs are. Empty where either is.
+std::optional<std::array<stats::Measured, 2>> compared_spreads(const PairSpreads& first, const PairSpreads& second,
+                                                               std::size_t pair);
+
+/// A ratio of standard deviations, at least 1, that a test at `level` finds with this power where trials are spread and
+/// skewed as these are; approximate, and infinite where it would find none.
+double detectable_ratio(const std::array<stats::Measured, 2>& spreads, double level, double power);
+
+}  // namespace ff::studies
