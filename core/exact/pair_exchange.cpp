@@ -81,6 +81,8 @@ std::string_view name(ExchangeMethod method) {
             return "quadrature";
         case ExchangeMethod::bounds:
             return "bounds";
+        case ExchangeMethod::cells:
+            return "cells";
         case ExchangeMethod::points:
             return "points";
         case ExchangeMethod::rays:

@@ -19,6 +19,7 @@ enum class ExchangeMethod : std::uint8_t {
     contour,      ///< contour integrals with a bound (core/formulas/polygon_exchange.hpp)
     quadrature,   ///< Gauss's rule with a bound, of pairs far apart (core/formulas/far_exchange.hpp)
     bounds,       ///< not computed: 0 and the unoccluded value are close enough to each other
+    cells,        ///< Gauss's rule where what is seen changes smoothly (studies/form_factors/cells)
     points,       ///< sampled places on one, exact factors to what they see of the other
                   ///< (core/visibility/visible_polygon.hpp)
     rays,         ///< sampled rays; always possible

@@ -57,14 +57,15 @@ std::vector<std::size_t> row_by_rays(const Aim& aim, const Job& rays, const Poin
 }
 
 /// Rays for some pairs of a row, by what the rays of all have shown.
-Work part_of_row(const Scene& scene, const Aim& aim, const Job& row, const std::vector<std::size_t>& pairs) {
+Work part_of_row(const Scene& scene, const Aim& aim, const Work& whole, const std::vector<std::size_t>& pairs) {
+    const Job& row = whole.job;
     std::uint64_t size = 0;
     for (std::size_t t = 0; t < row.pairs().size(); ++t) {
         const std::size_t pair = row.pairs()[t];
         if (std::find(pairs.begin(), pairs.end(), pair) == pairs.end()) continue;
         size = std::max(size, row.rays_for(t, aim.wanted(pair), aim.level));
     }
-    Work work{Job(scene, aim.geometry, aim.owner(pairs.front()), pairs)};
+    Work work{Job(scene, aim.geometry, aim.owner(pairs.front()), pairs), whole.rounds};
     const std::uint64_t now = work.job.sizes().front();
     work.pilot = size / farthest_sight > now;
     work.job.set_sizes({work.pilot ? now * pilot_growth : std::max(size, now)});
@@ -161,7 +162,7 @@ std::vector<Work> choose_methods(const Scene& scene, const Aim& aim, std::vector
         if (rays.by_points()) continue;
         const std::vector<std::size_t> pairs = row_by_rays(aim, rays, by_points);
         stays[w] = pairs.size() == rays.pairs().size();
-        if (!stays[w] && !pairs.empty()) chosen.push_back(part_of_row(scene, aim, rays, pairs));
+        if (!stays[w] && !pairs.empty()) chosen.push_back(part_of_row(scene, aim, candidates[w], pairs));
         shot.insert(shot.end(), pairs.begin(), pairs.end());
     }
     for (std::size_t w = 0; w < candidates.size(); ++w) {

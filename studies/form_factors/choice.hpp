@@ -36,7 +36,7 @@ struct Aim {
 /// A job and how far it has come.
 struct Work {
     Job job;
-    std::size_t rounds = 0;  ///< completed rounds that count
+    std::size_t rounds = 0;  ///< completed rounds that count, those by cells among them
     bool pilot = true;       ///< its next round only decides and does not count
     bool has_run = false;
 };

@@ -78,8 +78,8 @@ FaceExchange face_exchange(const FacePair& pair, const PairEstimate& estimate) {
         result.value = found.value;
         result.low = found.value - found.down - pair.bound - pair.resolution;
         result.high = found.value + found.up + pair.bound + pair.resolution;
-        result.method = estimate.by_points ? ExchangeMethod::points : ExchangeMethod::rays;
-        result.by_rays_of_row = pair.by_points && !estimate.by_points;
+        result.method = estimate.method;
+        result.by_rays_of_row = pair.by_points && estimate.method == ExchangeMethod::rays;
         result.samples = estimate.samples;
         result.contradicted = estimate.contradicted;
         if (estimate.contradicted) {

@@ -31,7 +31,7 @@ struct FaceExchange {
     bool within = false;                                  ///< within the tolerance, in both directions
     bool contradicted = false;  ///< an independent randomisation disagrees; the interval contains both
 
-    [[nodiscard]] bool is_sampled() const { return !method || *method >= ExchangeMethod::points; }
+    [[nodiscard]] bool is_sampled() const { return !method || *method >= ExchangeMethod::cells; }
 };
 
 struct RowSum {

@@ -49,6 +49,7 @@ struct Request {
     std::uint64_t max_samples = 1'000'000'000;  ///< rays and points together
     bool repair = false;
     unsigned threads = 1;
+    bool cells = true;                        ///< false: pairs that cells would do are sampled as well, to test that
     const std::atomic<bool>* stop = nullptr;  ///< set by another thread: returns what is known by then
     std::function<std::unique_ptr<Tracer>(const Scene&)> tracer;  ///< makes what traces its rays; empty: make_tracer
     std::function<void(const Progress&)> report;                  ///< called by any thread, one call at a time

@@ -57,6 +57,7 @@ bool Rounds::sample(const PairsOfRows& rows, std::uint64_t budget) {
     }
     bool complete = true;
     try {
+        integrate_cells();
         make_pilots(rows);
         expect_budget();
         while (!work_.empty()) {
@@ -82,17 +83,21 @@ std::vector<SampledRow> Rounds::result() const {
 }
 
 /// Makes pilots by points and by rays for pairs that both methods can sample, where rays may be cheaper.
-void Rounds::make_pilots(const PairsOfRows& rows) {
-    for (const auto& entry : pairs_) {
-        const std::size_t pair = entry.first;
-        if (!aim_.geometry.pairs[pair].by_points) continue;
+void Rounds::make_pilots(PairsOfRows rows) {
+    for (auto& row : rows) std::erase_if(row.second, [&](std::size_t pair) { return pairs_[pair].done; });
+    for (const auto& [pair, state] : pairs_) {
+        if (!aim_.geometry.pairs[pair].by_points || state.done) continue;
         expect_more_time(request_.stop);
-        work_.push_back({Job(scene_, aim_.geometry, pair, aim_.wanted(pair))});
+        work_.push_back({Job(scene_, aim_.geometry, pair, aim_.wanted(pair)), state.rounds});
     }
     const PairsOfRows shot = rows_to_shoot(scene_, aim_, rows, work_, rays_are_exact_enough_);
     if (!shot.empty() && !tracer_)
         tracer_ = request_.tracer ? request_.tracer(scene_) : make_tracer(scene_, TracerChoice::automatic);
-    for (const auto& [from, pairs] : shot) work_.push_back({Job(scene_, aim_.geometry, from, pairs)});
+    for (const auto& [from, pairs] : shot) {
+        std::size_t rounds = 0;
+        for (const std::size_t pair : pairs) rounds = std::max(rounds, pairs_[pair].rounds);
+        work_.push_back({Job(scene_, aim_.geometry, from, pairs), rounds});
+    }
 }
 
 std::uint64_t Rounds::planned() const {
@@ -119,10 +124,10 @@ void Rounds::begin_reporting() {
     if (counts) ++progress_.round;
 }
 
-/// @param done  samples of this round; of a round of `all`
-void Rounds::report(std::uint64_t done, std::uint64_t all) {
+/// @param done  of a round of `all` @param samples  in all rounds
+void Rounds::report(std::uint64_t done, std::uint64_t all, std::uint64_t samples) {
     progress_.share = static_cast<double>(done) / static_cast<double>(all);
-    progress_.samples = samples_ + done;
+    progress_.samples = samples;
     request_.report(progress_);
 }
 
@@ -139,14 +144,16 @@ std::vector<Rounds::Task> Rounds::tasks() const {
     return tasks;
 }
 
+/// Of the random numbers of a round.
+StreamKey Rounds::key_of(std::string_view samples) const {
+    return derive_key(request_.seed,
+                      fmt::format("form factors of {}, {}, round {}", scene_.canonical, samples, round_));
+}
+
 void Rounds::run_round() {
     begin_reporting();
     const std::uint64_t all = planned();
     std::uint64_t done = 0;
-    const auto key_of = [&](const char* samples) {
-        return derive_key(request_.seed,
-                          fmt::format("form factors of {}, {}, round {}", scene_.canonical, samples, round_));
-    };
     const StreamKey of_points = key_of("points");
     const StreamKey of_rays = key_of("rays");
     ++round_;
@@ -158,7 +165,7 @@ void Rounds::run_round() {
         if (!request_.report) return;
         const std::lock_guard lock(reporting_);
         done += job.samples() / randomisations * task.count;
-        report(done, all);
+        report(done, all, samples_ + done);
     });
     samples_ += all;
     left_ -= std::min(all, left_);
@@ -183,7 +190,7 @@ void Rounds::record(const Job& job, std::size_t pair, std::size_t round) {
     State& state = pairs_[pair];
     state.estimate.level = level(round);
     state.estimate.sum = job.sum(pair);
-    state.estimate.by_points = job.by_points();
+    state.estimate.method = job.by_points() ? ExchangeMethod::points : ExchangeMethod::rays;
     state.estimate.samples = points_of(*state.estimate.sum);
     state.recorded = true;
 }
@@ -196,7 +203,7 @@ void Rounds::note_unfinished() {
         if (state.recorded) continue;
         state.estimate.sum = earlier.sum;
         state.estimate.level = level(0);
-        state.estimate.by_points = !earlier.sum.terms.front().share.hits;
+        state.estimate.method = earlier.sum.terms.front().share.hits ? ExchangeMethod::rays : ExchangeMethod::points;
         state.estimate.samples = points_of(earlier.sum);
     }
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/tracing/tracer.hpp"
+#include "studies/form_factors/cells/cell_sum.hpp"
 #include "studies/form_factors/choice.hpp"
 #include "studies/form_factors/sampled_row.hpp"
 
@@ -8,6 +9,7 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <string_view>
 #include <vector>
 
 namespace ff::studies::form_factors {
@@ -45,7 +47,8 @@ class Rounds {
     /// The state of a pair that is sampled.
     struct State {
         PairEstimate estimate;
-        bool recorded = false;  ///< the estimate is of a round that counts
+        std::size_t rounds = 0;  ///< by cells, that did not come to what is wanted
+        bool recorded = false;   ///< the estimate is of a round that counts
         bool done = false;
     };
     /// What a thread does at a time.
@@ -75,11 +78,14 @@ class Rounds {
     std::mutex reporting_;
 
     [[nodiscard]] double level(std::size_t rounds_done) const { return round_level(alpha_, rounds_done); }
-    void make_pilots(const PairsOfRows& rows);
+    [[nodiscard]] StreamKey key_of(std::string_view samples) const;
+    void integrate_cells();
+    bool take(std::size_t pair, CellSum cells, std::size_t round);
+    void make_pilots(PairsOfRows rows);
     [[nodiscard]] std::vector<Task> tasks() const;
     void run_round();
     void begin_reporting();
-    void report(std::uint64_t done, std::uint64_t all);
+    void report(std::uint64_t done, std::uint64_t all, std::uint64_t samples);
     void evaluate();
     void remember(const Job& job);
     void record(const Job& job, std::size_t pair, std::size_t round);

@@ -4,6 +4,7 @@
 
 #include <bit>
 #include <concepts>
+#include <type_traits>
 
 namespace ff::studies::form_factors {
 namespace {
@@ -23,7 +24,7 @@ void pass(Archive& archive, SampledSum::Term& term) {
 
 template <class Archive>
 void pass(Archive& archive, PairEstimate& estimate) {
-    archive(estimate.by_points, estimate.level, estimate.samples, estimate.contradicted);
+    archive(estimate.method, estimate.level, estimate.samples, estimate.contradicted);
     pass(archive, estimate.other);
     bool is_sampled = estimate.sum.has_value();
     archive(is_sampled);
@@ -42,17 +43,20 @@ void pass(Archive& archive, SampledRow& row) {
     });
 }
 
+template <class Value>
+concept WholeOrName = std::integral<Value> || std::is_enum_v<Value>;
+
 std::uint64_t to_word(double value) {
     return std::bit_cast<std::uint64_t>(value);
 }
-template <std::integral Whole>
+template <WholeOrName Whole>
 std::uint64_t to_word(Whole value) {
-    return value;
+    return static_cast<std::uint64_t>(value);
 }
 void from_word(std::uint64_t word, double& value) {
     value = std::bit_cast<double>(word);
 }
-template <std::integral Whole>
+template <WholeOrName Whole>
 void from_word(std::uint64_t word, Whole& value) {
     value = static_cast<Whole>(word);
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/exact/pair_exchange.hpp"
 #include "studies/form_factors/division/sampled_share.hpp"
 
 #include <cstdint>
@@ -13,9 +14,9 @@ namespace ff::studies::form_factors {
 /// What sampling found for a pair of faces.
 struct PairEstimate {
     std::optional<SampledSum> sum;  ///< the exchange area; empty where no round was completed, or none was needed
-    bool by_points = false;
-    double level = 0;           ///< confidence level of its interval
-    std::uint64_t samples = 0;  ///< rays or points behind it
+    ExchangeMethod method = ExchangeMethod::rays;  ///< cells, points or rays
+    double level = 0;                              ///< confidence level of its interval
+    std::uint64_t samples = 0;                     ///< rays or points behind it
     bool contradicted = false;
     EstimatedSum other;  ///< estimate from the independent randomisation that contradicts
 };

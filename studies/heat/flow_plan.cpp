@@ -155,7 +155,7 @@ struct Groups {
 };
 
 Groups groups_of(const form_factors::Matrix& matrix) {
-    constexpr double least = 1024;  // of pairs that were not sampled yet
+    constexpr double least = 128;  // of pairs that were not sampled yet
     Groups groups;
     std::map<std::uint32_t, std::size_t> by_rays;
     for (const form_factors::FaceExchange& pair : matrix.exchanges) {
@@ -170,12 +170,13 @@ Groups groups_of(const form_factors::Matrix& matrix) {
     return groups;
 }
 
-/// Samples grow by this power of 1 / half width, found with one tolerance after the other: of points in the room with a
-/// block of docs/scenes.md, of rays in an annulus.
+/// Samples grow by this power of 1 / half width, found with one tolerance after the other: of cells and points in the
+/// room with a block of docs/scenes.md, of rays in an annulus.
 double growth(const form_factors::FaceExchange& pair) {
+    constexpr double of_cells = 0.15;
     constexpr double of_points = 0.66;
     constexpr double of_rays = 1.33;
-    return pair.method == ExchangeMethod::rays ? of_rays : of_points;
+    return pair.method == ExchangeMethod::rays ? of_rays : pair.method == ExchangeMethod::cells ? of_cells : of_points;
 }
 
 /// Half widths of exchange areas that minimise the samples for powers of these weights, up to a common factor.

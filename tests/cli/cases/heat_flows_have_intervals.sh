@@ -40,10 +40,10 @@ grep -Fq "together take up $sum W" "$page" || fail "docs/heat.md does not say th
     for face in floor south east north west; do printf '"%s.*" = { emissivity = 0.9, flux = 0 }\n' $face; done
 } >polygons.toml
 ffstudy heat furnace.obj --materials polygons.toml --faces polygon
-for power in "397477" "398074"; do
+for power in "397478" "398075"; do
     grep -Fq "${power::3} ${power:3} W" "$page" || fail "docs/heat.md does not say $power"
 done
-expect_stdout "-397477"
+expect_stdout "-397478"
 ffstudy heat furnace.obj --materials materials.toml --tolerance-of flux --tolerance 1e-7 --max-samples 1100000
 expect_status 4
 ffstudy heat furnace.obj --materials materials.toml --tolerance-of flux --flow-tolerance 1%

@@ -2,16 +2,16 @@
 # A matrix of many faces: shards and killed runs come to the bytes of one run.
 source "$(dirname "$0")/../harness.sh"
 
-# Two walls of six by six tiles, every tile a face of its own, and a plate between them.
-awk 'function quad(x0, x1, y0, y1, z) {
-    printf "v %g %g %g\nv %g %g %g\nv %g %g %g\nv %g %g %g\ng f%d\n", x0, y0, z, x1, y0, z, x1, y1, z, x0, y1, z, ++faces
-    print z < 1 ? "f -4 -3 -2 -1" : "f -4 -1 -2 -3"
+# Two walls of six by six tiles, every tile a face of its own, and a disc between them.
+awk 'function tile(x, y, z, flip) {
+    printf "[[surface]]\nface = \"f%d\"\nshape = \"parallelogram\"\ncorner = [%d, %d, %d]\n", ++faces, x, y, z
+    print "edge_u = [1, 0, 0]\nedge_v = [0, 1, 0]\nflip = " flip
 }
 BEGIN {
-    for (i = 0; i < 6; ++i) for (j = 0; j < 6; ++j) { quad(i, i + 1, j, j + 1, 0); quad(i, i + 1, j, j + 1, 4) }
-    quad(2.2, 3.7, 1.9, 4.4, 2)
-}' >"$folder/tiles.obj"
-options=("$folder/tiles.obj" --tolerance 2e-5)
+    for (i = 0; i < 6; ++i) for (j = 0; j < 6; ++j) { tile(i, j, 0, "false"); tile(i, j, 4, "true") }
+    print "[[surface]]\nface = \"disc\"\nshape = \"disc\"\ncentre = [3, 3.2, 2]\nnormal = [0, 0, -1]\nradius = 1.2"
+}' >"$folder/tiles.toml"
+options=("$folder/tiles.toml" --tolerance 1e-3)
 
 expect_same_matrix() {
     local file
@@ -62,7 +62,7 @@ expect_status 0
 expect_same_matrix whole killed
 
 # Rows of another matrix are not taken, nor damaged ones.
-ffstudy form_factors "$folder/tiles.obj" --tolerance 3e-5 --out part1
+ffstudy form_factors "$folder/tiles.toml" --tolerance 2e-3 --out part1
 expect_status 2
 expect_stderr "rows of another matrix (its tolerance is "
 ffstudy merge part1 part2 part3 --out part1

@@ -64,6 +64,7 @@ Outcome run_seed(const Scene& scene, const std::vector<KnownPair>& known, const 
     Request request;
     request.tolerance = options.tolerance;
     request.level = options.level;
+    request.cells = options.cells;
     request.seed = Seed{options.seed.value + seed};
     const Matrix by_entry = find_matrix(scene, request);
     request.level_of = LevelOf::matrix;

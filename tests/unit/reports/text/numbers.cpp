@@ -27,6 +27,7 @@ TEST(ToError, ShowsTheSecondSignificantDigitOfTheError) {
     EXPECT_EQ(to_error(12.3456, 0.5), "12.35");
     EXPECT_EQ(to_error(1234.5, 30), "1234");
     EXPECT_EQ(to_error(1234.5, std::numeric_limits<double>::infinity()), "1234.5");
+    EXPECT_EQ(to_error(-0.3, 24), "0") << "not -0";
 }
 
 TEST(ToError, ShowsSmallValuesWithAnExponent) {

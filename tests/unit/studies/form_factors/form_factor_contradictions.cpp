@@ -56,6 +56,7 @@ Outcome outcome(std::string_view scene_name, float hole, std::uint64_t sound_ray
         request.tolerance = 2e-3;
         request.seed = Seed{seed};
         request.threads = 2;
+        request.cells = false;
         request.tracer = [&](const Scene& joined) { return std::make_unique<HoleyTracer>(joined, hole, sound_rays); };
         const Matrix matrix = find_matrix(scene, request);
         const FaceExchange& pair = matrix.exchange(0, 1);

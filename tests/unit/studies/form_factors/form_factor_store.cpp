@@ -134,8 +134,8 @@ TEST_F(FormFactorStore, RestoresWhatWasSaved) {
 }
 
 TEST_F(FormFactorStore, KeepsEveryMethodAndReason) {
-    for (const ExchangeMethod method :
-         {ExchangeMethod::closed_form, ExchangeMethod::contour, ExchangeMethod::points, ExchangeMethod::rays}) {
+    for (const ExchangeMethod method : {ExchangeMethod::closed_form, ExchangeMethod::contour, ExchangeMethod::cells,
+                                        ExchangeMethod::points, ExchangeMethod::rays}) {
         for (int reason = 0; reason <= static_cast<int>(ExchangeReason::many_surfaces); ++reason) {
             FaceExchange& pair = kept.matrix.exchanges.front();
             pair.method = method;

@@ -27,9 +27,11 @@ Request request_within(double tolerance, std::uint64_t seed = 1) {
     return request;
 }
 
-/// The matrix of two squares with something in between, stopped when this stage tells of itself for the first time.
+/// The matrix of two squares with something in between by points or rays, stopped when this stage tells of itself for
+/// the first time.
 Matrix stopped_in(Progress::Stage stage, Request request) {
     std::atomic<bool> stop = false;
+    request.cells = false;
     request.stop = &stop;
     request.report = [&](const Progress& progress) { stop = stop || progress.stage == stage; };
     return find_matrix(built_in_scene("squares_blocked"), request);
@@ -178,12 +180,18 @@ TEST(FormFactors, StayBelowTheUnoccludedValue) {
     blocker = {{-1, -1, 0.5}, {3, 0, 0}, {0, 3, 0}};
     const Matrix proved = find_matrix(scene, request_within(1e-3));
     EXPECT_LT(proved.exchange(0, 1).high, 1e-13);
-    // Two do so together: no point sees anything, which is no proof.
+    // Two do so together: what is seen changes nowhere, and is nothing.
     Scene two = scene;
     two.surfaces.push_back(two.surfaces[2]);
     parallelogram(two.surfaces[2]).edge_u *= 0.51;
     parallelogram(two.surfaces[3]) = {{0.49, -1, 0.51}, {1.51, 0, 0}, {0, 3, 0}};
-    const FaceExchange exchange = find_matrix(two, request_within(1e-3)).exchange(0, 1);
+    Request request = request_within(1e-3);
+    const Matrix seen = find_matrix(two, request);
+    EXPECT_EQ(method_of(seen.exchange(0, 1)), "cells");
+    EXPECT_LT(seen.exchange(0, 1).high, 1e-13);
+    // For points, that none sees anything is no proof.
+    request.cells = false;
+    const FaceExchange exchange = find_matrix(two, request).exchange(0, 1);
     EXPECT_LT(exchange.value, 1e-13);
     EXPECT_EQ(exchange.low, 0);
     EXPECT_GT(exchange.high, 1e-8) << "no hits are no proof";

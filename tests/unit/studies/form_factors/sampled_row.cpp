@@ -11,7 +11,7 @@ namespace {
 SampledRow row_of_two() {
     SampledRow row{7, {}, 100, 60, 1};
     PairEstimate estimate;
-    estimate.by_points = true;
+    estimate.method = ExchangeMethod::points;
     estimate.level = 0.955;
     estimate.samples = 40;
     estimate.contradicted = true;
@@ -32,7 +32,7 @@ TEST(SampledRow, SurvivesARoundTripThroughWords) {
     EXPECT_EQ(read->samples, 100u);
     ASSERT_EQ(read->estimates.size(), 2u);
     const PairEstimate& estimate = read->estimates[0].second;
-    EXPECT_TRUE(estimate.by_points && estimate.contradicted);
+    EXPECT_TRUE(estimate.method == ExchangeMethod::points && estimate.contradicted);
     EXPECT_EQ(estimate.other.up, 0.02);
     ASSERT_TRUE(estimate.sum);
     EXPECT_EQ(estimate.sum->terms[0].share.means, (std::vector{0.1, 0.2}));

@@ -41,7 +41,8 @@ TEST(FlowSampling, MeetsTheToleranceForEveryPower) {
     }
 }
 
-// It is only an estimate: within a factor of 3 of what one tolerance for all takes to give about the same certainty.
+// It is only an estimate: within a factor of 5 of what one tolerance for all takes to give about the same certainty.
+// Pairs that cells integrate at one tolerance may be sampled by points at a smaller one.
 TEST(FlowSampling, EstimatesTheCostOfOneToleranceForAll) {
     const Scene scene = furnace_scene();
     const Materials materials = furnace_materials();
@@ -54,8 +55,8 @@ TEST(FlowSampling, EstimatesTheCostOfOneToleranceForAll) {
     ASSERT_GT(found.flows.worst, worst / 2);
     ASSERT_LT(found.flows.worst, worst * 2);
     const auto samples = static_cast<double>(even.samples) * worst / found.flows.worst;
-    EXPECT_GT(*found.even_samples, samples / 3);
-    EXPECT_LT(*found.even_samples, samples * 3);
+    EXPECT_GT(*found.even_samples, samples / 5);
+    EXPECT_LT(*found.even_samples, samples * 5);
 }
 
 TEST(FlowSampling, TakesNoSamplesWhereAllFactorsAreExact) {
@@ -72,6 +73,7 @@ TEST(FlowSampling, TakesNoSamplesWhereAllFactorsAreExact) {
 
 TEST(FlowSampling, ReportsTheBestThatItsBudgetAllows) {
     form_factors::Request request = flow_request();
+    request.cells = false;
     request.max_samples = 1'500'000;
     const SampledFlows found = sample_flows(furnace_scene(), request, furnace_materials(), 1, {1e-6});
     EXPECT_FALSE(found.flows.within({1e-6}));

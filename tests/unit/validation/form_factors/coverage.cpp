@@ -12,6 +12,7 @@ FormFactorCoverage coverage_of(double shrink) {
     options.tolerance = 4e-3;
     options.threads = 2;
     options.shrink = shrink;
+    options.cells = false;
     options.scenes = {"squares_blocked", "discs_blocked", "sphere_to_disc", "cube_adjacent_faces"};
     return measure_form_factor_coverage(options);
 }

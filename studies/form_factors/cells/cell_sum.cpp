@@ -1,0 +1,272 @@
+#include "studies/form_factors/cells/cell_sum.hpp"
+
+#include "core/visibility/visible_polygon.hpp"
+#include "samplers/grids/gauss_legendre.hpp"
+#include "studies/form_factors/cells/blocked_pair.hpp"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace ff::studies::form_factors {
+namespace {
+
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+/// Evaluations that cells may take before any random ones, for each tolerance that the whole exchange area is large:
+/// fewer than points would take. Of small ones they may take some anyway.
+constexpr double evaluations_per_tolerance = 8;
+constexpr double least_evaluations = 16384;
+constexpr double least_evaluations_of_many = 512;  ///< where there are many pairs
+constexpr double most_evaluations = 1 << 18;
+
+/// Cells are halved until what is left at places between the nodes is so much of what is wanted, added up as
+/// independent errors.
+constexpr double left_of_wanted = 0.4;
+
+/// Places in the unit square between the nodes of every rule.
+constexpr std::array<std::array<double, 2>, 4> between_nodes{{{0.2, 0.3}, {0.7, 0.2}, {0.8, 0.7}, {0.3, 0.8}}};
+
+/// What is seen of the target from a place, and what is hidden of it.
+enum Side : std::uint8_t { visible, hidden };
+using Factors = std::array<double, 2>;
+
+/// Two polygons past polygons, of which the smaller is integrated over.
+struct CellTask {
+    const Surface& source;
+    const Surface& target;
+    const std::vector<const Surface*>& blockers;
+    BoundedValue<double> whole;  ///< exchange area with nothing in between
+    double wanted = 0;           ///< half width
+    PointEffort effort = PointEffort::full;
+    Stream stream;  ///< its random numbers; each randomisation is a trial of its own
+};
+
+/// Gauss's rule and the polynomials through its nodes.
+struct Rule {
+    samplers::GaussRule gauss;
+
+    explicit Rule(std::uint32_t nodes) : gauss(samplers::gauss_rule(nodes)) {}
+
+    [[nodiscard]] std::size_t size() const { return gauss.nodes.size(); }
+    /// Weights of the nodes in the value of the polynomial at x.
+    [[nodiscard]] std::vector<double> weights_at(double x) const {
+        std::vector<double> result(size(), 1.0);
+        for (std::size_t i = 0; i < size(); ++i) {
+            for (std::size_t j = 0; j < size(); ++j) {
+                if (j != i) result[i] *= (x - gauss.nodes[j]) / (gauss.nodes[i] - gauss.nodes[j]);
+            }
+        }
+        return result;
+    }
+};
+
+/// The rule for an exchange area of so many tolerances.
+const Rule& rule_for(double tolerances) {
+    static const std::array<Rule, 4> rules{Rule(2), Rule(3), Rule(4), Rule(6)};
+    return rules[tolerances < 10 ? 0 : tolerances < 1000 ? 1 : tolerances < 1e5 ? 2 : 3];
+}
+
+/// The image of the unit square in a quadrilateral; one of its corners may be that of two.
+struct Quadrilateral {
+    std::array<Vector3d, 4> corner;
+
+    [[nodiscard]] Vector3d at(const Vector2d& uv) const {
+        const auto [u, v] = std::pair(uv.x(), uv.y());
+        return (1 - u) * (1 - v) * corner[0] + u * (1 - v) * corner[1] + u * v * corner[2] + (1 - u) * v * corner[3];
+    }
+    /// Area of the image per area in the square.
+    [[nodiscard]] double stretch(const Vector2d& uv) const {
+        const Vector3d along_u = (1 - uv.y()) * (corner[1] - corner[0]) + uv.y() * (corner[2] - corner[3]);
+        const Vector3d along_v = (1 - uv.x()) * (corner[3] - corner[0]) + uv.x() * (corner[2] - corner[1]);
+        return along_u.cross(along_v).norm();
+    }
+    [[nodiscard]] std::array<Quadrilateral, 2> halves() const {
+        const auto& [a, b, c, d] = corner;
+        const bool along_u = (b - a).norm() + (c - d).norm() >= (d - a).norm() + (c - b).norm();
+        if (along_u) {
+            const Vector3d low = (a + b) / 2;
+            const Vector3d high = (d + c) / 2;
+            return {Quadrilateral{{a, low, high, d}}, Quadrilateral{{low, b, c, high}}};
+        }
+        const Vector3d left = (a + d) / 2;
+        const Vector3d right = (b + c) / 2;
+        return {Quadrilateral{{a, b, right, left}}, Quadrilateral{{left, right, c, d}}};
+    }
+};
+
+/// A cell with the factors at the nodes of a rule.
+struct Cell {
+    Quadrilateral shape;
+    std::vector<Factors> at_nodes;  ///< those of one u together
+    Factors integral{};
+    Factors left{};  ///< what is left between the nodes, as an exchange area
+};
+
+class Cells {
+  public:
+    explicit Cells(CellTask task)
+        : task_(std::move(task)),
+          pair_(task_.source, task_.target, task_.blockers),
+          target_(task_.target, task_.blockers),
+          tolerances_(task_.whole.value / task_.wanted),
+          rule_(rule_for(tolerances_)) {}
+
+    std::optional<CellSum> run() {
+        if (pair_.source.empty() || pair_.target.empty()) return CellSum{};
+        const double least = task_.effort == PointEffort::full ? least_evaluations : least_evaluations_of_many;
+        const double allowed = std::clamp(evaluations_per_tolerance * tolerances_, least, most_evaluations);
+        const auto of_cell = static_cast<double>(rule_.size() * rule_.size() + between_nodes.size() + randomisations);
+        const std::vector<ConvexPolygon> parts = smooth_parts(pair_, static_cast<std::size_t>(allowed / of_cell));
+        if (parts.empty()) return std::nullopt;
+        for (const ConvexPolygon& part : parts) {
+            for (std::size_t k = 1; k + 1 < part.size(); k += 2) {
+                const bool is_last = k + 2 == part.size();
+                add({{part[0], part[k], part[k + 1], is_last ? part[0] : part[k + 2]}});
+            }
+        }
+        while (!is_good_enough()) {
+            if (static_cast<double>(evaluations_) > allowed) return std::nullopt;
+            halve_worst();
+        }
+        return estimate();
+    }
+
+  private:
+    CellTask task_;
+    BlockedPair pair_;
+    VisiblePolygon target_;
+    double tolerances_;  ///< that the whole exchange area is large
+    const Rule& rule_;
+    std::vector<Cell> cells_;
+    std::uint64_t evaluations_ = 0;
+    Side side_ = visible;  ///< which is integrated
+
+    [[nodiscard]] Factors factors(const Vector3d& place) {
+        ++evaluations_;
+        const VisiblePolygon::Factors found = target_.from(pair_.origin + place, pair_.source_normal);
+        return {found.visible, found.whole - found.visible};
+    }
+
+    [[nodiscard]] Factors interpolated(const Cell& cell, const Vector2d& uv) const {
+        const std::vector<double> u = rule_.weights_at(uv.x());
+        const std::vector<double> v = rule_.weights_at(uv.y());
+        Factors sum{};
+        for (std::size_t i = 0; i < u.size(); ++i) {
+            for (std::size_t j = 0; j < v.size(); ++j) {
+                for (const Side side : {visible, hidden})
+                    sum[side] += u[i] * v[j] * cell.at_nodes[i * v.size() + j][side];
+            }
+        }
+        return sum;
+    }
+
+    /// What the interpolant leaves at a place, times the area that the place stands for.
+    [[nodiscard]] Factors left_at(const Cell& cell, const Vector2d& uv) {
+        Factors result = factors(cell.shape.at(uv));
+        const Factors smooth = interpolated(cell, uv);
+        for (const Side side : {visible, hidden}) result[side] = (result[side] - smooth[side]) * cell.shape.stretch(uv);
+        return result;
+    }
+
+    void add(const Quadrilateral& shape) {
+        Cell& cell = cells_.emplace_back();
+        cell.shape = shape;
+        const auto& [nodes, weights] = rule_.gauss;
+        for (std::size_t i = 0; i < nodes.size(); ++i) {
+            for (std::size_t j = 0; j < nodes.size(); ++j) {
+                const Vector2d uv(nodes[i], nodes[j]);
+                const Factors& found = cell.at_nodes.emplace_back(factors(shape.at(uv)));
+                for (const Side side : {visible, hidden})
+                    cell.integral[side] += weights[i] * weights[j] * shape.stretch(uv) * found[side];
+            }
+        }
+        for (const auto& [u, v] : between_nodes) {
+            const Factors left = left_at(cell, {u, v});
+            for (const Side side : {visible, hidden}) cell.left[side] = std::max(cell.left[side], std::abs(left[side]));
+        }
+    }
+
+    /// Chooses the part of which less is left.
+    bool is_good_enough() {
+        Factors squares{};
+        for (const Cell& cell : cells_) {
+            for (const Side side : {visible, hidden}) squares[side] += cell.left[side] * cell.left[side];
+        }
+        side_ = squares[hidden] < squares[visible] ? hidden : visible;
+        return std::sqrt(squares[side_]) <= left_of_wanted * task_.wanted;
+    }
+
+    void halve_worst() {
+        const auto worst = std::max_element(
+            cells_.begin(), cells_.end(), [&](const Cell& a, const Cell& b) { return a.left[side_] < b.left[side_]; });
+        const auto halves = worst->shape.halves();
+        cells_.erase(worst);
+        for (const Quadrilateral& half : halves) add(half);
+    }
+
+    CellSum estimate() {
+        SampledShare share;
+        share.means.assign(randomisations, 0.0);
+        double integral = 0;
+        Stream stream = task_.stream;
+        double squares = 0;
+        for (std::uint32_t c = 0; c < cells_.size(); ++c) {
+            const Cell& cell = cells_[c];
+            integral += cell.integral[side_];
+            double most = cell.left[side_];
+            for (std::uint32_t r = 0; r < randomisations; ++r) {
+                stream.trial = r;
+                const Words words = philox(stream, c, Purpose::coordinates);
+                const Vector2d uv((words[0] + 0.5) * 0x1p-32, (words[1] + 0.5) * 0x1p-32);
+                const double left = left_at(cell, uv)[side_];
+                share.means[r] += left;
+                most = std::max(most, std::abs(left));
+            }
+            squares += most * most;
+        }
+        // Where no point of a cell has been, no more is left than anywhere else in it.
+        share.points = randomisations;
+        share.unmet = {.rough = std::sqrt(squares)};
+        CellSum result;
+        const double sign = side_ == hidden ? -1 : 1;
+        result.sum.offset = sign * integral + (side_ == hidden ? task_.whole.value : 0);
+        result.sum.offset_error = side_ == hidden ? task_.whole.error : 0;
+        result.sum.terms.push_back({sign, std::move(share)});
+        result.evaluations = evaluations_;
+        return result;
+    }
+};
+
+}  // namespace
+
+std::optional<CellSum> cell_sum(const Scene& scene, const FacePair& pair, PointEffort effort, double wanted,
+                                StreamKey key) {
+    CellSum result;
+    result.sum.offset = pair.known;
+    const double share = wanted / std::sqrt(static_cast<double>(pair.sampled.size()));
+    for (const SampledPair& sampled : pair.sampled) {
+        const Surface* ends[] = {&scene.surfaces[sampled.from], &scene.surfaces[sampled.to]};
+        if (!sampled.exchange.area || corners(ends[0]->shape).empty() || corners(ends[1]->shape).empty())
+            return std::nullopt;
+        if (area(ends[1]->shape) < area(ends[0]->shape)) std::swap(ends[0], ends[1]);
+        const Stream stream{.key = key, .trial = 0, .source = sampled.from, .target = sampled.to + 1};
+        auto found = Cells({*ends[0], *ends[1], sampled.exchange.blockers, *sampled.exchange.area,
+                            share / sampled.times, effort, stream})
+                         .run();
+        if (!found) return std::nullopt;
+        result.evaluations += found->evaluations;
+        result.sum.offset += sampled.times * found->sum.offset;
+        result.sum.offset_error += sampled.times * found->sum.offset_error;
+        for (SampledSum::Term& term : found->sum.terms) {
+            term.scale *= sampled.times;
+            result.sum.terms.push_back(std::move(term));
+        }
+    }
+    return result;
+}
+
+}  // namespace ff::studies::form_factors

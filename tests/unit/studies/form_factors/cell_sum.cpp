@@ -1,0 +1,193 @@
+#include "studies/form_factors/cells/cell_sum.hpp"
+
+#include "core/configurations/built_in_scene.hpp"
+#include "core/configurations/catalogue.hpp"
+#include "core/exact/pair_exchange.hpp"
+#include "core/geometry/surface_map.hpp"
+#include "core/visibility/visible_polygon.hpp"
+#include "stats/basics/resampling.hpp"
+#include "tests/support/statistical_assertions.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+
+namespace ff::studies::form_factors {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double cells_level = 0.95;
+constexpr std::uint64_t estimates = 60;
+/// Of 60: rates of 0.95 would be held, 0.8 would be noticed with probability 0.9.
+const test::StatisticalRisk cells_risk{.alpha = 1e-3, .detects = 0.2, .power = 0.9};
+
+/// The first two surfaces of a scene as faces, and what may stand between them.
+struct Pair {
+    SceneSight sight;
+    FacePair faces;
+
+    explicit Pair(const Scene& scene) : sight(sight_of(scene)) {
+        faces.to = 1;
+        faces.sampled.push_back({0, 1, 1, pair_exchange(scene, sight, 0, 1, 1e-12)});
+    }
+    [[nodiscard]] const PairExchange& exchange() const { return faces.sampled.front().exchange; }
+};
+
+StreamKey cells_key(std::uint64_t seed) {
+    return derive_key(Seed{seed}, "cells");
+}
+
+double smaller_area(const Scene& scene) {
+    return std::min(area(scene.surfaces[0].shape), area(scene.surfaces[1].shape));
+}
+
+/// What is hidden of the exchange by the plain way: at random places in a grid on the smaller surface, what is seen
+/// past all blockers. Its errors are those of one place in each of `side`^2 parts.
+double hidden_exchange(const Scene& scene, const Pair& pair, int side, stats::Draws& draws) {
+    std::size_t from = 0;
+    std::size_t to = 1;
+    if (area(scene.surfaces[1].shape) < area(scene.surfaces[0].shape)) std::swap(from, to);
+    const VisiblePolygon target(scene.surfaces[to], pair.exchange().blockers);
+    const SurfaceMap map(scene.surfaces[from]);
+    double sum = 0;
+    for (int x = 0; x < side; ++x) {
+        for (int y = 0; y < side; ++y) {
+            const auto found = target.from(map.at((x + draws.uniform()) / side, (y + draws.uniform()) / side).position,
+                                           scene.surfaces[from].normal);
+            sum += found.whole - found.visible;
+        }
+    }
+    return sum / side / side * smaller_area(scene);
+}
+
+TEST(CellSum, HoldsExactValuesAsOftenAsStated) {
+    for (const char* name : {"squares_blocked", "squares_through_aperture"}) {
+        const Scene scene = built_in_scene(name);
+        const Pair pair(scene);
+        const double exact = *known_form_factor(scene, 0, 1) * area(scene.surfaces[0].shape);
+        std::uint64_t held = 0;
+        std::uint64_t within = 0;
+        for (std::uint64_t seed = 1; seed <= estimates; ++seed) {
+            const auto found = cell_sum(scene, pair.faces, PointEffort::full, 1e-5, cells_key(seed));
+            ASSERT_TRUE(found);
+            const EstimatedSum estimate = estimate_of(found->sum, cells_level);
+            held += std::abs(estimate.value - exact) <= estimate.half_width();
+            within += estimate.half_width() <= 1e-5;
+        }
+        EXPECT_TRUE(test::has_probability_at_least(held, estimates, cells_level, cells_risk)) << name;
+        EXPECT_TRUE(test::has_probability_at_least(within, estimates, 0.9, cells_risk)) << name;
+    }
+}
+
+/// A plate, or a box, turned or not, standing on the floor or not.
+void add_blocker(Scene& scene, stats::Draws& draws) {
+    const auto between = [&](double low, double high) { return low + (high - low) * draws.uniform(); };
+    const bool stands = draws.uniform() < 0.4;
+    const Vector3d low(between(-0.1, 0.9), between(-0.1, 0.9), stands ? 0 : between(0, 0.6));
+    const Vector3d size(std::exp(between(-4, -0.5)), std::exp(between(-4, -0.5)), std::exp(between(-4, -0.3)));
+    Eigen::Matrix3d turn = Eigen::AngleAxisd(between(0, 3), Vector3d::UnitZ()).toRotationMatrix();
+    if (draws.uniform() < 0.3) turn.setIdentity();
+    if (!stands && draws.uniform() < 0.5)
+        turn *= Eigen::AngleAxisd(between(0, 3), Vector3d::UnitX()).toRotationMatrix();
+    const auto add = [&](const Vector3d& corner, const Vector3d& u, const Vector3d& v) {
+        const Vector3d at = low + turn * corner;
+        const Vector3d normal = (turn * u.cross(v)).normalized();
+        if (draws.uniform() < 0.2) {
+            scene.surfaces.push_back({Triangle{at, at + turn * u, at + turn * (u + v)}, normal, 2});
+            scene.surfaces.push_back({Triangle{at, at + turn * (u + v), at + turn * v}, normal, 2});
+        } else {
+            scene.surfaces.push_back({Parallelogram{at, turn * u, turn * v}, normal, 2});
+        }
+    };
+    const bool is_plate = draws.uniform() < 0.3;
+    for (int axis = 0; axis < (is_plate ? 1 : 3); ++axis) {
+        Vector3d u = Vector3d::Zero();
+        Vector3d v = Vector3d::Zero();
+        u[(axis + 1) % 3] = size[(axis + 1) % 3];
+        v[(axis + 2) % 3] = size[(axis + 2) % 3];
+        add(Vector3d::Zero(), v, u);
+        if (!is_plate) add(size[axis] * Vector3d::Unit(axis), u, v);
+    }
+}
+
+/// A floor, and a ceiling or a wall that may touch it, with one or two bodies between them.
+Scene random_scene(stats::Draws& draws) {
+    const auto between = [&](double low, double high) { return low + (high - low) * draws.uniform(); };
+    Scene scene;
+    scene.faces = {"floor", "other", "bodies"};
+    scene.canonical = "random";
+    if (draws.uniform() < 0.5)
+        scene.surfaces.push_back({Parallelogram{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, Vector3d::UnitZ(), 0});
+    else
+        scene.surfaces.push_back({Triangle{{0, 0, 0}, {1, 0, 0}, {between(0, 1), 1, 0}}, Vector3d::UnitZ(), 0});
+    if (draws.uniform() < 0.5) {
+        const Eigen::Matrix3d turn =
+            Eigen::AngleAxisd(between(-0.9, 0.9), Vector3d(between(-1, 1), 1, 0).normalized()).toRotationMatrix();
+        const Vector3d corner(between(-1, 1), between(-1, 1), std::exp(between(-1, 1)));
+        scene.surfaces.push_back(
+            {Parallelogram{corner, turn * Vector3d(0, between(0.3, 1.5), 0), turn * Vector3d(between(0.3, 1.5), 0, 0)},
+             -(turn * Vector3d::UnitZ()), 1});
+    } else {
+        const double away = draws.uniform() < 0.5 ? 0 : between(0, 0.5);
+        const double up = draws.uniform() < 0.5 ? 0 : between(0, 0.4);
+        scene.surfaces.push_back(
+            {Parallelogram{{1 + away, between(-0.3, 0.3), up}, {0, 0, between(0.2, 1)}, {0, between(0.3, 1.2), 0}},
+             -Vector3d::UnitX(), 1});
+    }
+    for (int bodies = draws.uniform() < 0.5 ? 1 : 2; bodies > 0; --bodies) add_blocker(scene, draws);
+    return scene;
+}
+
+struct Compared {
+    std::uint64_t scenes = 0;
+    std::uint64_t beyond = 0;        ///< beyond twice the half width and what the plain way may be off
+    std::uint64_t beyond_plain = 0;  ///< beyond that of a value that is off by a fiftieth of what is hidden
+};
+
+/// Cells beside the plain way in random scenes.
+Compared compare(std::uint64_t seed, std::uint64_t scenes) {
+    Compared result;
+    for (std::uint64_t k = 0; k < scenes; ++k) {
+        stats::Draws draws(derive_key(Seed{seed}, "random scenes"), stats::Resampling::simulation,
+                           static_cast<std::uint32_t>(k));
+        const Scene scene = random_scene(draws);
+        const Pair pair(scene);
+        if (pair.exchange().method != ExchangeMethod::points) continue;
+        const double smaller = smaller_area(scene);
+        const auto found = cell_sum(scene, pair.faces, PointEffort::full, 1e-4 * smaller, cells_key(k));
+        if (!found) continue;
+        const EstimatedSum estimate = estimate_of(found->sum, cells_level);
+        const double whole = pair.exchange().area->value;
+        constexpr int side = 96;
+        const double hidden = hidden_exchange(scene, pair, side, draws);
+        const double again = hidden_exchange(scene, pair, side, draws);
+        const double room = 2 * estimate.half_width() + 3 * std::abs(hidden - again) + 1e-5 * smaller;
+        ++result.scenes;
+        const double off = std::abs(whole - (hidden + again) / 2 - estimate.value);
+        result.beyond += off > room;
+        result.beyond_plain += std::abs(whole - 1.02 * (hidden + again) / 2 - estimate.value) > room;
+        if (off > room) {
+            ADD_FAILURE() << "scene " << k << " of seed " << seed << ": " << estimate.value << " ± "
+                          << estimate.half_width() << " by cells, " << whole - (hidden + again) / 2 << " the plain way";
+        }
+    }
+    return result;
+}
+
+TEST(CellSum, AgreesWithThePlainWayInRandomScenes) {
+    const Compared compared = compare(1, 60);
+    EXPECT_GT(compared.scenes, 20u);
+    EXPECT_GT(compared.beyond_plain, compared.scenes / 10) << "an error of 2 % of what is hidden is seen";
+}
+
+TEST(CellSum, TakesNoCurvedSurfaces) {
+    const Scene scene = built_in_scene("discs_blocked");
+    EXPECT_FALSE(cell_sum(scene, Pair(scene).faces, PointEffort::full, 1e-4, cells_key(1)));
+}
+
+}  // namespace
+}  // namespace ff::studies::form_factors
