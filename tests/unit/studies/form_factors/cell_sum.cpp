@@ -5,9 +5,12 @@
 #include "core/exact/pair_exchange.hpp"
 #include "core/geometry/surface_map.hpp"
 #include "core/visibility/visible_polygon.hpp"
+#include "stats/basics/moments.hpp"
 #include "stats/basics/resampling.hpp"
+#include "tests/support/repetitions.hpp"
 #include "tests/support/statistical_assertions.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -162,25 +165,28 @@ Compared compare(std::uint64_t seed, std::uint64_t scenes) {
         if (!found) continue;
         const EstimatedSum estimate = estimate_of(found->sum, cells_level);
         const double whole = pair.exchange().area->value;
-        constexpr int side = 96;
-        const double hidden = hidden_exchange(scene, pair, side, draws);
-        const double again = hidden_exchange(scene, pair, side, draws);
-        const double room = 2 * estimate.half_width() + 3 * std::abs(hidden - again) + 1e-5 * smaller;
+        stats::Moments hidden;
+        for (int draw = 0; draw < 6; ++draw) hidden.add(hidden_exchange(scene, pair, 64, draws));
+        const double room = 2 * estimate.half_width() + 4 * *hidden.standard_error() + 1e-5 * smaller;
         ++result.scenes;
-        const double off = std::abs(whole - (hidden + again) / 2 - estimate.value);
+        const double off = std::abs(whole - *hidden.mean() - estimate.value);
         result.beyond += off > room;
-        result.beyond_plain += std::abs(whole - 1.02 * (hidden + again) / 2 - estimate.value) > room;
-        if (off > room) {
-            ADD_FAILURE() << "scene " << k << " of seed " << seed << ": " << estimate.value << " ± "
-                          << estimate.half_width() << " by cells, " << whole - (hidden + again) / 2 << " the plain way";
-        }
+        result.beyond_plain += std::abs(whole - 1.02 * *hidden.mean() - estimate.value) > room;
+        if (off > room)
+            fmt::print("scene {}: {} ± {} by cells, {} the plain way\n", k, estimate.value, estimate.half_width(),
+                       whole - *hidden.mean());
     }
     return result;
 }
 
+// At most one in 1000 is beyond twice the half width; one in 5 would be noticed with probability 0.9 on every push, one
+// in 100 nightly. So is an error of 2 % of what is hidden, in one scene of ten.
 TEST(CellSum, AgreesWithThePlainWayInRandomScenes) {
-    const Compared compared = compare(1, 60);
+    const Compared compared = compare(1, test::repetitions(60, 2000));
     EXPECT_GT(compared.scenes, 20u);
+    const double noticed = test::repetitions(1, 0) == 1 ? 0.2 : 0.01;
+    EXPECT_TRUE(test::has_probability_at_most(compared.beyond, compared.scenes, 1e-3,
+                                              {.alpha = 1e-4, .detects = noticed, .power = 0.9}));
     EXPECT_GT(compared.beyond_plain, compared.scenes / 10) << "an error of 2 % of what is hidden is seen";
 }
 
