@@ -95,15 +95,16 @@ form_factors::Matrix sampled_matrix(const Scene& scene, const form_factors::Form
     form_factors::Request request;
     request.tolerance = options.tolerance;
     request.level = options.level;
+    request.cells = options.cells;
     request.level_of = form_factors::LevelOf::matrix;
     request.seed = Seed{options.seed.value + seed};
     return form_factors::find_matrix(scene, request);
 }
 
 /// A row of each table. @param holds  whether flows, with this share of their widths, hold what is known
-void add_rates(const std::string& name, const Scene& scene, const Materials& materials, FlowCoverage& coverage,
+void add_rates(const std::string& name, const Scene& scene, const Materials& materials,
+               const form_factors::FormFactorCoverageOptions& options, FlowCoverage& coverage,
                const std::function<bool(const Flows&, double share)>& holds) {
-    const form_factors::FormFactorCoverageOptions& options = coverage.options;
     std::vector<std::array<bool, shares.size()>> held(options.seeds);
     for_each_index(held.size(), options.threads, [&](std::uint64_t i) {
         const auto found = flows_of(scene, sampled_matrix(scene, options, i), materials);
@@ -124,7 +125,7 @@ void add_scene(const std::string& name, const Scene& scene, const KnownFactor& k
     const auto matrix = exact_matrix(known, sampled_matrix(scene, coverage.options, 0));
     if (!matrix) return;
     const Flows exact = find_flows(scene, *matrix, materials, 1);
-    add_rates(name, scene, materials, coverage,
+    add_rates(name, scene, materials, coverage.options, coverage,
               [&](const Flows& found, double share) { return all_hold(found, exact, share); });
 }
 
@@ -139,7 +140,8 @@ void add_scene_of_catalogue(const std::string& name, FlowCoverage& coverage) {
         name, scene, [&](int from, int to) { return known_form_factor(scene, from, to); }, coverage);
 }
 
-/// Limits have to hold the reference's whole interval, so that its own uncertainty never makes them look better.
+/// Limits have to hold the reference's whole interval, so that its own uncertainty never makes them look better. Those
+/// from cells are narrower than it.
 void add_furnace(FlowCoverage& coverage) {
     const Bounds known = furnace_power();
     const Scene scene = furnace_scene();
@@ -147,7 +149,9 @@ void add_furnace(FlowCoverage& coverage) {
         static_cast<std::size_t>(std::find(scene.faces.begin(), scene.faces.end(), "block") - scene.faces.begin());
     const auto roof =
         static_cast<std::size_t>(std::find(scene.faces.begin(), scene.faces.end(), "roof") - scene.faces.begin());
-    add_rates("furnace", scene, furnace_materials(), coverage, [&](const Flows& found, double share) {
+    form_factors::FormFactorCoverageOptions by_points = coverage.options;
+    by_points.cells = false;
+    add_rates("furnace", scene, furnace_materials(), by_points, coverage, [&](const Flows& found, double share) {
         const auto holds_all = [&](const Bounds& power, double sign) {
             const double middle = sign * power.middle();
             const double half = share * power.half_width();
