@@ -133,7 +133,7 @@ def test_errors_of_progress_are_told():
 def test_ctrl_c_stops_form_factors():
     interrupt_after(1)
     with pytest.raises(KeyboardInterrupt):
-        ffstudy.form_factors("squares_blocked", tolerance=1e-12, max_samples=10**13, threads=1)
+        ffstudy.form_factors("discs_blocked", tolerance=1e-6, level=0.999999, max_samples=10**13, threads=1)
 
 
 def test_trials_and_seed_can_be_others():
