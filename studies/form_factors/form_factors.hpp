@@ -26,9 +26,9 @@ struct FaceExchange {
     std::optional<ExchangeMethod> method;
     ExchangeReason reason = ExchangeReason::turned_away;  ///< why it took that method
     bool by_rays_of_row = false;                          ///< points would do, but the rays of its row serve it too
-    std::uint64_t samples = 0;                            ///< rays or points in the round that gave the interval
-    bool clipped = false;                                 ///< geometric limits are narrower than the samples' interval
-    bool within = false;                                  ///< within the tolerance, in both directions
+    std::uint64_t samples = 0;  ///< rays, points or evaluations in cells of the round that gave the interval
+    bool clipped = false;       ///< geometric limits are narrower than the samples' interval
+    bool within = false;        ///< within the tolerance, in both directions
     bool contradicted = false;  ///< an independent randomisation disagrees; the interval contains both
 
     [[nodiscard]] bool is_sampled() const { return !method || *method >= ExchangeMethod::cells; }

@@ -46,7 +46,7 @@ struct Request {
     double level = 0.95;
     LevelOf level_of = LevelOf::entry;
     Seed seed;
-    std::uint64_t max_samples = 1'000'000'000;  ///< rays and points together
+    std::uint64_t max_samples = 1'000'000'000;  ///< rays, points and evaluations in cells together
     bool repair = false;
     unsigned threads = 1;
     bool cells = true;                        ///< false: pairs that cells would do are sampled as well, to test that

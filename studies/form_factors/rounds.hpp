@@ -22,9 +22,10 @@ inline constexpr std::size_t most_rounds = 3;
 /// twentieth to each other one.
 double round_level(double alpha, std::size_t round);
 
-/// Samples rows. Pilot rounds decide on points or rays for each pair and on sizes; rounds with randomisations of their
-/// own, most_rounds at most, give the estimates. Every estimate is compared with those of other rounds, by other rays
-/// or points. Samples of a row do not depend on which rows are sampled with it, unless the budget ends.
+/// Samples rows. Cells serve the pairs that they can; for others pilot rounds decide on points or rays and on sizes.
+/// Rounds with randomisations of their own, most_rounds at most, give the estimates. Every estimate is compared with
+/// those of other rounds, by other rays or points. Samples of a row do not depend on which rows are sampled with it,
+/// unless the budget ends.
 class Rounds {
   public:
     /// All are kept by reference. @param alpha  1 - level of a pair's interval @param rows  all that there are
