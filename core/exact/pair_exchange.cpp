@@ -115,21 +115,16 @@ std::string_view in_words(ExchangeReason reason) {
     return "too many surfaces to look at each pair";
 }
 
-SceneSight sight_of(const Scene& scene) {
-    if (scene.empty_box || is_convex(scene)) return {.all_clear = true, .occluders = nullptr};
-    return {.all_clear = false, .occluders = std::make_shared<const Occluders>(scene)};
+PairExchange pair_exchange(const Occluders& occluders, std::size_t from_index, std::size_t to_index, double wanted) {
+    const Surface& from = occluders.surfaces()[from_index];
+    const Surface& to = occluders.surfaces()[to_index];
+    if (!face_each_other(from, to)) return {};
+    return pair_exchange(from, to, occluders.between(from_index, to_index), wanted);
 }
 
-PairExchange pair_exchange(const Scene& scene, const SceneSight& sight, std::size_t from_index, std::size_t to_index,
-                           double wanted, WallViews* views) {
-    const Surface& from = scene.surfaces[from_index];
-    const Surface& to = scene.surfaces[to_index];
-    if (!face_each_other(from, to)) return {};
-    if (sight.all_clear) return clear_exchange(from, to, wanted);
-    Occluders::Between between =
-        views ? views->between(from_index, to_index) : sight.occluders->between(from_index, to_index);
+PairExchange pair_exchange(const Surface& from, const Surface& to, const Occluders::Between& between, double wanted) {
     if (between.all_hidden) return {};
-    std::vector<const Surface*>& blockers = between.occluders;
+    const std::vector<const Surface*>& blockers = between.occluders;
     PairExchange result = clear_exchange(from, to, wanted);
     const auto is_flat_sided = [](const Surface* surface) { return is_polygon(*surface); };
     const bool cut_out = std::all_of(blockers.begin(), blockers.end(), is_flat_sided);
@@ -147,7 +142,7 @@ PairExchange pair_exchange(const Scene& scene, const SceneSight& sight, std::siz
         result.method = ExchangeMethod::rays;
         result.reason = ExchangeReason::many_blockers;
     }
-    if (result.method == ExchangeMethod::points) result.blockers = std::move(blockers);
+    if (result.method == ExchangeMethod::points) result.blockers = blockers;
     return result;
 }
 

@@ -5,7 +5,6 @@
 #include "core/visibility/occluders.hpp"
 
 #include <cstdint>
-#include <memory>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -48,22 +47,15 @@ struct PairExchange {
     ExchangeReason reason = ExchangeReason::turned_away;
     /// The exchange area; for sampled pairs the unoccluded one, an upper bound, where that is known.
     std::optional<BoundedValue<double>> area = BoundedValue<double>{};
-    std::vector<const Surface*> blockers;  ///< for ExchangeMethod::points; of the occluders of SceneSight
+    std::vector<const Surface*> blockers;  ///< for ExchangeMethod::points; of Occluders::walls
 };
-
-/// Facts about the whole scene, found once for all pairs.
-struct SceneSight {
-    bool all_clear = false;                      ///< nothing stands between any two surfaces
-    std::shared_ptr<const Occluders> occluders;  ///< null where all is clear
-};
-
-SceneSight sight_of(const Scene& scene);
 
 /// The cheapest method for two surfaces of a scene (which may be one and the same).
 /// @param from, to  indices of the surfaces
 /// @param wanted upper limit of the error, an exchange area; extended precision is used where needed
-/// @param views     what has been proved between walls, for calls of one thread; may be null
-PairExchange pair_exchange(const Scene& scene, const SceneSight& sight, std::size_t from, std::size_t to, double wanted,
-                           WallViews* views = nullptr);
+PairExchange pair_exchange(const Occluders& occluders, std::size_t from, std::size_t to, double wanted);
+
+/// The same for two that face each other, of which it is known what stands between them.
+PairExchange pair_exchange(const Surface& from, const Surface& to, const Occluders::Between& between, double wanted);
 
 }  // namespace ff

@@ -1,13 +1,11 @@
 #include "core/visibility/occluders.hpp"
 
-#include "core/geometry/joined_surfaces.hpp"
-#include "core/geometry/shaft.hpp"
 #include "core/geometry/surface_map.hpp"
 #include "core/visibility/facing.hpp"
 #include "core/visibility/occlusion.hpp"
 
 #include <algorithm>
-#include <numeric>
+#include <span>
 #include <utility>
 
 namespace ff {
@@ -16,100 +14,23 @@ namespace {
 using Eigen::AlignedBox3d;
 using Eigen::Vector3d;
 
-constexpr std::uint32_t most_in_leaf = 2;
+using Cluster = ClusterTree::Cluster;
 
-AlignedBox3d box_of(const Surface& surface) {
-    AlignedBox3d box;
-    for (const Vector3d& corner : corners(surface.shape)) box.extend(corner);
-    if (!box.isEmpty()) return box;
-    Vector3d low;
-    Vector3d high;
-    for (Eigen::Index axis = 0; axis < 3; ++axis) {
-        const Extent along = extent(surface, Vector3d::Unit(axis));
-        low[axis] = along.low;
-        high[axis] = along.high;
-    }
-    return {low, high};
+/// Whether nothing of a cluster lies in front of another, which is flat.
+bool is_behind(const Cluster& cluster, const Cluster& other) {
+    if (!other.is_flat()) return false;
+    const std::span<const Vector3d> hull = cluster.hull();
+    return std::all_of(hull.begin(), hull.end(),
+                       [&](const Vector3d& corner) { return other.normal.dot(corner) <= other.plane; });
 }
 
 bool is_polygon(const Surface& surface) {
-    return !std::holds_alternative<Disc>(surface.shape) && is_flat(surface.shape);
+    return !corners(surface.shape).empty();
 }
 
-/// Whether nothing of a box lies in front of a plane.
-bool box_is_behind(const AlignedBox3d& box, const Vector3d& normal, double plane) {
-    return normal.dot(box.center()) + normal.cwiseAbs().dot(box.sizes()) / 2 < plane;
+bool are_apart(const AlignedBox3d& a, const AlignedBox3d& b) {
+    return (a.min().array() > b.max().array()).any() || (a.max().array() < b.min().array()).any();
 }
-
-/// The lines between two polygons, from the part of each that lies in front of the other, with places relative to the
-/// middle of the first.
-class Lines {
-  public:
-    Lines(const Surface& from, const Surface& to)
-        : origin_(middle(from)), from_normal_(from.normal), to_normal_(to.normal) {
-        const ConvexPolygon whole_from = moved(from);
-        const ConvexPolygon whole_to = moved(to);
-        from_plane_ = from_normal_.dot(whole_from.front());
-        to_plane_ = to_normal_.dot(whole_to.front());
-        from_ = clipped(whole_from, to_normal_, to_plane_);
-        to_ = clipped(whole_to, from_normal_, from_plane_);
-        for (const ConvexPolygon* polygon : {&from_, &to_}) {
-            for (const Vector3d& corner : *polygon) box_.extend(corner);
-        }
-    }
-
-    [[nodiscard]] bool are_none() const { return from_.empty() || to_.empty(); }
-
-    [[nodiscard]] Shaft::Crossing crossed_by(const Surface& occluder) const {
-        ConvexPolygon part = clipped(clipped(moved(occluder), from_normal_, from_plane_), to_normal_, to_plane_);
-        for (Eigen::Index axis = 0; axis < 3 && !part.empty(); ++axis) {
-            const Vector3d along = Vector3d::Unit(axis);
-            part = clipped(clipped(part, along, box_.min()[axis]), -along, -box_.max()[axis]);
-        }
-        return part.empty() ? Shaft::Crossing::none : Shaft(from_, to_).crossed_by(part);
-    }
-
-  private:
-    Vector3d origin_;
-    Vector3d from_normal_;
-    Vector3d to_normal_;
-    double from_plane_ = 0;
-    double to_plane_ = 0;
-    ConvexPolygon from_;
-    ConvexPolygon to_;
-    AlignedBox3d box_;
-
-    [[nodiscard]] ConvexPolygon moved(const Surface& surface) const {
-        ConvexPolygon result = corners(surface.shape);
-        for (Vector3d& corner : result) corner -= origin_;
-        return result;
-    }
-};
-
-/// Collects what may stand between two surfaces.
-struct Proof {
-    const Surface& from;
-    const Surface& to;
-    double room;
-    bool of_polygons = is_polygon(from) && is_polygon(to);
-    std::optional<Lines> lines{};  ///< made when they are first needed
-    Occluders::Between result{};
-
-    Proof(const Surface& from_surface, const Surface& to_surface, double rounding)
-        : from(from_surface), to(to_surface), room(rounding) {}
-
-    void examine(const Surface& occluder) {
-        if (keeps_clear(occluder, from, to, room)) return;
-        if (of_polygons && is_polygon(occluder)) {
-            if (!lines) lines.emplace(from, to);
-            if (lines->are_none()) return;
-            const Shaft::Crossing crossing = lines->crossed_by(occluder);
-            if (crossing == Shaft::Crossing::none) return;
-            if (crossing == Shaft::Crossing::all) result.all_hidden = true;
-        }
-        result.occluders.push_back(&occluder);
-    }
-};
 
 /// All surfaces as of one face, so that level ones are joined.
 Scene without_faces(const Scene& scene) {
@@ -118,105 +39,234 @@ Scene without_faces(const Scene& scene) {
     return result;
 }
 
+/// The part of a polygon in front of another surface, if that is flat.
+ConvexPolygon in_front_of(const Surface& polygon, const Surface& other) {
+    ConvexPolygon whole = corners(polygon.shape);
+    const ConvexPolygon others = corners(other.shape);
+    if (others.empty()) return whole;
+    return part_above(whole, [&](const Vector3d& corner) { return other.normal.dot(corner - others.front()); });
+}
+
 }  // namespace
+
+/// Walks through pairs of clusters, with a stack of clusters that may stand between them.
+class Occluders::Walk {
+  public:
+    explicit Walk(const Occluders& all) : all_(all), tree_(all.tree_) {}
+
+    /// Collects the visits that a pair of clusters is made of.
+    void divide(std::uint32_t from, std::uint32_t to, std::size_t first, double most_pairs,
+                std::vector<Visit>& visits) {
+        const double pairs = pairs_of(from, to);
+        if (pairs <= most_pairs || (tree_[from].is_leaf() && tree_[to].is_leaf())) {
+            visits.push_back({from, to, {at(first), stack_.cend()}, pairs});
+            return;
+        }
+        for_parts(from, to, first, [&](std::uint32_t a, std::uint32_t b, std::size_t begin) {
+            divide(a, b, begin, most_pairs, visits);
+        });
+    }
+
+    void see(std::uint32_t from, std::uint32_t to, std::size_t first, const See& see) {
+        if (tree_[from].is_leaf() && tree_[to].is_leaf()) {
+            std::uint32_t a = tree_.surface(tree_[from].first);
+            std::uint32_t b = tree_.surface(tree_[to].first);
+            if (a > b) std::swap(a, b);
+            const Surface& surface = all_.surfaces_[a];
+            const Surface& other = all_.surfaces_[b];
+            if (surface.face == no_face || other.face == no_face || !face_each_other(surface, other)) return;
+            const Between found = between(a, b, first);
+            if (!found.all_hidden) see(a, b, found);
+            return;
+        }
+        for_parts(from, to, first,
+                  [&](std::uint32_t a, std::uint32_t b, std::size_t begin) { this->see(a, b, begin, see); });
+    }
+
+    /// Puts those that may stand between two clusters on the stack. @return whether all is not hidden
+    /// @param first, last  places of the candidates on the stack
+    bool filter(const Cluster& from, const Cluster& to, std::size_t first, std::size_t last) {
+        const bool are_leaves = from.is_leaf() && to.is_leaf();
+        const double coarse = are_leaves || (from.is_flat() && to.is_flat()) ? 0 : std::max(from.size, to.size) / 2;
+        const AlignedBox3d box = from.box.merged(to.box);
+        std::optional<Shaft> shaft;  // made when it is first needed
+        waiting_.assign(at(first), at(last));
+        while (!waiting_.empty()) {
+            const std::uint32_t candidate = waiting_.back();
+            waiting_.pop_back();
+            const Cluster& cluster = tree_[candidate];
+            if (are_apart(cluster.box, box) || is_behind(cluster, from) || is_behind(cluster, to)) continue;
+            if (cluster.wall == ClusterTree::no_wall) {
+                if (cluster.size > coarse) {
+                    waiting_.push_back(candidate + 1);
+                    waiting_.push_back(cluster.upper);
+                } else {
+                    stack_.push_back(candidate);
+                }
+                continue;
+            }
+            const std::optional<Plate>& plate = all_.plates_[cluster.wall];
+            if (plate && (cluster.wall == from.wall || cluster.wall == to.wall)) continue;
+            if (plate && !are_leaves && &from != &to) {
+                if (!shaft) shaft.emplace(from.hull(), to.hull(), std::min(from.grain, to.grain));
+                const Shaft::Crossing crossing = shaft->crossed_by(*plate);
+                if (crossing == Shaft::Crossing::all) return false;
+                if (crossing == Shaft::Crossing::none) continue;
+            }
+            stack_.push_back(candidate);
+        }
+        return true;
+    }
+
+    /// What the walls on the stack from a place on are to two surfaces.
+    [[nodiscard]] Between between(std::uint32_t from_index, std::uint32_t to_index, std::size_t first) const {
+        const Surface& from = all_.surfaces_[from_index];
+        const Surface& to = all_.surfaces_[to_index];
+        Between result;
+        std::optional<Shaft> shaft;
+        ConvexPolygon begin;
+        ConvexPolygon end;
+        for (std::size_t k = first; k < stack_.size(); ++k) {
+            const std::uint32_t index = tree_[stack_[k]].wall;
+            const Surface& wall = all_.walls_[index];
+            if (index == tree_[tree_.leaf_of(from_index)].wall || index == tree_[tree_.leaf_of(to_index)].wall) {
+                // A hollow surface is not joined to any, and stands in its own way.
+                if (from_index != to_index && face_each_other(wall, wall)) result.occluders.push_back(&wall);
+                continue;
+            }
+            if (keeps_clear(wall, from, to)) continue;
+            if (is_polygon(from) && is_polygon(to) && all_.plates_[index]) {
+                if (!shaft) {
+                    begin = in_front_of(from, to);
+                    end = in_front_of(to, from);
+                    if (begin.empty() || end.empty()) return {};
+                    shaft.emplace(begin, end);
+                }
+                const Shaft::Crossing crossing = shaft->crossed_by_inside(*all_.plates_[index]);
+                if (crossing == Shaft::Crossing::all) return {.all_hidden = true, .occluders = {}};
+                if (crossing == Shaft::Crossing::none) continue;
+            }
+            result.occluders.push_back(&wall);
+        }
+        std::sort(result.occluders.begin(), result.occluders.end());
+        if (is_hidden_by_a_body(result.occluders, corners(from.shape), corners(to.shape)))
+            return {.all_hidden = true, .occluders = {}};
+        all_.drop_far_sides(result, from, to);
+        return result;
+    }
+
+    void start_with(const std::vector<std::uint32_t>& candidates) { stack_ = candidates; }
+
+  private:
+    const Occluders& all_;
+    const ClusterTree& tree_;
+    std::vector<std::uint32_t> stack_;
+    std::vector<std::uint32_t> waiting_;
+
+    [[nodiscard]] std::vector<std::uint32_t>::const_iterator at(std::size_t place) const {
+        return stack_.begin() + static_cast<std::ptrdiff_t>(place);
+    }
+
+    [[nodiscard]] double pairs_of(std::uint32_t from, std::uint32_t to) const {
+        const auto [a, b] = std::pair<double, double>(tree_[from].count, tree_[to].count);
+        return from == to ? a * (a + 1) / 2 : a * b;
+    }
+
+    /// Tests bodies with several sides among the occluders.
+    [[nodiscard]] bool is_hidden_by_a_body(const std::vector<const Surface*>& occluders, std::span<const Vector3d> from,
+                                           std::span<const Vector3d> to) const {
+        if (from.empty() || to.empty() || occluders.size() < 2) return false;
+        std::vector<std::uint32_t> bodies;
+        for (const Surface* occluder : occluders) {
+            if (const auto body = all_.bodies_.of(all_.index_of(occluder))) bodies.push_back(*body);
+        }
+        std::sort(bodies.begin(), bodies.end());
+        for (auto body = bodies.begin(); body != bodies.end(); body = std::upper_bound(body, bodies.end(), *body)) {
+            const bool has_several_sides = body + 1 != bodies.end() && *body == *(body + 1);
+            if (has_several_sides && all_.bodies_.hides_all(*body, from, to)) return true;
+        }
+        return false;
+    }
+
+    [[nodiscard]] bool is_hidden_by_a_body(const Cluster& from, const Cluster& to, std::size_t first) const {
+        std::vector<const Surface*> occluders;
+        for (std::size_t k = first; k < stack_.size(); ++k) {
+            const std::uint32_t wall = tree_[stack_[k]].wall;
+            if (wall != ClusterTree::no_wall) occluders.push_back(&all_.walls_[wall]);
+        }
+        return is_hidden_by_a_body(occluders, from.hull(), to.hull());
+    }
+
+    /// Calls `go_on` for the parts of a pair of clusters, unless no line between them is clear, with the place on the
+    /// stack where their candidates begin.
+    template <class GoOn>
+    void for_parts(std::uint32_t from, std::uint32_t to, std::size_t first, const GoOn& go_on) {
+        const std::size_t last = stack_.size();
+        const auto visit = [&](std::uint32_t a, std::uint32_t b) {
+            const Cluster& one = tree_[a];
+            const Cluster& other = tree_[b];
+            if (is_behind(one, other) || is_behind(other, one) || (one.is_flat() && one.wall == other.wall)) return;
+            if (filter(one, other, first, last) && (a == b || !is_hidden_by_a_body(one, other, last)))
+                go_on(a, b, last);
+            stack_.resize(last);
+        };
+        if (from == to) {
+            const std::uint32_t upper = tree_[from].upper;
+            visit(from + 1, from + 1);
+            visit(from + 1, upper);
+            visit(upper, upper);
+            return;
+        }
+        const Cluster& a = tree_[from];
+        const Cluster& b = tree_[to];
+        const bool from_is_coarser = a.is_flat() == b.is_flat() ? a.size >= b.size : b.is_flat();
+        const bool divides_from = b.is_leaf() || (!a.is_leaf() && from_is_coarser);
+        const std::uint32_t divided = divides_from ? from : to;
+        for (const std::uint32_t half : {divided + 1, tree_[divided].upper})
+            divides_from ? visit(half, to) : visit(from, half);
+    }
+};
 
 Occluders::Occluders(const Scene& scene) : Occluders(scene, join_level_surfaces(without_faces(scene))) {}
 
 Occluders::Occluders(const Scene& scene, JoinedSurfaces joined)
-    : ends_(scene.surfaces),
-      surfaces_(std::move(joined.scene.surfaces)),
-      bodies_(surfaces_),
-      of_(std::move(joined.of)) {
-    grain_.assign(surfaces_.size(), 1);
-    std::vector<std::size_t> parts(surfaces_.size());
-    for (const std::size_t wall : of_) ++parts[wall];
-    for (std::size_t k = 0; k < ends_.size(); ++k) {
-        double& grain = grain_[of_[k]];
-        if (parts[of_[k]] > 1) grain = std::min(grain, area(ends_[k].shape) / area(surfaces_[of_[k]].shape));
-    }
-    std::vector<AlignedBox3d> boxes;
-    for (const Surface& surface : surfaces_) boxes.push_back(box_of(surface));
-    order_.resize(surfaces_.size());
-    std::iota(order_.begin(), order_.end(), 0U);
-    if (!order_.empty()) build(0, static_cast<std::uint32_t>(order_.size()), boxes);
+    : surfaces_(scene.surfaces),
+      walls_(joined.scene.surfaces),
+      are_none_(scene.empty_box || is_convex(scene)),
+      bodies_(walls_),
+      tree_(surfaces_, joined) {
+    for (const Surface& wall : walls_)
+        plates_.push_back(is_polygon(wall) ? std::optional(Plate(corners(wall.shape))) : std::nullopt);
 }
 
-std::uint32_t Occluders::build(std::uint32_t first, std::uint32_t count, const std::vector<AlignedBox3d>& boxes) {
-    const auto node = static_cast<std::uint32_t>(nodes_.size());
-    nodes_.push_back({{}, first, count, 0});
-    AlignedBox3d middles;
-    for (std::uint32_t k = first; k < first + count; ++k) {
-        nodes_[node].box.extend(boxes[order_[k]]);
-        middles.extend(boxes[order_[k]].center());
-    }
-    if (count <= most_in_leaf) return node;
-    Eigen::Index axis = 0;
-    middles.sizes().maxCoeff(&axis);
-    const auto begin = order_.begin() + first;
-    std::sort(begin, begin + count, [&](std::uint32_t a, std::uint32_t b) {
-        return std::pair(boxes[a].center()[axis], a) < std::pair(boxes[b].center()[axis], b);
-    });
-    build(first, count / 2, boxes);
-    const std::uint32_t upper = build(first + count / 2, count - count / 2, boxes);
-    nodes_[node].upper = upper;
-    return node;
+std::vector<Occluders::Visit> Occluders::visits(double most_pairs) const {
+    std::vector<Visit> visits;
+    if (tree_.empty()) return visits;
+    Walk walk(*this);
+    walk.start_with(candidates());
+    walk.divide(0, 0, 0, most_pairs, visits);
+    return visits;
 }
 
-Occluders::Between Occluders::between_walls(std::size_t from, std::size_t to) const {
-    const Surface& a = surfaces_[from];
-    const Surface& b = surfaces_[to];
-    // What is nothing beside a wall may be much beside the smallest surface that it is made of.
-    const double room = rounding_room * std::min(grain_[from], grain_[to]);
-    AlignedBox3d box = box_of(a);
-    box.extend(box_of(b));
-    const auto plane = [](const Surface& surface) {
-        return is_flat(surface.shape) ? extent(surface, surface.normal).low : 0;
-    };
-    const double plane_a = plane(a);
-    const double plane_b = plane(b);
-    Proof proof(a, b, room);
-    std::vector<std::uint32_t> stack;
-    if (!nodes_.empty()) stack.push_back(0);
-    while (!stack.empty() && !proof.result.all_hidden) {
-        const std::uint32_t at = stack.back();
-        stack.pop_back();
-        const Node& node = nodes_[at];
-        if ((node.box.min().array() > box.max().array()).any() || (node.box.max().array() < box.min().array()).any() ||
-            box_is_behind(node.box, a.normal, plane_a) || box_is_behind(node.box, b.normal, plane_b))
-            continue;
-        if (node.upper == 0) {
-            for (std::uint32_t k = node.first; k < node.first + node.count; ++k) {
-                const Surface& occluder = surfaces_[order_[k]];
-                // A hollow surface is not joined to any, and stands in its own way.
-                if (&occluder != &a && &occluder != &b)
-                    proof.examine(occluder);
-                else if (from != to && face_each_other(occluder, occluder))
-                    proof.result.occluders.push_back(&occluder);
-            }
-        } else {
-            stack.push_back(node.upper);
-            stack.push_back(at + 1);
-        }
-    }
-    std::sort(proof.result.occluders.begin(), proof.result.occluders.end());
-    if (one_body_hides_all(proof.result, a, b)) proof.result.all_hidden = true;
-    return std::move(proof.result);
+void Occluders::see(const Visit& visit, const See& see) const {
+    Walk walk(*this);
+    walk.start_with(visit.between);
+    walk.see(visit.from, visit.to, 0, see);
 }
 
-bool Occluders::one_body_hides_all(const Between& between, const Surface& from, const Surface& to) const {
-    std::vector<std::uint32_t> bodies;
-    for (const Surface* occluder : between.occluders) {
-        if (const auto body = bodies_.of(index_of(occluder))) bodies.push_back(*body);
-    }
-    std::sort(bodies.begin(), bodies.end());
-    const std::vector<Vector3d> begins = corners(from.shape);
-    const std::vector<Vector3d> ends = corners(to.shape);
-    if (begins.empty() || ends.empty()) return false;
-    for (auto body = bodies.begin(); body != bodies.end(); body = std::upper_bound(body, bodies.end(), *body)) {
-        const bool has_several_sides = body + 1 != bodies.end() && *body == *(body + 1);
-        if (has_several_sides && bodies_.hides_all(*body, begins, ends)) return true;
-    }
-    return false;
+Occluders::Between Occluders::between(std::size_t from, std::size_t to) const {
+    Walk walk(*this);
+    const std::vector<std::uint32_t> all = candidates();
+    walk.start_with(all);
+    const ClusterTree::Cluster& a = tree_[tree_.leaf_of(static_cast<std::uint32_t>(from))];
+    const ClusterTree::Cluster& b = tree_[tree_.leaf_of(static_cast<std::uint32_t>(to))];
+    walk.filter(a, b, 0, all.size());
+    return walk.between(static_cast<std::uint32_t>(from), static_cast<std::uint32_t>(to), all.size());
+}
+
+std::vector<std::uint32_t> Occluders::candidates() const {
+    if (are_none_) return {};
+    return {0};
 }
 
 void Occluders::drop_far_sides(Between& between, const Surface& from, const Surface& to) const {
@@ -236,36 +286,6 @@ void Occluders::drop_far_sides(Between& between, const Surface& from, const Surf
         });
         seen_from_begins = std::move(dropped);
     }
-}
-
-Occluders::Between Occluders::between(std::size_t from, std::size_t to, const Between& of_walls) const {
-    const std::size_t a = of_[from];
-    const std::size_t b = of_[to];
-    if (of_walls.all_hidden) return of_walls;
-    Between result = grain_[a] == 1 && grain_[b] == 1 ? of_walls : between_parts(from, to, of_walls);
-    if (!result.all_hidden && one_body_hides_all(result, ends_[from], ends_[to])) result.all_hidden = true;
-    drop_far_sides(result, ends_[from], ends_[to]);
-    return result;
-}
-
-Occluders::Between Occluders::between_parts(std::size_t from, std::size_t to, const Between& of_walls) const {
-    Proof proof(ends_[from], ends_[to], rounding_room);
-    for (const Surface* occluder : of_walls.occluders) {
-        if (occluder == &surfaces_[of_[from]] || occluder == &surfaces_[of_[to]])
-            proof.result.occluders.push_back(occluder);
-        else
-            proof.examine(*occluder);
-        if (proof.result.all_hidden) break;
-    }
-    return std::move(proof.result);
-}
-
-Occluders::Between WallViews::between(std::size_t from, std::size_t to) {
-    const std::pair walls(occluders_.wall_of(from), occluders_.wall_of(to));
-    auto known = of_walls_.find(walls);
-    if (known == of_walls_.end())
-        known = of_walls_.emplace(walls, occluders_.between_walls(walls.first, walls.second)).first;
-    return occluders_.between(from, to, known->second);
 }
 
 }  // namespace ff

@@ -11,9 +11,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <mutex>
 #include <optional>
+#include <tuple>
 #include <utility>
 
 namespace ff::studies::form_factors {
@@ -58,23 +58,25 @@ void add(FacePair& pair, std::uint32_t from, std::uint32_t to, double times, Pai
     pair.sampled.push_back({from, to, times, std::move(exchange)});
 }
 
-/// A surface that another exchanges something with, or may.
-struct Partner {
+/// Two surfaces that exchange something, or may.
+struct SurfacePair {
+    std::uint32_t from = 0;
     std::uint32_t to = 0;
     PairExchange exchange;
 };
 
 /// A pair that is dropped takes little room.
-struct Dropped {
+struct DroppedPair {
+    std::uint32_t from = 0;
     std::uint32_t to = 0;
     float least = 0;
     float most = 0;
 };
 
-/// The surfaces that one surface exchanges something with.
-struct Partners {
-    std::vector<Partner> kept;
-    std::vector<Dropped> dropped;
+/// What was found in a visit.
+struct Seen {
+    std::vector<SurfacePair> kept;
+    std::vector<DroppedPair> dropped;
 };
 
 /// The least exchange area that is kept, for each surface. It is 0 for surfaces that share a face, whose exchange is
@@ -93,36 +95,14 @@ std::vector<double> least_kept(const Scene& scene, double drop) {
 }
 
 /// The pair if it exchanges less than that, whatever stands in between.
-std::optional<Dropped> dropped(std::size_t to, const PairExchange& exchange, double below) {
+std::optional<DroppedPair> dropped(std::uint32_t from, std::uint32_t to, const PairExchange& exchange, double below) {
     if (!exchange.area || exchange.area->value + exchange.area->error >= below) return std::nullopt;
     // Rounded outwards.
     constexpr auto up = 1 + std::numeric_limits<float>::epsilon();
     const bool sampled = exchange.method >= ExchangeMethod::points;
     const double least = sampled ? 0 : std::max(0.0, exchange.area->value - exchange.area->error);
-    return Dropped{static_cast<std::uint32_t>(to), static_cast<float>(least) / up,
-                   static_cast<float>(exchange.area->value + exchange.area->error) * up};
-}
-
-/// Those of one surface among itself and the ones after it.
-/// @param below  by surface: pairs that exchange less than this times the smaller area are dropped; 0: none
-Partners partners_of(const Scene& scene, const SceneSight& sight, WallViews* views, std::size_t first, double wanted,
-                     const std::vector<double>& below, const std::atomic<bool>* stop) {
-    const PairExchange unknown{ExchangeMethod::rays, ExchangeReason::many_surfaces, std::nullopt, {}};
-    Partners result;
-    const Surface& from = scene.surfaces[first];
-    for (std::size_t j = first; j < scene.surfaces.size(); ++j) {
-        const Surface& to = scene.surfaces[j];
-        if (from.face == no_face || to.face == no_face) continue;
-        PairExchange exchange =
-            stop != nullptr && *stop ? unknown : pair_exchange(scene, sight, first, j, wanted, views);
-        if (exchange.method == ExchangeMethod::none) continue;
-        const double least = j == first ? 0 : std::min(below[first], below[j]);
-        if (const auto little = dropped(j, exchange, least))
-            result.dropped.push_back(*little);
-        else
-            result.kept.push_back({static_cast<std::uint32_t>(j), std::move(exchange)});
-    }
-    return result;
+    return DroppedPair{from, to, static_cast<float>(least) / up,
+                       static_cast<float>(exchange.area->value + exchange.area->error) * up};
 }
 
 /// Where bounds from geometry are as narrow as is asked for, takes their middle.
@@ -172,73 +152,66 @@ void leave_all_to_rays(FacePairs& result) {
     }
 }
 
-/// Surfaces in parts of which each is of one wall, so that what is proved of the wall serves all of them.
-std::vector<std::vector<std::size_t>> wall_parts(const Scene& scene, const SceneSight& sight) {
-    constexpr std::size_t most_in_part = 32;  // there is work for many threads in few walls
-    std::map<std::size_t, std::vector<std::size_t>> open;
-    std::vector<std::vector<std::size_t>> parts;
-    for (std::size_t i = 0; i < scene.surfaces.size(); ++i) {
-        std::vector<std::size_t>& part = open[sight.occluders ? sight.occluders->wall_of(i) : i];
-        part.push_back(i);
-        if (part.size() == most_in_part) parts.push_back(std::exchange(part, {}));
-    }
-    for (auto& [wall, part] : open) {
-        if (!part.empty()) parts.push_back(std::move(part));
-    }
+/// Looks at each pair of surfaces. @return what was found, part by part
+std::vector<Seen> look_at_pairs(const Scene& scene, const FacePairs& known, const Request& request) {
+    constexpr double most_in_part = 1 << 16;
+    const auto n = static_cast<double>(scene.surfaces.size());
+    const double smallest = *std::min_element(known.areas.begin(), known.areas.end());
+    // Errors of all pairs of surfaces add up.
+    const double wanted = request.tolerance * smallest / 8 / n;
+    const std::vector<double> below = least_kept(scene, request.drop);
+    const PairExchange unknown{ExchangeMethod::rays, ExchangeReason::many_surfaces, std::nullopt, {}};
+    const std::vector<Occluders::Visit> visits = known.occluders->visits(most_in_part);
+    std::vector<Seen> parts(visits.size());
+    std::mutex reporting;
+    double looked_at = 0;
+    for_each_index(visits.size(), request.threads, [&](std::uint64_t v) {
+        Seen& part = parts[v];
+        known.occluders->see(visits[v], [&](std::uint32_t from, std::uint32_t to, const Occluders::Between& between) {
+            const bool is_stopped = request.stop != nullptr && *request.stop;
+            PairExchange exchange =
+                is_stopped ? unknown : pair_exchange(scene.surfaces[from], scene.surfaces[to], between, wanted);
+            const double least = from == to ? 0 : std::min(below[from], below[to]);
+            if (const auto little = dropped(from, to, exchange, least))
+                part.dropped.push_back(*little);
+            else
+                part.kept.push_back({from, to, std::move(exchange)});
+        });
+        if (!request.report) return;
+        const std::lock_guard lock(reporting);
+        looked_at += visits[v].pairs;
+        const double share = std::min(1.0, looked_at / (0.5 * n * (n + 1)));
+        request.report({Progress::Stage::looking, 0, share, 0, 0, pairs_of(known.faces())});
+    });
     return parts;
 }
 
-/// Looks at each pair of surfaces. @return by the first, of those that exchange anything
-std::vector<Partners> look_at_pairs(const Scene& scene, const FacePairs& known, const Request& request) {
-    const std::size_t n = scene.surfaces.size();
-    const double smallest = *std::min_element(known.areas.begin(), known.areas.end());
-    // Errors of all pairs of surfaces add up.
-    const double wanted = request.tolerance * smallest / 8 / static_cast<double>(n);
-    const std::vector<double> below = least_kept(scene, request.drop);
-    std::vector<Partners> rows(n);
-    std::mutex reporting;
-    std::size_t looked_at = 0;
-    const std::vector<std::vector<std::size_t>> parts = wall_parts(scene, known.sight);
-    for_each_index(parts.size(), request.threads, [&](std::uint64_t part) {
-        std::optional<WallViews> views;
-        if (known.sight.occluders) views.emplace(*known.sight.occluders);
-        std::size_t looked_at_here = 0;
-        for (const std::size_t i : parts[part]) {
-            rows[i] = partners_of(scene, known.sight, views ? &*views : nullptr, i, wanted, below, request.stop);
-            looked_at_here += n - i;
-        }
-        if (!request.report) return;
-        const std::lock_guard lock(reporting);
-        looked_at += looked_at_here;
-        const double share = static_cast<double>(looked_at) / (0.5 * static_cast<double>(n * (n + 1)));
-        request.report({Progress::Stage::looking, 0, share, 0, 0, pairs_of(known.faces())});
-    });
-    return rows;
-}
-
 /// Sums what surfaces exchange over pairs of faces.
-void add_up(const Scene& scene, std::vector<Partners> rows, FacePairs& result) {
-    /// Two surfaces, and their faces in order.
+void add_up(const Scene& scene, std::vector<Seen> parts, FacePairs& result) {
+    /// Two faces in order, and their surfaces.
     struct Entry {
-        std::uint32_t face, other_face, from, at;
+        std::uint32_t face, other_face;
+        SurfacePair* pair;
+
+        [[nodiscard]] auto place() const { return std::tuple(face, other_face, pair->from, pair->to); }
+    };
+    const auto face_of = [&](std::uint32_t surface) {
+        return static_cast<std::uint32_t>(scene.surfaces[surface].face);
     };
     const std::size_t n = scene.surfaces.size();
     std::vector<Entry> entries;
     result.shot.assign(n * n, false);
-    for (std::uint32_t i = 0; i < n; ++i) {
-        const auto face = static_cast<std::uint32_t>(scene.surfaces[i].face);
-        for (const Dropped& little : std::exchange(rows[i].dropped, {})) {
-            const auto other = static_cast<std::uint32_t>(scene.surfaces[little.to].face);
-            add_dropped(result.dropped, face, other, 0.5 * (little.least + little.most), little.least, little.most);
+    for (Seen& part : parts) {
+        for (const DroppedPair& little : part.dropped) {
+            add_dropped(result.dropped, face_of(little.from), face_of(little.to), 0.5 * (little.least + little.most),
+                        little.least, little.most);
         }
-        for (std::uint32_t k = 0; k < rows[i].kept.size(); ++k) {
-            const auto other = static_cast<std::uint32_t>(scene.surfaces[rows[i].kept[k].to].face);
-            entries.push_back({std::min(face, other), std::max(face, other), i, k});
+        for (SurfacePair& pair : part.kept) {
+            const auto [face, other] = std::minmax({face_of(pair.from), face_of(pair.to)});
+            entries.push_back({face, other, &pair});
         }
     }
-    std::stable_sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
-        return std::pair(a.face, a.other_face) < std::pair(b.face, b.other_face);
-    });
+    std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) { return a.place() < b.place(); });
     for (const Entry& entry : entries) {
         if (result.pairs.empty() || result.pairs.back().from != entry.face ||
             result.pairs.back().to != entry.other_face) {
@@ -246,12 +219,11 @@ void add_up(const Scene& scene, std::vector<Partners> rows, FacePairs& result) {
             pair.from = entry.face;
             pair.to = entry.other_face;
         }
-        auto& [to, exchange] = rows[entry.from].kept[entry.at];
-        if (exchange.method >= ExchangeMethod::points)
-            result.shot[entry.from * n + to] = result.shot[to * n + entry.from] = true;
-        const double largest = std::min(area(scene.surfaces[entry.from].shape), area(scene.surfaces[to].shape));
-        add(result.pairs.back(), entry.from, to, entry.face == entry.other_face && entry.from != to ? 2 : 1,
-            std::move(exchange), largest);
+        auto& [from, to, exchange] = *entry.pair;
+        if (exchange.method >= ExchangeMethod::points) result.shot[from * n + to] = result.shot[to * n + from] = true;
+        const double largest = std::min(area(scene.surfaces[from].shape), area(scene.surfaces[to].shape));
+        add(result.pairs.back(), from, to, entry.face == entry.other_face && from != to ? 2 : 1, std::move(exchange),
+            largest);
     }
 }
 
@@ -285,7 +257,7 @@ FacePairs examine_pairs(const Scene& scene, const Request& request) {
         add_resolution(scene, result);
         return result;
     }
-    result.sight = sight_of(scene);
+    result.occluders = std::make_shared<const Occluders>(scene);
     add_up(scene, look_at_pairs(scene, result, request), result);
     for (FacePair& pair : result.pairs) {
         const double smaller = std::min(result.areas[pair.from], result.areas[pair.to]);

@@ -5,6 +5,7 @@
 #include "studies/form_factors/request.hpp"
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace ff::studies::form_factors {
@@ -77,7 +78,7 @@ struct FacePairs {
     std::vector<double> areas;             ///< area of each face, in squared units of length
     std::vector<DroppedExchange> dropped;  ///< by face
     PointEffort effort = PointEffort::full;
-    SceneSight sight;  ///< owns the blockers of sampled pairs
+    std::shared_ptr<const Occluders> occluders;  ///< owns the blockers of sampled pairs
     /// Whether rays between two surfaces count, [from * surfaces + to]; empty if all do.
     std::vector<bool> shot;
 

@@ -207,12 +207,12 @@ class Division {
         cell.area = area_ * (cell.range.s1 - cell.range.s0) * (cell.range.t1 - cell.range.t0);
         const PartExtent extent = extent_of(source_, map_, origin_, cell.range);
         part.s_longer = extent.s_longer;
-        const Shaft shaft(extent.hull, target_.corners);
+        Shaft shaft(extent.hull, target_.corners);
         Sight& sight = sight_[part.node];
         std::vector<std::uint32_t> left;
         for (const std::uint32_t b : cell.blockers) {
             tests_left_ -= tests_left_ > 0 ? 1 : 0;
-            const Shaft::Crossing crossing = shaft.crossed_by(blockers_[b].corners);
+            const Shaft::Crossing crossing = shaft.crossed_by_inside(ff::Plate(blockers_[b].corners));
             if (crossing == Shaft::Crossing::none) continue;
             if (is_polygon_ && crossing == Shaft::Crossing::all) {
                 sight = Sight::nothing;

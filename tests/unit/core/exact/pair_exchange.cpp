@@ -16,7 +16,7 @@ PairExchange between(const char* scene_name, std::size_t from, std::size_t to) {
     scenes.reserve(64);
     scenes.push_back(built_in_scene(scene_name));
     const Scene& scene = scenes.back();
-    return pair_exchange(scene, sight_of(scene), from, to, 1e-12);
+    return pair_exchange(Occluders(scene), from, to, 1e-12);
 }
 
 TEST(PairExchange, TakesTheCheapestMethodThatGeometryAllows) {
@@ -45,8 +45,8 @@ TEST(PairExchange, UsesMorePrecisionWhereDoubleHasTooLittle) {
     const Surface from{Parallelogram{{0, 0, 0}, {1, 0.5, 0}, {0, 1, 0}}, {0, 0, 1}, 0};
     const Surface to{Parallelogram{{0, 0, 1000}, {0, 1, 0}, {1, 0.5, 0}}, {0, 0, -1}, 1};
     scene.surfaces = {from, to};
-    const PairExchange brief = pair_exchange(scene, sight_of(scene), 0, 1, 1);
-    const PairExchange exact = pair_exchange(scene, sight_of(scene), 0, 1, 1e-11);
+    const PairExchange brief = pair_exchange(Occluders(scene), 0, 1, 1);
+    const PairExchange exact = pair_exchange(Occluders(scene), 0, 1, 1e-11);
     EXPECT_LT(exact.area->error, brief.area->error / 100);
     EXPECT_NEAR(exact.area->value, 1e-6 / std::numbers::pi, exact.area->error + 1e-12);
 }
@@ -60,11 +60,11 @@ TEST(PairExchange, FindsBlockersInScenesOfManySurfaces) {
         scene.surfaces.push_back({Parallelogram{{0, 0, z}, {1, 0, 0}, {0, 1, 0}}, {0, 0, i % 2 == 0 ? 1.0 : -1.0}, 0});
     }
     scene.surfaces.push_back({Parallelogram{{0.5, 0.5, 0.5}, {0.1, 0, 0}, {0, 0.1, 0}}, {0, 0, 1}, no_face});
-    const SceneSight sight = sight_of(scene);
-    EXPECT_FALSE(sight.all_clear);
-    EXPECT_EQ(pair_exchange(scene, sight, 0, 1, 1e-9).blockers.size(), 1u);
-    EXPECT_EQ(pair_exchange(scene, sight, 2, 3, 1e-9).method, ExchangeMethod::closed_form);
-    EXPECT_EQ(pair_exchange(scene, sight, 0, 3, 1e-9).method, ExchangeMethod::none) << "a plate hides all";
+    const Occluders occluders(scene);
+    EXPECT_FALSE(occluders.are_none());
+    EXPECT_EQ(pair_exchange(occluders, 0, 1, 1e-9).blockers.size(), 1u);
+    EXPECT_EQ(pair_exchange(occluders, 2, 3, 1e-9).method, ExchangeMethod::closed_form);
+    EXPECT_EQ(pair_exchange(occluders, 0, 3, 1e-9).method, ExchangeMethod::none) << "a plate hides all";
 }
 
 }  // namespace

@@ -68,7 +68,7 @@ TEST(PairExchange, KeepsItsDigitsForSmallDistantPairs) {
     scene.faces = {"a", "b"};
     scene.surfaces = {square({0, 0, 0}, {0.01, 0, 0}, {0, 0.01, 0}), square({0, 0, 1000}, {0, 0.01, 0}, {0.01, 0, 0})};
     scene.surfaces[1].face = 1;
-    const PairExchange exchange = pair_exchange(scene, sight_of(scene), 0, 1, 1e-12);
+    const PairExchange exchange = pair_exchange(Occluders(scene), 0, 1, 1e-12);
     EXPECT_EQ(exchange.method, ExchangeMethod::quadrature);
     EXPECT_NEAR(exchange.area->value * 1e4, 3.18309886162570e-11, 1e-21);
     EXPECT_LT(exchange.area->error * 1e4, 1e-20);

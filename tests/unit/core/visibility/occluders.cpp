@@ -187,7 +187,7 @@ TEST(Occluders, AreWholeWallsWhateverFacesTheirTilesBelongTo) {
     add_tiles(scene, {0, 0, 2}, {0, 1, 0}, {1, 0, 0}, 1);
     add_tiles(scene, {-1, -1, 1}, {3, 0, 0}, {0, 3, 0}, 8);
     const Occluders occluders(scene);
-    EXPECT_EQ(occluders.surfaces().size(), 3u);
+    EXPECT_EQ(occluders.walls().size(), 3u);
     EXPECT_TRUE(occluders.between(0, 1).all_hidden) << "by 64 tiles, none of which does alone";
     const std::size_t tile = 2 + 8 * 4 + 4;
     EXPECT_TRUE(occluders.between(1, tile).occluders.empty()) << "a tile does not stand before its own wall";
@@ -221,7 +221,7 @@ TEST(Occluders, AreFoundBesideTheSmallestTileOfAWall) {
     const double height = 1e-3 * size;  // 1e-12 of the walls
     scene.surfaces.push_back(parallelogram_of({0, 0, height}, {size, 0, 0}, {0, size, 0}, no_face));
     const Occluders occluders(scene);
-    ASSERT_EQ(occluders.surfaces().size(), 3u) << "each wall is one occluder";
+    ASSERT_EQ(occluders.walls().size(), 3u) << "each wall is one occluder";
     EXPECT_EQ(occluders.between(floor_tile, wall_tile).occluders.size(), 1u);
 }
 

@@ -30,12 +30,12 @@ const test::StatisticalRisk cells_risk{.alpha = 1e-3, .detects = 0.2, .power = 0
 
 /// The first two surfaces of a scene as faces, and what may stand between them.
 struct Pair {
-    SceneSight sight;
+    Occluders occluders;
     FacePair faces;
 
-    explicit Pair(const Scene& scene) : sight(sight_of(scene)) {
+    explicit Pair(const Scene& scene) : occluders(scene) {
         faces.to = 1;
-        faces.sampled.push_back({0, 1, 1, pair_exchange(scene, sight, 0, 1, 1e-12)});
+        faces.sampled.push_back({0, 1, 1, pair_exchange(occluders, 0, 1, 1e-12)});
     }
     [[nodiscard]] const PairExchange& exchange() const { return faces.sampled.front().exchange; }
 };

@@ -1,0 +1,62 @@
+#pragma once
+
+#include "core/geometry/joined_surfaces.hpp"
+#include "core/geometry/scene.hpp"
+
+#include <Eigen/Geometry>
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
+namespace ff {
+
+/// The surfaces of a scene, halved by place again and again. The upper clusters consist of whole walls, which are level
+/// surfaces joined whatever face they belong to; below each wall follow clusters of what it is made of.
+class ClusterTree {
+  public:
+    static constexpr std::uint32_t no_wall = std::numeric_limits<std::uint32_t>::max();
+
+    struct Cluster {
+        Eigen::AlignedBox3d box;
+        /// Of a convex set that holds the cluster: the rectangle around it in its plane, or the box.
+        std::array<Eigen::Vector3d, 8> corners;
+        std::uint8_t corner_count = 0;
+        Eigen::Vector3d normal =
+            Eigen::Vector3d::Zero();   ///< of all of it, unit length; 0 where it is not in one plane
+        double plane = 0;              ///< normal * v of its places
+        double grain = 0;              ///< longest edge of the box around its smallest surface
+        double size = 0;               ///< diagonal of its own box
+        std::uint32_t wall = no_wall;  ///< the wall that all of it belongs to
+        bool is_wall = false;          ///< all of that wall
+        std::uint32_t first = 0;       ///< of its surfaces, in `order`
+        std::uint32_t count = 0;
+        std::uint32_t upper =
+            0;  ///< the cluster of its upper half, that of the lower one being the next; 0: one surface
+
+        [[nodiscard]] bool is_flat() const { return !normal.isZero(0); }
+        [[nodiscard]] bool is_leaf() const { return upper == 0; }
+        [[nodiscard]] std::span<const Eigen::Vector3d> hull() const { return {corners.data(), corner_count}; }
+    };
+
+    /// @param walls  the surfaces of a scene, joined
+    ClusterTree(const std::vector<Surface>& surfaces, const JoinedSurfaces& walls);
+
+    [[nodiscard]] const Cluster& operator[](std::uint32_t cluster) const { return clusters_[cluster]; }
+    [[nodiscard]] bool empty() const { return clusters_.empty(); }
+    /// Surfaces, those of a cluster together.
+    [[nodiscard]] std::uint32_t surface(std::uint32_t place) const { return order_[place]; }
+    /// The cluster that consists of a surface alone.
+    [[nodiscard]] std::uint32_t leaf_of(std::uint32_t surface) const { return leaf_of_[surface]; }
+
+  private:
+    std::vector<Cluster> clusters_;
+    std::vector<std::uint32_t> order_;
+    std::vector<std::uint32_t> leaf_of_;
+
+    class Builder;
+};
+
+}  // namespace ff
