@@ -11,6 +11,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
+#include <map>
 #include <random>
 #include <utility>
 
@@ -50,7 +52,7 @@ void add_box(Scene& scene, std::mt19937& engine, const Vector3d& corner, const s
 }
 
 /// Walls of tiles, boxes and single plates of any size, some of them along the axes, anywhere in a unit cube.
-Scene random_scene(std::mt19937& engine) {
+Scene random_scene(std::mt19937& engine, std::size_t surfaces = 24) {
     std::uniform_real_distribution<double> coordinate(0, 1);
     const auto place = [&] { return Vector3d(coordinate(engine), coordinate(engine), coordinate(engine)); };
     const auto edge = [&] {
@@ -60,7 +62,7 @@ Scene random_scene(std::mt19937& engine) {
         return along;
     };
     Scene scene;
-    while (scene.surfaces.size() < 24) {
+    while (scene.surfaces.size() < surfaces) {
         if (coordinate(engine) < 0.25) {
             const double size = coordinate(engine) < 0.5 ? 0.3 : 0.8;
             const std::array<Vector3d, 3> edges = {edge(), edge(), size * edge()};
@@ -85,9 +87,22 @@ struct Seen {
     std::size_t seen_of_hidden = 0;  ///< lines with nothing in between where all were said to be hidden
 };
 
+/// What visits find about pairs, the smaller index first; those of which all is hidden are missing.
+std::map<std::pair<std::uint32_t, std::uint32_t>, Occluders::Between> visited(const Occluders& occluders) {
+    std::map<std::pair<std::uint32_t, std::uint32_t>, Occluders::Between> found;
+    for (const Occluders::Visit& visit : occluders.visits(64)) {
+        occluders.see(visit, [&](std::uint32_t a, std::uint32_t b, const Occluders::Between& between) {
+            EXPECT_LT(a, b);
+            EXPECT_TRUE(found.emplace(std::pair(a, b), between).second) << a << " and " << b << " were met twice";
+        });
+    }
+    return found;
+}
+
 /// @param dropped  leave the last occluder out
 Seen look(const Scene& scene, std::mt19937& engine, bool dropped) {
     const Occluders occluders(scene);
+    const auto found = visited(occluders);
     std::uniform_real_distribution<double> coordinate(0, 1);
     Seen seen;
     for (std::size_t a = 0; a < scene.surfaces.size(); ++a) {
@@ -95,7 +110,13 @@ Seen look(const Scene& scene, std::mt19937& engine, bool dropped) {
             const Surface& from = scene.surfaces[a];
             const Surface& to = scene.surfaces[b];
             if (a == b || !face_each_other(from, to)) continue;
-            Occluders::Between between = occluders.between(a, b);
+            const auto pair =
+                found.find({static_cast<std::uint32_t>(std::min(a, b)), static_cast<std::uint32_t>(std::max(a, b))});
+            Occluders::Between between;
+            between.all_hidden = pair == found.end();
+            // Both ways of asking have to hold.
+            if (a < b && pair != found.end()) between = pair->second;
+            if (a > b) between = occluders.between(a, b);
             if (dropped && !between.occluders.empty()) between.occluders.pop_back();
             std::vector<const Surface*> all;
             for (const Surface& surface : scene.surfaces) {
@@ -123,7 +144,7 @@ Seen look_at_scenes(bool dropped) {
     std::mt19937 engine(20);
     Seen all;
     for (int i = 0; i < 300; ++i) {
-        const Seen seen = look(random_scene(engine), engine, dropped);
+        const Seen seen = look(random_scene(engine, i % 50 == 0 ? 120 : 24), engine, dropped);
         all.lines += seen.lines;
         all.hidden += seen.hidden;
         all.differences += seen.differences;
