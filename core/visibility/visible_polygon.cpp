@@ -1,5 +1,6 @@
 #include "core/visibility/visible_polygon.hpp"
 
+#include "core/formulas/arc_terms.hpp"
 #include "core/geometry/convex_polygon.hpp"
 #include "core/support/contract.hpp"
 
@@ -7,8 +8,9 @@
 #include <boost/container/small_vector.hpp>
 
 #include <algorithm>
-#include <cmath>
+#include <array>
 #include <cstddef>
+#include <memory>
 #include <numbers>
 #include <numeric>
 #include <utility>
@@ -18,51 +20,57 @@ namespace {
 
 using Eigen::Vector3d;
 /// Few corners, so that none of them is allocated.
-using SmallPolygon = boost::container::small_vector<Vector3d, 10>;
+using SmallPolygon = boost::container::small_vector<Vector3d, 12>;
+using Heights = boost::container::small_vector<double, 12>;
 
 /// Relative to `place`.
-SmallPolygon seen_from(const Vector3d& place, std::span<const Vector3d> polygon) {
-    SmallPolygon result;
-    result.resize(polygon.size(), Vector3d::Zero());
+void see_from(const Vector3d& place, std::span<const Vector3d> polygon, SmallPolygon& result) {
+    result.resize(polygon.size(), boost::container::default_init);
     for (std::size_t k = 0; k < polygon.size(); ++k) result[k] = polygon[k] - place;
-    return result;
 }
 
-/// The part of a convex polygon that is above a plane. Where the edge to its first corner crosses the plane, the part
-/// begins there: sums are added up in that order.
-template <class Height>
-SmallPolygon part_of(const SmallPolygon& polygon, const Height& height) {
-    SmallPolygon part = part_above(polygon, height);
-    if (!part.empty() && height(polygon.back()) * height(polygon.front()) < 0)
-        std::rotate(part.begin(), part.end() - 1, part.end());
+/// The part of a convex polygon where sign * height >= 0; none of less than three corners.
+SmallPolygon part_of(const SmallPolygon& polygon, const Heights& heights, double sign) {
+    SmallPolygon part;
+    part.resize(polygon.size() + 2, boost::container::default_init);
+    std::size_t size = 0;
+    for (std::size_t k = 0; k < polygon.size(); ++k) {
+        const double before = sign * heights[k];
+        const double after = sign * next_corner(heights, k);
+        if (before >= 0) part[size++] = polygon[k];
+        if ((before > 0 && after < 0) || (before < 0 && after > 0))
+            part[size++] = polygon[k] + (next_corner(polygon, k) - polygon[k]) * (before / (before - after));
+    }
+    part.resize(size < 3 ? 0 : size);
     return part;
+}
+
+/// Heights above a plane through the origin. @return whether some are below
+bool find_heights(const SmallPolygon& polygon, const Vector3d& normal, Heights& heights) {
+    heights.resize(polygon.size(), boost::container::default_init);
+    bool some_below = false;
+    for (std::size_t k = 0; k < polygon.size(); ++k) {
+        heights[k] = normal.dot(polygon[k]);
+        some_below = some_below || heights[k] < 0;
+    }
+    return some_below;
 }
 
 /// Takes the part where normal * v < 0 off a convex polygon. @return whether there is one; what is left may be empty
 bool cut(SmallPolygon& polygon, const Vector3d& normal) {
-    const auto height = [&](const Vector3d& v) { return normal.dot(v); };
-    if (std::none_of(polygon.begin(), polygon.end(), [&](const Vector3d& v) { return height(v) < 0; })) return false;
-    polygon = part_of(polygon, height);
+    Heights heights;
+    if (!find_heights(polygon, normal, heights)) return false;
+    polygon = part_of(polygon, heights, 1);
     return true;
 }
 
 /// The same. @return that part
 SmallPolygon cut_off(SmallPolygon& polygon, const Vector3d& normal) {
-    const SmallPolygon whole = polygon;
-    return cut(polygon, normal) ? part_of(whole, [&](const Vector3d& v) { return -normal.dot(v); }) : SmallPolygon();
-}
-
-/// Lambert's formula from the origin. @pre the polygon is above the horizon
-double factor_of(const SmallPolygon& polygon, const Vector3d& normal) {
-    double sum = 0;
-    for (std::size_t k = 0; k < polygon.size(); ++k) {
-        const Vector3d& a = polygon[k];
-        const Vector3d& b = next_corner(polygon, k);
-        const Vector3d across = a.cross(b);
-        const double sine = across.norm();
-        if (sine > 0) sum += std::atan2(sine, a.dot(b)) * across.dot(normal) / sine;
-    }
-    return sum / (2 * std::numbers::pi);
+    Heights heights;
+    if (!find_heights(polygon, normal, heights)) return {};
+    SmallPolygon off = part_of(polygon, heights, -1);
+    polygon = part_of(polygon, heights, 1);
+    return off;
 }
 
 /// Room for the rounding of a triple product, relative to the lengths of its factors.
@@ -70,10 +78,11 @@ constexpr double product_rounding = 4e-15;
 
 /// Planes through the origin and the edges of a polygon, normals towards its inside; none where it is seen edge-on, or
 /// so nearly that rounding decides where its inside is.
-SmallPolygon sides_of(const SmallPolygon& polygon) {
+void find_sides(const SmallPolygon& polygon, SmallPolygon& sides) {
+    sides.clear();
     Vector3d middle = Vector3d::Zero();
     for (const Vector3d& corner : polygon) middle += corner;
-    SmallPolygon sides;
+    const double farthest = middle.squaredNorm();
     for (std::size_t k = 0; k < polygon.size(); ++k) {
         const Vector3d& a = polygon[k];
         const Vector3d& b = next_corner(polygon, k);
@@ -81,11 +90,10 @@ SmallPolygon sides_of(const SmallPolygon& polygon) {
         const double room = product_rounding * product_rounding * a.squaredNorm() * b.squaredNorm();
         if (side.squaredNorm() <= room) continue;  // two corners in one
         const double height = side.dot(middle);
-        if (height * height <= room * middle.squaredNorm()) return {};
+        if (height * height <= room * farthest) return sides.clear();
         sides.push_back(height > 0 ? side : -side);
     }
     if (sides.size() < 3) sides.clear();
-    return sides;
 }
 
 bool is_outside(const SmallPolygon& piece, const SmallPolygon& sides) {
@@ -94,32 +102,71 @@ bool is_outside(const SmallPolygon& piece, const SmallPolygon& sides) {
     });
 }
 
-/// Factor of the part of a convex piece that is in a shadow, given by the planes of its sides.
-/// @param factor  of the whole piece
-double factor_of_hidden(const SmallPolygon& piece, double factor, const SmallPolygon& shadow, const Vector3d& normal) {
-    SmallPolygon hidden = piece;
+/// Adds up Lambert's formula for pieces of what is seen from several places, many edges at a time.
+class Sums {
+  public:
+    Sums(const Vector3d& normal, std::size_t places) : normal_(normal), sums_(places, 0.0) {}
+
+    /// @param sign  of its factor in the sum of a place
+    void add(std::size_t place, const SmallPolygon& piece, double sign) {
+        for (std::size_t k = 0; k < piece.size(); ++k) {
+            if (arcs_.is_full()) flush();
+            of_[arcs_.size] = {static_cast<std::uint32_t>(place), sign};
+            arcs_.add(piece[k], next_corner(piece, k));
+        }
+    }
+
+    /// By place.
+    [[nodiscard]] std::span<const double> result() {
+        flush();
+        return {sums_.data(), sums_.size()};
+    }
+
+  private:
+    struct Owner {
+        std::uint32_t place;
+        double sign;
+    };
+    Vector3d normal_;
+    boost::container::small_vector<double, 64> sums_;
+    Arcs arcs_;
+    std::array<Owner, Arcs::capacity> of_;
+
+    void flush() {
+        std::array<double, Arcs::capacity> terms;
+        find_arc_terms(arcs_, normal_, terms);
+        for (std::size_t k = 0; k < arcs_.size; ++k)
+            sums_[of_[k].place] += of_[k].sign * terms[k] * (0.5 / std::numbers::pi);
+        arcs_.size = 0;
+    }
+};
+
+/// What of a convex piece a shadow hides, given by the planes of its sides: all of it where it does not differ.
+bool hide(SmallPolygon& piece, const SmallPolygon& shadow) {
     bool differs = false;
     for (const Vector3d& side : shadow) {
-        differs = cut(hidden, side) || differs;
-        if (hidden.empty()) return 0;
-    }
-    return differs ? factor_of(hidden, normal) : factor;
-}
-
-/// Form factor of the part of a convex piece that no shadow hides.
-double factor_of_visible(SmallPolygon piece, std::span<const SmallPolygon> shadows, const Vector3d& normal) {
-    while (!shadows.empty() && is_outside(piece, shadows.front())) shadows = shadows.subspan(1);
-    if (shadows.size() < 2) {
-        const double factor = factor_of(piece, normal);
-        return shadows.empty() ? factor : factor - factor_of_hidden(piece, factor, shadows.front(), normal);
-    }
-    double sum = 0;
-    for (const Vector3d& side : shadows.front()) {
-        SmallPolygon outside = cut_off(piece, side);
-        if (!outside.empty()) sum += factor_of_visible(std::move(outside), shadows.subspan(1), normal);
+        differs = cut(piece, side) || differs;
         if (piece.empty()) break;
     }
-    return sum;
+    return differs;
+}
+
+/// Adds the part of a convex piece that no shadow hides.
+void add_visible(Sums& sums, std::size_t place, SmallPolygon piece, std::span<const SmallPolygon> shadows,
+                 double sign) {
+    while (!shadows.empty() && is_outside(piece, shadows.front())) shadows = shadows.subspan(1);
+    if (shadows.empty()) return sums.add(place, piece, sign);
+    if (shadows.size() == 1) {
+        SmallPolygon hidden = piece;
+        if (!hide(hidden, shadows.front())) return;
+        sums.add(place, piece, sign);
+        return sums.add(place, hidden, -sign);
+    }
+    for (const Vector3d& side : shadows.front()) {
+        SmallPolygon outside = cut_off(piece, side);
+        if (!outside.empty()) add_visible(sums, place, std::move(outside), shadows.subspan(1), sign);
+        if (piece.empty()) break;
+    }
 }
 
 }  // namespace
@@ -131,7 +178,8 @@ VisiblePolygon::VisiblePolygon(const Surface& target, const std::vector<const Su
     const Vector3d origin = target_.front();
     for (const Surface* blocker : blockers) {
         FF_EXPECT(!corners(blocker->shape).empty());
-        SmallPolygon part = seen_from(origin, outline(*blocker));
+        SmallPolygon part;
+        see_from(origin, outline(*blocker), part);
         cut(part, target_normal_);
         std::vector<Vector3d>& kept = blockers_.emplace_back();
         for (const Vector3d& corner : part) kept.emplace_back(origin + corner);
@@ -146,24 +194,71 @@ VisiblePolygon::Factors VisiblePolygon::from(const Vector3d& place, const Vector
 
 VisiblePolygon::Factors VisiblePolygon::from(const Vector3d& place, const Vector3d& normal,
                                              std::span<const std::uint32_t> blockers) const {
-    if (target_normal_.dot(target_.front() - place) >= 0) return {};
-    SmallPolygon whole = seen_from(place, target_);
-    cut(whole, normal);
-    if (whole.empty()) return {};
-    const SmallPolygon cone = sides_of(whole);
+    Factors result;
+    find({&place, 1}, normal, blockers, {&result, 1});
+    return result;
+}
+
+void VisiblePolygon::find(std::span<const Vector3d> places, const Vector3d& normal,
+                          std::span<const std::uint32_t> blockers, std::span<Factors> result) const {
+    FF_EXPECT(result.size() == places.size());
+    // Two sums for each place: of the whole, and of what differs from it.
+    Sums sums(normal, 2 * places.size());
+    enum class Sight : std::uint8_t { nothing, all, all_but, part };
+    boost::container::small_vector<Sight, 32> sights(places.size(), Sight::nothing);
+    SmallPolygon whole;
+    SmallPolygon cone;
+    SmallPolygon blocker;
+    SmallPolygon sides;
     boost::container::small_vector<SmallPolygon, 4> shadows;
-    for (const std::uint32_t index : blockers) {
-        SmallPolygon blocker = seen_from(place, blockers_[index]);
-        if (is_outside(blocker, cone)) continue;
-        cut(blocker, normal);
-        SmallPolygon sides = sides_of(blocker);
-        if (!sides.empty() && !is_outside(whole, sides)) shadows.push_back(std::move(sides));
+    for (std::size_t k = 0; k < places.size(); ++k) {
+        const Vector3d& place = places[k];
+        if (target_normal_.dot(target_.front() - place) >= 0) continue;
+        see_from(place, target_, whole);
+        cut(whole, normal);
+        if (whole.empty()) continue;
+        // Corners run clockwise as seen from the place that the polygon's normal points to.
+        sums.add(2 * k, whole, -1);
+        find_sides(whole, cone);
+        shadows.clear();
+        for (const std::uint32_t index : blockers) {
+            see_from(place, blockers_[index], blocker);
+            if (is_outside(blocker, cone)) continue;
+            cut(blocker, normal);
+            if (blocker.empty()) continue;
+            find_sides(blocker, sides);
+            if (!sides.empty() && !is_outside(whole, sides)) shadows.push_back(sides);
+        }
+        if (shadows.empty()) {
+            sights[k] = Sight::all;
+        } else if (shadows.size() == 1) {
+            if (!hide(whole, shadows.front())) continue;
+            sums.add(2 * k + 1, whole, -1);
+            sights[k] = Sight::all_but;
+        } else {
+            add_visible(sums, 2 * k + 1, std::move(whole), {shadows.data(), shadows.size()}, -1);
+            sights[k] = Sight::part;
+        }
     }
-    // Corners run clockwise as seen from the place that the polygon's normal points to.
-    const double factor = -factor_of(whole, normal);
-    if (shadows.empty()) return {factor, factor};
-    if (shadows.size() == 1) return {factor, factor + factor_of_hidden(whole, -factor, shadows.front(), normal)};
-    return {factor, -factor_of_visible(std::move(whole), {shadows.data(), shadows.size()}, normal)};
+    const std::span<const double> sum = sums.result();
+    for (std::size_t k = 0; k < places.size(); ++k) {
+        const double other = sum[2 * k + 1];
+        result[k].whole = sum[2 * k];
+        switch (sights[k]) {
+            case Sight::nothing:
+                result[k].visible = 0;
+                break;
+            case Sight::all:
+                result[k].visible = result[k].whole;
+                break;
+            case Sight::all_but:
+                result[k].visible = result[k].whole - other;
+                break;
+            case Sight::part:
+                result[k].visible = other;
+                break;
+        }
+    }
 }
 
 }  // namespace ff

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 
 namespace ff::studies::form_factors {
 namespace {
@@ -45,6 +46,8 @@ struct CellTask {
     Stream stream;  ///< its random numbers; each randomisation is a trial of its own
 };
 
+constexpr std::size_t most_nodes = 6;
+
 /// Gauss's rule and the polynomials through its nodes.
 struct Rule {
     samplers::GaussRule gauss;
@@ -53,8 +56,9 @@ struct Rule {
 
     [[nodiscard]] std::size_t size() const { return gauss.nodes.size(); }
     /// Weights of the nodes in the value of the polynomial at x.
-    [[nodiscard]] std::vector<double> weights_at(double x) const {
-        std::vector<double> result(size(), 1.0);
+    [[nodiscard]] std::array<double, most_nodes> weights_at(double x) const {
+        std::array<double, most_nodes> result;
+        result.fill(1);
         for (std::size_t i = 0; i < size(); ++i) {
             for (std::size_t j = 0; j < size(); ++j) {
                 if (j != i) result[i] *= (x - gauss.nodes[j]) / (gauss.nodes[i] - gauss.nodes[j]);
@@ -144,48 +148,61 @@ class Cells {
     std::vector<Cell> cells_;
     std::uint64_t evaluations_ = 0;
     Side side_ = visible;  ///< which is integrated
+    std::vector<Vector2d> uvs_;
+    std::vector<Vector3d> places_;
+    std::vector<VisiblePolygon::Factors> seen_;
+    std::vector<Factors> factors_;
 
-    [[nodiscard]] Factors factors(const Vector3d& place) {
-        ++evaluations_;
-        const VisiblePolygon::Factors found = target_.from(pair_.origin + place, pair_.source_normal);
-        return {found.visible, found.whole - found.visible};
+    /// At places in a cell, given in its square; they live until the next call.
+    std::span<const Factors> factors(const Quadrilateral& shape, std::span<const Vector2d> places) {
+        evaluations_ += places.size();
+        places_.clear();
+        for (const Vector2d& uv : places) places_.emplace_back(pair_.origin + shape.at(uv));
+        seen_.resize(places.size());
+        target_.find(places_, pair_.source_normal, seen_);
+        factors_.clear();
+        for (const VisiblePolygon::Factors& seen : seen_) factors_.push_back({seen.visible, seen.whole - seen.visible});
+        return factors_;
     }
 
     [[nodiscard]] Factors interpolated(const Cell& cell, const Vector2d& uv) const {
-        const std::vector<double> u = rule_.weights_at(uv.x());
-        const std::vector<double> v = rule_.weights_at(uv.y());
+        const auto u = rule_.weights_at(uv.x());
+        const auto v = rule_.weights_at(uv.y());
+        const std::size_t size = rule_.size();
         Factors sum{};
-        for (std::size_t i = 0; i < u.size(); ++i) {
-            for (std::size_t j = 0; j < v.size(); ++j) {
-                for (const Side side : {visible, hidden})
-                    sum[side] += u[i] * v[j] * cell.at_nodes[i * v.size() + j][side];
+        for (std::size_t i = 0; i < size; ++i) {
+            for (std::size_t j = 0; j < size; ++j) {
+                for (const Side side : {visible, hidden}) sum[side] += u[i] * v[j] * cell.at_nodes[i * size + j][side];
             }
         }
         return sum;
     }
 
     /// What the interpolant leaves at a place, times the area that the place stands for.
-    [[nodiscard]] Factors left_at(const Cell& cell, const Vector2d& uv) {
-        Factors result = factors(cell.shape.at(uv));
+    [[nodiscard]] Factors left_at(const Cell& cell, const Vector2d& uv, Factors found) const {
         const Factors smooth = interpolated(cell, uv);
-        for (const Side side : {visible, hidden}) result[side] = (result[side] - smooth[side]) * cell.shape.stretch(uv);
-        return result;
+        for (const Side side : {visible, hidden}) found[side] = (found[side] - smooth[side]) * cell.shape.stretch(uv);
+        return found;
     }
 
     void add(const Quadrilateral& shape) {
         Cell& cell = cells_.emplace_back();
         cell.shape = shape;
         const auto& [nodes, weights] = rule_.gauss;
-        for (std::size_t i = 0; i < nodes.size(); ++i) {
-            for (std::size_t j = 0; j < nodes.size(); ++j) {
-                const Vector2d uv(nodes[i], nodes[j]);
-                const Factors& found = cell.at_nodes.emplace_back(factors(shape.at(uv)));
-                for (const Side side : {visible, hidden})
-                    cell.integral[side] += weights[i] * weights[j] * shape.stretch(uv) * found[side];
-            }
+        const std::size_t size = nodes.size();
+        uvs_.clear();
+        for (const double u : nodes) {
+            for (const double v : nodes) uvs_.emplace_back(u, v);
         }
-        for (const auto& [u, v] : between_nodes) {
-            const Factors left = left_at(cell, {u, v});
+        for (const auto& [u, v] : between_nodes) uvs_.emplace_back(u, v);
+        const std::span<const Factors> found = factors(shape, uvs_);
+        cell.at_nodes.assign(found.begin(), found.begin() + static_cast<std::ptrdiff_t>(size * size));
+        for (std::size_t k = 0; k < size * size; ++k) {
+            const double weight = weights[k / size] * weights[k % size] * shape.stretch(uvs_[k]);
+            for (const Side side : {visible, hidden}) cell.integral[side] += weight * found[k][side];
+        }
+        for (std::size_t k = size * size; k < uvs_.size(); ++k) {
+            const Factors left = left_at(cell, uvs_[k], found[k]);
             for (const Side side : {visible, hidden}) cell.left[side] = std::max(cell.left[side], std::abs(left[side]));
         }
     }
@@ -218,11 +235,15 @@ class Cells {
             const Cell& cell = cells_[c];
             integral += cell.integral[side_];
             double most = cell.left[side_];
+            uvs_.clear();
             for (std::uint32_t r = 0; r < randomisations; ++r) {
                 stream.trial = r;
                 const Words words = philox(stream, c, Purpose::coordinates);
-                const Vector2d uv((words[0] + 0.5) * 0x1p-32, (words[1] + 0.5) * 0x1p-32);
-                const double left = left_at(cell, uv)[side_];
+                uvs_.emplace_back((words[0] + 0.5) * 0x1p-32, (words[1] + 0.5) * 0x1p-32);
+            }
+            const std::span<const Factors> found = factors(cell.shape, uvs_);
+            for (std::uint32_t r = 0; r < randomisations; ++r) {
+                const double left = left_at(cell, uvs_[r], found[r])[side_];
                 share.means[r] += left;
                 most = std::max(most, std::abs(left));
             }
