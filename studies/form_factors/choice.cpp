@@ -91,9 +91,7 @@ std::size_t owner_of(const FacePairs& geometry, std::size_t pair) {
 
 PairsOfRows pairs_to_sample(const FacePairs& geometry) {
     PairsOfRows rows;
-    for (std::size_t pair = 0; pair < geometry.pairs.size(); ++pair) {
-        if (geometry.pairs[pair].is_sampled()) rows[owner_of(geometry, pair)].push_back(pair);
-    }
+    for (std::size_t pair = 0; pair < geometry.pairs.size(); ++pair) rows[owner_of(geometry, pair)].push_back(pair);
     return rows;
 }
 

@@ -19,9 +19,6 @@
 namespace ff::studies::form_factors {
 namespace {
 
-/// All pairs of this many faces are looked at within an hour.
-constexpr std::size_t most_faces = 32768;
-
 /// Every pair of surfaces is looked at in scenes with at most this many surfaces, or with at most this many per face.
 constexpr std::size_t most_surfaces = 4096;
 constexpr std::size_t most_surfaces_per_face = 4;
@@ -41,28 +38,11 @@ constexpr std::size_t most_of_full_effort = 32;
 /// Pairs whose bounds are this near to each other, in tolerances, are not sampled.
 constexpr double near_enough = 0.5;
 
-/// A surface pair adds to the pair of its faces.
-void add(FacePair& pair, std::uint32_t from, std::uint32_t to, double times, PairExchange exchange, double largest) {
-    pair.method = std::max(pair.method, exchange.method);
-    pair.reason = std::max(pair.reason, exchange.reason);
-    const auto& area = exchange.area;
-    const bool sampled = exchange.method >= ExchangeMethod::points;
-    if (area) pair.most += times * (area->value + area->error);
-    if (sampled && !area) pair.all_unblocked_known = false;
-    if (area) pair.bound += times * area->error;  // of sampled pairs it may be what the hidden part is taken off
-    if (!sampled) {
-        pair.known += times * area->value;
-        return;
-    }
-    if (!area) pair.most += times * largest;
-    pair.sampled.push_back({from, to, times, std::move(exchange)});
-}
-
-/// Two surfaces that exchange something, or may.
-struct SurfacePair {
-    std::uint32_t from = 0;
-    std::uint32_t to = 0;
-    PairExchange exchange;
+/// Two surfaces whose exchange is to be sampled, and their faces in order.
+struct OpenPair {
+    std::uint32_t face = 0;
+    std::uint32_t other_face = 0;
+    SampledPair surfaces;
 };
 
 /// A pair that is dropped takes little room.
@@ -75,7 +55,8 @@ struct DroppedPair {
 
 /// What was found in a visit.
 struct Seen {
-    std::vector<SurfacePair> kept;
+    std::vector<KnownPair> known;  ///< of faces, for each pair of surfaces
+    std::vector<OpenPair> open;
     std::vector<DroppedPair> dropped;
 };
 
@@ -105,16 +86,16 @@ std::optional<DroppedPair> dropped(std::uint32_t from, std::uint32_t to, const P
                        static_cast<float>(exchange.area->value + exchange.area->error) * up};
 }
 
-/// Where bounds from geometry are as narrow as is asked for, takes their middle.
-void settle(FacePair& pair, double wanted) {
-    if (!pair.is_sampled() || !pair.all_unblocked_known) return;
+/// The pair if bounds from geometry are as narrow as is asked for: their middle.
+std::optional<KnownPair> settled(const FacePair& pair, double wanted) {
     const double least = std::max(0.0, pair.known - pair.bound);
-    if (pair.most - least > 2 * near_enough * wanted) return;
-    pair.known = (least + pair.most) / 2;
-    pair.bound = (pair.most - least) / 2;
-    pair.sampled = {};
-    pair.method = ExchangeMethod::bounds;
-    pair.reason = ExchangeReason::small;
+    if (!pair.all_unblocked_known || pair.most - least > 2 * near_enough * wanted) return std::nullopt;
+    return KnownPair{pair.from,
+                     pair.to,
+                     (least + pair.most) / 2,
+                     (pair.most - least) / 2,
+                     ExchangeMethod::bounds,
+                     ExchangeReason::small};
 }
 
 /// Coordinates of the scene are rounded like the largest of them. That shows where faces are small beside it.
@@ -123,13 +104,13 @@ void add_resolution(const Scene& scene, FacePairs& pairs) {
     const double step = 4 * std::numeric_limits<double>::epsilon() * farthest_coordinate(scene);
     for (FacePair& pair : pairs.pairs) {
         const double size = std::sqrt(std::min(pairs.areas[pair.from], pairs.areas[pair.to]));
-        if (pair.is_sampled() && step > noticeable * size) pair.resolution = std::min(step, size) * size;
+        if (step > noticeable * size) pair.resolution = std::min(step, size) * size;
     }
 }
 
 void expect_few_faces(const Scene& scene) {
-    const std::size_t most = is_each_looked_at(scene) ? most_faces : most_dense_faces;
-    if (scene.faces.size() <= most) return;
+    constexpr std::size_t most = most_dense_faces;
+    if (is_each_looked_at(scene) || scene.faces.size() <= most) return;
     throw UserError(
         fmt::format("scene '{}': {} faces (of {} surfaces, a matrix of at most {} is made). Put surfaces "
                     "into groups.",
@@ -145,7 +126,6 @@ void leave_all_to_rays(FacePairs& result) {
             pair.to = to;
             pair.everything = true;
             pair.all_unblocked_known = false;
-            pair.method = ExchangeMethod::rays;
             pair.reason = ExchangeReason::many_surfaces;
             pair.most = std::min(result.areas[from], result.areas[to]);
         }
@@ -167,16 +147,26 @@ std::vector<Seen> look_at_pairs(const Scene& scene, const FacePairs& known, cons
     double looked_at = 0;
     for_each_index(visits.size(), request.threads, [&](std::uint64_t v) {
         Seen& part = parts[v];
-        known.occluders->see(visits[v], [&](std::uint32_t from, std::uint32_t to, const Occluders::Between& between) {
+        const auto see = [&](std::uint32_t from, std::uint32_t to, const Occluders::Between& between) {
             const bool is_stopped = request.stop != nullptr && *request.stop;
-            PairExchange exchange =
-                is_stopped ? unknown : pair_exchange(scene.surfaces[from], scene.surfaces[to], between, wanted);
-            const double least = from == to ? 0 : std::min(below[from], below[to]);
-            if (const auto little = dropped(from, to, exchange, least))
+            const Surface& first = scene.surfaces[from];
+            const Surface& second = scene.surfaces[to];
+            PairExchange exchange = is_stopped ? unknown : pair_exchange(first, second, between, wanted);
+            if (const auto little = dropped(from, to, exchange, from == to ? 0 : std::min(below[from], below[to]))) {
                 part.dropped.push_back(*little);
+                return;
+            }
+            const auto [face, other] = std::minmax({first.face, second.face});
+            const double times = face == other && from != to ? 2 : 1;
+            const auto a = static_cast<std::uint32_t>(face);
+            const auto b = static_cast<std::uint32_t>(other);
+            if (exchange.method >= ExchangeMethod::points)
+                part.open.push_back({a, b, {from, to, times, std::move(exchange)}});
             else
-                part.kept.push_back({from, to, std::move(exchange)});
-        });
+                part.known.push_back({a, b, times * exchange.area->value, times * exchange.area->error, exchange.method,
+                                      exchange.reason});
+        };
+        known.occluders->see(visits[v], see);
         if (!request.report) return;
         const std::lock_guard lock(reporting);
         looked_at += visits[v].pairs;
@@ -186,45 +176,117 @@ std::vector<Seen> look_at_pairs(const Scene& scene, const FacePairs& known, cons
     return parts;
 }
 
-/// Sums what surfaces exchange over pairs of faces.
-void add_up(const Scene& scene, std::vector<Seen> parts, FacePairs& result) {
-    /// Two faces in order, and their surfaces.
-    struct Entry {
-        std::uint32_t face, other_face;
-        SurfacePair* pair;
+/// By their faces.
+struct InOrder {
+    static auto place(const KnownPair& pair) { return std::tuple(pair.from, pair.to, pair.value); }
+    static auto place(const OpenPair& pair) {
+        return std::tuple(pair.face, pair.other_face, pair.surfaces.from, pair.surfaces.to);
+    }
+    template <class Pair>
+    bool operator()(const Pair& a, const Pair& b) const {
+        return place(a) < place(b);
+    }
+};
 
-        [[nodiscard]] auto place() const { return std::tuple(face, other_face, pair->from, pair->to); }
-    };
-    const auto face_of = [&](std::uint32_t surface) {
-        return static_cast<std::uint32_t>(scene.surfaces[surface].face);
-    };
-    const std::size_t n = scene.surfaces.size();
-    std::vector<Entry> entries;
-    result.shot.assign(n * n, false);
+/// Those of all parts, in order.
+template <class Pair>
+std::vector<Pair> together(std::vector<Seen>& parts, std::vector<Pair> Seen::*of_part) {
+    std::size_t size = 0;
+    for (const Seen& part : parts) size += (part.*of_part).size();
+    std::vector<Pair> all;
+    all.reserve(size);
     for (Seen& part : parts) {
-        for (const DroppedPair& little : part.dropped) {
+        for (Pair& pair : part.*of_part) all.push_back(std::move(pair));
+        part.*of_part = {};
+    }
+    std::sort(all.begin(), all.end(), InOrder{});
+    return all;
+}
+
+void add(FacePair& pair, const KnownPair& known) {
+    pair.known += known.value;
+    pair.bound += known.bound;
+    pair.most += known.value + known.bound;
+    pair.reason = std::max(pair.reason, known.reason);
+}
+
+void add(FacePair& pair, const Scene& scene, OpenPair open) {
+    const auto& [from, to, times, exchange] = open.surfaces;
+    pair.reason = std::max(pair.reason, exchange.reason);
+    if (exchange.area) {
+        pair.bound += times * exchange.area->error;  // it may be what the hidden part is taken off
+        pair.most += times * (exchange.area->value + exchange.area->error);
+    } else {
+        pair.all_unblocked_known = false;
+        pair.most += times * std::min(area(scene.surfaces[from].shape), area(scene.surfaces[to].shape));
+    }
+    pair.sampled.push_back(std::move(open.surfaces));
+}
+
+/// Adds known pairs of the same faces up.
+void merge_same(std::vector<KnownPair>& known) {
+    std::size_t size = 0;
+    for (const KnownPair& pair : known) {
+        if (size == 0 || known[size - 1].from != pair.from || known[size - 1].to != pair.to) {
+            known[size++] = pair;
+            continue;
+        }
+        KnownPair& sum = known[size - 1];
+        sum.value += pair.value;
+        sum.bound += pair.bound;
+        sum.method = std::max(sum.method, pair.method);
+        sum.reason = std::max(sum.reason, pair.reason);
+    }
+    known.resize(size);
+}
+
+/// Sums what surfaces exchange over pairs of faces.
+void add_up(const Scene& scene, std::vector<Seen> parts, const Request& request, FacePairs& result) {
+    const auto face_of = [&](std::uint32_t surface) { return static_cast<std::size_t>(scene.surfaces[surface].face); };
+    for (Seen& part : parts) {
+        for (const DroppedPair& little : std::exchange(part.dropped, {})) {
             add_dropped(result.dropped, face_of(little.from), face_of(little.to), 0.5 * (little.least + little.most),
                         little.least, little.most);
         }
-        for (SurfacePair& pair : part.kept) {
-            const auto [face, other] = std::minmax({face_of(pair.from), face_of(pair.to)});
-            entries.push_back({face, other, &pair});
-        }
     }
-    std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) { return a.place() < b.place(); });
-    for (const Entry& entry : entries) {
-        if (result.pairs.empty() || result.pairs.back().from != entry.face ||
-            result.pairs.back().to != entry.other_face) {
-            FacePair& pair = result.pairs.emplace_back();
-            pair.from = entry.face;
-            pair.to = entry.other_face;
+    result.known = together(parts, &Seen::known);
+    merge_same(result.known);
+    std::vector<OpenPair> open = together(parts, &Seen::open);
+    result.shot.resize(scene.surfaces.size());
+    std::vector<KnownPair> small;
+    auto known = result.known.begin();
+    for (std::size_t first = 0; first < open.size();) {
+        FacePair pair;
+        pair.from = open[first].face;
+        pair.to = open[first].other_face;
+        const auto faces = std::pair(pair.from, pair.to);
+        known = std::lower_bound(known, result.known.end(), faces, [](const KnownPair& a, const auto& wanted) {
+            return std::pair(a.from, a.to) < wanted;
+        });
+        const bool is_partly_known = known != result.known.end() && std::pair(known->from, known->to) == faces;
+        if (is_partly_known) add(pair, *known);
+        for (; first < open.size() && std::pair(open[first].face, open[first].other_face) == faces; ++first) {
+            const auto [from, to] = std::pair(open[first].surfaces.from, open[first].surfaces.to);
+            result.shot[from].push_back(to);
+            if (from != to) result.shot[to].push_back(from);
+            add(pair, scene, std::move(open[first]));
         }
-        auto& [from, to, exchange] = *entry.pair;
-        if (exchange.method >= ExchangeMethod::points) result.shot[from * n + to] = result.shot[to * n + from] = true;
-        const double largest = std::min(area(scene.surfaces[from].shape), area(scene.surfaces[to].shape));
-        add(result.pairs.back(), from, to, entry.face == entry.other_face && from != to ? 2 : 1, std::move(exchange),
-            largest);
+        const double smaller = std::min(result.areas[pair.from], result.areas[pair.to]);
+        pair.most = std::min(pair.most, smaller);
+        const double wanted = std::max(request.tolerance_between(pair.from, pair.to) * smaller,
+                                       request.relative * std::max(0.0, pair.known - pair.bound));
+        const auto bounds = settled(pair, wanted);
+        if (is_partly_known) known->method = ExchangeMethod::none;  // it is part of another
+        if (bounds)
+            small.push_back(*bounds);
+        else
+            result.pairs.push_back(std::move(pair));
     }
+    std::erase_if(result.known, [](const KnownPair& pair) { return pair.method == ExchangeMethod::none; });
+    const auto middle = static_cast<std::ptrdiff_t>(result.known.size());
+    result.known.insert(result.known.end(), small.begin(), small.end());
+    std::inplace_merge(result.known.begin(), result.known.begin() + middle, result.known.end(), InOrder{});
+    for (std::vector<std::uint32_t>& others : result.shot) std::sort(others.begin(), others.end());
 }
 
 }  // namespace
@@ -258,20 +320,14 @@ FacePairs examine_pairs(const Scene& scene, const Request& request) {
         return result;
     }
     result.occluders = std::make_shared<const Occluders>(scene);
-    add_up(scene, look_at_pairs(scene, result, request), result);
+    add_up(scene, look_at_pairs(scene, result, request), request, result);
     for (FacePair& pair : result.pairs) {
-        const double smaller = std::min(result.areas[pair.from], result.areas[pair.to]);
-        pair.most = std::min(pair.most, smaller);
-        settle(pair, std::max(request.tolerance_between(pair.from, pair.to) * smaller,
-                              request.relative * std::max(0.0, pair.known - pair.bound)));
-        pair.by_points = !pair.sampled.empty() && pair.sampled.size() <= most_pairs_by_points &&
+        pair.by_points = pair.sampled.size() <= most_pairs_by_points &&
                          std::all_of(pair.sampled.begin(), pair.sampled.end(), [](const SampledPair& sampled) {
                              return sampled.exchange.method == ExchangeMethod::points;
                          });
     }
-    const auto sampled =
-        std::count_if(result.pairs.begin(), result.pairs.end(), [](const FacePair& pair) { return pair.is_sampled(); });
-    if (static_cast<std::size_t>(sampled) > most_of_full_effort) result.effort = PointEffort::sized;
+    if (result.pairs.size() > most_of_full_effort) result.effort = PointEffort::sized;
     add_resolution(scene, result);
     return result;
 }
@@ -286,10 +342,11 @@ void allow_for_rounding(double rounding, const Scene& scene, FacePairs& pairs) {
         if (surface.face != no_face)
             diagonals[static_cast<std::size_t>(surface.face)] += box_around(surface).diagonal().norm();
     }
-    for (FacePair& pair : pairs.pairs) {
-        const double diagonal = std::min(diagonals[pair.from], diagonals[pair.to]);
-        pair.resolution = std::max(pair.resolution, of_diagonals * rounding * diagonal);
-    }
+    const auto effect = [&](const auto& pair) {
+        return of_diagonals * rounding * std::min(diagonals[pair.from], diagonals[pair.to]);
+    };
+    for (KnownPair& pair : pairs.known) pair.bound += effect(pair);
+    for (FacePair& pair : pairs.pairs) pair.resolution = std::max(pair.resolution, effect(pair));
 }
 
 }  // namespace ff::studies::form_factors

@@ -36,7 +36,17 @@ std::vector<std::vector<std::uint32_t>> by_face(const Pairs& pairs, std::size_t 
     return result;
 }
 
-/// Two faces (or one with itself): the known part of their exchange area, and the part left to be sampled.
+/// Two faces (or one with itself) whose exchange area is known within a bound.
+struct KnownPair {
+    std::uint32_t from = 0;  ///< at most `to`
+    std::uint32_t to = 0;
+    double value = 0;                                     ///< in squared units of length
+    double bound = 0;                                     ///< of its error
+    ExchangeMethod method = ExchangeMethod::none;         ///< the most expensive that a pair of surfaces needs
+    ExchangeReason reason = ExchangeReason::turned_away;  ///< why `method` is needed
+};
+
+/// Two faces (or one with itself) that are sampled: the known part of their exchange area, and the part that is left.
 struct FacePair {
     std::uint32_t from = 0;  ///< at most `to`
     std::uint32_t to = 0;
@@ -45,13 +55,10 @@ struct FacePair {
     double resolution = 0;  ///< possible effect of rounding coordinates that are large, or were; 0 where it is small
     double most = 0;        ///< upper bound of the exchange area: the unoccluded one
     bool all_unblocked_known = true;   ///< `most` is the unblocked exchange area, not merely the area of a surface
-    std::vector<SampledPair> sampled;  ///< empty where `everything` is sampled
     bool everything = false;           ///< all pairs of surfaces, too many to list
     bool by_points = false;            ///< every sampled pair can be done by points
-    ExchangeMethod method = ExchangeMethod::none;         ///< the most expensive that a pair of surfaces needs
-    ExchangeReason reason = ExchangeReason::turned_away;  ///< why `method` is needed
-
-    [[nodiscard]] bool is_sampled() const { return everything || !sampled.empty(); }
+    std::vector<SampledPair> sampled;  ///< empty where `everything` is sampled
+    ExchangeReason reason = ExchangeReason::turned_away;  ///< why it is sampled
 };
 
 /// How much is spent on a pair before any points are sampled.
@@ -73,14 +80,16 @@ void add_dropped(std::vector<DroppedExchange>& faces, std::size_t from, std::siz
                  double high);
 
 struct FacePairs {
-    /// (0,0), (0,1), .., (1,1), .. without those that cannot see each other, and without those that are dropped.
-    std::vector<FacePair> pairs;
+    // Both in the order (0,0), (0,1), .., (1,1), .. without those that cannot see each other, and without those that
+    // are dropped.
+    std::vector<KnownPair> known;
+    std::vector<FacePair> pairs;           ///< those that are sampled
     std::vector<double> areas;             ///< area of each face, in squared units of length
     std::vector<DroppedExchange> dropped;  ///< by face
     PointEffort effort = PointEffort::full;
     std::shared_ptr<const Occluders> occluders;  ///< owns the blockers of sampled pairs
-    /// Whether rays between two surfaces count, [from * surfaces + to]; empty if all do.
-    std::vector<bool> shot;
+    /// By surface, in order: those between which and it rays count; empty if all do.
+    std::vector<std::vector<std::uint32_t>> shot;
 
     [[nodiscard]] std::size_t faces() const { return areas.size(); }
 };

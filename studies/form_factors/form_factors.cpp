@@ -40,8 +40,8 @@ void expect_sense(const Request& request) {
 }
 
 void expect_possible(const Scene& scene, const FacePairs& geometry, const Request& request) {
-    const bool needs_rays = std::any_of(geometry.pairs.begin(), geometry.pairs.end(),
-                                        [](const FacePair& pair) { return pair.is_sampled() && !pair.by_points; });
+    const bool needs_rays =
+        std::any_of(geometry.pairs.begin(), geometry.pairs.end(), [](const FacePair& pair) { return !pair.by_points; });
     if (needs_rays && request.tolerance < least_tolerance_of_rays) {
         throw UserError(
             fmt::format("--tolerance {:g}: some pairs of scene '{}' have to be sampled by rays (which are "
@@ -51,13 +51,25 @@ void expect_possible(const Scene& scene, const FacePairs& geometry, const Reques
 }
 
 /// Clips an interval to what geometry allows, and the value to the interval.
-void clip(FaceExchange& exchange, const FacePair& pair) {
-    const double least = std::max(0.0, pair.known - pair.bound - pair.resolution);
-    const double most = std::max(least, pair.most + pair.resolution);
+void clip(FaceExchange& exchange, double least, double most) {
     exchange.clipped = exchange.value < least || exchange.value > most;
     exchange.low = std::clamp(exchange.low, least, most);
     exchange.high = std::clamp(exchange.high, least, most);
     exchange.value = std::clamp(exchange.value, exchange.low, exchange.high);
+}
+
+/// @param smaller  area of the smaller face
+FaceExchange face_exchange(const KnownPair& pair, double smaller) {
+    FaceExchange result;
+    result.from = pair.from;
+    result.to = pair.to;
+    result.method = pair.method;
+    result.reason = pair.reason;
+    result.value = pair.value;
+    result.low = pair.value - pair.bound;
+    result.high = pair.value + pair.bound;
+    clip(result, 0, smaller);
+    return result;
 }
 
 FaceExchange face_exchange(const FacePair& pair, const PairEstimate& estimate) {
@@ -65,15 +77,14 @@ FaceExchange face_exchange(const FacePair& pair, const PairEstimate& estimate) {
     result.from = pair.from;
     result.to = pair.to;
     result.reason = pair.reason;
-    result.value = pair.known;
-    result.low = pair.known - pair.bound - pair.resolution;
-    result.high = pair.known + pair.bound + pair.resolution;
-    if (pair.is_sampled() && !estimate.sum) {
+    const double least = std::max(0.0, pair.known - pair.bound - pair.resolution);
+    const double most = std::max(least, pair.most + pair.resolution);
+    if (!estimate.sum) {
         // Nothing but geometry: it was stopped before the first round was over.
-        result.low = std::max(0.0, result.low);
+        result.low = least;
         result.high = pair.most;
         result.value = (result.low + result.high) / 2;
-    } else if (pair.is_sampled()) {
+    } else {
         const EstimatedSum found = estimate_of(*estimate.sum, estimate.level);
         result.value = found.value;
         result.low = found.value - found.down - pair.bound - pair.resolution;
@@ -86,10 +97,8 @@ FaceExchange face_exchange(const FacePair& pair, const PairEstimate& estimate) {
             result.low = std::min(result.low, estimate.other.value - estimate.other.down);
             result.high = std::max(result.high, estimate.other.value + estimate.other.up);
         }
-    } else {
-        result.method = pair.method;
     }
-    clip(result, pair);
+    clip(result, least, most);
     return result;
 }
 
@@ -103,41 +112,28 @@ struct RowTerms {
     double down = 0;
     double up = 0;
     double level = 0;  ///< the highest of its entries
+
+    void add_known(double area, double low, double high) {
+        value += area;
+        sum.offset += area;
+        down += area - low;
+        up += high - area;
+    }
+    void add(const FaceExchange& exchange) { add_known(exchange.value, exchange.low, exchange.high); }
+    void add(const FaceExchange& exchange, const FacePair& pair, const PairEstimate& estimate) {
+        if (!estimate.sum || estimate.contradicted) return add(exchange);
+        value += exchange.value;
+        level = std::max(level, estimate.level);
+        sum.offset += estimate.sum->offset;
+        sum.offset_error += estimate.sum->offset_error;
+        sum.terms.insert(sum.terms.end(), estimate.sum->terms.begin(), estimate.sum->terms.end());
+        down += pair.bound + pair.resolution;
+        up += pair.bound + pair.resolution;
+    }
 };
 
-/// @param row     places of its pairs
-/// @param before  what was dropped of it before anything was sampled
-RowTerms row_terms(const Matrix& matrix, const FacePairs& geometry, const PairEstimates& estimates,
-                   const std::vector<std::uint32_t>& row, const DroppedExchange& before) {
-    RowTerms terms;
-    terms.value = terms.sum.offset = before.value;
-    terms.down = before.value - before.low;
-    terms.up = before.high - before.value;
-    for (const std::uint32_t index : row) {
-        const FacePair& pair = geometry.pairs[index];
-        const PairEstimate& estimate = estimates[index];
-        const FaceExchange& exchange = matrix.exchanges[index];
-        terms.value += exchange.value;
-        if (pair.is_sampled() && estimate.sum && !estimate.contradicted) {
-            terms.level = std::max(terms.level, estimate.level);
-            terms.sum.offset += estimate.sum->offset;
-            terms.sum.offset_error += estimate.sum->offset_error;
-            terms.sum.terms.insert(terms.sum.terms.end(), estimate.sum->terms.begin(), estimate.sum->terms.end());
-            terms.down += pair.bound + pair.resolution;
-            terms.up += pair.bound + pair.resolution;
-        } else {
-            terms.sum.offset += exchange.value;
-            terms.down += exchange.value - exchange.low;
-            terms.up += exchange.high - exchange.value;
-        }
-    }
-    return terms;
-}
-
 /// A row's sum: independent randomisations add up, bounds do.
-RowSum row_sum(const Matrix& matrix, const FacePairs& geometry, const PairEstimates& estimates, std::size_t row,
-               const std::vector<std::uint32_t>& pairs, double level, double farthest) {
-    const RowTerms terms = row_terms(matrix, geometry, estimates, pairs, geometry.dropped[row]);
+RowSum row_sum(const Matrix& matrix, const RowTerms& terms, std::size_t row, double level, double farthest) {
     const double area = matrix.areas[row];
     const auto ends = [&](double at) {
         const EstimatedSum found = estimate_of(terms.sum, at);
@@ -187,6 +183,53 @@ bool is_within(const Matrix& matrix, const FaceExchange& exchange, const Request
     return !exchange.contradicted &&
            worst_half_width(matrix, exchange) <=
                std::max(request.tolerance_between(exchange.from, exchange.to), request.relative * factor);
+}
+
+/// All pairs of faces in order.
+void add_exchanges(Matrix& matrix, const FacePairs& geometry, const std::vector<PairEstimate>& estimates,
+                   const Request& request) {
+    matrix.exchanges.reserve(geometry.known.size() + geometry.pairs.size());
+    const auto add = [&](FaceExchange exchange) {
+        exchange.within = is_within(matrix, exchange, request);
+        matrix.exchanges.push_back(exchange);
+    };
+    auto known = geometry.known.begin();
+    const auto add_known_before = [&](std::uint32_t from, std::uint32_t to) {
+        for (; known != geometry.known.end() && std::pair(known->from, known->to) < std::pair(from, to); ++known)
+            add(face_exchange(*known, std::min(matrix.areas[known->from], matrix.areas[known->to])));
+    };
+    for (std::size_t p = 0; p < geometry.pairs.size(); ++p) {
+        add_known_before(geometry.pairs[p].from, geometry.pairs[p].to);
+        add(face_exchange(geometry.pairs[p], estimates[p]));
+    }
+    constexpr auto end = std::numeric_limits<std::uint32_t>::max();
+    add_known_before(end, end);
+}
+
+void add_rows(Matrix& matrix, const FacePairs& geometry, const std::vector<PairEstimate>& estimates, double level,
+              double farthest) {
+    std::vector<RowTerms> rows(matrix.faces());
+    for (std::size_t row = 0; row < matrix.faces(); ++row)
+        rows[row].add_known(geometry.dropped[row].value, geometry.dropped[row].low, geometry.dropped[row].high);
+    std::vector<std::uint32_t> sampled;  // places of the pairs that are
+    for (std::uint32_t e = 0; e < matrix.exchanges.size(); ++e) {
+        const FaceExchange& exchange = matrix.exchanges[e];
+        const std::size_t p = sampled.size();
+        if (p < geometry.pairs.size() && geometry.pairs[p].from == exchange.from &&
+            geometry.pairs[p].to == exchange.to) {
+            sampled.push_back(e);
+            continue;
+        }
+        rows[exchange.from].add(exchange);
+        if (exchange.from != exchange.to) rows[exchange.to].add(exchange);
+    }
+    const auto pairs_of_rows = by_face(geometry.pairs, matrix.faces());
+    for (std::size_t row = 0; row < matrix.faces(); ++row) {
+        RowTerms terms = std::move(rows[row]);
+        for (const std::uint32_t p : pairs_of_rows[row])
+            terms.add(matrix.exchanges[sampled[p]], geometry.pairs[p], estimates[p]);
+        matrix.rows.push_back(row_sum(matrix, terms, row, level, farthest));
+    }
 }
 
 }  // namespace
@@ -277,14 +320,13 @@ Matrix find_matrix(const Scene& whole_scene, const Request& request) {
     matrix.areas = geometry.areas;
     matrix.interrupted = request.stop != nullptr && *request.stop;
     if (!matrix.interrupted) expect_possible(scene, geometry, request);
-    const auto sampled = static_cast<std::size_t>(
-        std::count_if(geometry.pairs.begin(), geometry.pairs.end(), [](const FacePair& p) { return p.is_sampled(); }));
+    const std::size_t sampled = geometry.pairs.size();
     const double alpha = request.level_of == LevelOf::entry || sampled == 0
                              ? 1 - request.level
                              : stats::bonferroni_level(1 - request.level, sampled + matrix.faces());
     matrix.entry_level = 1 - alpha;
 
-    PairEstimates estimates(geometry);
+    std::vector<PairEstimate> estimates(sampled);
     if (sampled > 0 && !matrix.interrupted) {
         SamplingOutcome outcome =
             sample_pairs(scene, geometry, request, alpha, request.tolerance >= least_tolerance_of_rays);
@@ -295,17 +337,8 @@ Matrix find_matrix(const Scene& whole_scene, const Request& request) {
         matrix.interrupted = outcome.interrupted;
         matrix.left_out = outcome.left_out;
     }
-    for (std::size_t p = 0; p < geometry.pairs.size(); ++p) {
-        const FacePair& pair = geometry.pairs[p];
-        FaceExchange exchange = face_exchange(pair, estimates[p]);
-        exchange.within = is_within(matrix, exchange, request);
-        matrix.exchanges.push_back(exchange);
-    }
-    const double farthest = farthest_coordinate(whole_scene) / placement.unit;
-    const auto rows = by_face(geometry.pairs, matrix.faces());
-    for (std::size_t row = 0; row < matrix.faces(); ++row) {
-        matrix.rows.push_back(row_sum(matrix, geometry, estimates, row, rows[row], round_level(alpha, 0), farthest));
-    }
+    add_exchanges(matrix, geometry, estimates, request);
+    add_rows(matrix, geometry, estimates, round_level(alpha, 0), farthest_coordinate(whole_scene) / placement.unit);
     if (request.drop > 0) drop(matrix, geometry.dropped, request.drop);
     scale_areas(matrix, placement.unit * placement.unit);
     if (request.repair) matrix.repaired = repair(matrix);

@@ -20,7 +20,9 @@ double cost_of_ray(const Scene& scene) {
 }
 
 bool RaySampling::is_shot(std::uint32_t from, std::uint32_t to) const {
-    return pairs_->shot.empty() || pairs_->shot[from * scene_->surfaces.size() + to];
+    if (pairs_->shot.empty()) return true;
+    const std::vector<std::uint32_t>& others = pairs_->shot[from];
+    return std::binary_search(others.begin(), others.end(), to);
 }
 
 std::vector<std::uint32_t> RaySampling::targets_of_faces() const {
@@ -40,7 +42,7 @@ RaySampling::RaySampling(const Scene& scene, const FacePairs& pairs, std::size_t
     for (std::uint32_t s = 0; s < n; ++s) {
         if (scene.surfaces[s].face != static_cast<int>(from)) continue;
         bool counts = pairs.shot.empty();
-        for (std::uint32_t t = 0; t < n && !counts; ++t) counts = is_shot(s, t) && is_wanted(t);
+        if (!counts) counts = std::any_of(pairs.shot[s].begin(), pairs.shot[s].end(), is_wanted);
         if (!counts) continue;
         sources_.push_back({s, 0});
         source_area_ += area(scene.surfaces[s].shape);

@@ -32,7 +32,8 @@ class RowSampling {
           rows_(pairs_to_sample(geometry)),
           // The analyser does not see the constructor of Rounds, which is in another file.
           rounds_(scene, geometry, request, alpha, rays_are_exact_enough, rows_),
-          outcome_{PairEstimates(geometry)} {}  // NOLINT(clang-analyzer-optin.cplusplus.UninitializedObject)
+          outcome_{std::vector<PairEstimate>(geometry.pairs.size())} {
+    }  // NOLINT(clang-analyzer-optin.cplusplus.UninitializedObject)
 
     SamplingOutcome run() {
         PairsOfRows own = rows_;
@@ -125,12 +126,6 @@ class RowSampling {
 };
 
 }  // namespace
-
-PairEstimates::PairEstimates(const FacePairs& geometry) {
-    std::uint32_t sampled = 0;
-    for (const FacePair& pair : geometry.pairs) places_.push_back(pair.is_sampled() ? ++sampled : 0);
-    estimates_.resize(sampled + 1);
-}
 
 SamplingOutcome sample_pairs(const Scene& scene, const FacePairs& geometry, const Request& request, double alpha,
                              bool rays_are_exact_enough) {

@@ -8,23 +8,8 @@
 
 namespace ff::studies::form_factors {
 
-/// Estimates of the pairs that are sampled; most are not, and take no room.
-class PairEstimates {
-  public:
-    explicit PairEstimates(const FacePairs& geometry);
-
-    /// @param pair  place in FacePairs::pairs; all pairs that are not sampled share one without an estimate
-    [[nodiscard]] const PairEstimate& operator[](std::size_t pair) const { return estimates_[places_[pair]]; }
-    /// @pre the pair is sampled
-    [[nodiscard]] PairEstimate& operator[](std::size_t pair) { return estimates_[places_[pair]]; }
-
-  private:
-    std::vector<std::uint32_t> places_;
-    std::vector<PairEstimate> estimates_;
-};
-
 struct SamplingOutcome {
-    PairEstimates estimates;
+    std::vector<PairEstimate> estimates;  ///< by place in FacePairs::pairs
     std::uint64_t samples = 0;
     std::uint64_t rays = 0;
     std::uint64_t lost = 0;

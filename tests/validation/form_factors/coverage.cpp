@@ -21,22 +21,21 @@ namespace {
 
 constexpr double family_level = 0.95;
 
-/// A pair of faces whose exchange area is known.
-struct KnownPair {
+/// A pair of faces whose exchange area is known exactly.
+struct ExactPair {
     std::size_t from = 0;
     std::size_t to = 0;
     double area = 0;
     bool sampled = false;
 };
 
-std::vector<KnownPair> known_pairs(const Scene& scene, const FacePairs& geometry) {
-    std::vector<KnownPair> known;
+std::vector<ExactPair> known_pairs(const Scene& scene, const FacePairs& geometry) {
+    std::vector<ExactPair> known;
     auto listed = geometry.pairs.begin();
     for (std::size_t from = 0; from < geometry.faces(); ++from) {
         for (std::size_t to = from; to < geometry.faces(); ++to) {
-            const bool is_listed = listed != geometry.pairs.end() && listed->from == from && listed->to == to;
-            const bool sampled = is_listed && listed->is_sampled();
-            if (is_listed) ++listed;
+            const bool sampled = listed != geometry.pairs.end() && listed->from == from && listed->to == to;
+            if (sampled) ++listed;
             const auto factor = known_form_factor(scene, static_cast<int>(from), static_cast<int>(to));
             if (factor) known.push_back({from, to, *factor * geometry.areas[from], sampled});
         }
@@ -59,7 +58,7 @@ struct Outcome {
     bool within = true;
 };
 
-Outcome run_seed(const Scene& scene, const std::vector<KnownPair>& known, const FormFactorCoverageOptions& options,
+Outcome run_seed(const Scene& scene, const std::vector<ExactPair>& known, const FormFactorCoverageOptions& options,
                  std::uint64_t seed) {
     Request request;
     request.tolerance = options.tolerance;
@@ -71,7 +70,7 @@ Outcome run_seed(const Scene& scene, const std::vector<KnownPair>& known, const 
     const Matrix at_once = find_matrix(scene, request);
     Outcome outcome;
     outcome.within = by_entry.missed() == 0 && at_once.missed() == 0;
-    for (const KnownPair& pair : known) {
+    for (const ExactPair& pair : known) {
         const FaceExchange found = by_entry.exchange(pair.from, pair.to);
         const double shrink = found.is_sampled() ? options.shrink : 1;
         outcome.held.push_back(interval_holds(found, pair.area, shrink));
@@ -88,8 +87,8 @@ void add_scene(const std::string& name, FormFactorCoverage& coverage) {
     request.tolerance = options.tolerance;
     request.threads = options.threads;
     const FacePairs geometry = examine_pairs(scene, request);
-    const std::vector<KnownPair> known = known_pairs(scene, geometry);
-    const bool sampled = std::any_of(known.begin(), known.end(), [](const KnownPair& pair) { return pair.sampled; });
+    const std::vector<ExactPair> known = known_pairs(scene, geometry);
+    const bool sampled = std::any_of(known.begin(), known.end(), [](const ExactPair& pair) { return pair.sampled; });
     std::vector<Outcome> outcomes(sampled ? options.seeds : 1);  // without samples all seeds are one
     for_each_index(outcomes.size(), options.threads,
                    [&](std::uint64_t i) { outcomes[i] = run_seed(scene, known, options, i); });
@@ -98,7 +97,7 @@ void add_scene(const std::string& name, FormFactorCoverage& coverage) {
     };
     for (std::size_t k = 0; k < known.size(); ++k) {
         const std::uint64_t held = count([&](const Outcome& outcome) { return outcome.held[k]; });
-        const KnownPair& pair = known[k];
+        const ExactPair& pair = known[k];
         if (!pair.sampled) {
             coverage.exact_pairs += outcomes.size();
             coverage.exact_missed += outcomes.size() - held;
