@@ -12,23 +12,19 @@
 namespace ff {
 
 /// A plane convex polygon, prepared for tests against many shafts.
-class Plate {
-  public:
-    explicit Plate(const ConvexPolygon& polygon);
-
-  private:
-    friend class Shaft;
-
+struct Plate {
     /// Places inside of it have inward * (place - corner) > 0.
     struct Edge {
         Eigen::Vector3d corner;
         Eigen::Vector3d inward;  ///< unit length, in the plane
     };
-    boost::container::small_vector<Eigen::Vector3d, 4> corners_;
-    boost::container::small_vector<Edge, 4> edges_;  ///< without those too short to have a direction
-    Eigen::Vector3d normal_;                         ///< unit length; 0 where it has no area
-    double size_ = 0;                                ///< longest extent along an axis
-    double slenderness_ = 1;                         ///< the square of it over twice the area, at least 1
+    boost::container::small_vector<Eigen::Vector3d, 4> corners;
+    boost::container::small_vector<Edge, 4> edges;  ///< without those too short to have a direction
+    Eigen::Vector3d normal;                         ///< unit length; 0 where it has no area
+    double size = 0;                                ///< longest extent along an axis
+    double slenderness = 1;                         ///< the square of it over twice the area, at least 1
+
+    explicit Plate(const ConvexPolygon& polygon);
 };
 
 /// All straight lines from a convex set to another. What it proves about a polygon holds for each of them; what it
@@ -52,25 +48,34 @@ class Shaft {
     /// is convex.
     [[nodiscard]] Crossing crossed_by(const Plate& plate) const;
 
-    /// The same, and `none` also where a side of the shaft does: an axis, the plane of an end, or one through an edge
-    /// of one end and a corner of the other. If both are polygons, no other plane can.
-    [[nodiscard]] Crossing crossed_by_inside(const Plate& plate);
+    /// Whether a side of the shaft separates a polygon from all lines: a plane across an axis, the plane of an end, or
+    /// one through an edge of one end and a corner of the other. If both ends are polygons, one that no line crosses is
+    /// shown to be beside it, or `crossed_by` shows it.
+    [[nodiscard]] bool is_beside(const Plate& plate);
 
-  private:
     static constexpr std::size_t most_corners = 16;
 
-    std::span<const Eigen::Vector3d> from_;
-    std::span<const Eigen::Vector3d> to_;
-    std::array<Eigen::Vector3d, most_corners> corners_;  ///< those of `from`, then those of `to`
-    std::size_t count_ = 0;
-    double size_ = 0;  ///< longest extent along an axis
-    double grain_ = 0;
+    /// Of both ends: corners of `from`, then those of `to`, the last again and again up to a multiple of eight.
+    struct Corners {
+        using Component = std::array<double, most_corners>;
+        alignas(64) Component x, y, z;
+        alignas(64) Component end;  ///< 1 for those of `from`, -1 for those of `to`
+        std::size_t count = 0;
+    };
 
     /// What a length may be off by, and a gap may measure; below 0 where it has to be larger than that.
     struct Slack {
         double noise = 0;
         double gap = 0;
     };
+
+  private:
+    std::span<const Eigen::Vector3d> from_;
+    std::span<const Eigen::Vector3d> to_;
+    Corners corners_;
+    double size_ = 0;  ///< longest extent along an axis
+    double grain_ = 0;
+
     [[nodiscard]] Slack slack(const Plate& plate) const;
     /// A plane with all lines on the inside.
     struct Side {
@@ -79,7 +84,9 @@ class Shaft {
     };
     boost::container::small_vector<Side, 24> sides_;  ///< found when they are first needed
 
+    [[nodiscard]] Eigen::Vector3d corner(std::size_t k) const { return {corners_.x[k], corners_.y[k], corners_.z[k]}; }
     void find_sides();
+    void add_side(const Eigen::Vector3d& at, const Eigen::Vector3d& out);
 };
 
 }  // namespace ff

@@ -142,7 +142,7 @@ class ConvexBodies::Finder {
         std::vector<Edge> open;
         Eigen::AlignedBox3d box;
         for (const std::size_t side : sides) {
-            body.sides.push_back(result_.planes_[side]);
+            body.planes.push_back(result_.planes_[side]);
             const ConvexPolygon& outline = outlines_[side];
             for (std::size_t k = 0; k < outline.size(); ++k) {
                 box.extend(outline[k]);
@@ -154,13 +154,14 @@ class ConvexBodies::Finder {
         }
         body.size = box.sizes().maxCoeff();
         if (!open.empty()) {
-            body.missing = missing_side(open);
-            if (!body.missing) return std::nullopt;
+            const auto missing = missing_side(open);
+            if (!missing) return std::nullopt;
+            body.planes.push_back(*missing);
+            body.misses_one = true;
         }
         for (const std::size_t side : sides) {
             const auto is_in_front_of = [&](const Plane& plane) { return !is_behind(outlines_[side], plane); };
-            if (std::any_of(body.sides.begin(), body.sides.end(), is_in_front_of)) return std::nullopt;
-            if (body.missing && is_in_front_of(*body.missing)) return std::nullopt;
+            if (std::any_of(body.planes.begin(), body.planes.end(), is_in_front_of)) return std::nullopt;
         }
         return body;
     }
@@ -190,13 +191,13 @@ bool ConvexBodies::is_met_before(std::size_t side, std::span<const Vector3d> fro
         }
         return lowest >= -room_ && highest > clearly * body.size;
     };
-    return all_behind(planes_[side]) && (!body.missing || all_behind(*body.missing)) &&
-           std::any_of(body.sides.begin(), body.sides.end(), all_in_front);
+    const std::span<const Plane> sides = body.sides();
+    return all_behind(planes_[side]) && (!body.misses_one || all_behind(body.planes.back())) &&
+           std::any_of(sides.begin(), sides.end(), all_in_front);
 }
 
 bool ConvexBodies::hides_all(std::uint32_t body, std::span<const Vector3d> from, std::span<const Vector3d> to) const {
-    std::vector<Plane> planes = bodies_[body].sides;
-    if (bodies_[body].missing) planes.push_back(*bodies_[body].missing);
+    const std::vector<Plane>& planes = bodies_[body].planes;
     const double margin = clearly * bodies_[body].size;
     const auto is_outside = [&](std::span<const Vector3d> polygon) {
         return std::any_of(planes.begin(), planes.end(), [&](const Plane& plane) {

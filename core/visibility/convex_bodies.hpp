@@ -39,9 +39,13 @@ class ConvexBodies {
         double offset = 0;
     };
     struct Body {
-        std::vector<Plane> sides;
-        std::optional<Plane> missing;
+        std::vector<Plane> planes;  ///< of its sides; the last one of a side that is missing, if there is one
+        bool misses_one = false;
         double size = 0;  ///< longest edge of the box around it, in units of length
+
+        [[nodiscard]] std::span<const Plane> sides() const {
+            return std::span(planes).first(planes.size() - (misses_one ? 1 : 0));
+        }
     };
     std::vector<Body> bodies_;
     std::vector<std::uint32_t> body_of_;  ///< index of the body that each surface is a side of, or `no_body`

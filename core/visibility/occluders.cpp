@@ -118,11 +118,30 @@ class Occluders::Walk {
         return true;
     }
 
+    /// Tests bodies with several sides among the walls on the stack from a place on.
+    [[nodiscard]] bool is_hidden_by_a_body(std::size_t first, std::span<const Vector3d> from,
+                                           std::span<const Vector3d> to) {
+        bodies_.clear();
+        for (std::size_t k = first; k < stack_.size(); ++k) {
+            const std::uint32_t wall = tree_[stack_[k]].wall;
+            if (wall == ClusterTree::no_wall) continue;
+            if (const auto body = all_.bodies_.of(wall)) bodies_.push_back(*body);
+        }
+        if (bodies_.size() < 2) return false;
+        std::sort(bodies_.begin(), bodies_.end());
+        for (auto body = bodies_.begin(); body != bodies_.end(); body = std::upper_bound(body, bodies_.end(), *body)) {
+            const bool has_several_sides = body + 1 != bodies_.end() && *body == *(body + 1);
+            if (has_several_sides && all_.bodies_.hides_all(*body, from, to)) return true;
+        }
+        return false;
+    }
+
     /// What the walls on the stack from a place on are to two surfaces.
     [[nodiscard]] Between between(std::uint32_t from_index, std::uint32_t to_index, std::size_t first) const {
         const Surface& from = all_.surfaces_[from_index];
         const Surface& to = all_.surfaces_[to_index];
         Between result;
+        const bool are_polygons = is_polygon(from) && is_polygon(to);
         std::optional<Shaft> shaft;
         ConvexPolygon begin;
         ConvexPolygon end;
@@ -134,23 +153,23 @@ class Occluders::Walk {
                 if (from_index != to_index && face_each_other(wall, wall)) result.occluders.push_back(&wall);
                 continue;
             }
-            if (keeps_clear(wall, from, to)) continue;
-            if (is_polygon(from) && is_polygon(to) && all_.plates_[index]) {
+            Shaft::Crossing crossing = Shaft::Crossing::some;
+            if (are_polygons && all_.plates_[index]) {
                 if (!shaft) {
                     begin = in_front_of(from, to);
                     end = in_front_of(to, from);
                     if (begin.empty() || end.empty()) return {};
                     shaft.emplace(begin, end);
                 }
-                const Shaft::Crossing crossing = shaft->crossed_by_inside(*all_.plates_[index]);
-                if (crossing == Shaft::Crossing::all) return {.all_hidden = true, .occluders = {}};
-                if (crossing == Shaft::Crossing::none) continue;
+                crossing = shaft->crossed_by(*all_.plates_[index]);
             }
+            // What is in the plane of an end but for rounding hides nothing.
+            if (crossing == Shaft::Crossing::none || keeps_clear(wall, from, to)) continue;
+            if (crossing == Shaft::Crossing::all) return {.all_hidden = true, .occluders = {}};
+            if (are_polygons && all_.plates_[index] && shaft->is_beside(*all_.plates_[index])) continue;
             result.occluders.push_back(&wall);
         }
         std::sort(result.occluders.begin(), result.occluders.end());
-        if (is_hidden_by_a_body(result.occluders, corners(from.shape), corners(to.shape)))
-            return {.all_hidden = true, .occluders = {}};
         all_.drop_far_sides(result, from, to);
         return result;
     }
@@ -162,6 +181,7 @@ class Occluders::Walk {
     const ClusterTree& tree_;
     std::vector<std::uint32_t> stack_;
     std::vector<std::uint32_t> waiting_;
+    std::vector<std::uint32_t> bodies_;
 
     [[nodiscard]] std::vector<std::uint32_t>::const_iterator at(std::size_t place) const {
         return stack_.begin() + static_cast<std::ptrdiff_t>(place);
@@ -170,31 +190,6 @@ class Occluders::Walk {
     [[nodiscard]] double pairs_of(std::uint32_t from, std::uint32_t to) const {
         const auto [a, b] = std::pair<double, double>(tree_[from].count, tree_[to].count);
         return from == to ? a * (a + 1) / 2 : a * b;
-    }
-
-    /// Tests bodies with several sides among the occluders.
-    [[nodiscard]] bool is_hidden_by_a_body(const std::vector<const Surface*>& occluders, std::span<const Vector3d> from,
-                                           std::span<const Vector3d> to) const {
-        if (from.empty() || to.empty() || occluders.size() < 2) return false;
-        std::vector<std::uint32_t> bodies;
-        for (const Surface* occluder : occluders) {
-            if (const auto body = all_.bodies_.of(all_.index_of(occluder))) bodies.push_back(*body);
-        }
-        std::sort(bodies.begin(), bodies.end());
-        for (auto body = bodies.begin(); body != bodies.end(); body = std::upper_bound(body, bodies.end(), *body)) {
-            const bool has_several_sides = body + 1 != bodies.end() && *body == *(body + 1);
-            if (has_several_sides && all_.bodies_.hides_all(*body, from, to)) return true;
-        }
-        return false;
-    }
-
-    [[nodiscard]] bool is_hidden_by_a_body(const Cluster& from, const Cluster& to, std::size_t first) const {
-        std::vector<const Surface*> occluders;
-        for (std::size_t k = first; k < stack_.size(); ++k) {
-            const std::uint32_t wall = tree_[stack_[k]].wall;
-            if (wall != ClusterTree::no_wall) occluders.push_back(&all_.walls_[wall]);
-        }
-        return is_hidden_by_a_body(occluders, from.hull(), to.hull());
     }
 
     /// Calls `go_on` for the parts of a pair of clusters, unless no line between them is clear, with the place on the
@@ -206,7 +201,7 @@ class Occluders::Walk {
             const Cluster& one = tree_[a];
             const Cluster& other = tree_[b];
             if (is_behind(one, other) || is_behind(other, one) || (one.is_flat() && one.wall == other.wall)) return;
-            if (filter(one, other, first, last) && (a == b || !is_hidden_by_a_body(one, other, last)))
+            if (filter(one, other, first, last) && (a == b || !is_hidden_by_a_body(last, one.hull(), other.hull())))
                 go_on(a, b, last);
             stack_.resize(last);
         };
@@ -261,6 +256,7 @@ Occluders::Between Occluders::between(std::size_t from, std::size_t to) const {
     const ClusterTree::Cluster& a = tree_[tree_.leaf_of(static_cast<std::uint32_t>(from))];
     const ClusterTree::Cluster& b = tree_[tree_.leaf_of(static_cast<std::uint32_t>(to))];
     walk.filter(a, b, 0, all.size());
+    if (walk.is_hidden_by_a_body(all.size(), a.hull(), b.hull())) return {.all_hidden = true, .occluders = {}};
     return walk.between(static_cast<std::uint32_t>(from), static_cast<std::uint32_t>(to), all.size());
 }
 

@@ -73,6 +73,9 @@ SmallPolygon cut_off(SmallPolygon& polygon, const Vector3d& normal) {
     return off;
 }
 
+/// From so many blockers on it pays to ask first which of them are beside the target.
+constexpr std::size_t least_for_cone = 3;
+
 /// Room for the rounding of a triple product, relative to the lengths of its factors.
 constexpr double product_rounding = 4e-15;
 
@@ -81,13 +84,15 @@ constexpr double product_rounding = 4e-15;
 void find_sides(const SmallPolygon& polygon, SmallPolygon& sides) {
     sides.clear();
     Vector3d middle = Vector3d::Zero();
-    for (const Vector3d& corner : polygon) middle += corner;
+    Heights squares;
+    for (const Vector3d& corner : polygon) {
+        middle += corner;
+        squares.push_back(product_rounding * corner.squaredNorm());
+    }
     const double farthest = middle.squaredNorm();
     for (std::size_t k = 0; k < polygon.size(); ++k) {
-        const Vector3d& a = polygon[k];
-        const Vector3d& b = next_corner(polygon, k);
-        Vector3d side = a.cross(b);
-        const double room = product_rounding * product_rounding * a.squaredNorm() * b.squaredNorm();
+        Vector3d side = polygon[k].cross(next_corner(polygon, k));
+        const double room = squares[k] * next_corner(squares, k);
         if (side.squaredNorm() <= room) continue;  // two corners in one
         const double height = side.dot(middle);
         if (height * height <= room * farthest) return sides.clear();
@@ -100,6 +105,25 @@ bool is_outside(const SmallPolygon& piece, const SmallPolygon& sides) {
     return std::any_of(sides.begin(), sides.end(), [&](const Vector3d& side) {
         return std::all_of(piece.begin(), piece.end(), [&](const Vector3d& v) { return side.dot(v) <= 0; });
     });
+}
+
+/// Leaves out sides of a shadow that all of a piece is inside of. @return whether some of the piece may be in the
+/// shadow
+bool keep_those_that_cut(SmallPolygon& sides, const SmallPolygon& piece) {
+    std::size_t kept = 0;
+    for (std::size_t k = 0; k < sides.size(); ++k) {
+        bool some_inside = false;
+        bool some_outside = false;
+        for (const Vector3d& v : piece) {
+            const double height = sides[k].dot(v);
+            some_inside = some_inside || height > 0;
+            some_outside = some_outside || height < 0;
+        }
+        if (!some_inside) return false;
+        if (some_outside) sides[kept++] = sides[k];
+    }
+    sides.resize(kept);
+    return true;
 }
 
 /// Adds up Lambert's formula for pieces of what is seen from several places, many edges at a time.
@@ -219,7 +243,7 @@ void VisiblePolygon::find(std::span<const Vector3d> places, const Vector3d& norm
         if (whole.empty()) continue;
         // Corners run clockwise as seen from the place that the polygon's normal points to.
         sums.add(2 * k, whole, -1);
-        find_sides(whole, cone);
+        if (blockers.size() >= least_for_cone) find_sides(whole, cone);
         shadows.clear();
         for (const std::uint32_t index : blockers) {
             see_from(place, blockers_[index], blocker);
@@ -227,7 +251,7 @@ void VisiblePolygon::find(std::span<const Vector3d> places, const Vector3d& norm
             cut(blocker, normal);
             if (blocker.empty()) continue;
             find_sides(blocker, sides);
-            if (!sides.empty() && !is_outside(whole, sides)) shadows.push_back(sides);
+            if (!sides.empty() && keep_those_that_cut(sides, whole)) shadows.push_back(sides);
         }
         if (shadows.empty()) {
             sights[k] = Sight::all;

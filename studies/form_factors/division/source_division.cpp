@@ -212,13 +212,14 @@ class Division {
         std::vector<std::uint32_t> left;
         for (const std::uint32_t b : cell.blockers) {
             tests_left_ -= tests_left_ > 0 ? 1 : 0;
-            const Shaft::Crossing crossing = shaft.crossed_by_inside(ff::Plate(blockers_[b].corners));
+            const ff::Plate blocker(blockers_[b].corners);
+            const Shaft::Crossing crossing = shaft.crossed_by(blocker);
             if (crossing == Shaft::Crossing::none) continue;
             if (is_polygon_ && crossing == Shaft::Crossing::all) {
                 sight = Sight::nothing;
                 return;
             }
-            left.push_back(b);
+            if (!shaft.is_beside(blocker)) left.push_back(b);
         }
         cell.blockers = std::move(left);
         sight = is_polygon_ && cell.blockers.empty() ? Sight::all : Sight::unknown;

@@ -48,7 +48,10 @@ bool holds_place(const Surface& near, const Vector3d& place) {
 
 /// Whether no line from a plate to a polygon meets another plate.
 bool is_clear_of(const Surface& surface, const ConvexPolygon& to, const Surface& blocker) {
-    return Shaft(corners(surface.shape), to).crossed_by_inside(Plate(corners(blocker.shape))) == Shaft::Crossing::none;
+    const ConvexPolygon from = corners(surface.shape);
+    const Plate plate(corners(blocker.shape));
+    Shaft shaft(from, to);
+    return shaft.crossed_by(plate) == Shaft::Crossing::none || shaft.is_beside(plate);
 }
 
 /// Whether every line from the far surface through an obstacle meets the near one.
