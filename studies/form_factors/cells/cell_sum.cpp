@@ -1,5 +1,6 @@
 #include "studies/form_factors/cells/cell_sum.hpp"
 
+#include "core/geometry/surface_map.hpp"
 #include "core/visibility/visible_polygon.hpp"
 #include "samplers/grids/gauss_legendre.hpp"
 #include "studies/form_factors/cells/blocked_pair.hpp"
@@ -35,13 +36,14 @@ constexpr std::array<std::array<double, 2>, 4> between_nodes{{{0.2, 0.3}, {0.7, 
 enum Side : std::uint8_t { visible, hidden };
 using Factors = std::array<double, 2>;
 
-/// Two polygons past polygons, of which the smaller is integrated over.
+/// A surface and a polygon past polygons.
 struct CellTask {
-    const Surface& source;
+    const Surface& source;  ///< is integrated over: the smaller polygon, or what is round
     const Surface& target;
     const std::vector<const Surface*>& blockers;
-    BoundedValue<double> whole;  ///< exchange area with nothing in between
-    double wanted = 0;           ///< half width
+    std::optional<BoundedValue<double>> whole;  ///< exchange area with nothing in between; empty where one is round
+    double most = 0;                            ///< upper bound of it
+    double wanted = 0;                          ///< half width
     PointEffort effort = PointEffort::full;
     Stream stream;  ///< its random numbers; each randomisation is a trial of its own
 };
@@ -102,6 +104,39 @@ struct Quadrilateral {
     }
 };
 
+/// A round surface, spread out on a rectangle in which places are as far apart as on the surface, roughly.
+class RoundSource {
+  public:
+    explicit RoundSource(const Surface& surface) : map_(surface), area_(area(surface.shape)) {
+        const auto along = [&](double s0, double t0, double s1, double t1) {
+            return (map_.at(s1, t1).position - map_.at(s0, t0).position).norm();
+        };
+        for (int k = 0; k < 8; ++k) {
+            const double low = k / 8.0;
+            size_.x() += along(low, 0, low + 0.125, 0);
+            size_.y() += std::max(
+                {along(0, low, 0, low + 0.125), along(0.5, low, 0.5, low + 0.125), along(1, low, 1, low + 0.125)});
+        }
+    }
+
+    [[nodiscard]] const Vector2d& size() const { return size_; }
+    [[nodiscard]] SurfacePoint at(const Vector3d& place) const {
+        const double u = place.x() / size_.x();
+        return map_.at(u * u * (3 - 2 * u), place.y() / size_.y());
+    }
+    /// Area on the surface per area of the rectangle. Along a meridian places lie as the square root of s where it
+    /// begins or ends in a point, and as a smooth function of u.
+    [[nodiscard]] double stretch(const Vector3d& place) const {
+        const double u = place.x() / size_.x();
+        return area_ * 6 * u * (1 - u) / (size_.x() * size_.y());
+    }
+
+  private:
+    SurfaceMap map_;
+    double area_;
+    Vector2d size_ = Vector2d::Zero();
+};
+
 /// A cell with the factors at the nodes of a rule.
 struct Cell {
     Quadrilateral shape;
@@ -114,23 +149,19 @@ class Cells {
   public:
     explicit Cells(CellTask task)
         : task_(std::move(task)),
-          pair_(task_.source, task_.target, task_.blockers),
           target_(task_.target, task_.blockers),
-          tolerances_(task_.whole.value / task_.wanted),
+          tolerances_(task_.most / task_.wanted),
           rule_(rule_for(tolerances_)) {}
 
     std::optional<CellSum> run() {
-        if (pair_.source.empty() || pair_.target.empty()) return CellSum{};
         const double least = task_.effort == PointEffort::full ? least_evaluations : least_evaluations_of_many;
         const double allowed = std::clamp(evaluations_per_tolerance * tolerances_, least, most_evaluations);
-        const auto of_cell = static_cast<double>(rule_.size() * rule_.size() + between_nodes.size() + randomisations);
-        const std::vector<ConvexPolygon> parts = smooth_parts(pair_, static_cast<std::size_t>(allowed / of_cell));
-        if (parts.empty()) return std::nullopt;
-        for (const ConvexPolygon& part : parts) {
-            for (std::size_t k = 1; k + 1 < part.size(); k += 2) {
-                const bool is_last = k + 2 == part.size();
-                add({{part[0], part[k], part[k + 1], is_last ? part[0] : part[k + 2]}});
-            }
+        if (corners(task_.source.shape).empty()) {
+            divide_round_source();
+        } else {
+            const BlockedPair pair(task_.source, task_.target, task_.blockers);
+            if (pair.source.empty() || pair.target.empty()) return CellSum{};
+            if (!divide_polygon(pair, allowed)) return std::nullopt;
         }
         while (!is_good_enough()) {
             if (static_cast<double>(evaluations_) > allowed) return std::nullopt;
@@ -141,9 +172,10 @@ class Cells {
 
   private:
     CellTask task_;
-    BlockedPair pair_;
+    std::optional<RoundSource> round_;
+    Vector3d origin_ = Vector3d::Zero();  ///< of the corners of cells
     VisiblePolygon target_;
-    double tolerances_;  ///< that the whole exchange area is large
+    double tolerances_;  ///< that the whole exchange area is large, or may be
     const Rule& rule_;
     std::vector<Cell> cells_;
     std::uint64_t evaluations_ = 0;
@@ -153,13 +185,42 @@ class Cells {
     std::vector<VisiblePolygon::Factors> seen_;
     std::vector<Factors> factors_;
 
+    /// @return whether there are few enough parts
+    bool divide_polygon(const BlockedPair& pair, double allowed) {
+        origin_ = pair.origin;
+        const auto of_cell = static_cast<double>(rule_.size() * rule_.size() + between_nodes.size() + randomisations);
+        const std::vector<ConvexPolygon> parts = smooth_parts(pair, static_cast<std::size_t>(allowed / of_cell));
+        for (const ConvexPolygon& part : parts) {
+            for (std::size_t k = 1; k + 1 < part.size(); k += 2) {
+                const bool is_last = k + 2 == part.size();
+                add({{part[0], part[k], part[k + 1], is_last ? part[0] : part[k + 2]}});
+            }
+        }
+        return !parts.empty();
+    }
+
+    void divide_round_source() {
+        constexpr int sectors = 4;
+        round_.emplace(task_.source);
+        const auto [x, y] = std::pair(round_->size().x(), round_->size().y() / sectors);
+        for (int k = 0; k < sectors; ++k)
+            add({{Vector3d(0, k * y, 0), {x, k * y, 0}, {x, (k + 1) * y, 0}, {0, (k + 1) * y, 0}}});
+    }
+
     /// At places in a cell, given in its square; they live until the next call.
     std::span<const Factors> factors(const Quadrilateral& shape, std::span<const Vector2d> places) {
         evaluations_ += places.size();
-        places_.clear();
-        for (const Vector2d& uv : places) places_.emplace_back(pair_.origin + shape.at(uv));
         seen_.resize(places.size());
-        target_.find(places_, pair_.source_normal, seen_);
+        if (round_) {
+            for (std::size_t k = 0; k < places.size(); ++k) {
+                const SurfacePoint place = round_->at(shape.at(places[k]));
+                seen_[k] = target_.from(place.position, place.normal);
+            }
+        } else {
+            places_.clear();
+            for (const Vector2d& uv : places) places_.emplace_back(origin_ + shape.at(uv));
+            target_.find(places_, task_.source.normal, seen_);
+        }
         factors_.clear();
         for (const VisiblePolygon::Factors& seen : seen_) factors_.push_back({seen.visible, seen.whole - seen.visible});
         return factors_;
@@ -178,10 +239,16 @@ class Cells {
         return sum;
     }
 
+    /// Area of the source that a place in the square of a cell stands for.
+    [[nodiscard]] double stretch(const Quadrilateral& shape, const Vector2d& uv) const {
+        return shape.stretch(uv) * (round_ ? round_->stretch(shape.at(uv)) : 1);
+    }
+
     /// What the interpolant leaves at a place, times the area that the place stands for.
     [[nodiscard]] Factors left_at(const Cell& cell, const Vector2d& uv, Factors found) const {
         const Factors smooth = interpolated(cell, uv);
-        for (const Side side : {visible, hidden}) found[side] = (found[side] - smooth[side]) * cell.shape.stretch(uv);
+        const double area = stretch(cell.shape, uv);
+        for (const Side side : {visible, hidden}) found[side] = (found[side] - smooth[side]) * area;
         return found;
     }
 
@@ -198,7 +265,7 @@ class Cells {
         const std::span<const Factors> found = factors(shape, uvs_);
         cell.at_nodes.assign(found.begin(), found.begin() + static_cast<std::ptrdiff_t>(size * size));
         for (std::size_t k = 0; k < size * size; ++k) {
-            const double weight = weights[k / size] * weights[k % size] * shape.stretch(uvs_[k]);
+            const double weight = weights[k / size] * weights[k % size] * stretch(shape, uvs_[k]);
             for (const Side side : {visible, hidden}) cell.integral[side] += weight * found[k][side];
         }
         for (std::size_t k = size * size; k < uvs_.size(); ++k) {
@@ -213,7 +280,7 @@ class Cells {
         for (const Cell& cell : cells_) {
             for (const Side side : {visible, hidden}) squares[side] += cell.left[side] * cell.left[side];
         }
-        side_ = squares[hidden] < squares[visible] ? hidden : visible;
+        side_ = task_.whole && squares[hidden] < squares[visible] ? hidden : visible;
         return std::sqrt(squares[side_]) <= left_of_wanted * task_.wanted;
     }
 
@@ -254,8 +321,8 @@ class Cells {
         share.unmet = {.rough = std::sqrt(squares)};
         CellSum result;
         const double sign = side_ == hidden ? -1 : 1;
-        result.sum.offset = sign * integral + (side_ == hidden ? task_.whole.value : 0);
-        result.sum.offset_error = side_ == hidden ? task_.whole.error : 0;
+        result.sum.offset = sign * integral + (side_ == hidden ? task_.whole->value : 0);
+        result.sum.offset_error = side_ == hidden ? task_.whole->error : 0;
         result.sum.terms.push_back({sign, std::move(share)});
         result.evaluations = evaluations_;
         return result;
@@ -270,14 +337,18 @@ std::optional<CellSum> cell_sum(const Scene& scene, const FacePair& pair, PointE
     result.sum.offset = pair.known;
     const double share = wanted / std::sqrt(static_cast<double>(pair.sampled.size()));
     for (const SampledPair& sampled : pair.sampled) {
-        const Surface* ends[] = {&scene.surfaces[sampled.from], &scene.surfaces[sampled.to]};
-        if (!sampled.exchange.area || corners(ends[0]->shape).empty() || corners(ends[1]->shape).empty())
-            return std::nullopt;
-        if (area(ends[1]->shape) < area(ends[0]->shape)) std::swap(ends[0], ends[1]);
+        const Surface* source = &scene.surfaces[sampled.from];
+        const Surface* target = &scene.surfaces[sampled.to];
+        const bool has_smaller_target = area(target->shape) < area(source->shape);
+        const auto is_round = [](const Surface* surface) { return corners(surface->shape).empty(); };
+        if (is_round(target) || (!is_round(source) && has_smaller_target)) std::swap(source, target);
+        if (is_round(target)) return std::nullopt;
+        const std::optional<BoundedValue<double>>& whole = sampled.exchange.area;
+        const double most = whole ? whole->value : std::min(area(source->shape), area(target->shape));
         const Stream stream{.key = key, .trial = 0, .source = sampled.from, .target = sampled.to + 1};
-        auto found = Cells({*ends[0], *ends[1], sampled.exchange.blockers, *sampled.exchange.area,
-                            share / sampled.times, effort, stream})
-                         .run();
+        auto found =
+            Cells({*source, *target, sampled.exchange.blockers, whole, most, share / sampled.times, effort, stream})
+                .run();
         if (!found) return std::nullopt;
         result.evaluations += found->evaluations;
         result.sum.offset += sampled.times * found->sum.offset;
