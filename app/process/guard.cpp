@@ -48,6 +48,8 @@ ExitCode tell_exception() {
         return fail(ExitCode::usage, error.what());
     } catch (const IoError& error) {
         return fail(ExitCode::io, error.what());
+    } catch (const InterruptedError& error) {
+        return fail(ExitCode::interrupted, error.what());
     } catch (const std::filesystem::filesystem_error& error) {
         return fail(ExitCode::io, fmt::format("{}. Check the path, the permissions and the free space.", error.what()));
     } catch (const std::system_error& error) {

@@ -15,4 +15,9 @@ class IoError : public std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
+/// Work that was stopped before there was anything to keep of it. Exit code 130.
+class InterruptedError : public std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
 }  // namespace ff

@@ -132,6 +132,15 @@ void leave_all_to_rays(FacePairs& result) {
     }
 }
 
+/// Pairs that nobody had the time to look at are kept as unknown, if there are not too many for that.
+void expect_few_unknown(const Scene& scene) {
+    if (scene.faces.size() <= most_dense_faces) return;
+    throw InterruptedError(fmt::format(
+        "scene '{}': stopped while looking at what its {} faces see of each other (nothing was sampled, and nothing is "
+        "written). Allow more time or memory, or see --dry-run.",
+        scene.name, scene.faces.size()));
+}
+
 /// Looks at each pair of surfaces. @return what was found, part by part
 std::vector<Seen> look_at_pairs(const Scene& scene, const FacePairs& known, const Request& request) {
     constexpr double most_in_part = 1 << 16;
@@ -149,6 +158,7 @@ std::vector<Seen> look_at_pairs(const Scene& scene, const FacePairs& known, cons
         Seen& part = parts[v];
         const auto see = [&](std::uint32_t from, std::uint32_t to, const Occluders::Between& between) {
             const bool is_stopped = request.stop != nullptr && *request.stop;
+            if (is_stopped) expect_few_unknown(scene);
             const Surface& first = scene.surfaces[from];
             const Surface& second = scene.surfaces[to];
             PairExchange exchange = is_stopped ? unknown : pair_exchange(first, second, between, wanted);

@@ -17,6 +17,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <tuple>
 
 namespace ff::studies::form_factors {
 namespace {
@@ -190,7 +192,109 @@ TEST(CellSum, AgreesWithThePlainWayInRandomScenes) {
     EXPECT_GT(compared.beyond_plain, compared.scenes / 10) << "an error of 2 % of what is hidden is seen";
 }
 
-TEST(CellSum, TakesNoCurvedSurfaces) {
+/// A triangle that sees all of the outside of a ball, or, with it, of another round surface, and maybe a screen
+/// between.
+Scene round_scene(stats::Draws& draws, bool ball_alone) {
+    const auto between = [&](double low, double high) { return low + (high - low) * draws.uniform(); };
+    const auto place = [&](double size) {
+        return Vector3d(between(-size, size), between(-size, size), between(-size, size));
+    };
+    Scene scene;
+    scene.faces = {"round", "triangle", "screen"};
+    scene.canonical = "round";
+    const double radius = between(0.1, 0.5);
+    const Vector3d axis = place(1).normalized();
+    const double kind = ball_alone ? 0 : draws.uniform();
+    if (kind < 0.4)
+        scene.surfaces.push_back(
+            {SphereZone{Vector3d::Zero(), axis, radius, ball_alone ? -1 : between(-1, 0), 1}, axis, 0});
+    else if (kind < 0.7)
+        scene.surfaces.push_back(
+            {Frustum{Vector3d::Zero(), 0.5 * axis, radius, draws.uniform() < 0.5 ? 0 : radius}, axis, 0});
+    else
+        scene.surfaces.push_back({Disc{Vector3d::Zero(), draws.uniform() < 0.5 ? 0 : 0.5 * radius, radius}, axis, 0});
+    const Vector3d towards = ball_alone ? place(1).normalized() : (axis + 0.7 * place(1)).normalized();
+    const double distance = 0.55 + std::exp(between(-4, 1));
+    const Vector3d u = towards.cross(place(1)).normalized();
+    const Vector3d v = towards.cross(u);
+    const auto on_plane = [&] { return Vector3d(distance * towards + between(-1, 1) * u + between(-1, 1) * v); };
+    Triangle triangle{on_plane(), on_plane(), on_plane()};
+    if ((triangle.b - triangle.a).cross(triangle.c - triangle.a).dot(towards) > 0) std::swap(triangle.b, triangle.c);
+    scene.surfaces.push_back({triangle, -towards, 1});
+    if (!ball_alone && draws.uniform() < 0.6) {
+        const Vector3d screen = (0.53 * towards + 0.2 * place(1)).cwiseProduct(Vector3d::Ones());
+        scene.surfaces.push_back({Parallelogram{screen, 0.3 * u, 0.3 * v}, towards, 2});
+    }
+    return scene;
+}
+
+/// Of a triangle seen from the origin. @see van Oosterom and Strackee, 1983
+double solid_angle(const Triangle& triangle) {
+    const auto [a, b, c] = std::tuple(triangle.a, triangle.b, triangle.c);
+    const double below =
+        a.norm() * b.norm() * c.norm() + a.dot(b) * c.norm() + b.dot(c) * a.norm() + c.dot(a) * b.norm();
+    return 2 * std::atan2(std::abs(a.dot(b.cross(c))), below);
+}
+
+// A ball sends the same share to a surface that it sees all of as a point in its middle.
+TEST(CellSum, HoldsTheExchangeOfABallAsOftenAsStated) {
+    std::uint64_t held = 0;
+    for (std::uint32_t k = 0; k < estimates; ++k) {
+        stats::Draws draws(derive_key(Seed{3}, "balls"), stats::Resampling::simulation, k);
+        const Scene scene = round_scene(draws, true);
+        const double exact = solid_angle(std::get<Triangle>(scene.surfaces[1].shape)) / (4 * std::numbers::pi) *
+                             area(scene.surfaces[0].shape);
+        const double wanted = 1e-5 * smaller_area(scene);
+        const auto found = cell_sum(scene, Pair(scene).faces, PointEffort::full, wanted, cells_key(k));
+        ASSERT_TRUE(found) << k;
+        const EstimatedSum estimate = estimate_of(found->sum, cells_level);
+        held += std::abs(estimate.value - exact) <= estimate.half_width();
+        EXPECT_LE(std::abs(estimate.value - exact), 10 * wanted) << k;
+    }
+    EXPECT_TRUE(test::has_probability_at_least(held, estimates, cells_level, cells_risk));
+}
+
+/// What is seen from random places in a grid on the first surface, which is round.
+double seen_exchange(const Scene& scene, const Pair& pair, int side, stats::Draws& draws) {
+    const VisiblePolygon target(scene.surfaces[1], pair.exchange().blockers);
+    const SurfaceMap map(scene.surfaces[0]);
+    double sum = 0;
+    for (int x = 0; x < side; ++x) {
+        for (int y = 0; y < side; ++y) {
+            const SurfacePoint place = map.at((x + draws.uniform()) / side, (y + draws.uniform()) / side);
+            sum += target.from(place.position, place.normal).visible;
+        }
+    }
+    return sum / side / side * area(scene.surfaces[0].shape);
+}
+
+// The risks are those of random scenes of polygons.
+TEST(CellSum, AgreesWithThePlainWayOnRoundSources) {
+    Compared compared;
+    for (std::uint32_t k = 0; k < test::repetitions(60, 2000); ++k) {
+        stats::Draws draws(derive_key(Seed{4}, "round scenes"), stats::Resampling::simulation, k);
+        const Scene scene = round_scene(draws, false);
+        const Pair pair(scene);
+        if (pair.exchange().method != ExchangeMethod::points) continue;
+        const double wanted = 1e-4 * smaller_area(scene);
+        const auto found = cell_sum(scene, pair.faces, PointEffort::full, wanted, cells_key(k));
+        if (!found) continue;
+        const EstimatedSum estimate = estimate_of(found->sum, cells_level);
+        stats::Moments plain;
+        for (int draw = 0; draw < 6; ++draw) plain.add(seen_exchange(scene, pair, 48, draws));
+        const double room = 2 * estimate.half_width() + 4 * *plain.standard_error() + 0.1 * wanted;
+        ++compared.scenes;
+        compared.beyond += std::abs(*plain.mean() - estimate.value) > room;
+        compared.beyond_plain += std::abs(1.02 * *plain.mean() - estimate.value) > room;
+    }
+    EXPECT_GT(compared.scenes, 20u);
+    const double noticed = test::repetitions(1, 0) == 1 ? 0.2 : 0.01;
+    EXPECT_TRUE(test::has_probability_at_most(compared.beyond, compared.scenes, 1e-3,
+                                              {.alpha = 1e-4, .detects = noticed, .power = 0.9}));
+    EXPECT_GT(compared.beyond_plain, compared.scenes / 10) << "an error of 2 % is seen";
+}
+
+TEST(CellSum, TakesNoTwoRoundSurfaces) {
     const Scene scene = built_in_scene("discs_blocked");
     EXPECT_FALSE(cell_sum(scene, Pair(scene).faces, PointEffort::full, 1e-4, cells_key(1)));
 }
