@@ -177,6 +177,8 @@ std::vector<Seen> look_at_pairs(const Scene& scene, const FacePairs& known, cons
                                       exchange.reason});
         };
         known.occluders->see(visits[v], see);
+        part.known.shrink_to_fit();
+        part.open.shrink_to_fit();
         if (!request.report) return;
         const std::lock_guard lock(reporting);
         looked_at += visits[v].pairs;

@@ -6,11 +6,13 @@
 #include "stats/error_rates/multiplicity.hpp"
 #include "studies/form_factors/repair.hpp"
 #include "studies/form_factors/rounds.hpp"
+#include "studies/form_factors/row_sums.hpp"
 #include "studies/form_factors/sample_pairs.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -102,51 +104,36 @@ FaceExchange face_exchange(const FacePair& pair, const PairEstimate& estimate) {
     return result;
 }
 
-/// Rate at which some row of a closed scene is said not to add up to 1, though it does.
-constexpr double false_alarm_of_rows = 1e-3;
+/// Level of a row's interval at which some row of a closed scene is said not to add up to 1, though it does, in 0.001
+/// of runs.
+double alarm_level(std::size_t faces) {
+    return 1 - 1e-3 / static_cast<double>(faces);
+}
 
-/// The terms of a row's sum: those that are sampled, and by how much the others may be off at most.
-struct RowTerms {
-    SampledSum sum;
-    double value = 0;  ///< clipped estimates
+/// What is known of a row's sum apart from its sampled part, in form factors.
+struct KnownSum {
+    double value = 0;    ///< clipped estimates of all pairs
+    double sampled = 0;  ///< of those of RowSums
     double down = 0;
     double up = 0;
-    double level = 0;  ///< the highest of its entries
-
-    void add_known(double area, double low, double high) {
-        value += area;
-        sum.offset += area;
-        down += area - low;
-        up += high - area;
-    }
-    void add(const FaceExchange& exchange) { add_known(exchange.value, exchange.low, exchange.high); }
-    void add(const FaceExchange& exchange, const FacePair& pair, const PairEstimate& estimate) {
-        if (!estimate.sum || estimate.contradicted) return add(exchange);
-        value += exchange.value;
-        level = std::max(level, estimate.level);
-        sum.offset += estimate.sum->offset;
-        sum.offset_error += estimate.sum->offset_error;
-        sum.terms.insert(sum.terms.end(), estimate.sum->terms.begin(), estimate.sum->terms.end());
-        down += pair.bound + pair.resolution;
-        up += pair.bound + pair.resolution;
-    }
 };
 
 /// A row's sum: independent randomisations add up, bounds do.
-RowSum row_sum(const Matrix& matrix, const RowTerms& terms, std::size_t row, double level, double farthest) {
-    const double area = matrix.areas[row];
+RowSum row_sum(const Matrix& matrix, const RowSums& sums, const KnownSum& known, std::size_t row, double level,
+               double farthest) {
     const auto ends = [&](double at) {
-        const EstimatedSum found = estimate_of(terms.sum, at);
-        return std::pair((found.value - found.down - terms.down) / area, (found.value + found.up + terms.up) / area);
+        const EstimatedSum found = sums.at(row, at);
+        const double value = known.value - known.sampled + found.value;
+        return std::pair(value - found.down - known.down, value + found.up + known.up);
     };
-    const auto [low, high] = ends(std::max(level, terms.level));
-    const auto [least, most] = ends(1 - false_alarm_of_rows / static_cast<double>(matrix.faces()));
+    const auto [low, high] = ends(level);
+    const auto [least, most] = ends(alarm_level(matrix.faces()));
     // Coordinates in the file are rounded, and with them the edges of the row's face.
-    const double rounding = std::max(1e-12, 16 * std::numeric_limits<double>::epsilon() * farthest / std::sqrt(area));
-    const double value = terms.value / area;
+    const double rounding =
+        std::max(1e-12, 16 * std::numeric_limits<double>::epsilon() * farthest / std::sqrt(matrix.areas[row]));
     // No true sum is above 1; where the interval is, the scene is not what it should be, and the interval is shown.
     const double end = low > 1 + rounding ? high : std::min(1.0, high);
-    return {value, std::min(value, std::max(0.0, low)), std::max(value, end),
+    return {known.value, std::min(known.value, std::max(0.0, low)), std::max(known.value, end),
             least > 1 + rounding || most < 1 - rounding};
 }
 
@@ -185,52 +172,92 @@ bool is_within(const Matrix& matrix, const FaceExchange& exchange, const Request
                std::max(request.tolerance_between(exchange.from, exchange.to), request.relative * factor);
 }
 
-/// All pairs of faces in order.
-void add_exchanges(Matrix& matrix, const FacePairs& geometry, const std::vector<PairEstimate>& estimates,
-                   const Request& request) {
-    matrix.exchanges.reserve(geometry.known.size() + geometry.pairs.size());
-    const auto add = [&](FaceExchange exchange) {
-        exchange.within = is_within(matrix, exchange, request);
-        matrix.exchanges.push_back(exchange);
-    };
-    auto known = geometry.known.begin();
-    const auto add_known_before = [&](std::uint32_t from, std::uint32_t to) {
-        for (; known != geometry.known.end() && std::pair(known->from, known->to) < std::pair(from, to); ++known)
-            add(face_exchange(*known, std::min(matrix.areas[known->from], matrix.areas[known->to])));
-    };
-    for (std::size_t p = 0; p < geometry.pairs.size(); ++p) {
-        add_known_before(geometry.pairs[p].from, geometry.pairs[p].to);
-        add(face_exchange(geometry.pairs[p], estimates[p]));
-    }
-    constexpr auto end = std::numeric_limits<std::uint32_t>::max();
-    add_known_before(end, end);
-}
-
-void add_rows(Matrix& matrix, const FacePairs& geometry, const std::vector<PairEstimate>& estimates, double level,
-              double farthest) {
-    std::vector<RowTerms> rows(matrix.faces());
-    for (std::size_t row = 0; row < matrix.faces(); ++row)
-        rows[row].add_known(geometry.dropped[row].value, geometry.dropped[row].low, geometry.dropped[row].high);
-    std::vector<std::uint32_t> sampled;  // places of the pairs that are
-    for (std::uint32_t e = 0; e < matrix.exchanges.size(); ++e) {
-        const FaceExchange& exchange = matrix.exchanges[e];
-        const std::size_t p = sampled.size();
-        if (p < geometry.pairs.size() && geometry.pairs[p].from == exchange.from &&
-            geometry.pairs[p].to == exchange.to) {
-            sampled.push_back(e);
-            continue;
+/// Puts the exchanges and sums of a matrix together, as estimates come in.
+class MatrixBuilder {
+  public:
+    MatrixBuilder(Matrix& matrix, const FacePairs& geometry, const Request& request, double alpha)
+        : matrix_(matrix),
+          geometry_(geometry),
+          request_(request),
+          levels_{round_level(alpha, 0), round_level(alpha, 1)},
+          sums_(geometry.areas, {levels_[0], levels_[1], alarm_level(geometry.faces())}),
+          row_levels_(geometry.faces(), levels_[0]) {
+        auto known = geometry.known.begin();
+        const auto add_known_before = [&](std::uint32_t from, std::uint32_t to) {
+            for (; known != geometry.known.end() && std::pair(known->from, known->to) < std::pair(from, to); ++known)
+                matrix_.exchanges.push_back(
+                    face_exchange(*known, std::min(matrix.areas[known->from], matrix.areas[known->to])));
+        };
+        matrix_.exchanges.reserve(geometry.known.size() + geometry.pairs.size());
+        for (const FacePair& pair : geometry.pairs) {
+            add_known_before(pair.from, pair.to);
+            places_.push_back(static_cast<std::uint32_t>(matrix_.exchanges.size()));
+            matrix_.exchanges.push_back(face_exchange(pair, {}));
         }
-        rows[exchange.from].add(exchange);
-        if (exchange.from != exchange.to) rows[exchange.to].add(exchange);
+        constexpr auto end = std::numeric_limits<std::uint32_t>::max();
+        add_known_before(end, end);
+        is_summed_.assign(geometry.pairs.size(), false);
     }
-    const auto pairs_of_rows = by_face(geometry.pairs, matrix.faces());
-    for (std::size_t row = 0; row < matrix.faces(); ++row) {
-        RowTerms terms = std::move(rows[row]);
-        for (const std::uint32_t p : pairs_of_rows[row])
-            terms.add(matrix.exchanges[sampled[p]], geometry.pairs[p], estimates[p]);
-        matrix.rows.push_back(row_sum(matrix, terms, row, level, farthest));
+
+    /// @param p  place in FacePairs::pairs
+    void take(std::size_t p, const PairEstimate& estimate) {
+        const FacePair& pair = geometry_.pairs[p];
+        matrix_.exchanges[places_[p]] = face_exchange(pair, estimate);
+        if (!estimate.sum || estimate.contradicted) return;
+        is_summed_[p] = true;
+        for_both(pair, [&](std::size_t face) {
+            sums_.add(face, estimate);
+            row_levels_[face] = std::max(row_levels_[face], estimate.level);
+        });
     }
-}
+
+    /// When all have been taken that are going to be.
+    void end(double farthest) {
+        std::vector<KnownSum> rows(matrix_.faces());
+        for (std::size_t face = 0; face < rows.size(); ++face) {
+            const DroppedExchange& before = geometry_.dropped[face];
+            add(rows[face], before.value, before.low, before.high, matrix_.areas[face]);
+        }
+        std::size_t p = 0;
+        for (std::size_t e = 0; e < matrix_.exchanges.size(); ++e) {
+            FaceExchange& exchange = matrix_.exchanges[e];
+            exchange.within = is_within(matrix_, exchange, request_);
+            const FacePair* pair = p < places_.size() && places_[p] == e ? &geometry_.pairs[p++] : nullptr;
+            const bool is_summed = pair != nullptr && is_summed_[p - 1];
+            for_both(exchange, [&](std::size_t face) {
+                const double area = matrix_.areas[face];
+                if (!is_summed) return add(rows[face], exchange.value, exchange.low, exchange.high, area);
+                rows[face].value += exchange.value / area;
+                rows[face].sampled += exchange.value / area;
+                rows[face].down += (pair->bound + pair->resolution) / area;
+                rows[face].up += (pair->bound + pair->resolution) / area;
+            });
+        }
+        for (std::size_t face = 0; face < rows.size(); ++face)
+            matrix_.rows.push_back(row_sum(matrix_, sums_, rows[face], face, row_levels_[face], farthest));
+    }
+
+  private:
+    Matrix& matrix_;
+    const FacePairs& geometry_;
+    const Request& request_;
+    std::array<double, 2> levels_;  ///< of a pair's interval after the first round, and after a later one
+    RowSums sums_;
+    std::vector<double> row_levels_;     ///< the highest of a row's entries
+    std::vector<std::uint32_t> places_;  ///< of sampled pairs among the exchanges
+    std::vector<bool> is_summed_;        ///< sampled pairs that are in `sums_`
+
+    template <class Pair, class Use>
+    static void for_both(const Pair& pair, const Use& use) {
+        use(pair.from);
+        if (pair.from != pair.to) use(pair.to);
+    }
+    static void add(KnownSum& row, double value, double low, double high, double area) {
+        row.value += value / area;
+        row.down += (value - low) / area;
+        row.up += (high - value) / area;
+    }
+};
 
 }  // namespace
 
@@ -326,19 +353,18 @@ Matrix find_matrix(const Scene& whole_scene, const Request& request) {
                              : stats::bonferroni_level(1 - request.level, sampled + matrix.faces());
     matrix.entry_level = 1 - alpha;
 
-    std::vector<PairEstimate> estimates(sampled);
+    MatrixBuilder builder(matrix, geometry, request, alpha);
     if (sampled > 0 && !matrix.interrupted) {
-        SamplingOutcome outcome =
-            sample_pairs(scene, geometry, request, alpha, request.tolerance >= least_tolerance_of_rays);
-        estimates = std::move(outcome.estimates);
+        const SamplingOutcome outcome =
+            sample_pairs(scene, geometry, request, alpha, request.tolerance >= least_tolerance_of_rays,
+                         [&](std::size_t pair, const PairEstimate& estimate) { builder.take(pair, estimate); });
         matrix.samples = outcome.samples;
         matrix.rays = outcome.rays;
         matrix.lost_rays = outcome.lost;
         matrix.interrupted = outcome.interrupted;
         matrix.left_out = outcome.left_out;
     }
-    add_exchanges(matrix, geometry, estimates, request);
-    add_rows(matrix, geometry, estimates, round_level(alpha, 0), farthest_coordinate(whole_scene) / placement.unit);
+    builder.end(farthest_coordinate(whole_scene) / placement.unit);
     if (request.drop > 0) drop(matrix, geometry.dropped, request.drop);
     scale_areas(matrix, placement.unit * placement.unit);
     if (request.repair) matrix.repaired = repair(matrix);

@@ -26,13 +26,15 @@ PairsOfRows next_batch(PairsOfRows& rows) {
 
 class RowSampling {
   public:
+    using Take = std::function<void(std::size_t, const PairEstimate&)>;
+
     RowSampling(const Scene& scene, const FacePairs& geometry, const Request& request, double alpha,
-                bool rays_are_exact_enough)
+                bool rays_are_exact_enough, const Take& take)
         : request_(request),
+          take_(take),
           rows_(pairs_to_sample(geometry)),
           // The analyser does not see the constructor of Rounds, which is in another file.
-          rounds_(scene, geometry, request, alpha, rays_are_exact_enough, rows_),
-          outcome_{std::vector<PairEstimate>(geometry.pairs.size())} {
+          rounds_(scene, geometry, request, alpha, rays_are_exact_enough, rows_) {
     }  // NOLINT(clang-analyzer-optin.cplusplus.UninitializedObject)
 
     SamplingOutcome run() {
@@ -60,6 +62,7 @@ class RowSampling {
 
   private:
     const Request& request_;
+    const Take& take_;
     const PairsOfRows rows_;
     Rounds rounds_;
     SamplingOutcome outcome_;
@@ -109,9 +112,7 @@ class RowSampling {
         const auto found = rows_.find(row.row);
         bool fits = found != rows_.end() && row.estimates.size() == found->second.size();
         for (std::size_t k = 0; fits && k < row.estimates.size(); ++k) {
-            const auto& [pair, estimate] = row.estimates[k];
-            fits = pair == found->second[k];
-            if (fits) outcome_.estimates[pair] = estimate;
+            fits = row.estimates[k].first == found->second[k];
         }
         if (!fits) {
             throw UserError(
@@ -119,6 +120,7 @@ class RowSampling {
                             "another folder.",
                             row.row + 1));
         }
+        for (const auto& [pair, estimate] : row.estimates) take_(pair, estimate);
         outcome_.samples += row.samples;
         outcome_.rays += row.rays;
         outcome_.lost += row.lost;
@@ -128,8 +130,9 @@ class RowSampling {
 }  // namespace
 
 SamplingOutcome sample_pairs(const Scene& scene, const FacePairs& geometry, const Request& request, double alpha,
-                             bool rays_are_exact_enough) {
-    return RowSampling(scene, geometry, request, alpha, rays_are_exact_enough).run();
+                             bool rays_are_exact_enough,
+                             const std::function<void(std::size_t, const PairEstimate&)>& take) {
+    return RowSampling(scene, geometry, request, alpha, rays_are_exact_enough, take).run();
 }
 
 }  // namespace ff::studies::form_factors

@@ -3,13 +3,13 @@
 #include "studies/form_factors/face_pairs.hpp"
 #include "studies/form_factors/sampled_row.hpp"
 
+#include <cstddef>
 #include <cstdint>
-#include <vector>
+#include <functional>
 
 namespace ff::studies::form_factors {
 
 struct SamplingOutcome {
-    std::vector<PairEstimate> estimates;  ///< by place in FacePairs::pairs
     std::uint64_t samples = 0;
     std::uint64_t rays = 0;
     std::uint64_t lost = 0;
@@ -20,8 +20,11 @@ struct SamplingOutcome {
 /// Samples what geometry leaves open, row by row (studies/form_factors/rounds.hpp); rows that were sampled before, or
 /// are by others, are taken as they are.
 /// @param alpha  1 - level of a pair's interval
+/// @param take   is given the estimate of each pair, by place in FacePairs::pairs, in an order that may differ from one
+///               process or call to another
 /// @throws UserError where a row is of another matrix
 SamplingOutcome sample_pairs(const Scene& scene, const FacePairs& geometry, const Request& request, double alpha,
-                             bool rays_are_exact_enough);
+                             bool rays_are_exact_enough,
+                             const std::function<void(std::size_t, const PairEstimate&)>& take);
 
 }  // namespace ff::studies::form_factors

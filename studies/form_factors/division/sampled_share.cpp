@@ -25,21 +25,30 @@ double UnmetBound::at(double p) const {
     return std::max(rough * p, smooth * std::pow(p, power));
 }
 
+double unmet_of(double scale, const SampledShare& share, double level) {
+    return std::abs(scale) * share.unmet.at(none_of(share.points, level));
+}
+
+EstimatedSum with_means(EstimatedSum known, const std::vector<double>& means, double unmet, double level) {
+    known.unmet = unmet;
+    known.value += *stats::moments_of(means).mean();
+    const double width = student_half_width(means, level) + unmet;
+    known.down += width;
+    known.up += width;
+    return known;
+}
+
 EstimatedSum estimate_of(const SampledSum& sum, double level) {
-    EstimatedSum result{sum.offset, sum.offset_error, sum.offset_error, 0};
-    if (sum.terms.empty()) return result;
+    const EstimatedSum known{sum.offset, sum.offset_error, sum.offset_error, 0};
+    if (sum.terms.empty()) return known;
     std::vector<double> sums(sum.terms.front().share.means.size(), 0.0);
+    double unmet = 0;
     for (const auto& [scale, share] : sum.terms) {
         for (std::size_t r = 0; r < sums.size(); ++r) sums[r] += scale * share.means[r];
         // Points of all terms together share the few that a set of places may be due and get none of.
-        const double due = none_of(share.points, level);
-        result.unmet = std::max(result.unmet, std::abs(scale) * share.unmet.at(due));
+        unmet = std::max(unmet, unmet_of(scale, share, level));
     }
-    result.value += *stats::moments_of(sums).mean();
-    const double width = student_half_width(sums, level) + result.unmet;
-    result.down += width;
-    result.up += width;
-    return result;
+    return with_means(known, sums, unmet, level);
 }
 
 }  // namespace ff::studies::form_factors

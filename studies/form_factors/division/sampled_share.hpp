@@ -54,6 +54,12 @@ struct SampledSum {
 /// Clopper and Pearson's upper bound of a probability after this many points without a hit.
 double none_of(std::uint64_t points, double level);
 
+/// How much of a term points may have missed.
+double unmet_of(double scale, const SampledShare& share, double level);
+
+/// A known sum with the mean of independent values added, with Student's interval, and with what may be missed.
+EstimatedSum with_means(EstimatedSum known, const std::vector<double>& means, double unmet, double level);
+
 /// A sum with its interval. Its terms add up, randomisation by randomisation, to independent values: Student's
 /// interval. What no point has hit is added, as large as it may be in any one term (docs/statistics.md).
 /// @pre all terms have the same number of randomisations
