@@ -3,6 +3,7 @@
 #include "core/configurations/catalogue.hpp"
 #include "core/geometry/surface_map.hpp"
 #include "core/visibility/occlusion.hpp"
+#include "tests/support/plain_visible_polygon.hpp"
 
 #include <gtest/gtest.h>
 
@@ -143,6 +144,51 @@ TEST(VisiblePolygon, AgreesWithPointsThatAreSeen) {
         partly_hidden += factors.visible > 0.01 * factors.whole && factors.visible < 0.99 * factors.whole;
     }
     EXPECT_GE(partly_hidden, 20);
+}
+
+// Up to six triangles of any size near, before, behind and across the target, from places that lie together: within
+// what the arc tangents of both differ by.
+TEST(VisiblePolygon, AgreesWithThePlainWayFromManyPlacesAtOnce) {
+    std::mt19937_64 engine(12);
+    std::uniform_real_distribution<double> uniform(0, 1);
+    const auto point = [&] {
+        return Vector3d(2 * uniform(engine) - 0.5, 2 * uniform(engine) - 0.5, 1.6 * uniform(engine) - 0.3);
+    };
+    int seen_in_part = 0;
+    double largest = 0;
+    double largest_without_last = 0;
+    for (int scene = 0; scene < 2000; ++scene) {
+        std::vector<Surface> blockers;
+        for (int k = scene % 7; k > 0; --k) {
+            const Vector3d corner = point();
+            const double size = std::exp(-4 * uniform(engine));
+            const Triangle triangle{corner, corner + size * (point() - corner), corner + size * (point() - corner)};
+            const Vector3d across = (triangle.b - triangle.a).cross(triangle.c - triangle.a);
+            blockers.push_back({triangle, across.normalized(), no_face});
+        }
+        std::vector<const Surface*> pointers;
+        for (const Surface& blocker : blockers) pointers.push_back(&blocker);
+        const Surface target = ceiling();
+        const Vector3d normal = Vector3d(uniform(engine), uniform(engine), 1).normalized();
+        std::vector<Vector3d> places;
+        for (int k = 0; k < 1 + scene % 40; ++k) places.emplace_back(uniform(engine), uniform(engine), 0);
+        std::vector<VisiblePolygon::Factors> found(places.size());
+        VisiblePolygon(target, pointers).find(places, normal, found);
+        const test::PlainVisiblePolygon plain(target, pointers);
+        if (!pointers.empty()) pointers.pop_back();
+        const test::PlainVisiblePolygon without_last(target, pointers);
+        for (std::size_t k = 0; k < places.size(); ++k) {
+            const auto expected = plain.from(places[k], normal);
+            largest = std::max(
+                {largest, std::abs(found[k].whole - expected.whole), std::abs(found[k].visible - expected.visible)});
+            seen_in_part += expected.visible > 0.01 && expected.visible < 0.99 * expected.whole;
+            largest_without_last = std::max(largest_without_last,
+                                            std::abs(without_last.from(places[k], normal).visible - found[k].visible));
+        }
+    }
+    EXPECT_LT(largest, 1e-13);
+    EXPECT_GT(seen_in_part, 10'000);
+    EXPECT_GT(largest_without_last, 0.1) << "a blocker that is missing shows";
 }
 
 }  // namespace
