@@ -10,6 +10,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
+#include <numeric>
 #include <span>
 
 namespace ff::studies::form_factors {
@@ -28,6 +30,10 @@ constexpr double most_evaluations = 1 << 18;
 /// Cells are halved until what is left at places between the nodes is so much of what is wanted, added up as
 /// independent errors.
 constexpr double left_of_wanted = 0.4;
+
+/// Where the most that is left of any cell, in all cells, is no more than this share of what is wanted, one random
+/// place in a random cell stands for all cells in each randomisation.
+constexpr double pooled_left = 0.1;
 
 /// Places in the unit square between the nodes of every rule.
 constexpr std::array<std::array<double, 2>, 4> between_nodes{{{0.2, 0.3}, {0.7, 0.2}, {0.8, 0.7}, {0.3, 0.8}}};
@@ -157,7 +163,7 @@ class Cells {
         const double least = task_.effort == PointEffort::full ? least_evaluations : least_evaluations_of_many;
         const double allowed = std::clamp(evaluations_per_tolerance * tolerances_, least, most_evaluations);
         if (corners(task_.source.shape).empty()) {
-            divide_round_source();
+            if (!task_.blockers.empty() || !divide_round_source(allowed)) return std::nullopt;
         } else {
             const BlockedPair pair(task_.source, task_.target, task_.blockers);
             if (pair.source.empty() || pair.target.empty()) return CellSum{};
@@ -199,12 +205,44 @@ class Cells {
         return !parts.empty();
     }
 
-    void divide_round_source() {
-        constexpr int sectors = 4;
+    /// Cells that are small beside their distance from the target, or see so little of it that it does not matter.
+    /// @return whether they are few enough
+    bool divide_round_source(double allowed) {
+        constexpr double sectors = 4;
         round_.emplace(task_.source);
         const auto [x, y] = std::pair(round_->size().x(), round_->size().y() / sectors);
-        for (int k = 0; k < sectors; ++k)
-            add({{Vector3d(0, k * y, 0), {x, k * y, 0}, {x, (k + 1) * y, 0}, {0, (k + 1) * y, 0}}});
+        std::vector<Quadrilateral> waiting;
+        for (double k = 0; k < sectors; ++k)
+            waiting.push_back({{Vector3d(0, k * y, 0), {x, k * y, 0}, {x, (k + 1) * y, 0}, {0, (k + 1) * y, 0}}});
+        while (!waiting.empty()) {
+            const Quadrilateral shape = waiting.back();
+            waiting.pop_back();
+            if (static_cast<double>(evaluations_) > allowed) return false;
+            if (!sees_evenly(shape)) {
+                for (const Quadrilateral& half : shape.halves()) waiting.push_back(half);
+                continue;
+            }
+            add(shape);
+        }
+        return true;
+    }
+
+    /// Whether no peak of the factor can be overlooked by the nodes in a cell of a round source.
+    [[nodiscard]] bool sees_evenly(const Quadrilateral& shape) const {
+        constexpr double of_distance = 0.5;
+        constexpr double little = 0.05;
+        const ConvexPolygon polygon = outline(task_.target);
+        const Vector3d middle = round_->at(shape.at({0.5, 0.5})).position;
+        double radius = 0;
+        for (const double u : {0.0, 0.5, 1.0}) {
+            for (const double v : {0.0, 0.5, 1.0})
+                radius = std::max(radius, (round_->at(shape.at({u, v})).position - middle).norm());
+        }
+        radius *= 1.2;  // what lies between those places may be a little farther from the middle
+        const double near = std::max(0.0, distance(middle, polygon, task_.target.normal) - radius);
+        if (2 * radius <= of_distance * near) return true;
+        const double most = std::min(1.0, area(task_.target.shape) / (std::numbers::pi * near * near));
+        return most * std::numbers::pi * radius * radius <= little * task_.wanted;
     }
 
     /// At places in a cell, given in its square; they live until the next call.
@@ -292,29 +330,67 @@ class Cells {
         for (const Quadrilateral& half : halves) add(half);
     }
 
+    /// Adds what is left at random places, each standing for so many cells. @return the largest that was met
+    double add_left(std::uint32_t cell, double cells, std::span<const std::uint32_t> trials,
+                    std::vector<double>& means) {
+        uvs_.clear();
+        for (const std::uint32_t r : trials) {
+            Stream stream = task_.stream;
+            stream.trial = r;
+            const Words words = philox(stream, cell, Purpose::coordinates);
+            uvs_.emplace_back((words[0] + 0.5) * 0x1p-32, (words[1] + 0.5) * 0x1p-32);
+        }
+        double most = cells_[cell].left[side_] * cells;
+        const std::span<const Factors> found = factors(cells_[cell].shape, uvs_);
+        for (std::size_t k = 0; k < trials.size(); ++k) {
+            const double left = left_at(cells_[cell], uvs_[k], found[k])[side_] * cells;
+            means[trials[k]] += left;
+            most = std::max(most, std::abs(left));
+        }
+        return most;
+    }
+
+    /// One random cell of each randomisation stands for all of them. @return the largest that was met
+    double add_left_of_some(std::vector<double>& means) {
+        std::array<std::uint64_t, randomisations> cell{};
+        for (std::uint32_t r = 0; r < randomisations; ++r) {
+            Stream stream = task_.stream;
+            stream.trial = r;
+            cell[r] = (philox(stream, 0, Purpose::coordinates)[2] * std::uint64_t{cells_.size()}) >> 32;
+        }
+        double most = 0;
+        std::vector<std::uint32_t> trials;
+        for (std::uint32_t c = 0; c < cells_.size(); ++c) {
+            trials.clear();
+            for (std::uint32_t r = 0; r < randomisations; ++r) {
+                if (cell[r] == c) trials.push_back(r);
+            }
+            most = std::max(most, add_left(c, static_cast<double>(cells_.size()), trials, means));
+        }
+        return most;
+    }
+
     CellSum estimate() {
         SampledShare share;
         share.means.assign(randomisations, 0.0);
         double integral = 0;
-        Stream stream = task_.stream;
-        double squares = 0;
-        for (std::uint32_t c = 0; c < cells_.size(); ++c) {
-            const Cell& cell = cells_[c];
+        double largest = 0;
+        for (const Cell& cell : cells_) {
             integral += cell.integral[side_];
-            double most = cell.left[side_];
-            uvs_.clear();
-            for (std::uint32_t r = 0; r < randomisations; ++r) {
-                stream.trial = r;
-                const Words words = philox(stream, c, Purpose::coordinates);
-                uvs_.emplace_back((words[0] + 0.5) * 0x1p-32, (words[1] + 0.5) * 0x1p-32);
+            largest = std::max(largest, cell.left[side_]);
+        }
+        const auto count = static_cast<double>(cells_.size());
+        double squares = 0;
+        if (count > 1 && count * largest <= pooled_left * task_.wanted) {
+            const double most = add_left_of_some(share.means);
+            squares = most * most;
+        } else {
+            std::vector<std::uint32_t> all(randomisations);
+            std::iota(all.begin(), all.end(), 0U);
+            for (std::uint32_t c = 0; c < cells_.size(); ++c) {
+                const double most = add_left(c, 1, all, share.means);
+                squares += most * most;
             }
-            const std::span<const Factors> found = factors(cell.shape, uvs_);
-            for (std::uint32_t r = 0; r < randomisations; ++r) {
-                const double left = left_at(cell, uvs_[r], found[r])[side_];
-                share.means[r] += left;
-                most = std::max(most, std::abs(left));
-            }
-            squares += most * most;
         }
         // Where no point of a cell has been, no more is left than anywhere else in it.
         share.points = randomisations;
