@@ -3,15 +3,13 @@
 #include "core/geometry/placement.hpp"
 #include "core/geometry/surface_map.hpp"
 #include "core/support/error.hpp"
-#include "core/visibility/facing.hpp"
-#include "studies/run/parallel.hpp"
+#include "studies/form_factors/look_at_pairs.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <mutex>
 #include <optional>
 #include <tuple>
 #include <utility>
@@ -37,54 +35,6 @@ constexpr std::size_t most_of_full_effort = 32;
 
 /// Pairs whose bounds are this near to each other, in tolerances, are not sampled.
 constexpr double near_enough = 0.5;
-
-/// Two surfaces whose exchange is to be sampled, and their faces in order.
-struct OpenPair {
-    std::uint32_t face = 0;
-    std::uint32_t other_face = 0;
-    SampledPair surfaces;
-};
-
-/// A pair that is dropped takes little room.
-struct DroppedPair {
-    std::uint32_t from = 0;
-    std::uint32_t to = 0;
-    float least = 0;
-    float most = 0;
-};
-
-/// What was found in a visit.
-struct Seen {
-    std::vector<KnownPair> known;  ///< of faces, for each pair of surfaces
-    std::vector<OpenPair> open;
-    std::vector<DroppedPair> dropped;
-};
-
-/// The least exchange area that is kept, for each surface. It is 0 for surfaces that share a face, whose exchange is
-/// not known before it is added up.
-std::vector<double> least_kept(const Scene& scene, double drop) {
-    std::vector<std::size_t> surfaces(scene.faces.size(), 0);
-    for (const Surface& surface : scene.surfaces) {
-        if (surface.face != no_face) ++surfaces[static_cast<std::size_t>(surface.face)];
-    }
-    std::vector<double> result;
-    for (const Surface& surface : scene.surfaces) {
-        const bool sole = surface.face != no_face && surfaces[static_cast<std::size_t>(surface.face)] == 1;
-        result.push_back(sole ? drop * area(surface.shape) : 0);
-    }
-    return result;
-}
-
-/// The pair if it exchanges less than that, whatever stands in between.
-std::optional<DroppedPair> dropped(std::uint32_t from, std::uint32_t to, const PairExchange& exchange, double below) {
-    if (!exchange.area || exchange.area->value + exchange.area->error >= below) return std::nullopt;
-    // Rounded outwards.
-    constexpr auto up = 1 + std::numeric_limits<float>::epsilon();
-    const bool sampled = exchange.method >= ExchangeMethod::points;
-    const double least = sampled ? 0 : std::max(0.0, exchange.area->value - exchange.area->error);
-    return DroppedPair{from, to, static_cast<float>(least) / up,
-                       static_cast<float>(exchange.area->value + exchange.area->error) * up};
-}
 
 /// The pair if bounds from geometry are as narrow as is asked for: their middle.
 std::optional<KnownPair> settled(const FacePair& pair, double wanted) {
@@ -130,62 +80,6 @@ void leave_all_to_rays(FacePairs& result) {
             pair.most = std::min(result.areas[from], result.areas[to]);
         }
     }
-}
-
-/// Pairs that nobody had the time to look at are kept as unknown, if there are not too many for that.
-void expect_few_unknown(const Scene& scene) {
-    if (scene.faces.size() <= most_dense_faces) return;
-    throw InterruptedError(fmt::format(
-        "scene '{}': stopped while looking at what its {} faces see of each other (nothing was sampled, and nothing is "
-        "written). Allow more time or memory, or see --dry-run.",
-        scene.name, scene.faces.size()));
-}
-
-/// Looks at each pair of surfaces. @return what was found, part by part
-std::vector<Seen> look_at_pairs(const Scene& scene, const FacePairs& known, const Request& request) {
-    constexpr double most_in_part = 1 << 16;
-    const auto n = static_cast<double>(scene.surfaces.size());
-    const double smallest = *std::min_element(known.areas.begin(), known.areas.end());
-    // Errors of all pairs of surfaces add up.
-    const double wanted = request.tolerance * smallest / 8 / n;
-    const std::vector<double> below = least_kept(scene, request.drop);
-    const PairExchange unknown{ExchangeMethod::rays, ExchangeReason::many_surfaces, std::nullopt, {}};
-    const std::vector<Occluders::Visit> visits = known.occluders->visits(most_in_part);
-    std::vector<Seen> parts(visits.size());
-    std::mutex reporting;
-    double looked_at = 0;
-    for_each_index(visits.size(), request.threads, [&](std::uint64_t v) {
-        Seen& part = parts[v];
-        const auto see = [&](std::uint32_t from, std::uint32_t to, const Occluders::Between& between) {
-            const bool is_stopped = request.stop != nullptr && *request.stop;
-            if (is_stopped) expect_few_unknown(scene);
-            const Surface& first = scene.surfaces[from];
-            const Surface& second = scene.surfaces[to];
-            PairExchange exchange = is_stopped ? unknown : pair_exchange(first, second, between, wanted);
-            if (const auto little = dropped(from, to, exchange, from == to ? 0 : std::min(below[from], below[to]))) {
-                part.dropped.push_back(*little);
-                return;
-            }
-            const auto [face, other] = std::minmax({first.face, second.face});
-            const double times = face == other && from != to ? 2 : 1;
-            const auto a = static_cast<std::uint32_t>(face);
-            const auto b = static_cast<std::uint32_t>(other);
-            if (exchange.method >= ExchangeMethod::points)
-                part.open.push_back({a, b, {from, to, times, std::move(exchange)}});
-            else
-                part.known.push_back({a, b, times * exchange.area->value, times * exchange.area->error, exchange.method,
-                                      exchange.reason});
-        };
-        known.occluders->see(visits[v], see);
-        part.known.shrink_to_fit();
-        part.open.shrink_to_fit();
-        if (!request.report) return;
-        const std::lock_guard lock(reporting);
-        looked_at += visits[v].pairs;
-        const double share = std::min(1.0, looked_at / (0.5 * n * (n + 1)));
-        request.report({Progress::Stage::looking, 0, share, 0, 0, pairs_of(known.faces())});
-    });
-    return parts;
 }
 
 /// By their faces.

@@ -4,6 +4,7 @@
 #include "core/visibility/visible_polygon.hpp"
 #include "samplers/grids/gauss_legendre.hpp"
 #include "studies/form_factors/cells/blocked_pair.hpp"
+#include "studies/form_factors/cells/cell_shapes.hpp"
 
 #include <Eigen/Geometry>
 
@@ -54,94 +55,11 @@ struct CellTask {
     Stream stream;  ///< its random numbers; each randomisation is a trial of its own
 };
 
-constexpr std::size_t most_nodes = 6;
-
-/// Gauss's rule and the polynomials through its nodes.
-struct Rule {
-    samplers::GaussRule gauss;
-
-    explicit Rule(std::uint32_t nodes) : gauss(samplers::gauss_rule(nodes)) {}
-
-    [[nodiscard]] std::size_t size() const { return gauss.nodes.size(); }
-    /// Weights of the nodes in the value of the polynomial at x.
-    [[nodiscard]] std::array<double, most_nodes> weights_at(double x) const {
-        std::array<double, most_nodes> result;
-        result.fill(1);
-        for (std::size_t i = 0; i < size(); ++i) {
-            for (std::size_t j = 0; j < size(); ++j) {
-                if (j != i) result[i] *= (x - gauss.nodes[j]) / (gauss.nodes[i] - gauss.nodes[j]);
-            }
-        }
-        return result;
-    }
-};
-
 /// The rule for an exchange area of so many tolerances.
-const Rule& rule_for(double tolerances) {
-    static const std::array<Rule, 4> rules{Rule(2), Rule(3), Rule(4), Rule(6)};
+const CellRule& rule_for(double tolerances) {
+    static const std::array<CellRule, 4> rules{CellRule(2), CellRule(3), CellRule(4), CellRule(6)};
     return rules[tolerances < 10 ? 0 : tolerances < 1000 ? 1 : tolerances < 1e5 ? 2 : 3];
 }
-
-/// The image of the unit square in a quadrilateral; one of its corners may be that of two.
-struct Quadrilateral {
-    std::array<Vector3d, 4> corner;
-
-    [[nodiscard]] Vector3d at(const Vector2d& uv) const {
-        const auto [u, v] = std::pair(uv.x(), uv.y());
-        return (1 - u) * (1 - v) * corner[0] + u * (1 - v) * corner[1] + u * v * corner[2] + (1 - u) * v * corner[3];
-    }
-    /// Area of the image per area in the square.
-    [[nodiscard]] double stretch(const Vector2d& uv) const {
-        const Vector3d along_u = (1 - uv.y()) * (corner[1] - corner[0]) + uv.y() * (corner[2] - corner[3]);
-        const Vector3d along_v = (1 - uv.x()) * (corner[3] - corner[0]) + uv.x() * (corner[2] - corner[1]);
-        return along_u.cross(along_v).norm();
-    }
-    [[nodiscard]] std::array<Quadrilateral, 2> halves() const {
-        const auto& [a, b, c, d] = corner;
-        const bool along_u = (b - a).norm() + (c - d).norm() >= (d - a).norm() + (c - b).norm();
-        if (along_u) {
-            const Vector3d low = (a + b) / 2;
-            const Vector3d high = (d + c) / 2;
-            return {Quadrilateral{{a, low, high, d}}, Quadrilateral{{low, b, c, high}}};
-        }
-        const Vector3d left = (a + d) / 2;
-        const Vector3d right = (b + c) / 2;
-        return {Quadrilateral{{a, b, right, left}}, Quadrilateral{{left, right, c, d}}};
-    }
-};
-
-/// A round surface, spread out on a rectangle in which places are as far apart as on the surface, roughly.
-class RoundSource {
-  public:
-    explicit RoundSource(const Surface& surface) : map_(surface), area_(area(surface.shape)) {
-        const auto along = [&](double s0, double t0, double s1, double t1) {
-            return (map_.at(s1, t1).position - map_.at(s0, t0).position).norm();
-        };
-        for (int k = 0; k < 8; ++k) {
-            const double low = k / 8.0;
-            size_.x() += along(low, 0, low + 0.125, 0);
-            size_.y() += std::max(
-                {along(0, low, 0, low + 0.125), along(0.5, low, 0.5, low + 0.125), along(1, low, 1, low + 0.125)});
-        }
-    }
-
-    [[nodiscard]] const Vector2d& size() const { return size_; }
-    [[nodiscard]] SurfacePoint at(const Vector3d& place) const {
-        const double u = place.x() / size_.x();
-        return map_.at(u * u * (3 - 2 * u), place.y() / size_.y());
-    }
-    /// Area on the surface per area of the rectangle. Along a meridian places lie as the square root of s where it
-    /// begins or ends in a point, and as a smooth function of u.
-    [[nodiscard]] double stretch(const Vector3d& place) const {
-        const double u = place.x() / size_.x();
-        return area_ * 6 * u * (1 - u) / (size_.x() * size_.y());
-    }
-
-  private:
-    SurfaceMap map_;
-    double area_;
-    Vector2d size_ = Vector2d::Zero();
-};
 
 /// A cell with the factors at the nodes of a rule.
 struct Cell {
@@ -182,7 +100,7 @@ class Cells {
     Vector3d origin_ = Vector3d::Zero();  ///< of the corners of cells
     VisiblePolygon target_;
     double tolerances_;  ///< that the whole exchange area is large, or may be
-    const Rule& rule_;
+    const CellRule& rule_;
     std::vector<Cell> cells_;
     std::uint64_t evaluations_ = 0;
     Side side_ = visible;  ///< which is integrated
@@ -232,13 +150,7 @@ class Cells {
         constexpr double of_distance = 0.5;
         constexpr double little = 0.05;
         const ConvexPolygon polygon = outline(task_.target);
-        const Vector3d middle = round_->at(shape.at({0.5, 0.5})).position;
-        double radius = 0;
-        for (const double u : {0.0, 0.5, 1.0}) {
-            for (const double v : {0.0, 0.5, 1.0})
-                radius = std::max(radius, (round_->at(shape.at({u, v})).position - middle).norm());
-        }
-        radius *= 1.2;  // what lies between those places may be a little farther from the middle
+        const auto [middle, radius] = round_->ball_around(shape);
         const double near = std::max(0.0, distance(middle, polygon, task_.target.normal) - radius);
         if (2 * radius <= of_distance * near) return true;
         const double most = std::min(1.0, area(task_.target.shape) / (std::numbers::pi * near * near));

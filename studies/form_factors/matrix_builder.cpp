@@ -1,0 +1,170 @@
+#include "studies/form_factors/matrix_builder.hpp"
+
+#include "studies/form_factors/rounds.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace ff::studies::form_factors {
+namespace {
+
+/// Clips an interval to what geometry allows, and the value to the interval.
+void clip(FaceExchange& exchange, double least, double most) {
+    exchange.clipped = exchange.value < least || exchange.value > most;
+    exchange.low = std::clamp(exchange.low, least, most);
+    exchange.high = std::clamp(exchange.high, least, most);
+    exchange.value = std::clamp(exchange.value, exchange.low, exchange.high);
+}
+
+/// @param smaller  area of the smaller face
+FaceExchange face_exchange(const KnownPair& pair, double smaller) {
+    FaceExchange result;
+    result.from = pair.from;
+    result.to = pair.to;
+    result.method = pair.method;
+    result.reason = pair.reason;
+    result.value = pair.value;
+    result.low = pair.value - pair.bound;
+    result.high = pair.value + pair.bound;
+    clip(result, 0, smaller);
+    return result;
+}
+
+FaceExchange face_exchange(const FacePair& pair, const PairEstimate& estimate) {
+    FaceExchange result;
+    result.from = pair.from;
+    result.to = pair.to;
+    result.reason = pair.reason;
+    const double least = std::max(0.0, pair.known - pair.bound - pair.resolution);
+    const double most = std::max(least, pair.most + pair.resolution);
+    if (!estimate.sum) {
+        // Nothing but geometry: it was stopped before the first round was over.
+        result.low = least;
+        result.high = pair.most;
+        result.value = (result.low + result.high) / 2;
+    } else {
+        const EstimatedSum found = estimate_of(*estimate.sum, estimate.level);
+        result.value = found.value;
+        result.low = found.value - found.down - pair.bound - pair.resolution;
+        result.high = found.value + found.up + pair.bound + pair.resolution;
+        result.method = estimate.method;
+        result.by_rays_of_row = pair.by_points && estimate.method == ExchangeMethod::rays;
+        result.samples = estimate.samples;
+        result.contradicted = estimate.contradicted;
+        if (estimate.contradicted) {
+            result.low = std::min(result.low, estimate.other.value - estimate.other.down);
+            result.high = std::max(result.high, estimate.other.value + estimate.other.up);
+        }
+    }
+    clip(result, least, most);
+    return result;
+}
+
+/// Whether an entry is as accurate as requested.
+bool is_within(const Matrix& matrix, const FaceExchange& exchange, const Request& request) {
+    const double factor = exchange.value / std::min(matrix.areas[exchange.from], matrix.areas[exchange.to]);
+    return !exchange.contradicted &&
+           worst_half_width(matrix, exchange) <=
+               std::max(request.tolerance_between(exchange.from, exchange.to), request.relative * factor);
+}
+
+/// Level of a row's interval at which some row of a closed scene is said not to add up to 1, though it does, in 0.001
+/// of runs.
+double alarm_level(std::size_t faces) {
+    return 1 - 1e-3 / static_cast<double>(faces);
+}
+
+template <class Pair, class Use>
+void for_both(const Pair& pair, const Use& use) {
+    use(pair.from);
+    if (pair.from != pair.to) use(pair.to);
+}
+
+}  // namespace
+
+MatrixBuilder::MatrixBuilder(Matrix& matrix, const FacePairs& geometry, const Request& request, double alpha)
+    : matrix_(matrix),
+      geometry_(geometry),
+      request_(request),
+      levels_{round_level(alpha, 0), round_level(alpha, 1)},
+      sums_(geometry.areas, {levels_[0], levels_[1], alarm_level(geometry.faces())}),
+      row_levels_(geometry.faces(), levels_[0]) {
+    auto known = geometry.known.begin();
+    const auto add_known_before = [&](std::uint32_t from, std::uint32_t to) {
+        for (; known != geometry.known.end() && std::pair(known->from, known->to) < std::pair(from, to); ++known)
+            matrix_.exchanges.push_back(
+                face_exchange(*known, std::min(matrix.areas[known->from], matrix.areas[known->to])));
+    };
+    matrix_.exchanges.reserve(geometry.known.size() + geometry.pairs.size());
+    for (const FacePair& pair : geometry.pairs) {
+        add_known_before(pair.from, pair.to);
+        places_.push_back(static_cast<std::uint32_t>(matrix_.exchanges.size()));
+        matrix_.exchanges.push_back(face_exchange(pair, {}));
+    }
+    constexpr auto end = std::numeric_limits<std::uint32_t>::max();
+    add_known_before(end, end);
+    is_summed_.assign(geometry.pairs.size(), false);
+}
+
+void MatrixBuilder::take(std::size_t p, const PairEstimate& estimate) {
+    const FacePair& pair = geometry_.pairs[p];
+    matrix_.exchanges[places_[p]] = face_exchange(pair, estimate);
+    if (!estimate.sum || estimate.contradicted) return;
+    is_summed_[p] = true;
+    for_both(pair, [&](std::size_t face) {
+        sums_.add(face, estimate);
+        row_levels_[face] = std::max(row_levels_[face], estimate.level);
+    });
+}
+
+void MatrixBuilder::end(double farthest) {
+    std::vector<KnownSum> rows(matrix_.faces());
+    for (std::size_t face = 0; face < rows.size(); ++face) {
+        const DroppedExchange& before = geometry_.dropped[face];
+        rows[face].add(matrix_.areas[face], before.value, before.low, before.high);
+    }
+    std::size_t p = 0;
+    for (std::size_t e = 0; e < matrix_.exchanges.size(); ++e) {
+        FaceExchange& exchange = matrix_.exchanges[e];
+        exchange.within = is_within(matrix_, exchange, request_);
+        const FacePair* pair = p < places_.size() && places_[p] == e ? &geometry_.pairs[p++] : nullptr;
+        const bool is_summed = pair != nullptr && is_summed_[p - 1];
+        for_both(exchange, [&](std::size_t face) {
+            const double area = matrix_.areas[face];
+            if (!is_summed) return rows[face].add(area, exchange.value, exchange.low, exchange.high);
+            rows[face].value += exchange.value / area;
+            rows[face].sampled += exchange.value / area;
+            rows[face].down += (pair->bound + pair->resolution) / area;
+            rows[face].up += (pair->bound + pair->resolution) / area;
+        });
+    }
+    for (std::size_t face = 0; face < rows.size(); ++face) matrix_.rows.push_back(row_sum(rows[face], face, farthest));
+}
+
+/// Independent randomisations add up, bounds do.
+RowSum MatrixBuilder::row_sum(const KnownSum& known, std::size_t row, double farthest) const {
+    const auto ends = [&](double at) {
+        const EstimatedSum found = sums_.at(row, at);
+        const double value = known.value - known.sampled + found.value;
+        return std::pair(value - found.down - known.down, value + found.up + known.up);
+    };
+    const auto [low, high] = ends(row_levels_[row]);
+    const auto [least, most] = ends(alarm_level(matrix_.faces()));
+    // Coordinates in the file are rounded, and with them the edges of the row's face.
+    const double rounding =
+        std::max(1e-12, 16 * std::numeric_limits<double>::epsilon() * farthest / std::sqrt(matrix_.areas[row]));
+    // No true sum is above 1; where the interval is, the scene is not what it should be, and the interval is shown.
+    const double end = low > 1 + rounding ? high : std::min(1.0, high);
+    return {known.value, std::min(known.value, std::max(0.0, low)), std::max(known.value, end),
+            least > 1 + rounding || most < 1 - rounding};
+}
+
+void MatrixBuilder::KnownSum::add(double area, double exchange, double low, double high) {
+    value += exchange / area;
+    down += (exchange - low) / area;
+    up += (high - exchange) / area;
+}
+
+}  // namespace ff::studies::form_factors
