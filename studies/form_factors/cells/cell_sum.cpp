@@ -32,8 +32,8 @@ constexpr double most_evaluations = 1 << 18;
 /// independent errors.
 constexpr double left_of_wanted = 0.4;
 
-/// Where the most that is left of any cell, in all cells, is no more than this share of what is wanted, one random
-/// place in a random cell stands for all cells in each randomisation.
+/// In scenes of many pairs: where the most that is left of any cell, in all cells, is no more than this share of what
+/// is wanted, one random place in a random cell stands for all cells in each randomisation.
 constexpr double pooled_left = 0.1;
 
 /// Places in the unit square between the nodes of every rule.
@@ -115,10 +115,8 @@ class Cells {
         const auto of_cell = static_cast<double>(rule_.size() * rule_.size() + between_nodes.size() + randomisations);
         const std::vector<ConvexPolygon> parts = smooth_parts(pair, static_cast<std::size_t>(allowed / of_cell));
         for (const ConvexPolygon& part : parts) {
-            for (std::size_t k = 1; k + 1 < part.size(); k += 2) {
-                const bool is_last = k + 2 == part.size();
-                add({{part[0], part[k], part[k + 1], is_last ? part[0] : part[k + 2]}});
-            }
+            for (std::size_t k = 1; k + 1 < part.size(); k += 2)
+                add({{part[0], part[k], part[k + 1], part[k + 2 == part.size() ? 0 : k + 2]}});
         }
         return !parts.empty();
     }
@@ -136,11 +134,11 @@ class Cells {
             const Quadrilateral shape = waiting.back();
             waiting.pop_back();
             if (static_cast<double>(evaluations_) > allowed) return false;
-            if (!sees_evenly(shape)) {
+            if (sees_evenly(shape)) {
+                add(shape);
+            } else {
                 for (const Quadrilateral& half : shape.halves()) waiting.push_back(half);
-                continue;
             }
-            add(shape);
         }
         return true;
     }
@@ -293,7 +291,7 @@ class Cells {
         }
         const auto count = static_cast<double>(cells_.size());
         double squares = 0;
-        if (count > 1 && count * largest <= pooled_left * task_.wanted) {
+        if (task_.effort == PointEffort::sized && count > 1 && count * largest <= pooled_left * task_.wanted) {
             const double most = add_left_of_some(share.means);
             squares = most * most;
         } else {
