@@ -124,7 +124,7 @@ double size_of(std::span<const Vector3d> corners) {
 }  // namespace
 
 Plate::Plate(const ConvexPolygon& polygon)
-    : corners(polygon.begin(), polygon.end()),
+    : corners(polygon),
       normal(twice_area(polygon).normalized()),
       size(size_of(polygon)),
       slenderness(std::max(1.0, size * size / twice_area(polygon).norm())) {
@@ -183,7 +183,7 @@ void Shaft::find_sides() {
         sides_.push_back({Vector3d::Unit(axis), box.max()[axis] - corner(0)[axis]});
         sides_.push_back({-Vector3d::Unit(axis), corner(0)[axis] - box.min()[axis]});
     }
-    const std::span<const Vector3d> ends[] = {from_, to_};
+    const std::array ends{from_, to_};
     for (const bool first : {true, false}) {
         const std::span<const Vector3d> edges = ends[first ? 0 : 1];
         const Vector3d across = (edges[1] - edges[0]).cross(edges.back() - edges[0]);

@@ -3,11 +3,11 @@
 #include "core/geometry/convex_polygon.hpp"
 
 #include <Eigen/Core>
-#include <boost/container/small_vector.hpp>
 
 #include <array>
 #include <cstdint>
 #include <span>
+#include <vector>
 
 namespace ff {
 
@@ -18,11 +18,11 @@ struct Plate {
         Eigen::Vector3d corner;
         Eigen::Vector3d inward;  ///< unit length, in the plane
     };
-    boost::container::small_vector<Eigen::Vector3d, 4> corners;
-    boost::container::small_vector<Edge, 4> edges;  ///< without those too short to have a direction
-    Eigen::Vector3d normal;                         ///< unit length; 0 where it has no area
-    double size = 0;                                ///< longest extent along an axis
-    double slenderness = 1;                         ///< the square of it over twice the area, at least 1
+    ConvexPolygon corners;
+    std::vector<Edge> edges;  ///< without those too short to have a direction
+    Eigen::Vector3d normal;   ///< unit length; 0 where it has no area
+    double size = 0;          ///< longest extent along an axis
+    double slenderness = 1;   ///< the square of it over twice the area, at least 1
 
     explicit Plate(const ConvexPolygon& polygon);
 };
@@ -87,7 +87,7 @@ class Shaft {
         Eigen::Vector3d out;
         double height = 0;  ///< above the first corner
     };
-    boost::container::small_vector<Side, 24> sides_;  ///< found when they are first needed
+    std::vector<Side> sides_;  ///< found when they are first needed
 
     [[nodiscard]] Eigen::Vector3d corner(std::size_t k) const { return {corners_.x[k], corners_.y[k], corners_.z[k]}; }
     void find_sides();

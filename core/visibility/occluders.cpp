@@ -198,10 +198,10 @@ class Occluders::Walk {
     void for_parts(std::uint32_t from, std::uint32_t to, std::size_t first, const GoOn& go_on) {
         const std::size_t last = stack_.size();
         const auto visit = [&](std::uint32_t a, std::uint32_t b) {
-            const Cluster& one = tree_[a];
-            const Cluster& other = tree_[b];
-            if (is_behind(one, other) || is_behind(other, one) || (one.is_flat() && one.wall == other.wall)) return;
-            if (filter(one, other, first, last) && (a == b || !is_hidden_by_a_body(last, one.hull(), other.hull())))
+            const Cluster& begin = tree_[a];
+            const Cluster& end = tree_[b];
+            if (is_behind(begin, end) || is_behind(end, begin) || (begin.is_flat() && begin.wall == end.wall)) return;
+            if (filter(begin, end, first, last) && (a == b || !is_hidden_by_a_body(last, begin.hull(), end.hull())))
                 go_on(a, b, last);
             stack_.resize(last);
         };
@@ -224,7 +224,7 @@ class Occluders::Walk {
 
 Occluders::Occluders(const Scene& scene) : Occluders(scene, join_level_surfaces(without_faces(scene))) {}
 
-Occluders::Occluders(const Scene& scene, JoinedSurfaces joined)
+Occluders::Occluders(const Scene& scene, const JoinedSurfaces& joined)
     : surfaces_(scene.surfaces),
       walls_(joined.scene.surfaces),
       are_none_(scene.empty_box || is_convex(scene)),

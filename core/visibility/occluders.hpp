@@ -66,7 +66,7 @@ class Occluders {
 
     class Walk;
 
-    Occluders(const Scene& scene, JoinedSurfaces joined);
+    Occluders(const Scene& scene, const JoinedSurfaces& joined);
 
     /// Candidates for what stands between any two surfaces.
     [[nodiscard]] std::vector<std::uint32_t> candidates() const;

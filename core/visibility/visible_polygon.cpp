@@ -129,7 +129,7 @@ bool keep_those_that_cut(SmallPolygon& sides, const SmallPolygon& piece) {
 /// Adds up Lambert's formula for pieces of what is seen from several places, many edges at a time.
 class Sums {
   public:
-    Sums(const Vector3d& normal, std::size_t places) : normal_(normal), sums_(places, 0.0) {}
+    Sums(Vector3d normal, std::size_t places) : normal_(std::move(normal)), sums_(places, 0.0) {}
 
     /// @param sign  of its factor in the sum of a place
     void add(std::size_t place, const SmallPolygon& piece, double sign) {

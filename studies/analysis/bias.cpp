@@ -146,10 +146,10 @@ bool withdraw_what_others_explain(const PairTester& tester, std::span<const Quan
         const bool leans_down = stats::moments_of(pair.values()).skewness().value_or(0) < -clearly;
         for (const double value : pair.values()) pooled.push_back(leans_down ? -value : value);
     }
-    if (pooled.empty() || estimates.trials() > many_trials) return false;
-    const auto sound =
-        stats::resampled_t(pooled, estimates.trials(), std::min(most_samples, most_values / estimates.trials()),
-                           derive_key(tester.plan.spec.seed, "bias|" + tester.cell().canonical));
+    const auto trials = estimates.trials();
+    if (pooled.empty() || trials == 0 || trials > many_trials) return false;
+    const auto sound = stats::resampled_t(pooled, trials, std::min(most_samples, most_values / trials),
+                                          derive_key(tester.plan.spec.seed, "bias|" + tester.cell().canonical));
     const double rare = tester.pair_alpha / 2 * static_cast<double>(sound.size());
     bool some = false;
     for (auto& test : tests) {

@@ -28,14 +28,14 @@ class RowSampling {
   public:
     using Take = std::function<void(std::size_t, const PairEstimate&)>;
 
+    // The analyser does not see the constructor of Rounds, which is in another file.
+    // NOLINTNEXTLINE(clang-analyzer-optin.cplusplus.UninitializedObject)
     RowSampling(const Scene& scene, const FacePairs& geometry, const Request& request, double alpha,
                 bool rays_are_exact_enough, const Take& take)
         : request_(request),
           take_(take),
           rows_(pairs_to_sample(geometry)),
-          // The analyser does not see the constructor of Rounds, which is in another file.
-          rounds_(scene, geometry, request, alpha, rays_are_exact_enough, rows_) {
-    }  // NOLINT(clang-analyzer-optin.cplusplus.UninitializedObject)
+          rounds_(scene, geometry, request, alpha, rays_are_exact_enough, rows_) {}
 
     SamplingOutcome run() {
         PairsOfRows own = rows_;
@@ -57,7 +57,7 @@ class RowSampling {
             take(row);
             --outcome_.left_out;
         }
-        return std::move(outcome_);
+        return outcome_;
     }
 
   private:

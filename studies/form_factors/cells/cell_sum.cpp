@@ -71,8 +71,8 @@ struct Cell {
 
 class Cells {
   public:
-    explicit Cells(CellTask task)
-        : task_(std::move(task)),
+    explicit Cells(const CellTask& task)
+        : task_(task),
           target_(task_.target, task_.blockers),
           tolerances_(task_.most / task_.wanted),
           rule_(rule_for(tolerances_)) {}
@@ -124,11 +124,11 @@ class Cells {
     /// Cells that are small beside their distance from the target, or see so little of it that it does not matter.
     /// @return whether they are few enough
     bool divide_round_source(double allowed) {
-        constexpr double sectors = 4;
+        constexpr int sectors = 4;
         round_.emplace(task_.source);
         const auto [x, y] = std::pair(round_->size().x(), round_->size().y() / sectors);
         std::vector<Quadrilateral> waiting;
-        for (double k = 0; k < sectors; ++k)
+        for (int k = 0; k < sectors; ++k)
             waiting.push_back({{Vector3d(0, k * y, 0), {x, k * y, 0}, {x, (k + 1) * y, 0}, {0, (k + 1) * y, 0}}});
         while (!waiting.empty()) {
             const Quadrilateral shape = waiting.back();

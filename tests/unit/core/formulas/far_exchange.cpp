@@ -47,8 +47,8 @@ TEST(FarExchange, AgreesWithTheContourIntegralWithinBothErrors) {
     ASSERT_TRUE(quadrature.has_value());
     std::vector<Vector3<long double>> from;
     std::vector<Vector3<long double>> to;
-    for (const Vector3d& corner : corners(a.shape)) from.push_back(corner.cast<long double>());
-    for (const Vector3d& corner : corners(b.shape)) to.push_back(corner.cast<long double>());
+    for (const Vector3d& corner : corners(a.shape)) from.emplace_back(corner.cast<long double>());
+    for (const Vector3d& corner : corners(b.shape)) to.emplace_back(corner.cast<long double>());
     const auto contour = polygon_exchange_area<long double>(from, to);
     ASSERT_GT(static_cast<double>(contour.value), 1e-12);
     EXPECT_NEAR(quadrature->value, static_cast<double>(contour.value),
