@@ -4,7 +4,6 @@
 #include "core/exact/squared_extent.hpp"
 #include "core/formulas/far_exchange.hpp"
 #include "core/formulas/polygon_exchange.hpp"
-#include "core/visibility/facing.hpp"
 #include "core/visibility/occlusion.hpp"
 
 #include <algorithm>
@@ -118,7 +117,7 @@ std::string_view in_words(ExchangeReason reason) {
 PairExchange pair_exchange(const Occluders& occluders, std::size_t from_index, std::size_t to_index, double wanted) {
     const Surface& from = occluders.surfaces()[from_index];
     const Surface& to = occluders.surfaces()[to_index];
-    if (!face_each_other(from, to)) return {};
+    if (!occluders.face_each_other(from_index, to_index)) return {};
     return pair_exchange(from, to, occluders.between(from_index, to_index), wanted);
 }
 

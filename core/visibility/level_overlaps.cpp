@@ -61,14 +61,15 @@ double covered_share(const Surface& surface, const Surface& by) {
     return covered / double{lattice * lattice};
 }
 
-/// Whether the corners of one flat surface, or the rim of a disc, lie within `gap` of the plane of the other.
+/// Whether a flat surface lies within `gap` of the plane of another, or the other way round: the plane of a small one,
+/// rounded as its corners are, may be far off a large one.
 bool lie_in_one_plane(const Surface& a, const Surface& b, double gap) {
     const auto heights = [](const Surface& flat, const Surface& other) {
         const Extent own = extent(flat, flat.normal);
         const Extent along = extent(other, flat.normal);
         return std::max(std::abs(along.high - own.low), std::abs(along.low - own.high));
     };
-    return heights(a, b) <= gap && heights(b, a) <= gap;
+    return std::min(heights(a, b), heights(b, a)) <= gap;
 }
 
 }  // namespace

@@ -2,9 +2,11 @@
 
 #include "core/geometry/surface_map.hpp"
 #include "core/visibility/facing.hpp"
+#include "core/visibility/level_overlaps.hpp"
 #include "core/visibility/occlusion.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <span>
 #include <utility>
 
@@ -74,7 +76,7 @@ class Occluders::Walk {
             if (a > b) std::swap(a, b);
             const Surface& surface = all_.surfaces_[a];
             const Surface& other = all_.surfaces_[b];
-            if (surface.face == no_face || other.face == no_face || !face_each_other(surface, other)) return;
+            if (surface.face == no_face || other.face == no_face || !all_.face_each_other(a, b)) return;
             const Between found = between(a, b, first);
             if (!found.all_hidden) see(a, b, found);
             return;
@@ -107,11 +109,12 @@ class Occluders::Walk {
             }
             const std::optional<Plate>& plate = all_.plates_[cluster.wall];
             if (plate && (cluster.wall == from.wall || cluster.wall == to.wall)) continue;
+            if (all_.are_level(cluster.wall, from.wall) || all_.are_level(cluster.wall, to.wall)) continue;
             if (plate && !are_leaves && &from != &to) {
                 if (!shaft) shaft.emplace(from.hull(), to.hull(), std::min(from.grain, to.grain));
                 const Shaft::Crossing crossing = shaft->crossed_by(*plate);
-                if (crossing == Shaft::Crossing::all) return false;
                 if (crossing == Shaft::Crossing::none) continue;
+                if (crossing == Shaft::Crossing::all && !all_.is_level_with_any(cluster.wall)) return false;
             }
             stack_.push_back(candidate);
         }
@@ -142,15 +145,18 @@ class Occluders::Walk {
         const Surface& to = all_.surfaces_[to_index];
         Between result;
         const bool are_polygons = is_polygon(from) && is_polygon(to);
+        const std::uint32_t from_wall = tree_[tree_.leaf_of(from_index)].wall;
+        const std::uint32_t to_wall = tree_[tree_.leaf_of(to_index)].wall;
         std::optional<Shaft> shaft;
         ConvexPolygon begin;
         ConvexPolygon end;
         for (std::size_t k = first; k < stack_.size(); ++k) {
             const std::uint32_t index = tree_[stack_[k]].wall;
             const Surface& wall = all_.walls_[index];
-            if (index == tree_[tree_.leaf_of(from_index)].wall || index == tree_[tree_.leaf_of(to_index)].wall) {
+            if (all_.are_level(index, from_wall) || all_.are_level(index, to_wall)) continue;
+            if (index == from_wall || index == to_wall) {
                 // A hollow surface is not joined to any, and stands in its own way.
-                if (from_index != to_index && face_each_other(wall, wall)) result.occluders.push_back(&wall);
+                if (from_index != to_index && ff::face_each_other(wall, wall)) result.occluders.push_back(&wall);
                 continue;
             }
             Shaft::Crossing crossing = Shaft::Crossing::some;
@@ -232,6 +238,29 @@ Occluders::Occluders(const Scene& scene, const JoinedSurfaces& joined)
       tree_(surfaces_, joined) {
     for (const Surface& wall : walls_)
         plates_.push_back(is_polygon(wall) ? std::optional(Plate(corners(wall.shape))) : std::nullopt);
+    for (const LevelOverlap& overlap : level_overlaps(scene)) {
+        if (!overlap.level) continue;
+        const auto [low, high] =
+            std::minmax({tree_[tree_.leaf_of(overlap.first)].wall, tree_[tree_.leaf_of(overlap.second)].wall});
+        if (low != high) level_.emplace_back(low, high);
+    }
+    std::sort(level_.begin(), level_.end());
+    level_.erase(std::unique(level_.begin(), level_.end()), level_.end());
+    is_level_with_any_.resize(walls_.size());
+    for (const auto& [low, high] : level_) is_level_with_any_[low] = is_level_with_any_[high] = true;
+}
+
+bool Occluders::are_level(std::uint32_t wall, std::uint32_t other) const {
+    const auto [low, high] = std::minmax(wall, other);
+    return high != ClusterTree::no_wall && is_level_with_any_[low] && is_level_with_any_[high] &&
+           std::binary_search(level_.begin(), level_.end(), std::pair(low, high));
+}
+
+bool Occluders::face_each_other(std::size_t from, std::size_t to) const {
+    const auto wall_of = [&](std::size_t surface) {
+        return tree_[tree_.leaf_of(static_cast<std::uint32_t>(surface))].wall;
+    };
+    return ff::face_each_other(surfaces_[from], surfaces_[to]) && !are_level(wall_of(from), wall_of(to));
 }
 
 std::vector<Occluders::Visit> Occluders::visits(double most_pairs) const {

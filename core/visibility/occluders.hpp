@@ -9,13 +9,15 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace ff {
 
 /// The potential obstacles of a scene: its surfaces in a hierarchy, level ones joined whatever face they belong to. A
 /// wall of a hundred facets is one occluder. What is proved about all lines between two clusters of surfaces serves all
-/// pairs of them.
+/// pairs of them. Surfaces that overlap in one plane but for rounding (core/visibility/level_overlaps.hpp) neither hide
+/// nor see each other.
 class Occluders {
   public:
     explicit Occluders(const Scene& scene);
@@ -50,6 +52,9 @@ class Occluders {
 
     [[nodiscard]] Between between(std::size_t from, std::size_t to) const;
 
+    /// Whether parts of each of two surfaces may lie in front of the other.
+    [[nodiscard]] bool face_each_other(std::size_t from, std::size_t to) const;
+
     /// Whether nothing stands between any two surfaces.
     [[nodiscard]] bool are_none() const { return are_none_; }
 
@@ -57,16 +62,23 @@ class Occluders {
     [[nodiscard]] const std::vector<Surface>& walls() const { return walls_; }
 
   private:
+    using WallPair = std::pair<std::uint32_t, std::uint32_t>;
+
     std::vector<Surface> surfaces_;  ///< of the scene
     std::vector<Surface> walls_;     ///< joined
     bool are_none_;
     ConvexBodies bodies_;  ///< bounded by walls
     ClusterTree tree_;
     std::vector<std::optional<Plate>> plates_;  ///< by wall; empty for round ones
+    std::vector<WallPair> level_;               ///< overlap in one plane, sorted
+    std::vector<bool> is_level_with_any_;       ///< by wall
 
     class Walk;
 
     Occluders(const Scene& scene, const JoinedSurfaces& joined);
+
+    [[nodiscard]] bool are_level(std::uint32_t wall, std::uint32_t other) const;
+    [[nodiscard]] bool is_level_with_any(std::uint32_t wall) const { return is_level_with_any_[wall]; }
 
     /// Candidates for what stands between any two surfaces.
     [[nodiscard]] std::vector<std::uint32_t> candidates() const;

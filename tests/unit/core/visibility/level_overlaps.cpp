@@ -71,6 +71,19 @@ TEST(LevelOverlaps, AreLevelWithinTheRoundingOfCoordinates) {
     EXPECT_TRUE(level_overlaps(scene).front().level);
 }
 
+// The plane of a small surface is known less well than its place: at the far end of a wall it may be far off.
+TEST(LevelOverlaps, AreFoundForSmallSurfacesInTheRoundingOfTheirCorners) {
+    for (const double size : {1e-1, 1e-4, 1e-7, 1e-10}) {
+        Scene scene = turned(
+            test::faces_of({level_rectangle(0, 0, 1, 1), level_rectangle(0.3, 0.7, size, size, 0, true)}, false));
+        const ConvexPolygon rounded = corners(scene.surfaces[1].shape);
+        scene.surfaces[1].normal = (rounded[2] - rounded[1]).cross(rounded[1] - rounded[0]).normalized();
+        const auto found = level_overlaps(scene);
+        ASSERT_EQ(found.size(), 1u) << size;
+        EXPECT_TRUE(found[0].level) << size;
+    }
+}
+
 TEST(LevelOverlaps, AreFoundForDiscs) {
     const Vector3d up(0, 0, 1);
     const Scene rings = test::faces_of({test::disc({0, 0, 0}, up, 2, 1), test::disc({0, 0, 0}, up, 1)}, false);

@@ -239,11 +239,42 @@ TEST(Occluders, AreFoundBesideTheSmallestTileOfAWall) {
     add_tiles_towards_corner(scene, {0, 0, 0}, {0, 1, 0}, {0, 0, 1}, halvings);
     const std::size_t wall_tile = scene.surfaces.size() - 1;
     const double size = std::ldexp(1.0, -halvings);
-    const double height = 1e-3 * size;  // 1e-12 of the walls
+    const double height = 3e-3 * size;  // 3e-12 of the walls, which is not level with them
     scene.surfaces.push_back(parallelogram_of({0, 0, height}, {size, 0, 0}, {0, size, 0}, no_face));
     const Occluders occluders(scene);
     ASSERT_EQ(occluders.walls().size(), 3u) << "each wall is one occluder";
     EXPECT_EQ(occluders.between(floor_tile, wall_tile).occluders.size(), 1u);
+}
+
+// A sheet so little above a floor that it lies in its plane but for rounding hides nothing of it, be it looked at for
+// single tiles or for all of them at once; a little higher it hides everything.
+TEST(Occluders, HideNothingInThePlaneOfAnEnd) {
+    for (const double gap : {2e-14, 3e-13, 1e-9}) {
+        Scene scene;
+        add_tiles(scene, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, 4);
+        add_tiles(scene, {0, 0, 1}, {0, 1, 0}, {1, 0, 0}, 4);
+        scene.surfaces.push_back(parallelogram_of({-1, -1, gap}, {3, 0, 0}, {0, 3, 0}, no_face));
+        const Occluders occluders(scene);
+        const auto found = visited(occluders);
+        for (std::uint32_t floor = 0; floor < 16; ++floor) {
+            for (std::uint32_t ceiling = 16; ceiling < 32; ++ceiling) {
+                const auto pair = found.find({floor, ceiling});
+                EXPECT_EQ(pair == found.end(), gap > 1e-12) << gap;
+                EXPECT_TRUE(pair == found.end() || pair->second.occluders.empty());
+                EXPECT_EQ(occluders.between(floor, ceiling).all_hidden, gap > 1e-12);
+            }
+        }
+    }
+}
+
+// A side of a body that lies on a wall may lie in front of it by rounding, and still exchanges nothing with it.
+TEST(Occluders, DoNotFaceEachOtherInOnePlane) {
+    for (const double gap : {-1e-15, 1e-15, 5e-13, 1e-9}) {
+        Scene scene;
+        scene.surfaces.push_back(parallelogram_of({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, 0));
+        scene.surfaces.push_back(parallelogram_of({0.2, 0.3, gap}, {0, 1e-5, 0}, {1e-5, 0, 0}, 1));
+        EXPECT_EQ(Occluders(scene).face_each_other(0, 1), gap > 1e-12) << gap;
+    }
 }
 
 }  // namespace
