@@ -12,7 +12,7 @@ namespace ff {
 namespace {
 
 /// Each is cut out of every piece of a polygon; of more, rays cost less.
-constexpr std::size_t most_blockers = 64;
+constexpr std::size_t most_blockers = 256;
 
 bool is_polygon(const Surface& surface) {
     return !corners(surface.shape).empty();
@@ -123,9 +123,9 @@ PairExchange pair_exchange(const Occluders& occluders, std::size_t from_index, s
 
 PairExchange pair_exchange(const Surface& from, const Surface& to, const Occluders::Between& between, double wanted) {
     if (between.all_hidden) return {};
-    const std::vector<const Surface*>& blockers = between.occluders;
+    const std::vector<Blocker>& blockers = between.occluders;
     PairExchange result = clear_exchange(from, to, wanted);
-    const auto is_flat_sided = [](const Surface* surface) { return is_polygon(*surface); };
+    const auto is_flat_sided = [](const Blocker& blocker) { return is_polygon(*blocker.surface); };
     const bool cut_out = std::all_of(blockers.begin(), blockers.end(), is_flat_sided);
     if (result.method == ExchangeMethod::rays) {
         // Places on a curved surface see a polygon just as well.

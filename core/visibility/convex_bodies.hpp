@@ -2,6 +2,7 @@
 
 #include "core/geometry/convex_polygon.hpp"
 #include "core/geometry/scene.hpp"
+#include "core/visibility/shared_edges.hpp"
 
 #include <Eigen/Core>
 
@@ -17,15 +18,14 @@ namespace ff {
 /// from the front, so that from outside the other sides hide nothing more.
 class ConvexBodies {
   public:
-    explicit ConvexBodies(const std::vector<Surface>& surfaces);
+    ConvexBodies(const std::vector<Surface>& surfaces, const SharedEdges& edges);
 
     /// The body that a surface, given by its index, is a side of.
     [[nodiscard]] std::optional<std::uint32_t> of(std::size_t surface) const;
 
-    /// Whether each line from a polygon that meets this side of a body has met another side before. Conservative:
-    /// nothing is concluded for a polygon in the plane of a side.
-    /// @param side  index of the surface, which is a side of a body
-    [[nodiscard]] bool is_met_before(std::size_t side, std::span<const Eigen::Vector3d> from) const;
+    /// Whether each line from a polygon meets the front of a side of a body before it meets any side from behind.
+    /// Conservative: nothing is concluded for a polygon in the plane of a side.
+    [[nodiscard]] bool is_outside(std::uint32_t body, std::span<const Eigen::Vector3d> polygon) const;
 
     /// Whether a body blocks all lines between two convex polygons. Conservative: lines that only touch it count as
     /// unblocked.
@@ -49,7 +49,6 @@ class ConvexBodies {
     };
     std::vector<Body> bodies_;
     std::vector<std::uint32_t> body_of_;  ///< index of the body that each surface is a side of, or `no_body`
-    std::vector<Plane> planes_;           ///< plane of each surface
     double room_ = 0;                     ///< allowance for the rounding of corners
 
     class Finder;

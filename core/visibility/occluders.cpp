@@ -6,7 +6,7 @@
 #include "core/visibility/occlusion.hpp"
 
 #include <algorithm>
-#include <cmath>
+#include <map>
 #include <span>
 #include <utility>
 
@@ -175,8 +175,9 @@ class Occluders::Walk {
             if (are_polygons && all_.plates_[index] && shaft->is_beside(*all_.plates_[index])) continue;
             result.occluders.push_back(&wall);
         }
-        std::sort(result.occluders.begin(), result.occluders.end());
-        all_.drop_far_sides(result, from, to);
+        std::sort(result.occluders.begin(), result.occluders.end(),
+                  [](const Blocker& a, const Blocker& b) { return a.surface < b.surface; });
+        if (!result.occluders.empty()) all_.drop_far_sides(result, from_index, to_index);
         return result;
     }
 
@@ -234,7 +235,9 @@ Occluders::Occluders(const Scene& scene, const JoinedSurfaces& joined)
     : surfaces_(scene.surfaces),
       walls_(joined.scene.surfaces),
       are_none_(scene.empty_box || is_convex(scene)),
-      bodies_(walls_),
+      edges_(walls_),
+      bodies_(walls_, edges_),
+      meshes_(edges_),
       tree_(surfaces_, joined) {
     for (const Surface& wall : walls_)
         plates_.push_back(is_polygon(wall) ? std::optional(Plate(corners(wall.shape))) : std::nullopt);
@@ -294,23 +297,44 @@ std::vector<std::uint32_t> Occluders::candidates() const {
     return {0};
 }
 
-void Occluders::drop_far_sides(Between& between, const Surface& from, const Surface& to) const {
-    // A body is looked at from one of the two: together they would drop all of its sides.
-    std::vector<std::uint32_t> seen_from_begins;
-    for (const Surface* surface : {&from, &to}) {
-        const std::vector<Vector3d> places = corners(surface->shape);
-        if (places.empty()) continue;
-        std::vector<std::uint32_t> dropped;
-        std::erase_if(between.occluders, [&](const Surface* occluder) {
-            const auto body = bodies_.of(index_of(occluder));
-            if (!body || std::find(seen_from_begins.begin(), seen_from_begins.end(), *body) != seen_from_begins.end() ||
-                !bodies_.is_met_before(index_of(occluder), places))
-                return false;
-            dropped.push_back(*body);
-            return true;
-        });
-        seen_from_begins = std::move(dropped);
+std::uint32_t Occluders::body_or_mesh(std::size_t wall) const {
+    // A convex body belongs to a mesh with all its sides, or with none.
+    if (const auto mesh = meshes_.of(wall)) return *mesh;
+    const auto body = bodies_.of(wall);
+    return body ? static_cast<std::uint32_t>(meshes_.size()) + *body : SharedEdges::none;
+}
+
+FacedEnd Occluders::end_to_face(std::size_t wall, std::size_t from, std::size_t to) const {
+    const auto mesh = meshes_.of(wall);
+    const auto body = bodies_.of(wall);
+    for (const FacedEnd end : {FacedEnd::from, FacedEnd::to}) {
+        const std::size_t surface = end == FacedEnd::from ? from : to;
+        const ConvexPolygon polygon = corners(surfaces_[surface].shape);
+        if (polygon.empty()) continue;
+        const std::uint32_t own = tree_[tree_.leaf_of(static_cast<std::uint32_t>(surface))].wall;
+        if ((mesh && meshes_.is_on_free_side(*mesh, own, polygon)) || (body && bodies_.is_outside(*body, polygon)))
+            return end;
     }
+    return FacedEnd::either;
+}
+
+void Occluders::drop_far_sides(Between& between, std::size_t from, std::size_t to) const {
+    // All sides of a body face the same end: together, those that face both would be none.
+    std::map<std::uint32_t, FacedEnd> ends;
+    std::erase_if(between.occluders, [&](Blocker& occluder) {
+        const std::size_t wall = index_of(occluder.surface);
+        const std::uint32_t body = body_or_mesh(wall);
+        if (body == SharedEdges::none) return false;
+        const auto [known, is_new] = ends.try_emplace(body, FacedEnd::either);
+        if (is_new) known->second = end_to_face(wall, from, to);
+        occluder.faces = known->second;
+        if (occluder.faces == FacedEnd::either) return false;
+        const Plate& plate = *plates_[wall];
+        const ConvexPolygon places = corners(surfaces_[occluder.faces == FacedEnd::from ? from : to].shape);
+        return std::all_of(places.begin(), places.end(), [&](const Vector3d& place) {
+            return plate.normal.dot(place - plate.corners.front()) <= edges_.corner_room();
+        });
+    });
 }
 
 }  // namespace ff

@@ -3,6 +3,8 @@
 #include "core/geometry/joined_surfaces.hpp"
 #include "core/geometry/scene.hpp"
 #include "core/geometry/shaft.hpp"
+#include "core/visibility/blocker.hpp"
+#include "core/visibility/closed_meshes.hpp"
 #include "core/visibility/cluster_tree.hpp"
 #include "core/visibility/convex_bodies.hpp"
 
@@ -27,7 +29,7 @@ class Occluders {
         bool all_hidden = false;  ///< a single occluder or convex body blocks all of them
         /// The occluders not shown to keep clear of them, in a fixed order; they live as long as this. Of a convex
         /// body, only the sides that one of the two surfaces sees.
-        std::vector<const Surface*> occluders;
+        std::vector<Blocker> occluders;
     };
 
     /// Two clusters of surfaces, and the clusters of which something may stand between them.
@@ -67,7 +69,9 @@ class Occluders {
     std::vector<Surface> surfaces_;  ///< of the scene
     std::vector<Surface> walls_;     ///< joined
     bool are_none_;
-    ConvexBodies bodies_;  ///< bounded by walls
+    SharedEdges edges_;  ///< of walls, as all that follows
+    ConvexBodies bodies_;
+    ClosedMeshes meshes_;
     ClusterTree tree_;
     std::vector<std::optional<Plate>> plates_;  ///< by wall; empty for round ones
     std::vector<WallPair> level_;               ///< overlap in one plane, sorted
@@ -85,7 +89,10 @@ class Occluders {
     [[nodiscard]] std::size_t index_of(const Surface* wall) const {
         return static_cast<std::size_t>(wall - walls_.data());
     }
-    void drop_far_sides(Between& between, const Surface& from, const Surface& to) const;
+    /// A number for the body or mesh that a wall is a side of; SharedEdges::none where it is a side of none.
+    [[nodiscard]] std::uint32_t body_or_mesh(std::size_t wall) const;
+    [[nodiscard]] FacedEnd end_to_face(std::size_t wall, std::size_t from, std::size_t to) const;
+    void drop_far_sides(Between& between, std::size_t from, std::size_t to) const;
 };
 
 }  // namespace ff

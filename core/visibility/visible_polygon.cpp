@@ -1,6 +1,6 @@
 #include "core/visibility/visible_polygon.hpp"
 
-#include "core/formulas/arc_terms.hpp"
+#include "core/formulas/arc_sums.hpp"
 #include "core/geometry/convex_polygon.hpp"
 #include "core/support/contract.hpp"
 
@@ -8,10 +8,9 @@
 #include <boost/container/small_vector.hpp>
 
 #include <algorithm>
-#include <array>
+#include <cmath>
 #include <cstddef>
 #include <memory>
-#include <numbers>
 #include <numeric>
 #include <utility>
 
@@ -73,6 +72,9 @@ SmallPolygon cut_off(SmallPolygon& polygon, const Vector3d& normal) {
     return off;
 }
 
+/// Blockers may be before each other by this share of the size of all.
+constexpr double convex_room = 1e-14;
+
 /// From so many blockers on it pays to ask first which of them are beside the target.
 constexpr std::size_t least_for_cone = 3;
 
@@ -96,14 +98,22 @@ void find_sides(const SmallPolygon& polygon, SmallPolygon& sides) {
         if (side.squaredNorm() <= room) continue;  // two corners in one
         const double height = side.dot(middle);
         if (height * height <= room * farthest) return sides.clear();
-        sides.push_back(height > 0 ? side : -side);
+        side /= height > 0 ? side.norm() : -side.norm();
+        sides.push_back(side);
     }
     if (sides.size() < 3) sides.clear();
 }
 
-bool is_outside(const SmallPolygon& piece, const SmallPolygon& sides) {
+double farthest(const SmallPolygon& polygon) {
+    double square = 0;
+    for (const Vector3d& v : polygon) square = std::max(square, v.squaredNorm());
+    return std::sqrt(square);
+}
+
+/// @param room  what reaches no further inside is outside
+bool is_outside(const SmallPolygon& piece, const SmallPolygon& sides, double room = 0) {
     return std::any_of(sides.begin(), sides.end(), [&](const Vector3d& side) {
-        return std::all_of(piece.begin(), piece.end(), [&](const Vector3d& v) { return side.dot(v) <= 0; });
+        return std::all_of(piece.begin(), piece.end(), [&](const Vector3d& v) { return side.dot(v) <= room; });
     });
 }
 
@@ -126,45 +136,6 @@ bool keep_those_that_cut(SmallPolygon& sides, const SmallPolygon& piece) {
     return true;
 }
 
-/// Adds up Lambert's formula for pieces of what is seen from several places, many edges at a time.
-class Sums {
-  public:
-    Sums(Vector3d normal, std::size_t places) : normal_(std::move(normal)), sums_(places, 0.0) {}
-
-    /// @param sign  of its factor in the sum of a place
-    void add(std::size_t place, const SmallPolygon& piece, double sign) {
-        for (std::size_t k = 0; k < piece.size(); ++k) {
-            if (arcs_.is_full()) flush();
-            of_[arcs_.size] = {static_cast<std::uint32_t>(place), sign};
-            arcs_.add(piece[k], next_corner(piece, k));
-        }
-    }
-
-    /// By place.
-    [[nodiscard]] std::span<const double> result() {
-        flush();
-        return {sums_.data(), sums_.size()};
-    }
-
-  private:
-    struct Owner {
-        std::uint32_t place;
-        double sign;
-    };
-    Vector3d normal_;
-    boost::container::small_vector<double, 64> sums_;
-    Arcs arcs_;
-    std::array<Owner, Arcs::capacity> of_;
-
-    void flush() {
-        std::array<double, Arcs::capacity> terms;
-        find_arc_terms(arcs_, normal_, terms);
-        for (std::size_t k = 0; k < arcs_.size; ++k)
-            sums_[of_[k].place] += of_[k].sign * terms[k] * (0.5 / std::numbers::pi);
-        arcs_.size = 0;
-    }
-};
-
 /// What of a convex piece a shadow hides, given by the planes of its sides: all of it where it does not differ.
 bool hide(SmallPolygon& piece, const SmallPolygon& shadow) {
     bool differs = false;
@@ -175,41 +146,113 @@ bool hide(SmallPolygon& piece, const SmallPolygon& shadow) {
     return differs;
 }
 
-/// Adds the part of a convex piece that no shadow hides.
-void add_visible(Sums& sums, std::size_t place, SmallPolygon piece, std::span<const SmallPolygon> shadows,
-                 double sign) {
-    while (!shadows.empty() && is_outside(piece, shadows.front())) shadows = shadows.subspan(1);
-    if (shadows.empty()) return sums.add(place, piece, sign);
-    if (shadows.size() == 1) {
-        SmallPolygon hidden = piece;
-        if (!hide(hidden, shadows.front())) return;
-        sums.add(place, piece, sign);
-        return sums.add(place, hidden, -sign);
+struct Shadow {
+    std::uint32_t blocker = 0;
+    bool of_front = false;  ///< the blocker is seen from the front
+    SmallPolygon sides;     ///< normals of the planes around it, towards its inside
+};
+
+/// Adds the part of a convex piece that no shadow hides. What a shadow hides is taken off the sum where no other one
+/// hides any of that, as with neighbours in a mesh; else the piece is cut up along the shadow's sides.
+class Adding {
+  public:
+    /// @param are_convex  by two blockers: no line meets the same side of both
+    /// @param farthest    corner of the target
+    Adding(const std::vector<bool>& are_convex, std::size_t blockers, double farthest, ArcSums& sums, std::size_t place)
+        : are_convex_(are_convex),
+          blockers_(blockers),
+          room_(product_rounding * farthest),
+          sums_(sums),
+          place_(place) {}
+
+    // NOLINTNEXTLINE(misc-no-recursion): each level has fewer shadows.
+    void add(SmallPolygon piece, std::span<const Shadow> shadows) {
+        for (; !shadows.empty(); shadows = shadows.subspan(1)) {
+            const Shadow& shadow = shadows.front();
+            const std::span<const Shadow> others = shadows.subspan(1);
+            if (is_outside(piece, shadow.sides, room_)) continue;
+            SmallPolygon hidden = piece;
+            if (!hide(hidden, shadow.sides)) return;
+            if (hidden.empty()) continue;
+            const auto overlaps = [&](const Shadow& other) {
+                return !are_apart(shadow, other) && !is_outside(hidden, other.sides, room_);
+            };
+            if (std::any_of(others.begin(), others.end(), overlaps)) {
+                for (const Vector3d& side : shadow.sides) {
+                    SmallPolygon outside = cut_off(piece, side);
+                    if (!outside.empty()) add(std::move(outside), others);
+                    if (piece.empty()) break;
+                }
+                return;
+            }
+            sums_.add(place_, hidden, 1);
+        }
+        sums_.add(place_, piece, -1);
     }
-    for (const Vector3d& side : shadows.front()) {
-        SmallPolygon outside = cut_off(piece, side);
-        if (!outside.empty()) add_visible(sums, place, std::move(outside), shadows.subspan(1), sign);
-        if (piece.empty()) break;
+
+  private:
+    const std::vector<bool>& are_convex_;
+    std::size_t blockers_;
+    double room_;
+    ArcSums& sums_;
+    std::size_t place_;
+
+    [[nodiscard]] bool are_apart(const Shadow& a, const Shadow& b) const {
+        return a.of_front == b.of_front && are_convex_[a.blocker * blockers_ + b.blocker];
     }
-}
+};
 
 }  // namespace
 
-VisiblePolygon::VisiblePolygon(const Surface& target, const std::vector<const Surface*>& blockers)
+VisiblePolygon::VisiblePolygon(const Surface& target, const std::vector<Blocker>& blockers, FacedEnd place_at)
     : target_(outline(target)), target_normal_(target.normal) {
     FF_EXPECT(!target_.empty());
     // Parts of blockers that lie behind the target's plane hide nothing.
     const Vector3d origin = target_.front();
-    for (const Surface* blocker : blockers) {
-        FF_EXPECT(!corners(blocker->shape).empty());
+    for (const Blocker& blocker : blockers) {
+        FF_EXPECT(!corners(blocker.surface->shape).empty());
+        hides_.push_back(blocker.faces == FacedEnd::either ? Hides::always
+                         : blocker.faces == place_at       ? Hides::from_before
+                                                           : Hides::from_behind);
         SmallPolygon part;
-        see_from(origin, outline(*blocker), part);
+        see_from(origin, outline(*blocker.surface), part);
         cut(part, target_normal_);
         std::vector<Vector3d>& kept = blockers_.emplace_back();
         for (const Vector3d& corner : part) kept.emplace_back(origin + corner);
     }
+    find_convex_pairs();
     all_.resize(blockers_.size());
     std::iota(all_.begin(), all_.end(), 0U);
+}
+
+void VisiblePolygon::find_convex_pairs() {
+    const std::size_t count = blockers_.size();
+    are_convex_.resize(count * count);
+    std::vector<Plane> planes;
+    for (const std::vector<Vector3d>& blocker : blockers_) {
+        if (blocker.empty()) {
+            planes.emplace_back();
+            continue;
+        }
+        const Vector3d normal = twice_area(blocker).normalized();
+        planes.push_back({normal, normal.dot(blocker.front())});
+    }
+    double size = 0;
+    for (const Vector3d& corner : target_) size = std::max(size, (corner - target_.front()).norm());
+    for (const auto& blocker : blockers_) {
+        for (const Vector3d& corner : blocker) size = std::max(size, (corner - target_.front()).norm());
+    }
+    const double room = convex_room * size;
+    const auto is_behind = [&](std::size_t blocker, const Plane& plane) {
+        return std::all_of(blockers_[blocker].begin(), blockers_[blocker].end(),
+                           [&](const Vector3d& corner) { return plane.normal.dot(corner) <= plane.offset + room; });
+    };
+    for (std::size_t a = 0; a < count; ++a) {
+        for (std::size_t b = 0; b < a; ++b)
+            are_convex_[a * count + b] = are_convex_[b * count + a] =
+                is_behind(a, planes[b]) && is_behind(b, planes[a]);
+    }
+    planes_ = std::move(planes);
 }
 
 VisiblePolygon::Factors VisiblePolygon::from(const Vector3d& place, const Vector3d& normal) const {
@@ -227,14 +270,14 @@ void VisiblePolygon::find(std::span<const Vector3d> places, const Vector3d& norm
                           std::span<const std::uint32_t> blockers, std::span<Factors> result) const {
     FF_EXPECT(result.size() == places.size());
     // Two sums for each place: of the whole, and of what differs from it.
-    Sums sums(normal, 2 * places.size());
+    ArcSums sums(normal, 2 * places.size());
     enum class Sight : std::uint8_t { nothing, all, all_but, part };
     boost::container::small_vector<Sight, 32> sights(places.size(), Sight::nothing);
     SmallPolygon whole;
     SmallPolygon cone;
     SmallPolygon blocker;
     SmallPolygon sides;
-    boost::container::small_vector<SmallPolygon, 4> shadows;
+    boost::container::small_vector<Shadow, 4> shadows;
     for (std::size_t k = 0; k < places.size(); ++k) {
         const Vector3d& place = places[k];
         if (target_normal_.dot(target_.front() - place) >= 0) continue;
@@ -246,21 +289,24 @@ void VisiblePolygon::find(std::span<const Vector3d> places, const Vector3d& norm
         if (blockers.size() >= least_for_cone) find_sides(whole, cone);
         shadows.clear();
         for (const std::uint32_t index : blockers) {
+            const bool is_before = planes_[index].is_before(place);
+            if (hides_[index] == (is_before ? Hides::from_behind : Hides::from_before)) continue;
             see_from(place, blockers_[index], blocker);
             if (is_outside(blocker, cone)) continue;
             cut(blocker, normal);
             if (blocker.empty()) continue;
             find_sides(blocker, sides);
-            if (!sides.empty() && keep_those_that_cut(sides, whole)) shadows.push_back(sides);
+            if (!sides.empty() && keep_those_that_cut(sides, whole)) shadows.push_back({index, is_before, sides});
         }
         if (shadows.empty()) {
             sights[k] = Sight::all;
         } else if (shadows.size() == 1) {
-            if (!hide(whole, shadows.front())) continue;
+            if (!hide(whole, shadows.front().sides)) continue;
             sums.add(2 * k + 1, whole, -1);
             sights[k] = Sight::all_but;
         } else {
-            add_visible(sums, 2 * k + 1, std::move(whole), {shadows.data(), shadows.size()}, -1);
+            Adding adding(are_convex_, blockers_.size(), farthest(whole), sums, 2 * k + 1);
+            adding.add(std::move(whole), {shadows.data(), shadows.size()});
             sights[k] = Sight::part;
         }
     }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/geometry/scene.hpp"
+#include "core/visibility/blocker.hpp"
 
 #include <Eigen/Core>
 
@@ -15,8 +16,9 @@ namespace ff {
 /// integral over places has only two dimensions, and a continuous integrand.
 class VisiblePolygon {
   public:
+    /// @param place_at  the end of the pair that places lie on; the target is the other one
     /// @pre all surfaces are parallelograms or triangles
-    VisiblePolygon(const Surface& target, const std::vector<const Surface*>& blockers);
+    VisiblePolygon(const Surface& target, const std::vector<Blocker>& blockers, FacedEnd place_at = FacedEnd::from);
 
     /// Form factors from an element of area at a place.
     struct Factors {
@@ -38,7 +40,21 @@ class VisiblePolygon {
     std::vector<Eigen::Vector3d> target_;  ///< counter-clockwise as seen from the side that receives
     Eigen::Vector3d target_normal_;
     std::vector<std::vector<Eigen::Vector3d>> blockers_;  ///< the parts in front of the target
+    struct Plane {
+        Eigen::Vector3d normal;
+        double offset = 0;
+
+        [[nodiscard]] bool is_before(const Eigen::Vector3d& place) const { return normal.dot(place) > offset; }
+    };
+    std::vector<Plane> planes_;  ///< of blockers
+    /// By blocker: whether it hides something from places on either side of its plane, before it only, or behind.
+    enum class Hides : std::uint8_t { always, from_before, from_behind };
+    std::vector<Hides> hides_;
+    std::vector<bool> are_convex_;  ///< by two blockers: each lies behind the other, so that no line meets the front,
+                                    ///< or the back, of both
     std::vector<std::uint32_t> all_;
+
+    void find_convex_pairs();
 
     void find(std::span<const Eigen::Vector3d> places, const Eigen::Vector3d& normal,
               std::span<const std::uint32_t> blockers, std::span<Factors> result) const;

@@ -50,7 +50,8 @@ void PointSampling::run(StreamKey key, std::uint32_t first, std::uint64_t points
     const std::vector<SourceCell>& cells = cells_.mixed;
     if (cells.empty()) return;
     const SurfaceMap map(scene_->surfaces[source_]);
-    const VisiblePolygon target(scene_->surfaces[target_], pair_->exchange.blockers);
+    const VisiblePolygon target(scene_->surfaces[target_], pair_->exchange.blockers,
+                                source_ == pair_->from ? FacedEnd::from : FacedEnd::to);
     const auto add = [&](PointSums& sum, const SourceCell& cell, double s, double t) {
         const SurfacePoint place = map.at(s, t);
         const VisiblePolygon::Factors factors = target.from(place.position, place.normal, cell.blockers);

@@ -124,14 +124,14 @@ double factor_of_visible(SmallPolygon piece, std::span<const SmallPolygon> shado
 
 }  // namespace
 
-PlainVisiblePolygon::PlainVisiblePolygon(const Surface& target, const std::vector<const Surface*>& blockers)
+PlainVisiblePolygon::PlainVisiblePolygon(const Surface& target, const std::vector<Blocker>& blockers)
     : target_(outline(target)), target_normal_(target.normal) {
     FF_EXPECT(!target_.empty());
     // Parts of blockers that lie behind the target's plane hide nothing.
     const Vector3d origin = target_.front();
-    for (const Surface* blocker : blockers) {
-        FF_EXPECT(!corners(blocker->shape).empty());
-        SmallPolygon part = seen_from(origin, outline(*blocker));
+    for (const Blocker& blocker : blockers) {
+        FF_EXPECT(!corners(blocker.surface->shape).empty());
+        SmallPolygon part = seen_from(origin, outline(*blocker.surface));
         cut(part, target_normal_);
         std::vector<Vector3d>& kept = blockers_.emplace_back();
         for (const Vector3d& corner : part) kept.emplace_back(origin + corner);

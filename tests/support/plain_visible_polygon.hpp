@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/geometry/scene.hpp"
+#include "core/visibility/blocker.hpp"
 
 #include <Eigen/Core>
 
@@ -15,7 +16,7 @@ namespace ff::test {
 class PlainVisiblePolygon {
   public:
     /// @pre all surfaces are parallelograms or triangles, and outlive this
-    PlainVisiblePolygon(const Surface& target, const std::vector<const Surface*>& blockers);
+    PlainVisiblePolygon(const Surface& target, const std::vector<Blocker>& blockers);
 
     /// Form factors from an element of area at a place.
     struct Factors {

@@ -23,8 +23,10 @@ PointToVisiblePolygon::PointToVisiblePolygon(const Scene& scene, TracerChoice /*
         for (std::uint32_t t = 0; t < scene.surfaces.size(); ++t) {
             const Surface& target = scene.surfaces[t];
             if (!is_of_face(target) || !face_each_other(source, target)) continue;
-            std::vector<const Surface*> blockers;
-            if (!scene.empty_box) blockers = possible_blockers(scene, source, target);
+            std::vector<Blocker> blockers;
+            if (!scene.empty_box) {
+                for (const Surface* blocker : possible_blockers(scene, source, target)) blockers.emplace_back(blocker);
+            }
             targets_[s].push_back({t, VisiblePolygon(target, blockers)});
         }
     }

@@ -67,7 +67,7 @@ bool is_passed_by(const BlockedPair& pair, const Vector3d& a, const Vector3d& b)
 
 }  // namespace
 
-BlockedPair::BlockedPair(const Surface& from, const Surface& to, const std::vector<const Surface*>& between)
+BlockedPair::BlockedPair(const Surface& from, const Surface& to, const std::vector<Blocker>& between)
     : origin(middle(from)), source_normal(from.normal) {
     source = in_front_of(moved(from, origin), to, origin);
     target = in_front_of(moved(to, origin), from, origin);
@@ -75,8 +75,8 @@ BlockedPair::BlockedPair(const Surface& from, const Surface& to, const std::vect
     for (const ConvexPolygon* end : {&source, &target}) {
         for (const Vector3d& corner : *end) size = std::max(size, corner.norm());
     }
-    for (const Surface* blocker : between) {
-        ConvexPolygon part = in_front_of(in_front_of(moved(*blocker, origin), from, origin), to, origin);
+    for (const Blocker& blocker : between) {
+        ConvexPolygon part = in_front_of(in_front_of(moved(*blocker.surface, origin), from, origin), to, origin);
         if (!part.empty() && polygon_area(part) > same_length * same_length * size * size)
             blockers.push_back(std::move(part));
     }

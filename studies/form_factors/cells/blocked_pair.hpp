@@ -2,6 +2,7 @@
 
 #include "core/geometry/convex_polygon.hpp"
 #include "core/geometry/scene.hpp"
+#include "core/visibility/blocker.hpp"
 
 #include <Eigen/Core>
 
@@ -20,7 +21,7 @@ struct BlockedPair {
     std::vector<ConvexPolygon> blockers;  ///< without those of which nothing is left
     double size = 0;                      ///< largest distance of a corner from the origin
 
-    BlockedPair(const Surface& source, const Surface& target, const std::vector<const Surface*>& blockers);
+    BlockedPair(const Surface& source, const Surface& target, const std::vector<Blocker>& blockers);
 };
 
 /// An edge of a blocker at which what the source sees of the target may end.

@@ -47,10 +47,10 @@ using Factors = std::array<double, 2>;
 struct CellTask {
     const Surface& source;  ///< is integrated over: the smaller polygon, or what is round
     const Surface& target;
-    const std::vector<const Surface*>& blockers;
-    std::optional<BoundedValue<double>> whole;  ///< exchange area with nothing in between; empty where one is round
-    double most = 0;                            ///< upper bound of it
-    double wanted = 0;                          ///< half width
+    const PairExchange& exchange;
+    FacedEnd source_end;
+    double most = 0;    ///< upper bound of it
+    double wanted = 0;  ///< half width
     PointEffort effort = PointEffort::full;
     Stream stream;  ///< its random numbers; each randomisation is a trial of its own
 };
@@ -73,7 +73,7 @@ class Cells {
   public:
     explicit Cells(const CellTask& task)
         : task_(task),
-          target_(task_.target, task_.blockers),
+          target_(task_.target, task_.exchange.blockers, task_.source_end),
           tolerances_(task_.most / task_.wanted),
           rule_(rule_for(tolerances_)) {}
 
@@ -81,9 +81,9 @@ class Cells {
         const double least = task_.effort == PointEffort::full ? least_evaluations : least_evaluations_of_many;
         const double allowed = std::clamp(evaluations_per_tolerance * tolerances_, least, most_evaluations);
         if (corners(task_.source.shape).empty()) {
-            if (!task_.blockers.empty() || !divide_round_source(allowed)) return std::nullopt;
+            if (!task_.exchange.blockers.empty() || !divide_round_source(allowed)) return std::nullopt;
         } else {
-            const BlockedPair pair(task_.source, task_.target, task_.blockers);
+            const BlockedPair pair(task_.source, task_.target, task_.exchange.blockers);
             if (pair.source.empty() || pair.target.empty()) return CellSum{};
             if (!divide_polygon(pair, allowed)) return std::nullopt;
         }
@@ -228,7 +228,7 @@ class Cells {
         for (const Cell& cell : cells_) {
             for (const Side side : {visible, hidden}) squares[side] += cell.left[side] * cell.left[side];
         }
-        side_ = task_.whole && squares[hidden] < squares[visible] ? hidden : visible;
+        side_ = task_.exchange.area && squares[hidden] < squares[visible] ? hidden : visible;
         return std::sqrt(squares[side_]) <= left_of_wanted * task_.wanted;
     }
 
@@ -307,8 +307,8 @@ class Cells {
         share.unmet = {.rough = std::sqrt(squares)};
         CellSum result;
         const double sign = side_ == hidden ? -1 : 1;
-        result.sum.offset = sign * integral + (side_ == hidden ? task_.whole->value : 0);
-        result.sum.offset_error = side_ == hidden ? task_.whole->error : 0;
+        result.sum.offset = sign * integral + (side_ == hidden ? task_.exchange.area->value : 0);
+        result.sum.offset_error = side_ == hidden ? task_.exchange.area->error : 0;
         result.sum.terms.push_back({sign, std::move(share)});
         result.evaluations = evaluations_;
         return result;
@@ -329,12 +329,12 @@ std::optional<CellSum> cell_sum(const Scene& scene, const FacePair& pair, PointE
         const auto is_round = [](const Surface* surface) { return corners(surface->shape).empty(); };
         if (is_round(target) || (!is_round(source) && has_smaller_target)) std::swap(source, target);
         if (is_round(target)) return std::nullopt;
+        const FacedEnd source_end = source == &scene.surfaces[sampled.from] ? FacedEnd::from : FacedEnd::to;
         const std::optional<BoundedValue<double>>& whole = sampled.exchange.area;
         const double most = whole ? whole->value : std::min(area(source->shape), area(target->shape));
         const Stream stream{.key = key, .trial = 0, .source = sampled.from, .target = sampled.to + 1};
         auto found =
-            Cells({*source, *target, sampled.exchange.blockers, whole, most, share / sampled.times, effort, stream})
-                .run();
+            Cells({*source, *target, sampled.exchange, source_end, most, share / sampled.times, effort, stream}).run();
         if (!found) return std::nullopt;
         result.evaluations += found->evaluations;
         result.sum.offset += sampled.times * found->sum.offset;

@@ -76,7 +76,7 @@ double points_for(double area, const std::optional<BoundedValue<double>>& whole,
 
 class Division {
   public:
-    Division(const Surface& source, const Surface& target, const std::vector<const Surface*>& blockers,
+    Division(const Surface& source, const Surface& target, const std::vector<Blocker>& blockers,
              const std::optional<BoundedValue<double>>& whole, double wanted)
         : source_(source),
           map_(source),
@@ -90,7 +90,7 @@ class Division {
           target_(in_front(moved(target))) {
         if (target_.corners.empty()) return;
         target_normal_ = target.normal;
-        for (const Surface* blocker : blockers) blockers_.emplace_back(relevant(moved(*blocker)));
+        for (const Blocker& blocker : blockers) blockers_.emplace_back(relevant(moved(*blocker.surface)));
         rims_.emplace(source_, target_.corners);
         for (const Plate& blocker : blockers_) rims_->add_blocker(blocker.corners);
     }
@@ -308,7 +308,7 @@ class Division {
 
 }  // namespace
 
-SourceCells divide(const Surface& source, const Surface& target, const std::vector<const Surface*>& blockers,
+SourceCells divide(const Surface& source, const Surface& target, const std::vector<Blocker>& blockers,
                    const std::optional<BoundedValue<double>>& whole, double wanted) {
     return Division(source, target, blockers, whole, wanted).run();
 }

@@ -2,6 +2,7 @@
 
 #include "core/formulas/edge_integral.hpp"
 #include "core/geometry/scene.hpp"
+#include "core/visibility/blocker.hpp"
 #include "studies/form_factors/division/source_cells.hpp"
 
 #include <optional>
@@ -14,7 +15,7 @@ namespace ff::studies::form_factors {
 /// @param target    a polygon, like all blockers
 /// @param whole     unoccluded exchange area, where it determines the number of points (PointEffort)
 /// @param wanted    relevant exchange area
-SourceCells divide(const Surface& source, const Surface& target, const std::vector<const Surface*>& blockers,
+SourceCells divide(const Surface& source, const Surface& target, const std::vector<Blocker>& blockers,
                    const std::optional<BoundedValue<double>>& whole, double wanted);
 
 }  // namespace ff::studies::form_factors

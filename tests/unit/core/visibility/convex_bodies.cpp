@@ -29,55 +29,51 @@ std::vector<Vector3d> square_at(double height, double size) {
     return {{-size, -size, height}, {size, -size, height}, {size, size, height}, {-size, size, height}};
 }
 
-constexpr std::size_t roof_index = 1;
-constexpr std::size_t wall_index = 3;  // x = 1
+ConvexBodies bodies_of(const std::vector<Surface>& sides) {
+    return {sides, SharedEdges(sides)};
+}
 
 TEST(ConvexBodies, AreClosedOrLackOneSide) {
     std::vector<Surface> sides = cube();
-    for (std::size_t k = 0; k < sides.size(); ++k) EXPECT_EQ(ConvexBodies(sides).of(k), 0u);
+    for (std::size_t k = 0; k < sides.size(); ++k) EXPECT_EQ(bodies_of(sides).of(k), 0u);
     sides.erase(sides.begin());
-    for (std::size_t k = 0; k < sides.size(); ++k) EXPECT_EQ(ConvexBodies(sides).of(k), 0u) << "without a floor";
+    for (std::size_t k = 0; k < sides.size(); ++k) EXPECT_EQ(bodies_of(sides).of(k), 0u) << "without a floor";
     sides.pop_back();
-    for (std::size_t k = 0; k < sides.size(); ++k) EXPECT_FALSE(ConvexBodies(sides).of(k)) << "without a wall too";
+    for (std::size_t k = 0; k < sides.size(); ++k) EXPECT_FALSE(bodies_of(sides).of(k)) << "without a wall too";
 }
 
 TEST(ConvexBodies, ExcludeBodiesThatRadiateInwards) {
     std::vector<Surface> sides = cube();
     for (Surface& surface : sides) surface.normal *= -1;
-    for (std::size_t k = 0; k < sides.size(); ++k) EXPECT_FALSE(ConvexBodies(sides).of(k));
+    for (std::size_t k = 0; k < sides.size(); ++k) EXPECT_FALSE(bodies_of(sides).of(k));
 }
 
 TEST(ConvexBodies, ExcludeTheFloorTheyStandOn) {
     std::vector<Surface> sides = cube();
     sides.erase(sides.begin());
     sides.push_back(side({1, 0, 0}, {1, 0, 0}, {0, 1, 0}));  // shares an edge with the wall
-    const ConvexBodies bodies(sides);
+    const ConvexBodies bodies = bodies_of(sides);
     EXPECT_EQ(bodies.of(0), 0u);
     EXPECT_FALSE(bodies.of(sides.size() - 1));
 }
 
-TEST(ConvexBodies, AreMetOnTheirNearSidesFirst) {
-    const ConvexBodies bodies(cube());
-    const std::vector<Vector3d> above = square_at(3, 0.1);
-    EXPECT_FALSE(bodies.is_met_before(roof_index, above));
-    EXPECT_TRUE(bodies.is_met_before(0, above)) << "the floor, after the roof or a wall";
-    EXPECT_FALSE(bodies.is_met_before(0, square_at(0.5, 0.1))) << "half of that square is inside";
-    EXPECT_FALSE(bodies.is_met_before(0, square_at(1, 0.1))) << "a lamp below the roof, which is at its back";
+TEST(ConvexBodies, HaveAnOutside) {
+    const ConvexBodies bodies = bodies_of(cube());
+    EXPECT_TRUE(bodies.is_outside(0, square_at(3, 0.1)));
+    EXPECT_FALSE(bodies.is_outside(0, square_at(0.5, 0.1))) << "half of that square is inside";
+    EXPECT_FALSE(bodies.is_outside(0, square_at(1, 0.1))) << "a lamp below the roof, which is at its back";
 }
 
 TEST(ConvexBodies, LetLinesInWhereASideIsMissing) {
     std::vector<Surface> sides = cube();
     sides.erase(sides.begin());
-    const ConvexBodies bodies(sides);
-    const std::vector<Vector3d> below = square_at(-1, 0.1);
-    EXPECT_FALSE(bodies.is_met_before(roof_index - 1, below)) << "nothing stands before the roof there";
-    const std::vector<Vector3d> beside = {{3, 0, 0.1}, {3, 1, 0.1}, {3, 1, 0.9}, {3, 0, 0.9}};
-    EXPECT_TRUE(bodies.is_met_before(1, beside)) << "the far wall, after the near one";
-    EXPECT_FALSE(bodies.is_met_before(wall_index - 1, beside));
+    const ConvexBodies bodies = bodies_of(sides);
+    EXPECT_FALSE(bodies.is_outside(0, square_at(-1, 0.1))) << "nothing stands before the roof there";
+    EXPECT_TRUE(bodies.is_outside(0, std::vector<Vector3d>{{3, 0, 0.1}, {3, 1, 0.1}, {3, 1, 0.9}, {3, 0, 0.9}}));
 }
 
 TEST(ConvexBodies, HideLinesThatNoSingleSideHides) {
-    const ConvexBodies bodies(cube());
+    const ConvexBodies bodies = bodies_of(cube());
     // Diagonal lines between upright squares enter by either of two walls.
     const auto upright = [](double sign) {
         const Vector3d middle(0.5 + sign, 0.5 + sign, 0.5);

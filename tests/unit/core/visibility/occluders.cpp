@@ -13,6 +13,7 @@
 #include <cmath>
 #include <cstdint>
 #include <map>
+#include <numbers>
 #include <random>
 #include <utility>
 
@@ -51,7 +52,37 @@ void add_box(Scene& scene, std::mt19937& engine, const Vector3d& corner, const s
     }
 }
 
-/// Walls of tiles, boxes and single plates of any size, some of them along the axes, anywhere in a unit cube.
+/// A closed mesh of triangles around a centre, with dents and peaks; it radiates outwards, or inwards as a cave does.
+void add_mesh(Scene& scene, std::mt19937& engine, const Vector3d& centre, double size) {
+    std::uniform_real_distribution<double> radius(0.2, 1);
+    const bool outward = radius(engine) < 0.8;
+    constexpr int meridians = 5;
+    const auto turn = Eigen::AngleAxisd(10 * radius(engine), Vector3d(radius(engine), 0.3, -0.4).normalized());
+    std::vector<Vector3d> rows;  // two rings between the poles
+    for (const double height : {0.5, -0.5}) {
+        for (int k = 0; k < meridians; ++k) {
+            const double angle = 2 * std::numbers::pi * k / meridians;
+            rows.push_back(radius(engine) * Vector3d(std::cos(angle), std::sin(angle), height));
+        }
+    }
+    const Vector3d top(0, 0, radius(engine));
+    const Vector3d bottom(0, 0, -radius(engine));
+    const auto add = [&](const Vector3d& a, const Vector3d& b, const Vector3d& c) {
+        Triangle triangle{centre + size * (turn * a), centre + size * (turn * b), centre + size * (turn * c)};
+        if (!outward) std::swap(triangle.b, triangle.c);
+        const Vector3d normal = (triangle.b - triangle.a).cross(triangle.c - triangle.a).normalized();
+        scene.surfaces.push_back({triangle, normal, static_cast<int>(scene.surfaces.size())});
+    };
+    for (std::size_t k = 0; k < meridians; ++k) {
+        const std::size_t next = (k + 1) % meridians;
+        add(top, rows[k], rows[next]);
+        add(rows[k], rows[meridians + k], rows[meridians + next]);
+        add(rows[k], rows[meridians + next], rows[next]);
+        add(bottom, rows[meridians + next], rows[meridians + k]);
+    }
+}
+
+/// Walls of tiles, boxes, meshes and single plates of any size, some of them along the axes, anywhere in a unit cube.
 Scene random_scene(std::mt19937& engine, std::size_t surfaces = 24) {
     std::uniform_real_distribution<double> coordinate(0, 1);
     const auto place = [&] { return Vector3d(coordinate(engine), coordinate(engine), coordinate(engine)); };
@@ -63,6 +94,10 @@ Scene random_scene(std::mt19937& engine, std::size_t surfaces = 24) {
     };
     Scene scene;
     while (scene.surfaces.size() < surfaces) {
+        if (coordinate(engine) < 0.05) {
+            add_mesh(scene, engine, place(), coordinate(engine) < 0.5 ? 0.2 : 0.7);
+            continue;
+        }
         if (coordinate(engine) < 0.25) {
             const double size = coordinate(engine) < 0.5 ? 0.3 : 0.8;
             const std::array<Vector3d, 3> edges = {edge(), edge(), size * edge()};
@@ -99,6 +134,19 @@ std::map<std::pair<std::uint32_t, std::uint32_t>, Occluders::Between> visited(co
     return found;
 }
 
+/// Whether nothing that has to be looked at stands between two places.
+bool sees_past(const Vector3d& p, const Surface& from, const Vector3d& q, const Surface& to,
+               const std::vector<Blocker>& blockers) {
+    std::vector<const Surface*> facing;
+    for (const auto& [surface, faces] : blockers) {
+        const Vector3d& seen_from = faces == FacedEnd::to ? q : p;
+        const bool faces_it =
+            faces == FacedEnd::either || surface->normal.dot(seen_from - corners(surface->shape).front()) > 0;
+        if (faces_it) facing.push_back(surface);
+    }
+    return sees(p, from, q, to, facing);
+}
+
 /// @param dropped  leave the last occluder out
 Seen look(const Scene& scene, std::mt19937& engine, bool dropped) {
     const Occluders occluders(scene);
@@ -133,7 +181,8 @@ Seen look(const Scene& scene, std::mt19937& engine, bool dropped) {
                 if (between.all_hidden)
                     seen.seen_of_hidden += clear ? 1u : 0u;
                 else
-                    seen.differences += clear != sees(p.position, from, q.position, to, between.occluders) ? 1u : 0u;
+                    seen.differences +=
+                        clear != sees_past(p.position, from, q.position, to, between.occluders) ? 1u : 0u;
             }
         }
     }
@@ -176,6 +225,20 @@ TEST(Occluders, HideWhatLiesInThePlaneOfASideOfABody) {
     for (const auto& [u, v] : {std::pair(x, y), std::pair(y, z), std::pair(z, x)}) add_tiles(scene, high, -u, -v, 1);
     const Occluders occluders(scene);
     EXPECT_TRUE(occluders.between(0, 1).all_hidden || occluders.between(0, 1).occluders.size() >= 5);
+}
+
+// A cave with a body in it: only what the body turns to a wall hides anything from it.
+TEST(Occluders, OfAMeshFaceOneEnd) {
+    std::mt19937 engine(3);
+    Scene scene;
+    add_tiles(scene, {-2, -2, -3}, {4, 0, 0}, {0, 4, 0}, 1);
+    add_tiles(scene, {-2, -2, 3}, {0, 4, 0}, {4, 0, 0}, 1);
+    add_mesh(scene, engine, {0, 0, 0}, 1);
+    const Occluders occluders(scene);
+    const auto between = occluders.between(0, 1).occluders;
+    EXPECT_GT(between.size(), 3u);
+    EXPECT_LT(between.size(), 20u) << "some are seen from behind by all of the floor";
+    for (const Blocker& blocker : between) EXPECT_EQ(blocker.faces, FacedEnd::from);
 }
 
 TEST(Occluders, CheckNoticesAMissingOne) {

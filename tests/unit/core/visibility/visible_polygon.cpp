@@ -125,7 +125,7 @@ TEST(VisiblePolygon, AgreesWithPointsThatAreSeen) {
         const Vector3d place(uniform(engine), uniform(engine), 0);
         const Vector3d normal = Vector3d(0.4 * uniform(engine), 0.4 * uniform(engine), 1).normalized();
         const Surface source = rectangle_at(place - Vector3d(1e-9, 1e-9, 0), {1e-9, 0, 0}, {0, 1e-9, 0});
-        const auto factors = VisiblePolygon(target, pointers).from(place, normal);
+        const auto factors = VisiblePolygon(target, {pointers.begin(), pointers.end()}).from(place, normal);
         double sum = 0;
         double squares = 0;
         constexpr int points = 20000;
@@ -146,8 +146,8 @@ TEST(VisiblePolygon, AgreesWithPointsThatAreSeen) {
     EXPECT_GE(partly_hidden, 20);
 }
 
-// Up to six triangles of any size near, before, behind and across the target, from places that lie together: within
-// what the arc tangents of both differ by.
+// Up to six triangles of any size near, before, behind and across the target, half of which share an edge with the one
+// before them, from places that lie together: within what the arc tangents of both differ by.
 TEST(VisiblePolygon, AgreesWithThePlainWayFromManyPlacesAtOnce) {
     std::mt19937_64 engine(12);
     std::uniform_real_distribution<double> uniform(0, 1);
@@ -162,11 +162,16 @@ TEST(VisiblePolygon, AgreesWithThePlainWayFromManyPlacesAtOnce) {
         for (int k = scene % 7; k > 0; --k) {
             const Vector3d corner = point();
             const double size = std::exp(-4 * uniform(engine));
-            const Triangle triangle{corner, corner + size * (point() - corner), corner + size * (point() - corner)};
+            Triangle triangle{corner, corner + size * (point() - corner), corner + size * (point() - corner)};
+            if (!blockers.empty() && uniform(engine) < 0.5) {
+                const ConvexPolygon last = outline(blockers.back());
+                triangle.a = last[1];
+                triangle.b = last[0];
+            }
             const Vector3d across = (triangle.b - triangle.a).cross(triangle.c - triangle.a);
             blockers.push_back({triangle, across.normalized(), no_face});
         }
-        std::vector<const Surface*> pointers;
+        std::vector<Blocker> pointers;
         for (const Surface& blocker : blockers) pointers.push_back(&blocker);
         const Surface target = ceiling();
         const Vector3d normal = Vector3d(uniform(engine), uniform(engine), 1).normalized();

@@ -26,7 +26,7 @@ struct Room {
     std::vector<Surface> blockers;
 
     [[nodiscard]] BlockedPair pair() const {
-        std::vector<const Surface*> between;
+        std::vector<Blocker> between;
         for (const Surface& blocker : blockers) between.push_back(&blocker);
         return {floor, ceiling, between};
     }

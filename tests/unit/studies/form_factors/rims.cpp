@@ -34,8 +34,8 @@ double largest_share_of_bound(bool with_plates) {
         const Surface target = plate(3, 0.5);
         std::vector<Surface> plates;
         for (int k = 0; k < 3; ++k) plates.push_back(plate(1, uniform(engine) < 0.5 ? 0.2 : 4));
-        std::vector<const Surface*> blockers;
-        for (const Surface& surface : plates) blockers.push_back(&surface);
+        std::vector<Blocker> blockers;
+        for (const Surface& surface : plates) blockers.emplace_back(&surface);
         const auto above_source = [](const Surface& surface) {
             return clipped(corners(surface.shape), Vector3d::UnitZ(), 0);
         };
