@@ -41,7 +41,8 @@ HWY_INLINE double lowest(Doubles values) {
     return hn::GetLane(hn::MinOfLanes(DoubleTag(), values));
 }
 
-Shaft::Crossing crossing(const Shaft::Corners& corners, const Plate& plate, Shaft::Slack slack) {
+/// @param open  where not null: bits of edges that some lines pass outside, or may
+Shaft::Crossing crossing(const Shaft::Corners& corners, const Plate& plate, Shaft::Slack slack, std::uint32_t* open) {
     const DoubleTag d;
     const auto far = constant(std::numeric_limits<double>::infinity());
     const auto zero = hn::Zero(d);
@@ -73,6 +74,7 @@ Shaft::Crossing crossing(const Shaft::Corners& corners, const Plate& plate, Shaf
         auto highest_behind = hn::Neg(far);
         auto lowest_behind = far;
         auto reach_in_plane = zero;
+        auto lack_in_plane = zero;
         for (std::size_t k = 0; k < vectors_of_corners; ++k) {
             const auto before = hn::Gt(inverse[k], zero);
             const auto behind = hn::Lt(inverse[k], zero);
@@ -84,11 +86,16 @@ Shaft::Crossing crossing(const Shaft::Corners& corners, const Plate& plate, Shaf
             lowest_behind = hn::Min(lowest_behind, hn::IfThenElse(behind, of_gap, far));
             lowest_before = hn::Min(lowest_before, hn::IfThenElse(before, of_edge, far));
             highest_behind = hn::Max(highest_behind, hn::IfThenElse(behind, of_edge, hn::Neg(far)));
-            reach_in_plane = hn::Max(reach_in_plane, hn::IfThenElseZero(hn::Eq(inverse[k], zero), beyond_gap));
+            const auto in_plane = hn::Eq(inverse[k], zero);
+            reach_in_plane = hn::Max(reach_in_plane, hn::IfThenElseZero(in_plane, beyond_gap));
+            lack_in_plane = hn::Min(lack_in_plane, hn::IfThenElseZero(in_plane, inside[k]));
         }
         if (highest(highest_before) <= lowest(lowest_behind) && !(highest(reach_in_plane) > 0))
             return Shaft::Crossing::none;
-        all = all && lowest(lowest_before) >= highest(highest_behind);
+        if (!all && open == nullptr) continue;
+        const bool is_inside = lowest(lowest_before) >= highest(highest_behind);
+        all = all && is_inside;
+        if (open != nullptr && is_inside && !(lowest(lack_in_plane) < 0)) *open &= ~(1U << edge.index);
     }
     return all ? Shaft::Crossing::all : Shaft::Crossing::some;
 }
@@ -130,7 +137,7 @@ Plate::Plate(const ConvexPolygon& polygon)
       slenderness(std::max(1.0, size * size / twice_area(polygon).norm())) {
     for (std::size_t k = 0; k < polygon.size(); ++k) {
         const Vector3d along = next_corner(polygon, k) - polygon[k];
-        if (along.norm() > least_sine * size) edges.push_back({polygon[k], normal.cross(along).normalized()});
+        if (along.norm() > least_sine * size) edges.push_back({polygon[k], normal.cross(along).normalized(), k});
     }
 }
 
@@ -158,7 +165,13 @@ Shaft::Slack Shaft::slack(const Plate& plate) const {
 }
 
 Shaft::Crossing Shaft::crossed_by(const Plate& plate) const {
-    return HWY_DYNAMIC_DISPATCH(crossing)(corners_, plate, slack(plate));
+    return HWY_DYNAMIC_DISPATCH(crossing)(corners_, plate, slack(plate), nullptr);
+}
+
+std::uint32_t Shaft::open_edges(const Plate& plate) const {
+    std::uint32_t open = ~std::uint32_t{0};
+    HWY_DYNAMIC_DISPATCH(crossing)(corners_, plate, slack(plate), &open);
+    return open;
 }
 
 void Shaft::add_side(const Vector3d& at, const Vector3d& out) {

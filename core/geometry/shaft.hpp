@@ -17,6 +17,7 @@ struct Plate {
     struct Edge {
         Eigen::Vector3d corner;
         Eigen::Vector3d inward;  ///< unit length, in the plane
+        std::size_t index = 0;   ///< of the corner, in order around the polygon
     };
     ConvexPolygon corners;
     std::vector<Edge> edges;  ///< without those too short to have a direction
@@ -47,6 +48,10 @@ class Shaft {
     /// all lines between corners cross it, which decides for the others since what a convex polygon hides from a place
     /// is convex.
     [[nodiscard]] Crossing crossed_by(const Plate& plate) const;
+
+    /// Edges of a polygon that lines may pass on either side, as bits by the index of their first corner. All lines
+    /// that cross its plane do so inside of the others.
+    [[nodiscard]] std::uint32_t open_edges(const Plate& plate) const;
 
     /// Whether a side of the shaft separates a polygon from all lines: a plane across an axis, the plane of an end, or
     /// one through an edge of one end and a corner of the other. If both ends are polygons, one that no line crosses is

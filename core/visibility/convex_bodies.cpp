@@ -150,33 +150,4 @@ bool ConvexBodies::is_outside(std::uint32_t body_index, std::span<const Vector3d
            std::any_of(sides.begin(), sides.end(), all_in_front);
 }
 
-bool ConvexBodies::hides_all(std::uint32_t body, std::span<const Vector3d> from, std::span<const Vector3d> to) const {
-    const std::vector<Plane>& planes = bodies_[body].planes;
-    const double margin = clearly * bodies_[body].size;
-    const auto is_outside = [&](std::span<const Vector3d> polygon) {
-        return std::any_of(planes.begin(), planes.end(), [&](const Plane& plane) {
-            return std::all_of(polygon.begin(), polygon.end(),
-                               [&](const Vector3d& v) { return plane.normal.dot(v) > plane.offset + margin; });
-        });
-    };
-    if (!is_outside(from) || !is_outside(to)) return false;
-    // The ends of lines from one place that a convex body hides form a convex set, and so do the beginnings of lines to
-    // one place. Therefore the lines between corners decide for all lines.
-    const auto crosses = [&](const Vector3d& begin, const Vector3d& end) {
-        double enters = 0;
-        double leaves = 1;
-        for (const Plane& plane : planes) {
-            const double before = plane.normal.dot(begin) - plane.offset;
-            const double after = plane.normal.dot(end) - plane.offset;
-            if (before >= 0 && after >= 0) return false;
-            if (before > 0) enters = std::max(enters, before / (before - after));
-            if (after > 0) leaves = std::min(leaves, before / (before - after));
-        }
-        return leaves - enters > clearly;
-    };
-    return std::all_of(from.begin(), from.end(), [&](const Vector3d& begin) {
-        return std::all_of(to.begin(), to.end(), [&](const Vector3d& end) { return crosses(begin, end); });
-    });
-}
-
 }  // namespace ff

@@ -27,11 +27,6 @@ class ConvexBodies {
     /// Conservative: nothing is concluded for a polygon in the plane of a side.
     [[nodiscard]] bool is_outside(std::uint32_t body, std::span<const Eigen::Vector3d> polygon) const;
 
-    /// Whether a body blocks all lines between two convex polygons. Conservative: lines that only touch it count as
-    /// unblocked.
-    [[nodiscard]] bool hides_all(std::uint32_t body, std::span<const Eigen::Vector3d> from,
-                                 std::span<const Eigen::Vector3d> to) const;
-
   private:
     /// Places behind it have normal * v < offset.
     struct Plane {

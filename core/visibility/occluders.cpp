@@ -6,6 +6,7 @@
 #include "core/visibility/occlusion.hpp"
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <span>
 #include <utility>
@@ -54,7 +55,7 @@ ConvexPolygon in_front_of(const Surface& polygon, const Surface& other) {
 /// Walks through pairs of clusters, with a stack of clusters that may stand between them.
 class Occluders::Walk {
   public:
-    explicit Walk(const Occluders& all) : all_(all), tree_(all.tree_) {}
+    explicit Walk(const Occluders& all) : all_(all), tree_(all.tree_), curtains_(all.edges_, all.plates_) {}
 
     /// Collects the visits that a pair of clusters is made of.
     void divide(std::uint32_t from, std::uint32_t to, std::size_t first, double most_pairs,
@@ -121,22 +122,26 @@ class Occluders::Walk {
         return true;
     }
 
-    /// Tests bodies with several sides among the walls on the stack from a place on.
-    [[nodiscard]] bool is_hidden_by_a_body(std::size_t first, std::span<const Vector3d> from,
-                                           std::span<const Vector3d> to) {
-        bodies_.clear();
+    /// Whether walls on the stack from a place on hide together what none of them hides alone.
+    [[nodiscard]] bool is_hidden_by_a_curtain(std::size_t first, const Cluster& from, const Cluster& to) {
+        walls_.clear();
+        unopened_.clear();
         for (std::size_t k = first; k < stack_.size(); ++k) {
             const std::uint32_t wall = tree_[stack_[k]].wall;
-            if (wall == ClusterTree::no_wall) continue;
-            if (const auto body = all_.bodies_.of(wall)) bodies_.push_back(*body);
+            wall == ClusterTree::no_wall ? unopened_.push_back(stack_[k]) : walls_.push_back(wall);
         }
-        if (bodies_.size() < 2) return false;
-        std::sort(bodies_.begin(), bodies_.end());
-        for (auto body = bodies_.begin(); body != bodies_.end(); body = std::upper_bound(body, bodies_.end(), *body)) {
-            const bool has_several_sides = body + 1 != bodies_.end() && *body == *(body + 1);
-            if (has_several_sides && all_.bodies_.hides_all(*body, from, to)) return true;
-        }
-        return false;
+        if (walls_.size() < 2) return false;
+        // What is not on the stack has been shown to be clear, unless it is an end or counts as level with one.
+        const std::array ends{from.wall, to.wall};
+        const auto is_clear = [this, &ends](std::uint32_t wall) {
+            if (wall == ends[0] || wall == ends[1] || all_.is_level_with_any(wall)) return false;
+            const std::uint32_t place = all_.place_of_wall_[wall];
+            return std::none_of(unopened_.begin(), unopened_.end(), [&](std::uint32_t cluster) {
+                return place - tree_[cluster].first < tree_[cluster].count;
+            });
+        };
+        return curtains_.hide_all(walls_, {from.hull(), from.normal, from.box}, {to.hull(), to.normal, to.box},
+                                  std::min(from.grain, to.grain), is_clear);
     }
 
     /// What the walls on the stack from a place on are to two surfaces.
@@ -145,8 +150,8 @@ class Occluders::Walk {
         const Surface& to = all_.surfaces_[to_index];
         Between result;
         const bool are_polygons = is_polygon(from) && is_polygon(to);
-        const std::uint32_t from_wall = tree_[tree_.leaf_of(from_index)].wall;
-        const std::uint32_t to_wall = tree_[tree_.leaf_of(to_index)].wall;
+        const std::uint32_t from_wall = all_.wall_of(from_index);
+        const std::uint32_t to_wall = all_.wall_of(to_index);
         std::optional<Shaft> shaft;
         ConvexPolygon begin;
         ConvexPolygon end;
@@ -188,7 +193,9 @@ class Occluders::Walk {
     const ClusterTree& tree_;
     std::vector<std::uint32_t> stack_;
     std::vector<std::uint32_t> waiting_;
-    std::vector<std::uint32_t> bodies_;
+    Curtains curtains_;
+    std::vector<std::uint32_t> walls_;
+    std::vector<std::uint32_t> unopened_;
 
     [[nodiscard]] std::vector<std::uint32_t>::const_iterator at(std::size_t place) const {
         return stack_.begin() + static_cast<std::ptrdiff_t>(place);
@@ -208,7 +215,7 @@ class Occluders::Walk {
             const Cluster& begin = tree_[a];
             const Cluster& end = tree_[b];
             if (is_behind(begin, end) || is_behind(end, begin) || (begin.is_flat() && begin.wall == end.wall)) return;
-            if (filter(begin, end, first, last) && (a == b || !is_hidden_by_a_body(last, begin.hull(), end.hull())))
+            if (filter(begin, end, first, last) && (a == b || !is_hidden_by_a_curtain(last, begin, end)))
                 go_on(a, b, last);
             stack_.resize(last);
         };
@@ -240,11 +247,15 @@ Occluders::Occluders(const Scene& scene, const JoinedSurfaces& joined)
       meshes_(edges_),
       tree_(surfaces_, joined) {
     for (const Surface& wall : walls_)
-        plates_.push_back(is_polygon(wall) ? std::optional(Plate(corners(wall.shape))) : std::nullopt);
+        plates_.push_back(is_polygon(wall) ? std::optional(Plate(outline(wall))) : std::nullopt);
+    place_of_wall_.resize(walls_.size());
+    for (std::uint32_t s = 0; s < surfaces_.size(); ++s) {
+        const ClusterTree::Cluster& leaf = tree_[tree_.leaf_of(s)];
+        place_of_wall_[leaf.wall] = leaf.first;
+    }
     for (const LevelOverlap& overlap : level_overlaps(scene)) {
         if (!overlap.level) continue;
-        const auto [low, high] =
-            std::minmax({tree_[tree_.leaf_of(overlap.first)].wall, tree_[tree_.leaf_of(overlap.second)].wall});
+        const auto [low, high] = std::minmax({wall_of(overlap.first), wall_of(overlap.second)});
         if (low != high) level_.emplace_back(low, high);
     }
     std::sort(level_.begin(), level_.end());
@@ -260,9 +271,6 @@ bool Occluders::are_level(std::uint32_t wall, std::uint32_t other) const {
 }
 
 bool Occluders::face_each_other(std::size_t from, std::size_t to) const {
-    const auto wall_of = [&](std::size_t surface) {
-        return tree_[tree_.leaf_of(static_cast<std::uint32_t>(surface))].wall;
-    };
     return ff::face_each_other(surfaces_[from], surfaces_[to]) && !are_level(wall_of(from), wall_of(to));
 }
 
@@ -288,7 +296,7 @@ Occluders::Between Occluders::between(std::size_t from, std::size_t to) const {
     const ClusterTree::Cluster& a = tree_[tree_.leaf_of(static_cast<std::uint32_t>(from))];
     const ClusterTree::Cluster& b = tree_[tree_.leaf_of(static_cast<std::uint32_t>(to))];
     walk.filter(a, b, 0, all.size());
-    if (walk.is_hidden_by_a_body(all.size(), a.hull(), b.hull())) return {.all_hidden = true, .occluders = {}};
+    if (walk.is_hidden_by_a_curtain(all.size(), a, b)) return {.all_hidden = true, .occluders = {}};
     return walk.between(static_cast<std::uint32_t>(from), static_cast<std::uint32_t>(to), all.size());
 }
 
@@ -311,8 +319,8 @@ FacedEnd Occluders::end_to_face(std::size_t wall, std::size_t from, std::size_t 
         const std::size_t surface = end == FacedEnd::from ? from : to;
         const ConvexPolygon polygon = corners(surfaces_[surface].shape);
         if (polygon.empty()) continue;
-        const std::uint32_t own = tree_[tree_.leaf_of(static_cast<std::uint32_t>(surface))].wall;
-        if ((mesh && meshes_.is_on_free_side(*mesh, own, polygon)) || (body && bodies_.is_outside(*body, polygon)))
+        if ((mesh && meshes_.is_on_free_side(*mesh, wall_of(surface), polygon)) ||
+            (body && bodies_.is_outside(*body, polygon)))
             return end;
     }
     return FacedEnd::either;

@@ -7,6 +7,7 @@
 #include "core/visibility/closed_meshes.hpp"
 #include "core/visibility/cluster_tree.hpp"
 #include "core/visibility/convex_bodies.hpp"
+#include "core/visibility/curtains.hpp"
 
 #include <cstdint>
 #include <functional>
@@ -76,11 +77,15 @@ class Occluders {
     std::vector<std::optional<Plate>> plates_;  ///< by wall; empty for round ones
     std::vector<WallPair> level_;               ///< overlap in one plane, sorted
     std::vector<bool> is_level_with_any_;       ///< by wall
+    std::vector<std::uint32_t> place_of_wall_;  ///< of one of its surfaces in the tree
 
     class Walk;
 
     Occluders(const Scene& scene, const JoinedSurfaces& joined);
 
+    [[nodiscard]] std::uint32_t wall_of(std::size_t surface) const {
+        return tree_[tree_.leaf_of(static_cast<std::uint32_t>(surface))].wall;
+    }
     [[nodiscard]] bool are_level(std::uint32_t wall, std::uint32_t other) const;
     [[nodiscard]] bool is_level_with_any(std::uint32_t wall) const { return is_level_with_any_[wall]; }
 

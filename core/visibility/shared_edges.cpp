@@ -49,9 +49,20 @@ SharedEdges::SharedEdges(const std::vector<Surface>& surfaces) {
             beyond_.push_back(none);
         }
     }
+    const auto are_same = [&](const Edge& edge, const Edge& turned) {
+        const auto ends = [&](const Edge& of) {
+            const ConvexPolygon& outline = outlines_[of.surface];
+            const std::size_t k = of.place - first_[of.surface];
+            return std::pair(outline[k], next_corner(outline, k));
+        };
+        const auto [from, to] = ends(edge);
+        const auto [last, first] = ends(turned);
+        return (from - first).norm() <= 4 * corner_room_ && (to - last).norm() <= 4 * corner_room_;
+    };
     for (const auto& [ends, edge] : edges) {
         const auto found = edges.find({ends.second, ends.first});
-        if (found != edges.end() && found->second.alone && edge.alone) beyond_[edge.place] = found->second.surface;
+        if (found != edges.end() && found->second.alone && edge.alone && are_same(edge, found->second))
+            beyond_[edge.place] = found->second.surface;
     }
 }
 

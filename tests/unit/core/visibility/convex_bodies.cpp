@@ -72,22 +72,5 @@ TEST(ConvexBodies, LetLinesInWhereASideIsMissing) {
     EXPECT_TRUE(bodies.is_outside(0, std::vector<Vector3d>{{3, 0, 0.1}, {3, 1, 0.1}, {3, 1, 0.9}, {3, 0, 0.9}}));
 }
 
-TEST(ConvexBodies, HideLinesThatNoSingleSideHides) {
-    const ConvexBodies bodies = bodies_of(cube());
-    // Diagonal lines between upright squares enter by either of two walls.
-    const auto upright = [](double sign) {
-        const Vector3d middle(0.5 + sign, 0.5 + sign, 0.5);
-        const Vector3d across(0.1, -0.1, 0);
-        const Vector3d up(0, 0, 0.1);
-        return std::vector<Vector3d>{middle - across - up, middle + across - up, middle + across + up,
-                                     middle - across + up};
-    };
-    EXPECT_TRUE(bodies.hides_all(0, upright(-1), upright(1)));
-    EXPECT_FALSE(bodies.hides_all(0, square_at(3, 0.1), square_at(2, 0.1))) << "both are above it";
-    std::vector<Vector3d> higher = upright(1);
-    for (Vector3d& corner : higher) corner.z() += 3;
-    EXPECT_FALSE(bodies.hides_all(0, upright(-1), higher)) << "some lines pass over it";
-}
-
 }  // namespace
 }  // namespace ff

@@ -56,7 +56,8 @@ double hidden_exchange(const Scene& scene, const Pair& pair, int side, stats::Dr
     std::size_t from = 0;
     std::size_t to = 1;
     if (area(scene.surfaces[1].shape) < area(scene.surfaces[0].shape)) std::swap(from, to);
-    const VisiblePolygon target(scene.surfaces[to], pair.exchange().blockers);
+    const VisiblePolygon target(scene.surfaces[to], pair.exchange().blockers,
+                                from == 0 ? FacedEnd::from : FacedEnd::to);
     const SurfaceMap map(scene.surfaces[from]);
     double sum = 0;
     for (int x = 0; x < side; ++x) {

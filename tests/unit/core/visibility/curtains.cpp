@@ -1,0 +1,77 @@
+#include "core/visibility/curtains.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <functional>
+#include <numeric>
+#include <optional>
+#include <vector>
+
+namespace ff {
+namespace {
+
+using Eigen::Vector3d;
+
+Surface wall_at(const Vector3d& corner, const Vector3d& u, const Vector3d& v) {
+    return {Parallelogram{corner, u, v}, u.cross(v).normalized(), no_face};
+}
+
+/// The unit cube, radiating outwards: floor, roof, and the four walls.
+std::vector<Surface> unit_cube() {
+    const Vector3d x(1, 0, 0);
+    const Vector3d y(0, 1, 0);
+    const Vector3d z(0, 0, 1);
+    const Vector3d o = Vector3d::Zero();
+    return {wall_at(o, y, x), wall_at(z, x, y), wall_at(o, z, y), wall_at(x, y, z), wall_at(o, x, z), wall_at(y, z, x)};
+}
+
+/// An upright square of this half width beside an upright edge of the cube, looking at its middle.
+std::vector<Vector3d> beside(double sign, double half, double height = 0.5) {
+    const Vector3d middle(0.5 + sign, 0.5 + sign, height);
+    const Vector3d across(half, -half, 0);
+    const Vector3d up(0, 0, half);
+    return {middle - across - up, middle + across - up, middle + across + up, middle - across + up};
+}
+
+bool are_hidden(const std::vector<Surface>& surfaces, const std::vector<Vector3d>& from,
+                const std::vector<Vector3d>& to, bool others_are_clear = true) {
+    std::vector<std::optional<Plate>> plates;
+    for (const Surface& surface : surfaces) plates.emplace_back(outline(surface));
+    std::vector<std::uint32_t> walls(surfaces.size());
+    std::iota(walls.begin(), walls.end(), 0U);
+    const SharedEdges edges(surfaces);
+    const auto end = [](const std::vector<Vector3d>& corners) {
+        Eigen::AlignedBox3d box;
+        for (const Vector3d& corner : corners) box.extend(corner);
+        return Curtains::End{corners, Vector3d::Zero(), box};
+    };
+    return Curtains(edges, plates).hide_all(walls, end(from), end(to), 0, [&](std::uint32_t) {
+        return others_are_clear;
+    });
+}
+
+// Diagonal lines enter the cube by either of two walls, and leave it by either of the two others.
+TEST(Curtains, HideWhatNoneOfTheirWallsHidesAlone) {
+    EXPECT_TRUE(are_hidden(unit_cube(), beside(-1, 0.1), beside(1, 0.1)));
+    EXPECT_FALSE(are_hidden(unit_cube(), beside(-1, 0.1), beside(1, 0.1, 3.5))) << "some lines pass over the cube";
+    EXPECT_FALSE(are_hidden(unit_cube(), beside(-1, 0.7), beside(1, 0.7))) << "some lines pass beside it";
+    EXPECT_FALSE(are_hidden(unit_cube(), beside(-1, 0.1), beside(-1.5, 0.1))) << "both are on one side of it";
+}
+
+// Of the two walls on either side, each pair is a curtain of its own; what the lines do not reach may be missing.
+TEST(Curtains, NeedNotBeClosed) {
+    std::vector<Surface> sides = unit_cube();
+    EXPECT_TRUE(are_hidden({sides[2], sides[4]}, beside(-1, 0.1), beside(1, 0.1)));
+    EXPECT_FALSE(are_hidden({sides[2]}, beside(-1, 0.1), beside(1, 0.1)));
+    EXPECT_FALSE(are_hidden({sides[2], sides[5]}, beside(-1, 0.1), beside(1, 0.1))) << "no edge in common";
+}
+
+TEST(Curtains, ReachNoEnd) {
+    const std::vector<Surface> sides = unit_cube();
+    EXPECT_TRUE(are_hidden({sides[2], sides[4]}, beside(-0.6, 0.01), beside(1, 0.1)));
+    EXPECT_FALSE(are_hidden({sides[2], sides[4]}, beside(-0.5, 0.1), beside(1, 0.1))) << "it lies across their edge";
+}
+
+}  // namespace
+}  // namespace ff
