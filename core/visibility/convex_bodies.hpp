@@ -23,6 +23,9 @@ class ConvexBodies {
     /// The body that a surface, given by its index, is a side of.
     [[nodiscard]] std::optional<std::uint32_t> of(std::size_t surface) const;
 
+    /// Whether no side is missing.
+    [[nodiscard]] bool is_closed(std::uint32_t body) const { return !bodies_[body].misses_one; }
+
     /// Whether each line from a polygon meets the front of a side of a body before it meets any side from behind.
     /// Conservative: nothing is concluded for a polygon in the plane of a side.
     [[nodiscard]] bool is_outside(std::uint32_t body, std::span<const Eigen::Vector3d> polygon) const;

@@ -161,7 +161,7 @@ class Occluders::Walk {
             if (all_.are_level(index, from_wall) || all_.are_level(index, to_wall)) continue;
             if (index == from_wall || index == to_wall) {
                 // A hollow surface is not joined to any, and stands in its own way.
-                if (from_index != to_index && ff::face_each_other(wall, wall)) result.occluders.push_back(&wall);
+                if (from_index != to_index && ff::face_each_other(wall, wall)) result.occluders.emplace_back(&wall);
                 continue;
             }
             Shaft::Crossing crossing = Shaft::Crossing::some;
@@ -178,7 +178,7 @@ class Occluders::Walk {
             if (crossing == Shaft::Crossing::none || keeps_clear(wall, from, to)) continue;
             if (crossing == Shaft::Crossing::all) return {.all_hidden = true, .occluders = {}};
             if (are_polygons && all_.plates_[index] && shaft->is_beside(*all_.plates_[index])) continue;
-            result.occluders.push_back(&wall);
+            result.occluders.emplace_back(&wall);
         }
         std::sort(result.occluders.begin(), result.occluders.end(),
                   [](const Blocker& a, const Blocker& b) { return a.surface < b.surface; });
@@ -264,8 +264,8 @@ Occluders::Occluders(const Scene& scene, const JoinedSurfaces& joined)
     for (const auto& [low, high] : level_) is_level_with_any_[low] = is_level_with_any_[high] = true;
 }
 
-bool Occluders::are_level(std::uint32_t wall, std::uint32_t other) const {
-    const auto [low, high] = std::minmax(wall, other);
+bool Occluders::are_level(std::uint32_t a, std::uint32_t b) const {
+    const auto [low, high] = std::minmax(a, b);
     return high != ClusterTree::no_wall && is_level_with_any_[low] && is_level_with_any_[high] &&
            std::binary_search(level_.begin(), level_.end(), std::pair(low, high));
 }
@@ -320,7 +320,7 @@ FacedEnd Occluders::end_to_face(std::size_t wall, std::size_t from, std::size_t 
         const ConvexPolygon polygon = corners(surfaces_[surface].shape);
         if (polygon.empty()) continue;
         if ((mesh && meshes_.is_on_free_side(*mesh, wall_of(surface), polygon)) ||
-            (body && bodies_.is_outside(*body, polygon)))
+            (body && (!mesh || bodies_.is_closed(*body)) && bodies_.is_outside(*body, polygon)))
             return end;
     }
     return FacedEnd::either;

@@ -86,7 +86,7 @@ class Occluders {
     [[nodiscard]] std::uint32_t wall_of(std::size_t surface) const {
         return tree_[tree_.leaf_of(static_cast<std::uint32_t>(surface))].wall;
     }
-    [[nodiscard]] bool are_level(std::uint32_t wall, std::uint32_t other) const;
+    [[nodiscard]] bool are_level(std::uint32_t a, std::uint32_t b) const;  ///< by walls
     [[nodiscard]] bool is_level_with_any(std::uint32_t wall) const { return is_level_with_any_[wall]; }
 
     /// Candidates for what stands between any two surfaces.

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <memory>
 #include <numeric>
 #include <utility>
@@ -28,6 +29,9 @@ void see_from(const Vector3d& place, std::span<const Vector3d> polygon, SmallPol
     for (std::size_t k = 0; k < polygon.size(); ++k) result[k] = polygon[k] - place;
 }
 
+/// What places may be off by, and heights above planes, as a share of the largest coordinate.
+constexpr double coordinate_rounding = 16 * std::numeric_limits<double>::epsilon();
+
 /// The part of a convex polygon where sign * height >= 0; none of less than three corners.
 SmallPolygon part_of(const SmallPolygon& polygon, const Heights& heights, double sign) {
     SmallPolygon part;
@@ -44,29 +48,31 @@ SmallPolygon part_of(const SmallPolygon& polygon, const Heights& heights, double
     return part;
 }
 
-/// Heights above a plane through the origin. @return whether some are below
-bool find_heights(const SmallPolygon& polygon, const Vector3d& normal, Heights& heights) {
+/// Heights above a plane through the origin, those of corners in it but for rounding being 0: else what is cut off
+/// there leaves edges so short that rounding decides which way they run. @return whether some are below
+bool find_heights(const SmallPolygon& polygon, const Vector3d& normal, double rounding, Heights& heights) {
     heights.resize(polygon.size(), boost::container::default_init);
     bool some_below = false;
     for (std::size_t k = 0; k < polygon.size(); ++k) {
-        heights[k] = normal.dot(polygon[k]);
+        const double height = normal.dot(polygon[k]);
+        heights[k] = std::abs(height) <= rounding ? 0 : height;
         some_below = some_below || heights[k] < 0;
     }
     return some_below;
 }
 
 /// Takes the part where normal * v < 0 off a convex polygon. @return whether there is one; what is left may be empty
-bool cut(SmallPolygon& polygon, const Vector3d& normal) {
+bool cut(SmallPolygon& polygon, const Vector3d& normal, double rounding) {
     Heights heights;
-    if (!find_heights(polygon, normal, heights)) return false;
+    if (!find_heights(polygon, normal, rounding, heights)) return false;
     polygon = part_of(polygon, heights, 1);
     return true;
 }
 
 /// The same. @return that part
-SmallPolygon cut_off(SmallPolygon& polygon, const Vector3d& normal) {
+SmallPolygon cut_off(SmallPolygon& polygon, const Vector3d& normal, double rounding) {
     Heights heights;
-    if (!find_heights(polygon, normal, heights)) return {};
+    if (!find_heights(polygon, normal, rounding, heights)) return {};
     SmallPolygon off = part_of(polygon, heights, -1);
     polygon = part_of(polygon, heights, 1);
     return off;
@@ -78,12 +84,15 @@ constexpr double convex_room = 1e-14;
 /// From so many blockers on it pays to ask first which of them are beside the target.
 constexpr std::size_t least_for_cone = 3;
 
+/// An edge has to be so many times as long as what coordinates are rounded by.
+constexpr double roundings_of_edge = 256;
+
 /// Room for the rounding of a triple product, relative to the lengths of its factors.
 constexpr double product_rounding = 4e-15;
 
 /// Planes through the origin and the edges of a polygon, normals towards its inside; none where it is seen edge-on, or
-/// so nearly that rounding decides where its inside is.
-void find_sides(const SmallPolygon& polygon, SmallPolygon& sides) {
+/// so nearly that rounding decides where its inside is. Edges of a few roundings are left out: they take nothing off.
+void find_sides(const SmallPolygon& polygon, double rounding, SmallPolygon& sides) {
     sides.clear();
     Vector3d middle = Vector3d::Zero();
     Heights squares;
@@ -92,22 +101,18 @@ void find_sides(const SmallPolygon& polygon, SmallPolygon& sides) {
         squares.push_back(product_rounding * corner.squaredNorm());
     }
     const double farthest = middle.squaredNorm();
+    const double shortest = roundings_of_edge * rounding;
     for (std::size_t k = 0; k < polygon.size(); ++k) {
         Vector3d side = polygon[k].cross(next_corner(polygon, k));
         const double room = squares[k] * next_corner(squares, k);
-        if (side.squaredNorm() <= room) continue;  // two corners in one
+        const double length = (next_corner(polygon, k) - polygon[k]).squaredNorm();
+        if (length <= shortest * shortest || side.squaredNorm() <= room) continue;  // two corners in one
         const double height = side.dot(middle);
         if (height * height <= room * farthest) return sides.clear();
         side /= height > 0 ? side.norm() : -side.norm();
         sides.push_back(side);
     }
     if (sides.size() < 3) sides.clear();
-}
-
-double farthest(const SmallPolygon& polygon) {
-    double square = 0;
-    for (const Vector3d& v : polygon) square = std::max(square, v.squaredNorm());
-    return std::sqrt(square);
 }
 
 /// @param room  what reaches no further inside is outside
@@ -137,15 +142,16 @@ bool keep_those_that_cut(SmallPolygon& sides, const SmallPolygon& piece) {
 }
 
 /// What of a convex piece a shadow hides, given by the planes of its sides: all of it where it does not differ.
-bool hide(SmallPolygon& piece, const SmallPolygon& shadow) {
+bool hide(SmallPolygon& piece, const SmallPolygon& shadow, double rounding) {
     bool differs = false;
     for (const Vector3d& side : shadow) {
-        differs = cut(piece, side) || differs;
+        differs = cut(piece, side, rounding) || differs;
         if (piece.empty()) break;
     }
     return differs;
 }
 
+// NOLINTNEXTLINE(bugprone-exception-escape): moving a small vector of vectors throws nothing.
 struct Shadow {
     std::uint32_t blocker = 0;
     bool of_front = false;  ///< the blocker is seen from the front
@@ -157,29 +163,24 @@ struct Shadow {
 class Adding {
   public:
     /// @param are_convex  by two blockers: no line meets the same side of both
-    /// @param farthest    corner of the target
-    Adding(const std::vector<bool>& are_convex, std::size_t blockers, double farthest, ArcSums& sums, std::size_t place)
-        : are_convex_(are_convex),
-          blockers_(blockers),
-          room_(product_rounding * farthest),
-          sums_(sums),
-          place_(place) {}
+    Adding(const std::vector<bool>& are_convex, std::size_t blockers, double rounding, ArcSums& sums, std::size_t place)
+        : are_convex_(are_convex), blockers_(blockers), rounding_(rounding), sums_(sums), place_(place) {}
 
     // NOLINTNEXTLINE(misc-no-recursion): each level has fewer shadows.
     void add(SmallPolygon piece, std::span<const Shadow> shadows) {
         for (; !shadows.empty(); shadows = shadows.subspan(1)) {
             const Shadow& shadow = shadows.front();
             const std::span<const Shadow> others = shadows.subspan(1);
-            if (is_outside(piece, shadow.sides, room_)) continue;
+            if (is_outside(piece, shadow.sides, rounding_)) continue;
             SmallPolygon hidden = piece;
-            if (!hide(hidden, shadow.sides)) return;
+            if (!hide(hidden, shadow.sides, rounding_)) return;
             if (hidden.empty()) continue;
             const auto overlaps = [&](const Shadow& other) {
-                return !are_apart(shadow, other) && !is_outside(hidden, other.sides, room_);
+                return !are_apart(shadow, other) && !is_outside(hidden, other.sides, rounding_);
             };
             if (std::any_of(others.begin(), others.end(), overlaps)) {
                 for (const Vector3d& side : shadow.sides) {
-                    SmallPolygon outside = cut_off(piece, side);
+                    SmallPolygon outside = cut_off(piece, side, rounding_);
                     if (!outside.empty()) add(std::move(outside), others);
                     if (piece.empty()) break;
                 }
@@ -193,7 +194,7 @@ class Adding {
   private:
     const std::vector<bool>& are_convex_;
     std::size_t blockers_;
-    double room_;
+    double rounding_;
     ArcSums& sums_;
     std::size_t place_;
 
@@ -209,6 +210,12 @@ VisiblePolygon::VisiblePolygon(const Surface& target, const std::vector<Blocker>
     FF_EXPECT(!target_.empty());
     // Parts of blockers that lie behind the target's plane hide nothing.
     const Vector3d origin = target_.front();
+    for (const Vector3d& corner : target_)
+        rounding_ = std::max(rounding_, coordinate_rounding * corner.lpNorm<Eigen::Infinity>());
+    for (const Blocker& blocker : blockers) {
+        for (const Vector3d& corner : corners(blocker.surface->shape))
+            rounding_ = std::max(rounding_, coordinate_rounding * corner.lpNorm<Eigen::Infinity>());
+    }
     for (const Blocker& blocker : blockers) {
         FF_EXPECT(!corners(blocker.surface->shape).empty());
         hides_.push_back(blocker.faces == FacedEnd::either ? Hides::always
@@ -216,7 +223,7 @@ VisiblePolygon::VisiblePolygon(const Surface& target, const std::vector<Blocker>
                                                            : Hides::from_behind);
         SmallPolygon part;
         see_from(origin, outline(*blocker.surface), part);
-        cut(part, target_normal_);
+        cut(part, target_normal_, rounding_);
         std::vector<Vector3d>& kept = blockers_.emplace_back();
         for (const Vector3d& corner : part) kept.emplace_back(origin + corner);
     }
@@ -281,31 +288,32 @@ void VisiblePolygon::find(std::span<const Vector3d> places, const Vector3d& norm
     for (std::size_t k = 0; k < places.size(); ++k) {
         const Vector3d& place = places[k];
         if (target_normal_.dot(target_.front() - place) >= 0) continue;
+        const double rounding = std::max(rounding_, coordinate_rounding * place.lpNorm<Eigen::Infinity>());
         see_from(place, target_, whole);
-        cut(whole, normal);
+        cut(whole, normal, rounding);
         if (whole.empty()) continue;
         // Corners run clockwise as seen from the place that the polygon's normal points to.
         sums.add(2 * k, whole, -1);
-        if (blockers.size() >= least_for_cone) find_sides(whole, cone);
+        if (blockers.size() >= least_for_cone) find_sides(whole, rounding, cone);
         shadows.clear();
         for (const std::uint32_t index : blockers) {
             const bool is_before = planes_[index].is_before(place);
             if (hides_[index] == (is_before ? Hides::from_behind : Hides::from_before)) continue;
             see_from(place, blockers_[index], blocker);
             if (is_outside(blocker, cone)) continue;
-            cut(blocker, normal);
+            cut(blocker, normal, rounding);
             if (blocker.empty()) continue;
-            find_sides(blocker, sides);
+            find_sides(blocker, rounding, sides);
             if (!sides.empty() && keep_those_that_cut(sides, whole)) shadows.push_back({index, is_before, sides});
         }
         if (shadows.empty()) {
             sights[k] = Sight::all;
         } else if (shadows.size() == 1) {
-            if (!hide(whole, shadows.front().sides)) continue;
+            if (!hide(whole, shadows.front().sides, rounding)) continue;
             sums.add(2 * k + 1, whole, -1);
             sights[k] = Sight::all_but;
         } else {
-            Adding adding(are_convex_, blockers_.size(), farthest(whole), sums, 2 * k + 1);
+            Adding adding(are_convex_, blockers_.size(), rounding, sums, 2 * k + 1);
             adding.add(std::move(whole), {shadows.data(), shadows.size()});
             sights[k] = Sight::part;
         }

@@ -46,6 +46,7 @@ class VisiblePolygon {
 
         [[nodiscard]] bool is_before(const Eigen::Vector3d& place) const { return normal.dot(place) > offset; }
     };
+    double rounding_ = 0;        ///< of coordinates
     std::vector<Plane> planes_;  ///< of blockers
     /// By blocker: whether it hides something from places on either side of its plane, before it only, or behind.
     enum class Hides : std::uint8_t { always, from_before, from_behind };

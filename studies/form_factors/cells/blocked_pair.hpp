@@ -21,7 +21,7 @@ struct BlockedPair {
     std::vector<ConvexPolygon> blockers;  ///< without those of which nothing is left
     double size = 0;                      ///< largest distance of a corner from the origin
 
-    BlockedPair(const Surface& source, const Surface& target, const std::vector<Blocker>& blockers);
+    BlockedPair(const Surface& from, const Surface& to, const std::vector<Blocker>& between);
 };
 
 /// An edge of a blocker at which what the source sees of the target may end.

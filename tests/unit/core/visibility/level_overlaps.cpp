@@ -1,5 +1,6 @@
 #include "core/visibility/level_overlaps.hpp"
 
+#include "core/geometry/convex_polygon.hpp"
 #include "core/visibility/occlusion.hpp"
 
 #include "core/geometry/box.hpp"

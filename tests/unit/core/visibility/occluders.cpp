@@ -62,7 +62,7 @@ void add_mesh(Scene& scene, std::mt19937& engine, const Vector3d& centre, double
     for (const double height : {0.5, -0.5}) {
         for (int k = 0; k < meridians; ++k) {
             const double angle = 2 * std::numbers::pi * k / meridians;
-            rows.push_back(radius(engine) * Vector3d(std::cos(angle), std::sin(angle), height));
+            rows.emplace_back(radius(engine) * Vector3d(std::cos(angle), std::sin(angle), height));
         }
     }
     const Vector3d top(0, 0, radius(engine));

@@ -27,7 +27,7 @@ struct Room {
 
     [[nodiscard]] BlockedPair pair() const {
         std::vector<Blocker> between;
-        for (const Surface& blocker : blockers) between.push_back(&blocker);
+        for (const Surface& blocker : blockers) between.emplace_back(&blocker);
         return {floor, ceiling, between};
     }
 };
