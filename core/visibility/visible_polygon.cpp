@@ -35,7 +35,8 @@ constexpr double coordinate_rounding = 16 * std::numeric_limits<double>::epsilon
 /// The part of a convex polygon where sign * height >= 0; none of less than three corners.
 SmallPolygon part_of(const SmallPolygon& polygon, const Heights& heights, double sign) {
     SmallPolygon part;
-    part.resize(polygon.size() + 2, boost::container::default_init);
+    // A convex polygon gains one corner at most; one that is not quite convex, by rounding, may cross more often.
+    part.resize(2 * polygon.size(), boost::container::default_init);
     std::size_t size = 0;
     for (std::size_t k = 0; k < polygon.size(); ++k) {
         const double before = sign * heights[k];
