@@ -28,12 +28,11 @@ using Eigen::Vector3d;
 /// through each other as they come; turned, of any size and anywhere. Each polygon is a face.
 class RandomRoom {
   public:
-    explicit RandomRoom(stats::Draws& draws) : draws_(draws) {
-        turn_ = draws.uniform() < 0.8 ? any_turn() : Matrix3d::Identity();
-        unit_ = std::pow(10, std::floor(between(-6, 7)));
+    explicit RandomRoom(stats::Draws& draws)
+        : draws_(draws), turn_(draws.uniform() < 0.8 ? any_turn() : Matrix3d::Identity()), unit_(any_unit()) {
         const Vector3d away = draws.uniform() < 0.3 ? Vector3d(30, -20, 10) : Vector3d::Zero();
         add_box({0, 0, 0}, {1, 1, 1}, Matrix3d::Identity(), true);
-        for (double bodies = std::floor(between(1, 4)); bodies > 0; --bodies) {
+        for (int bodies = static_cast<int>(between(1, 4)); bodies > 0; --bodies) {
             if (draws.uniform() < 0.5) {
                 add_mesh({between(0.2, 0.8), between(0.2, 0.8), between(0.2, 0.8)}, between(0.1, 0.35));
                 continue;
@@ -52,10 +51,11 @@ class RandomRoom {
   private:
     stats::Draws& draws_;
     Matrix3d turn_;
-    double unit_ = 1;
+    double unit_;
     Scene scene_;
 
     double between(double low, double high) { return low + (high - low) * draws_.uniform(); }
+    double any_unit() { return std::pow(10, std::floor(between(-6, 7))); }
     Matrix3d about_z() { return Eigen::AngleAxisd(between(0, 3), Vector3d::UnitZ()).toRotationMatrix(); }
     Matrix3d any_turn() {
         const Vector3d axis(between(-1, 1), between(-1, 1), between(0.1, 1));
