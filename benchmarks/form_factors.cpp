@@ -4,7 +4,8 @@
 
 #include "core/configurations/built_in_scene.hpp"
 #include "core/tracing/tracer.hpp"
-#include "studies/form_factors/sampling.hpp"
+#include "studies/form_factors/cells/cell_sum.hpp"
+#include "studies/form_factors/ray_sampling.hpp"
 
 #include <benchmark/benchmark.h>
 
@@ -33,33 +34,30 @@ BENCHMARK_CAPTURE(form_factors, squares_blocked, "squares_blocked", 2.13e-4)->Un
 BENCHMARK_CAPTURE(form_factors, nested_cubes, "nested_cubes", 1e-5)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(form_factors, coaxial_discs, "coaxial_discs_equal", 1e-4)->Unit(benchmark::kMillisecond);
 
-void a_point(benchmark::State& state, const char* name) {
+/// A pair in cells, with the time of an evaluation.
+void cells(benchmark::State& state, const char* name) {
     const Scene scene = built_in_scene(name);
     const studies::form_factors::FacePairs geometry = studies::form_factors::examine_pairs(scene, {});
     const auto pair =
-        std::find_if(geometry.pairs.begin(), geometry.pairs.end(), [](const auto& p) { return p.by_points; });
-    const studies::form_factors::PointSampling sampling(scene, pair->sampled.front(), 1e-4);
-    constexpr std::uint64_t points = 4096;
-    std::uint32_t randomisation = 0;
-    studies::form_factors::PointSums sum;
+        std::find_if(geometry.pairs.begin(), geometry.pairs.end(), [](const auto& p) { return p.by_cells; });
+    const studies::form_factors::CellLimits limits{1e-6, 0.95, std::uint64_t{1} << 22};
+    std::uint64_t evaluations = 0;
     for (auto _ : state) {
-        sampling.run({}, randomisation++, points, nullptr, {&sum, 1});
-        benchmark::DoNotOptimize(sum);
+        const StreamKey key = derive_key(Seed{evaluations}, "cells");
+        evaluations += studies::form_factors::cell_sum(scene, *pair, limits, key).evaluations;
     }
-    state.counters["per_point"] =
-        benchmark::Counter(static_cast<double>(points) * static_cast<double>(state.iterations()),
-                           benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
+    state.counters["per_evaluation"] =
+        benchmark::Counter(static_cast<double>(evaluations), benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
     state.counters["blockers"] = static_cast<double>(pair->sampled.front().exchange.blockers.size());
 }
-BENCHMARK_CAPTURE(a_point, squares_blocked, "squares_blocked");
-BENCHMARK_CAPTURE(a_point, squares_through_aperture, "squares_through_aperture");
-BENCHMARK_CAPTURE(a_point, nested_cubes, "nested_cubes");
+BENCHMARK_CAPTURE(cells, squares_blocked, "squares_blocked");
+BENCHMARK_CAPTURE(cells, squares_through_aperture, "squares_through_aperture");
+BENCHMARK_CAPTURE(cells, nested_cubes, "nested_cubes");
 
 void a_ray(benchmark::State& state, const char* name) {
     const Scene scene = built_in_scene(name);
     const studies::form_factors::FacePairs geometry = studies::form_factors::examine_pairs(scene, {});
-    const auto pair =
-        std::find_if(geometry.pairs.begin(), geometry.pairs.end(), [](const auto& p) { return p.is_sampled(); });
+    const studies::form_factors::FacePair* pair = &geometry.pairs.front();
     const studies::form_factors::RaySampling sampling(scene, geometry, pair->from, {pair->to});
     const auto tracer = make_tracer(scene, TracerChoice::automatic);
     constexpr std::uint64_t rays = 65536;

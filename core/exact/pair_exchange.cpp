@@ -130,18 +130,18 @@ PairExchange pair_exchange(const Surface& from, const Surface& to, const Occlude
     if (result.method == ExchangeMethod::rays) {
         // Places on a curved surface see a polygon just as well.
         if (!(cut_out && (is_polygon(from) || is_polygon(to)))) return result;
-        result.method = ExchangeMethod::points;
+        result.method = ExchangeMethod::cells;
     } else if (blockers.empty()) {
         return result;
     } else {
-        result.method = cut_out ? ExchangeMethod::points : ExchangeMethod::rays;
+        result.method = cut_out ? ExchangeMethod::cells : ExchangeMethod::rays;
         result.reason = cut_out ? ExchangeReason::blocked : ExchangeReason::curved;
     }
     if (blockers.size() > most_blockers) {
         result.method = ExchangeMethod::rays;
         result.reason = ExchangeReason::many_blockers;
     }
-    if (result.method == ExchangeMethod::points) result.blockers = blockers;
+    if (result.method == ExchangeMethod::cells) result.blockers = blockers;
     return result;
 }
 

@@ -18,9 +18,9 @@ enum class ExchangeMethod : std::uint8_t {
     contour,      ///< contour integrals with a bound (core/formulas/polygon_exchange.hpp)
     quadrature,   ///< Gauss's rule with a bound, of pairs far apart (core/formulas/far_exchange.hpp)
     bounds,       ///< not computed: 0 and the unoccluded value are close enough to each other
-    cells,        ///< Gauss's rule where what is seen changes smoothly (studies/form_factors/cells)
-    points,       ///< sampled places on one, exact factors to what they see of the other
-                  ///< (core/visibility/visible_polygon.hpp)
+    cells,        ///< Gauss's rule where what is seen changes smoothly, and random places that measure what it leaves,
+                  ///< with exact factors to what they see (studies/form_factors/cells)
+    points,       ///< the same where what is seen may change anywhere: places may miss what geometry does not exclude
     rays,         ///< sampled rays; always possible
 };
 
@@ -47,7 +47,7 @@ struct PairExchange {
     ExchangeReason reason = ExchangeReason::turned_away;
     /// The exchange area; for sampled pairs the unoccluded one, an upper bound, where that is known.
     std::optional<BoundedValue<double>> area = BoundedValue<double>{};
-    std::vector<Blocker> blockers;  ///< for ExchangeMethod::points; of Occluders::walls
+    std::vector<Blocker> blockers;  ///< for ExchangeMethod::cells; of Occluders::walls
 };
 
 /// The cheapest method for two surfaces of a scene (which may be one and the same).

@@ -35,6 +35,9 @@ class VisiblePolygon {
     void find(std::span<const Eigen::Vector3d> places, const Eigen::Vector3d& normal, std::span<Factors> result) const {
         find(places, normal, all_, result);
     }
+    /// The same with these blockers only, given by index.
+    void find(std::span<const Eigen::Vector3d> places, const Eigen::Vector3d& normal,
+              std::span<const std::uint32_t> blockers, std::span<Factors> result) const;
 
   private:
     std::vector<Eigen::Vector3d> target_;  ///< counter-clockwise as seen from the side that receives
@@ -56,9 +59,6 @@ class VisiblePolygon {
     std::vector<std::uint32_t> all_;
 
     void find_convex_pairs();
-
-    void find(std::span<const Eigen::Vector3d> places, const Eigen::Vector3d& normal,
-              std::span<const std::uint32_t> blockers, std::span<Factors> result) const;
 };
 
 }  // namespace ff

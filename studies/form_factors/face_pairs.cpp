@@ -25,13 +25,9 @@ bool is_each_looked_at(const Scene& scene) {
     return scene.surfaces.size() <= std::max(most_surfaces, most_surfaces_per_face * scene.faces.size());
 }
 
-/// Points are sampled for each pair of surfaces. Where two faces have more such pairs than this, rays are cheaper: they
-/// serve all pairs at once.
-constexpr std::size_t most_pairs_by_points = 256;
-
-/// Where more pairs of faces than this have to be sampled, the effort for each depends on how much can pass between
-/// them (PointEffort::sized).
-constexpr std::size_t most_of_full_effort = 32;
+/// Cells serve one pair of surfaces. Where two faces have more such pairs than this, rays are cheaper: they serve all
+/// pairs at once.
+constexpr std::size_t most_pairs_by_cells = 256;
 
 /// Pairs whose bounds are this near to each other, in tolerances, are not sampled.
 constexpr double near_enough = 0.5;
@@ -228,12 +224,11 @@ FacePairs examine_pairs(const Scene& scene, const Request& request) {
     result.occluders = std::make_shared<const Occluders>(scene);
     add_up(scene, look_at_pairs(scene, result, request), request, result);
     for (FacePair& pair : result.pairs) {
-        pair.by_points = pair.sampled.size() <= most_pairs_by_points &&
-                         std::all_of(pair.sampled.begin(), pair.sampled.end(), [](const SampledPair& sampled) {
-                             return sampled.exchange.method == ExchangeMethod::points;
-                         });
+        pair.by_cells = pair.sampled.size() <= most_pairs_by_cells &&
+                        std::all_of(pair.sampled.begin(), pair.sampled.end(), [](const SampledPair& sampled) {
+                            return sampled.exchange.method == ExchangeMethod::cells;
+                        });
     }
-    if (result.pairs.size() > most_of_full_effort) result.effort = PointEffort::sized;
     add_resolution(scene, result);
     return result;
 }

@@ -56,15 +56,9 @@ struct FacePair {
     double most = 0;        ///< upper bound of the exchange area: the unoccluded one
     bool all_unblocked_known = true;   ///< `most` is the unblocked exchange area, not merely the area of a surface
     bool everything = false;           ///< all pairs of surfaces, too many to list
-    bool by_points = false;            ///< every sampled pair can be done by points
+    bool by_cells = false;             ///< every sampled pair can be done in cells
     std::vector<SampledPair> sampled;  ///< empty where `everything` is sampled
     ExchangeReason reason = ExchangeReason::turned_away;  ///< why it is sampled
-};
-
-/// How much is spent on a pair before any points are sampled.
-enum class PointEffort : std::uint8_t {
-    full,   ///< by its tolerance alone: intervals are sharp from the first round on
-    sized,  ///< by what can pass, in tolerances: for scenes with so many pairs that this would dominate
 };
 
 /// What a face exchanges with others, all together, that is not kept pair by pair.
@@ -83,10 +77,9 @@ struct FacePairs {
     // Both in the order (0,0), (0,1), .., (1,1), .. without those that cannot see each other, and without those that
     // are dropped.
     std::vector<KnownPair> known;
-    std::vector<FacePair> pairs;           ///< those that are sampled
-    std::vector<double> areas;             ///< area of each face, in squared units of length
-    std::vector<DroppedExchange> dropped;  ///< by face
-    PointEffort effort = PointEffort::full;
+    std::vector<FacePair> pairs;                 ///< those that are sampled
+    std::vector<double> areas;                   ///< area of each face, in squared units of length
+    std::vector<DroppedExchange> dropped;        ///< by face
     std::shared_ptr<const Occluders> occluders;  ///< owns the blockers of sampled pairs
     /// By surface, in order: those between which and it rays count; empty if all do.
     std::vector<std::vector<std::uint32_t>> shot;

@@ -41,8 +41,8 @@ void expect_sense(const Request& request) {
 }
 
 void expect_possible(const Scene& scene, const FacePairs& geometry, const Request& request) {
-    const bool needs_rays =
-        std::any_of(geometry.pairs.begin(), geometry.pairs.end(), [](const FacePair& pair) { return !pair.by_points; });
+    const bool needs_rays = std::any_of(geometry.pairs.begin(), geometry.pairs.end(),
+                                        [&](const FacePair& pair) { return !pair.by_cells || !request.cells; });
     if (needs_rays && request.tolerance < least_tolerance_of_rays) {
         throw UserError(
             fmt::format("--tolerance {:g}: some pairs of scene '{}' have to be sampled by rays (which are "
@@ -175,7 +175,7 @@ Matrix find_matrix(const Scene& whole_scene, const Request& request) {
     MatrixBuilder builder(matrix, geometry, request, alpha);
     if (sampled > 0 && !matrix.interrupted) {
         const SamplingOutcome outcome =
-            sample_pairs(scene, geometry, request, alpha, request.tolerance >= least_tolerance_of_rays,
+            sample_pairs(scene, geometry, request, alpha,
                          [&](std::size_t pair, const PairEstimate& estimate) { builder.take(pair, estimate); });
         matrix.samples = outcome.samples;
         matrix.rays = outcome.rays;

@@ -21,12 +21,11 @@ struct FaceExchange {
     double value = 0;
     double low = 0;
     double high = 0;
-    std::uint64_t samples = 0;  ///< rays, points or evaluations in cells of the round that gave the interval
+    std::uint64_t samples = 0;  ///< rays, or evaluations in cells, of the round that gave the interval
     /// The most expensive method that its surfaces took; empty where there was no time to sample, and the interval is
     /// the geometric bound.
     std::optional<ExchangeMethod> method;
     ExchangeReason reason = ExchangeReason::turned_away;  ///< why it took that method
-    bool by_rays_of_row = false;                          ///< points would do, but the rays of its row serve it too
     bool clipped = false;                                 ///< geometric limits are narrower than the samples' interval
     bool within = false;                                  ///< within the tolerance, in both directions
     bool contradicted = false;  ///< an independent randomisation disagrees; the interval contains both

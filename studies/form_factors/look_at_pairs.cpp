@@ -34,7 +34,7 @@ std::optional<DroppedPair> dropped(std::uint32_t from, std::uint32_t to, const P
     if (!exchange.area || exchange.area->value + exchange.area->error >= below) return std::nullopt;
     // Rounded outwards.
     constexpr auto up = 1 + std::numeric_limits<float>::epsilon();
-    const bool sampled = exchange.method >= ExchangeMethod::points;
+    const bool sampled = exchange.method >= ExchangeMethod::cells;
     const double least = sampled ? 0 : std::max(0.0, exchange.area->value - exchange.area->error);
     return DroppedPair{from, to, static_cast<float>(least) / up,
                        static_cast<float>(exchange.area->value + exchange.area->error) * up};
@@ -79,7 +79,7 @@ std::vector<Seen> look_at_pairs(const Scene& scene, const FacePairs& known, cons
             const double times = face == other && from != to ? 2 : 1;
             const auto a = static_cast<std::uint32_t>(face);
             const auto b = static_cast<std::uint32_t>(other);
-            if (exchange.method >= ExchangeMethod::points)
+            if (exchange.method >= ExchangeMethod::cells)
                 part.open.push_back({a, b, {from, to, times, std::move(exchange)}});
             else
                 part.known.push_back({a, b, times * exchange.area->value, times * exchange.area->error, exchange.method,

@@ -50,7 +50,6 @@ FaceExchange face_exchange(const FacePair& pair, const PairEstimate& estimate) {
         result.low = found.value - found.down - pair.bound - pair.resolution;
         result.high = found.value + found.up + pair.bound + pair.resolution;
         result.method = estimate.method;
-        result.by_rays_of_row = pair.by_points && estimate.method == ExchangeMethod::rays;
         result.samples = estimate.samples;
         result.contradicted = estimate.contradicted;
         if (estimate.contradicted) {

@@ -1,4 +1,4 @@
-#include "studies/form_factors/sampling.hpp"
+#include "studies/form_factors/ray_sampling.hpp"
 
 #include "samplers/sampler.hpp"
 
@@ -13,11 +13,6 @@ namespace {
 constexpr std::uint32_t not_wanted = std::numeric_limits<std::uint32_t>::max();
 
 }  // namespace
-
-double cost_of_ray(const Scene& scene) {
-    // Measured: many_surfaces in benchmarks/README.md.
-    return 1 + 0.5 * std::max(0.0, std::log2(static_cast<double>(scene.surfaces.size()) / 8));
-}
 
 bool RaySampling::is_shot(std::uint32_t from, std::uint32_t to) const {
     if (pairs_->shot.empty()) return true;

@@ -14,6 +14,14 @@
 
 namespace ff::studies::form_factors {
 
+/// Thrown to end samples that are no longer wanted.
+struct Stopped {};
+
+/// Throws Stopped when the flag is set. Null: never.
+inline void expect_more_time(const std::atomic<bool>* stop) {
+    if (stop != nullptr && *stop) throw Stopped();
+}
+
 /// What the level of intervals refers to.
 enum class LevelOf {
     entry,   ///< each entry by itself
@@ -24,7 +32,7 @@ enum class LevelOf {
 struct Progress {
     enum class Stage {
         looking,  ///< finding what geometry tells about pairs of surfaces
-        pilots,   ///< samples that choose methods and sizes
+        pilots,   ///< rays that choose sizes
         rounds,   ///< samples that intervals are made of
     };
     Stage stage = Stage::looking;
@@ -46,10 +54,10 @@ struct Request {
     double level = 0.95;
     LevelOf level_of = LevelOf::entry;
     Seed seed;
-    std::uint64_t max_samples = 1'000'000'000;  ///< rays, points and evaluations in cells together
+    std::uint64_t max_samples = 1'000'000'000;  ///< rays and evaluations in cells together
     bool repair = false;
     unsigned threads = 1;
-    bool cells = true;                        ///< false: pairs that cells would do are sampled as well, to test that
+    bool cells = true;                        ///< false: pairs that cells would do are sampled by rays, to test that
     const std::atomic<bool>* stop = nullptr;  ///< set by another thread: returns what is known by then
     std::function<std::unique_ptr<Tracer>(const Scene&)> tracer;  ///< makes what traces its rays; empty: make_tracer
     std::function<void(const Progress&)> report;                  ///< called by any thread, one call at a time

@@ -1,8 +1,9 @@
 #pragma once
 
 #include "core/tracing/tracer.hpp"
+#include "studies/form_factors/aim.hpp"
 #include "studies/form_factors/cells/cell_sum.hpp"
-#include "studies/form_factors/choice.hpp"
+#include "studies/form_factors/row_by_rays.hpp"
 #include "studies/form_factors/sampled_row.hpp"
 
 #include <cstdint>
@@ -22,15 +23,15 @@ inline constexpr std::size_t most_rounds = 3;
 /// twentieth to each other one.
 double round_level(double alpha, std::size_t round);
 
-/// Samples rows. Cells serve the pairs that they can; for others pilot rounds decide on points or rays and on sizes.
-/// Rounds with randomisations of their own, most_rounds at most, give the estimates. Every estimate is compared with
-/// those of other rounds, by other rays or points. Samples of a row do not depend on which rows are sampled with it,
-/// unless the budget ends.
+/// Samples rows: pairs of a polygon with a surface past polygons in cells, others by rays, for which pilot rounds
+/// decide on sizes. Rounds with randomisations of their own, most_rounds at most, give the estimates. Every estimate is
+/// compared with those of other rounds. Samples of a row do not depend on which rows are sampled with it, unless the
+/// budget ends.
 class Rounds {
   public:
     /// All are kept by reference. @param alpha  1 - level of a pair's interval @param rows  all that there are
     Rounds(const Scene& scene, const FacePairs& geometry, const Request& request, double alpha,
-           bool rays_are_exact_enough, const PairsOfRows& rows);
+           const PairsOfRows& rows);
 
     /// @param budget  samples, at most
     /// @return whether it came to its end; where it was stopped, pairs may lack estimates
@@ -48,21 +49,19 @@ class Rounds {
     /// The state of a pair that is sampled.
     struct State {
         PairEstimate estimate;
-        std::size_t rounds = 0;  ///< by cells, that did not come to what is wanted
-        bool recorded = false;   ///< the estimate is of a round that counts
+        bool recorded = false;  ///< the estimate is of a round that counts
         bool done = false;
     };
-    /// What a thread does at a time.
-    struct Task {
-        std::size_t work = 0;
-        std::uint32_t first = 0;  ///< randomisation
-        std::uint32_t count = 0;
+    /// Pairs that are left to rays, and how far they have come.
+    struct Work {
+        RowByRays row;
+        std::size_t rounds = 0;  ///< completed rounds that count
+        bool pilot = true;       ///< its next round only decides and does not count
     };
 
     const Scene& scene_;
     const Request& request_;
     double alpha_;
-    bool rays_are_exact_enough_;
     std::size_t sampled_ = 0;  ///< pairs of all rows
     Aim aim_;
     std::unique_ptr<Tracer> tracer_;
@@ -71,7 +70,6 @@ class Rounds {
     std::vector<Work> work_;
     std::vector<Earlier> earlier_;
     std::size_t round_ = 0;
-    bool choosing_ = true;       ///< the first round is that of all candidates
     bool last_ = false;          ///< the budget ends with this round
     std::uint64_t left_ = 0;     ///< samples of the budget
     std::uint64_t samples_ = 0;  ///< in all calls
@@ -80,20 +78,20 @@ class Rounds {
 
     [[nodiscard]] double level(std::size_t rounds_done) const { return round_level(alpha_, rounds_done); }
     [[nodiscard]] StreamKey key_of(std::string_view samples) const;
+    [[nodiscard]] bool is_by_cells(std::size_t pair) const;
     void integrate_cells();
     bool take(std::size_t pair, CellSum cells, std::size_t round);
-    void make_pilots(PairsOfRows rows);
-    [[nodiscard]] std::vector<Task> tasks() const;
+    void shoot_rays();
     void run_round();
     void begin_reporting();
     void report(std::uint64_t done, std::uint64_t all, std::uint64_t samples);
     void evaluate();
-    void remember(const Job& job);
-    void record(const Job& job, std::size_t pair, std::size_t round);
+    bool record(const Work& work, std::size_t pair);
+    void set_next(Work& work);
     void note_unfinished();
-    [[nodiscard]] std::vector<double> missing(const Job& job);
+    [[nodiscard]] std::vector<double> missing(const RowByRays& row) const;
     [[nodiscard]] std::uint64_t planned() const;
-    void expect_budget();
+    bool allows(std::uint64_t least) const;
     void keep_within_budget();
     void compare();
 };

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "studies/form_factors/division/sampled_share.hpp"
 #include "studies/form_factors/sampled_row.hpp"
+#include "studies/form_factors/sampled_share.hpp"
 
 #include <array>
 #include <cstddef>

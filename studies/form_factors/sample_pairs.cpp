@@ -12,10 +12,10 @@
 namespace ff::studies::form_factors {
 namespace {
 
-/// Rows whose jobs are in memory at a time, with at least so many pairs or all there are.
+/// Rows that are sampled at a time, with at least so many pairs or all there are: what is not done is lost where the
+/// process ends.
 PairsOfRows next_batch(PairsOfRows& rows) {
-    constexpr std::size_t most_pairs_at_once =
-        512;  // a job takes some kilobytes, and what is not done is lost where the process ends
+    constexpr std::size_t most_pairs_at_once = 512;
     PairsOfRows batch;
     for (std::size_t pairs = 0; pairs < most_pairs_at_once && !rows.empty();) {
         pairs += rows.begin()->second.size();
@@ -30,12 +30,11 @@ class RowSampling {
 
     // The analyser does not see the constructor of Rounds, which is in another file.
     // NOLINTNEXTLINE(clang-analyzer-optin.cplusplus.UninitializedObject)
-    RowSampling(const Scene& scene, const FacePairs& geometry, const Request& request, double alpha,
-                bool rays_are_exact_enough, const Take& take)
+    RowSampling(const Scene& scene, const FacePairs& geometry, const Request& request, double alpha, const Take& take)
         : request_(request),
           take_(take),
           rows_(pairs_to_sample(geometry)),
-          rounds_(scene, geometry, request, alpha, rays_are_exact_enough, rows_) {}
+          rounds_(scene, geometry, request, alpha, rows_) {}
 
     SamplingOutcome run() {
         PairsOfRows own = rows_;
@@ -130,9 +129,8 @@ class RowSampling {
 }  // namespace
 
 SamplingOutcome sample_pairs(const Scene& scene, const FacePairs& geometry, const Request& request, double alpha,
-                             bool rays_are_exact_enough,
                              const std::function<void(std::size_t, const PairEstimate&)>& take) {
-    return RowSampling(scene, geometry, request, alpha, rays_are_exact_enough, take).run();
+    return RowSampling(scene, geometry, request, alpha, take).run();
 }
 
 }  // namespace ff::studies::form_factors

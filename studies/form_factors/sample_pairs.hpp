@@ -24,7 +24,6 @@ struct SamplingOutcome {
 ///               process or call to another
 /// @throws UserError where a row is of another matrix
 SamplingOutcome sample_pairs(const Scene& scene, const FacePairs& geometry, const Request& request, double alpha,
-                             bool rays_are_exact_enough,
                              const std::function<void(std::size_t, const PairEstimate&)>& take);
 
 }  // namespace ff::studies::form_factors

@@ -1,7 +1,5 @@
 #include "studies/form_factors/sampled_row.hpp"
 
-#include "studies/form_factors/sampling.hpp"
-
 #include <bit>
 #include <concepts>
 #include <type_traits>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/exact/pair_exchange.hpp"
-#include "studies/form_factors/division/sampled_share.hpp"
+#include "studies/form_factors/sampled_share.hpp"
 
 #include <cstdint>
 #include <optional>

@@ -6,6 +6,7 @@ namespace ff::studies::form_factors {
 namespace {
 
 constexpr std::string_view no_time = "no time to sample it";
+/// In files of earlier versions: rays served pairs that cells serve now.
 constexpr std::string_view rays_of_row = "the rays of its row do as well";
 
 constexpr std::array every_method{ExchangeMethod::none,       ExchangeMethod::closed_form, ExchangeMethod::contour,
@@ -24,7 +25,7 @@ std::string_view method_of(const FaceExchange& exchange) {
 
 std::string_view reason_of(const FaceExchange& exchange) {
     if (!exchange.method) return no_time;
-    return exchange.by_rays_of_row ? rays_of_row : in_words(exchange.reason);
+    return in_words(exchange.reason);
 }
 
 bool set_method(FaceExchange& exchange, std::string_view method, std::string_view reason) {
@@ -33,9 +34,8 @@ bool set_method(FaceExchange& exchange, std::string_view method, std::string_vie
     for (const ExchangeMethod known : every_method) {
         if (method == name(known)) exchange.method = known;
     }
-    exchange.by_rays_of_row = reason == rays_of_row;
     if (!exchange.method) return false;
-    if (exchange.by_rays_of_row) return exchange.method == ExchangeMethod::rays;
+    if (reason == rays_of_row) reason = in_words(ExchangeReason::blocked);
     for (const ExchangeReason known : every_reason) {
         exchange.reason = known;
         if (reason == in_words(known)) return true;

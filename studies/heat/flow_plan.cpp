@@ -268,7 +268,6 @@ std::optional<double> even_samples(const Scene& scene, const form_factors::Matri
     std::vector<double> now;
     std::vector<double> even;  // with a tolerance of 1
     for (const form_factors::FaceExchange& pair : matrix.exchanges) {
-        if (pair.by_rays_of_row) return std::nullopt;  // points take over where more is wanted
         now.push_back(has_choice(pair) ? form_factors::half_width(pair) : 0);
         even.push_back(has_choice(pair) ? smaller_area(matrix, pair) : 0);
     }

@@ -75,10 +75,11 @@ BlockedPair::BlockedPair(const Surface& from, const Surface& to, const std::vect
     for (const ConvexPolygon* end : {&source, &target}) {
         for (const Vector3d& corner : *end) size = std::max(size, corner.norm());
     }
-    for (const Blocker& blocker : between) {
-        ConvexPolygon part = in_front_of(in_front_of(moved(*blocker.surface, origin), from, origin), to, origin);
-        if (!part.empty() && polygon_area(part) > same_length * same_length * size * size)
-            blockers.push_back(std::move(part));
+    for (std::uint32_t b = 0; b < between.size(); ++b) {
+        ConvexPolygon part = in_front_of(in_front_of(moved(*between[b].surface, origin), from, origin), to, origin);
+        if (part.empty() || !(polygon_area(part) > same_length * same_length * size * size)) continue;
+        blockers.push_back(std::move(part));
+        indices.push_back(b);
     }
 }
 
@@ -207,9 +208,9 @@ double crossing(const Vector3d& place, const Vector3d& a, const Vector3d& b, con
 
 }  // namespace
 
-std::vector<ConvexPolygon> smooth_parts(const BlockedPair& pair, std::size_t most_parts) {
+std::vector<ConvexPolygon> smooth_parts(const BlockedPair& pair, const std::vector<RimEdge>& rim,
+                                        std::size_t most_parts) {
     Lines lines(pair, most_parts);
-    const std::vector<RimEdge> rim = rim_of(pair);
     const auto always = [](const Vector3d&, const Vector3d&) { return true; };
     const auto add_plane = [&](const Vector3d& a, const Vector3d& b, const Vector3d& other) {
         lines.add(a, (b - a).cross(other - a), [&](const Vector3d& first, const Vector3d& last) {

@@ -7,6 +7,7 @@
 #include <Eigen/Core>
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace ff::studies::form_factors {
@@ -19,6 +20,7 @@ struct BlockedPair {
     ConvexPolygon source;  ///< empty where nothing of it is in front of the target, or the other way round
     ConvexPolygon target;
     std::vector<ConvexPolygon> blockers;  ///< without those of which nothing is left
+    std::vector<std::uint32_t> indices;   ///< of these among those that may stand between
     double size = 0;                      ///< largest distance of a corner from the origin
 
     BlockedPair(const Surface& from, const Surface& to, const std::vector<Blocker>& between);
@@ -28,7 +30,7 @@ struct BlockedPair {
 struct RimEdge {
     Eigen::Vector3d a;
     Eigen::Vector3d b;
-    std::size_t blocker = 0;
+    std::size_t blocker = 0;  ///< in BlockedPair::blockers
 };
 
 /// Those of a pair. Left out are edges that no line between the two ends crosses, and those between two blockers whose
@@ -40,7 +42,9 @@ std::vector<RimEdge> rim_of(const BlockedPair& pair);
 /// planes of blockers that the source lies on both sides of. Within a part the factor to what is seen is analytic but
 /// where three edges meet in one line of sight, where its second derivative jumps. Lines count only where the event is
 /// within the edges as seen from the source.
+/// @param rim  of the pair
 /// @return convex parts, or none where there are more than `most_parts`
-std::vector<ConvexPolygon> smooth_parts(const BlockedPair& pair, std::size_t most_parts);
+std::vector<ConvexPolygon> smooth_parts(const BlockedPair& pair, const std::vector<RimEdge>& rim,
+                                        std::size_t most_parts);
 
 }  // namespace ff::studies::form_factors

@@ -1,59 +1,76 @@
 #include "studies/form_factors/rounds.hpp"
 #include "studies/run/parallel.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace ff::studies::form_factors {
+namespace {
 
-/// Integrates pairs cell by cell where that is possible, in as many rounds as leave one to points.
+/// Evaluations of two surfaces at least, and at most: some seconds.
+constexpr std::uint64_t least_evaluations = 256;
+constexpr std::uint64_t most_evaluations = std::uint64_t{1} << 22;
+
+}  // namespace
+
+/// Integrates pairs cell by cell where that is possible, in rounds of their own.
 void Rounds::integrate_cells() {
     constexpr double finer = 0.4;
     std::vector<std::size_t> pairs;
     for (const auto& entry : pairs_) {
-        if (request_.cells && aim_.geometry.pairs[entry.first].by_points) pairs.push_back(entry.first);
+        if (is_by_cells(entry.first)) pairs.push_back(entry.first);
     }
-    for (std::size_t round = 0; round + 1 < most_rounds && !pairs.empty(); ++round) {
+    const bool shares_budget = !work_.empty();
+    for (std::size_t round = 0; round < most_rounds && !pairs.empty(); ++round) {
+        const auto surfaces_of = [&](std::size_t pair) { return aim_.geometry.pairs[pair].sampled.size(); };
+        std::uint64_t surfaces = 0;
+        for (const std::size_t pair : pairs) surfaces += std::max<std::size_t>(1, surfaces_of(pair));
+        if (!allows(least_evaluations * surfaces * (shares_budget ? 2 : 1))) return;
+        const std::uint64_t most = std::min(left_ / (shares_budget ? 2 : 1) / surfaces, most_evaluations);
         progress_.stage = Progress::Stage::rounds;
         progress_.round = round + 1;
         std::size_t done = 0;
         std::vector<std::optional<CellSum>> found(pairs.size());
-        const StreamKey key = key_of(round == 0 ? "cells" : "finer cells");
+        const StreamKey key = key_of(fmt::format("cells {}", round + 1));
         for_each_index(pairs.size(), request_.threads, [&](std::uint64_t i) {
-            expect_more_time(request_.stop);
-            const double wanted = aim_.wanted(pairs[i]) * (round == 0 ? 1 : finer);
-            found[i] = cell_sum(scene_, aim_.geometry.pairs[pairs[i]], aim_.geometry.effort, wanted, key);
+            if (request_.stop != nullptr && *request_.stop) return;
+            const std::size_t pair = pairs[i];
+            const CellLimits limits{aim_.wanted(pair) * std::pow(finer, round), level(round), most * surfaces_of(pair),
+                                    request_.stop};
+            found[i] = cell_sum(scene_, aim_.geometry.pairs[pair], limits, key);
             if (!request_.report) return;
             const std::lock_guard lock(reporting_);
             report(++done, pairs.size(), samples_);
         });
         std::vector<std::size_t> wide;
         for (std::size_t i = 0; i < pairs.size(); ++i) {
-            if (found[i] && found[i]->evaluations <= left_ && !take(pairs[i], std::move(*found[i]), round))
-                wide.push_back(pairs[i]);
+            if (found[i] && !take(pairs[i], std::move(*found[i]), round)) wide.push_back(pairs[i]);
         }
         if (request_.report) report(1, 1, samples_);
+        expect_more_time(request_.stop);
         pairs = std::move(wide);
     }
 }
 
-/// @return whether the half width is what is wanted
+/// @return whether it needs no other round
 bool Rounds::take(std::size_t pair, CellSum cells, std::size_t round) {
-    State& state = pairs_[pair];
     rows_[aim_.owner(pair)].samples += cells.evaluations;
     samples_ += cells.evaluations;
-    left_ -= cells.evaluations;
+    left_ -= std::min(left_, cells.evaluations);
     const EstimatedSum estimate = estimate_of(cells.sum, level(round));
     aim_.expected[pair] = std::max(0.0, estimate.value);
-    if (estimate.half_width() > aim_.wanted(pair)) {
-        earlier_.push_back({pair, std::move(cells.sum)});
-        state.rounds = round + 1;
-        return false;
-    }
-    state.estimate = {std::move(cells.sum), ExchangeMethod::cells, level(round), cells.evaluations, false, {}};
-    state.recorded = state.done = true;
-    ++progress_.within;
-    return true;
+    const bool within = estimate.half_width() <= aim_.wanted(pair);
+    const auto method = cells.between_lines ? ExchangeMethod::cells : ExchangeMethod::points;
+    State& state = pairs_[pair];
+    if (state.recorded) earlier_.push_back({pair, std::move(*state.estimate.sum)});
+    state.estimate = {std::move(cells.sum), method, level(round), cells.evaluations, false, {}};
+    state.recorded = true;
+    state.done = within || cells.at_limit;
+    if (within) ++progress_.within;
+    return state.done;
 }
 
 }  // namespace ff::studies::form_factors

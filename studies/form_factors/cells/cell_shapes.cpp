@@ -3,6 +3,8 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <utility>
 
 namespace ff::studies::form_factors {
@@ -45,6 +47,34 @@ std::array<Quadrilateral, 2> Quadrilateral::halves() const {
     return {Quadrilateral{{a, b, right, left}}, Quadrilateral{{left, right, c, d}}};
 }
 
+std::pair<Vector2d, double> Quadrilateral::random_place(const Vector2d& xy) const {
+    if (is_triangle()) return {{std::sqrt(xy.x()), xy.y()}, stretch({0.5, 0.5})};
+    return {xy, stretch(xy)};
+}
+
+double Quadrilateral::most_area() const {
+    if (is_triangle()) return stretch({0.5, 0.5});
+    return std::max({stretch({0, 0}), stretch({0, 1}), stretch({1, 0}), stretch({1, 1})});
+}
+
+PartExtent Quadrilateral::extent() const {
+    PartExtent result;
+    result.centre = Vector3d::Zero();
+    for (std::size_t k = 0; k < corner.size(); ++k) {
+        result.centre += corner[k] / static_cast<double>(corner.size());
+        if (corner[k] != corner[k == 0 ? 3 : k - 1]) result.hull.push_back(corner[k]);
+    }
+    for (const Vector3d& a : result.hull) {
+        result.radius = std::max(result.radius, (a - result.centre).norm());
+        for (const Vector3d& b : result.hull) result.size = std::max(result.size, (a - b).norm());
+    }
+    const auto& [a, b, c, d] = corner;
+    constexpr double rounding = 1e-12;
+    const bool is_affine = is_triangle() || (a - b + c - d).norm() <= rounding * result.size;
+    if (!is_affine) result.size = std::max((b - a).norm(), (c - d).norm()) + std::max((d - a).norm(), (c - b).norm());
+    return result;
+}
+
 RoundSource::RoundSource(const Surface& surface) : map_(surface), area_(area(surface.shape)) {
     const auto along = [&](double s0, double t0, double s1, double t1) {
         return (map_.at(s1, t1).position - map_.at(s0, t0).position).norm();
@@ -55,6 +85,8 @@ RoundSource::RoundSource(const Surface& surface) : map_(surface), area_(area(sur
         size_.x() += along(low, 0, high, 0);
         size_.y() += std::max({along(0, low, 0, high), along(0.5, low, 0.5, high), along(1, low, 1, high)});
     }
+    if (const auto* zone = std::get_if<SphereZone>(&surface.shape)) turn_ = 1 / zone->radius;
+    if (std::holds_alternative<Frustum>(surface.shape)) turn_ = 2 * std::numbers::pi / size_.y();
 }
 
 SurfacePoint RoundSource::at(const Vector3d& place) const {
@@ -67,15 +99,28 @@ double RoundSource::stretch(const Vector3d& place) const {
     return area_ * 6 * u * (1 - u) / (size_.x() * size_.y());
 }
 
-std::pair<Vector3d, double> RoundSource::ball_around(const Quadrilateral& part) const {
-    const Vector3d middle = at(part.at({0.5, 0.5})).position;
-    double radius = 0;
-    for (const double u : {0.0, 0.5, 1.0}) {
-        for (const double v : {0.0, 0.5, 1.0})
-            radius = std::max(radius, (at(part.at({u, v})).position - middle).norm());
+double RoundSource::most_stretch(const Quadrilateral& part) const {
+    // It is a concave function of the first coordinate, and largest in the middle of the rectangle.
+    const auto [low, high] = std::minmax(part.corner[0].x(), part.corner[2].x());
+    return stretch({std::clamp(size_.x() / 2, low, high), 0, 0});
+}
+
+PartExtent RoundSource::extent(const Quadrilateral& part, const Vector3d& origin) const {
+    // Places are at most so many times as far apart as in the rectangle: along a meridian the square root of 3 where it
+    // ends in a point, and a little more as the rectangle was measured along chords.
+    constexpr double farther_along = 1.8;
+    constexpr double farther_around = 1.2;
+    PartExtent result;
+    result.centre = at(part.at({0.5, 0.5})).position - origin;
+    const Vector3d across = part.corner[2] - part.corner[0];
+    result.size = std::hypot(farther_along * across.x(), farther_around * across.y());
+    result.radius = result.size / 2;
+    result.turn = std::min(2.0, turn_ * result.size);
+    for (const int corner : {0, 1, 2, 3, 4, 5, 6, 7}) {
+        const Vector3d side((corner & 1) != 0 ? 1 : -1, (corner & 2) != 0 ? 1 : -1, (corner & 4) != 0 ? 1 : -1);
+        result.hull.emplace_back(result.centre + result.radius * side);
     }
-    constexpr double between = 1.2;  // what lies between those places may be a little farther from the middle
-    return {middle, between * radius};
+    return result;
 }
 
 }  // namespace ff::studies::form_factors

@@ -3,6 +3,7 @@
 #include "core/geometry/scene.hpp"
 #include "core/geometry/surface_map.hpp"
 #include "samplers/grids/gauss_legendre.hpp"
+#include "studies/form_factors/cells/rims.hpp"
 
 #include <Eigen/Core>
 
@@ -33,8 +34,19 @@ struct Quadrilateral {
     [[nodiscard]] Eigen::Vector3d at(const Eigen::Vector2d& uv) const;
     /// Area of the image per area in the square.
     [[nodiscard]] double stretch(const Eigen::Vector2d& uv) const;
+    /// Places in the square, each with the area that it stands for where `xy` is uniform: spread evenly over a
+    /// triangle whose first corner is also the last, or over the square.
+    [[nodiscard]] std::pair<Eigen::Vector2d, double> random_place(const Eigen::Vector2d& xy) const;
+    /// Upper bound of that area.
+    [[nodiscard]] double most_area() const;
     /// Across its longer sides.
     [[nodiscard]] std::array<Quadrilateral, 2> halves() const;
+    /// Of the image in a plane. Its size is such that two places are no farther apart than this, times their distance
+    /// in the square over the farthest there.
+    [[nodiscard]] PartExtent extent() const;
+
+  private:
+    [[nodiscard]] bool is_triangle() const { return corner[0] == corner[3]; }
 };
 
 /// A round surface, spread out on a rectangle in which places are as far apart as on the surface, roughly.
@@ -48,12 +60,16 @@ class RoundSource {
     /// begins or ends in a point, and as a smooth function of the rectangle's first coordinate.
     [[nodiscard]] double stretch(const Eigen::Vector3d& place) const;
 
-    /// The middle and the radius of a ball that holds what a part of the rectangle stands for.
-    [[nodiscard]] std::pair<Eigen::Vector3d, double> ball_around(const Quadrilateral& part) const;
+    /// Upper bound of the stretch in a part of the rectangle.
+    [[nodiscard]] double most_stretch(const Quadrilateral& part) const;
+
+    /// Of what a part of the rectangle stands for.
+    [[nodiscard]] PartExtent extent(const Quadrilateral& part, const Eigen::Vector3d& origin) const;
 
   private:
     SurfaceMap map_;
     double area_;
+    double turn_ = 0;  ///< of the normal at most, per length in the rectangle
     Eigen::Vector2d size_ = Eigen::Vector2d::Zero();
 };
 

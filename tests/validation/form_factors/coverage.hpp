@@ -16,7 +16,7 @@ struct FormFactorCoverageOptions {
     double level = 0.95;  ///< of the intervals
     double shrink = 1;    ///< factor on the width of every sampled interval; below 1: a control to be caught
     unsigned threads = 1;
-    bool cells = true;                ///< false: points instead, whose intervals are less cautious
+    bool cells = true;                ///< false: rays instead, whose intervals are less cautious
     std::vector<std::string> scenes;  ///< empty: the whole catalogue
     std::uint64_t adversarial = 0;    ///< random scenes of each kind of trap (adversarial.hpp)
     std::uint64_t walls = 0;          ///< random scenes of two tiled walls (tiled_walls.hpp), at each kind of level

@@ -149,9 +149,9 @@ void add_furnace(FlowCoverage& coverage) {
         static_cast<std::size_t>(std::find(scene.faces.begin(), scene.faces.end(), "block") - scene.faces.begin());
     const auto roof =
         static_cast<std::size_t>(std::find(scene.faces.begin(), scene.faces.end(), "roof") - scene.faces.begin());
-    form_factors::FormFactorCoverageOptions by_points = coverage.options;
-    by_points.cells = false;
-    add_rates("furnace", scene, furnace_materials(), by_points, coverage, [&](const Flows& found, double share) {
+    form_factors::FormFactorCoverageOptions by_rays = coverage.options;
+    by_rays.cells = false;
+    add_rates("furnace", scene, furnace_materials(), by_rays, coverage, [&](const Flows& found, double share) {
         const auto holds_all = [&](const Bounds& power, double sign) {
             const double middle = sign * power.middle();
             const double half = share * power.half_width();

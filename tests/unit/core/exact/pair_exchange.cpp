@@ -24,7 +24,7 @@ TEST(PairExchange, TakesTheCheapestMethodThatGeometryAllows) {
     EXPECT_EQ(between("cube", 0, 5).method, ExchangeMethod::closed_form);
     EXPECT_EQ(between("squares_at_60_degrees", 0, 1).method, ExchangeMethod::contour);
     EXPECT_EQ(between("parallel_right_triangles", 0, 1).method, ExchangeMethod::contour);
-    EXPECT_EQ(between("squares_blocked", 0, 1).method, ExchangeMethod::points);
+    EXPECT_EQ(between("squares_blocked", 0, 1).method, ExchangeMethod::cells);
     EXPECT_EQ(between("coaxial_discs_equal", 0, 1).method, ExchangeMethod::rays);
     EXPECT_EQ(between("cylinder_wall", 0, 0).method, ExchangeMethod::rays) << "it sees itself";
     EXPECT_EQ(between("discs_blocked", 0, 1).reason, ExchangeReason::curved);

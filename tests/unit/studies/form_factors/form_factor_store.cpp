@@ -139,20 +139,25 @@ TEST_F(FormFactorStore, KeepsEveryMethodAndReason) {
         for (int reason = 0; reason <= static_cast<int>(ExchangeReason::many_surfaces); ++reason) {
             FaceExchange& pair = kept.matrix.exchanges.front();
             pair.method = method;
-            pair.by_rays_of_row = false;
             pair.reason = static_cast<ExchangeReason>(reason);
             pair.contradicted = pair.clipped = reason % 2 == 0;
             save(kept);
             expect_equal(load_matrix(file()).matrix, kept.matrix);
         }
     }
-    kept.matrix.exchanges.front().by_rays_of_row = true;
-    save(kept);
-    expect_equal(load_matrix(file()).matrix, kept.matrix);
     kept.matrix.exchanges.front().method.reset();
     kept.matrix.interrupted = true;
     save(kept);
     expect_equal(load_matrix(file()).matrix, kept.matrix);
+}
+
+// Rays used to serve some pairs that cells serve now.
+TEST(FormFactorWords, ReadReasonsOfEarlierVersions) {
+    FaceExchange pair;
+    EXPECT_TRUE(set_method(pair, "rays", "the rays of its row do as well"));
+    EXPECT_EQ(pair.method, ExchangeMethod::rays);
+    EXPECT_EQ(pair.reason, ExchangeReason::blocked);
+    EXPECT_FALSE(set_method(pair, "rays", "the rays of its rows do as well"));
 }
 
 TEST_F(FormFactorStore, IsReadFromAnEarlierVersion) {

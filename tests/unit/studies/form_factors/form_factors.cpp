@@ -27,7 +27,7 @@ Request request_within(double tolerance, std::uint64_t seed = 1) {
     return request;
 }
 
-/// The matrix of two squares with something in between by points or rays, stopped when this stage tells of itself for
+/// The matrix of two squares with something in between by rays, stopped when this stage tells of itself for
 /// the first time.
 Matrix stopped_in(Progress::Stage stage, Request request) {
     std::atomic<bool> stop = false;
@@ -189,7 +189,7 @@ TEST(FormFactors, StayBelowTheUnoccludedValue) {
     const Matrix seen = find_matrix(two, request);
     EXPECT_EQ(method_of(seen.exchange(0, 1)), "cells");
     EXPECT_LT(seen.exchange(0, 1).high, 1e-13);
-    // For points, that none sees anything is no proof.
+    // For rays, that none arrives is no proof.
     request.cells = false;
     const FaceExchange exchange = find_matrix(two, request).exchange(0, 1);
     EXPECT_LT(exchange.value, 1e-13);

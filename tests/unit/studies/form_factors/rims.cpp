@@ -1,7 +1,7 @@
-#include "studies/form_factors/division/rims.hpp"
+#include "studies/form_factors/cells/rims.hpp"
 
-#include "core/geometry/surface_map.hpp"
 #include "core/visibility/visible_polygon.hpp"
+#include "studies/form_factors/cells/cell_shapes.hpp"
 
 #include <gtest/gtest.h>
 
@@ -41,26 +41,22 @@ double largest_share_of_bound(bool with_plates) {
         };
         if (above_source(target).empty()) continue;
         Rims rims(source, above_source(target));
-        for (const Surface& surface : plates) rims.add_blocker(above_source(surface));
+        for (const Surface& surface : plates) rims.add_blocker(edges_of(above_source(surface)));
         std::vector<std::uint32_t> counted(with_plates ? plates.size() : 0);
         std::iota(counted.begin(), counted.end(), 0U);
 
-        const SurfaceMap map(source);
         const VisiblePolygon visible(target, blockers);
         for (int k = 0; k < 30; ++k) {
-            SourceRange range;
-            for (int halving = 0; halving < 8; ++halving) range = range.half(halving % 2 == 0, uniform(engine) < 0.5);
-            const double slope = rims.slope(extent_of(source, map, Vector3d::Zero(), range), counted);
+            Quadrilateral part{{Vector3d(0, 0, 0), {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}};
+            for (int halving = 0; halving < 8; ++halving) part = part.halves()[uniform(engine) < 0.5];
+            const double slope = rims.slope(part.extent(), counted);
             if (!(slope > 0 && slope < 1e6)) continue;
-            const auto place = [&] {
-                return map.at(range.s0 + (range.s1 - range.s0) * uniform(engine),
-                              range.t0 + (range.t1 - range.t0) * uniform(engine));
-            };
-            const SurfacePoint a = place();
-            const SurfacePoint b = place();
+            const auto place = [&] { return part.at({uniform(engine), uniform(engine)}); };
+            const Vector3d a = place();
+            const Vector3d b = place();
             const double change =
-                std::abs(visible.from(a.position, a.normal).visible - visible.from(b.position, b.normal).visible);
-            largest = std::max(largest, change / slope / (a.position - b.position).norm());
+                std::abs(visible.from(a, source.normal).visible - visible.from(b, source.normal).visible);
+            largest = std::max(largest, change / slope / (a - b).norm());
         }
     }
     return largest;

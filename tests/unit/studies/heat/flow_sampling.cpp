@@ -87,7 +87,15 @@ TEST(FlowPlan, SpendsLeastOnPairsOfSimilarTemperature) {
     const Scene scene = furnace_scene();
     form_factors::Request request = flow_request();
     request.tolerance = 1e-3;
-    const form_factors::Matrix matrix = form_factors::find_matrix(scene, request);
+    form_factors::Matrix matrix = form_factors::find_matrix(scene, request);
+    // As if all had cost as much and come as far.
+    for (form_factors::FaceExchange& pair : matrix.exchanges) {
+        if (!pair.is_sampled()) continue;
+        const double half_width = 1e-3 * std::min(matrix.areas[pair.from], matrix.areas[pair.to]);
+        pair.low = pair.value - half_width;
+        pair.high = pair.value + half_width;
+        pair.samples = 1000;
+    }
     const auto plan = plan_flows(scene, matrix, furnace_materials(), 1, {1e-5}, 0);
     ASSERT_TRUE(plan);
     const auto tolerance = [&](const std::string& a, const std::string& b) {

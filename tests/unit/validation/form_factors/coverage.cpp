@@ -5,7 +5,7 @@
 namespace ff::studies::form_factors {
 namespace {
 
-/// 100 seeds on three scenes of points and rays, level 0.95 of each entry and of the matrix.
+/// 100 seeds on three scenes of rays, level 0.95 of each entry and of the matrix.
 FormFactorCoverage coverage_of(double shrink) {
     FormFactorCoverageOptions options;
     options.seeds = 100;

@@ -1,4 +1,4 @@
-#include "studies/form_factors/division/rims.hpp"
+#include "studies/form_factors/cells/rims.hpp"
 
 #include "core/geometry/surface_map.hpp"
 
@@ -38,16 +38,21 @@ std::vector<Vector3d> cone_of(const PartExtent& part, const ConvexPolygon& polyg
 }  // namespace
 
 Rims::Rims(const Surface& source, const ConvexPolygon& target)
-    : source_(source), target_(target), target_edges_(edges_of(target)) {}
+    : source_(source), target_(target), target_edges_(indices_of(edges_of(target))) {}
 
-void Rims::add_blocker(const ConvexPolygon& polygon) {
-    blocker_edges_.push_back(edges_of(polygon));
+std::vector<Rims::Edge> edges_of(const ConvexPolygon& polygon) {
+    std::vector<Rims::Edge> result;
+    for (std::size_t k = 0; k < polygon.size(); ++k) result.push_back({polygon[k], next_corner(polygon, k)});
+    return result;
 }
 
-std::vector<std::uint32_t> Rims::edges_of(const ConvexPolygon& polygon) {
+void Rims::add_blocker(const std::vector<Edge>& edges) {
+    blocker_edges_.push_back(indices_of(edges));
+}
+
+std::vector<std::uint32_t> Rims::indices_of(const std::vector<Edge>& edges) {
     std::vector<std::uint32_t> result;
-    for (std::size_t k = 0; k < polygon.size(); ++k) {
-        const Edge edge{polygon[k], next_corner(polygon, k)};
+    for (const Edge& edge : edges) {
         const double room = 1e-12 * (edge.b - edge.a).norm();
         const auto is_near = [&](const Vector3d& x, const Vector3d& y) { return (x - y).norm() <= room; };
         const auto same = std::find_if(edges_.begin(), edges_.end(), [&](const Edge& other) {

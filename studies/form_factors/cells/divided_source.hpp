@@ -1,0 +1,77 @@
+#pragma once
+
+#include "studies/form_factors/cells/blocked_pair.hpp"
+#include "studies/form_factors/cells/cell_factors.hpp"
+
+#include <atomic>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace ff::studies::form_factors {
+
+/// Where the division of a source ends.
+struct CellLimits {
+    double wanted = 0;                        ///< half width to reach
+    double level = 0.95;                      ///< of the interval that is to be so wide
+    std::uint64_t evaluations = 0;            ///< most of them
+    const std::atomic<bool>* stop = nullptr;  ///< set by another thread: nothing is divided any more
+};
+
+/// Most random places of a cell in a randomisation: where they may miss too much, a cell takes so many before it is
+/// halved.
+inline constexpr std::uint32_t most_places = 8;
+
+/// A source in cells that are small enough for Gauss's rule, and for the random places that measure what the rule
+/// leaves. It is cut first along lines at which the factor changes. Where that would make too many parts, or so little
+/// is exchanged that a few places do, and where it is round, it is not cut, and what random places may miss is bounded
+/// by geometry (`PartBounds`).
+class DividedSource {
+  public:
+    DividedSource(const CellPair& pair, const CellLimits& limits);
+
+    [[nodiscard]] CellFactors& factors() { return factors_; }
+    [[nodiscard]] const std::vector<Cell>& cells() const { return cells_; }
+    /// Random ones of all cells in a randomisation.
+    [[nodiscard]] std::uint64_t places() const { return places_; }
+    /// Share of a cell that random places may miss, with one of them in each randomisation.
+    [[nodiscard]] double unmet_share() const { return unmet_share_; }
+    /// Which side is integrated: the smoother.
+    [[nodiscard]] Side side() const { return side_; }
+    [[nodiscard]] bool is_cut() const { return !bounds_; }
+    [[nodiscard]] bool is_fine_enough() const { return is_fine_enough_; }
+
+    /// What the interpolant leaves of the factor at a place, times the area that the place stands for.
+    [[nodiscard]] Factors left_at(const Cell& cell, const CellFactors::RandomPlace& place, Factors found) const;
+
+  private:
+    CellPair pair_;
+    CellLimits limits_;
+    CellFactors factors_;
+    double unmet_share_;
+    double tolerances_;  ///< that the whole exchange area is large, or may be
+    const CellRule& rule_;
+    std::optional<PartBounds> bounds_;  ///< where the source is not cut
+    std::vector<Cell> cells_;
+    std::uint64_t places_ = 0;
+    Side side_ = visible;
+    double left_ = 0;  ///< of that side, between the nodes of all cells
+    bool is_fine_enough_ = false;
+    std::vector<Eigen::Vector2d> uvs_;
+
+    void begin();
+    void begin_round_source();
+    void begin_whole(const BlockedPair& pair, const std::vector<RimEdge>& rim);
+    void add_polygon(const ConvexPolygon& part, std::span<const std::uint32_t> blockers);
+    void add(const Quadrilateral& shape, std::span<const std::uint32_t> blockers);
+    [[nodiscard]] Factors interpolated(const Cell& cell, const Eigen::Vector2d& uv) const;
+    void judge();
+    [[nodiscard]] double most_unmet(double left) const;
+    [[nodiscard]] bool is_at_limit() const;
+    [[nodiscard]] bool may_miss_too_much(const Cell& cell) const;
+    bool take_more_places(Cell& cell);
+    void refine();
+};
+
+}  // namespace ff::studies::form_factors
