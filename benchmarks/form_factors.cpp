@@ -44,11 +44,11 @@ void cells(benchmark::State& state, const char* name) {
     std::uint64_t evaluations = 0;
     for (auto _ : state) {
         const StreamKey key = derive_key(Seed{evaluations}, "cells");
-        evaluations += studies::form_factors::cell_sum(scene, *pair, limits, key).evaluations;
+        evaluations += studies::form_factors::cell_sum(scene, geometry, *pair, limits, key).evaluations;
     }
     state.counters["per_evaluation"] =
         benchmark::Counter(static_cast<double>(evaluations), benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
-    state.counters["blockers"] = static_cast<double>(pair->sampled.front().exchange.blockers.size());
+    state.counters["blockers"] = static_cast<double>(geometry.surfaces_of(*pair).front().blockers);
 }
 BENCHMARK_CAPTURE(cells, squares_blocked, "squares_blocked");
 BENCHMARK_CAPTURE(cells, squares_through_aperture, "squares_through_aperture");

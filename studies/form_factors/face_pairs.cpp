@@ -3,6 +3,7 @@
 #include "core/geometry/placement.hpp"
 #include "core/geometry/surface_map.hpp"
 #include "core/support/error.hpp"
+#include "core/support/free_memory.hpp"
 #include "studies/form_factors/look_at_pairs.hpp"
 
 #include <fmt/format.h>
@@ -81,28 +82,71 @@ void leave_all_to_rays(FacePairs& result) {
 /// By their faces.
 struct InOrder {
     static auto place(const KnownPair& pair) { return std::tuple(pair.from, pair.to, pair.value); }
-    static auto place(const OpenPair& pair) {
-        return std::tuple(pair.face, pair.other_face, pair.surfaces.from, pair.surfaces.to);
-    }
-    template <class Pair>
-    bool operator()(const Pair& a, const Pair& b) const {
-        return place(a) < place(b);
-    }
+    bool operator()(const KnownPair& a, const KnownPair& b) const { return place(a) < place(b); }
 };
 
 /// Those of all parts, in order.
-template <class Pair>
-std::vector<Pair> together(std::vector<Seen>& parts, std::vector<Pair> Seen::*of_part) {
+std::vector<KnownPair> known_of(std::vector<Seen>& parts) {
     std::size_t size = 0;
-    for (const Seen& part : parts) size += (part.*of_part).size();
-    std::vector<Pair> all;
+    for (const Seen& part : parts) size += part.known.size();
+    std::vector<KnownPair> all;
     all.reserve(size);
     for (Seen& part : parts) {
-        for (Pair& pair : part.*of_part) all.push_back(std::move(pair));
-        part.*of_part = {};
+        const std::vector<KnownPair> own = std::exchange(part.known, {});
+        all.insert(all.end(), own.begin(), own.end());
     }
     std::sort(all.begin(), all.end(), InOrder{});
     return all;
+}
+
+/// The same.
+SampledPairs sampled_of(std::vector<Seen>& parts, const Occluders& occluders) {
+    std::size_t pairs = 0;
+    std::size_t blockers = 0;
+    for (const Seen& part : parts) {
+        pairs += part.open.size();
+        blockers += part.open.blockers();
+    }
+    SampledPairs all(occluders);
+    all.reserve(pairs, blockers);
+    for (Seen& part : parts) {
+        const SampledPairs open = std::exchange(part.open, SampledPairs(occluders));
+        for (std::size_t k = 0; k < open.size(); ++k) all.add(open[k], open);
+    }
+    all.sort();
+    return all;
+}
+
+/// Forgets what belongs to no pair of faces.
+void keep_used(FacePairs& geometry) {
+    std::size_t pairs = 0;
+    std::size_t blockers = 0;
+    for (const FacePair& pair : geometry.pairs) {
+        pairs += pair.count;
+        for (const SampledPair& surfaces : geometry.surfaces_of(pair)) blockers += surfaces.blockers;
+    }
+    SampledPairs used(*geometry.occluders);
+    used.reserve(pairs, blockers);
+    for (FacePair& pair : geometry.pairs) {
+        const auto first = static_cast<std::uint32_t>(used.size());
+        for (const SampledPair& surfaces : geometry.surfaces_of(pair)) used.add(surfaces, geometry.sampled);
+        pair.first = first;
+    }
+    geometry.sampled = std::move(used);
+    geometry.pairs.shrink_to_fit();
+}
+
+/// Notes which surfaces rays may count between, for pairs that are not left to cells.
+void find_shot(const Scene& scene, bool cells, FacePairs& geometry) {
+    geometry.shot.resize(scene.surfaces.size());
+    for (const FacePair& pair : geometry.pairs) {
+        if (cells && pair.by_cells) continue;
+        for (const SampledPair& surfaces : geometry.surfaces_of(pair)) {
+            geometry.shot[surfaces.from].push_back(surfaces.to);
+            if (surfaces.from != surfaces.to) geometry.shot[surfaces.to].push_back(surfaces.from);
+        }
+    }
+    for (std::vector<std::uint32_t>& others : geometry.shot) std::sort(others.begin(), others.end());
 }
 
 void add(FacePair& pair, const KnownPair& known) {
@@ -112,17 +156,17 @@ void add(FacePair& pair, const KnownPair& known) {
     pair.reason = std::max(pair.reason, known.reason);
 }
 
-void add(FacePair& pair, const Scene& scene, OpenPair open) {
-    const auto& [from, to, times, exchange] = open.surfaces;
-    pair.reason = std::max(pair.reason, exchange.reason);
-    if (exchange.area) {
-        pair.bound += times * exchange.area->error;  // it may be what the hidden part is taken off
-        pair.most += times * (exchange.area->value + exchange.area->error);
+void add(FacePair& pair, const Scene& scene, const SampledPair& open) {
+    pair.reason = std::max(pair.reason, open.reason);
+    if (open.is_whole_known()) {
+        pair.bound += open.times() * open.whole.error;  // it may be what the hidden part is taken off
+        pair.most += open.times() * (open.whole.value + open.whole.error);
     } else {
         pair.all_unblocked_known = false;
-        pair.most += times * std::min(area(scene.surfaces[from].shape), area(scene.surfaces[to].shape));
+        pair.most +=
+            open.times() * std::min(area(scene.surfaces[open.from].shape), area(scene.surfaces[open.to].shape));
     }
-    pair.sampled.push_back(std::move(open.surfaces));
+    ++pair.count;
 }
 
 /// Adds known pairs of the same faces up.
@@ -151,10 +195,12 @@ void add_up(const Scene& scene, std::vector<Seen> parts, const Request& request,
                         little.least, little.most);
         }
     }
-    result.known = together(parts, &Seen::known);
+    result.known = known_of(parts);
+    return_free_memory();
     merge_same(result.known);
-    std::vector<OpenPair> open = together(parts, &Seen::open);
-    result.shot.resize(scene.surfaces.size());
+    result.sampled = sampled_of(parts, *result.occluders);
+    return_free_memory();  // parts are many
+    const SampledPairs& open = result.sampled;
     std::vector<KnownPair> small;
     auto known = result.known.begin();
     for (std::size_t first = 0; first < open.size();) {
@@ -165,13 +211,11 @@ void add_up(const Scene& scene, std::vector<Seen> parts, const Request& request,
         known = std::lower_bound(known, result.known.end(), faces, [](const KnownPair& a, const auto& wanted) {
             return std::pair(a.from, a.to) < wanted;
         });
+        pair.first = static_cast<std::uint32_t>(first);
         const bool is_partly_known = known != result.known.end() && std::pair(known->from, known->to) == faces;
         if (is_partly_known) add(pair, *known);
         for (; first < open.size() && std::pair(open[first].face, open[first].other_face) == faces; ++first) {
-            const auto [from, to] = std::pair(open[first].surfaces.from, open[first].surfaces.to);
-            result.shot[from].push_back(to);
-            if (from != to) result.shot[to].push_back(from);
-            add(pair, scene, std::move(open[first]));
+            add(pair, scene, open[first]);
         }
         const double smaller = std::min(result.areas[pair.from], result.areas[pair.to]);
         pair.most = std::min(pair.most, smaller);
@@ -188,7 +232,7 @@ void add_up(const Scene& scene, std::vector<Seen> parts, const Request& request,
     const auto middle = static_cast<std::ptrdiff_t>(result.known.size());
     result.known.insert(result.known.end(), small.begin(), small.end());
     std::inplace_merge(result.known.begin(), result.known.begin() + middle, result.known.end(), InOrder{});
-    for (std::vector<std::uint32_t>& others : result.shot) std::sort(others.begin(), others.end());
+    keep_used(result);
 }
 
 }  // namespace
@@ -210,25 +254,26 @@ std::size_t pairs_of(std::size_t faces) {
 
 FacePairs examine_pairs(const Scene& scene, const Request& request) {
     expect_few_faces(scene);
-    FacePairs result;
+    const bool looks = is_each_looked_at(scene);
+    FacePairs result(std::make_shared<const Occluders>(looks ? scene : Scene{}));
     result.areas.assign(scene.faces.size(), 0);
     result.dropped.resize(scene.faces.size());
     for (const Surface& surface : scene.surfaces) {
         if (surface.face != no_face) result.areas[static_cast<std::size_t>(surface.face)] += area(surface.shape);
     }
-    if (!is_each_looked_at(scene)) {
+    if (!looks) {
         leave_all_to_rays(result);
         add_resolution(scene, result);
         return result;
     }
-    result.occluders = std::make_shared<const Occluders>(scene);
     add_up(scene, look_at_pairs(scene, result, request), request, result);
     for (FacePair& pair : result.pairs) {
-        pair.by_cells = pair.sampled.size() <= most_pairs_by_cells &&
-                        std::all_of(pair.sampled.begin(), pair.sampled.end(), [](const SampledPair& sampled) {
-                            return sampled.exchange.method == ExchangeMethod::cells;
-                        });
+        const std::span<const SampledPair> surfaces = result.surfaces_of(pair);
+        pair.by_cells = pair.count <= most_pairs_by_cells &&
+                        std::all_of(surfaces.begin(), surfaces.end(),
+                                    [](const SampledPair& sampled) { return sampled.method == ExchangeMethod::cells; });
     }
+    find_shot(scene, request.cells, result);
     add_resolution(scene, result);
     return result;
 }

@@ -1,25 +1,19 @@
 #pragma once
 
-#include "core/exact/pair_exchange.hpp"
 #include "core/geometry/scene.hpp"
 #include "studies/form_factors/request.hpp"
+#include "studies/form_factors/sampled_pairs.hpp"
 
 #include <cstdint>
 #include <memory>
+#include <span>
+#include <utility>
 #include <vector>
 
 namespace ff::studies::form_factors {
 
 /// For larger matrices, geometric zeros are not written, and nothing takes memory quadratic in the number of faces.
 inline constexpr std::size_t most_dense_faces = 4096;
-
-/// Two surfaces whose exchange has to be sampled, and its multiplicity.
-struct SampledPair {
-    std::uint32_t from = 0;  ///< index of the surface
-    std::uint32_t to = 0;
-    double times = 1;  ///< 2 within a face, where both orders count
-    PairExchange exchange;
-};
 
 /// Number of unordered pairs of this many faces, including each face with itself.
 std::size_t pairs_of(std::size_t faces);
@@ -50,14 +44,15 @@ struct KnownPair {
 struct FacePair {
     std::uint32_t from = 0;  ///< at most `to`
     std::uint32_t to = 0;
-    double known = 0;       ///< sum of what is known, in squared units of length
-    double bound = 0;       ///< upper bound of its error
-    double resolution = 0;  ///< possible effect of rounding coordinates that are large, or were; 0 where it is small
-    double most = 0;        ///< upper bound of the exchange area: the unoccluded one
-    bool all_unblocked_known = true;   ///< `most` is the unblocked exchange area, not merely the area of a surface
-    bool everything = false;           ///< all pairs of surfaces, too many to list
-    bool by_cells = false;             ///< every sampled pair can be done in cells
-    std::vector<SampledPair> sampled;  ///< empty where `everything` is sampled
+    std::uint32_t first = 0;  ///< of its pairs of surfaces in FacePairs::sampled
+    std::uint32_t count = 0;  ///< of these; 0 where `everything` is sampled
+    double known = 0;         ///< sum of what is known, in squared units of length
+    double bound = 0;         ///< upper bound of its error
+    double resolution = 0;    ///< possible effect of rounding coordinates that are large, or were; 0 where it is small
+    double most = 0;          ///< upper bound of the exchange area: the unoccluded one
+    bool all_unblocked_known = true;  ///< `most` is the unblocked exchange area, not merely the area of a surface
+    bool everything = false;          ///< all pairs of surfaces, too many to list
+    bool by_cells = false;            ///< every sampled pair can be done in cells
     ExchangeReason reason = ExchangeReason::turned_away;  ///< why it is sampled
 };
 
@@ -74,17 +69,23 @@ void add_dropped(std::vector<DroppedExchange>& faces, std::size_t from, std::siz
                  double high);
 
 struct FacePairs {
+    explicit FacePairs(std::shared_ptr<const Occluders> owner) : sampled(*owner), occluders(std::move(owner)) {}
+
     // Both in the order (0,0), (0,1), .., (1,1), .. without those that cannot see each other, and without those that
     // are dropped.
     std::vector<KnownPair> known;
-    std::vector<FacePair> pairs;                 ///< those that are sampled
-    std::vector<double> areas;                   ///< area of each face, in squared units of length
-    std::vector<DroppedExchange> dropped;        ///< by face
-    std::shared_ptr<const Occluders> occluders;  ///< owns the blockers of sampled pairs
+    std::vector<FacePair> pairs;           ///< those that are sampled
+    SampledPairs sampled;                  ///< pairs of surfaces of `pairs`, in order
+    std::vector<double> areas;             ///< area of each face, in squared units of length
+    std::vector<DroppedExchange> dropped;  ///< by face
+    std::shared_ptr<const Occluders> occluders;
     /// By surface, in order: those between which and it rays count; empty if all do.
     std::vector<std::vector<std::uint32_t>> shot;
 
     [[nodiscard]] std::size_t faces() const { return areas.size(); }
+    [[nodiscard]] std::span<const SampledPair> surfaces_of(const FacePair& pair) const {
+        return sampled.part(pair.first, pair.count);
+    }
 };
 
 /// Sharper methods are used where an error would show beside the request's tolerance. Pairs not yet examined when the

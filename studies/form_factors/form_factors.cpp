@@ -109,16 +109,22 @@ namespace {
 /// A matrix with a value for both directions of each exchange that is listed. @param value  of an exchange area
 template <class Value>
 Matrix::Sparse both_ways(const Matrix& matrix, Value value) {
-    std::vector<Eigen::Triplet<double>> entries;
-    for (const FaceExchange& exchange : matrix.exchanges) {
-        const auto i = static_cast<int>(exchange.from);
-        const auto j = static_cast<int>(exchange.to);
-        entries.emplace_back(i, j, value(exchange) / matrix.areas[exchange.from]);
-        if (i != j) entries.emplace_back(j, i, value(exchange) / matrix.areas[exchange.to]);
-    }
     const auto n = static_cast<Eigen::Index>(matrix.faces());
+    Eigen::VectorXi sizes = Eigen::VectorXi::Zero(n);
+    for (const FaceExchange& exchange : matrix.exchanges) {
+        ++sizes[exchange.from];
+        if (exchange.from != exchange.to) ++sizes[exchange.to];
+    }
     Matrix::Sparse result(n, n);
-    result.setFromTriplets(entries.begin(), entries.end());
+    result.reserve(sizes);
+    // Exchanges are in order, so that every row gets its columns in order.
+    for (const FaceExchange& exchange : matrix.exchanges) {
+        const auto i = static_cast<Eigen::Index>(exchange.from);
+        const auto j = static_cast<Eigen::Index>(exchange.to);
+        result.insert(i, j) = value(exchange) / matrix.areas[exchange.from];
+        if (i != j) result.insert(j, i) = value(exchange) / matrix.areas[exchange.to];
+    }
+    result.makeCompressed();
     return result;
 }
 
@@ -160,9 +166,8 @@ Matrix find_matrix(const Scene& whole_scene, const Request& request) {
     const Scene scene = with_joined_surfaces(placed(whole_scene, placement));
     Matrix matrix;
     matrix.surfaces = scene.surfaces.size();
-    FacePairs examined = examine_pairs(scene, request);
-    allow_for_rounding(rounding_of_far_coordinates(whole_scene, placement) / placement.unit, scene, examined);
-    const FacePairs geometry = std::move(examined);
+    FacePairs geometry = examine_pairs(scene, request);
+    allow_for_rounding(rounding_of_far_coordinates(whole_scene, placement) / placement.unit, scene, geometry);
     matrix.areas = geometry.areas;
     matrix.interrupted = request.stop != nullptr && *request.stop;
     if (!matrix.interrupted) expect_possible(scene, geometry, request);
@@ -172,7 +177,8 @@ Matrix find_matrix(const Scene& whole_scene, const Request& request) {
                              : stats::bonferroni_level(1 - request.level, sampled + matrix.faces());
     matrix.entry_level = 1 - alpha;
 
-    MatrixBuilder builder(matrix, geometry, request, alpha);
+    MatrixBuilder builder(matrix, geometry, geometry.known, request, alpha);
+    std::exchange(geometry.known, {});  // they are in the matrix now
     if (sampled > 0 && !matrix.interrupted) {
         const SamplingOutcome outcome =
             sample_pairs(scene, geometry, request, alpha,

@@ -60,7 +60,7 @@ std::vector<Seen> look_at_pairs(const Scene& scene, const FacePairs& known, cons
     const std::vector<double> below = least_kept(scene, request.drop);
     const PairExchange unknown{ExchangeMethod::rays, ExchangeReason::many_surfaces, std::nullopt, {}};
     const std::vector<Occluders::Visit> visits = known.occluders->visits(most_in_part);
-    std::vector<Seen> parts(visits.size());
+    std::vector<Seen> parts(visits.size(), Seen{{}, SampledPairs(*known.occluders), {}});
     std::mutex reporting;
     double looked_at = 0;
     for_each_index(visits.size(), request.threads, [&](std::uint64_t v) {
@@ -70,17 +70,17 @@ std::vector<Seen> look_at_pairs(const Scene& scene, const FacePairs& known, cons
             if (is_stopped) expect_few_unknown(scene);
             const Surface& first = scene.surfaces[from];
             const Surface& second = scene.surfaces[to];
-            PairExchange exchange = is_stopped ? unknown : pair_exchange(first, second, between, wanted);
+            const PairExchange exchange = is_stopped ? unknown : pair_exchange(first, second, between, wanted);
             if (const auto little = dropped(from, to, exchange, from == to ? 0 : std::min(below[from], below[to]))) {
                 part.dropped.push_back(*little);
                 return;
             }
             const auto [face, other] = std::minmax({first.face, second.face});
-            const double times = face == other && from != to ? 2 : 1;
             const auto a = static_cast<std::uint32_t>(face);
             const auto b = static_cast<std::uint32_t>(other);
+            const double times = a == b && from != to ? 2 : 1;
             if (exchange.method >= ExchangeMethod::cells)
-                part.open.push_back({a, b, {from, to, times, std::move(exchange)}});
+                part.open.add(a, b, from, to, exchange);
             else
                 part.known.push_back({a, b, times * exchange.area->value, times * exchange.area->error, exchange.method,
                                       exchange.reason});

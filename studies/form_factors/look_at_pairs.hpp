@@ -7,13 +7,6 @@
 
 namespace ff::studies::form_factors {
 
-/// Two surfaces whose exchange is to be sampled, and their faces in order.
-struct OpenPair {
-    std::uint32_t face = 0;
-    std::uint32_t other_face = 0;
-    SampledPair surfaces;
-};
-
 /// A pair that is dropped takes little room.
 struct DroppedPair {
     std::uint32_t from = 0;
@@ -25,7 +18,7 @@ struct DroppedPair {
 /// What was found in a visit.
 struct Seen {
     std::vector<KnownPair> known;  ///< of faces, for each pair of surfaces
-    std::vector<OpenPair> open;
+    SampledPairs open;
     std::vector<DroppedPair> dropped;
 };
 

@@ -14,9 +14,11 @@ namespace ff::studies::form_factors {
 /// Puts the exchanges and sums of a matrix together, as estimates come in.
 class MatrixBuilder {
   public:
-    /// All are kept by reference. The matrix gets its exchanges, sampled ones as geometry bounds them.
-    /// @param matrix  with its areas @param alpha  1 - level of a pair's interval
-    MatrixBuilder(Matrix& matrix, const FacePairs& geometry, const Request& request, double alpha);
+    /// References are kept. The matrix gets its exchanges, sampled ones as geometry bounds them.
+    /// @param matrix  with its areas @param known  pairs beside those that are sampled, in order
+    /// @param alpha  1 - level of a pair's interval
+    MatrixBuilder(Matrix& matrix, const FacePairs& geometry, const std::vector<KnownPair>& known,
+                  const Request& request, double alpha);
 
     /// @param p  place in FacePairs::pairs
     void take(std::size_t p, const PairEstimate& estimate);

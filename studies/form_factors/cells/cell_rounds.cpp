@@ -25,7 +25,7 @@ void Rounds::integrate_cells() {
     }
     const bool shares_budget = !work_.empty();
     for (std::size_t round = 0; round < most_rounds && !pairs.empty(); ++round) {
-        const auto surfaces_of = [&](std::size_t pair) { return aim_.geometry.pairs[pair].sampled.size(); };
+        const auto surfaces_of = [&](std::size_t pair) { return std::size_t{aim_.geometry.pairs[pair].count}; };
         std::uint64_t surfaces = 0;
         for (const std::size_t pair : pairs) surfaces += std::max<std::size_t>(1, surfaces_of(pair));
         if (!allows(least_evaluations * surfaces * (shares_budget ? 2 : 1))) return;
@@ -40,7 +40,7 @@ void Rounds::integrate_cells() {
             const std::size_t pair = pairs[i];
             const CellLimits limits{aim_.wanted(pair) * std::pow(finer, round), level(round), most * surfaces_of(pair),
                                     request_.stop};
-            found[i] = cell_sum(scene_, aim_.geometry.pairs[pair], limits, key);
+            found[i] = cell_sum(scene_, aim_.geometry, aim_.geometry.pairs[pair], limits, key);
             if (!request_.report) return;
             const std::lock_guard lock(reporting_);
             report(++done, pairs.size(), samples_);

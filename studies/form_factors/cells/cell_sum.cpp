@@ -144,11 +144,13 @@ CellSum cell_sum(const CellPair& pair, const CellLimits& limits, Stream stream) 
 
 }  // namespace
 
-CellSum cell_sum(const Scene& scene, const FacePair& pair, const CellLimits& limits, StreamKey key) {
+CellSum cell_sum(const Scene& scene, const FacePairs& pairs, const FacePair& pair, const CellLimits& limits,
+                 StreamKey key) {
     CellSum result;
     result.sum.offset = pair.known;
-    const auto count = static_cast<double>(pair.sampled.size());
-    for (const SampledPair& sampled : pair.sampled) {
+    const auto count = static_cast<double>(pair.count);
+    for (const SampledPair& sampled : pairs.surfaces_of(pair)) {
+        const PairExchange exchange = pairs.sampled.exchange(sampled);
         const Surface* source = &scene.surfaces[sampled.from];
         const Surface* target = &scene.surfaces[sampled.to];
         const bool has_smaller_target = area(target->shape) < area(source->shape);
@@ -156,20 +158,20 @@ CellSum cell_sum(const Scene& scene, const FacePair& pair, const CellLimits& lim
         if (is_round(target) || (!is_round(source) && has_smaller_target)) std::swap(source, target);
         FF_EXPECT(!is_round(target));
         const FacedEnd source_end = source == &scene.surfaces[sampled.from] ? FacedEnd::from : FacedEnd::to;
-        const std::optional<BoundedValue<double>>& whole = sampled.exchange.area;
+        const std::optional<BoundedValue<double>>& whole = exchange.area;
         const double most = whole ? whole->value : std::min(area(source->shape), area(target->shape));
         CellLimits own = limits;
-        own.wanted = limits.wanted / std::sqrt(count) / sampled.times;
-        own.evaluations = limits.evaluations / pair.sampled.size();
+        own.wanted = limits.wanted / std::sqrt(count) / sampled.times();
+        own.evaluations = limits.evaluations / pair.count;
         const Stream stream{.key = key, .trial = 0, .source = sampled.from, .target = sampled.to + 1};
-        CellSum found = cell_sum({*source, *target, sampled.exchange, source_end, most}, own, stream);
+        CellSum found = cell_sum({*source, *target, exchange, source_end, most}, own, stream);
         result.evaluations += found.evaluations;
         result.between_lines = result.between_lines && found.between_lines;
         result.at_limit = result.at_limit || found.at_limit;
-        result.sum.offset += sampled.times * found.sum.offset;
-        result.sum.offset_error += sampled.times * found.sum.offset_error;
+        result.sum.offset += sampled.times() * found.sum.offset;
+        result.sum.offset_error += sampled.times() * found.sum.offset_error;
         for (SampledSum::Term& term : found.sum.terms) {
-            term.scale *= sampled.times;
+            term.scale *= sampled.times();
             result.sum.terms.push_back(std::move(term));
         }
     }

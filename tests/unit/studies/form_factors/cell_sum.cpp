@@ -32,14 +32,15 @@ const test::StatisticalRisk cells_risk{.alpha = 1e-3, .detects = 0.2, .power = 0
 
 /// The first two surfaces of a scene as faces, and what may stand between them.
 struct Pair {
-    Occluders occluders;
+    FacePairs geometry;
     FacePair faces;
 
-    explicit Pair(const Scene& scene) : occluders(scene) {
+    explicit Pair(const Scene& scene) : geometry(std::make_shared<const Occluders>(scene)) {
+        geometry.sampled.add(0, 1, 0, 1, pair_exchange(*geometry.occluders, 0, 1, 1e-12));
         faces.to = 1;
-        faces.sampled.push_back({0, 1, 1, pair_exchange(occluders, 0, 1, 1e-12)});
+        faces.count = 1;
     }
-    [[nodiscard]] const PairExchange& exchange() const { return faces.sampled.front().exchange; }
+    [[nodiscard]] PairExchange exchange() const { return geometry.sampled.exchange(geometry.sampled[0]); }
 };
 
 StreamKey cells_key(std::uint64_t seed) {
@@ -47,7 +48,7 @@ StreamKey cells_key(std::uint64_t seed) {
 }
 
 CellSum cells_of(const Scene& scene, const Pair& pair, double wanted, std::uint64_t seed) {
-    return cell_sum(scene, pair.faces, {wanted, cells_level, std::uint64_t{1} << 22}, cells_key(seed));
+    return cell_sum(scene, pair.geometry, pair.faces, {wanted, cells_level, std::uint64_t{1} << 22}, cells_key(seed));
 }
 
 double smaller_area(const Scene& scene) {
