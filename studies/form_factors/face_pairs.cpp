@@ -226,7 +226,7 @@ void add_up(const Scene& scene, std::vector<Seen> parts, const Request& request,
         if (bounds)
             small.push_back(*bounds);
         else
-            result.pairs.push_back(std::move(pair));
+            result.pairs.push_back(pair);
     }
     std::erase_if(result.known, [](const KnownPair& pair) { return pair.method == ExchangeMethod::none; });
     const auto middle = static_cast<std::ptrdiff_t>(result.known.size());

@@ -7,6 +7,9 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
 
 namespace ff::studies::gates {
 namespace {
@@ -18,13 +21,24 @@ constexpr std::string_view schema = "ffstudy.baseline/1";
 constexpr double smallest_square = smallest_magnitude * smallest_magnitude;
 constexpr double largest_square = largest_magnitude * largest_magnitude;
 constexpr double least_freedom = 0.5;  // the largest kurtosis that n values can have leaves more
-constexpr std::uint64_t most_trials = 1'000'000'000'000'000;
+constexpr std::int64_t most_trials = 1'000'000'000'000'000;
 
 double read_number(const Json& json, const char* key, double low) {
     const auto number = json.at(key).get<double>();
     if (!(low <= number && number <= largest_magnitude))
         throw UserError(fmt::format("{} = {} (not from {:g} to {:g})", key, number, low, largest_magnitude));
     return number;
+}
+
+std::int64_t read_whole(const Json& json, const char* key, std::int64_t low, std::int64_t high) {
+    const auto number = json.at(key).get<double>();
+    if (!(static_cast<double>(low) <= number && number <= static_cast<double>(high)) || std::floor(number) != number)
+        throw UserError(fmt::format("{} = {} (not a whole number from {} to {})", key, number, low, high));
+    return static_cast<std::int64_t>(number);
+}
+
+int read_face(const Json& json, const char* key) {
+    return static_cast<int>(read_whole(json, key, std::numeric_limits<int>::min(), std::numeric_limits<int>::max()));
 }
 
 Json spread_json(const std::optional<stats::MeanSquare>& spread) {
@@ -59,10 +73,8 @@ Json quantity_json(const StoredQuantity& stored) {
 StoredQuantity read_quantity(const Json& json) {
     StoredQuantity stored;
     stored.cell = json.at("cell").get<std::string>();
-    stored.quantity = {QuantityKind::form_factor, json.at("from").get<int>(), json.at("to").get<int>()};
-    stored.trials = json.at("trials").get<std::uint64_t>();
-    if (stored.trials < 1 || stored.trials > most_trials)
-        throw UserError(fmt::format("trials = {} (not from 1 to {})", stored.trials, most_trials));
+    stored.quantity = {QuantityKind::form_factor, read_face(json, "from"), read_face(json, "to")};
+    stored.trials = static_cast<std::uint64_t>(read_whole(json, "trials", 1, most_trials));
     stored.mean = read_number(json, "mean", -largest_magnitude);
     stored.standard_error = read_number(json, "standard_error", 0);
     stored.variance = read_spread(json.at("variance"), stored.trials);

@@ -26,10 +26,11 @@ void Rounds::integrate_cells() {
     const bool shares_budget = !work_.empty();
     for (std::size_t round = 0; round < most_rounds && !pairs.empty(); ++round) {
         const auto surfaces_of = [&](std::size_t pair) { return std::size_t{aim_.geometry.pairs[pair].count}; };
-        std::uint64_t surfaces = 0;
-        for (const std::size_t pair : pairs) surfaces += std::max<std::size_t>(1, surfaces_of(pair));
+        std::uint64_t surfaces = 0;  // pairs of them
+        for (const std::size_t pair : pairs) surfaces += surfaces_of(pair);
         if (!allows(least_evaluations * surfaces * (shares_budget ? 2 : 1))) return;
-        const std::uint64_t most = std::min(left_ / (shares_budget ? 2 : 1) / surfaces, most_evaluations);
+        const std::uint64_t most =
+            std::min(left_ / (shares_budget ? 2 : 1) / std::max<std::uint64_t>(1, surfaces), most_evaluations);
         progress_.stage = Progress::Stage::rounds;
         progress_.round = round + 1;
         std::size_t done = 0;

@@ -1,5 +1,7 @@
 #include "core/visibility/convex_bodies.hpp"
 
+#include "tests/support/unit_cube.hpp"
+
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -11,19 +13,8 @@ namespace ff {
 namespace {
 
 using Eigen::Vector3d;
-
-Surface side(const Vector3d& corner, const Vector3d& u, const Vector3d& v) {
-    return {Parallelogram{corner, u, v}, u.cross(v).normalized(), no_face};
-}
-
-/// The unit cube, radiating outwards: floor, roof, and the four walls.
-std::vector<Surface> cube() {
-    const Vector3d x(1, 0, 0);
-    const Vector3d y(0, 1, 0);
-    const Vector3d z(0, 0, 1);
-    const Vector3d o = Vector3d::Zero();
-    return {side(o, y, x), side(z, x, y), side(o, z, y), side(x, y, z), side(o, x, z), side(y, z, x)};
-}
+using test::unit_cube;
+using test::wall_at;
 
 std::vector<Vector3d> square_at(double height, double size) {
     return {{-size, -size, height}, {size, -size, height}, {size, size, height}, {-size, size, height}};
@@ -34,7 +25,7 @@ ConvexBodies bodies_of(const std::vector<Surface>& sides) {
 }
 
 TEST(ConvexBodies, AreClosedOrLackOneSide) {
-    std::vector<Surface> sides = cube();
+    std::vector<Surface> sides = unit_cube();
     for (std::size_t k = 0; k < sides.size(); ++k) EXPECT_EQ(bodies_of(sides).of(k), 0u);
     sides.erase(sides.begin());
     for (std::size_t k = 0; k < sides.size(); ++k) EXPECT_EQ(bodies_of(sides).of(k), 0u) << "without a floor";
@@ -43,29 +34,29 @@ TEST(ConvexBodies, AreClosedOrLackOneSide) {
 }
 
 TEST(ConvexBodies, ExcludeBodiesThatRadiateInwards) {
-    std::vector<Surface> sides = cube();
+    std::vector<Surface> sides = unit_cube();
     for (Surface& surface : sides) surface.normal *= -1;
     for (std::size_t k = 0; k < sides.size(); ++k) EXPECT_FALSE(bodies_of(sides).of(k));
 }
 
 TEST(ConvexBodies, ExcludeTheFloorTheyStandOn) {
-    std::vector<Surface> sides = cube();
+    std::vector<Surface> sides = unit_cube();
     sides.erase(sides.begin());
-    sides.push_back(side({1, 0, 0}, {1, 0, 0}, {0, 1, 0}));  // shares an edge with the wall
+    sides.push_back(wall_at({1, 0, 0}, {1, 0, 0}, {0, 1, 0}));  // shares an edge with the wall
     const ConvexBodies bodies = bodies_of(sides);
     EXPECT_EQ(bodies.of(0), 0u);
     EXPECT_FALSE(bodies.of(sides.size() - 1));
 }
 
 TEST(ConvexBodies, HaveAnOutside) {
-    const ConvexBodies bodies = bodies_of(cube());
+    const ConvexBodies bodies = bodies_of(unit_cube());
     EXPECT_TRUE(bodies.is_outside(0, square_at(3, 0.1)));
     EXPECT_FALSE(bodies.is_outside(0, square_at(0.5, 0.1))) << "half of that square is inside";
     EXPECT_FALSE(bodies.is_outside(0, square_at(1, 0.1))) << "a lamp below the roof, which is at its back";
 }
 
 TEST(ConvexBodies, LetLinesInWhereASideIsMissing) {
-    std::vector<Surface> sides = cube();
+    std::vector<Surface> sides = unit_cube();
     sides.erase(sides.begin());
     const ConvexBodies bodies = bodies_of(sides);
     EXPECT_FALSE(bodies.is_outside(0, square_at(-1, 0.1))) << "nothing stands before the roof there";

@@ -1,5 +1,7 @@
 #include "core/visibility/curtains.hpp"
 
+#include "tests/support/unit_cube.hpp"
+
 #include <gtest/gtest.h>
 
 #include <array>
@@ -12,19 +14,7 @@ namespace ff {
 namespace {
 
 using Eigen::Vector3d;
-
-Surface wall_at(const Vector3d& corner, const Vector3d& u, const Vector3d& v) {
-    return {Parallelogram{corner, u, v}, u.cross(v).normalized(), no_face};
-}
-
-/// The unit cube, radiating outwards: floor, roof, and the four walls.
-std::vector<Surface> unit_cube() {
-    const Vector3d x(1, 0, 0);
-    const Vector3d y(0, 1, 0);
-    const Vector3d z(0, 0, 1);
-    const Vector3d o = Vector3d::Zero();
-    return {wall_at(o, y, x), wall_at(z, x, y), wall_at(o, z, y), wall_at(x, y, z), wall_at(o, x, z), wall_at(y, z, x)};
-}
+using test::unit_cube;
 
 /// An upright square of this half width beside an upright edge of the cube, looking at its middle.
 std::vector<Vector3d> beside(double sign, double half, double height = 0.5) {

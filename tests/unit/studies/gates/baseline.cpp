@@ -40,7 +40,9 @@ TEST(ParseBaseline, NamesTheGateTheQuantityAndTheImpossibleNumber) {
     EXPECT_THAT(refusal_of_baseline("0.2", "1e308"), HasSubstr("mean = 1e+308"));
     EXPECT_THAT(refusal_of_baseline("0.001", "-1"), HasSubstr("standard_error = -1"));
     EXPECT_THAT(refusal_of_baseline("\"trials\": 100", "\"trials\": 0"), HasSubstr("trials = 0"));
-    EXPECT_THAT(refusal_of_baseline("\"trials\": 100", "\"trials\": 1e30"), HasSubstr("is not a baseline"));
+    EXPECT_THAT(refusal_of_baseline("\"trials\": 100", "\"trials\": 1e30"), HasSubstr("trials = 1e+30"));
+    EXPECT_THAT(refusal_of_baseline("\"trials\": 100", "\"trials\": 1.5"), HasSubstr("trials = 1.5 (not a whole"));
+    EXPECT_THAT(refusal_of_baseline("\"to\": 2", "\"to\": 6e19"), HasSubstr("to = 6e+19"));
 }
 
 }  // namespace
