@@ -56,7 +56,9 @@ BENCHMARK_CAPTURE(cells, nested_cubes, "nested_cubes");
 
 void a_ray(benchmark::State& state, const char* name) {
     const Scene scene = built_in_scene(name);
-    const studies::form_factors::FacePairs geometry = studies::form_factors::examine_pairs(scene, {});
+    studies::form_factors::Request request;
+    request.cells = false;
+    const studies::form_factors::FacePairs geometry = studies::form_factors::examine_pairs(scene, request);
     const studies::form_factors::FacePair* pair = &geometry.pairs.front();
     const studies::form_factors::RaySampling sampling(scene, geometry, pair->from, {pair->to});
     const auto tracer = make_tracer(scene, TracerChoice::automatic);
