@@ -23,6 +23,8 @@ endif()
 target_compile_options(ff_settings INTERFACE ${FF_CODE_GENERATION})
 if(FFSTUDY_SANITIZE)
   target_compile_options(ff_settings INTERFACE -fsanitize=${FFSTUDY_SANITIZE} -fno-omit-frame-pointer)
+  # In instrumented code g++ takes storage that a library fills later for used before that.
+  target_compile_options(ff_settings INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
   target_link_options(ff_settings INTERFACE -fsanitize=${FFSTUDY_SANITIZE})
 endif()
 

@@ -23,11 +23,6 @@ using Eigen::Vector3d;
 using SmallPolygon = boost::container::small_vector<Vector3d, 12>;
 using Heights = boost::container::small_vector<double, 12>;
 
-/// Unlike `resize`, it makes no elements.
-void shorten(SmallPolygon& polygon, std::size_t size) {
-    polygon.erase(polygon.begin() + static_cast<std::ptrdiff_t>(size), polygon.end());
-}
-
 /// Relative to `place`.
 void see_from(const Vector3d& place, std::span<const Vector3d> polygon, SmallPolygon& result) {
     result.resize(polygon.size(), boost::container::default_init);
@@ -50,7 +45,7 @@ SmallPolygon part_of(const SmallPolygon& polygon, const Heights& heights, double
         if ((before > 0 && after < 0) || (before < 0 && after > 0))
             part[size++] = polygon[k] + (next_corner(polygon, k) - polygon[k]) * (before / (before - after));
     }
-    shorten(part, size < 3 ? 0 : size);
+    part.resize(size < 3 ? 0 : size);
     return part;
 }
 
@@ -143,7 +138,7 @@ bool keep_those_that_cut(SmallPolygon& sides, const SmallPolygon& piece) {
         if (!some_inside) return false;
         if (some_outside) sides[kept++] = sides[k];
     }
-    shorten(sides, kept);
+    sides.resize(kept);
     return true;
 }
 
