@@ -55,7 +55,8 @@ ExitCode tell_exception() {
     } catch (const std::system_error& error) {
         return fail(ExitCode::io, fmt::format("{}. Check the disk, or the pipe that reads the output.", error.what()));
     } catch (const std::bad_alloc&) {
-        return fail(ExitCode::usage, fmt::format("'{}': out of memory. Take fewer patches or threads.", asked()));
+        return fail(ExitCode::usage,
+                    fmt::format("'{}': out of memory. Take fewer patches, faces or threads.", asked()));
     } catch (const std::exception& error) {
         return fail_unexpectedly(error.what());
     } catch (...) {

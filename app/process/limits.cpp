@@ -16,6 +16,7 @@
 #include <condition_variable>
 #include <fstream>
 #include <mutex>
+#include <system_error>
 
 namespace ff::app {
 namespace {
@@ -37,6 +38,39 @@ std::optional<double> quantity(std::string_view text, const std::array<Unit, 4>&
     const int letter = std::tolower(static_cast<unsigned char>(*rest));
     const auto* unit = std::find_if(units.begin(), units.end(), [&](const Unit& u) { return u.letter == letter; });
     return unit == units.end() ? std::nullopt : std::optional(value * unit->factor);
+}
+
+/// Memory of the machine, in bytes.
+struct MachineMemory {
+    std::uint64_t total = 0;
+    std::uint64_t available = 0;
+};
+
+std::optional<MachineMemory> machine_memory() {
+    std::ifstream lines("/proc/meminfo");
+    MachineMemory memory;
+    std::string name;
+    std::uint64_t kibibytes = 0;
+    while (lines >> name >> kibibytes) {
+        if (name == "MemTotal:") memory.total = kibibytes * 1024;
+        if (name == "MemAvailable:") memory.available = kibibytes * 1024;
+        std::getline(lines, name);
+    }
+    return memory.total > 0 && memory.available > 0 ? std::optional(memory) : std::nullopt;
+}
+
+/// Why the run has to end, in words; empty: it need not.
+std::string too_much(std::optional<std::uint64_t> limit) {
+    const auto used = resident_memory();
+    if (!used) return "";
+    if (limit) {
+        return *used > *limit ? fmt::format("{} of memory are in use, more than --max-memory", size_in_words(*used))
+                              : "";
+    }
+    const auto machine = machine_memory();
+    if (!machine || *used < machine->total / 2 || machine->available > machine->total / 50) return "";
+    return fmt::format("{} of memory are in use, and the machine has only {} left", size_in_words(*used),
+                       size_in_words(machine->available));
 }
 
 }  // namespace
@@ -80,19 +114,23 @@ TimeLimit::TimeLimit(std::optional<std::chrono::duration<double>> limit) {
 }
 
 MemoryLimit::MemoryLimit(std::optional<std::uint64_t> limit) {
-    if (!limit) return;
-    watch_ = std::jthread([limit = *limit](const std::stop_token& ended) {
+    const auto watch = [limit](const std::stop_token& ended) {
         constexpr std::chrono::milliseconds pause{20};
         std::mutex mutex;
         std::condition_variable_any never;
         std::unique_lock lock(mutex);
         do {
-            const auto used = resident_memory();
-            if (!used || *used <= limit) continue;
-            say("note: {} of memory are in use, more than --max-memory.\n", size_in_words(*used));
+            const std::string reason = too_much(limit);
+            if (reason.empty()) continue;
+            say("note: {}.\n", reason);
             return ask_for_the_end();
         } while (!never.wait_for(lock, ended, pause, [&] { return ended.stop_requested(); }));
-    });
+    };
+    try {
+        watch_ = std::jthread(watch);
+    } catch (const std::system_error&) {
+        if (limit) throw;  // otherwise nobody has asked for it
+    }
 }
 
 }  // namespace ff::app

@@ -30,7 +30,8 @@ class TimeLimit {
     std::jthread clock_;
 };
 
-/// The same when this process has grown beyond a limit of bytes, and says so.
+/// The same when this process has grown beyond a limit of bytes, and says so; without a limit, when it has taken most
+/// of the machine's memory and hardly any is left, before the system kills it.
 class MemoryLimit {
   public:
     explicit MemoryLimit(std::optional<std::uint64_t> limit);
