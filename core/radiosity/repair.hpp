@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <Eigen/SparseCore>
 
 namespace ff {
 
@@ -27,14 +28,18 @@ Eigen::MatrixXd weights_of_hits(const Eigen::MatrixXd& factors, const Eigen::Vec
 /// Factors of exactly 0 have none and stay 0.
 Eigen::MatrixXd weights_of_values(const Eigen::MatrixXd& factors);
 
+/// Factors of which most are 0, by rows.
+using SparseFactors = Eigen::SparseMatrix<double, Eigen::RowMajor>;
+
 struct Balanced {
-    Eigen::MatrixXd factors;
+    SparseFactors factors;
     bool balanced = false;  ///< false where no such factors exist, e.g. where one patch exceeds all others together
 };
 
 /// The factors nearest to estimates (weighted least squares) that are reciprocal, sum to 1 in every row and are nowhere
-/// negative. With weights of hits this is the maximum-likelihood smoothing of [daun2005] to first order.
+/// negative. With weights of hits this is the maximum-likelihood smoothing of [daun2005] to first order. Memory and the
+/// time of a step are proportional to the number of weights that are not 0.
 /// @param weights 1 / variance of each estimate; pairs whose two weights are 0 stay 0 @pre areas > 0, equal sizes
-Balanced balance(const Eigen::MatrixXd& estimates, const Eigen::MatrixXd& weights, const Eigen::VectorXd& areas);
+Balanced balance(const SparseFactors& estimates, const SparseFactors& weights, const Eigen::VectorXd& areas);
 
 }  // namespace ff

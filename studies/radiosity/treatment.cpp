@@ -14,11 +14,10 @@ Eigen::MatrixXd by_reciprocity(const Eigen::MatrixXd& direct, const Eigen::Vecto
 }
 
 Eigen::MatrixXd balanced(const Elements& elements, const Eigen::VectorXd& rays, const Eigen::MatrixXd& direct) {
-    const Balanced result = balance(
-        direct,
-        rays.size() > 0 ? weights_of_hits(direct, rays, elements.areas, elements.sight) : weights_of_values(direct),
-        elements.areas);
-    return result.balanced ? result.factors : Eigen::MatrixXd();
+    const Eigen::MatrixXd weights =
+        rays.size() > 0 ? weights_of_hits(direct, rays, elements.areas, elements.sight) : weights_of_values(direct);
+    const Balanced result = balance(direct.sparseView(), weights.sparseView(), elements.areas);
+    return result.balanced ? Eigen::MatrixXd(result.factors) : Eigen::MatrixXd();
 }
 
 }  // namespace

@@ -14,6 +14,16 @@ Eigen::MatrixXd squared_errors(const Eigen::MatrixXd& factors) {
     return (factors - test::lit_cube(0).factors).cwiseAbs2();
 }
 
+struct BalancedRoom {
+    Eigen::MatrixXd factors;
+    bool balanced = false;
+};
+
+BalancedRoom balance(const Eigen::MatrixXd& estimates, const Eigen::MatrixXd& weights, const Eigen::VectorXd& areas) {
+    const Balanced result = ff::balance(estimates.sparseView(), weights.sparseView(), areas);
+    return {Eigen::MatrixXd(result.factors), result.balanced};
+}
+
 /// Weights for a room with six equal faces, each of which emits `rays` rays.
 Eigen::MatrixXd hit_weights(const Eigen::MatrixXd& estimates, double rays) {
     return weights_of_hits(estimates, Eigen::VectorXd::Constant(6, rays), Eigen::VectorXd::Ones(6), all_but_itself(6));
@@ -36,7 +46,7 @@ TEST(BalancedFactors, AreReciprocalClosedAndNowhereNegative) {
         const Eigen::MatrixXd estimates = box.factors.unaryExpr([&](double factor) { return factor * off(engine); });
         for (const Eigen::MatrixXd& weights :
              {weights_of_hits(estimates, rays, box.areas, all_but_itself(6)), weights_of_values(estimates)}) {
-            const Balanced result = balance(estimates, weights, box.areas);
+            const BalancedRoom result = balance(estimates, weights, box.areas);
             ASSERT_TRUE(result.balanced);
             const FactorProperties properties = factor_properties(result.factors, box.areas);
             EXPECT_LT(properties.closure_defect, 1e-11);
@@ -49,7 +59,7 @@ TEST(BalancedFactors, AreReciprocalClosedAndNowhereNegative) {
 
 TEST(BalancedFactors, LeaveExactFactorsUnchanged) {
     const RadiositySystem box = test::lit_box();
-    const Balanced result = balance(box.factors, weights_of_values(box.factors), box.areas);
+    const BalancedRoom result = balance(box.factors, weights_of_values(box.factors), box.areas);
     EXPECT_LT((result.factors - box.factors).cwiseAbs().maxCoeff(), 1e-13);
 }
 
@@ -59,7 +69,7 @@ TEST(BalancedFactors, AreTheLeastSquaresSolution) {
     ASSERT_GT((estimates.array() == 0).count(), 6);
     const Eigen::VectorXd areas = Eigen::VectorXd::Ones(6);
     const Eigen::MatrixXd weights = hit_weights(estimates, 12);
-    const Balanced result = balance(estimates, weights, areas);
+    const BalancedRoom result = balance(estimates, weights, areas);
     ASSERT_TRUE(result.balanced);
     const auto cost = [&](const Eigen::MatrixXd& f) { return weights.cwiseProduct((f - estimates).cwiseAbs2()).sum(); };
     std::mt19937_64 engine(3);
@@ -83,7 +93,7 @@ TEST(BalancedFactors, MayChangeAPairWithoutAHit) {
     estimates(0, 1) = 0;
     estimates(0, 2) = 1 - estimates.row(0).tail(3).sum();
     EXPECT_TRUE(hit_weights(estimates, 100).allFinite());
-    const Balanced result = balance(estimates, hit_weights(estimates, 100), Eigen::VectorXd::Ones(6));
+    const BalancedRoom result = balance(estimates, hit_weights(estimates, 100), Eigen::VectorXd::Ones(6));
     EXPECT_GT(result.factors(0, 1), 0.001);
 }
 
@@ -126,7 +136,7 @@ TEST(BalancedFactors, StayZeroBetweenPatchesThatCannotSeeEachOther) {
     Eigen::MatrixXd estimates = test::shot_factors(100, 5);
     estimates(0, 1) = estimates(1, 0) = 0;
     const Eigen::VectorXd ones = Eigen::VectorXd::Ones(6);
-    const Balanced result =
+    const BalancedRoom result =
         balance(estimates, weights_of_hits(estimates, Eigen::VectorXd::Constant(6, 100), ones, sight), ones);
     ASSERT_TRUE(result.balanced);
     EXPECT_EQ(result.factors(0, 1), 0);
